@@ -93,6 +93,13 @@ std::string wroteLine(const std::string& file) {
   return filled(Words::tr("wrote %1"), {printable(file)}) + "\n";
 }
 
+std::string wroteLines(const std::vector<std::string>& files) {
+  std::string text;
+  for (const std::string& file : files)
+    if (file != "-") text += wroteLine(file);
+  return text;
+}
+
 void printSummary(bool machineReads, bool quiet, const std::string& given) {
   if (quiet) return;
   std::string text;

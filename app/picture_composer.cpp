@@ -100,7 +100,7 @@ DrawList PictureComposer::composeParts(const Frame& frame) {
     options.above->unit = contactUnit(contactOptions(above));
   }
   DrawList picture = contact(frame, above);
-  const Clip area = contactPlotArea(frame, contact_);
+  const Box area = contactPlotArea(frame, contact_);
   options.above->left = area.x;
   options.above->right = area.x + area.width;
   DrawList diagram = composeDiagrams(sheet, options);

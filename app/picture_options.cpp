@@ -284,7 +284,7 @@ void exaggerate(double exaggeration, const Frame& frame, ContactPictureOptions& 
   const double middle = 0.5 * (fitted.bottom + fitted.top);
   constexpr int kTurns = 4;
   for (int i = 0; i < kTurns; ++i) {
-    const Clip plot = contactPlotArea(frame, options);
+    const Box plot = contactPlotArea(frame, options);
     const double size = fitted.width * plot.height / (plot.width * exaggeration);
     options.view.bottom = middle - 0.5 * size;
     options.view.top = middle + 0.5 * size;
@@ -294,7 +294,7 @@ void exaggerate(double exaggeration, const Frame& frame, ContactPictureOptions& 
 /// Returns how many times as large as lengths heights are drawn.
 double exaggerationOf(const Frame& frame, const ContactPictureOptions& options) {
   const ContactView view = resolvedView(frame, options.view);
-  const Clip plot = contactPlotArea(frame, options);
+  const Box plot = contactPlotArea(frame, options);
   return plot.height / (view.top - view.bottom) / (plot.width / view.width);
 }
 

@@ -19,6 +19,8 @@ class ProgressBar {
 
   /// Shows the progress. note: the text after the numbers, such as the time left.
   void show(std::int64_t done, std::int64_t total, const std::string& note = "");
+  /// Shows the finished part, 0 to 1.
+  void showPart(double part) { show(static_cast<std::int64_t>(1000 * part), 1000); }
 
  private:
   std::string what_;

@@ -39,9 +39,7 @@ std::string fileIn(const std::string& folder, const char* name) {
 WorkPrecision compute(const Scene& scene, const CommonOptions& common) {
   ProgressBar bar(Words::tr("methods"), common.quiet);
   WorkPrecisionOptions options;
-  options.progress = [&bar](double part) {
-    bar.show(static_cast<std::int64_t>(1000 * part), 1000);
-  };
+  options.progress = [&bar](double part) { bar.showPart(part); };
   return withSceneContext(common, [&] {
     WorkPrecision comparison = workPrecision(scene, options);
     addMarchErrors(comparison);
@@ -70,18 +68,18 @@ std::string column(const std::string& number) {
   return fmt::format("{:>8}", number);
 }
 
-/// Pads with blanks; counts letters, not bytes.
+/// Pads with spaces; counts letters, not bytes.
 std::string padded(const std::string& text, std::size_t width) {
   return fmt::format("{:<{}}", text, width);
 }
 
-std::size_t lettersOf(const std::string& text) {
+std::size_t letterCount(const std::string& text) {
   return static_cast<std::size_t>(QString::fromStdString(text).size());
 }
 
 std::string methodLine(const WorkPrecisionPoint& point, bool isPresent, std::size_t nameWidth) {
   const std::string difference = Words::tr("difference"), error = Words::tr("error");
-  const std::size_t width = std::max(lettersOf(difference), lettersOf(error));
+  const std::size_t width = std::max(letterCount(difference), letterCount(error));
   std::string text = fmt::format(
       "  {} {} {}  {}", padded(translated(methodName(point.choice)), nameWidth),
       column(shortNumber(point.error, 2)), padded(point.isDifference ? difference : error, width),
@@ -102,7 +100,7 @@ std::string marchLine(const RegionPrecision& region) {
   return text + "\n";
 }
 
-std::string summaryOf(const WorkPrecision& comparison, const std::string& folder) {
+std::string summaryText(const WorkPrecision& comparison, const std::string& folder) {
   std::string text;
   for (const RegionPrecision& region : comparison.regions) {
     text += filled(Words::tr("region %1, %2 to %3 m/s"),
@@ -111,7 +109,7 @@ std::string summaryOf(const WorkPrecision& comparison, const std::string& folder
             "\n";
     std::size_t width = 0;
     for (const WorkPrecisionPoint& point : region.points)
-      width = std::max(width, lettersOf(translated(methodName(point.choice))));
+      width = std::max(width, letterCount(translated(methodName(point.choice))));
     for (const WorkPrecisionPoint& point : region.points)
       text += methodLine(point, point.choice == comparison.present, width);
     text += marchLine(region);
@@ -144,7 +142,7 @@ int runAccuracy(const AccuracyCommand& command) {
   writeFileAtomically(fileIn(command.output, "accuracy.json"), json);
   writePictures(command, comparison);
   printSummary(command.common.json, command.common.hidesSummary(),
-               summaryOf(comparison, command.output));
+               summaryText(comparison, command.output));
   if (command.common.json) fmt::print("{}", json);
   return kDone;
 }

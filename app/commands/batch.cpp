@@ -51,7 +51,7 @@ constexpr std::size_t kMaxSheets = 100;
 
 /// Returns the mean over the scene's lines at its own velocity. It is empty for a motion, and for a
 /// line at rest.
-std::optional<CurvePoint> meanOverLines(const Scene& scene, const CurveOptions& options) {
+std::optional<CurvePoint> computeMean(const Scene& scene, const CurveOptions& options) {
   if (scene.sliding.kind != SlidingKind::Steady || !(scene.sliding.velocity > 0))
     return std::nullopt;
   return computePoint(scene, scene.sliding.velocity, options);
@@ -83,7 +83,7 @@ class BatchRun {
       ProgressBar bar(Words::tr("scenes"), command_.common.quiet);
       const auto total = static_cast<std::int64_t>(batch_.items.size());
       for (const BatchItem& item : batch_.items) {
-        results_.push_back(resultOf(item, pictures));
+        results_.push_back(runItem(item, pictures));
         noteProgress();
         bar.show(static_cast<std::int64_t>(results_.size()), total);
       }
@@ -97,7 +97,7 @@ class BatchRun {
     writeFileAtomically(fileIn("index.html"), batchPage(batch_, results_, names));
     // Each scene is once in the table, and in the contact sheet where there is only one.
     const std::string ofSheets =
-        provenanceLine(sheets_.size() == 1 ? origin(names[0]) : headerOf("results.csv"));
+        provenanceLine(sheets_.size() == 1 ? origin(names[0]) : referenceHeader("results.csv"));
     for (std::size_t i = 0; i < sheets_.size(); ++i)
       pictures.write(fileIn(names[i]), sheets_[i], {batch_.title, ofSheets, settings_.scale});
     pictures.finish();
@@ -146,7 +146,7 @@ class BatchRun {
     check("results.csv");
   }
 
-  /// Notes the scene before the last one: the picture of the last one is still being written.
+  /// Records the scene before the last one: the picture of the last one is still being written.
   void noteProgress() {
     if (written_) progress_->add(written_->first, written_->second);
     written_ = std::exchange(finished_, std::nullopt);
@@ -175,7 +175,7 @@ class BatchRun {
   }
 
   /// Runs one scene. An error belongs to that scene only; the other scenes go on.
-  BatchResult resultOf(const BatchItem& item, HeadlessPictures& pictures) {
+  BatchResult runItem(const BatchItem& item, HeadlessPictures& pictures) {
     BatchResult result;
     result.item = item;
     try {
@@ -203,7 +203,7 @@ class BatchRun {
     shown.title = translated(result.item.title);
     const PictureLayout layout = layoutFrom(result.item.show);
     PictureContent content{layout};
-    const std::string key = keyOf(result.item);
+    const std::string key = itemDigest(result.item);
     const BatchProgressEntry* const known = progress_->find(key);
     if (known) {
       result.mean = known->result.mean;
@@ -222,7 +222,7 @@ class BatchRun {
       requireTarget(curve);
       content.curves.present = {{}, shown, curve.points, 0};
     }
-    if (!known) result.mean = meanOverLines(scene, options);
+    if (!known) result.mean = computeMean(scene, options);
     FrameSource source(shown, {}, true);
     const Frame frame = source.frame(0);
     if (!known) {
@@ -243,17 +243,17 @@ class BatchRun {
              const Frame& frame, HeadlessPictures& pictures) {
     const Scene& scene = result.item.scene;
     const std::string& name = result.item.name;
-    const auto optionsOf = [&](const std::string& file) {
+    const auto itemOptions = [&](const std::string& file) {
       Json options = optionsFor(file);
       options["entry"] = itemJson(result.item);
       return options;
     };
-    std::optional<ProvenanceOptions> given(std::in_place, optionsOf(name + ".png"));
+    std::optional<ProvenanceOptions> given(std::in_place, itemOptions(name + ".png"));
     PictureComposer composer(settings_, content);
     composer.checkCurveHeight(scene);
     pictures.write(fileIn(name + ".png"), composer.compose(frame),
                    settings_.properties(shown.title, pictureOrigin("batch", scene)));
-    given.emplace(optionsOf(name + ".csv"));
+    given.emplace(itemOptions(name + ".csv"));
     result.files = {name + ".png"};
     const std::vector<CurvePoint>& curve = content.curves.present.points;
     if (!curve.empty()) {
@@ -284,8 +284,8 @@ class BatchRun {
     return options;
   }
 
-  /// Digest of all that has an influence on the files of a scene.
-  std::string keyOf(const BatchItem& item) const {
+  /// Returns the digest of everything that influences the files of a scene.
+  std::string itemDigest(const BatchItem& item) const {
     const Json all = {{"version", ASPERITY_VERSION},
                       {"name", item.name},
                       {"show", item.show},
@@ -298,7 +298,7 @@ class BatchRun {
   }
 
   /// Returns the provenance of a file whose scenes are in another file.
-  static Json headerOf(const std::string& file) {
+  static Json referenceHeader(const std::string& file) {
     Json origin = header();
     origin["see"] = file;
     return origin;

@@ -26,7 +26,7 @@
 namespace asperity {
 namespace {
 
-LawInput lawInputOf(const Scene& scene, const LineSource& source) {
+LawInput makeLawInput(const Scene& scene, const LineSource& source) {
   const SlidingConditions conditions = slidingConditions(scene, scene.sliding.velocity);
   return {conditions.shearModulus,
           conditions.relaxationTime,
@@ -38,7 +38,7 @@ LawInput lawInputOf(const Scene& scene, const LineSource& source) {
           scene.sliding.velocity};
 }
 
-std::string summaryOf(const Scene& scene, const LineSource& source, const LawInput& in) {
+std::string summaryText(const Scene& scene, const LineSource& source, const LawInput& in) {
   const auto number = [](double value) { return shortNumber(value, 6); };
   const double spacing = source.length() / static_cast<double>(source.elements());
   std::string text =
@@ -58,7 +58,7 @@ std::string summaryOf(const Scene& scene, const LineSource& source, const LawInp
   return text + "\n";
 }
 
-/// Numbers that follow from the scene.
+/// Returns numbers that follow from the scene.
 nlohmann::ordered_json derivedJson(const Scene& scene, const LineSource& source,
                                    const LawInput& in) {
   nlohmann::ordered_json json = {
@@ -80,12 +80,12 @@ void checkScene(const CommonOptions& command, bool isOneOfMany,
                 std::vector<nlohmann::ordered_json>& answers) {
   const Scene scene = loadScene(command);
   withSceneContext(command, [&] {
-    // What has no steady state is refused by whatever slides it; so it is no valid scene.
+    // The solver throws where there is no steady state; such a scene is not valid.
     if (scene.sliding.kind == SlidingKind::Steady) const SteadySolver solver(scene);
     const LineSource source(scene, pointsPerElement(scene));
-    const LawInput in = lawInputOf(scene, source);
+    const LawInput in = makeLawInput(scene, source);
     const std::string name = isOneOfMany ? command.scene + ": " : "";
-    printSummary(command.json, command.quiet, name + summaryOf(scene, source, in));
+    printSummary(command.json, command.quiet, name + summaryText(scene, source, in));
     answers.push_back(provenance("check", scene));
     if (isOneOfMany) answers.back()["file"] = command.scene;
     answers.back()["valid"] = true;

@@ -45,8 +45,8 @@ void checkUsage(const RenderCommand& command) {
     if (given) throw InputError("", option, "belongs to films; a table is of one moment, see --at");
 }
 
-Json answerOf(const Scene& scene, const RenderCommand& command, const Frame& frame,
-              const DataTable& table, const ColumnChoice& columns) {
+Json tableAnswer(const Scene& scene, const RenderCommand& command, const Frame& frame,
+                 const DataTable& table, const ColumnChoice& columns) {
   const ProvenanceOptions given(optionsFor(command.common.given, ".json"));
   Json answer = provenance("render", scene);
   answer["table"] = command.table.empty() ? "shape" : command.table;
@@ -56,8 +56,8 @@ Json answerOf(const Scene& scene, const RenderCommand& command, const Frame& fra
   return answer;
 }
 
-std::string csvTextOf(const Scene& scene, const RenderCommand& command, const DataTable& table,
-                      const ColumnChoice& columns) {
+std::string csvText(const Scene& scene, const RenderCommand& command, const DataTable& table,
+                    const ColumnChoice& columns) {
   const ProvenanceOptions given(optionsFor(command.common.given, ".csv"));
   return provenanceComment("render", scene) + columns.select(tableCsv(table));
 }
@@ -81,11 +81,11 @@ int runContactTable(const RenderCommand& command) {
   const bool isCsv = fileExtension(command.output) != ".json";
   const std::string json = isCsv && !command.common.json
                                ? std::string()
-                               : answerOf(scene, command, frame, table, columns).dump(2) + "\n";
+                               : tableAnswer(scene, command, frame, table, columns).dump(2) + "\n";
   if (command.output != "-")
-    writeFileAtomically(command.output, isCsv ? csvTextOf(scene, command, table, columns) : json);
+    writeFileAtomically(command.output, isCsv ? csvText(scene, command, table, columns) : json);
   else if (!command.common.json)
-    fmt::print("{}", csvTextOf(scene, command, table, columns));
+    fmt::print("{}", csvText(scene, command, table, columns));
   if (command.common.json) fmt::print("{}", json);
   if (command.output != "-")
     printSummary(command.common.json, command.common.quiet,

@@ -51,7 +51,7 @@ void writePictures(const CurveCommand& command, const CurveSet& set,
   pictures.finish();
 }
 
-std::string axisOf(const Curve& curve, const Scene& scene) {
+std::string axisText(const Curve& curve, const Scene& scene) {
   const std::size_t points = curve.points.size();
   if (!scene.sweep.isOfVelocity())
     return points == 1
@@ -61,12 +61,12 @@ std::string axisOf(const Curve& curve, const Scene& scene) {
                      : filled(Words::tr("%1 velocities"), {std::to_string(points)});
 }
 
-/// set: the same curve with what is beside it.
-std::string summaryOf(const Curve& curve, const CurveSet& set,
-                      const std::vector<std::string>& outputs) {
+/// Returns the lines of the summary. `set`: the same curve with the comparisons beside it.
+std::string summaryText(const Curve& curve, const CurveSet& set,
+                        const std::vector<std::string>& outputs) {
   const Scene& scene = set.present.scene;
   const std::int64_t lines = curve.points.front().realizations;
-  std::string text = axisOf(curve, scene) + ", " +
+  std::string text = axisText(curve, scene) + ", " +
                      (lines == 1 ? Words::tr("one realization")
                                  : filled(Words::tr("%1 realizations"), {std::to_string(lines)}));
   if (curve.marginalFraction > 0)
@@ -102,30 +102,29 @@ std::string summaryOf(const Curve& curve, const CurveSet& set,
                          "column notes"),
                {std::to_string(unresolved)}) +
         "\n";
-  for (const std::string& output : outputs)
-    if (output != "-") text += wroteLine(output);
-  return text;
+  return text + wroteLines(outputs);
 }
 
-std::string commentOf(const CurveSet& set, const CurveArguments& arguments) {
+std::string provenanceHeader(const CurveSet& set, const CurveArguments& arguments) {
   if (!arguments.hasMore(set.present.scene)) return provenanceComment("curve", set.present.scene);
   nlohmann::ordered_json origin = provenance("curve", set.present.scene);
   arguments.addTo(origin);
   return "# asperity: " + provenanceLine(origin) + "\n";
 }
 
-/// Returns one table of all curves where there are more than the scene's own, after a comment with
-/// its provenance.
-std::string tableOf(const CurveSet& set, const CurveCommand& command, const ColumnChoice& columns) {
+/// Returns the table of the curve, or of all curves where there are more, after a comment with its
+/// provenance.
+std::string csvText(const CurveSet& set, const CurveCommand& command, const ColumnChoice& columns) {
   const ProvenanceOptions options(optionsFor(command.common.given, ".csv"));
   const bool hasMore = command.curves.hasMore(set.present.scene);
-  return commentOf(set, command.curves) +
+  return provenanceHeader(set, command.curves) +
          columns.select(hasMore ? curveSetCsv(set)
                                 : curveCsv(set.present.points,
                                            columnsFor(set.present.scene, showsForces(set))));
 }
 
-std::string jsonOf(const CurveSet& set, const CurveCommand& command, const ColumnChoice& columns) {
+std::string jsonText(const CurveSet& set, const CurveCommand& command,
+                     const ColumnChoice& columns) {
   const ProvenanceOptions options(optionsFor(command.common.given, ".json"));
   auto answer = nlohmann::ordered_json::parse(
       curveJson(set.present.points, set.present.scene, showsForces(set)));
@@ -195,22 +194,22 @@ int runCurve(const CurveCommand& command) {
   });
   for (const std::string& output : command.outputs) {
     const std::string extension = fileExtension(output);
-    if (extension == ".csv") writeFileAtomically(output, tableOf(set, command, columns));
-    if (extension == ".json") writeFileAtomically(output, jsonOf(set, command, columns));
+    if (extension == ".csv") writeFileAtomically(output, csvText(set, command, columns));
+    if (extension == ".json") writeFileAtomically(output, jsonText(set, command, columns));
   }
   if (keepsLines) writeRealizations(command, scene, lines);
   writePictures(command, set, settings);
   const bool tableOnStdout =
       (command.outputs.empty() && !keepsLines) || hasStandardOutput(command.outputs);
   if (command.common.json)
-    fmt::print("{}", jsonOf(set, command, columns));
+    fmt::print("{}", jsonText(set, command, columns));
   else if (tableOnStdout)
-    fmt::print("{}", tableOf(set, command, columns));
+    fmt::print("{}", csvText(set, command, columns));
   std::vector<std::string> files = command.outputs;
   if (keepsLines) files.push_back(command.realizationTable);
   if (!files.empty())
     printSummary(command.common.json || tableOnStdout, command.common.quiet,
-                 summaryOf(curve, set, files));
+                 summaryText(curve, set, files));
   requireTarget(curve);
   return kDone;
 }

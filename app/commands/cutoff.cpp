@@ -16,9 +16,7 @@ int runCutoff(const SheetCommand& command) {
     ProgressBar bar(Words::tr("states"), command.common.quiet);
     StateOptions options;
     options.threads = command.common.threads;
-    options.progress = [&bar](double part) {
-      bar.show(static_cast<std::int64_t>(part * 1000), 1000);
-    };
+    options.progress = [&bar](double part) { bar.showPart(part); };
     return frictionOverCutoff(scene, options);
   });
   const ProvenanceOptions given(optionsFor(command.common.given, ".csv"));

@@ -71,7 +71,7 @@ std::string stageLines(const std::vector<PlanStage>& stages, bool running) {
   return text;
 }
 
-/// Prints time, memory and error below each other.
+/// Returns time, memory and error below each other.
 std::string costLines(const std::string& time, const std::string& memory,
                       const ErrorBudget& error) {
   std::string text;
@@ -100,7 +100,7 @@ std::string mapLines(const MapCost& map) {
                             {timeText(map.seconds), threadsText(map.threads), work}));
 }
 
-/// The plan of a scene and what it will cost, as a person reads them, in the language in use.
+/// Returns the plan of a scene and its expected cost as a text in the present language.
 std::string explanationText(const Explanation& explanation) {
   const Scene& scene = explanation.scene;
   std::string text =

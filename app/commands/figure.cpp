@@ -30,7 +30,7 @@ namespace fs = std::filesystem;
 
 /// Returns the figures that a word means: a single figure, "paper" for Figs. 1 to 6, "all" for
 /// these and the two that the paper does not have.
-std::vector<FigureName> namesOf(const std::string& word) {
+std::vector<FigureName> figureNames(const std::string& word) {
   std::vector<FigureName> names;
   std::vector<std::string_view> words;
   for (const FigureEntry& entry : figureEntries()) {
@@ -44,15 +44,15 @@ std::vector<FigureName> namesOf(const std::string& word) {
 }
 
 /// Returns each figure once, in the order given.
-std::vector<FigureName> namesOf(const std::vector<std::string>& words) {
+std::vector<FigureName> figureNames(const std::vector<std::string>& words) {
   std::vector<FigureName> names;
   for (const std::string& word : words)
-    for (const FigureName name : namesOf(word))
+    for (const FigureName name : figureNames(word))
       if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   return names;
 }
 
-std::string fileOf(const FigureCommand& command, FigureName name, const char* extension) {
+std::string figureOutput(const FigureCommand& command, FigureName name, const char* extension) {
   return (fs::path(command.output) / fmt::format("figure_{}{}", figureEntry(name).word, extension))
       .string();
 }
@@ -66,12 +66,12 @@ void prepareFolder(const FigureCommand& command, const std::vector<FigureName>& 
   makeFolder(command.output);
   for (const FigureName name : names)
     for (const char* extension : {".csv", ".png", ".svg", ".pdf"})
-      checkWritable(fileOf(command, name, extension));
+      checkWritable(figureOutput(command, name, extension));
   checkWritable(claimsFile(command));
 }
 
 /// Throws InputError where a column is of none of the figures.
-ColumnChoice columnsOf(const FigureCommand& command, const std::vector<FigureName>& names) {
+ColumnChoice columnChoice(const FigureCommand& command, const std::vector<FigureName>& names) {
   std::vector<std::string> tables;
   for (const FigureName name : names)
     tables.push_back(fmt::format("figure {}", figureEntry(name).word));
@@ -79,17 +79,17 @@ ColumnChoice columnsOf(const FigureCommand& command, const std::vector<FigureNam
 }
 
 void writeFigure(const FigureCommand& command, const Figure& figure, HeadlessPictures& pictures) {
-  const auto optionsOf = [&](const char* extension) {
+  const auto pictureOptions = [&](const char* extension) {
     nlohmann::ordered_json options = optionsFor(command.common.given, extension);
     options["name"] = figureEntry(figure.name).word;
     if (!command.common.assignments.empty()) options["set"] = command.common.assignments;
     return options;
   };
   {
-    const ProvenanceOptions given(optionsOf(".csv"));
+    const ProvenanceOptions given(pictureOptions(".csv"));
     writeFileAtomically(
-        fileOf(command, figure.name, ".csv"),
-        columnsOf(command, namesOf(command.names))
+        figureOutput(command, figure.name, ".csv"),
+        columnChoice(command, figureNames(command.names))
             .selectAvailable(provenanceComment("figure", figure.scene) + figure.csv));
   }
   const PictureSettings settings = pictureSettings(command.picture, printDefaults(figure.sheet));
@@ -100,11 +100,11 @@ void writeFigure(const FigureCommand& command, const Figure& figure, HeadlessPic
     options.height = heightInPrint(shown.sheet, options);
   DrawList picture = composeFigure(shown, contactFrame(figure).get(), options);
   if (settings.style.isGrey) removeColours(picture);
-  const ProvenanceOptions given(optionsOf(".png"));
+  const ProvenanceOptions given(pictureOptions(".png"));
   const PictureProperties properties =
       settings.properties(translated(figure.sheet.title), pictureOrigin("figure", figure.scene));
   for (const char* extension : {".png", ".svg", ".pdf"})
-    pictures.write(fileOf(command, figure.name, extension), picture, properties);
+    pictures.write(figureOutput(command, figure.name, extension), picture, properties);
 }
 
 std::string claimLines(const Figure& figure) {
@@ -135,9 +135,7 @@ ComputedFigures makeFigures(const FigureCommand& command, const std::vector<Figu
     options.realizations = command.realizations;
     options.assignments = command.common.assignments;
     options.threads = command.common.threads;
-    options.progress = [&bar](double part) {
-      bar.show(static_cast<std::int64_t>(1000 * part), 1000);
-    };
+    options.progress = [&bar](double part) { bar.showPart(part); };
     writeFigure(command, made.figures.emplace_back(makeFigure(name, options)), pictures);
     made.seconds.push_back(
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
@@ -146,7 +144,7 @@ ComputedFigures makeFigures(const FigureCommand& command, const std::vector<Figu
   return made;
 }
 
-std::string summaryOf(const FigureCommand& command, const ComputedFigures& made) {
+std::string summaryText(const FigureCommand& command, const ComputedFigures& made) {
   double total = 0;
   for (const double seconds : made.seconds) total += seconds;
   std::string text;
@@ -160,14 +158,14 @@ std::string summaryOf(const FigureCommand& command, const ComputedFigures& made)
               "\n";
   }
   for (const Figure& figure : made.figures)
-    text += wroteLine(fileOf(command, figure.name, ".csv") + " (.png, .svg, .pdf)");
+    text += wroteLine(figureOutput(command, figure.name, ".csv") + " (.png, .svg, .pdf)");
   return text + wroteLine(claimsFile(command));
 }
 
 }  // namespace
 
 int runFigure(const FigureCommand& command) {
-  const std::vector<FigureName> names = namesOf(command.names);
+  const std::vector<FigureName> names = figureNames(command.names);
   FigureOptions options;
   options.realizations = command.realizations;
   options.assignments = command.common.assignments;
@@ -178,12 +176,12 @@ int runFigure(const FigureCommand& command) {
       refuseChartOptions(command.picture, "is of charts, and this figure is a contact");
   }
   pictureSettings(command.picture, {1200, 800, "print"});
-  columnsOf(command, names);
+  columnChoice(command, names);
   prepareFolder(command, names);
   const ComputedFigures made = makeFigures(command, names);
   const std::string claims = claimsJson(made.figures);
   writeFileAtomically(claimsFile(command), claims);
-  printSummary(command.common.json, command.common.hidesSummary(), summaryOf(command, made));
+  printSummary(command.common.json, command.common.hidesSummary(), summaryText(command, made));
   if (command.common.json) fmt::print("{}", claims);
   return kDone;
 }

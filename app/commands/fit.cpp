@@ -25,7 +25,7 @@ namespace {
 
 constexpr PictureDefaults kPictures{1200, 900, "print"};
 
-std::string summaryOf(const Fit& fit) {
+std::string summaryText(const Fit& fit) {
   std::string text;
   for (const Message& line : describeFit(fit)) text += translated(line) + "\n";
   return text;
@@ -67,7 +67,7 @@ int runFit(const FitCommand& command) {
     for (const NamedSheet& sheet : report.sheets) output.addSheet(sheet.name, sheet.sheet);
     output.write(command.common.given, [&] { return fitProvenance(fitted.start, fitted.fit); });
     printSummary(command.common.json, command.common.hidesSummary(),
-                 summaryOf(fitted.fit) + output.summary());
+                 summaryText(fitted.fit) + output.summary());
     if (command.common.json) fmt::print("{}", report.texts.front().second);
     return kDone;
   });

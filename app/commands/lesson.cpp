@@ -23,7 +23,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string linesOf(const Lesson& lesson) {
+std::string summaryText(const Lesson& lesson) {
   return printable(shown(lesson.title)) + "\n  " +
          filled(Words::tr("%1 minutes, %2 steps, %3 predictions"),
                 {std::to_string(lesson.minutes), std::to_string(lesson.steps.size()),
@@ -64,7 +64,7 @@ Json answersJson(const Lesson& lesson, int threads) {
   return steps;
 }
 
-Json jsonOf(const Lesson& lesson) {
+Json summaryJson(const Lesson& lesson) {
   return {{"name", lesson.name},       {"title", shown(lesson.title)}, {"goal", shown(lesson.goal)},
           {"minutes", lesson.minutes}, {"steps", lesson.steps.size()}, {"sha256", lesson.digest}};
 }
@@ -74,8 +74,8 @@ int listAll(const LessonCommand& command) {
   std::string text;
   for (const ShippedLesson& shipped : shippedLessons()) {
     const Lesson lesson = readNamedLesson(std::string(shipped.name), readNamedScene);
-    all.push_back(jsonOf(lesson));
-    text += std::string(shipped.name) + ": " + linesOf(lesson);
+    all.push_back(summaryJson(lesson));
+    text += std::string(shipped.name) + ": " + summaryText(lesson);
   }
   printSummary(command.common.json, command.common.quiet, text);
   if (command.common.json) fmt::print("{}\n", all.dump(2));
@@ -100,7 +100,7 @@ int runLesson(const LessonCommand& command) {
   CurveOptions computing;
   computing.threads = common.threads;
   checkChoices(lesson, common.scene, computing);
-  std::string summary = linesOf(lesson);
+  std::string summary = summaryText(lesson);
   if (!command.outputs.empty()) {
     HeadlessPictures pictures;
     HandoutOptions options;
@@ -114,7 +114,7 @@ int runLesson(const LessonCommand& command) {
   printSummary(common.json, common.quiet, summary);
   if (common.json) {
     Json answer = {{"schema", "asperity-lesson-summary/1"}, {"version", ASPERITY_VERSION}};
-    answer.update(jsonOf(lesson));
+    answer.update(summaryJson(lesson));
     answer["steps"] = answersJson(lesson, common.threads);
     fmt::print("{}\n", answer.dump(2));
   }

@@ -46,13 +46,13 @@ void writePicture(const std::string& output, const ParameterMap& map, const std:
 }
 
 /// Returns the table after a comment with its provenance.
-std::string tableOf(const ParameterMap& map, const MapCommand& command) {
+std::string csvText(const ParameterMap& map, const MapCommand& command) {
   const ProvenanceOptions given(optionsFor(command.common.given, ".csv"));
   return "# asperity: " + provenanceLine(mapProvenance(map, command.quantity)) + "\n" +
          ColumnChoice(command.columns, kTables).select(mapCsv(map, command.quantity));
 }
 
-std::string jsonOf(const ParameterMap& map, const MapCommand& command) {
+std::string jsonText(const ParameterMap& map, const MapCommand& command) {
   const ProvenanceOptions given(optionsFor(command.common.given, ".json"));
   const ColumnChoice columns(command.columns, kTables);
   if (columns.isAll()) return mapJson(map, command.quantity);
@@ -61,7 +61,7 @@ std::string jsonOf(const ParameterMap& map, const MapCommand& command) {
   return answer.dump(2) + "\n";
 }
 
-std::string summaryOf(const ParameterMap& map, const std::vector<std::string>& outputs) {
+std::string summaryText(const ParameterMap& map, const std::vector<std::string>& outputs) {
   std::string text = filled(Words::tr("%1 times %2 states, %3 of them different"),
                             {std::to_string(map.x.values.size()),
                              std::to_string(map.y.values.size()), std::to_string(map.computed)}) +
@@ -71,9 +71,7 @@ std::string summaryOf(const ParameterMap& map, const std::vector<std::string>& o
       text += filled(Words::tr("friction does not depend on %1 in this scene"),
                      {std::string((alongX ? map.x : map.y).key())}) +
               "\n";
-  for (const std::string& output : outputs)
-    if (output != "-") text += wroteLine(output);
-  return text;
+  return text + wroteLines(outputs);
 }
 
 }  // namespace
@@ -95,9 +93,9 @@ int runMap(const MapCommand& command) {
   for (const std::string& output : command.outputs) {
     const std::string extension = fileExtension(output);
     if (extension == ".csv") {
-      writeFileAtomically(output, tableOf(map, command));
+      writeFileAtomically(output, csvText(map, command));
     } else if (extension == ".json") {
-      writeFileAtomically(output, jsonOf(map, command));
+      writeFileAtomically(output, jsonText(map, command));
     } else if (output != "-") {
       const ProvenanceOptions given(optionsFor(command.common.given, output));
       writePicture(output, map, command.quantity, settings, pictures);
@@ -106,12 +104,12 @@ int runMap(const MapCommand& command) {
   pictures.finish();
   const bool tableOnStdout = command.outputs.empty() || hasStandardOutput(command.outputs);
   if (command.common.json)
-    fmt::print("{}", jsonOf(map, command));
+    fmt::print("{}", jsonText(map, command));
   else if (tableOnStdout)
-    fmt::print("{}", tableOf(map, command));
+    fmt::print("{}", csvText(map, command));
   if (!command.outputs.empty())
     printSummary(command.common.json || tableOnStdout, command.common.quiet,
-                 summaryOf(map, command.outputs));
+                 summaryText(map, command.outputs));
   return kDone;
 }
 

@@ -1,5 +1,5 @@
 // asperity material: from a table of measured moduli, or a ready Prony series, to a material that
-// scenes can name; or, of a scene, where its rubber is used.
+// scenes can name; or, for a scene, the frequencies at which its rubber is used.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -52,7 +52,7 @@ void checkUnit(bool isKnown, const std::string& unit, const char* option,
     throw InputError("", option, message("'{}' is not one of {}", shortened(unit), allowed));
 }
 
-MaterialChoices choicesOf(const MaterialCommand& command) {
+MaterialChoices materialChoices(const MaterialCommand& command) {
   MaterialChoices choices;
   choices.columns = command.columns;
   choices.columns.modulus = chosenFrom(kModuli, command.modulus, "--modulus");
@@ -93,7 +93,7 @@ MaterialChoices choicesOf(const MaterialCommand& command) {
   return choices;
 }
 
-/// A scene, by its file or as a shipped one.
+/// Returns whether the file is a scene, or the name of a shipped one.
 bool isScene(const std::string& file) {
   if (file.ends_with(".json") && !fs::exists(file)) return true;
   const RegularFile opened{fs::path(file)};
@@ -102,7 +102,7 @@ bool isScene(const std::string& file) {
   return first != begin.npos && begin[first] == '{';
 }
 
-ColumnChoice columnsOf(const MaterialCommand& command) {
+ColumnChoice columnChoice(const MaterialCommand& command) {
   return {command.tableColumns, {"material"}};
 }
 
@@ -113,11 +113,11 @@ void refuseSceneOptions(const MaterialCommand& command) {
 
 int makeFromMeasurements(const MaterialCommand& command, const PictureSettings& style) {
   refuseSceneOptions(command);
-  const MaterialChoices choices = choicesOf(command);
+  const MaterialChoices choices = materialChoices(command);
   const std::string& file = command.common.scene;
   const Material material = makeMaterial(readRegularFile(file, kLargestFile), file, choices);
   const std::string json = materialJson(material);
-  const ColumnChoice columns = columnsOf(command);
+  const ColumnChoice columns = columnChoice(command);
   OutputFolder output(command.output, {command.common.scene}, style);
   const auto origin = [&material] {
     nlohmann::ordered_json made = materialOrigin(material);
@@ -146,11 +146,11 @@ int makeFromMeasurements(const MaterialCommand& command, const PictureSettings& 
 }
 
 int showInScene(const MaterialCommand& command, const PictureSettings& style) {
-  const char* of = !command.name.empty()      ? "--name"
-                   : !command.source.empty()  ? "--source"
-                   : !command.written.empty() ? command.written.front().first.c_str()
-                                              : nullptr;
-  if (of) throw InputError("", of, "is of a table of moduli, and this file is a scene");
+  const char* option = !command.name.empty()      ? "--name"
+                       : !command.source.empty()  ? "--source"
+                       : !command.written.empty() ? command.written.front().first.c_str()
+                                                  : nullptr;
+  if (option) throw InputError("", option, "is of a table of moduli, and this file is a scene");
   const Scene scene = loadScene(command.common);
   return withSceneContext(command.common, [&] {
     const Excitation excitation = computeExcitation(scene);
@@ -158,8 +158,8 @@ int showInScene(const MaterialCommand& command, const PictureSettings& style) {
     {
       const ProvenanceOptions given(optionsInFolder(command.common.given, "excitation.csv"));
       output.addText("excitation.csv",
-                     columnsOf(command).selectAvailable(provenanceComment("material", scene) +
-                                                        excitationCsv(scene, excitation)));
+                     columnChoice(command).selectAvailable(provenanceComment("material", scene) +
+                                                           excitationCsv(scene, excitation)));
     }
     output.addSheet("excitation", excitationSheet(scene, excitation));
     output.write(command.common.given, [&] { return provenance("material", scene); });
@@ -179,7 +179,7 @@ int showInScene(const MaterialCommand& command, const PictureSettings& style) {
 int runMaterial(const MaterialCommand& command) {
   checkFolderName(command.output);
   const PictureSettings style = pictureSettings(command.picture, kPictures);
-  columnsOf(command);
+  columnChoice(command);
   return command.common.remade || isScene(command.common.scene)
              ? showInScene(command, style)
              : makeFromMeasurements(command, style);

@@ -48,15 +48,15 @@ void writePicture(const std::string& output, const Scene& scene, const MotionTab
                  settings.properties(translated(sheet.title), provenanceLine(origin)));
 }
 
-std::string tableOf(const Scene& scene, const MotionTable& table, const MotionCommand& command,
+std::string csvText(const Scene& scene, const MotionTable& table, const MotionCommand& command,
                     const ColumnChoice& columns) {
   const ProvenanceOptions given(optionsFor(command.common.given, ".csv"));
   return "# asperity: " + provenanceLine(motionProvenance("motion", scene, table)) + "\n" +
          columns.select(motionCsv(table));
 }
 
-std::string jsonOf(const Scene& scene, const MotionTable& table, const MotionCommand& command,
-                   const ColumnChoice& columns) {
+std::string jsonText(const Scene& scene, const MotionTable& table, const MotionCommand& command,
+                     const ColumnChoice& columns) {
   const ProvenanceOptions given(optionsFor(command.common.given, ".json"));
   const std::string text = motionJson(scene, table);
   if (columns.isAll()) return text;
@@ -65,7 +65,7 @@ std::string jsonOf(const Scene& scene, const MotionTable& table, const MotionCom
   return answer.dump(2) + "\n";
 }
 
-std::string summaryOf(const MotionTable& table, const std::vector<std::string>& outputs) {
+std::string summaryText(const MotionTable& table, const std::vector<std::string>& outputs) {
   std::string text =
       filled(Words::tr("%1 rows of each of %2 lines"),
              {std::to_string(table.lines.front().size()), std::to_string(table.lines.size())});
@@ -76,9 +76,7 @@ std::string summaryOf(const MotionTable& table, const std::vector<std::string>& 
         ", " + filled(Words::tr("estimated error of mu by elements and time steps %1 (%2 %)"),
                       {shortNumber(table.muError, 2), shortNumber(100 * table.relativeError, 2)});
   text += "\n";
-  for (const std::string& output : outputs)
-    if (output != "-") text += wroteLine(output);
-  return text;
+  return text + wroteLines(outputs);
 }
 
 }  // namespace
@@ -96,21 +94,21 @@ int runMotion(const MotionCommand& command) {
   for (const std::string& output : command.outputs) {
     const std::string extension = fileExtension(output);
     if (extension == ".csv")
-      writeFileAtomically(output, tableOf(scene, table, command, columns));
+      writeFileAtomically(output, csvText(scene, table, command, columns));
     else if (extension == ".json")
-      writeFileAtomically(output, jsonOf(scene, table, command, columns));
+      writeFileAtomically(output, jsonText(scene, table, command, columns));
     else if (output != "-")
       writePicture(output, scene, table, settings, command, pictures);
   }
   pictures.finish();
   const bool tableOnStdout = command.outputs.empty() || hasStandardOutput(command.outputs);
   if (command.common.json)
-    fmt::print("{}", jsonOf(scene, table, command, columns));
+    fmt::print("{}", jsonText(scene, table, command, columns));
   else if (tableOnStdout)
-    fmt::print("{}", tableOf(scene, table, command, columns));
+    fmt::print("{}", csvText(scene, table, command, columns));
   if (!command.outputs.empty())
     printSummary(command.common.json || tableOnStdout, command.common.quiet,
-                 summaryOf(table, command.outputs));
+                 summaryText(table, command.outputs));
   return kDone;
 }
 

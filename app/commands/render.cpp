@@ -38,7 +38,7 @@ using Json = nlohmann::ordered_json;
 
 enum class Kind { Picture, Film, Sequence };
 
-Kind kindOf(const std::string& output) {
+Kind outputKind(const std::string& output) {
   checkFolderName(output);
   const std::string extension = fileExtension(output);
   if (isPictureFile(output)) {
@@ -64,7 +64,7 @@ Json probeJson(const ProbeReading& reading) {
   return json;
 }
 
-double frictionOf(const Frame& frame) {
+double lineFriction(const Frame& frame) {
   return frame.transient ? frame.muMarch : frame.muSteady;
 }
 
@@ -75,7 +75,7 @@ class Rendering {
       : command_(command),
         compared_(withCurveOptions(loadScene(command.common), command.curves)),
         scene_(compared_.scene),
-        kind_(kindOf(command.output)),
+        kind_(outputKind(command.output)),
         settings_(pictureSettings(command.picture, {1280, 720, "light"})),
         layout_(layoutFrom(command.layout)),
         overlay_(command.overlay.empty() ? ContactOverlay::Pressure
@@ -106,7 +106,7 @@ class Rendering {
   }
 
   std::string summary() const {
-    std::string text = "mu = " + shortNumber(frictionOf(last_), 6);
+    std::string text = "mu = " + shortNumber(lineFriction(last_), 6);
     if (std::isfinite(last_.muError)) text += " \u00B1 " + shortNumber(last_.muError, 2);
     text += "\n";
     if (kind_ == Kind::Picture) return text + wroteLine(command_.output);
@@ -126,7 +126,7 @@ class Rendering {
 
   Json json() const {
     Json answer = origin();
-    const double mu = frictionOf(last_);
+    const double mu = lineFriction(last_);
     answer["mu"] = numberOrNull(mu);
     if (std::isfinite(last_.muError)) answer["mu_discretization_error"] = last_.muError;
     if (last_.muInterface > 0) answer["mu_interface"] = last_.muInterface;
@@ -296,7 +296,7 @@ class Rendering {
     HeadlessPictures pictures(settings_.backend);
     FilmFile film(command_.output, options);
     addSamples(samples, pictures, film);
-    PipelineStages stages = stagesOf(pictures);
+    PipelineStages stages = pipelineStages(pictures);
     stages.sink = [&film](std::int64_t, const QImage& image, StageSeconds& seconds) {
       const StageTimer timer(seconds.encode);
       film.add(image);
@@ -312,7 +312,7 @@ class Rendering {
     files_ = sequence.files();
     const std::vector<std::int64_t> missing = command_.resume ? sequence.missing() : allIndices();
     HeadlessPictures pictures(settings_.backend);
-    PipelineStages stages = stagesOf(pictures);
+    PipelineStages stages = pipelineStages(pictures);
     stages.workers = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 4U));
     stages.sink = [&](std::int64_t index, const QImage& image, StageSeconds& seconds) {
       std::string png;
@@ -335,7 +335,7 @@ class Rendering {
     return indices;
   }
 
-  PipelineStages stagesOf(HeadlessPictures& pictures) {
+  PipelineStages pipelineStages(HeadlessPictures& pictures) {
     PipelineStages stages;
     stages.compose = [this](std::int64_t index) { return compose(index); };
     stages.draw = [&pictures](const DrawList& list) { return pictures.draw(list); };

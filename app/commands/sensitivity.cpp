@@ -21,9 +21,7 @@ int runSensitivity(const SheetCommand& command) {
     ProgressBar bar(Words::tr("states"), command.common.quiet);
     StateOptions options;
     options.threads = command.common.threads;
-    options.progress = [&bar](double part) {
-      bar.show(static_cast<std::int64_t>(part * 1000), 1000);
-    };
+    options.progress = [&bar](double part) { bar.showPart(part); };
     return sensitivityExponents(scene, sensitivities(scene, options));
   });
   const ProvenanceOptions given(optionsFor(command.common.given, ".csv"));

@@ -35,7 +35,7 @@ constexpr PictureDefaults kPictures{1400, 900, "print"};
 constexpr NamedChoices<TableShape, 2> kShapes{
     {{"wide", TableShape::Wide}, {"long", TableShape::Long}}};
 
-/// "40 s", "12 min", "3.5 h", "2 d": about how long something takes.
+/// Returns an approximate duration: "40 s", "12 min", "3.5 h", "2 d".
 std::string durationText(double seconds) {
   struct Unit {
     double seconds;
@@ -51,7 +51,7 @@ std::string countText(std::int64_t count) {
   return std::to_string(count);
 }
 
-ParameterStudy studyOf(const StudyCommand& command) {
+ParameterStudy loadStudy(const StudyCommand& command) {
   return readStudy(command.study, readNamedScene);
 }
 
@@ -122,8 +122,8 @@ Json planJson(const ParameterStudy& study, const StudyBudget& budget) {
   return answer;
 }
 
-/// The simulations that a shard is to hold.
-std::int64_t simulationsOf(const ParameterStudy& study, const Shard& shard) {
+/// Returns the number of simulations of a shard.
+std::int64_t shardSimulations(const ParameterStudy& study, const Shard& shard) {
   const std::int64_t chunks = study.chunks(), last = chunks - 1;
   const std::int64_t own = chunks / shard.count + (chunks % shard.count >= shard.number ? 1 : 0);
   return shard.has(last) ? (own - 1) * study.chunk + study.sizeOfChunk(last) : own * study.chunk;
@@ -137,7 +137,7 @@ int plan(const StudyCommand& command, const ParameterStudy& study, const Shard& 
     if (store.study().digest == study.digest) done = store.simulationsDone();
   }
   const StudyBudget budget =
-      studyBudget(study, simulationsOf(study, shard), done, command.common.threads);
+      studyBudget(study, shardSimulations(study, shard), done, command.common.threads);
   printSummary(command.common.json, command.common.quiet, planText(budget));
   if (command.common.json) fmt::print("{}\n", planJson(study, budget).dump(2));
   return kDone;
@@ -145,7 +145,7 @@ int plan(const StudyCommand& command, const ParameterStudy& study, const Shard& 
 
 /// Throws InputError where a page or a chunk of the store is damaged: what is computed into it
 /// could not be read again.
-void needReadable(const StudyStore& store) {
+void checkReadable(const StudyStore& store) {
   store.check();
   store.eachChunk([](const StudyChunk&) { return true; });
 }
@@ -167,8 +167,9 @@ struct FailureCount {
   std::int64_t count = 0, first = 0;
 };
 
-/// Returns the number of occurrences of each message, for the first messages.
-std::map<std::string, FailureCount> failuresOf(const StudyStore& store, std::int64_t& all) {
+/// Returns the number of occurrences of each message, for the first messages, and in `all` the
+/// number of failures.
+std::map<std::string, FailureCount> countFailures(const StudyStore& store, std::int64_t& all) {
   constexpr std::size_t kMax = 1000;
   std::map<std::string, FailureCount> failures;
   store.eachChunk([&](const StudyChunk& chunk) {
@@ -205,7 +206,7 @@ std::string missingText(const MergedStores& merged, const ParameterStudy& study)
 }  // namespace
 
 int runStudyRun(const StudyCommand& command) {
-  const ParameterStudy study = studyOf(command);
+  const ParameterStudy study = loadStudy(command);
   const Shard shard = command.shard.empty() ? Shard{} : parseShard(command.shard);
   if (command.plan) return plan(command, study, shard);
   if (command.output.empty())
@@ -213,8 +214,8 @@ int runStudyRun(const StudyCommand& command) {
   checkNoInput(command.output, {command.study});
   checkNoInput(command.output, filesReadBy(study.base));
   StudyStore store(command.output, study, shard);
-  needReadable(store);
-  const std::int64_t total = simulationsOf(study, shard), before = store.simulationsDone();
+  checkReadable(store);
+  const std::int64_t total = shardSimulations(study, shard), before = store.simulationsDone();
   if (!command.common.quiet && before < total) {
     constexpr double kTrial = 0.1;  // s; a study of less time is simply run
     const StudyBudget budget = studyBudget(study, total, before, command.common.threads, kTrial);
@@ -228,7 +229,7 @@ int runStudyRun(const StudyCommand& command) {
     options.progress = [&](std::int64_t done) { progress.show(std::min(done, total)); };
     added = runStudy(store, options);
   }
-  if (added > 0) needReadable(store);
+  if (added > 0) checkReadable(store);
   printSummary(command.common.json, command.common.quiet, stateText(store, added, total));
   if (command.common.json) {
     Json answer = header(study);
@@ -295,11 +296,9 @@ int runStudyTable(const StudyCommand& command) {
                    .c_str(),
                stderr);
   if (!isStdout) {
-    std::string text = filled(Words::tr("%1 simulations"), {countText(rows)}) + "\n";
-    for (const std::string& output : command.outputs)
-      if (output != "-") text += wroteLine(output);
     printSummary(command.common.json || hasStandardOutput(command.outputs), command.common.quiet,
-                 text);
+                 filled(Words::tr("%1 simulations"), {countText(rows)}) + "\n" +
+                     wroteLines(command.outputs));
   }
   return kDone;
 }
@@ -308,10 +307,10 @@ int runStudyShow(const StudyCommand& command) {
   const StudyStore store(command.study);
   store.check();
   const ParameterStudy& study = store.study();
-  const std::int64_t total = simulationsOf(study, store.shard()), done = store.simulationsDone();
+  const std::int64_t total = shardSimulations(study, store.shard()), done = store.simulationsDone();
   const double seconds = store.secondsSpent();
   std::int64_t failed = 0;
-  const std::map<std::string, FailureCount> failures = failuresOf(store, failed);
+  const std::map<std::string, FailureCount> failures = countFailures(store, failed);
   if (command.common.json) {
     Json answer = header(study);
     answer["title"] = study.title;
@@ -362,16 +361,16 @@ int runStudyAnalyse(const StudyCommand& command) {
     throw InputError(command.study, "", "has no result yet; 'asperity study run' computes them");
   const StudyAnalysis analysis = analyseStudy(store);
   const auto origin = [&store] { return studyProvenance(store); };
-  const auto originOf = [&](const char* name) {
+  const auto fileOrigin = [&](const char* name) {
     const ProvenanceOptions given(optionsInFolder(command.common.given, name));
     return origin();
   };
-  Json answer = originOf("analysis.json");
+  Json answer = fileOrigin("analysis.json");
   answer["analysis"] = analysisJson(study, analysis);
   OutputFolder output(command.output, {command.study}, settings);
   output.addText("analysis.json", answer.dump(2) + "\n");
   const auto addTable = [&](const char* name, const std::string& csv) {
-    output.addText(name, "# asperity: " + provenanceLine(originOf(name)) + "\n" + csv);
+    output.addText(name, "# asperity: " + provenanceLine(fileOrigin(name)) + "\n" + csv);
   };
   if (!analysis.outputs.empty()) {
     addTable("sensitivity.csv", indicesCsv(study, analysis));

@@ -33,15 +33,13 @@
 namespace asperity {
 namespace {
 
-std::string summaryOf(const Line& line, const std::vector<std::string>& outputs) {
+std::string summaryText(const Line& line, const std::vector<std::string>& outputs) {
   const auto number = [](double value) { return shortNumber(value, 6); };
   std::string text = filled(Words::tr("length %1 m, %2 points, rms height %3 m, rms slope %4"),
                             {number(line.length), std::to_string(line.nodes()),
                              number(line.rmsHeight), number(line.rmsSlope)}) +
                      "\n";
-  for (const std::string& output : outputs)
-    if (output != "-") text += wroteLine(output);
-  return text;
+  return text + wroteLines(outputs);
 }
 
 std::string valueText(double value, const std::string& unit) {
@@ -55,7 +53,7 @@ std::string factsText(const std::vector<Message>& facts) {
   return text;
 }
 
-/// Prints the interpretation of the file, and the values before and after processing.
+/// Returns the interpretation of the file, and the values before and after processing.
 std::string measuredText(const MeasuredSummary& summary) {
   std::string text = factsText(factsOf(summary));
   constexpr int kColumn = 14;
@@ -91,7 +89,7 @@ bool isWrittenLine(const std::filesystem::path& file) {
 
 /// Returns the default scene with a measured file. A line that this program wrote is not processed
 /// again: it is already levelled, filtered and turned over.
-Scene sceneOfFile(const CommonOptions& options) {
+Scene sceneFromFile(const CommonOptions& options) {
   const std::filesystem::path file(options.scene);
   const char* const kind = isWrittenLine(file) ? "profile" : "measured";
   const nlohmann::json json = {{"surface", {{"kind", kind}, {"file", file.filename().string()}}}};
@@ -99,7 +97,7 @@ Scene sceneOfFile(const CommonOptions& options) {
                    options.scene, file.parent_path(), options.assignments);
 }
 
-DiagramSheet sheetOf(const Scene& scene, const LineSource& source, const Line& line) {
+DiagramSheet lineSheet(const Scene& scene, const LineSource& source, const Line& line) {
   if (!source.measured()) return surfaceSheet(scene, line);
   const std::string title =
       scene.title.empty() ? printable(std::filesystem::path(scene.surface.file).filename().string())
@@ -107,16 +105,17 @@ DiagramSheet sheetOf(const Scene& scene, const LineSource& source, const Line& l
   return measuredSheet(measuredSummary(scene, source), title);
 }
 
-/// A measured surface has a diagram more.
-PictureSettings settingsOf(const SurfaceCommand& command, bool isMeasured) {
+/// Returns the settings of the picture, which is higher for a measured surface: it has one more
+/// diagram.
+PictureSettings surfaceSettings(const SurfaceCommand& command, bool isMeasured) {
   return pictureSettings(command.picture, {1280, isMeasured ? 1100 : 800, "light"});
 }
 
 void writePicture(const std::string& output, const SurfaceCommand& command, const Scene& scene,
                   const LineSource& source, const Line& line) {
-  const PictureSettings settings = settingsOf(command, source.measured() != nullptr);
+  const PictureSettings settings = surfaceSettings(command, source.measured() != nullptr);
   HeadlessPictures pictures(settings.backend);
-  pictures.write(output, drawSheet(sheetOf(scene, source, line), settings),
+  pictures.write(output, drawSheet(lineSheet(scene, source, line), settings),
                  settings.properties(translated(scene.title), pictureOrigin("surface", scene)));
   pictures.finish();
 }
@@ -126,8 +125,8 @@ constexpr NamedChoices<SurfaceTable, 3> kTables{{{"line", SurfaceTable::Line},
                                                  {"spectrum", SurfaceTable::Spectrum},
                                                  {"statistics", SurfaceTable::Statistics}}};
 
-std::string csvTextOf(SurfaceTable table, const Scene& scene, const LineSource& source,
-                      const Line& line) {
+std::string csvText(SurfaceTable table, const Scene& scene, const LineSource& source,
+                    const Line& line) {
   if (table == SurfaceTable::Spectrum) return tableCsv(spectrumTable(source));
   if (table == SurfaceTable::Statistics) return tableCsv(statisticsTable(scene, source, line));
   return lineCsv(line);
@@ -136,22 +135,22 @@ std::string csvTextOf(SurfaceTable table, const Scene& scene, const LineSource& 
 void writeSurface(const std::string& output, const SurfaceCommand& command, const Scene& scene,
                   const LineSource& source, const Line& line) {
   const SurfaceTable table = chosenFrom(kTables, command.table, "--table");
-  const std::string columnsOf = table == SurfaceTable::Line ? "surface" : command.table;
+  const std::string columnTable = table == SurfaceTable::Line ? "surface" : command.table;
   const ProvenanceOptions given(optionsFor(command.common.given, output));
   const std::string extension = fileExtension(output);
   if (extension == ".csv" || output == "-")
     writeTable(output, provenanceComment("surface", scene) +
-                           ColumnChoice(command.columns, {columnsOf})
-                               .select(csvTextOf(table, scene, source, line)));
+                           ColumnChoice(command.columns, {columnTable})
+                               .select(csvText(table, scene, source, line)));
   if (extension == ".json") writeFileAtomically(output, surfaceJson(scene, source, line));
   if (isPictureFile(output)) writePicture(output, command, scene, source, line);
 }
 
-/// Throws for options of tables that no output is, and for unknown ones.
+/// Throws for unknown options of tables, and for any of them where no output is a table.
 void checkTable(const SurfaceCommand& command) {
   const SurfaceTable table = chosenFrom(kTables, command.table, "--table");
-  const std::string columnsOf = table == SurfaceTable::Line ? "surface" : command.table;
-  ColumnChoice(command.columns, {columnsOf});
+  const std::string columnTable = table == SurfaceTable::Line ? "surface" : command.table;
+  ColumnChoice(command.columns, {columnTable});
   const bool hasTable = std::ranges::any_of(command.outputs, [](const std::string& output) {
     return output == "-" || fileExtension(output) == ".csv";
   });
@@ -161,7 +160,8 @@ void checkTable(const SurfaceCommand& command) {
       throw InputError("", option, "belongs to .csv tables, and no output is one");
 }
 
-/// An error of a file that is given itself names it once, and no key.
+/// Runs `work`. Where the command line names the file itself, an error of it names the file once,
+/// and no key.
 template <class Work>
 void withFileContext(bool isFile, const std::string& file, const Work& work) {
   try {
@@ -177,11 +177,11 @@ void withFileContext(bool isFile, const std::string& file, const Work& work) {
 
 int runSurface(const SurfaceCommand& command) {
   const bool isFile = !command.common.remade && isSurfaceFile(command.common.scene);
-  const Scene scene = isFile ? sceneOfFile(command.common) : loadScene(command.common);
+  const Scene scene = isFile ? sceneFromFile(command.common) : loadScene(command.common);
   checkOutputs(command.outputs, kOutputExtensions, DefaultOutput::PrintsTable);
   checkTable(command);
   checkUseful(command.picture, command.outputs);
-  settingsOf(command, false);
+  surfaceSettings(command, false);
   for (const std::string& output : command.outputs)
     checkNoInput(output, inputFiles(command.common, scene));
   const auto run = [&] {
@@ -193,7 +193,7 @@ int runSurface(const SurfaceCommand& command) {
     const Line line = source.make(0);
     const std::string text = (source.measured() ? measuredText(measuredSummary(scene, source))
                                                 : factsText(source.spectrumFacts())) +
-                             notesText(lineNotes(source)) + summaryOf(line, command.outputs);
+                             notesText(lineNotes(source)) + summaryText(line, command.outputs);
     for (const std::string& output : command.outputs)
       if (output != "-" || !command.common.json) writeSurface(output, command, scene, source, line);
     const bool machineReads = command.common.json || hasStandardOutput(command.outputs);

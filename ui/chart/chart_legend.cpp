@@ -63,7 +63,7 @@ void ChartLegend::show(const DiagramSheet& sheet, const DiagramSheet& english,
 
 /// Returns the entries: the present curve, theory, the marker, the curves of other diagrams, and
 /// the pinned curves in their order.
-std::vector<ChartLegend::Entry> ChartLegend::wanted() const {
+std::vector<ChartLegend::Entry> ChartLegend::makeEntries() const {
   std::vector<Entry> first, theory, marker, others, pinned;
   for (std::size_t i = 0; i < sheet_.diagrams.size(); ++i) {
     const Diagram &diagram = sheet_.diagrams[i], &english = english_.diagrams[i];
@@ -103,18 +103,18 @@ QRectF ChartLegend::entryRect(int id) const {
   return {};
 }
 
-QStringList ChartLegend::linesOf(int id) const {
+QStringList ChartLegend::entryLines(int id) const {
   for (const Entry& entry : entries_)
     if (entry.series.id == id) return entry.lines;
   return {};
 }
 
-double ChartLegend::samples() const {
+double ChartLegend::sampleWidth() const {
   return (kSample + kSampleGap) * markScale(font());
 }
 
-/// Returns the width of the status at its end: "37 of 200" is as wide as "200 of 200", so that the
-/// entries beside it do not move while it counts.
+/// Returns the width of the status at the end of its work: "37 of 200" is as wide as "200 of 200",
+/// so that the entries beside it do not move while it counts.
 double ChartLegend::statusWidth() const {
   static const QRegularExpression number(QStringLiteral("\\d+"));
   QString text = QString::fromStdString(sheet_.status.text), longest;
@@ -135,7 +135,7 @@ bool ChartLegend::isUnfinished() const {
 /// did not fit. The legend keeps its height while a curve is computed: the first result, of one
 /// line, has a shorter name, and the chart would move for a moment.
 void ChartLegend::arrange() {
-  // Rather are names cut, which are whole in the tooltip, than entries left out.
+  // Names are cut, which are whole in the tooltip, before entries are left out.
   constexpr std::array kNarrower{0.45, 0.3, 0.2};  // widest name, part of the legend's width
   int missing = place(std::nullopt);
   for (std::size_t i = 0; missing > 0 && i < kNarrower.size(); ++i)
@@ -167,7 +167,7 @@ int ChartLegend::place(std::optional<double> widestName) {
   int row = 0, missing = 0;
   const auto end = [&] { return width() - kSide - (row == 0 ? statusWidth() + kGap : 0); };
   const auto add = [&](Entry entry, double extra) {
-    const double available = std::max(40.0, width() - 2 * kSide - samples() - extra);
+    const double available = std::max(40.0, width() - 2 * kSide - sampleWidth() - extra);
     if (widestName)
       entry.lines = {
           metrics.elidedText(entry.text, Qt::ElideRight, std::min(available, *widestName))};
@@ -176,7 +176,7 @@ int ChartLegend::place(std::optional<double> widestName) {
     double widest = 0;
     for (const QString& part : entry.lines)
       widest = std::max(widest, metrics.horizontalAdvance(part));
-    const double wide = samples() + widest + extra;
+    const double wide = sampleWidth() + widest + extra;
     if (x + wide > end() && (x > kSide || row == 0)) {
       if (row + 1 >= kMaxRows || missing > 0) {
         ++missing;
@@ -193,7 +193,7 @@ int ChartLegend::place(std::optional<double> widestName) {
     x += wide + kGap * markScale(font());
     entries_.push_back(std::move(entry));
   };
-  for (Entry& entry : wanted()) {
+  for (Entry& entry : makeEntries()) {
     const double extra = entry.isPinned() ? kCross * markScale(font()) : 0;
     add(std::move(entry), extra);
   }
@@ -288,7 +288,7 @@ void ChartLegend::paintEntry(QPainter& painter, const Entry& entry) const {
   if (entry.hasSample) paintSample(painter, entry, centre);
   painter.setPen(entry.hasSample ? style_.text() : style_.faintText());
   for (qsizetype i = 0; i < entry.lines.size(); ++i)
-    painter.drawText(QRectF(box.left() + samples(), box.top() + static_cast<double>(i) * height,
+    painter.drawText(QRectF(box.left() + sampleWidth(), box.top() + static_cast<double>(i) * height,
                             box.width(), height),
                      Qt::AlignLeft | Qt::AlignVCenter, entry.lines[i]);
   if (!entry.isPinned()) return;
@@ -300,7 +300,7 @@ void ChartLegend::paintEntry(QPainter& painter, const Entry& entry) const {
 void ChartLegend::paintSample(QPainter& painter, const Entry& entry, QPointF centre) const {
   const double scale = markScale(font());
   const DiagramSeries& series = entry.series;
-  const QColor colour = entry.isMarker ? style_.marker() : style_.of(series);
+  const QColor colour = entry.isMarker ? style_.marker() : style_.curve(series);
   painter.setOpacity(series.isFaded ? kFadedOpacity : 1);
   if (entry.isMarker) {
     painter.setPen(QPen(colour, 1.4 * scale));

@@ -27,7 +27,7 @@ class ChartLegend : public QWidget {
   /// Returns the rectangle of a pinned curve's entry; empty where it is not shown.
   QRectF entryRect(int id) const;
   /// Returns the lines of a pinned curve's entry.
-  QStringList linesOf(int id) const;
+  QStringList entryLines(int id) const;
 
  signals:
   void unpinRequested(int id);
@@ -58,8 +58,8 @@ class ChartLegend : public QWidget {
 
   void arrange();
   int place(std::optional<double> widestName);
-  std::vector<Entry> wanted() const;
-  double samples() const;  // width of a sample with its gap, pixels
+  std::vector<Entry> makeEntries() const;
+  double sampleWidth() const;  // width of a sample with its gap, pixels
   double statusWidth() const;
   bool isUnfinished() const;
   QString tipAt(QPointF position) const;

@@ -24,7 +24,7 @@ void MarkerItem::update(const ChartGeometry& geometry, const std::optional<Diagr
   style_ = style;
   bounds_ = label_ = QRectF();
   if (!marker_) return;
-  layTrace();
+  makeTrace();
   if (!std::isfinite(geometry.mapX(marker_->x))) return;
   lineX_ = geometry.mapX(std::isfinite(lineX) ? lineX : marker_->x);
   const QRectF& area = geometry.area;
@@ -35,8 +35,8 @@ void MarkerItem::update(const ChartGeometry& geometry, const std::optional<Diagr
              label_;
 }
 
-/// Returns the position at the foot of the line: on its right or on its left, otherwise above the
-/// text there; at the head of the line where the text would cover the curve.
+/// Returns the rectangle of the label at the foot of the line: on its right or on its left,
+/// otherwise above the text there; at the head of the line where the text would cover the curve.
 QRectF MarkerItem::labelRect(const QList<QRectF>& taken) const {
   const QRectF& area = geometry_.area;
   const QFontMetricsF metrics(style_.font);
@@ -67,16 +67,17 @@ QRectF MarkerItem::labelRect(const QList<QRectF>& taken) const {
 }
 
 /// Makes the trace of the marker from the points that the axes can show.
-void MarkerItem::layTrace() {
+void MarkerItem::makeTrace() {
   trace_.clear();
-  bool draws = false;
+  bool wasFinite = false;
   for (const DiagramPoint& point : marker_->trace) {
     const QPointF at = geometry_.at(point.x, point.y);
     const bool isFinite = std::isfinite(at.x()) && std::isfinite(at.y());
-    if (isFinite) {
-      draws ? trace_.lineTo(at) : trace_.moveTo(at);
-    }
-    draws = isFinite;
+    if (isFinite && wasFinite)
+      trace_.lineTo(at);
+    else if (isFinite)
+      trace_.moveTo(at);
+    wasFinite = isFinite;
   }
   if (!trace_.isEmpty()) bounds_ = geometry_.area;
 }

@@ -25,7 +25,7 @@ class MarkerItem : public QGraphicsItem {
 
  private:
   QRectF labelRect(const QList<QRectF>& taken) const;
-  void layTrace();
+  void makeTrace();
   void paintTrace(QPainter& painter) const;
 
   ChartGeometry geometry_;

@@ -38,7 +38,7 @@ constexpr double kBeside = 8;  // from the frame to a title on its right
 constexpr double kBandOpacity = 0.2;
 
 /// Returns the font sizes of the ticks, in the form that the layout of pictures uses.
-DiagramSizes sizesOf(const ChartStyle& style) {
+DiagramSizes tickSizes(const ChartStyle& style) {
   DiagramSizes sizes;
   sizes.unit = static_cast<float>(style.scale());
   sizes.tick = sizes.axis = static_cast<float>(QFontInfo(style.font).pixelSize());
@@ -46,7 +46,7 @@ DiagramSizes sizesOf(const ChartStyle& style) {
 }
 
 /// Returns the size of a curve's marks at which they do not touch each other.
-double markSizeOf(const DiagramSeries& series, double width, const ChartStyle& style) {
+double curveMarkSize(const DiagramSeries& series, double width, const ChartStyle& style) {
   const double apart =
       width / static_cast<double>(std::max<std::size_t>(series.points.size(), 2) - 1);
   return style.scale() * std::clamp(0.84 * apart / style.scale(), kSmallestMark, kMarkSize);
@@ -93,7 +93,7 @@ class ChartPanel::UnderItem : public QGraphicsItem {
     shades_ = diagram.shades;
     map_ = map;
     style_ = style;
-    covered_ = coveredBy(diagram, {toBox(map.area), xAxis, yAxis});
+    covered_ = makeCoverage(diagram, {toBox(map.area), xAxis, yAxis});
     xAxis_ = xAxis;
     yAxis_ = yAxis;
     hasXLabels_ = hasXLabels;
@@ -114,7 +114,7 @@ class ChartPanel::UnderItem : public QGraphicsItem {
     paintSpans(*painter);
     for (const DiagramSpan& shade : shades_) {
       painter->setOpacity(shade.isFaded ? kFadedOpacity : 1);
-      painter->fillRect(columnOf(shade), style_.shade());
+      painter->fillRect(spanRect(shade), style_.shade());
     }
     painter->setOpacity(1);
     paintGrid(*painter);
@@ -154,7 +154,7 @@ class ChartPanel::UnderItem : public QGraphicsItem {
     float covered = 0;  // the part of the box that curves cover
   };
 
-  QRectF columnOf(const DiagramSpan& span) const {
+  QRectF spanRect(const DiagramSpan& span) const {
     const auto held = [this](double x) { return std::clamp(x, frame_.left(), frame_.right()); };
     const double left = held(map_.mapX(span.from)), right = held(map_.mapX(span.to));
     return {left, frame_.top(), right - left, frame_.height()};
@@ -164,7 +164,7 @@ class ChartPanel::UnderItem : public QGraphicsItem {
     const QFontMetricsF metrics(style_.font);
     bool isShaded = true;
     for (const DiagramSpan& span : spans_) {
-      const QRectF box = columnOf(span).adjusted(0, -map_.names, 0, 0);
+      const QRectF box = spanRect(span).adjusted(0, -map_.names, 0, 0);
       painter.setOpacity(span.isFaded ? kFadedOpacity : 1);
       if (isShaded) painter.fillRect(box, style_.span());
       isShaded = !isShaded;
@@ -195,7 +195,7 @@ class ChartPanel::UnderItem : public QGraphicsItem {
   /// pass through it; in the whole width, or on the wider side where the line of the marker would
   /// go through it.
   Name shadeName(const DiagramSpan& shade) const {
-    const QRectF whole = columnOf(shade).adjusted(kAside, kAside, -kAside, -kAside);
+    const QRectF whole = spanRect(shade).adjusted(kAside, kAside, -kAside, -kAside);
     const Name name = nameIn(whole, shade);
     const bool isCrossed = !name.box.isEmpty() && line_ > name.box.left() - kAside &&
                            line_ < name.box.right() + kAside;
@@ -237,12 +237,12 @@ class ChartPanel::UnderItem : public QGraphicsItem {
   /// Returns the part of a box that curves and marks cover.
   float coveredIn(const QRectF& box) const { return covered_.under(toBox(box)); }
 
-  /// Returns where the series are, if there are names to keep away from them.
-  OccupancyGrid coveredBy(const Diagram& diagram, const DiagramAxes& axes) const {
+  /// Returns the map of the area that the series cover; it is empty without names that avoid them.
+  OccupancyGrid makeCoverage(const Diagram& diagram, const DiagramAxes& axes) const {
     OccupancyGrid covered(axes.box, kCell);
     if (!shades_.empty())
       coverSeries(covered, diagram,
-                  seriesStyles(diagram, sizesOf(style_), style_.theme, axes.box.width), axes);
+                  seriesStyles(diagram, tickSizes(style_), style_.theme, axes.box.width), axes);
     return covered;
   }
 
@@ -298,7 +298,7 @@ class ChartPanel::UnderItem : public QGraphicsItem {
                               Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip,
                               QString::fromStdString(yAxis_.title));
     const FittedTitle title =
-        fittedTitle(yAxis_.title, sizesOf(style_).axis, static_cast<float>(frame_.height()));
+        fittedTitle(yAxis_.title, tickSizes(style_).axis, static_cast<float>(frame_.height()));
     painter.save();
     QFont font = style_.font;
     font.setPixelSize(static_cast<int>(title.size));
@@ -311,7 +311,7 @@ class ChartPanel::UnderItem : public QGraphicsItem {
   }
 
   std::vector<DiagramSpan> spans_, shades_;
-  OccupancyGrid covered_{{}, 1};  // by the series
+  OccupancyGrid covered_{{}, 1};  // the area that the series cover
   ChartGeometry map_;
   ChartStyle style_;
   TickedAxis xAxis_, yAxis_;
@@ -335,11 +335,11 @@ class ChartPanel::OverItem : public QGraphicsItem {
     bars_.clear();
     for (const DiagramSeries& series : diagram.series) {
       if (series.isBand) continue;
-      Bars bars{style.of(series), series.isFaded ? kFadedOpacity : 1, {}};
+      Bars bars{style.curve(series), series.isFaded ? kFadedOpacity : 1, {}};
       for (const DiagramPoint& point : series.points) {
         if (!hasPosition(diagram, point) || !(point.high > point.low)) continue;
-        const double low =
-            map.mapY(point.low);  // may be outside the axis; the bar then reaches its end
+        // The low end may be outside the axis; the bar then reaches the end of the axis.
+        const double low = map.mapY(point.low);
         bars.lines += QLineF(map.mapX(point.x), map.mapY(point.high), map.mapX(point.x),
                              std::isfinite(low) ? low : map.area.bottom() + kCap * map.scale + 1);
       }
@@ -437,7 +437,7 @@ void ChartPanel::show(const Diagram& diagram, const ChartGeometry& map, const Ch
     chart_->layout()->invalidate();
     chart_->layout()->activate();
   }
-  const DiagramSizes sizes = sizesOf(style);
+  const DiagramSizes sizes = tickSizes(style);
   TickedAxis xAxis = tickedXAxis(diagram.x, map.x, static_cast<float>(map.area.width()), sizes);
   TickedAxis yAxis = tickedYAxis(diagram.y, map.y, static_cast<float>(map.area.height()), sizes);
   xTitle_ = QString::fromStdString(xAxis.title);
@@ -520,14 +520,15 @@ void ChartPanel::showMarks(const DiagramSeries& series, const QList<QPointF>& po
                            double width, const ChartStyle& style) {
   if (series.mark == SeriesMark::None || positions.isEmpty()) return;
   QScatterSeries& marks = nextMarks();
-  const double size = markSizeOf(series, width, style);
+  const double size = curveMarkSize(series, width, style);
   const QString name = QStringLiteral("%1 %2 %3 %4")
                            .arg(static_cast<int>(series.mark))
                            .arg(size)
-                           .arg(style.of(series).name(), style.background().name());
+                           .arg(style.curve(series).name(), style.background().name());
   if (marks.name() != name) {
     double side = 0;
-    const QImage image = markImage(series.mark, size, style.of(series), style.background(), &side);
+    const QImage image =
+        markImage(series.mark, size, style.curve(series), style.background(), &side);
     marks.setName(name);
     marks.setLightMarker(image);
     marks.setMarkerSize(side);
@@ -549,7 +550,7 @@ void ChartPanel::showBand(const DiagramSeries& series, const Diagram& diagram,
   }
   if (low.size() < 2) return;
   QAreaSeries& band = nextBand();
-  QColor fill = style.of(series);
+  QColor fill = style.curve(series);
   fill.setAlphaF(static_cast<float>(kBandOpacity));
   if (band.brush().color() != fill) band.setBrush(fill);
   band.lowerSeries()->replace(low);
@@ -559,7 +560,7 @@ void ChartPanel::showBand(const DiagramSeries& series, const Diagram& diagram,
 }
 
 template <class Series>
-Series* ChartPanel::added(Series* series) {
+Series* ChartPanel::addToChart(Series* series) {
   chart_->addSeries(series);
   series->attachAxis(x_);
   series->attachAxis(y_);
@@ -567,7 +568,7 @@ Series* ChartPanel::added(Series* series) {
 }
 
 QLineSeries& ChartPanel::nextLine() {
-  if (linesUsed_ == lines_.size()) lines_.push_back(added(new QLineSeries));
+  if (linesUsed_ == lines_.size()) lines_.push_back(addToChart(new QLineSeries));
   return *lines_[linesUsed_++];
 }
 
@@ -575,7 +576,7 @@ QLineSeries& ChartPanel::nextLine() {
 /// library's own items, one for each point, are hidden.
 QScatterSeries& ChartPanel::nextMarks() {
   if (marksUsed_ == marks_.size()) {
-    marks_.push_back(added(new QScatterSeries));
+    marks_.push_back(addToChart(new QScatterSeries));
     marks_.back()->setPointsVisible(false);
   }
   return *marks_[marksUsed_++];
@@ -585,7 +586,7 @@ QAreaSeries& ChartPanel::nextBand() {
   if (bandsUsed_ == bands_.size()) {
     auto* band = new QAreaSeries(new QLineSeries, new QLineSeries);
     for (QLineSeries* edge : {band->upperSeries(), band->lowerSeries()}) edge->setParent(band);
-    bands_.push_back(added(band));
+    bands_.push_back(addToChart(band));
     band->setPen(Qt::NoPen);
   }
   return *bands_[bandsUsed_++];

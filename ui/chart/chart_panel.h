@@ -39,9 +39,10 @@ class ChartPanel {
   ChartPanel(const ChartPanel&) = delete;
   ChartPanel& operator=(const ChartPanel&) = delete;
 
-  /// hasXLabels: labels and title of the x-axis are drawn below. titleBeside: the title of the
-  /// y-axis is on the right and this many pixels wide; 0: it is upright on the left, or level above
-  /// the frame (titleAbove). `isTitled`: whether the panel draws the titles itself.
+  /// Shows a diagram. `hasXLabels`: labels and title of the x-axis are drawn below. `titleBeside`:
+  /// the title of the y-axis is on the right and this many pixels wide; 0: it is upright on the
+  /// left, or level above the frame (`titleAbove`). `isTitled`: whether the panel draws the titles
+  /// itself.
   struct Titled {
     bool x = true, y = true;
   };
@@ -76,7 +77,7 @@ class ChartPanel {
   QLineSeries& nextLine();
   QAreaSeries& nextBand();
   template <class Series>
-  Series* added(Series* series);
+  Series* addToChart(Series* series);
 
   QChart* chart_;  // owned by the graphics scene
   QCategoryAxis *x_, *y_;

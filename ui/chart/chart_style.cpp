@@ -46,7 +46,7 @@ QColor ChartStyle::shade() const {
 QColor ChartStyle::marker() const {
   return toQColor(seriesColour(1, theme));
 }
-QColor ChartStyle::of(const DiagramSeries& series) const {
+QColor ChartStyle::curve(const DiagramSeries& series) const {
   return series.isTheory ? text() : toQColor(seriesColour(series.colour, theme));
 }
 double ChartStyle::scale() const {
@@ -72,9 +72,8 @@ void paintMark(QPainter& painter, SeriesMark mark, QPointF centre, double size) 
 }
 
 void paintErrorBar(QPainter& painter, double x, double top, double bottom, double cap) {
-  const auto sharp = [](double pixel) {
-    return std::floor(pixel) + 0.5;
-  };  // the line covers whole pixels
+  // The line covers whole pixels.
+  const auto sharp = [](double pixel) { return std::floor(pixel) + 0.5; };
   const double middle = sharp(x);
   painter.drawLine(QPointF(middle, top), QPointF(middle, bottom));
   for (const double y : {sharp(top), sharp(bottom)})
@@ -82,7 +81,7 @@ void paintErrorBar(QPainter& painter, double x, double top, double bottom, doubl
 }
 
 QPen curvePen(const DiagramSeries& series, const ChartStyle& style) {
-  QPen pen(style.of(series), (series.isTheory ? kTheory : kCurve) * style.scale());
+  QPen pen(style.curve(series), (series.isTheory ? kTheory : kCurve) * style.scale());
   if (series.stroke == SeriesStroke::None) pen.setStyle(Qt::NoPen);
   if (series.stroke == SeriesStroke::Dashed) pen.setStyle(Qt::DashLine);
   if (series.stroke == SeriesStroke::Dotted) pen.setStyle(Qt::DotLine);

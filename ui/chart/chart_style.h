@@ -30,7 +30,7 @@ struct ChartStyle {
   QColor span() const;      // of every second region
   QColor shade() const;     // a translucent tint
   QColor marker() const;
-  QColor of(const DiagramSeries& series) const;
+  QColor curve(const DiagramSeries& series) const;
   double scale() const;  // at least 1
   double line() const;   // pixels, height of a line of text
 };

@@ -272,13 +272,13 @@ double ChartView::besideTitleWidth() const {
     const std::string unit = diagram.y.unit.empty() ? "" : " (m" + diagram.y.unit + ")";
     const QString title =
         QString::fromStdString(diagram.y.title.text + (unit.empty() ? " (10⁻⁸)" : unit));
-    const auto widthOf = [&](const QString& text) { return metrics.horizontalAdvance(text); };
-    whole = std::max(whole, widthOf(title));
-    double half = widthOf(title);
+    const auto textWidth = [&](const QString& text) { return metrics.horizontalAdvance(text); };
+    whole = std::max(whole, textWidth(title));
+    double half = textWidth(title);
     for (qsizetype at = title.indexOf(' '); at >= 0; at = title.indexOf(' ', at + 1))
-      half = std::min(half, std::max(widthOf(title.left(at)), widthOf(title.mid(at + 1))));
+      half = std::min(half, std::max(textWidth(title.left(at)), textWidth(title.mid(at + 1))));
     halves = std::max(halves, half);
-    for (const QString& word : title.split(' ')) words = std::max(words, widthOf(word));
+    for (const QString& word : title.split(' ')) words = std::max(words, textWidth(word));
   }
   const double most = kMaxBeside * width();
   return std::ceil(whole < most ? whole : halves < most ? halves : words) + 2;
@@ -307,7 +307,7 @@ void ChartView::layOutFrames() {
   std::size_t count = diagrams.size();
   double share = 0;
   for (const Diagram& diagram : diagrams) share += diagram.height;
-  const auto heightOf = [&](std::size_t i) {
+  const auto frameHeight = [&](std::size_t i) {
     return std::floor((available - static_cast<double>(count - 1) * gap) * diagrams[i].height /
                       share);
   };
@@ -315,19 +315,19 @@ void ChartView::layOutFrames() {
   const auto isTooLowFor = [&](std::size_t i) {
     const double length =
         metrics.horizontalAdvance(QString::fromStdString(diagrams[i].y.title.text));
-    return kMinTitle * length > heightOf(i);
+    return kMinTitle * length > frameHeight(i);
   };
   hasTitlesAbove_ = false;
   for (std::size_t i = 1; i < count && beside == 0; ++i) hasTitlesAbove_ |= isTooLowFor(i);
   if (hasTitlesAbove_) gap = line + 5;
   const double least = (count < kStrips ? kMinLines : kMinStrip) * line;
-  while (count > 1 && heightOf(count - 1) < least) share -= diagrams[--count].height;
+  while (count > 1 && frameHeight(count - 1) < least) share -= diagrams[--count].height;
   const VisibleRange shown = visibleRange();
   const double width = view_->width() - left - right;
   double top = above;
   for (std::size_t i = 0; i < count; ++i) {
     ChartGeometry map;
-    map.area = QRectF(left, top, width, heightOf(i));
+    map.area = QRectF(left, top, width, frameHeight(i));
     if (!(width > kSmall && map.area.height() > kSmall)) map.area.setSize({kSmall, kSmall});
     map.area.adjust(edge, 0, -edge, 0);
     map.x = shown.x;
@@ -463,10 +463,10 @@ void ChartView::fit() {
   setZoom(std::nullopt);
 }
 
-void ChartView::setZoom(const std::optional<VisibleRange>& wanted) {
+void ChartView::setZoom(const std::optional<VisibleRange>& requested) {
   const bool isZoomable =
       !sheet_.diagrams.empty() && sheet_.diagrams[0].x.scale == AxisScale::Logarithmic;
-  std::optional<VisibleRange> window = isZoomable ? wanted : std::nullopt;
+  std::optional<VisibleRange> window = isZoomable ? requested : std::nullopt;
   if (window) window = heldWithin(*window, whole());
   if (window == zoom_) return;
   zoom_ = window;

@@ -44,7 +44,7 @@ class ChartView : public QWidget {
   void setMarker(const std::optional<DiagramMarker>& marker);
   /// Returns the value on the axis at which the line of the marker stands; NaN without one.
   double lineValue() const;
-  /// Puts the line back to its marker, where it waits at the place to which the user moved it.
+  /// Moves the line back to its marker, if it waits at the position to which the user moved it.
   void releaseMarker();
   void setTheme(const Theme& theme);
 
@@ -128,7 +128,7 @@ class ChartView : public QWidget {
   QHBoxLayout *head_, *foot_;  // with the choosers
   QWidget *xChooser_ = nullptr, *yChooser_ = nullptr;
   QString xTitle_, yTitle_;
-  QString anchor_;  // of what the pointer is at; empty: of nothing in particular
+  QString anchor_;  // of the guide, for the object under the pointer; empty: for none
   ChartLegend* legend_;
   QGraphicsView* view_;
   std::vector<std::unique_ptr<ChartPanel>> panels_;

@@ -45,7 +45,7 @@ std::string labelWithin(const SpanBox& span, float size, float available) {
 }
 
 /// Returns the point where the line from the middle of a box to a point outside leaves the box.
-std::optional<DrawPoint> exitOf(const Box& box, const DrawPoint& to) {
+std::optional<DrawPoint> exitPoint(const Box& box, const DrawPoint& to) {
   const DrawPoint middle{box.x + box.width / 2, box.y + box.height / 2};
   const float dx = to.x - middle.x, dy = to.y - middle.y;
   const float across = std::abs(dx) / (box.width / 2), upwards = std::abs(dy) / (box.height / 2);
@@ -86,7 +86,7 @@ class Clearance {
 
   bool isClear(const Box& box, const std::optional<DrawPoint>& target) const {
     const Box wide = grown(box, margin_);
-    const auto from = target ? exitOf(box, *target) : std::nullopt;
+    const auto from = target ? exitPoint(box, *target) : std::nullopt;
     if (target && !from) return false;  // there would be no arrow
     for (const DrawPoint& other : targets_)
       if (crosses(other, other, wide)) return false;
@@ -137,7 +137,7 @@ DrawPoint heldInside(const Box& area, DrawPoint at, float width, float height) {
           held(at.y, area.y + height / 2, area.bottom() - height / 2)};
 }
 
-std::vector<std::string> linesOf(const std::string& text, float size, float width) {
+std::vector<std::string> elidedLines(const std::string& text, float size, float width) {
   std::vector<std::string> lines;
   for (std::size_t at = 0; at <= text.size();) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
@@ -219,7 +219,7 @@ std::vector<PlacedLabel> placeLabels(const Diagram& diagram, const DiagramAxes& 
     const bool hasArrow = isFinite(target);
     if (!isFinite(at)) continue;
     PlacedLabel out;
-    out.lines = linesOf(label.text.text, size, 0.9F * map.area().width);
+    out.lines = elidedLines(label.text.text, size, 0.9F * map.area().width);
     float width = 0;
     for (const std::string& line : out.lines) width = std::max(width, textWidth(line, size));
     if (out.lines.empty()) continue;
@@ -241,7 +241,7 @@ std::vector<PlacedLabel> placeLabels(const Diagram& diagram, const DiagramAxes& 
     out.box = *box;
     out.covers = diagram.field || map.greatestUnder(*box) > 0;
     if (hasArrow)
-      if (const auto start = exitOf(grown(*box, 0.15F * size), target)) {
+      if (const auto start = exitPoint(grown(*box, 0.15F * size), target)) {
         out.arrow = {*start, target};
         map.addLine(out.arrow, 3);
       }

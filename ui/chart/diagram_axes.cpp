@@ -30,7 +30,7 @@ struct Extent {
 };
 
 /// Returns the range that the axis itself prescribes, or NaN.
-AxisRange askedFor(const DiagramAxis& axis) {
+AxisRange prescribedRange(const DiagramAxis& axis) {
   const double a = axisPlace(axis.scale, axis.from), b = axisPlace(axis.scale, axis.to);
   if (axis.from == axis.to || !std::isfinite(a) || !std::isfinite(b)) return {kNaN, kNaN};
   return {std::min(a, b), std::max(a, b)};
@@ -123,9 +123,8 @@ TickedAxis logarithmicAxis(const DiagramAxis& axis, const AxisRange& range, int 
   return ticked;
 }
 
-/// Returns the symbol that ends a name, "v" of "velocity v"; empty where there is none. Fits
-/// "velocity v (m/s)" in the largest size down to `least`; then "v (m/s)" in the same way; none
-/// where neither fits.
+/// Fits "velocity v (m/s)" in the largest size down to `least`, otherwise "v (m/s)" in the same
+/// way. Returns nothing where neither fits.
 std::optional<FittedTitle> wholeTitle(const std::string& title, float size, float least,
                                       float pixels) {
   const std::size_t unit = title.rfind(" (");
@@ -219,7 +218,7 @@ FittedTitle fittedTitle(const std::string& title, float size, float pixels) {
 }
 
 AxisRange xRange(const Diagram& diagram) {
-  const AxisRange asked = askedFor(diagram.x);
+  const AxisRange asked = prescribedRange(diagram.x);
   if (isKnown(asked)) return asked;
   Extent data, theory;
   for (const DiagramSeries& series : diagram.series)
@@ -230,7 +229,7 @@ AxisRange xRange(const Diagram& diagram) {
 }
 
 AxisRange yRange(const Diagram& diagram, const AxisRange& inX) {
-  const AxisRange asked = askedFor(diagram.y);
+  const AxisRange asked = prescribedRange(diagram.y);
   if (isKnown(asked)) return asked;
   Extent data, theory;
   for (const DiagramSeries& series : diagram.series)

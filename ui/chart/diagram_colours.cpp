@@ -21,11 +21,6 @@ constexpr std::array<Rgba, kDistinctColours> kOnDark = {
     colourFrom(0xDD8FBC), colourFrom(0xF0E442), colourFrom(0x5C8DF0),
     colourFrom(0xC9A26B), colourFrom(0x735FFF), colourFrom(0xD65030)};
 
-// Control colours of "viridis" (matplotlib, CC0) at 0, 0.1, ..., 1.
-constexpr std::array<Rgba, 11> kViridis = {
-    colourFrom(0x440154), colourFrom(0x482475), colourFrom(0x414487), colourFrom(0x355F8D),
-    colourFrom(0x2A788E), colourFrom(0x21918C), colourFrom(0x22A884), colourFrom(0x44BF70),
-    colourFrom(0x7AD151), colourFrom(0xBDDF26), colourFrom(0xFDE725)};
 constexpr double kDarkEnd = 0.18, kLightEnd = 0.82;  // part that is visible on dark and on white
 
 }  // namespace

@@ -21,7 +21,7 @@ constexpr float kContourAlpha = 0.75F;
 /// colours between those of distant values are not the colours of the values between.
 constexpr std::size_t kFinest = 128;
 
-double partOf(const DiagramField& field, double value) {
+double colourPart(const DiagramField& field, double value) {
   const double from = axisPlace(field.colours.scale, field.colours.from);
   const double to = axisPlace(field.colours.scale, field.colours.to);
   return (axisPlace(field.colours.scale, value) - from) / (to - from);
@@ -46,7 +46,7 @@ float distance(const DrawPoint& a, const DrawPoint& b) {
   return std::hypot(b.x - a.x, b.y - a.y);
 }
 
-float lengthOf(const Polyline& line) {
+float arcLength(const Polyline& line) {
   float length = 0;
   for (std::size_t i = 0; i + 1 < line.size(); ++i) length += distance(line[i], line[i + 1]);
   return length;
@@ -88,11 +88,11 @@ struct LineLabel {
   float radius = 0;        // of the circle that the text needs
 };
 
-/// Returns points at this distance along the lines.
+/// Returns points along the lines, at this distance from each other.
 std::vector<DrawPoint> pointsAlong(const std::vector<Polyline>& lines, float step) {
   std::vector<DrawPoint> points;
   for (const Polyline& line : lines) {
-    const float length = lengthOf(line);
+    const float length = arcLength(line);
     for (float at = 0; at < length; at += step) points.push_back(pointAfter(line, at));
   }
   return points;
@@ -105,7 +105,7 @@ std::optional<LineLabel> labelOn(const Polyline& line, float width, const Box& f
   constexpr std::array kPlaces{0.5F, 0.45F, 0.55F, 0.4F,  0.6F, 0.35F, 0.65F,
                                0.3F, 0.7F,  0.25F, 0.75F, 0.2F, 0.8F};
   constexpr float kStraight = 0.95F;  // chord over arc
-  const float length = lengthOf(line);
+  const float length = arcLength(line);
   if (length < 2.5F * width) return {};
   for (const float part : kPlaces) {
     LineLabel label;
@@ -158,7 +158,7 @@ void addFieldColours(DrawList& list, const DiagramField& field, const DiagramAxe
   for (const double value : field.x) x.push_back(axes.px(axisPlace(axes.xAxis.scale, value)));
   for (const double value : field.y) y.push_back(axes.py(axisPlace(axes.yAxis.scale, value)));
   std::vector<double> parts;
-  for (const double value : field.values) parts.push_back(partOf(field, value));
+  for (const double value : field.values) parts.push_back(colourPart(field, value));
   const std::size_t alongX = stepsFor(columns), alongY = stepsFor(rows);
   DrawField drawn{refined(x, alongX), refined(y, alongY), {}};
   drawn.colours.reserve(drawn.x.size() * drawn.y.size());
@@ -188,7 +188,7 @@ void addFieldColours(DrawList& list, const DiagramField& field, const DiagramAxe
     }
   }
   DrawLayer layer;
-  layer.clip = {axes.box.x, axes.box.y, axes.box.width, axes.box.height};
+  layer.clip = axes.box;
   layer.fields.push_back(std::move(drawn));
   list.layers.push_back(std::move(layer));
 }
@@ -197,7 +197,7 @@ void addContours(DrawList& list, const DiagramField& field, const DiagramAxes& a
                  const DiagramSizes& sizes, const std::vector<Box>& taken,
                  const std::vector<Polyline>& borders) {
   DrawLayer layer;
-  layer.clip = {axes.box.x, axes.box.y, axes.box.width, axes.box.height};
+  layer.clip = axes.box;
   std::vector<LineLabel> labels;
   for (const Box& box : taken) {
     LineLabel label;
@@ -208,14 +208,15 @@ void addContours(DrawList& list, const DiagramField& field, const DiagramAxes& a
   const float size = std::round(0.92F * sizes.tick);
   const std::vector<DrawPoint> dashes = pointsAlong(borders, 0.5F * size);
   for (const DiagramContour& contour : field.contours) {
-    const Rgba colour = withAlpha(textOn(fieldColour(partOf(field, contour.value))), kContourAlpha);
+    const Rgba colour =
+        withAlpha(textOn(fieldColour(colourPart(field, contour.value))), kContourAlpha);
     std::vector<Polyline> lines;
     for (const std::vector<DiagramPoint>& points : contour.lines) {
       Polyline line;
       for (const DiagramPoint& point : points) line.push_back(axes.mapToPosition(point.x, point.y));
       lines.push_back(std::move(line));
     }
-    std::ranges::stable_sort(lines, {}, [](const Polyline& line) { return -lengthOf(line); });
+    std::ranges::stable_sort(lines, {}, [](const Polyline& line) { return -arcLength(line); });
     const float width = textWidth(contour.label.text, size) + 0.6F * size;
     for (std::size_t k = 0; k < lines.size(); ++k) {
       const Polyline& line = lines[k];
@@ -229,7 +230,7 @@ void addContours(DrawList& list, const DiagramField& field, const DiagramAxes& a
       }
       labels.push_back(*label);
       for (const Polyline& part :
-           {partBetween(line, 0, label->from), partBetween(line, label->to, lengthOf(line))})
+           {partBetween(line, 0, label->from), partBetween(line, label->to, arcLength(line))})
         if (part.size() > 1) addLine(layer, part, kContour * sizes.unit, colour);
       const float drop = 0.36F * size;  // from the middle of the letters to the baseline
       addLabel(list, contour.label.text,

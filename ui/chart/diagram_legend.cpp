@@ -23,7 +23,8 @@ bool isSameStyle(const SeriesStyle& a, const SeriesStyle& b) {
 }
 
 /// Returns the entries of data, then theory; entries with the same appearance and name appear once.
-std::vector<LegendEntry> entriesOf(const Diagram& diagram, const std::vector<SeriesStyle>& styles) {
+std::vector<LegendEntry> legendEntries(const Diagram& diagram,
+                                       const std::vector<SeriesStyle>& styles) {
   std::vector<LegendEntry> entries;
   const auto add = [&](std::size_t i) {
     const DiagramSeries& series = diagram.series[i];
@@ -48,7 +49,7 @@ float rampHeight(const DiagramRamp& ramp, float size) {
   return (ramp.title.empty() ? 1 : 2) * kRow * size;
 }
 
-float widthOf(const LegendEntry& entry, float size) {
+float entryWidth(const LegendEntry& entry, float size) {
   return textWidth(entry.name, size) + (entry.hasSample ? (kSample + kEntryGap) * size : 0);
 }
 
@@ -67,7 +68,7 @@ void enclose(Legend& legend, float width, std::size_t rows) {
 void measure(Legend& legend) {
   float column = (kSample + kEntryGap) * legend.size;
   for (const LegendEntry& entry : legend.entries)
-    column = std::max(column, widthOf(entry, legend.size));
+    column = std::max(column, entryWidth(entry, legend.size));
   const auto columns = static_cast<std::size_t>(legend.columns);
   const std::size_t rows = (legend.entries.size() + columns - 1) / columns;
   for (std::size_t i = 0; i < legend.entries.size(); ++i)
@@ -149,7 +150,7 @@ void addRamp(DrawList& list, DrawLayer& layer, const DiagramRamp& ramp, DrawPoin
 Legend legendFor(const Diagram& diagram, const std::vector<SeriesStyle>& styles, float size,
                  float width, float height) {
   Legend legend;
-  legend.entries = entriesOf(diagram, styles);
+  legend.entries = legendEntries(diagram, styles);
   legend.ramp = diagram.ramp;
   legend.size = size;
   if (legend.empty()) return legend;
@@ -175,14 +176,14 @@ Legend legendFor(const Diagram& diagram, const std::vector<SeriesStyle>& styles,
 Legend legendOver(const Diagram& diagram, const std::vector<SeriesStyle>& styles, float size,
                   float width) {
   Legend legend;
-  legend.entries = entriesOf(diagram, styles);
+  legend.entries = legendEntries(diagram, styles);
   legend.ramp = diagram.ramp;
   legend.size = size;
   const float available = width - 2 * kPad * size;
   float x = 0, widest = 0;
   std::size_t row = 0;
   for (LegendEntry& entry : legend.entries) {
-    const float needed = widthOf(entry, size);
+    const float needed = entryWidth(entry, size);
     if (x > 0 && x + needed > available) {
       x = 0;
       ++row;

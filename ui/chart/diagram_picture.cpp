@@ -112,8 +112,8 @@ class Panel {
       addDiagramGrid(list, axes_, sizes_, theme_);
     }
     const float above = aboveFrame(diagram_, sizes_);
-    addDiagramFrame(list, axes_, sizes_, theme_,
-                    above);  // marks at the frame's edge are drawn over it
+    // Marks at the edge of the frame are drawn over it.
+    addDiagramFrame(list, axes_, sizes_, theme_, above);
     addMarkerLine(list);
     addHorizontalBars(list, diagram_, axes_, sizes_, theme_);
     addSeries(list, diagram_, styles_, axes_, sizes_, theme_);
@@ -186,9 +186,9 @@ class Panel {
   /// otherwise at the right of the frame or above it where there is enough space; otherwise where
   /// it hides least.
   void arrange() {
-    constexpr float kMinWidth = 0.55F,
-                    kMinHeight = 0.6F;  // minimum part of the frame that stays beside a legend
-    constexpr float kMuch = 0.25F;      // part of a legend's box
+    // The minimum parts of the frame that stay beside a legend.
+    constexpr float kMinWidth = 0.55F, kMinHeight = 0.6F;
+    constexpr float kMuch = 0.25F;  // part of a legend's box
     below_ = 0;
     place(0, 0);
     if (sizes_.legendMode == LegendMode::Below) return arrangeBelow();
@@ -381,7 +381,7 @@ std::vector<Panel> panelsBetween(float top, float bottom, const DiagramSheet& sh
 /// print they would only take space.
 void shareLegend(DiagramSheet& sheet) {
   if (sheet.diagrams.size() < 2) return;
-  const auto namesOf = [](const Diagram& diagram) {
+  const auto legendNames = [](const Diagram& diagram) {
     std::set<std::string> names;
     for (const DiagramSeries& series : diagram.series)
       if (!series.name.empty()) names.insert(series.name.text);
@@ -390,9 +390,9 @@ void shareLegend(DiagramSheet& sheet) {
                    diagram.ramp->to.text);
     return names;
   };
-  const std::set<std::string> first = namesOf(sheet.diagrams.front());
+  const std::set<std::string> first = legendNames(sheet.diagrams.front());
   const bool isCommon = std::ranges::all_of(sheet.diagrams, [&](const Diagram& diagram) {
-    return std::ranges::includes(first, namesOf(diagram));
+    return std::ranges::includes(first, legendNames(diagram));
   });
   if (!isCommon) return;
   for (std::size_t i = 1; i < sheet.diagrams.size(); ++i) {
@@ -435,8 +435,8 @@ DiagramSheet prepared(const DiagramSheet& english, const DiagramOptions& options
 
 /// Places the panels; heading and note are added to `list`. Titles of the y-axes are upright, or
 /// above all frames where they do not fit beside one and the frames leave enough space.
-std::vector<Panel> panelsOf(const DiagramSheet& sheet, const DiagramOptions& options,
-                            DrawList& list) {
+std::vector<Panel> placePanels(const DiagramSheet& sheet, const DiagramOptions& options,
+                               DrawList& list) {
   const DiagramSizes sizes = sizesFor(sheet, options);
   const float top = addHeading(list, sheet, sizes, options.theme);
   const float bottom = addNote(list, sheet, sizes, options.theme);
@@ -464,7 +464,7 @@ int heightForAll(const DiagramSheet& english, const DiagramOptions& asked) {
   DiagramOptions options = asked;
   for (; options.height <= kHighest; options.height += 10) {
     DrawList list = emptyList(options);
-    if (std::ranges::all_of(panelsOf(sheet, options, list), &Panel::isWellReadable))
+    if (std::ranges::all_of(placePanels(sheet, options, list), &Panel::isWellReadable))
       return options.height;
   }
   return 0;
@@ -478,7 +478,8 @@ int heightInPrint(const DiagramSheet& english, const DiagramOptions& asked) {
   const int step = std::max(1, static_cast<int>(asked.format.fontSize / 2));
   for (; options.height <= 3 * asked.width; options.height += step) {
     DrawList list = emptyList(options);
-    if (std::ranges::all_of(panelsOf(sheet, options, list), &Panel::isWhole)) return options.height;
+    if (std::ranges::all_of(placePanels(sheet, options, list), &Panel::isWhole))
+      return options.height;
   }
   return asked.height;
 }
@@ -487,7 +488,7 @@ float lowestFrame(const DiagramSheet& english, const DiagramOptions& options) {
   const DiagramSheet sheet = prepared(english, options);
   DrawList list = emptyList(options);
   float lowest = std::numeric_limits<float>::infinity();
-  for (const Panel& panel : panelsOf(sheet, options, list))
+  for (const Panel& panel : placePanels(sheet, options, list))
     lowest = std::min(lowest, panel.isReadable() ? panel.frameHeight() : 0);
   return lowest / sizesFor(sheet, options).tick;
 }
@@ -499,7 +500,7 @@ double valueAt(AxisScale scale, double from, double to, double part) {
                                          : from + (to - from) * part;
 }
 
-double partOf(AxisScale scale, double from, double to, double value) {
+double axisFraction(AxisScale scale, double from, double to, double value) {
   return scale == AxisScale::Logarithmic ? std::log(value / from) / std::log(to / from)
                                          : (value - from) / (to - from);
 }
@@ -515,11 +516,11 @@ double DiagramFrame::yAt(float down) const {
 }
 
 float DiagramFrame::mapX(double x) const {
-  return left + width * static_cast<float>(partOf(xScale, xFrom, xTo, x));
+  return left + width * static_cast<float>(axisFraction(xScale, xFrom, xTo, x));
 }
 
 float DiagramFrame::mapY(double y) const {
-  return top + height - height * static_cast<float>(partOf(yScale, yFrom, yTo, y));
+  return top + height - height * static_cast<float>(axisFraction(yScale, yFrom, yTo, y));
 }
 
 std::vector<DiagramFrame> diagramFrames(const DiagramSheet& english,
@@ -527,7 +528,7 @@ std::vector<DiagramFrame> diagramFrames(const DiagramSheet& english,
   const DiagramSheet sheet = prepared(english, options);
   DrawList list = emptyList(options);
   std::vector<DiagramFrame> frames;
-  for (const Panel& panel : panelsOf(sheet, options, list)) frames.push_back(panel.place());
+  for (const Panel& panel : placePanels(sheet, options, list)) frames.push_back(panel.place());
   return frames;
 }
 
@@ -544,7 +545,7 @@ DrawList composeDiagrams(const DiagramSheet& english, const DiagramOptions& aske
   options.width = std::max(options.width, 1);
   options.height = std::max(options.height, 1);
   DrawList list = emptyList(options);
-  for (const Panel& panel : panelsOf(sheet, options, list)) panel.addTo(list);
+  for (const Panel& panel : placePanels(sheet, options, list)) panel.addTo(list);
   return list;
 }
 

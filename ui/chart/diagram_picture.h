@@ -33,13 +33,12 @@ struct DiagramOptions {
   int width = 1200, height = 800;  // pixels
   float scale = 1;                 // of fonts and line widths; 2 for twice the pixels
   Theme theme = lightTheme();
-  // minimum size of texts in a low picture, relative to the usual size; 1: usual
-  float minTextSize = 0;
+  float minTextSize = 0;  // of texts in a low picture, relative to the usual size; 1: usual
   std::optional<FrameAbove> above{};
   DiagramFormat format{};
 };
 
-/// Returns a size for print: 2400 x 1600 pixels at scale 2 for one diagram, wider for several.
+/// Returns options for print: 2400 x 1600 pixels at scale 2 for one diagram, wider for several.
 DiagramOptions printOptions(const DiagramSheet& sheet, const Theme& theme = printTheme());
 
 /// Returns the height of the lowest picture, from options.height in steps of 10 pixels, in which

@@ -36,7 +36,7 @@ std::vector<DrawPoint> drawnPoints(const DiagramSeries& series, const DiagramAxe
 }
 
 /// Returns the parts of a curve without gaps, with no more points in x than pixels.
-std::vector<Polyline> runsOf(const std::vector<DrawPoint>& points, const Box& box) {
+std::vector<Polyline> curveRuns(const std::vector<DrawPoint>& points, const Box& box) {
   std::vector<Polyline> runs;
   bool open = false;
   for (const DrawPoint& place : points) {
@@ -60,7 +60,7 @@ struct Bar {
 };
 
 /// Returns the error bar of a point; an end that a logarithmic axis cannot show is at its bottom.
-Bar barOf(const DiagramPoint& point, const DiagramAxes& axes) {
+Bar errorBar(const DiagramPoint& point, const DiagramAxes& axes) {
   const DrawPoint low = axes.mapToPosition(point.x, point.low),
                   high = axes.mapToPosition(point.x, point.high);
   const bool toZero = !isFinite(low) && std::isfinite(point.low);
@@ -77,7 +77,7 @@ std::vector<Bar> thinnedBars(const DiagramSeries& series, const DiagramAxes& axe
   const bool isCrowded = static_cast<float>(series.points.size()) > 2 * axes.box.width;
   std::vector<Bar> bars;
   for (const DiagramPoint& point : series.points) {
-    const Bar bar = barOf(point, axes);
+    const Bar bar = errorBar(point, axes);
     const bool isJoined = isCrowded && !bars.empty() && isDrawable(bar) &&
                           isDrawable(bars.back()) && std::floor(bar.x) == std::floor(bars.back().x);
     if (!isJoined) {
@@ -107,7 +107,7 @@ void addBars(DrawLayer& layer, const DiagramSeries& series, const SeriesStyle& s
   const Box& box = axes.box;
   const float width = kErrorBar * unit, cap = std::max(2.2F * unit, 0.5F * style.markSize);
   for (const DiagramPoint& point : series.points) {
-    const Bar bar = barOf(point, axes);
+    const Bar bar = errorBar(point, axes);
     if (!isDrawable(bar)) continue;
     for (const Polyline& part : clippedTo(box, {{bar.x, bar.low}, {bar.x, bar.high}}))
       addLine(layer, part, width, style.colour);
@@ -122,7 +122,7 @@ void addCurve(DrawList& list, const DiagramSeries& series, const SeriesStyle& st
               const DiagramAxes& axes, float unit, const Theme& theme, bool isOverField) {
   const Box& box = axes.box;
   DrawLayer lines, rims, marks;
-  lines.clip = {box.x, box.y, box.width, box.height};
+  lines.clip = box;
   if (style.hasBars) addBars(lines, series, style, axes, unit);
   if (style.stroke != SeriesStroke::None)
     for (const Polyline& part : clippedCurve(series, axes)) {
@@ -145,7 +145,7 @@ void addCurve(DrawList& list, const DiagramSeries& series, const SeriesStyle& st
 
 std::vector<Polyline> clippedCurve(const DiagramSeries& series, const DiagramAxes& axes) {
   std::vector<Polyline> parts;
-  for (const Polyline& run : runsOf(drawnPoints(series, axes), axes.box))
+  for (const Polyline& run : curveRuns(drawnPoints(series, axes), axes.box))
     for (Polyline& part : clippedTo(axes.box, run)) parts.push_back(std::move(part));
   return parts;
 }
@@ -226,9 +226,8 @@ void addStroke(DrawLayer& layer, const std::vector<DrawPoint>& points, const Ser
 
 void addSeries(DrawList& list, const Diagram& diagram, const std::vector<SeriesStyle>& styles,
                const DiagramAxes& axes, const DiagramSizes& sizes, const Theme& theme) {
-  const Box& box = axes.box;
   DrawLayer bands;
-  bands.clip = {box.x, box.y, box.width, box.height};
+  bands.clip = axes.box;
   for (std::size_t i = 0; i < diagram.series.size(); ++i)
     if (styles[i].isBand) addBand(bands, diagram.series[i], styles[i], axes);
   if (!bands.triangles.empty()) list.layers.push_back(std::move(bands));
@@ -244,7 +243,7 @@ void coverSeries(OccupancyGrid& map, const Diagram& diagram, const std::vector<S
   for (std::size_t i = 0; i < diagram.series.size(); ++i) {
     const DiagramSeries& series = diagram.series[i];
     for (const DiagramPoint& point : series.points) {
-      const Bar bar = barOf(point, axes);
+      const Bar bar = errorBar(point, axes);
       const float half = styles[i].markSize / 2;
       if (isDrawable(bar))
         map.addBox({bar.x - half, bar.high, 2 * half, bar.low - bar.high},
@@ -280,7 +279,7 @@ void addHorizontalBars(DrawList& list, const Diagram& diagram, const DiagramAxes
   const float half = std::min(kThick * row, 2.2F * sizes.tick) / 2;
   const float zero = std::clamp(axes.px(0), box.x, box.right());
   DrawLayer layer;
-  layer.clip = {box.x, box.y, box.width, box.height};
+  layer.clip = box;
   for (std::size_t i = 0; i < diagram.bars.size(); ++i) {
     const DiagramBar& bar = diagram.bars[i];
     const float end = axes.px(bar.value);

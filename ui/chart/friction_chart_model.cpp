@@ -80,16 +80,16 @@ void setRange(DiagramAxis& axis, const AxisRange& range) {
 
 /// Returns "33 % of the curve". Over another key than velocity every value may have lines of its
 /// own, whose number would not be that of the legend.
-Message partOf(const CurveUpdate& curve) {
+Message finishedPart(const CurveUpdate& curve) {
   const double part = static_cast<double>(curve.realizationsDone) /
                       static_cast<double>(std::max<std::int64_t>(curve.realizationsTotal, 1));
   return message("{} % of the curve", static_cast<int>(100 * part));
 }
 
-/// Returns a text for the finished part of a curve while it is averaged.
-Message shareOf(const CurveUpdate& curve) {
+/// Returns the text for the progress of a curve while it is averaged.
+Message progressText(const CurveUpdate& curve) {
   if (curve.isComplete) return {};
-  if (!curve.scene->sweep.isOfVelocity()) return partOf(curve);
+  if (!curve.scene->sweep.isOfVelocity()) return finishedPart(curve);
   return message("{} of {} lines", curve.realizationsDone, curve.realizationsTotal);
 }
 
@@ -254,7 +254,7 @@ void FrictionChartModel::unpinAll() {
 
 Message FrictionChartModel::englishName(const PinnedCurve& pinned, const Scene& present) const {
   const Message name = describeDifferences(*pinned.curve->scene, present);
-  return listed({name.empty() ? Message("same parameters") : name, shareOf(*pinned.curve)});
+  return listed({name.empty() ? Message("same parameters") : name, progressText(*pinned.curve)});
 }
 
 QString FrictionChartModel::pinnedName(const PinnedCurve& pinned) const {
@@ -464,7 +464,7 @@ Message FrictionChartModel::status() const {
   if (!mayHaveManyLines(curve_->scene->surface)) return {};
   std::int64_t done = curve_->realizationsDone, total = curve_->realizationsTotal;
   if (!curve_->scene->sweep.isOfVelocity()) {
-    if (!curve_->isComplete) return partOf(*curve_);
+    if (!curve_->isComplete) return finishedPart(*curve_);
     if (!curve_->points.empty()) done = total = curve_->points.front().realizations;
   }
   if (total == 1) return {};

@@ -146,7 +146,7 @@ class FrictionChartModel {
   std::string sweptKey_{kVelocityKey};   // of the ranges below
   std::string markedKey_{kVelocityKey};  // of the marker
   std::optional<DiagramMarker> marker_, dimensionlessMarker_;
-  double markerFactor_ = 1;    // for the frame's line, from m/s to the dimensionless axis
+  double markerFactor_ = 1;    // from m/s to the dimensionless axis, for the frame's line
   double fastest_ = 0;         // m/s, of the marked motion
   bool awaitsMarker_ = false;  // a new curve is there, and its scene's first picture may not be
   bool isMarkFaded_ = false;

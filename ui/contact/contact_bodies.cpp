@@ -232,7 +232,6 @@ void addMark(DrawLayer& layer, const Frame& frame, const ContactLayout& layout) 
 
 void addBodies(DrawList& list, const Frame& frame, const ContactLayout& layout) {
   if (!isDrawable(frame)) return;
-  const Clip clip{layout.plot.x, layout.plot.y, layout.plot.width, layout.plot.height};
   const PointRange range = pointsWithin(frame, layout.view.left, layout.view.width);
   const Columns columns{layout.view.left, layout.pixelsPerMetreX()};
   const std::vector<double>& values = overlayValues(frame, layout.scale.overlay);
@@ -262,7 +261,7 @@ void addBodies(DrawList& list, const Frame& frame, const ContactLayout& layout) 
     isPaper ? addStrokesBelow(curves, stretch, layout) : addStretch(curves, stretch, layout);
   if (layout.marked && !isPaper) addMark(curves, frame, layout);
   for (DrawLayer* layer : {&rigid, &elastomer, &curves}) {
-    layer->clip = clip;
+    layer->clip = layout.plot;
     list.layers.push_back(std::move(*layer));
   }
 }

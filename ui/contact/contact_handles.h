@@ -17,7 +17,7 @@ enum class ContactHandle { None, Body, Force, Velocity };
 /// A label or an arrow.
 struct HandlePosition {
   ContactHandle handle = ContactHandle::None;
-  Clip box;               // pixels
+  Box box;                // pixels
   std::string_view id{};  // of its explanation (core/chart/explanations.h)
   std::string name{};     // as it is written
 };

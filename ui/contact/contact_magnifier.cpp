@@ -213,7 +213,7 @@ void addMagnifier(DrawList& list, const Frame& frame, const Magnifier& magnifier
   const float u = layout.sizes.unit;
   const Rgba& ink = layout.theme.text;
   DrawLayer below;
-  below.clip = {layout.plot.x, layout.plot.y, layout.plot.width, layout.plot.height};
+  below.clip = layout.plot;
   const Box source = sourceBox(inset.view, layout);
   addBorder(below, source, 1.6F * u, ink);
   addConnection(below, source, box, 1.2F * u, withAlpha(ink, 0.55F));

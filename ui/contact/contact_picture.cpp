@@ -30,9 +30,8 @@ PreparedPicture prepareContact(const Frame& frame, const ContactPictureOptions& 
   return prepared;
 }
 
-Clip contactPlotArea(const Frame& frame, const ContactPictureOptions& asked) {
-  const Box plot = prepareContact(frame, asked).layout.plot;
-  return {plot.x, plot.y, plot.width, plot.height};
+Box contactPlotArea(const Frame& frame, const ContactPictureOptions& asked) {
+  return prepareContact(frame, asked).layout.plot;
 }
 
 float contactUnit(const ContactPictureOptions& options) {
@@ -52,20 +51,14 @@ std::vector<HandlePosition> contactHandles(const Frame& frame, const ContactPict
 
 ContactHandle handleAt(const Frame& frame, const ContactPictureOptions& asked, float x, float y) {
   constexpr float kReach = 5;  // units below the line that still belong to the rigid body
-  for (const HandlePosition& handle : contactHandles(frame, asked)) {
-    const Clip& box = handle.box;
-    if (x >= box.x && x < box.x + box.width && y >= box.y && y < box.y + box.height)
-      return handle.handle;
-  }
+  for (const HandlePosition& handle : contactHandles(frame, asked))
+    if (handle.box.contains(x, y)) return handle.handle;
   const PreparedPicture prepared = prepareContact(frame, asked);
   const ContactPictureOptions& options = prepared.options;
   const ContactLayout& layout = prepared.layout;
   const Box& plot = layout.plot;
-  const auto isIn = [x, y](const Box& box) {
-    return x >= box.x && x < box.right() && y >= box.y && y < box.bottom();
-  };
-  if (!isIn(plot)) return ContactHandle::None;
-  if (options.magnifier && isIn(magnifierBox(frame, *options.magnifier, layout)))
+  if (!plot.contains(x, y)) return ContactHandle::None;
+  if (options.magnifier && magnifierBox(frame, *options.magnifier, layout).contains(x, y))
     return ContactHandle::None;
   const auto reading =
       probeReading(frame, layout.view.left + (x - plot.x) / layout.pixelsPerMetreX());

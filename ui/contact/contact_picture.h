@@ -67,7 +67,7 @@ ContactView resolvedView(const Frame& frame, const ContactView& view);
 
 /// Returns the rectangle of the axes in composeContact; it shows the view's left, width, bottom and
 /// top.
-Clip contactPlotArea(const Frame& frame, const ContactPictureOptions& options);
+Box contactPlotArea(const Frame& frame, const ContactPictureOptions& options);
 /// Returns the unit of line widths and distances, in pixels; its small texts are 12 units high.
 float contactUnit(const ContactPictureOptions& options);
 
@@ -75,7 +75,7 @@ float contactUnit(const ContactPictureOptions& options);
 /// (an id of core/chart/explanations.h). A title that does not fit its line is the first one, with
 /// its full text as the sentence and no explanation.
 struct ContactReading {
-  Clip box;
+  Box box;
   std::string name, tip;
   std::string_view id{};
 };

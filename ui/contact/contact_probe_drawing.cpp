@@ -152,7 +152,7 @@ void addProbe(DrawList& list, const Frame& frame, double x, const ContactLayout&
   if (px < plot.x - 1 || px > plot.right() + 1) return;
   const float line = layout.py(reading->line), surface = layout.py(reading->surface);
   DrawLayer layer;
-  layer.clip = {plot.x, plot.y, plot.width, plot.height};
+  layer.clip = plot;
   addLine(layer, {{px, plot.y}, {px, plot.bottom()}}, 3 * u,
           withAlpha(layout.theme.background, 0.35F));
   addLine(layer, {{px, plot.y}, {px, plot.bottom()}}, 1.2F * u, withAlpha(layout.theme.text, 0.8F));

@@ -13,7 +13,7 @@ constexpr float kAboveBaseline = 1.0F,
                 kBelowBaseline = 0.4F;  // of a font's size: a line around its baseline
 
 /// Returns the box of a line of text.
-Clip lineAt(float left, float baseline, float width, float size) {
+Box lineAt(float left, float baseline, float width, float size) {
   return {left, baseline - kAboveBaseline * size, width, (kAboveBaseline + kBelowBaseline) * size};
 }
 
@@ -38,15 +38,14 @@ void addLegendSign(std::vector<ContactSign>& signs, const ContactLayout& layout)
   const bool hasBar = legend.bar.width > 0;
   if (id.empty() || (!hasBar && legend.title.empty())) return;
   const float size = layout.sizes.small;
-  Clip box = lineAt(legend.titleEnd.x - textWidth(legend.title, size), legend.titleEnd.y,
-                    textWidth(legend.title, size), size);
+  Box box = lineAt(legend.titleEnd.x - textWidth(legend.title, size), legend.titleEnd.y,
+                   textWidth(legend.title, size), size);
   if (hasBar) {
     const float numbers = legend.inLine ? 5 * size : 0;  // beside the end of the bar
     const float left = legend.title.empty() ? legend.bar.x : box.x;
     const float bottom = legend.bar.bottom() + (legend.inLine ? 0 : 1.5F * size);
     const float top = legend.title.empty() ? legend.bar.y : std::min(box.y, legend.bar.y);
-    box = {left, top, legend.bar.right() + numbers - left,
-           std::max(bottom, box.y + box.height) - top};
+    box = {left, top, legend.bar.right() + numbers - left, std::max(bottom, box.bottom()) - top};
   }
   const std::string name = hasBar || legend.title.empty() ? layout.scale.title() : legend.title;
   signs.push_back({box, name, id});
@@ -97,11 +96,8 @@ std::vector<ContactSign> contactSigns(const Frame& frame, const ContactPictureOp
 
 std::optional<ContactSign> contactSignAt(const Frame& frame, const ContactPictureOptions& options,
                                          float x, float y) {
-  for (ContactSign& sign : contactSigns(frame, options)) {
-    const Clip& box = sign.box;
-    if (x >= box.x && x < box.x + box.width && y >= box.y && y < box.y + box.height)
-      return std::move(sign);
-  }
+  for (ContactSign& sign : contactSigns(frame, options))
+    if (sign.box.contains(x, y)) return std::move(sign);
   return std::nullopt;
 }
 

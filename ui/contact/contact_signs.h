@@ -12,7 +12,7 @@
 namespace asperity {
 
 struct ContactSign {
-  Clip box;             // pixels
+  Box box;              // pixels
   std::string name;     // as it is written
   std::string_view id;  // of core/chart/explanations.h; empty: the tip is complete
   std::string tip{};    // a sentence on this frame; empty: that of the explanation

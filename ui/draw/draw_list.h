@@ -37,9 +37,14 @@ struct DrawText {
   Rgba colour;
 };
 
-/// Only shapes inside this rectangle are drawn; width 0: the whole picture.
-struct Clip {
+/// A rectangle, in pixels.
+struct Box {
   float x = 0, y = 0, width = 0, height = 0;
+  float right() const { return x + width; }
+  float bottom() const { return y + height; }
+  bool contains(float px, float py) const {
+    return px >= x && px < right() && py >= y && py < bottom();
+  }
 };
 
 /// Colours on a rectangular grid of points, interpolated between neighbours. In a cell of the grid
@@ -50,7 +55,7 @@ struct DrawField {
 };
 
 struct DrawLayer {
-  Clip clip;
+  Box clip;                           // nothing is drawn outside of it; width 0: the whole picture
   std::vector<DrawField> fields{};    // under the triangles; vector files have them as images
   std::vector<DrawVertex> triangles;  // three vertices each
   std::vector<DrawLine> lines;        // over the triangles

@@ -114,7 +114,7 @@ void paintList(QPainter& painter, const DrawList& list) {
   for (const DrawLayer& layer : list.layers) {
     const VectorLayer vector = vectorized(layer);
     painter.save();
-    const Clip& clip = vector.clip;
+    const Box& clip = vector.clip;
     QRectF shown(0, 0, list.width, list.height);
     if (clip.width > 0) {
       shown &= QRectF(clip.x, clip.y, clip.width, clip.height);

@@ -23,12 +23,12 @@ void pixelRange(float from, float to, int size, int& first, int& count) {
   count = std::max(0, edge(to) - first);
 }
 
-ScissorBox scissorBox(const Clip& clip, const DrawList& list) {
+ScissorBox scissorBox(const Box& clip, const DrawList& list) {
   if (clip.width == 0) return {0, 0, list.width, list.height};
   ScissorBox box;
   int top = 0;
-  pixelRange(clip.x, clip.x + clip.width, list.width, box.x, box.width);
-  pixelRange(clip.y, clip.y + clip.height, list.height, top, box.height);
+  pixelRange(clip.x, clip.right(), list.width, box.x, box.width);
+  pixelRange(clip.y, clip.bottom(), list.height, top, box.height);
   box.y = list.height - top - box.height;
   return box;
 }

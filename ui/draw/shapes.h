@@ -37,12 +37,6 @@ void cleanVertices(const DrawLine& line, std::vector<DrawVertex>& clean);
 /// Fills `geometry`, reusing its memory.
 void flatten(const DrawList& list, Geometry& geometry);
 
-struct Box {
-  float x = 0, y = 0, width = 0, height = 0;
-  float right() const { return x + width; }
-  float bottom() const { return y + height; }
-};
-
 struct DrawPoint {
   float x = 0, y = 0;
 };

@@ -102,7 +102,7 @@ void addPicture(DrawList& list, DrawList part, float right, float down) {
     if (layer.clip.width > 0)
       layer.clip = {layer.clip.x + right, layer.clip.y + down, layer.clip.width, layer.clip.height};
     else
-      layer.clip = {box.x, box.y, box.width, box.height};
+      layer.clip = box;
     const auto move = [&](std::vector<DrawVertex>& vertices) {
       for (DrawVertex& vertex : vertices) {
         vertex.x += right;

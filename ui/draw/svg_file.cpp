@@ -157,7 +157,7 @@ class SvgWriter {
     }
   }
 
-  std::string clipOf(const Clip& clip) {
+  std::string clipOf(const Box& clip) {
     if (clip.width == 0) return {};
     const std::string rectangle = "<rect x=\"" + number(clip.x) + "\" y=\"" + number(clip.y) +
                                   "\" width=\"" + number(clip.width) + "\" height=\"" +

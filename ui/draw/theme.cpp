@@ -96,11 +96,12 @@ constexpr std::array<Rgba, 11> kInferno = {
     bytes(243, 120, 25), bytes(249, 142, 9),   bytes(252, 165, 10), bytes(251, 190, 35),
     bytes(246, 215, 70), bytes(242, 239, 118), bytes(252, 255, 164)};
 
-// Control colours of "viridis" (matplotlib, CC0) at 1, 0.9, ..., 0.3. The rest is darker than the
-// elastomer.
-constexpr std::array<Rgba, 8> kViridis = {
-    bytes(253, 231, 37), bytes(189, 223, 38), bytes(122, 209, 81), bytes(68, 191, 112),
-    bytes(34, 168, 132), bytes(33, 145, 140), bytes(42, 120, 142), bytes(53, 95, 141)};
+// "Viridis" backwards, from 1 to 0.3. The rest is darker than the elastomer.
+constexpr std::array<Rgba, 8> kAgeColours = [] {
+  std::array<Rgba, 8> colours{};
+  for (std::size_t i = 0; i < colours.size(); ++i) colours[i] = kViridis[kViridis.size() - 1 - i];
+  return colours;
+}();
 
 template <std::size_t N>
 Rgba alongMap(const std::array<Rgba, N>& map, float t) {
@@ -131,7 +132,7 @@ Rgba pressureColour(float t) {
 }
 
 Rgba ageColour(float t) {
-  return alongMap(kViridis, t);
+  return alongMap(kAgeColours, t);
 }
 
 }  // namespace asperity

@@ -2,6 +2,7 @@
 // series. Pure; any thread.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "ui/draw/draw_list.h"
@@ -28,6 +29,13 @@ constexpr Rgba colourFrom(std::uint32_t rgb, float alpha = 1) {
   return {static_cast<float>(rgb >> 16 & 255U) / 255, static_cast<float>(rgb >> 8 & 255U) / 255,
           static_cast<float>(rgb & 255U) / 255, alpha};
 }
+
+/// Control colours of "viridis" (matplotlib, CC0) at 0, 0.1, ..., 1: ordered by lightness, and
+/// perceptually uniform.
+inline constexpr std::array<Rgba, 11> kViridis = {
+    colourFrom(0x440154), colourFrom(0x482475), colourFrom(0x414487), colourFrom(0x355F8D),
+    colourFrom(0x2A788E), colourFrom(0x21918C), colourFrom(0x22A884), colourFrom(0x44BF70),
+    colourFrom(0x7AD151), colourFrom(0xBDDF26), colourFrom(0xFDE725)};
 
 /// Replaces every colour by the grey of its luminance (Rec. 709, of the coded values).
 void removeColours(DrawList& list);

@@ -32,7 +32,7 @@ struct VectorStroke {
 };
 
 struct VectorLayer {
-  Clip clip;
+  Box clip;
   std::vector<VectorFill> fills;      // first is lowest
   std::vector<VectorStroke> strokes;  // over the fills
 };

@@ -23,7 +23,8 @@ PairEditor::Pairs asPairs(const std::vector<Arm>& arms) {
   return PairEditor::toPairs(arms, &Arm::modulus, &Arm::relaxationTime);
 }
 
-/// The columns of a table without names: the larger of two moduli is far above the longest time.
+/// Reads arms from a table without names. The column with the larger maximum has the moduli: the
+/// largest modulus is far above the longest time.
 std::vector<Arm> namelessArms(const TextBlock& block, const std::string& name) {
   const std::vector<std::size_t> columns = columnsOfNumbers(block);
   if (columns.size() != 2)
@@ -111,9 +112,9 @@ void ArmsEditor::give(const Pairs& pairs) {
   emit armsGiven(fromPairs(pairs, &Arm::modulus, &Arm::relaxationTime));
 }
 
-void ArmsEditor::showArms(const std::vector<Arm>& arms, std::optional<std::size_t> wanted,
+void ArmsEditor::showArms(const std::vector<Arm>& arms, std::optional<std::size_t> prescribed,
                           bool replace) {
-  showPairs(asPairs(arms), wanted, replace);
+  showPairs(asPairs(arms), prescribed, replace);
 }
 
 }  // namespace asperity

@@ -18,9 +18,9 @@ class ArmsEditor : public PairEditor {
  public:
   explicit ArmsEditor(QWidget* parent = nullptr);
 
-  /// Shows the arms. `wanted`: the number of arms that the rheology prescribes, if any. `replace`
-  /// also overwrites refused input.
-  void showArms(const std::vector<Arm>& arms, std::optional<std::size_t> wanted, bool replace);
+  /// Shows the arms. `prescribed`: the number of arms that the rheology prescribes, if any.
+  /// `replace` also overwrites refused input.
+  void showArms(const std::vector<Arm>& arms, std::optional<std::size_t> prescribed, bool replace);
 
  signals:
   void armsGiven(const std::vector<asperity::Arm>& arms);

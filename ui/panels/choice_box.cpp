@@ -114,7 +114,7 @@ void TextBox::focusOutEvent(QFocusEvent* event) {
   if (event->reason() != Qt::PopupFocusReason) commit();
 }
 
-/// A scene's description is one paragraph.
+/// Passes on the text as one paragraph, which a scene's description is.
 void TextBox::commit() {
   const QString text = toPlainText().simplified();
   if (text == accepted_) return replaceText(text);

@@ -15,8 +15,8 @@ class ChoiceBox : public QComboBox {
   explicit ChoiceBox(QWidget* parent = nullptr);
   QSize sizeHint() const override;
 
-  /// Paints this text instead of that of the current entry, and is as wide as it needs; empty:
-  /// neither.
+  /// Sets a text that is painted instead of that of the current entry, and determines the width;
+  /// empty: the current entry does both.
   void setShownText(const QString& text);
   QString shownText() const { return shown_.isEmpty() ? currentText() : shown_; }
 

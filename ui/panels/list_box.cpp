@@ -47,7 +47,10 @@ void ListBox::showPopup() {
   auto* menu = new QMenu(this);
   menu->setAttribute(Qt::WA_DeleteOnClose);
   menu->setToolTipsVisible(true);
-  hasTheories() ? addTheories(*menu) : addTables(*menu);
+  if (hasTheories())
+    addTheories(*menu);
+  else
+    addTables(*menu);
   menu->popup(mapToGlobal(QPoint(0, height())));
 }
 

@@ -27,7 +27,7 @@ QJsonObject shippedObject(std::string_view json) {
   return QJsonDocument::fromJson({json.data(), static_cast<qsizetype>(json.size())}).object();
 }
 
-/// The moduli of a shipped material at its reference temperature.
+/// Returns the moduli of a shipped material at its reference temperature.
 Elastomer shippedElastomer(std::string_view json) {
   const QJsonObject root = shippedObject(json);
   Elastomer elastomer;
@@ -84,7 +84,10 @@ QIcon modulusIcon(const Elastomer& elastomer, const QSize& size, const QPalette&
           (points[static_cast<std::size_t>(i)].*value - lowest) / std::max(highest - lowest, 1e-9);
       const QPointF at(2 + (size.width() - 4.0) * i / (kPoints - 1),
                        size.height() - 3 - (size.height() - 6.0) * share);
-      i == 0 ? path.moveTo(at) : path.lineTo(at);
+      if (i == 0)
+        path.moveTo(at);
+      else
+        path.lineTo(at);
     }
     painter.setPen(pen);
     painter.drawPath(path);
@@ -130,7 +133,7 @@ void MaterialBox::fill() {
   setItemData(count() - 1, true, kAsksForFile);
 }
 
-/// Draws the pictures in the colours of the window as they are now.
+/// Draws the pictures of the moduli, in the present colours of the window.
 void MaterialBox::showPopup() {
   for (const ShippedMaterial& material : shippedMaterials())
     setItemIcon(findData(fromUtf8(material.name)),
@@ -140,7 +143,7 @@ void MaterialBox::showPopup() {
   ChoiceBox::showPopup();
 }
 
-/// The pictures are in the open list alone: the box is as high as all others.
+/// Returns the height of the other boxes: only the open list has the pictures.
 QSize MaterialBox::minimumSizeHint() const {
   return {ChoiceBox::minimumSizeHint().width(), sizeHint().height()};
 }
@@ -148,7 +151,8 @@ QSize MaterialBox::minimumSizeHint() const {
 void MaterialBox::pick(int index) {
   const bool asks = itemData(index, kAsksForFile).toBool();
   const QString name = itemData(index).toString();
-  setCurrentIndex(findData(QString::fromStdString(elastomer_.material)));  // until it is taken
+  // The box shows the present material until the panel has accepted another one.
+  setCurrentIndex(findData(QString::fromStdString(elastomer_.material)));
   if (asks)
     emit fileRequested();
   else

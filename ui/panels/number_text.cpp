@@ -129,8 +129,8 @@ int largestExponent(const QString& unit) {
              : 9;
 }
 
-/// Returns the letter to print, for a multiple of three from -12 to 9.
-QString prefixOf(int exponent) {
+/// Returns the prefix of a unit for a power of ten that is a multiple of three, from -12 to 9.
+QString unitPrefix(int exponent) {
   static const QString letters = QStringLiteral("pn\u00b5m kMG");
   return exponent == 0 ? QString() : QString(letters[exponent / 3 + 4]);
 }
@@ -177,7 +177,7 @@ UnitText inReadableUnit(double value, const QString& unit) {
   const QString number = std::abs(places) <= kMaxDecimals
                              ? shifted(mantissa, places)
                              : mantissa + 'e' + QString::number(places);
-  return {number, prefixOf(prefix) + unit};
+  return {number, unitPrefix(prefix) + unit};
 }
 
 QString inShownUnit(const QString& text, const QString& shownUnit) {
@@ -210,8 +210,8 @@ NumberRule numberRule(const Parameter& parameter) {
 QString allowedInWords(const NumberRule& rule) {
   QString from = endInWords(rule.minimum, rule);
   const QString to = endInWords(rule.maximum, rule);
-  const auto unitOf = [](const QString& text) { return text.section(' ', 1); };
-  if (rule.minimum == 0 || unitOf(from) == unitOf(to)) from = from.section(' ', 0, 0);
+  const auto unit = [](const QString& text) { return text.section(' ', 1); };
+  if (rule.minimum == 0 || unit(from) == unit(to)) from = from.section(' ', 0, 0);
   return ParameterRow::tr("%1 to %2").arg(from, to);
 }
 

@@ -20,7 +20,7 @@ namespace asperity {
 
 namespace {
 
-constexpr std::size_t kShort = 4;  // a list of this many rows is folded only by hand
+constexpr std::size_t kShort = 4;  // rows; a list of at most so many is folded only by the user
 constexpr int kColumns = 6;        // number, two values with their units, button
 constexpr int kUnitDigits = 4;     // width of a unit, in digits
 constexpr int kFoldDigits = 3;
@@ -75,8 +75,10 @@ class PairRow {
     for (std::size_t k = 0; k < entries_.size(); ++k) {
       UnitText text = inReadableUnit(pair[k], editor_.kind_.rules[k].unit);
       text.number = inLanguage(text.number);
-      replace ? entries_[k]->replaceText(text.number, text.unit)
-              : entries_[k]->showText(text.number, text.unit);
+      if (replace)
+        entries_[k]->replaceText(text.number, text.unit);
+      else
+        entries_[k]->showText(text.number, text.unit);
     }
   }
 
@@ -88,8 +90,12 @@ class PairRow {
 
   void dispose() {
     for (ValueEntry* entry : entries_) entry->disconnect(&editor_);
-    for (QWidget* widget : widgets()) widget->hide(), widget->deleteLater();
-    error_->hide(), error_->deleteLater();
+    const auto discard = [](QWidget* widget) {
+      widget->hide();
+      widget->deleteLater();
+    };
+    for (QWidget* widget : widgets()) discard(widget);
+    discard(error_);
   }
 
  private:
@@ -207,12 +213,12 @@ PairEditor::Pairs PairEditor::sorted(Pairs pairs) const {
 }
 
 void PairEditor::showTexts() {
-  const Texts said = texts();
-  for (std::size_t k = 0; k < headings_.size(); ++k) headings_[k]->setText(said.headings[k]);
-  add_->setText(said.add);
-  add_->setToolTip(said.addTip);
-  paste_->setText(said.paste);
-  paste_->setToolTip(said.pasteTip);
+  const Texts shown = texts();
+  for (std::size_t k = 0; k < headings_.size(); ++k) headings_[k]->setText(shown.headings[k]);
+  add_->setText(shown.add);
+  add_->setToolTip(shown.addTip);
+  paste_->setText(shown.paste);
+  paste_->setToolTip(shown.pasteTip);
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     rows_[i]->showTexts();
     rows_[i]->show(pairs_[i], false);
@@ -224,25 +230,25 @@ PairEditor::~PairEditor() {
   for (const PairRow* row : rows_) delete row;
 }
 
-void PairEditor::showPairs(Pairs pairs, std::optional<std::size_t> wanted, bool replace) {
+void PairEditor::showPairs(Pairs pairs, std::optional<std::size_t> prescribed, bool replace) {
   const Pairs next = sorted(std::move(pairs));
-  const bool isNew = next != pairs_ || wanted != wanted_ || next.size() != rows_.size();
+  const bool isNew = next != pairs_ || prescribed != prescribed_ || next.size() != rows_.size();
   if (!isNew && !replace) return;
   if (isNew) refusal_->hide();
-  paste_->setEnabled(!wanted || *wanted > 1);
+  paste_->setEnabled(!prescribed || *prescribed > 1);
   pairs_ = next;
-  wanted_ = wanted;
+  prescribed_ = prescribed;
   makeRows(pairs_.size());
-  const std::size_t least = wanted_.value_or(kind_.mayBeEmpty ? 0 : 1);
+  const std::size_t least = prescribed_.value_or(kind_.mayBeEmpty ? 0 : 1);
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     rows_[i]->show(pairs_[i], replace || isNew);
     rows_[i]->setRemovable(pairs_.size() > least);
   }
-  add_->setEnabled(pairs_.size() < wanted_.value_or(kind_.most));
+  add_->setEnabled(pairs_.size() < prescribed_.value_or(kind_.most));
   showFold();
 }
 
-/// Passes on the rows; the editor then shows the scene's result.
+/// Gives the sorted rows to the panel, whose scene the editor then shows.
 void PairEditor::pass(Pairs pairs) {
   give(sorted(std::move(pairs)));
 }
@@ -292,7 +298,10 @@ void PairEditor::remove(std::size_t index) {
   pairs.erase(pairs.begin() + static_cast<std::ptrdiff_t>(index));
   opened_ = isOpen();
   pass(std::move(pairs));
-  rows_.empty() ? add_->setFocus() : rows_[std::min(index, rows_.size() - 1)]->focus();
+  if (rows_.empty())
+    add_->setFocus();
+  else
+    rows_[std::min(index, rows_.size() - 1)]->focus();
 }
 
 void PairEditor::makeRows(std::size_t count) {

@@ -77,9 +77,9 @@ class PairEditor : public QWidget {
   /// calls it at its end.
   void begin();
 
-  /// Shows the pairs. `wanted`: the prescribed number of rows, if any. `replace` also overwrites
+  /// Shows the pairs. `prescribed`: the number of rows, if it is fixed. `replace` also overwrites
   /// refused input.
-  void showPairs(Pairs pairs, std::optional<std::size_t> wanted, bool replace);
+  void showPairs(Pairs pairs, std::optional<std::size_t> prescribed, bool replace);
 
   virtual Texts texts() const = 0;
   /// Returns the row that is added to these.
@@ -109,8 +109,8 @@ class PairEditor : public QWidget {
 
   const Kind kind_;
   Pairs pairs_;
-  std::optional<std::size_t> wanted_;
-  std::optional<bool> opened_;  // by hand; otherwise a short list is open
+  std::optional<std::size_t> prescribed_;  // number of rows
+  std::optional<bool> opened_;             // by the user; otherwise a short list is open
   std::vector<PairRow*> rows_;
   QToolButton* fold_;
   QWidget* table_;

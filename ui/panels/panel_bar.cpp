@@ -14,8 +14,8 @@ FilterLine::FilterLine(QWidget* parent) : QLineEdit(parent) {
   setMaxLength(60);
 }
 
-/// Escape belongs to the filter as long as there is something to clear, and to its line while one
-/// types there.
+/// Handles Escape here, not as a shortcut of the window: it clears the filter, and leaves an empty
+/// one.
 bool FilterLine::event(QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride &&
       static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
@@ -29,14 +29,17 @@ bool FilterLine::event(QEvent* event) {
 QSize FilterLine::minimumSizeHint() const {
   constexpr int kAround = 24;  // pixels of the frame and the margins
   const QSize size = QLineEdit::minimumSizeHint();
-  const int wanted = fontMetrics().horizontalAdvance(placeholderText()) + kAround;
-  return {std::max(size.width(), wanted), size.height()};
+  const int width = fontMetrics().horizontalAdvance(placeholderText()) + kAround;
+  return {std::max(size.width(), width), size.height()};
 }
 
 void FilterLine::keyPressEvent(QKeyEvent* event) {
   switch (event->key()) {
     case Qt::Key_Escape:
-      text().isEmpty() ? clearFocus() : clear();
+      if (text().isEmpty())
+        clearFocus();
+      else
+        clear();
       return;
     case Qt::Key_Return:
     case Qt::Key_Enter:

@@ -19,7 +19,8 @@ class FilterLine : public QLineEdit {
   QSize minimumSizeHint() const override;
 
  signals:
-  void left();  // by Enter or the arrow down: to the first row that is found
+  /// Emitted when Enter or the arrow down leaves the line for the first row that is found.
+  void left();
 
  protected:
   bool event(QEvent* event) override;

@@ -30,7 +30,7 @@ namespace {
 constexpr int kMinWidth = 290, kDefaultWidth = 380;  // pixels
 
 /// Returns the key's section; parameters of the averaging belong to the curve's section.
-QString sectionOf(const Parameter& parameter) {
+QString panelSection(const Parameter& parameter) {
   const QString key = fromUtf8(parameter.key);
   const qsizetype dot = key.indexOf('.');
   const QString section = dot < 0 ? QString() : key.left(dot);
@@ -72,7 +72,8 @@ std::vector<ParameterGroup> parameterSections() {
                           "interface", "sweep", "accuracy",  "comparison"};
   QStringList others;
   for (const Parameter& parameter : parameters())
-    if (const QString name = sectionOf(parameter); !names.contains(name) && !others.contains(name))
+    if (const QString name = panelSection(parameter);
+        !names.contains(name) && !others.contains(name))
       others += name;
   // The texts of the scene, which change nothing that is computed, come last.
   if (others.removeOne(QString())) others += QString();
@@ -83,7 +84,7 @@ std::vector<ParameterGroup> parameterSections() {
     group.name = name.isEmpty() ? QStringLiteral("texts") : name;
     for (const Parameter& parameter : parameters())
       // The axis of the curve is chosen at the chart.
-      if (sectionOf(parameter) == name && parameter.key != "sweep.key")
+      if (panelSection(parameter) == name && parameter.key != "sweep.key")
         group.keys.push_back(parameter.key);
     groups.push_back(std::move(group));
   }
@@ -307,7 +308,7 @@ void ParameterPanel::arrange() {
       bool isSelected = isFiltered ? row->matches(words) : isWhole;
       if (isPossible && isSelected) ++here;
       // A scene's title differs from the default in any case.
-      if (isPossible && isSelected && row->isChanged() && !sectionOf(row->parameter()).isEmpty())
+      if (isPossible && isSelected && row->isChanged() && !panelSection(row->parameter()).isEmpty())
         ++changed;
       if (!isFiltered)
         isSelected = isWhole

@@ -152,7 +152,7 @@ class ParameterPanel : public QWidget {
   void applyStyle();
 
   Scene scene_;
-  std::string axis_;  // the key whose values the ends of the axis are shown as
+  std::string axis_;  // the swept key, in whose unit the ends of the axis are shown
   Scene passedOn_;    // the newest scene that was set or passed on
   RememberedSizes sizes_;
   LineSize line_;  // of the present line, if it belongs to the scene
@@ -164,7 +164,7 @@ class ParameterPanel : public QWidget {
   NoteSet notes_;
   QString revealed_;  // key of a row that reveal() made visible, until other rows are chosen
   PanelBar* bar_;     // may be null
-  QLabel* noMatch_;   // where no row passes the filter
+  QLabel* noMatch_;   // shown where no row passes the filter
   QScrollArea* scroll_;
 };
 

@@ -76,12 +76,12 @@ int labelWidth(const QFont& font) {
   for (const Parameter& parameter : parameters()) {
     if (allowedRange(parameter)) continue;  // a number has its label in the same line
     const QString text = labelWithSymbol(parameter).remove(tag);
-    const auto widthOf = [&metrics](QString part) {
+    const auto textWidth = [&metrics](QString part) {
       return metrics.horizontalAdvance(part.replace("&nbsp;", " "));
     };
-    int needed = widthOf(text);
+    int needed = textWidth(text);
     if (const qsizetype space = text.indexOf(' '); needed > longest && space > 0)
-      needed = std::max(widthOf(text.left(space)), widthOf(text.mid(space + 1)));
+      needed = std::max(textWidth(text.left(space)), textWidth(text.mid(space + 1)));
     width = std::max(width, needed);
   }
   return width + 4;
@@ -98,12 +98,12 @@ bool isWordIn(const QString& word, const QString& text) {
 }
 
 /// Returns whether a word is a unit in which the parameter may be typed: "mN", "°C".
-bool isUnitOf(const QString& word, const Parameter& parameter) {
+bool isUnit(const QString& word, const Parameter& parameter) {
   return !parameter.unit.empty() && findUnit(word.toStdString(), parameter.unit).has_value();
 }
 
-/// Returns the range in which a person looks for values, that of the slider, in the notation of the
-/// entries; what is allowed beyond it is in the message that refuses a value.
+/// Returns the usual range of values, that of the slider, in the notation of the entries, or the
+/// words of a choice. The allowed range is in the message that refuses a value.
 QString rangeText(const Parameter& parameter) {
   if (allowedRange(parameter)) {
     NumberRule rule = numberRule(parameter);
@@ -241,10 +241,10 @@ QString withLabels(const QString& text) {
   return labelled + text.mid(end);
 }
 
-/// Moves the slider. It reaches as far as a scene's value: longer at once where a value lies beyond
-/// it, and as long as before with the next scene.
+/// Moves the slider. Its scale becomes longer at once where a value lies beyond it, and has its
+/// usual length again with the next scene.
 void ParameterRow::showOnSlider(double value, bool replace) {
-  // Whoever moves the handle keeps the scale under it.
+  // The scale stays while the user moves the handle.
   if (replace && isSliderLonger_ && !slider_->hasFocus()) {
     slider_->setScale(SliderScale(parameter_));
     isSliderLonger_ = false;
@@ -264,7 +264,10 @@ void ParameterRow::showScene(const Scene& scene, const LineSize& known, bool rep
   if (entry_) showEntry(value, placeholder, replace);
   if (text_) {
     const QString text = shownText(parameter_, value).number;
-    replace ? text_->replaceText(text) : text_->showText(text);
+    if (replace)
+      text_->replaceText(text);
+    else
+      text_->showText(text);
   }
   if (arms_) arms_->showArms(scene.elastomer.arms, requestedArmCount(scene), replace);
   if (shifts_) shifts_->showShifts(scene.elastomer.shift.table, replace);
@@ -295,7 +298,10 @@ void ParameterRow::showEntry(const ParameterValue& value,
   const QString unit = !placeholder                  ? shown.unit
                        : placeholder->unit.isEmpty() ? fromUtf8(parameter_.unit)
                                                      : placeholder->unit;
-  replace ? entry_->replaceText(text, unit) : entry_->showText(text, unit);
+  if (replace)
+    entry_->replaceText(text, unit);
+  else
+    entry_->showText(text, unit);
 }
 
 void ParameterRow::showReset(const ParameterValue& value, const ParameterValue& initial) {
@@ -354,7 +360,7 @@ bool ParameterRow::matches(const QStringList& words) const {
   const QString symbol = symbolHtml(parameter_.symbol).remove(tag);
   return std::ranges::all_of(words, [&](const QString& word) {
     return isWordIn(word, text) || (!symbol.isEmpty() && word == symbol) ||
-           word == fromUtf8(parameter_.symbol) || isUnitOf(word, parameter_);
+           word == fromUtf8(parameter_.symbol) || isUnit(word, parameter_);
   });
 }
 
@@ -562,7 +568,7 @@ QString ParameterRow::keyLine() const {
       .arg(fromUtf8(parameter_.key), range.toHtmlEscaped());
 }
 
-/// Returns the same with how its control is used.
+/// Returns what the parameter is and how its control is used.
 QString ParameterRow::description() const {
   const auto explanation = findExplanation(parameter_.key);
   QString text = explanation ? explanationHtml(*explanation) : QString();

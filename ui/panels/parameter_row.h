@@ -113,7 +113,7 @@ class ParameterRow : public QWidget {
   QString accessibleLabel() const;
 
   Parameter parameter_;
-  bool isLocked_ = false, isFixed_ = false;  // by the panel, by the scene
+  bool isLocked_ = false, isFixed_ = false;  // locked by the panel, fixed by the scene
   bool isSliderLonger_ = false;  // than that of the parameter, to reach the scene's value
   ValueSlider* slider_ = nullptr;
   ValueEntry* entry_ = nullptr;

@@ -47,7 +47,8 @@ Placeholder fromFile(const Parameter& parameter, double known) {
   return {inLanguage(text.number), known, false, text.unit};
 }
 
-LineSize& sizeOf(SurfaceKind kind, LineSize& profile, LineSize& others) {
+/// Returns which of two sizes belongs to this kind of surface.
+LineSize& rememberedSize(SurfaceKind kind, LineSize& profile, LineSize& others) {
   Surface surface;
   surface.kind = kind;
   return hasSurfaceFile(surface) ? profile : others;
@@ -147,15 +148,15 @@ Missing missingValue(const Scene& scene) {
 
 RememberedSizes::RememberedSizes(const Surface& surface)
     : others_{Surface{}.length, Surface{}.elements} {
-  sizeOf(surface.kind, profile_, others_) = {surface.length, surface.elements};
+  rememberedSize(surface.kind, profile_, others_) = {surface.length, surface.elements};
 }
 
 void RememberedSizes::update(const Surface& before, Surface& next) {
   const bool wasProfile = hasSurfaceFile(before);
   const bool isProfile = hasSurfaceFile(next);
   if (wasProfile != isProfile) {
-    sizeOf(before.kind, profile_, others_) = {before.length, before.elements};
-    const LineSize& size = sizeOf(next.kind, profile_, others_);
+    rememberedSize(before.kind, profile_, others_) = {before.length, before.elements};
+    const LineSize& size = rememberedSize(next.kind, profile_, others_);
     next.length = size.length;
     next.elements = size.elements;
   }

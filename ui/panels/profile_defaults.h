@@ -1,6 +1,6 @@
-// Values that a scene leaves open: the length and the elements of a profile come from its file
-// where they are 0, an oversampling of 0 is chosen by the scene, a line that is not random is its
-// only realization, and a profile without a file cannot run yet. Plain values; any thread.
+// Values that a scene leaves open. Where the length and the elements of a profile are 0, they come
+// from its file; the scene chooses an oversampling of 0; a line that is not random is its only
+// realization; and a profile without a file cannot run yet. Plain values; any thread.
 #pragma once
 
 #include <QString>
@@ -22,9 +22,9 @@ struct LineSize {
 
 /// A text shown instead of a value of the scene.
 struct Placeholder {
-  QString text;                 // in pale letters
+  QString text;                 // shown in pale letters
   std::optional<double> value;  // position of a slider
-  bool isFixed = false;         // the user cannot choose
+  bool isFixed = false;         // the user cannot change it
   QString unit{};               // of the text; empty: that of the parameter
 };
 
@@ -37,7 +37,7 @@ QString zeroText(const Parameter& parameter);
 /// Returns the reset button's value: the default, or 0 where a profile's file gives the value.
 ParameterValue resetValue(const Parameter& parameter, const Scene& scene);
 
-/// Returns whether the scene chooses a value that is left open.
+/// Returns whether the scene chooses the parameter's value where it is 0.
 bool isChosenWhereOpen(const Parameter& parameter);
 
 /// Call setValue() and setFromText(), and also accept values that are left open: 0, or no text. The
@@ -74,8 +74,8 @@ class RememberedSizes {
   LineSize profile_, others_;
 };
 
-/// Realizations mean every row where a surface becomes a measured one, and a number again where it
-/// becomes another one. `next` has followed `before`.
+/// Sets the realizations of `next`, which follows `before`: to every row (0) where the surface
+/// becomes a measured one, and to the default number where it becomes another one.
 void updateRealizations(const Scene& before, Scene& next);
 
 }  // namespace asperity

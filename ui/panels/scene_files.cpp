@@ -24,7 +24,8 @@ void useMaterial(Scene& scene, const std::string& name) {
   Elastomer next =
       readScene(writeScene(carrier), "", scene.folder, {"elastomer.material=" + name}).elastomer;
   next.temperature = scene.elastomer.temperature;
-  next.shearModulus = scene.elastomer.shearModulus;  // of other rheologies, to come back to
+  // Values of other rheologies are kept, because the user may return to them.
+  next.shearModulus = scene.elastomer.shearModulus;
   next.relaxationTime = scene.elastomer.relaxationTime;
   scene.elastomer = next;
 }

@@ -31,7 +31,7 @@ bool isFactor(const std::string& name) {
          (word == QStringLiteral("at") || word.contains(QStringLiteral("factor")));
 }
 
-Unit unitOf(const TextBlock& block, std::size_t column, const std::string& name) {
+Unit columnUnit(const TextBlock& block, std::size_t column, const std::string& name) {
   std::string stated = block.columns[column].unit;
   // A unit that no table knows stays in the name.
   const std::string& title = block.columns[column].name;
@@ -57,7 +57,7 @@ std::vector<ShiftPoint> shiftsFromTable(std::string_view text) {
   const std::vector<std::size_t> columns = columnsOfNumbers(block);
   if (columns.size() < 2)
     throw InputError(name, "", "needs two columns: temperature and log10 of the shift");
-  const Unit unit = unitOf(block, columns[0], name);
+  const Unit unit = columnUnit(block, columns[0], name);
   const bool holdsFactors = isFactor(block.columns[columns[1]].name);
   std::vector<ShiftPoint> table;
   for (std::size_t row = 0; row < block.rows; ++row) {

@@ -24,7 +24,10 @@ void ValueEntry::replaceText(const QString& text, const QString& unit) {
   showUnit(unit);
   if (this->text() != text) {
     setText(text);
-    shownEnd_ == Qt::LeftEdge ? home(false) : end(false);
+    if (shownEnd_ == Qt::LeftEdge)
+      home(false);
+    else
+      end(false);
   }
   setModified(false);
 }
@@ -49,7 +52,8 @@ void ValueEntry::showError(const QString& reason) {
   style()->polish(this);
 }
 
-/// Returns whether the key undoes or redoes input that has not been accepted yet.
+/// Returns whether the entry handles the key itself: undo and redo only for input that has not been
+/// accepted yet.
 bool ValueEntry::hasOwn(const QKeyEvent& event) const {
   if (event.matches(QKeySequence::Undo)) return text() != accepted_ && isUndoAvailable();
   if (event.matches(QKeySequence::Redo)) return isRedoAvailable();

@@ -25,7 +25,7 @@ struct Span {
   bool whole;
 };
 
-Span spanOf(const Parameter& parameter) {
+Span sliderSpan(const Parameter& parameter) {
   if (const auto* real = std::get_if<RealField>(&parameter.field))
     return {real->sliderFrom, real->sliderTo, real->scale, false};
   const auto& integer = std::get<IntegerField>(parameter.field);
@@ -54,7 +54,7 @@ SliderScale::SliderScale(const Parameter& parameter)
     : SliderScale(parameter, std::numeric_limits<double>::quiet_NaN()) {}
 
 SliderScale::SliderScale(const Parameter& parameter, double value) {
-  const Span span = reaching(spanOf(parameter), parameter, value);
+  const Span span = reaching(sliderSpan(parameter), parameter, value);
   scale_ = span.scale;
   if (scale_ == Scale::LogarithmicFromNone) values_.push_back(0);
   const double low = coordinate(span.from);
@@ -110,7 +110,7 @@ ValueSlider::ValueSlider(const SliderScale& scale, QWidget* parent)
 }
 
 void ValueSlider::setScale(const SliderScale& scale) {
-  const QSignalBlocker silent(this);
+  const QSignalBlocker blocker(this);
   scale_ = scale;
   setRange(0, scale_.count() - 1);
   setSingleStep(std::max(1, scale_.count() / 100));
@@ -119,7 +119,7 @@ void ValueSlider::setScale(const SliderScale& scale) {
 
 void ValueSlider::showValue(double value) {
   if (isSliderDown()) return;  // the user is moving it
-  const QSignalBlocker silent(this);
+  const QSignalBlocker blocker(this);
   setValue(scale_.sliderPosition(value));
 }
 

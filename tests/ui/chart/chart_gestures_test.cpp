@@ -397,15 +397,15 @@ TEST_F(ChartGestures, LongNamesAreBrokenAndWholeInTheirTooltip) {
   view_->setSheet(sheet);
   auto* legend = view_->findChild<ChartLegend*>();
   ASSERT_TRUE(legend);
-  EXPECT_GE(legend->linesOf(7).size(), 2);
-  EXPECT_EQ(legend->linesOf(7).join(' ').toStdString(),
+  EXPECT_GE(legend->entryLines(7).size(), 2);
+  EXPECT_EQ(legend->entryLines(7).join(' ').toStdString(),
             diagram.series[0].name.text);  // nothing is lost
   const QFontMetricsF metrics(legend->font());
-  for (const QString& line : legend->linesOf(7))
+  for (const QString& line : legend->entryLines(7))
     EXPECT_LE(metrics.horizontalAdvance(line), legend->width());
   diagram.series[0].name = parts.join(", ").toStdString();
   view_->setSheet(sheet);
-  EXPECT_NE(legend->linesOf(7).join(' ').toStdString(), diagram.series[0].name.text);
+  EXPECT_NE(legend->entryLines(7).join(' ').toStdString(), diagram.series[0].name.text);
   QTest::mouseMove(legend, legend->entryRect(7).center().toPoint());
   EXPECT_TRUE(legend->toolTip().contains(QString::fromStdString(diagram.series[0].name.text)));
 }

@@ -30,7 +30,7 @@ DiagramSeries seriesWith(int id, int colour, std::vector<DiagramPoint> points) {
 }
 
 QColor toQColor(int index) {
-  return look().of(seriesWith(0, index, {}));
+  return look().curve(seriesWith(0, index, {}));
 }
 
 /// A law, points with one error bar and one that has no place, and a marker.

@@ -55,7 +55,7 @@ TEST(ContactDrawing, LabelsLeaveTheLineWhole) {
   options.width = 900;
   options.height = 240;
   options.view = {0, frame.length, -0.2e-6, 1.02e-6, 0};
-  const Clip plot = contactPlotArea(frame, options);
+  const Box plot = contactPlotArea(frame, options);
   const DrawList list = composeContact(frame, options);
   EXPECT_TRUE(
       std::ranges::any_of(list.texts, [](const auto& t) { return t.utf8 == "rigid body"; }));
@@ -84,7 +84,7 @@ TEST(ContactDrawing, OnePointInContactIsSeenAtEveryWidth) {
         ContactPictureOptions options;
         options.width = width;
         options.height = 480;
-        const Clip plot = contactPlotArea(frame, options);
+        const Box plot = contactPlotArea(frame, options);
         const ContactView view = resolvedView(frame, {});
         const double x =
             plot.x + plot.width * (static_cast<double>(where) * frame.spacing) / view.width;
@@ -106,7 +106,7 @@ TEST(ContactDrawing, ContactBetweenPointsIsSeen) {
     frame.pressure[where] = 0;
     frame.normalForce = 1e-9;
     ContactPictureOptions options;
-    const Clip plot = contactPlotArea(frame, options);
+    const Box plot = contactPlotArea(frame, options);
     const ContactView view = resolvedView(frame, {});
     EXPECT_EQ(view.pressure, 0);
     const double x =
@@ -128,7 +128,7 @@ TEST(ContactDrawing, ContactsAreLitAndTheRestIsNot) {
   options.points = 60;  // so far apart that every point has pixels of its own
   const auto frame = sampleFrame(options);
   ContactPictureOptions picture;
-  const Clip plot = contactPlotArea(*frame, picture);
+  const Box plot = contactPlotArea(*frame, picture);
   const ContactView view = resolvedView(*frame, {});
   const Pixels pixels = context.draw(composeContact(*frame, picture));
   int lit = 0;
@@ -159,7 +159,7 @@ TEST(ContactDrawing, NothingMovesOutsideTheAxes) {
   options.hurst = 0.3;
   auto second = std::make_shared<Frame>(*sampleFrame(options));
   second->time = 0;
-  const Clip plot = contactPlotArea(*first, picture);
+  const Box plot = contactPlotArea(*first, picture);
   const Pixels a = context.draw(composeContact(*first, picture));
   const Pixels b = context.draw(composeContact(*second, picture));
   ASSERT_EQ(a.rgba.size(), b.rgba.size());

@@ -98,7 +98,7 @@ TEST(ContactHandles, LabelsAndArrowsAreWhereTheyAreDrawn) {
   const ContactPictureOptions options = usual();
   const DrawList list = composeContact(*frame, options);
   const auto handleOf = [&](const std::string& part) {
-    const Clip plot = contactPlotArea(*frame, options);
+    const Box plot = contactPlotArea(*frame, options);
     for (const DrawText& text : list.texts)
       if (text.utf8.find(part) != std::string::npos && text.y > plot.y && text.x > plot.x)
         return handleAt(*frame, options, text.x + 2, text.y - 3);
@@ -120,7 +120,7 @@ TEST(ContactHandles, LabelsAndArrowsAreWhereTheyAreDrawn) {
 TEST(ContactHandles, TheBodyBeginsAtTheLine) {
   const auto frame = sampleFrame({});
   const ContactPictureOptions options = usual();
-  const Clip plot = contactPlotArea(*frame, options);
+  const Box plot = contactPlotArea(*frame, options);
   const ContactView view = resolvedView(*frame, options.view);
   int checked = 0;
   for (std::size_t i = 7; i < frame->lineHeight.size(); i += 31) {

@@ -205,7 +205,7 @@ TEST(Overlay, CostDoesNotGrowWithThePoints) {
     }
     ContactPictureOptions options;
     options.overlay = overlay;
-    const Clip plot = contactPlotArea(frame, options);
+    const Box plot = contactPlotArea(frame, options);
     for (const DrawLayer& layer : composeContact(frame, options).layers)
       for (const DrawLine& line : layer.lines)
         EXPECT_LE(line.vertices.size(), 2 * static_cast<std::size_t>(plot.width) + 8);

@@ -264,7 +264,7 @@ TEST(Probe, ReadoutStaysInThePlotAndOffTheMagnifier) {
       const Box box = readoutBox(composeContact(frame, options));
       if (!(box.width > 0)) continue;
       ++shown;
-      const Clip plot = contactPlotArea(frame, options);
+      const Box plot = contactPlotArea(frame, options);
       EXPECT_GE(box.y, plot.y) << size.width << " " << i;
       EXPECT_LE(box.bottom(), plot.y + plot.height) << size.width << " " << i;
     }

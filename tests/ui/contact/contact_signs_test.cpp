@@ -18,7 +18,7 @@ Frame frame() {
   return *sampleFrame(options);
 }
 
-bool isIn(const Clip& place, float x, float y) {
+bool isIn(const Box& place, float x, float y) {
   return x >= place.x && x <= place.x + place.width && y >= place.y && y <= place.y + place.height;
 }
 
@@ -37,7 +37,7 @@ TEST(ContactSigns, EachHasAnExplanationAndAPlaceInThePicture) {
     for (const ContactSign& sign : signs) {
       EXPECT_TRUE(findExplanation(sign.id)) << sign.name << ": " << sign.id;
       EXPECT_FALSE(sign.name.empty());
-      const Clip& place = sign.box;
+      const Box& place = sign.box;
       EXPECT_GT(place.width, 4) << sign.name;
       EXPECT_GT(place.height, 4) << sign.name;
       EXPECT_TRUE(isIn({0, 0, 1280, 720}, place.x, place.y)) << sign.name;
@@ -106,7 +106,7 @@ TEST(ContactSigns, LocalFrictionIsExplainedByItsOwnKey) {
 TEST(ContactSigns, NothingIsExplainedBesideThem) {
   const Frame shown = frame();
   EXPECT_FALSE(contactSignAt(shown, {}, -5, -5));
-  const Clip plot = contactPlotArea(shown, {});
+  const Box plot = contactPlotArea(shown, {});
   EXPECT_FALSE(contactSignAt(shown, {}, plot.x + plot.width / 2, plot.y + plot.height * 0.55F));
 }
 

@@ -269,7 +269,7 @@ TEST(ContactTexts, ColourBarHasItsZeroAndItsMaximum) {
       picture.view = resolvedView(*frame, {});
       picture.view.pressure = pressure;
       const DrawList list = composeContact(*frame, picture);
-      const Clip plot = contactPlotArea(*frame, picture);
+      const Box plot = contactPlotArea(*frame, picture);
       const auto title = std::find_if(list.texts.begin(), list.texts.end(), [](const auto& text) {
         return text.utf8.starts_with("contact pressure");
       });
@@ -310,7 +310,7 @@ TEST(ContactTexts, LowPicturesKeepTheirLegend) {
       options.scale = size.scale;
       options.overlay = overlay;
       const DrawList list = composeContact(frame, options);
-      const Clip plot = contactPlotArea(frame, options);
+      const Box plot = contactPlotArea(frame, options);
       const bool hasEnd = std::ranges::any_of(list.texts, [&](const DrawText& text) {
         return (text.utf8.ends_with("N/m") || text.utf8.ends_with("W/m") ||
                 text.utf8.ends_with("ms")) &&
@@ -335,7 +335,7 @@ TEST(ContactTexts, EveryReadingHasItsSentence) {
   const DrawList list = composeContact(frame, {});
   for (const ContactReading& reading : readings) {
     EXPECT_GT(reading.tip.size(), 20U) << reading.name;
-    const Clip& place = reading.box;
+    const Box& place = reading.box;
     int texts = 0;  // the label and the value
     for (const DrawText& text : list.texts)
       if (text.x >= place.x - 1 && text.x < place.x + place.width && text.y > place.y &&
@@ -453,7 +453,7 @@ TEST(ContactTexts, BothAxesHaveTwoNumbersAndAUnit) {
       options.width = size.width;
       options.height = size.height;
       options.scale = size.scale;
-      const Clip plot = contactPlotArea(frame, options);
+      const Box plot = contactPlotArea(frame, options);
       const DrawList list = composeContact(frame, options);
       int onY = 0, onX = 0, units = 0;
       for (const DrawText& text : list.texts) {
@@ -493,7 +493,7 @@ TEST(ContactTexts, NoLabelIsCrossedByTheLine) {
       options.width = size.width;
       options.height = size.height;
       options.scale = size.scale;
-      const Clip plot = contactPlotArea(frame, options);
+      const Box plot = contactPlotArea(frame, options);
       const ContactView view = resolvedView(frame, options.view);
       const DrawList list = composeContact(frame, options);
       for (const DrawText& text : list.texts) {

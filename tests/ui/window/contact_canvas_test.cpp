@@ -180,7 +180,7 @@ TEST_F(ContactCanvasTest, ReadingsExplainThemselves) {
   options.width = canvas_.width();
   options.height = canvas_.height();
   for (const ContactReading& reading : contactReadings(*canvas_.frame(), options)) {
-    const Clip& box = reading.box;
+    const Box& box = reading.box;
     const QString tip = tipAt({box.x + 0.5 * box.width, box.y + 0.5 * box.height});
     const QString said = keptTogether(QString::fromStdString(reading.tip)).toHtmlEscaped();
     EXPECT_TRUE(tip.contains(said)) << reading.name;
@@ -433,7 +433,7 @@ TEST_F(DraggedCanvasTest, TheTipSaysBeforehandWhatADragWillDo) {
 /// Over the body the readout of the crosshair stays alone; what a drag does is said elsewhere. A
 /// tooltip takes the readout's place until the pointer moves on.
 TEST_F(DraggedCanvasTest, OneBoxStandsOverTheContact) {
-  QSignalSpy said(&canvas_, &ContactCanvas::said);
+  QSignalSpy said(&canvas_, &ContactCanvas::statusMessage);
   const auto rest = [&](QPoint at) {
     QTest::mouseMove(&canvas_, at);
     EXPECT_TRUE(canvas_.viewer().pointer());

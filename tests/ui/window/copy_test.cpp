@@ -332,7 +332,7 @@ TEST_F(CopyTest, ThePictureGoesToTheClipboard) {
   ASSERT_TRUE(waitFor([&] { return exported.count() == 1; }));
   const QImage image = QGuiApplication::clipboard()->image();
   EXPECT_EQ(image.size(), size);
-  EXPECT_TRUE(fact("said").contains("clipboard"));
+  EXPECT_TRUE(fact("statusMessage").contains("clipboard"));
 }
 
 TEST_F(CopyTest, PicturesAreSavedAndOpenAsTheirScene) {

@@ -26,7 +26,7 @@ class LastSessionTest : public MainWindowTest {
     MainWindow next(libraryScenes().front().scene);
     EXPECT_EQ(restoreLastSession(next, hasScene), expected);
     EXPECT_FALSE(next.document().history().canUndo());
-    said_ = next.findChild<QLabel*>("said")->text();
+    said_ = next.findChild<QLabel*>("statusMessage")->text();
     tab_ = next.tabs().currentWidget()->objectName();
     navigation_ = next.canvas().viewer().navigation();
     overlay_ = next.canvas().viewer().overlay();

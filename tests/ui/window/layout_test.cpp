@@ -58,7 +58,8 @@ std::map<const QWidget*, QPoint> placesIn(const QWidget& window) {
   std::map<const QWidget*, QPoint> places;
   for (const QWidget* widget : window.findChildren<QWidget*>())
     // The room for messages, which is empty, ends where the readings end.
-    if (widget->isVisible() && widget->window() == &window && widget->objectName() != "said")
+    if (widget->isVisible() && widget->window() == &window &&
+        widget->objectName() != "statusMessage")
       places[widget] = widget->mapTo(&window, QPoint());
   return places;
 }
@@ -147,9 +148,9 @@ TEST_F(LayoutTest, FullScreenAndBack) {
 
 TEST(PresentedScale, KeepsTheShareOfALargeScreenAndIsNeverSmall) {
   for (const QSizeF small : {QSizeF(1280, 720), QSizeF(1600, 900), QSizeF(3000, 600)})
-    EXPECT_DOUBLE_EQ(presentedScale(small), 1.5) << small.width();
+    EXPECT_DOUBLE_EQ(presentationScale(small), 1.5) << small.width();
   for (const double height : {1080.0, 1440.0, 2160.0})
-    EXPECT_DOUBLE_EQ(presentedScale({16 * height / 9, height}) / height, 1.5 / 900) << height;
+    EXPECT_DOUBLE_EQ(presentationScale({16 * height / 9, height}) / height, 1.5 / 900) << height;
 }
 
 TEST_F(LayoutTest, ThePageOfFiguresShowsOneAtOnceAndNothingOfTheScene) {
@@ -186,10 +187,10 @@ TEST_F(LayoutTest, APresentationShowsLittleInLargeLettersUntilEscape) {
   QTest::keyClick(&window_, Qt::Key_F5);
   EXPECT_TRUE(window_.windowLayout().isPresenting());
   EXPECT_TRUE(window_.isFullScreen());
-  EXPECT_NEAR(QApplication::font().pointSizeF(), presentedScale(window_.screen()->size()) * before,
-              0.01);
+  EXPECT_NEAR(QApplication::font().pointSizeF(),
+              presentationScale(window_.screen()->size()) * before, 0.01);
   EXPECT_NEAR(control<QWidget>("frictionPlot").font().pointSizeF(),
-              presentedScale(window_.screen()->size()) * before, 0.01);
+              presentationScale(window_.screen()->size()) * before, 0.01);
   for (const QWidget* hidden : std::initializer_list<QWidget*>{
            &dock(), window_.menuBar(), window_.statusBar(), &control<QToolBar>("commands")})
     EXPECT_FALSE(hidden->isVisible());

@@ -245,6 +245,21 @@ TEST_F(LessonEditorTest, AStepTakesTheSceneThatIsShown) {
   EXPECT_EQ(editor_->lesson().steps[1].set, std::vector<std::string>{"load.normal_force=20mN"});
 }
 
+/// A style sheet creates the popup list of a combo box at once; it is no part of the order.
+TEST_F(LessonEditorTest, TheTabKeyGoesThroughTheChangesInTheirOrder) {
+  Json json = sampleLesson();
+  json["steps"][1]["set"] = {{"accuracy.scheme", "nodal"}, {"load.normal_force", "20mN"}};
+  edit(json, 2);
+  QStringList names;
+  for (const QWidget* widget = &field<QWidget>("editorSet:accuracy.scheme"); names.size() < 5;
+       widget = widget->nextInFocusChain())
+    if (widget->focusPolicy() & Qt::TabFocus) names += widget->objectName();
+  EXPECT_EQ(
+      names.join(' ').toStdString(),
+      "editorSet:accuracy.scheme editorSetWithout:accuracy.scheme editorSet:load.normal_force "
+      "editorSetWithout:load.normal_force editorSet");
+}
+
 /// Later texts and curves may contain the answer.
 TEST(StudentHandouts, WhatComesAfterAQuestionBeginsOnANewPage) {
   Json json = sampleLesson();

@@ -283,7 +283,7 @@ TEST(StatusLine, WhatIsSaidIsSeenWholeOrInItsTooltip) {
   const QString text = "On the clipboard: asperity render figure_1.json …";
   line.showMessage(text);
   QTest::qWait(1);  // the layout is made with the first events
-  auto* said = line.findChild<ElidedLabel*>("said");
+  auto* said = line.findChild<ElidedLabel*>("statusMessage");
   ASSERT_TRUE(said);
   EXPECT_EQ(said->shownText(), text);
   EXPECT_FALSE(line.findChild<QLabel*>("factBackend")->isVisible());

@@ -95,7 +95,7 @@ TEST_F(TimeBarTest, AFactorIsTypedOrChosen) {
 
 /// What was not taken, or not as it was typed, is said.
 TEST_F(TimeBarTest, ARefusedPaceIsSaid) {
-  QSignalSpy said(&bar_, &TimeBar::said);
+  QSignalSpy said(&bar_, &TimeBar::statusMessage);
   type("abc");
   type("-3");
   ASSERT_EQ(said.count(), 2);

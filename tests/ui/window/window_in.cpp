@@ -130,7 +130,7 @@ ContactPictureOptions shownOptions(const ContactCanvas& canvas) {
   return options;
 }
 
-QPoint middleOf(const Clip& place) {
+QPoint middleOf(const Box& place) {
   return QPointF(place.x + 0.5 * place.width, place.y + 0.5 * place.height).toPoint();
 }
 

@@ -51,7 +51,7 @@ Texts leftOver(const Texts& shown, const Texts& other);
 ContactPictureOptions shownOptions(const ContactCanvas& canvas);
 
 /// The middle of a label or an arrow, in pixels.
-QPoint middleOf(const Clip& place);
+QPoint middleOf(const Box& place);
 
 /// The middle of the label or arrow of a canvas that changes this; none where there is none.
 std::optional<QPoint> handleIn(const ContactCanvas& canvas, ContactHandle wanted);

@@ -30,8 +30,8 @@ ContactPictureOptions sizedOptions(const PictureRequest& request);
 
 struct CanvasEvents {
   std::function<void()> painted;  // called when another picture is on the screen
-  std::function<void(const QString&)>
-      failed;  // called with one sentence when no more pictures will come
+  /// Called with one sentence when no more pictures will come.
+  std::function<void(const QString&)> failed;
 };
 
 class CanvasBackend {

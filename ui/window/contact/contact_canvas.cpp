@@ -29,7 +29,7 @@ constexpr int kManyElements = 10;
 constexpr double kDragThreshold = 5;  // pixels after which a drag of the body has its direction
 constexpr double kNudge = 1 / 80.0;   // part of the plot by which a key drags
 
-double stepsOf(double factor) {
+double zoomSteps(double factor) {
   return factor > 0 ? std::log(factor) / std::log(kZoomPerStep) : 0;
 }
 
@@ -174,7 +174,7 @@ PictureRequest ContactCanvas::request() const {
 QRectF ContactCanvas::plotArea() const {
   if (!viewer_.frame()) return {};
   const PictureRequest shown = request();
-  const Clip plot = contactPlotArea(*shown.frame, sizedOptions(shown));
+  const Box plot = contactPlotArea(*shown.frame, sizedOptions(shown));
   return QRectF(plot.x / shown.scale, plot.y / shown.scale, plot.width / shown.scale,
                 plot.height / shown.scale);
 }
@@ -199,8 +199,8 @@ ViewPosition ContactCanvas::zoomCentre() const {
 
 /// Draws again and informs others. It must be called after every change of the view.
 void ContactCanvas::changed() {
-  if (const FrameFields fields = viewer_.fields(); fields != wanted_) {
-    wanted_ = fields;
+  if (const FrameFields fields = viewer_.fields(); fields != requestedFields_) {
+    requestedFields_ = fields;
     emit fieldsChanged(fields);
   }
   refresh();
@@ -416,7 +416,7 @@ void ContactCanvas::explain(const QPoint& position, const QPoint& onScreen) {
   const auto [html, anchor] = tipAt(position);
   if (viewer_.pointer() && anchor.isEmpty() && handleUnder(position) == ContactHandle::Body) {
     QToolTip::hideText();
-    emit said(dragHint(ContactHandle::Body, *scene_));
+    emit statusMessage(dragHint(ContactHandle::Body, *scene_));
     return;
   }
   if (!html.isEmpty() && viewer_.pointer()) showCrosshair({-1, -1});
@@ -429,7 +429,7 @@ void ContactCanvas::readAbout() {
 }
 
 void ContactCanvas::pinch(const QPointF& position, double factor) {
-  viewer_.zoom(viewPositionAt(position).value_or(ViewPosition{}), stepsOf(factor));
+  viewer_.zoom(viewPositionAt(position).value_or(ViewPosition{}), zoomSteps(factor));
   changed();
 }
 

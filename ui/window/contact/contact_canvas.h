@@ -92,7 +92,7 @@ class ContactCanvas : public QWidget {
   void sceneEdited(const asperity::Scene& scene);
   void guideRequested(const QString& anchor);
   /// Emitted with a sentence on what a drag from the pointer does.
-  void said(const QString& sentence);
+  void statusMessage(const QString& sentence);
 
  protected:
   bool event(QEvent* event) override;
@@ -133,7 +133,7 @@ class ContactCanvas : public QWidget {
   CanvasBackend* backend_ = nullptr;  // a child widget
   QLabel* veil_;                      // covers it
   ContactViewer viewer_;
-  FrameFields wanted_;
+  FrameFields requestedFields_;
   Theme theme_ = lightTheme();
   double textScale_ = 1;
   std::optional<QPointF> dragged_;  // last position of the cursor while a button is down

@@ -32,7 +32,7 @@ QString dragHint(ContactHandle handle, const Scene& scene) {
 namespace {
 
 /// Returns the explanation of a sign, or its text where it has none.
-ContactTip tipOf(const ContactSign& sign) {
+ContactTip signTip(const ContactSign& sign) {
   const QString sentence = keptTogether(QString::fromStdString(sign.tip));
   const auto explanation = findExplanation(sign.id);
   if (!explanation) return {wrappedTip(sentence), {}};
@@ -62,7 +62,7 @@ ContactTip contactTipAt(const Frame& frame, const ContactPictureOptions& options
   ContactTip tip;
   if (const auto sign = contactSignAt(frame, options, static_cast<float>(pixel.x()),
                                       static_cast<float>(pixel.y())))
-    tip = tipOf(*sign);
+    tip = signTip(*sign);
   if (const ContactHandle handle = contactHandleAt(frame, options, pixel, scene);
       handle != ContactHandle::None)
     tip.html += wrappedTip(dragHint(handle, *scene)) + wrappedTip(draggedText(handle, *scene));

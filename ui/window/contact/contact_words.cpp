@@ -22,8 +22,8 @@ namespace {
 
 constexpr QSize kDefault(600, 260);  // pixels
 
-/// Returns the sentences on the present frame. A curve that is to be guessed is not spoken of.
-QStringList sentencesOf(const Session& session) {
+/// Returns the sentences on the present frame. They leave out a curve that a student is to guess.
+QStringList stateSentences(const Session& session) {
   const Frame& frame = *session.frame();
   CurveAtVelocity curve;
   if (!session.friction().isConcealed()) {
@@ -58,18 +58,18 @@ ContactWords::ContactWords(const Session& session, ContactCanvas& canvas, QWidge
   text_->setAccessibleName(tr("state of the contact"));
   text_->setReadOnly(true);
   text_->setTabChangesFocus(true);
-  // A caret, with which the sentences are read line by line and marked.
+  // The text has a caret, with which the sentences are read line by line and selected.
   text_->setTextInteractionFlags(Qt::TextSelectableByKeyboard | Qt::TextSelectableByMouse);
-  auto* again = new QPushButton(tr("&Renew"));
-  again->setObjectName("contactWordsAgain");
-  again->setToolTip(
+  auto* renew = new QPushButton(tr("&Renew"));
+  renew->setObjectName("contactWordsAgain");
+  renew->setToolTip(
       tr("The state at this moment (%1)")
           .arg(QKeySequence(Qt::CTRL | Qt::Key_D).toString(QKeySequence::NativeText)));
   auto* copy = new QPushButton(tr("&Copy"));
   copy->setObjectName("contactWordsCopy");
   auto* close = new QPushButton(tr("C&lose"));
   close->setObjectName("contactWordsClose");
-  connect(again, &QPushButton::clicked, this, &ContactWords::refresh);
+  connect(renew, &QPushButton::clicked, this, &ContactWords::refresh);
   connect(new QShortcut(Qt::CTRL | Qt::Key_D, this), &QShortcut::activated, this,
           &ContactWords::refresh);
   connect(copy, &QPushButton::clicked, this,
@@ -77,7 +77,7 @@ ContactWords::ContactWords(const Session& session, ContactCanvas& canvas, QWidge
   connect(close, &QPushButton::clicked, this, &QDialog::close);
   auto* foot = new QHBoxLayout;
   foot->addStretch(1);
-  for (QPushButton* button : {again, copy, close}) {
+  for (QPushButton* button : {renew, copy, close}) {
     button->setAutoDefault(false);
     foot->addWidget(button);
   }
@@ -93,7 +93,7 @@ QString ContactWords::text() const {
 }
 
 void ContactWords::refresh() {
-  const QStringList sentences = sentencesOf(session_);
+  const QStringList sentences = stateSentences(session_);
   text_->setPlainText(sentences.join('\n'));
   setAccessibleDescription(sentences.join(' '));
   canvas_.setAccessibleDescription(sentences.join(' '));

@@ -24,6 +24,7 @@ namespace {
 
 constexpr double kReach = 24;  // pixels from a point of the loop
 
+/// Returns "t = 0.2 s".
 QString named(const QString& name, double value, const char* unit) {
   return name + " = " + QString::fromStdString(quantity(value, unit));
 }
@@ -129,7 +130,7 @@ const TransientSample* MotionView::sampleAt(const ChartView& chart, QPointF posi
   const DiagramAxis& y = chart.sheet().diagrams.front().y;
   const double height = 0.5 * (y.from + y.to);
   if (!isLoop) {
-    // Only over the strips, not over their titles.
+    // A sample is found over the strips only, not over their titles.
     const double left = chart.mapToPosition(0, height).x(),
                  right = chart.mapToPosition(duration_, height).x();
     if (position.x() < left - 1 || position.x() > right + 1) return nullptr;

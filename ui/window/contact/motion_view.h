@@ -1,6 +1,6 @@
 // A motion in time: velocity, friction, indentation and length per contact as strips below each
 // other and, for an oscillation, the loop of friction over velocity beside them. The pointer reads
-// the nearest moment; a click on a strip goes there; a menu copies or saves each of both. GUI
+// the nearest moment; a click on a strip goes there; a menu copies or saves either of them. GUI
 // thread; owned by its parent.
 #pragma once
 

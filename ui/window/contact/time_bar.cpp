@@ -30,8 +30,8 @@ constexpr int kMoments = 1000;                  // of the slider of the moment
 constexpr int kLongestQuote = 60;               // letters of what was typed, in a message
 constexpr int kEntryMargin = 16;                // pixels around the text of an entry
 
-constexpr double kBehind = 0.7, kAgainOnTime = 0.9;  // of the pace that was asked for
-constexpr int kFramesBehind = 5;  // in a row, before it is said that the picture is too slow
+constexpr double kBehind = 0.7, kAgainOnTime = 0.9;  // of the requested pace
+constexpr int kFramesBehind = 5;  // in a row, before the bar reports that the picture is too slow
 
 /// Returns the position of a pace on the slider: faster to the right.
 int sliderPosition(double pace) {
@@ -135,7 +135,7 @@ bool TimeBar::eventFilter(QObject* watched, QEvent* event) {
   if (watched == moment_ && event->type() == QEvent::MouseButtonPress) {
     const auto* mouse = static_cast<QMouseEvent*>(event);
     const int handle = moment_->style()->pixelMetric(QStyle::PM_SliderLength, nullptr, moment_);
-    const QSignalBlocker quiet(moment_);  // the press itself requests the moment
+    const QSignalBlocker blocker(moment_);  // the press itself requests the moment
     if (mouse->button() == Qt::LeftButton)
       moment_->setValue(QStyle::sliderValueFromPosition(
           0, kMoments, qRound(mouse->position().x()) - handle / 2, moment_->width() - handle));
@@ -167,15 +167,15 @@ void TimeBar::showTexts() {
 }
 
 void TimeBar::setWidths() {
-  const auto widthOf = [this](const QString& text) {
+  const auto textWidth = [this](const QString& text) {
     return fontMetrics().horizontalAdvance(text);
   };
   const QString widest = QStringLiteral("000,000");
-  factor_->setFixedWidth(std::max(widthOf(slowerText(widest)), widthOf(fasterText(widest))) +
+  factor_->setFixedWidth(std::max(textWidth(slowerText(widest)), textWidth(fasterText(widest))) +
                          kEntryMargin);
   // The numbers change without moving what is beside them.
   momentText_->setMinimumWidth(
-      widthOf(momentText(QStringLiteral("000.0 ms"), quantityText(duration_))));
+      textWidth(momentText(QStringLiteral("000.0 ms"), quantityText(duration_))));
 }
 
 void TimeBar::changeEvent(QEvent* event) {
@@ -221,14 +221,14 @@ void TimeBar::showFrame(const Frame& frame) {
   if (!(duration_ > 0) || !frame.transient) return;
   time_ = frame.time;
   if (!moment_->isSliderDown()) {
-    const QSignalBlocker quiet(moment_);
+    const QSignalBlocker blocker(moment_);
     moment_->setValue(static_cast<int>(std::lround(kMoments * time_ / duration_)));
   }
   momentText_->setText(momentText(quantityText(time_), quantityText(duration_)));
 }
 
-/// Shows the pace that the picture has where that is much slower than the one asked for: header and
-/// bar have one number.
+/// Shows the pace that the picture has where that is much slower than the requested one, so that
+/// the header of the picture and the bar show the same number.
 void TimeBar::showDelay(const Frame& frame) {
   if (!(frame.timeScale > 0) || !(slowMotion() > 0)) return;
   const double reached = frame.timeScale * slowMotion();
@@ -254,14 +254,14 @@ void TimeBar::setSlowMotion(double factor) {
 }
 
 void TimeBar::showPace() {
-  const QSignalBlocker quiet(slider_);
+  const QSignalBlocker blocker(slider_);
   slider_->setValue(sliderPosition(pace_));
-  const double wanted = slowMotion();
-  const double factor = reachedScale_ > 0 ? 1 / reachedScale_ : wanted;
+  const double requested = slowMotion();
+  const double factor = reachedScale_ > 0 ? 1 / reachedScale_ : requested;
   behindText_->setVisible(reachedScale_ > 0);
-  factor_->setEnabled(wanted > 0);
-  shown_ = wanted > 0 ? paceText(factor) : QStringLiteral("–");
-  if (factor_->hasFocus() && factor_->isModified()) return;  // somebody types
+  factor_->setEnabled(requested > 0);
+  shown_ = requested > 0 ? paceText(factor) : QStringLiteral("–");
+  if (factor_->hasFocus() && factor_->isModified()) return;  // the user is typing
   if (factor_->text() == shown_) return;
   factor_->setText(shown_);
   factor_->setCursorPosition(0);
@@ -276,23 +276,24 @@ void TimeBar::readFactor() {
   factor_->setModified(false);
   if (text == shown_) return;
   const QRegularExpressionMatch typed = form.match(text);
-  // The words of the present language, "slower" and "faster", alone.
-  const auto isWordOf = [&](const QString& shown) {
+  // The words "slower" and "faster" of the present language, without a number.
+  const auto endsWithWord = [&](const QString& shown) {
     return !typed.captured(2).isEmpty() && shown.endsWith(typed.captured(2));
   };
   bool isNumber = false;
   const double number = withPoint(withoutGroups(typed.captured(1))).toDouble(&isNumber);
-  const bool isFaster = isWordOf(fasterText(QString()));
-  const bool isKnown = isFaster || typed.captured(2).isEmpty() || isWordOf(slowerText(QString()));
+  const bool isFaster = endsWithWord(fasterText(QString()));
+  const bool isKnown =
+      isFaster || typed.captured(2).isEmpty() || endsWithWord(slowerText(QString()));
   const double factor = isFaster && number > 0 ? 1 / number : number;
   if (isNumber && isKnown && std::isfinite(factor) && factor > 0) {
     setSlowMotion(factor);
     if (paceText(factor) != paceText(slowMotion()))
-      emit said(tr("“%1” is beyond what the picture can show, %2 to %3; it is %4 now")
-                    .arg(text.left(kLongestQuote), paceText(kFastest / simulatedTime()),
-                         paceText(kSlowest / simulatedTime()), paceText(slowMotion())));
+      emit statusMessage(tr("“%1” is beyond what the picture can show, %2 to %3; it is %4 now")
+                             .arg(text.left(kLongestQuote), paceText(kFastest / simulatedTime()),
+                                  paceText(kSlowest / simulatedTime()), paceText(slowMotion())));
   } else {
-    emit said(
+    emit statusMessage(
         tr("“%1” is no pace; type 600, 600× slower or 20× faster").arg(text.left(kLongestQuote)));
   }
   showPace();

@@ -43,7 +43,7 @@ class TimeBar : public QWidget {
   /// Emitted at the beginning and the end of a drag of the moment.
   void scrubbing(bool isOn);
   /// Emitted with a sentence for the user: a typed pace was refused or changed.
-  void said(const QString& sentence);
+  void statusMessage(const QString& sentence);
 
  protected:
   /// Moves the handle of the slider of time to a press anywhere on it, and grips it there.
@@ -67,7 +67,7 @@ class TimeBar : public QWidget {
   QLabel *momentText_, *behindText_, *name_;
   QLineEdit* factor_;
   QString shown_;            // text of the pace
-  int framesBehind_ = 0;     // in a row that were slower than was asked for
+  int framesBehind_ = 0;     // frames in a row that were slower than requested
   double reachedScale_ = 0;  // simulated seconds per second of a picture that is too slow; 0: none
   QCheckBox* keep_;
 };

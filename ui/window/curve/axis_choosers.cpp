@@ -70,7 +70,7 @@ void setEntries(AxisBox& box, const QList<std::pair<QString, QVariant>>& entries
   for (int i = 0; isSame && i < box.count(); ++i)
     isSame = box.itemText(i) == entries[i].first && box.itemData(i) == entries[i].second;
   if (isSame) return;
-  const QSignalBlocker silent(box);
+  const QSignalBlocker blocker(box);
   box.clear();
   for (const auto& [text, data] : entries) box.addItem(text, data);
 }
@@ -155,7 +155,7 @@ void AxisChoosers::explain() {
 
 /// Selects what is shown.
 void AxisChoosers::update() {
-  const QSignalBlocker silentX(x_), silentY(y_);
+  const QSignalBlocker blockX(x_), blockY(y_);
   const bool isPlain = !commands_.hasDimensionlessAxes();
   const QString key = QString::fromStdString(session_.scene().sweep.key);
   x_->setCurrentIndex(x_->findData(isPlain ? key : kDimensionless));

@@ -19,7 +19,7 @@ namespace {
 constexpr int kHeight = 24;  // height in pixels of its entries
 constexpr int kMaxOversampling = 64, kMaxLines = 10000;
 
-QSpinBox* spin(const char* name, int value, int most) {
+QSpinBox* makeSpinBox(const char* name, int value, int most) {
   auto* box = new QSpinBox;
   box->setObjectName(name);
   box->setRange(1, most);
@@ -44,10 +44,10 @@ ComparisonBox::ComparisonBox(QWidget* parent)
   scheme_->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);  // its texts are not elided
   const CurveSetting usual;
   oversampling_ =
-      spin("comparisonOversampling", static_cast<int>(usual.oversampling), kMaxOversampling);
+      makeSpinBox("comparisonOversampling", static_cast<int>(usual.oversampling), kMaxOversampling);
   oversampling_->setPrefix(QStringLiteral("×"));
   suggested_ = static_cast<int>(usual.realizations);
-  lines_ = spin("comparisonLines", suggested_, kMaxLines);
+  lines_ = makeSpinBox("comparisonLines", suggested_, kMaxLines);
   connect(lines_, &QSpinBox::valueChanged, this, &ComparisonBox::showLines);
 
   for (QWidget* entry : {static_cast<QWidget*>(scheme_), static_cast<QWidget*>(oversampling_),

@@ -24,7 +24,7 @@ namespace asperity {
 
 namespace {
 
-QString wordOf(Theory theory) {
+QString theoryWord(Theory theory) {
   return fromUtf8(theoryWords()[static_cast<std::size_t>(theory)]);
 }
 
@@ -61,7 +61,7 @@ void ComparisonCommands::fill(QMenu& menu, Commands& commands) {
   theories_->setToolTipsVisible(true);
   for (const TheoryEntry& entry : theoryEntries()) {
     QAction* action = theories_->addAction(QString());
-    action->setObjectName("theory:" + wordOf(entry.theory));
+    action->setObjectName("theory:" + theoryWord(entry.theory));
     action->setCheckable(true);
     connect(action, &QAction::triggered, this,
             [this, theory = entry.theory](bool isSelected) { takeTheory(theory, isSelected); });
@@ -86,7 +86,7 @@ void ComparisonCommands::fill(QMenu& menu, Commands& commands) {
 /// the next scene.
 void ComparisonCommands::showScene(const Scene& scene) {
   for (const TheoryEntry& entry : theoryEntries())
-    if (auto* action = theories_->findChild<QAction*>("theory:" + wordOf(entry.theory)))
+    if (auto* action = theories_->findChild<QAction*>("theory:" + theoryWord(entry.theory)))
       action->setChecked(isShown(scene, entry.theory));
   const bool hasTables = !scene.comparison.data.empty();
   tables_->setEnabled(hasTables);

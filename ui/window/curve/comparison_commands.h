@@ -34,8 +34,8 @@ class ComparisonCommands : public QObject {
     SceneDocument& document;
     Appearance& appearance;
     SceneTabs& tabs;
-    std::function<bool()>
-        addTable;  // opens a file dialog for a measured table; returns whether there is one
+    /// Opens a file dialog for a measured table; returns whether one was added.
+    std::function<bool()> addTable;
   };
   explicit ComparisonCommands(const Parts& parts);
 

@@ -27,6 +27,20 @@ constexpr double kZoom = 1.5;
 
 }  // namespace
 
+std::shared_ptr<const CurveUpdate> computeCurveToPin(const Scene& scene,
+                                                     const std::stop_token& stop) {
+  CurveOptions options;
+  options.stop = stop;
+  Curve curve = computeCurve(scene, options);
+  if (!curve.isComplete) throw StopRequested{};
+  auto update = std::make_shared<CurveUpdate>();
+  update->scene = std::make_shared<const Scene>(scene);
+  update->realizationsDone = update->realizationsTotal = curve.points.front().realizations;
+  update->points = std::move(curve.points);
+  update->isComplete = true;
+  return update;
+}
+
 CurveCommands::CurveCommands(Session& session, ChartView& view, Export run, QObject* parent)
     : QObject(parent), session_(session), view_(view), run_(std::move(run)) {
   pin_ =
@@ -192,9 +206,9 @@ void CurveCommands::fillKeys(QMenu& menu, std::function<void(const Parameter&)> 
   for (const Parameter* row : axisKeys()) {
     if (row->key == kVelocityKey ? !withVelocity : &menu != keys_ && row->key == scene.sweep.key)
       continue;
-    const std::string_view its = row->key.substr(0, row->key.find('.'));
-    if (its != section) menu.addSeparator();
-    section = its;
+    const std::string_view group = row->key.substr(0, row->key.find('.'));
+    if (group != section) menu.addSeparator();
+    section = group;
     addKey(*row);
   }
 }
@@ -277,20 +291,11 @@ void CurveCommands::pinFamily(const Parameter& parameter) {
       [scene, range](const BackgroundWork::Run& run) {
         std::vector<std::shared_ptr<const CurveUpdate>> family;
         for (const double value : rangeValues(range)) {
-          auto member = std::make_shared<Scene>(scene);
-          member->sweep.key = std::string(range.key());
-          *member = withSweptValue(*member, value);
-          member->sweep.key = scene.sweep.key;
-          CurveOptions options;
-          options.stop = run.stop();
-          Curve curve = computeCurve(*member, options);
-          if (!curve.isComplete) throw StopRequested{};
-          auto update = std::make_shared<CurveUpdate>();
-          update->scene = std::move(member);
-          update->realizationsDone = update->realizationsTotal = curve.points.front().realizations;
-          update->points = std::move(curve.points);
-          update->isComplete = true;
-          family.push_back(std::move(update));
+          Scene member = scene;
+          member.sweep.key = std::string(range.key());
+          member = withSweptValue(member, value);
+          member.sweep.key = scene.sweep.key;
+          family.push_back(computeCurveToPin(member, run.stop()));
         }
         return family;
       },

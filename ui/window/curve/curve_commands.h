@@ -4,9 +4,12 @@
 
 #include <QObject>
 #include <functional>
+#include <memory>
 #include <optional>
+#include <stop_token>
 
 #include "core/chart/curve_set.h"
+#include "core/run/runner.h"
 #include "core/scene/parameters.h"
 #include "ui/window/tasks/background_work.h"
 
@@ -17,6 +20,11 @@ namespace asperity {
 
 class ChartView;
 class Session;
+
+/// Computes the whole curve of a scene, as the chart pins it. Throws as computeCurve() does, and
+/// StopRequested where it was stopped. Any thread.
+std::shared_ptr<const CurveUpdate> computeCurveToPin(const Scene& scene,
+                                                     const std::stop_token& stop);
 
 class CurveCommands : public QObject {
   Q_OBJECT

@@ -27,8 +27,8 @@ void CurveComparison::update() {
   if (choosesAccuracy(*curve->scene) || !curve->scene->sweep.isOfVelocity()) return;
   if (compared_ && haveSameCurve(*compared_, *curve->scene)) return;
   compared_ = *curve->scene;
-  compared_->sliding.kind =
-      SlidingKind::Steady;  // curves of any motion are computed for steady sliding
+  // Curves of any motion are computed for steady sliding.
+  compared_->sliding.kind = SlidingKind::Steady;
   start();
 }
 

@@ -27,10 +27,10 @@ CurveDisplay::CurveDisplay(Session& session, ChartView& view, QObject* parent)
   });
   connect(&session_, &Session::plotChanged, this, &CurveDisplay::showSoon);
   connect(&session_, &Session::markChanged, this, &CurveDisplay::showMarker);
-  // A value that was refused, as in a step of a lesson, is no longer where the line waits for it.
+  // The line returns to the marker where the value was refused, as in a step of a lesson.
   connect(&session_, &Session::commandSent, this, [this] {
-    if (!wanted_ || ownSweptValue(session_.scene()) == *wanted_) return;
-    wanted_.reset();
+    if (!requested_ || ownSweptValue(session_.scene()) == *requested_) return;
+    requested_.reset();
     view_.releaseMarker();
   });
   view_.setDescribe([this](int id, int row) { return session_.friction().describe(id, row); });
@@ -70,7 +70,7 @@ void CurveDisplay::showMarker() {
 void CurveDisplay::setSwept(double value) {
   const Scene scene = withSweptValue(session_.scene(), value);
   if (scene == session_.scene()) return;
-  wanted_ = ownSweptValue(scene);
+  requested_ = ownSweptValue(scene);
   emit sceneEdited(scene);
 }
 

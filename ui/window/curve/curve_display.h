@@ -1,7 +1,7 @@
 // The friction diagram in the window. It follows the session slowly enough to leave time for other
-// work, and turns the user's actions in it into velocities. A new curve is shown at once; a stale
-// curve fades a moment later, if no new one has come; refinements are shown from time to time. GUI
-// thread; owned by its parent. Cannot fail.
+// work, and turns the user's actions in it into values of the swept key. A new curve is shown at
+// once; a stale curve fades a moment later, if no new one has come; refinements are shown from time
+// to time. GUI thread; owned by its parent. Cannot fail.
 #pragma once
 
 #include <QObject>
@@ -36,7 +36,7 @@ class CurveDisplay : public QObject {
   QTimer pause_;        // runs after the diagram was painted
   bool isDue_ = false;  // a change arrived meanwhile
   bool wasStale_ = false;
-  std::optional<double> wanted_;  // the newest value of the swept key that was set here
+  std::optional<double> requested_;  // the newest value of the swept key that was set here
 };
 
 }  // namespace asperity

@@ -21,7 +21,7 @@ constexpr float kScale = 2;
 
 /// Returns the provenance of the present scene, as `asperity curve` writes it, with the other
 /// curves.
-nlohmann::ordered_json originOf(const CurveSet& set) {
+nlohmann::ordered_json curveOrigin(const CurveSet& set) {
   nlohmann::ordered_json origin = provenance("curve", set.present.scene);
   if (set.axes == CurveAxes::Dimensionless) origin["axes"] = "dimensionless";
   for (const NamedCurve& curve : set.pinned)
@@ -42,7 +42,7 @@ DiagramOptions printed(const CurveSet& set) {
 }  // namespace
 
 void writeCurves(const std::filesystem::path& file, const CurveSet& set) {
-  nlohmann::ordered_json origin = originOf(set);
+  nlohmann::ordered_json origin = curveOrigin(set);
   if (file.extension() == ".csv")
     return writeFileAtomically(file,
                                "# asperity: " + provenanceLine(origin) + "\n" + curveSetCsv(set));

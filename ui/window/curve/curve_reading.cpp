@@ -35,7 +35,7 @@ struct Neighbours {
   const CurvePoint *below = nullptr, *above = nullptr;
 };
 
-Neighbours neighboursOf(const CurveUpdate& curve, double position) {
+Neighbours findNeighbours(const CurveUpdate& curve, double position) {
   Neighbours found;
   const auto at = [&](const CurvePoint* point) { return axisPosition(*point, *curve.scene); };
   for (const CurvePoint& point : curve.points) {
@@ -56,7 +56,7 @@ bool areFarApart(const CurvePoint& below, const CurvePoint& above) {
 
 /// Interpolates along a straight line between two points of the diagram.
 void readMean(const CurveUpdate& curve, double position, CurveReading& reading) {
-  const auto [below, above] = neighboursOf(curve, position);
+  const auto [below, above] = findNeighbours(curve, position);
   if (!below || !above || areFarApart(*below, *above)) return;
   reading.lines = std::min(below->realizations, above->realizations);
   const double from = axisPosition(*below, *curve.scene), to = axisPosition(*above, *curve.scene);
@@ -73,7 +73,7 @@ void readMean(const CurveUpdate& curve, double position, CurveReading& reading) 
 
 /// Returns the notes of both neighbours of the position, or of the nearest end of the curve.
 NoteSet notesAt(const CurveUpdate& curve, double position) {
-  const auto [below, above] = neighboursOf(curve, position);
+  const auto [below, above] = findNeighbours(curve, position);
   NoteSet notes;
   if (below && above && areFarApart(*below, *above)) return notes;
   for (const CurvePoint* point : {below, above})
@@ -82,7 +82,7 @@ NoteSet notesAt(const CurveUpdate& curve, double position) {
 }
 
 std::string regionAt(const CurveUpdate& curve, double velocity) {
-  const auto [below, above] = neighboursOf(curve, velocity);
+  const auto [below, above] = findNeighbours(curve, velocity);
   if (below && above && areFarApart(*below, *above)) return {};
   for (const CurveRegion& region : findRegions(*curve.scene, curve.points))
     if (velocity >= region.from && velocity <= region.to) return region.name;

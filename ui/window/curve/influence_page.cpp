@@ -23,8 +23,8 @@ namespace asperity {
 
 namespace {
 
-/// The state of the page: without what does not change friction at the scene's velocity.
-Scene stateOf(const Scene& scene) {
+/// Returns the scene without its sweep, which does not change friction at the scene's own velocity.
+Scene withoutSweep(const Scene& scene) {
   Scene state = scene;
   state.sweep = {};
   return state;
@@ -35,14 +35,14 @@ struct Result {
   std::string table;
 };
 
-Result sensitivityOf(const Scene& scene, const StateOptions& options) {
+Result computeSensitivity(const Scene& scene, const StateOptions& options) {
   requireSteadySliding(scene, "the sensitivity");
   const std::vector<Exponent> exponents =
       sensitivityExponents(scene, sensitivities(scene, options));
   return {sensitivitySheet(scene, exponents), sensitivityCsv(exponents)};
 }
 
-Result wavesOf(const Scene& scene, const StateOptions& options) {
+Result computeCutoff(const Scene& scene, const StateOptions& options) {
   requireSteadySliding(scene, "the short-wave cut-off");
   const std::vector<CutoffPoint> points = frictionOverCutoff(scene, options);
   return {cutoffSheet(scene, points), cutoffCsv(points)};
@@ -94,19 +94,19 @@ void InfluencePage::showTexts() {
   choice_->setAccessibleName(tr("what friction depends on"));
   choice_->setItemText(0, tr("Which parameter matters"));
   choice_->setItemText(1, tr("Which wavelengths matter"));
-  hint_->setText(isOfWaves()
+  hint_->setText(showsWaves()
                      ? tr("friction without the waves shorter than a cut-off, at this velocity")
                      : tr("per cent of friction for a per cent of each parameter, here and now"));
   view_->setAccessibleName(choice_->currentText());
   view_->setToolTip(translatedText(note_));
 }
 
-bool InfluencePage::isOfWaves() const {
+bool InfluencePage::showsWaves() const {
   return choice_->currentData().toBool();
 }
 
 void InfluencePage::showScene(const Scene& scene) {
-  scene_ = stateOf(scene);
+  scene_ = withoutSweep(scene);
   if (isVisible()) compute();
 }
 
@@ -119,7 +119,7 @@ void InfluencePage::showEvent(QShowEvent* event) {
   compute();
 }
 
-/// A hidden page costs nothing.
+/// Stops the computation: a hidden page takes no processor time.
 void InfluencePage::hideEvent(QHideEvent* event) {
   QWidget::hideEvent(event);
   work_.cancel();
@@ -127,13 +127,13 @@ void InfluencePage::hideEvent(QHideEvent* event) {
 
 void InfluencePage::compute() {
   if (!scene_ || !isVisible()) return;
-  const bool ofWaves = isOfWaves();
-  if (shown_ == scene_ && shownWaves_ == ofWaves) return;
+  const bool hasWaves = showsWaves();
+  if (shown_ == scene_ && shownWaves_ == hasWaves) return;
   const Scene scene = *scene_;
-  const auto take = [this, scene, ofWaves](const Result& result) {
+  const auto take = [this, scene, hasWaves](const Result& result) {
     shown_ = scene;
-    shownWaves_ = ofWaves;
-    const char* verb = ofWaves ? "cutoff" : "sensitivity";
+    shownWaves_ = hasWaves;
+    const char* verb = hasWaves ? "cutoff" : "sensitivity";
     // The window shows title and scene above the diagram; without them the names of the bars have
     // more space.
     DiagramSheet shown = result.sheet;
@@ -155,10 +155,10 @@ void InfluencePage::compute() {
     view_->show([reason]() -> DiagramSheet { throw std::runtime_error(reason.toStdString()); });
   };
   work_.request(
-      [scene, ofWaves](const BackgroundWork::Run& run) {
+      [scene, hasWaves](const BackgroundWork::Run& run) {
         StateOptions options;
         options.stop = run.stop();
-        return ofWaves ? wavesOf(scene, options) : sensitivityOf(scene, options);
+        return hasWaves ? computeCutoff(scene, options) : computeSensitivity(scene, options);
       },
       take, fail);
 }

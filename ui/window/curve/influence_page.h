@@ -41,7 +41,7 @@ class InfluencePage : public QWidget {
  private:
   void showTexts();
   void compute();
-  bool isOfWaves() const;
+  bool showsWaves() const;
   int heightFor(const DiagramSheet& sheet) const;
 
   QComboBox* choice_;

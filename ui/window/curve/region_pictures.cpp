@@ -18,16 +18,16 @@ namespace {
 constexpr float kMinText = 0.9F;  // the view is low, which would make its texts small
 
 /// Splits a title: "region I" and "1 to 2 m/s" of "region I: 1 to 2 m/s".
-std::pair<QString, QString> partsOf(const Diagram& diagram) {
+std::pair<QString, QString> splitTitle(const Diagram& diagram) {
   const QString title = translatedText(diagram.title);
   const qsizetype colon = title.indexOf(QStringLiteral(": "));
   if (colon < 0) return {title, {}};
   return {title.left(colon), title.mid(colon + 2)};
 }
 
-/// Returns one diagram without the texts above and below it: the buttons have the names, the tool
-/// tip has the note.
-std::shared_ptr<const ComputedFigure> alone(const ComputedFigure& made, std::size_t index) {
+/// Returns one diagram without the texts above and below it: the buttons have the names, the
+/// tooltip has the note.
+std::shared_ptr<const ComputedFigure> singleDiagram(const ComputedFigure& made, std::size_t index) {
   auto one = std::make_shared<ComputedFigure>();
   one->figure.scene = made.figure.scene;
   const DiagramSheet& sheet = made.figure.sheet;
@@ -84,7 +84,7 @@ void RegionPictures::showFigure(std::shared_ptr<const ComputedFigure> made) {
   const std::vector<Diagram>& diagrams = figure_->figure.sheet.diagrams;
   int chosen = 0;
   for (int i = 0; i < static_cast<int>(diagrams.size()); ++i) {
-    const auto [name, range] = partsOf(diagrams[static_cast<std::size_t>(i)]);
+    const auto [name, range] = splitTitle(diagrams[static_cast<std::size_t>(i)]);
     auto* button = new QToolButton;
     button->setObjectName(QStringLiteral("region:%1").arg(i));
     button->setText(name);
@@ -115,11 +115,11 @@ int RegionPictures::chosen() const {
 void RegionPictures::choose(int index) {
   if (!buttons_->button(index)) return;
   const auto position = static_cast<std::size_t>(index);
-  const auto [name, range] = partsOf(figure_->figure.sheet.diagrams.at(position));
+  const auto [name, range] = splitTitle(figure_->figure.sheet.diagrams.at(position));
   chosen_ = name;
   range_->setText(range);
   buttons_->button(index)->setChecked(true);
-  picture_->showFigure(alone(*figure_, position));
+  picture_->showFigure(singleDiagram(*figure_, position));
   const DiagramSheet& sheet = figure_->figure.sheet;
   picture_->setAccessibleName(translatedText(sheet.title) + ", " + name);
   picture_->setAccessibleDescription(translatedText(sheet.note));

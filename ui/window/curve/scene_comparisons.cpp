@@ -21,10 +21,10 @@ void SceneComparisons::update() {
   if (compared_ && haveSameCurve(*compared_, scene) && quantity == quantity_) return;
   compared_ = scene;
   quantity_ = quantity;
-  CurveSet wanted;
-  wanted.present.scene = scene;
-  wanted.y = quantity;
-  if (!hasComparisons(wanted)) return work_.cancel();
+  CurveSet named;
+  named.present.scene = scene;
+  named.y = quantity;
+  if (!hasComparisons(named)) return work_.cancel();
   work_.request(
       [scene, quantity](const BackgroundWork::Run& run) {
         auto set = std::make_shared<CurveSet>();

@@ -186,7 +186,10 @@ QString FitPage::errorText() const {
 }
 
 void FitPage::pressRun() {
-  isFitting_ ? stop() : begin();
+  if (isFitting_)
+    stop();
+  else
+    begin();
 }
 
 /// Begins a fit of the present choices; the earlier result stays until it has ended.

@@ -73,13 +73,13 @@ QImage contactImage(const Scene& scene, const Theme& theme, bool isClose) {
   options.width = static_cast<int>(wanted.width());
   options.height = static_cast<int>(wanted.height());
   for (int i = 0; i < 3; ++i) {
-    const Clip plot = contactPlotArea(frame, options);
+    const Box plot = contactPlotArea(frame, options);
     options.width +=
         static_cast<int>(std::lround(wanted.width() - static_cast<double>(plot.width)));
     options.height +=
         static_cast<int>(std::lround(wanted.height() - static_cast<double>(plot.height)));
   }
-  const Clip plot = contactPlotArea(frame, options);
+  const Box plot = contactPlotArea(frame, options);
   return cropped(composeContact(frame, options), {plot.x, plot.y, plot.width, plot.height});
 }
 

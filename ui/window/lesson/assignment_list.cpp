@@ -24,8 +24,8 @@ namespace asperity {
 
 namespace {
 
-/// Returns the text after the sign of equality.
-QString valueOf(const std::string& assignment) {
+/// Returns the value of an assignment KEY=VALUE.
+QString assignedValue(const std::string& assignment) {
   const std::size_t sign = assignment.find('=');
   return sign == assignment.npos ? QString() : QString::fromStdString(assignment.substr(sign + 1));
 }
@@ -67,10 +67,13 @@ void AssignmentList::show(const std::vector<std::string>& assignments, const Sce
 }
 
 void AssignmentList::showRows() {
-  // The Tab key goes through the new rows where it went through the old ones.
-  QWidget* before = add_->previousInFocusChain();
-  while (rows_ && before != add_ && (before == rows_ || rows_->isAncestorOf(before)))
-    before = before->previousInFocusChain();
+  // The Tab key goes through the rows before it comes to the button below them. setTabOrder() does
+  // nothing for a widget without focus, such as this one.
+  const auto isBeforeRows = [this](const QWidget& widget) {
+    return widget.focusPolicy() & Qt::TabFocus && !(rows_ && rows_->isAncestorOf(&widget));
+  };
+  QWidget* previous = add_->previousInFocusChain();
+  while (previous != add_ && !isBeforeRows(*previous)) previous = previous->previousInFocusChain();
   if (rows_) {
     // A field that loses the focus now ends its editing: its index may then belong to another row,
     // or to none.
@@ -86,11 +89,13 @@ void AssignmentList::showRows() {
   for (std::size_t i = 0; i < assignments_.size(); ++i) rows->addWidget(makeRow(i));
   column_->insertWidget(0, rows_);
   rows_->setVisible(!assignments_.empty());
-  for (QWidget* field : rows_->findChildren<QWidget*>())
-    if (field->focusPolicy() & Qt::TabFocus && before->window() == window()) {
-      setTabOrder(before, field);
-      before = field;
-    }
+  if (previous->window() != window()) return;
+  for (QWidget* field : rows_->findChildren<QWidget*>()) {
+    // The popup list of a combo box, which a style sheet creates at once, is a window of its own.
+    if (!(field->focusPolicy() & Qt::TabFocus) || field->window() != window()) continue;
+    setTabOrder(previous, field);
+    previous = field;
+  }
 }
 
 QWidget* AssignmentList::makeRow(std::size_t index) {
@@ -108,7 +113,7 @@ QWidget* AssignmentList::makeRow(std::size_t index) {
   if (row) {
     value = makeValue(index, *row);
   } else {
-    auto* text = new QLineEdit(valueOf(assignments_[index]));
+    auto* text = new QLineEdit(assignedValue(assignments_[index]));
     connect(text, &QLineEdit::textEdited, this,
             [this, index](const QString& written) { write(index, written); });
     value = text;
@@ -116,21 +121,21 @@ QWidget* AssignmentList::makeRow(std::size_t index) {
   value->setObjectName(name_ + ':' + QString::fromStdString(key));
   value->setAccessibleName(label);
   line->addWidget(value, 1);
-  auto* away = new QToolButton;
-  away->setObjectName(name_ + "Without:" + QString::fromStdString(key));
-  away->setText(QStringLiteral("✕"));
-  away->setAutoRaise(true);
-  away->setFocusPolicy(Qt::StrongFocus);
-  away->setToolTip(tr("Removes this change"));
-  away->setAccessibleName(tr("remove the change of “%1”").arg(label));
-  line->addWidget(away);
-  connect(away, &QToolButton::clicked, this, [this, index] { remove(index); });
+  auto* button = new QToolButton;
+  button->setObjectName(name_ + "Without:" + QString::fromStdString(key));
+  button->setText(QStringLiteral("✕"));
+  button->setAutoRaise(true);
+  button->setFocusPolicy(Qt::StrongFocus);
+  button->setToolTip(tr("Removes this change"));
+  button->setAccessibleName(tr("remove the change of “%1”").arg(label));
+  line->addWidget(button);
+  connect(button, &QToolButton::clicked, this, [this, index] { remove(index); });
   return all;
 }
 
 /// Makes the field of a value: a list where there are words to choose from, otherwise a line.
 QWidget* AssignmentList::makeValue(std::size_t index, const Parameter& row) {
-  const QString written = valueOf(assignments_[index]);
+  const QString written = assignedValue(assignments_[index]);
   const auto list = [&](const auto& fill) {
     auto* box = new QComboBox;
     fill(*box);
@@ -165,7 +170,7 @@ QWidget* AssignmentList::makeValue(std::size_t index, const Parameter& row) {
   // A number that is typed without a unit has the one that was shown.
   const auto unit = std::make_shared<QString>();
   const auto showValue = [this, index, line, unit, shown] {
-    const UnitText text = readable(valueOf(assignments_[index]), shown);
+    const UnitText text = readable(assignedValue(assignments_[index]), shown);
     *unit = text.unit;
     line->setText((text.number + ' ' + text.unit).trimmed());
   };
@@ -202,7 +207,7 @@ void AssignmentList::add(const Parameter& row) {
   emit edited();
 }
 
-/// Offers what has a meaning in the scene and is not changed yet.
+/// Offers the parameters that have a meaning in the scene and are not changed yet.
 void AssignmentList::fillMenu() {
   fillParameterMenu(*add_->menu(), changed(), [this](QMenu& section, const Parameter& row) {
     const auto isSame = [&](const std::string& one) { return assignmentKey(one) == row.key; };

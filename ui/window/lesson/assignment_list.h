@@ -1,6 +1,6 @@
-// Changes of a scene in plain words: a row for each, with the label of the parameter and its value
-// as the panel shows it, and a button that adds another one. They are those that a lesson's file
-// writes as KEY=VALUE, and stay as they are written there until a row is edited. GUI thread;
+// Changes of a scene, which a lesson's file writes as KEY=VALUE: a row for each, with the label of
+// the parameter and its value as the panel shows it, and a button that adds another one. A change
+// stays as it is written in the file until its row is edited. GUI thread;
 // owned by its parent.
 #pragma once
 

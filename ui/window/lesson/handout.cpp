@@ -48,7 +48,7 @@ constexpr float kPictureScale = 2;
 // On paper, in millimetres.
 constexpr double kMargin = 22, kShownWidth = 150, kGap = 2.5, kTextGap = 1.3, kHeadingGap = 4,
                  kFootHeight = 8;
-constexpr double kShort = 0.72;   // of a page: what stays together if it is short
+constexpr double kShort = 0.72;   // part of a page; what is shorter stays together
 constexpr int kResolution = 300;  // per inch
 
 QString utf(const std::string& text) {
@@ -60,15 +60,15 @@ struct Picture {
   QString name;  // the alternative text of the picture
 };
 
-/// Returns whether a block stays on the page of the next one: a heading does with its text; a
-/// question with the pictures above it where that leaves no large part of a page empty.
-enum class Stays { No, IfShort, Always };
+/// Whether a block stays on the page of the next one: a heading stays with its text; the pictures
+/// above a question stay with it where that leaves no large part of a page empty.
+enum class KeepWithNext { No, IfShort, Always };
 
-/// A block of the page: HTML, or a picture. On paper it is never parted.
+/// A block of the page: HTML, or a picture. On paper it is never split.
 struct Block {
   QString html;
   std::optional<Picture> picture{};
-  Stays withNext = Stays::No;
+  KeepWithNext withNext = KeepWithNext::No;
   bool beginsPage = false;
 };
 
@@ -95,16 +95,16 @@ class HandoutMaker {
   }
 
  private:
-  void add(const QString& html, Stays withNext = Stays::No) {
+  void add(const QString& html, KeepWithNext withNext = KeepWithNext::No) {
     blocks_.push_back({html, {}, withNext});
   }
 
   void addHead() {
-    add("<h1>" + plainText(lesson_.title).toHtmlEscaped() + "</h1>", Stays::Always);
+    add("<h1>" + plainText(lesson_.title).toHtmlEscaped() + "</h1>", KeepWithNext::Always);
     add("<p><b>" + utf(Words::tr("Goal")) + ":</b> " + plainText(lesson_.goal).toHtmlEscaped() +
         " (" + utf(Words::tr("%1 minutes")).arg(lesson_.minutes) + ")</p>");
     if (!options_.forTeacher || lesson_.notes.empty()) return;
-    add("<h2>" + utf(Words::tr("Notes for the teacher")) + "</h2>", Stays::Always);
+    add("<h2>" + utf(Words::tr("Notes for the teacher")) + "</h2>", KeepWithNext::Always);
     add(richText(shown(lesson_.notes)));
   }
 
@@ -114,7 +114,7 @@ class HandoutMaker {
     add(QStringLiteral("<h2>%1. %2</h2>")
             .arg(number + 1)
             .arg(plainText(step.title).toHtmlEscaped()),
-        Stays::Always);
+        KeepWithNext::Always);
     add(richText(shown(step.text)));
     const std::size_t text = blocks_.size() - 1;
     addContact(step.scene);
@@ -122,10 +122,10 @@ class HandoutMaker {
     keepTogether(text);
     if (!step.prediction) return;
     // Students draw their answer to the question below into an empty chart.
-    blocks_.back().withNext = isDrawnInto(step) ? Stays::Always : Stays::IfShort;
+    blocks_.back().withNext = isDrawnInto(step) ? KeepWithNext::Always : KeepWithNext::IfShort;
     addQuestion(*step.prediction);
     if (options_.forTeacher) return addAnswer(step);
-    // It is visible on the screen only; in print it would reveal the answer.
+    // The revealed scene is visible on the screen only; in print it would reveal the answer.
     revealedContact_ = untitled(step.revealedScene);
     if (!step.show.hidesCurve) return;
     revealedCurve_ = canonicalCurveScene(step.revealedScene);
@@ -135,10 +135,10 @@ class HandoutMaker {
   /// Begins a new page below the question of a step: what follows may tell its answer.
   void separateFromQuestion(int asked) {
     if (!lesson_.steps[static_cast<std::size_t>(asked)].prediction) return;
-    blocks_.back().withNext = Stays::Always;
+    blocks_.back().withNext = KeepWithNext::Always;
     add("<p><i>" + utf(Words::tr("Turn the page when you have answered.")) + "</i></p>");
     add("<h3>" + utf(Words::tr("After your answer to step %1")).arg(asked + 1) + "</h3>",
-        Stays::Always);
+        KeepWithNext::Always);
     blocks_.back().beginsPage = true;
   }
 
@@ -147,27 +147,27 @@ class HandoutMaker {
     return step.prediction && step.prediction->kind == PredictionKind::Point;
   }
 
-  static Frame frameOf(const Scene& scene) {
+  static Frame makeFrame(const Scene& scene) {
     const auto shared = std::make_shared<const Scene>(scene);
     return scene.sliding.kind == SlidingKind::Steady ? SteadyFrames(shared).frameAt(0, 0, 0)
                                                      : Simulation(shared, 1).frame();
   }
 
-  /// A contact is shown where it differs from the one before.
+  /// Adds the picture of a contact where it differs from the one before.
   void addContact(const Scene& given) {
     const Scene scene = untitled(given);
-    const auto isOf = [&scene](const std::optional<Scene>& other) {
+    const auto isShown = [&scene](const std::optional<Scene>& other) {
       return other && other->surface == scene.surface && other->elastomer == scene.elastomer &&
              other->load == scene.load && other->sliding == scene.sliding;
     };
-    if (isOf(contact_) || isOf(revealedContact_)) return;
+    if (isShown(contact_) || isShown(revealedContact_)) return;
     contact_ = scene;
     ContactPictureOptions options;
     options.width = kContactWidth;
     options.height = kContactHeight;
     options.scale = kPictureScale;
     options.theme = printTheme();
-    addPicture(composeContact(frameOf(scene), options),
+    addPicture(composeContact(makeFrame(scene), options),
                utf(Words::tr("the contact of the rough line and the rubber")));
   }
 
@@ -179,19 +179,20 @@ class HandoutMaker {
     else if (step.show.tab == "spectrum" && isNewChart(step, scene))
       addSheet(spectrumSheet(scene), utf(Words::tr("the spectrum of the line")));
     else if (step.show.tab == "statistics" && isNewChart(step, scene))
-      addSheet(statisticsSheet(frameOf(scene)), utf(Words::tr("the statistics of the line")));
+      addSheet(statisticsSheet(makeFrame(scene)), utf(Words::tr("the statistics of the line")));
     else if (step.show.tab == "material" && isNewChart(step, scene))
       addSheet(excitationSheet(scene), utf(Words::tr("the moduli of the elastomer")));
   }
 
   /// Returns whether the chart differs from the one before, and notes it as the last one.
   bool isNewChart(const LessonStep& step, const Scene& scene) {
-    const auto shownOf = [&](const Scene& of) {
+    const auto plottedScene = [&](const Scene& of) {
       return step.show.tab == "curve" ? canonicalCurveScene(of) : untitled(of);
     };
     const std::string key =
         step.show.tab + " " + step.show.quantity + (step.show.isLinearY ? " linear" : "");
-    const bool isNew = !chart_ || key != chartKey_ || !(shownOf(*chart_) == shownOf(scene));
+    const bool isNew =
+        !chart_ || key != chartKey_ || !(plottedScene(*chart_) == plottedScene(scene));
     chart_ = scene;
     chartKey_ = key;
     return isNew;
@@ -205,13 +206,13 @@ class HandoutMaker {
                           revealedQuantity_ == step.show.quantity;
     if (isAnswer && !isHidden) return;
     CurveSet set;
-    set.present = {{}, untitled(scene), curveOf(scene)};
+    set.present = {{}, untitled(scene), computePoints(scene)};
     set.y = *findQuantity(step.show.quantity);
     if (step.show.isLinearY) set.yScale = AxisScale::Linear;
     for (std::size_t i = 0; i < step.show.beside.size(); ++i) {
       const Scene other = untitled(withKeys(step.scene, step.show.beside[i]));
-      set.pinned.push_back({describeDifferences(other, untitled(step.scene)), other, curveOf(other),
-                            static_cast<int>(i), static_cast<int>(i) + 1});
+      set.pinned.push_back({describeDifferences(other, untitled(step.scene)), other,
+                            computePoints(other), static_cast<int>(i), static_cast<int>(i) + 1});
     }
     DiagramSheet sheet = curveSheet(set);
     if (isHidden) {
@@ -245,7 +246,7 @@ class HandoutMaker {
     addPicture(composeDiagrams(sheet, options), name);
   }
 
-  std::vector<CurvePoint> curveOf(const Scene& scene) const {
+  std::vector<CurvePoint> computePoints(const Scene& scene) const {
     CurveOptions options = curveOptions();
     Curve curve = computeCurve(scene, options);
     if (!curve.isComplete) throw StopRequested{};
@@ -285,11 +286,11 @@ class HandoutMaker {
     const bool hasVerdict = answer.choice >= 0 && prediction.answer && !prediction.right.empty();
     add("<p><b>" + utf(Words::tr("Answer")) + ":</b> " +
             answerInWords(prediction, answer).toHtmlEscaped() + "</p>",
-        step.reveal.empty() && !hasVerdict ? Stays::No : Stays::Always);
+        step.reveal.empty() && !hasVerdict ? KeepWithNext::No : KeepWithNext::Always);
     // A sentence with the number that decides: "It becomes 1.97 times as large."
     if (hasVerdict)
       add(richText(prediction.right, prediction, answer, {}),
-          step.reveal.empty() ? Stays::No : Stays::Always);
+          step.reveal.empty() ? KeepWithNext::No : KeepWithNext::Always);
     if (!step.reveal.empty()) add(richText(step.reveal, prediction, answer, {}));
     // Pictures may go to the next page: else a large part of this one could stay empty.
     if (!(step.scene == step.revealedScene)) addContact(step.revealedScene);
@@ -297,10 +298,10 @@ class HandoutMaker {
       addChart(step, step.revealedScene, false);
   }
 
-  /// Keeps a text with the picture below it, and that one with another.
+  /// Keeps a text with the picture below it, and that picture with another one below.
   void keepTogether(std::size_t text) {
     for (std::size_t i = text; i + 1 < blocks_.size(); ++i)
-      blocks_[i].withNext = i == text ? Stays::Always : Stays::IfShort;
+      blocks_[i].withNext = i == text ? KeepWithNext::Always : KeepWithNext::IfShort;
   }
 
   const Lesson& lesson_;
@@ -325,11 +326,11 @@ class HandoutPages {
  public:
   HandoutPages(QPdfWriter& writer, const QString& title, const std::vector<Block>& blocks)
       : writer_(writer), title_(title), blocks_(blocks), painter_(&writer) {
-    for (const Block& block : blocks_) parts_.push_back(laidOut(block));
+    for (const Block& block : blocks_) parts_.push_back(layOut(block));
   }
 
   void draw() {
-    const std::vector<std::vector<std::size_t>> pages = paged();
+    const std::vector<std::vector<std::size_t>> pages = makePages();
     for (std::size_t i = 0; i < pages.size(); ++i) {
       if (i > 0) writer_.newPage();
       double y = 0;
@@ -351,7 +352,7 @@ class HandoutPages {
 
   static double dots(double millimetres) { return millimetres / 25.4 * kResolution; }
 
-  Part laidOut(const Block& block) const {
+  Part layOut(const Block& block) const {
     Part part;
     if (block.picture) {
       const QSize size = block.picture->image.size();
@@ -374,34 +375,34 @@ class HandoutPages {
   }
 
   /// Returns the end of the parts that stay together in any case.
-  std::size_t endOfGroup(std::size_t first) const {
+  std::size_t groupEnd(std::size_t first) const {
     std::size_t end = first + 1;
-    while (end < parts_.size() && blocks_[end - 1].withNext == Stays::Always) ++end;
+    while (end < parts_.size() && blocks_[end - 1].withNext == KeepWithNext::Always) ++end;
     return end;
   }
 
-  double heightOf(std::size_t first, std::size_t end) const {
+  double groupHeight(std::size_t first, std::size_t end) const {
     double height = 0;
     for (std::size_t i = first; i < end; ++i) height += parts_[i].above + parts_[i].height;
     return height;
   }
 
   /// Returns the parts of each page.
-  std::vector<std::vector<std::size_t>> paged() const {
+  std::vector<std::vector<std::size_t>> makePages() const {
     const double available = writer_.height() - dots(kFootHeight);
     std::vector<std::vector<std::size_t>> pages(1);
     double used = 0;
     for (std::size_t first = 0; first < parts_.size();) {
-      std::size_t end = endOfGroup(first);
-      double height = heightOf(first, end);
-      while (end < parts_.size() && blocks_[end - 1].withNext == Stays::IfShort &&
-             heightOf(first, endOfGroup(end)) <= kShort * available) {
-        end = endOfGroup(end);
-        height = heightOf(first, end);
+      std::size_t end = groupEnd(first);
+      double height = groupHeight(first, end);
+      while (end < parts_.size() && blocks_[end - 1].withNext == KeepWithNext::IfShort &&
+             groupHeight(first, groupEnd(end)) <= kShort * available) {
+        end = groupEnd(end);
+        height = groupHeight(first, end);
       }
       if (height > available) {
         end = first + 1;
-        height = heightOf(first, end);
+        height = groupHeight(first, end);
       }
       if (used > 0 && (blocks_[first].beginsPage || used + height > available)) {
         pages.emplace_back();
@@ -458,7 +459,7 @@ QByteArray handoutHtml(const Lesson& lesson, const HandoutOptions& options) {
           "</title>\n<meta name=\"viewport\" content=\"width=device-width\">\n<style>" + kStyle +
           "</style></head>\n<body>\n";
   for (const Block& block : HandoutMaker(lesson, options).make()) {
-    const bool stays = block.withNext != Stays::No;
+    const bool stays = block.withNext != KeepWithNext::No;
     if (stays) html += block.beginsPage ? "<div class=\"stays page\">" : "<div class=\"stays\">";
     html += block.html.toUtf8();
     if (block.picture)
@@ -472,7 +473,7 @@ QByteArray handoutHtml(const Lesson& lesson, const HandoutOptions& options) {
 
 QByteArray handoutPdf(const Lesson& lesson, const HandoutOptions& options) {
   loadFonts();
-  QHashSeed::setDeterministicGlobalSeed();  // of the order of fonts in the file
+  QHashSeed::setDeterministicGlobalSeed();  // it determines the order of fonts in the file
   const std::vector<Block> blocks = HandoutMaker(lesson, options).make();
   QByteArray bytes;
   QBuffer buffer(&bytes);

@@ -9,7 +9,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
-#include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QRegularExpression>
@@ -35,6 +34,7 @@
 #include "ui/window/lesson/lesson_mistakes.h"
 #include "ui/window/lesson/lesson_pages.h"
 #include "ui/window/lesson/lesson_text.h"
+#include "ui/window/main/document_commands.h"
 #include "ui/window/main/picture_files.h"
 #include "ui/window/main/scene_library.h"
 
@@ -44,10 +44,10 @@ namespace {
 
 constexpr QSize kDefault(960, 660);  // pixels
 constexpr int kListWidth = 250;      // pixels, at least
-constexpr int kAround = 60;          // pixels of the screen that stay free
+constexpr int kScreenMargin = 60;    // pixels of the screen that stay free
 
-/// Returns the name of a row of the editor for a member of a lesson's file; null: it has no row.
-QString rowOf(const QString& member) {
+/// Returns the name of the editor's row for a member of a lesson's file; empty where it has no row.
+QString rowName(const QString& member) {
   const std::pair<const char*, QString> rows[] = {
       {"steps", LessonEditor::tr("steps")},
       {"title", LessonEditor::tr("title")},
@@ -97,14 +97,14 @@ QString keyText(const QString& key) {
         words += LessonEditor::tr("step %1").arg(number);
       else if (found.captured(1) == QLatin1String("choices"))
         words += LessonEditor::tr("choice %1").arg(number);
-    } else if (const QString row = rowOf(members[i]); !row.isEmpty()) {
+    } else if (const QString row = rowName(members[i]); !row.isEmpty()) {
       words += row;
     }
   }
   return words.join(QStringLiteral(", "));
 }
 
-/// Returns whether a step of a lesson has this scene.
+/// Returns whether a step has this scene when the lesson is read from its file.
 bool isReadAs(const Lesson& lesson, std::size_t step, const Scene& scene, const QString& file) {
   try {
     const Lesson read =
@@ -114,6 +114,13 @@ bool isReadAs(const Lesson& lesson, std::size_t step, const Scene& scene, const 
   } catch (const InputError&) {
     return false;
   }
+}
+
+QPushButton* makeEditorButton(const char* name, const QString& text) {
+  auto* button = new QPushButton(text);
+  button->setObjectName(name);
+  button->setAutoDefault(false);
+  return button;
 }
 
 }  // namespace
@@ -134,7 +141,7 @@ LessonEditor::LessonEditor(const Lesson& lesson, const QString& file,
   language_->setCurrentIndex(presentLanguage() == "de" ? 1 : 0);
   language_->setDrawBase(false);
   language_->setExpanding(false);
-  // Also in a dark window the chosen one differs from the other.
+  // The chosen tab differs from the other one in a dark window, too.
   language_->setStyleSheet(QStringLiteral(
       "QTabBar::tab { padding: 4px 14px; border: none; border-bottom: 2px solid transparent; }"
       "QTabBar::tab:selected { border-bottom: 2px solid palette(highlight); font-weight: bold; }"));
@@ -169,10 +176,10 @@ LessonEditor::LessonEditor(const Lesson& lesson, const QString& file,
   all->addWidget(messageLabel_);
   all->addLayout(buildFoot());
   const QSize available = (parent ? parent->screen() : screen())->availableSize();
-  resize(kDefault.boundedTo(available - QSize(kAround, kAround)));
+  resize(kDefault.boundedTo(available - QSize(kScreenMargin, kScreenMargin)));
   connect(language_, &QTabBar::currentChanged, this, &LessonEditor::showStep);
   connect(steps_, &QListWidget::currentRowChanged, this, &LessonEditor::showStep);
-  connect(step_, &LessonStepPage::shownSceneWanted, this, &LessonEditor::takeShownScene);
+  connect(step_, &LessonStepPage::shownSceneRequested, this, &LessonEditor::takeShownScene);
   // Undo and redo are those of the lesson, also where a field of text has the focus.
   for (const auto& [keys, slot] : {std::pair(QKeySequence::Undo, &LessonEditor::undo),
                                    {QKeySequence::Redo, &LessonEditor::redo}})
@@ -194,17 +201,11 @@ QWidget* LessonEditor::buildSteps() {
   steps_->setObjectName("editorSteps");
   steps_->setAccessibleName(tr("steps"));
   column->addWidget(steps_, 1);
-  const auto button = [&](const char* name, const QString& text) {
-    auto* made = new QPushButton(text);
-    made->setObjectName(name);
-    made->setAutoDefault(false);
-    return made;
-  };
-  add_ = button("editorAdd", tr("&Add step from what is shown"));
+  add_ = makeEditorButton("editorAdd", tr("&Add step from what is shown"));
   add_->setToolTip(tr("The scene, the tab and the quantity of the chart, as they are now"));
-  up_ = button("editorUp", tr("&Up"));
-  down_ = button("editorDown", tr("&Down"));
-  remove_ = button("editorRemove", tr("&Remove"));
+  up_ = makeEditorButton("editorUp", tr("&Up"));
+  down_ = makeEditorButton("editorDown", tr("&Down"));
+  remove_ = makeEditorButton("editorRemove", tr("&Remove"));
   column->addWidget(add_);
   auto* line = new QHBoxLayout;
   for (QPushButton* one : {up_, down_, remove_}) line->addWidget(one);
@@ -213,23 +214,17 @@ QWidget* LessonEditor::buildSteps() {
   connect(up_, &QPushButton::clicked, this, [this] { moveStep(-1); });
   connect(down_, &QPushButton::clicked, this, [this] { moveStep(1); });
   connect(remove_, &QPushButton::clicked, this, &LessonEditor::removeStep);
-  // As wide as its buttons need, in the font that the window has now.
+  // The part is as wide as its buttons need, in the font that the window has now.
   part->setMinimumWidth(kListWidth);
   part->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
   return part;
 }
 
 QLayout* LessonEditor::buildFoot() {
-  const auto button = [](const char* name, const QString& text) {
-    auto* made = new QPushButton(text);
-    made->setObjectName(name);
-    made->setAutoDefault(false);
-    return made;
-  };
-  try_ = button("editorTry", tr("&Try this step"));
-  open_ = button("editorOpen", tr("&Open…"));
+  try_ = makeEditorButton("editorTry", tr("&Try this step"));
+  open_ = makeEditorButton("editorOpen", tr("&Open…"));
   connect(open_, &QPushButton::clicked, this, &LessonEditor::openOther);
-  handout_ = button("editorHandout", tr("&Handout…"));
+  handout_ = makeEditorButton("editorHandout", tr("&Handout…"));
   handout_->setToolTip(tr("Pages to print, as PDF or as a web page"));
   saver_ = new HandoutSaver(this);
   connect(handout_, &QPushButton::clicked, this, [this] {
@@ -238,8 +233,8 @@ QLayout* LessonEditor::buildFoot() {
   });
   connect(saver_, &HandoutSaver::statusChanged, messageLabel_, &QLabel::setText);
   connect(saver_, &HandoutSaver::savingChanged, this, &LessonEditor::showButtons);
-  save_ = button("editorSave", tr("&Save…"));
-  close_ = button("editorClose", tr("&Close"));
+  save_ = makeEditorButton("editorSave", tr("&Save…"));
+  close_ = makeEditorButton("editorClose", tr("&Close"));
   connect(try_, &QPushButton::clicked, this, [this] {
     try {
       emit trialRequested(checked(), std::max(0, steps_->currentRow() - 1));
@@ -248,8 +243,8 @@ QLayout* LessonEditor::buildFoot() {
     }
   });
   connect(save_, &QPushButton::clicked, this, &LessonEditor::askAndSave);
-  undo_ = button("editorUndo", tr("U&ndo"));
-  redo_ = button("editorRedo", tr("R&edo"));
+  undo_ = makeEditorButton("editorUndo", tr("U&ndo"));
+  redo_ = makeEditorButton("editorRedo", tr("R&edo"));
   connect(undo_, &QPushButton::clicked, this, &LessonEditor::undo);
   connect(redo_, &QPushButton::clicked, this, &LessonEditor::redo);
   connect(close_, &QPushButton::clicked, this, &LessonEditor::reject);
@@ -274,7 +269,7 @@ bool LessonEditor::isGerman() const {
 }
 
 /// Returns the name of a step in the list.
-QString LessonEditor::nameOf(std::size_t step) const {
+QString LessonEditor::stepName(std::size_t step) const {
   const QString title =
       QString::fromStdString(lesson_.steps[step].title.in(isGerman() ? "de" : "en"));
   return tr("%1. %2").arg(step + 1).arg(title.isEmpty() ? tr("(no title)") : title);
@@ -285,7 +280,7 @@ void LessonEditor::showList() {
   const bool wasShowing = std::exchange(isShowing_, true);
   steps_->clear();
   steps_->addItem(tr("The lesson"));
-  for (std::size_t i = 0; i < lesson_.steps.size(); ++i) steps_->addItem(nameOf(i));
+  for (std::size_t i = 0; i < lesson_.steps.size(); ++i) steps_->addItem(stepName(i));
   isShowing_ = wasShowing;
   steps_->setCurrentRow(std::clamp(row, 0, steps_->count() - 1));
 }
@@ -306,7 +301,7 @@ void LessonEditor::showStep() {
   if (!states_.empty()) check();
 }
 
-/// Returns which scene a step begins with.
+/// Returns the name of the scene with which a step begins.
 QString LessonEditor::sceneText(std::size_t step) const {
   const LessonStep& asked = lesson_.steps[step];
   QString title = translatedText(Message(asked.scene.title));
@@ -336,7 +331,7 @@ Lesson LessonEditor::checked() const {
                     std::filesystem::path(file_.toStdString()).parent_path(), readNamedScene);
 }
 
-/// Says what is wrong, in the words of the editor where it can.
+/// Shows an error, with its key in the words of the editor where there are such words.
 void LessonEditor::showError(const InputError& error) {
   errorText_ = translatedText(InputError("", error.key(), error.message()).message());
   QString key = keyText(QString::fromStdString(error.key()));
@@ -349,7 +344,7 @@ void LessonEditor::check() {
   isComputing_ = false;
   errorText_ = present() ? step_->unreadable() : QString();
   if (!errorText_.isEmpty()) errorText_ = tr("Step %1: %2").arg(row + 1).arg(errorText_);
-  if (errorText_.isEmpty()) errorText_ = mistakeIn(lesson_);
+  if (errorText_.isEmpty()) errorText_ = findMistake(lesson_);
   try {
     const Lesson read = checked();
     for (std::size_t i = 0; i < read.steps.size(); ++i) {
@@ -366,7 +361,7 @@ void LessonEditor::check() {
   remember();
   showButtons();
   if (QListWidgetItem* item = row >= 0 ? steps_->item(row + 1) : nullptr)
-    item->setText(nameOf(static_cast<std::size_t>(row)));
+    item->setText(stepName(static_cast<std::size_t>(row)));
 }
 
 // ---- Computed answers
@@ -379,14 +374,15 @@ const LessonEditor::Computed* LessonEditor::computed(const LessonStep& step) con
   return found == computed_.end() ? nullptr : &*found;
 }
 
-/// Computes the answer of a step in the background unless it is known. Returns whether it is not.
+/// Computes the answer of a step in the background unless it is known. Returns whether it is being
+/// computed.
 bool LessonEditor::compute(const LessonStep& step) {
   if (!step.prediction || !step.prediction->answer || computed(step)) return false;
   Computed one{step.scene, *step.prediction->answer};
-  if (wanted_ && wanted_->scene == one.scene && wanted_->value == one.value) return true;
-  wanted_ = one;
+  if (pending_ && pending_->scene == one.scene && pending_->value == one.value) return true;
+  pending_ = one;
   const auto keep = [this](const Computed& known) {
-    wanted_.reset();
+    pending_.reset();
     computed_.push_back(known);
     check();
   };
@@ -409,9 +405,9 @@ bool LessonEditor::compute(const LessonStep& step) {
   return true;
 }
 
-/// Complains where no choice covers a computed answer, or where there is none. Answers that are not
-/// known yet are computed one after the other: those that may be covered by no choice, without
-/// which the lesson is not saved, and that of the present step, which is shown.
+/// Shows an error where no choice covers a computed answer, or where there is none. Answers that
+/// are not known yet are computed one after the other: those that may be covered by no choice,
+/// without which the lesson is not saved, and that of the present step, which is shown.
 void LessonEditor::checkAnswers() {
   for (std::size_t i = 0; i < lesson_.steps.size(); ++i) {
     const LessonStep& step = lesson_.steps[i];
@@ -435,7 +431,7 @@ void LessonEditor::checkAnswers() {
   if (const LessonStep* step = present()) compute(*step);
 }
 
-/// Returns what is known of the answer of the present step.
+/// Returns the text about the computed answer of the present step.
 QString LessonEditor::computedText() const {
   const int row = steps_->currentRow() - 1;
   if (row < 0 || row >= static_cast<int>(lesson_.steps.size())) return {};
@@ -487,7 +483,7 @@ bool LessonEditor::eventFilter(QObject* watched, QEvent* event) {
   return QDialog::eventFilter(watched, event);
 }
 
-/// Enables what a lesson without mistakes allows.
+/// Enables the buttons that the state of the lesson allows.
 void LessonEditor::showButtons() {
   for (QPushButton* button : {save_, try_, handout_})
     button->setEnabled(errorText_.isEmpty() && !isComputing_ &&
@@ -624,7 +620,7 @@ void LessonEditor::openOther() {
 }
 
 bool LessonEditor::saveTo(const QString& file) {
-  if (!errorText_.isEmpty() || isComputing_) return false;  // the line of the window says why
+  if (!errorText_.isEmpty() || isComputing_) return false;  // a line in the window shows why
   try {
     const std::filesystem::path path = std::filesystem::absolute(file.toStdString());
     const std::string text = writeLesson(lesson_);
@@ -648,16 +644,8 @@ bool LessonEditor::askAndSave() {
 
 bool LessonEditor::canClose() {
   if (writeLesson(saved_) == writeLesson(lesson_)) return true;
-  QMessageBox box(QMessageBox::Question, tr("Lesson editor"),
-                  tr("The lesson was changed and not saved."),
-                  QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
-  box.setObjectName("editorUnsaved");
-  box.button(QMessageBox::Save)->setText(tr("&Save"));
-  box.button(QMessageBox::Discard)->setText(tr("&Discard"));
-  box.button(QMessageBox::Cancel)->setText(tr("&Cancel"));
-  box.setDefaultButton(QMessageBox::Save);
-  box.setEscapeButton(QMessageBox::Cancel);
-  const int answer = box.exec();
+  const QMessageBox::StandardButton answer = askSaveChanges(
+      this, "editorUnsaved", tr("Lesson editor"), tr("The lesson was changed and not saved."));
   if (answer != QMessageBox::Save) return answer == QMessageBox::Discard;
   return file_.isEmpty() ? askAndSave() : saveTo(file_);
 }

@@ -41,7 +41,7 @@ class LessonEditor : public QDialog {
   const Lesson& lesson() const { return lesson_; }
   /// Returns the error message; empty without an error.
   QString errorText() const { return errorText_; }
-  /// Whether an answer has to be computed before the lesson can be saved.
+  /// Returns whether an answer has to be computed before the lesson can be saved.
   bool isComputing() const { return isComputing_; }
 
   void addShownStep();
@@ -51,9 +51,9 @@ class LessonEditor : public QDialog {
   void takeShownScene();
   void undo() { restore(-1); }
   void redo() { restore(1); }
-  /// Returns whether it was written.
+  /// Returns whether the file was written.
   bool saveTo(const QString& file);
-  /// Asks where changes would be lost, and saves them if that is wanted.
+  /// Asks whether unsaved changes are to be saved, and saves them. Returns whether it may close.
   bool canClose();
 
  signals:
@@ -68,7 +68,7 @@ class LessonEditor : public QDialog {
   struct State {
     Lesson lesson;
     int row = 0;
-    QString field{};  // in which it was typed; empty: a button, a list or a table
+    QString field{};  // name of the field in which it was typed; empty: a button, a list or a table
   };
   /// A number that a step asks for.
   struct Computed {
@@ -97,7 +97,7 @@ class LessonEditor : public QDialog {
   Lesson checked() const;
   void openOther();
   LessonStep* present();
-  QString nameOf(std::size_t step) const;
+  QString stepName(std::size_t step) const;
   QString sceneText(std::size_t step) const;
   bool isGerman() const;
 
@@ -106,12 +106,12 @@ class LessonEditor : public QDialog {
   QString file_, errorText_;
   std::function<LessonStep()> shownNow_;
   bool isShowing_ = false;     // the list is being filled
-  bool isComputing_ = false;   // an answer without which the lesson is not saved
+  bool isComputing_ = false;   // an answer is being computed that the lesson needs to be saved
   std::vector<State> states_;  // of the lesson, for undo and redo
   std::size_t state_ = 0;      // the present one
-  QString typedIn_;            // the name of the field
+  QString typedIn_;            // name of the field in which the user types; empty: none
   std::vector<Computed> computed_;
-  std::optional<Computed> wanted_;  // is being computed
+  std::optional<Computed> pending_;  // the number that is being computed
 
   QListWidget* steps_;
   QTabBar* language_;

@@ -78,16 +78,16 @@ void LessonForm::notifyEdited() {
   if (!isFilling_) emit edited();
 }
 
-QString LessonForm::textOf(const LessonText& text) const {
+QString LessonForm::localText(const LessonText& text) const {
   return QString::fromStdString(isGerman_ ? text.german : text.english);
 }
 
-void LessonForm::showIn(QLineEdit& line, const QString& text) {
+void LessonForm::showText(QLineEdit& line, const QString& text) {
   line.setText(text);
   line.setCursorPosition(0);
 }
 
-QString LessonForm::writtenIn(const QPlainTextEdit& box) {
+QString LessonForm::plainText(const QPlainTextEdit& box) {
   return box.document()
       ->toRawText()
       .replace(QChar::ParagraphSeparator, '\n')

@@ -52,11 +52,12 @@ class LessonForm : public QWidget {
   /// Emits edited(), unless the page is being filled.
   void notifyEdited();
 
-  QString textOf(const LessonText& text) const;
+  QString localText(const LessonText& text) const;
   /// Shows a text from its beginning.
-  static void showIn(QLineEdit& line, const QString& text);
-  /// Returns what a box contains, hard blanks included, which QPlainTextEdit makes usual ones.
-  static QString writtenIn(const QPlainTextEdit& box);
+  static void showText(QLineEdit& line, const QString& text);
+  /// Returns the text of a box with its no-break spaces, which QPlainTextEdit::toPlainText()
+  /// replaces by spaces.
+  static QString plainText(const QPlainTextEdit& box);
   void write(LessonText& text, const QString& written) const;
 
  signals:
@@ -67,8 +68,8 @@ class LessonForm : public QWidget {
   bool isGerman_ = false, isFilling_ = false;
 };
 
-/// Fills a menu with a part for each section of the panel that has something to offer: `add` adds
-/// what it offers of a parameter that has a meaning in the scene.
+/// Fills a menu with a submenu for each section of the panel. `add` adds entries for a parameter
+/// that has a meaning in the scene; a submenu without entries is left out.
 void fillParameterMenu(QMenu& menu, const Scene& scene,
                        const std::function<void(QMenu& section, const Parameter& row)>& add);
 

@@ -23,8 +23,8 @@ namespace {
 constexpr QSize kDefaultSize(820, 460);  // pixels
 constexpr int kFreeAround = 60;          // pixels of the screen that stay free
 
-/// The shipped lessons, read once.
-const std::vector<Lesson>& shippedOnes() {
+/// Returns the shipped lessons, which are read once.
+const std::vector<Lesson>& readShippedLessons() {
   static const std::vector<Lesson> lessons = [] {
     std::vector<Lesson> read;
     for (const ShippedLesson& lesson : shippedLessons())
@@ -45,7 +45,7 @@ LessonList::LessonList(QWidget* parent)
   setObjectName("lessonList");
   list_->setObjectName("lessonNames");
   list_->setWordWrap(true);
-  for (const Lesson& lesson : shippedOnes()) {
+  for (const Lesson& lesson : readShippedLessons()) {
     auto* item = new QListWidgetItem;
     item->setData(Qt::UserRole, QString::fromStdString(lesson.name));
     list_->addItem(item);
@@ -61,7 +61,7 @@ LessonList::LessonList(QWidget* parent)
   scroll->setFrameShape(QFrame::NoFrame);
   auto* halves = new QHBoxLayout;
   halves->setSpacing(16);
-  // The notes have answers in them, which students shall not read by chance.
+  // The notes contain answers, which students should not read by chance.
   notes_ = new QCheckBox;
   notes_->setObjectName("lessonNotes");
   auto* right = new QVBoxLayout;
@@ -104,7 +104,7 @@ LessonList::LessonList(QWidget* parent)
   connect(open_, &QPushButton::clicked, this, &LessonList::askFile);
   connect(handout_, &QPushButton::clicked, this, [this] {
     if (list_->currentRow() < 0) return;
-    saver_->ask(shippedOnes()[static_cast<std::size_t>(list_->currentRow())], chosen());
+    saver_->ask(readShippedLessons()[static_cast<std::size_t>(list_->currentRow())], chosen());
   });
   connect(saver_, &HandoutSaver::statusChanged, status_, &QLabel::setText);
   connect(saver_, &HandoutSaver::savingChanged, this, &LessonList::showChosen);
@@ -122,7 +122,7 @@ void LessonList::showTexts() {
   setWindowTitle(tr("Lessons"));
   list_->setAccessibleName(tr("lessons"));
   for (int i = 0; i < list_->count(); ++i) {
-    const Lesson& lesson = shippedOnes()[static_cast<std::size_t>(i)];
+    const Lesson& lesson = readShippedLessons()[static_cast<std::size_t>(i)];
     list_->item(i)->setText(QStringLiteral("%1. ").arg(i + 1) + plainText(lesson.title));
   }
   notes_->setText(tr("Show the notes for &teachers, with answers"));
@@ -144,7 +144,7 @@ void LessonList::showChosen() {
   for (QPushButton* button : {start_, handout_, edit_})
     button->setEnabled(row >= 0 && !(button == handout_ && saver_->isSaving()));
   if (row < 0) return about_->clear();
-  const Lesson& lesson = shippedOnes()[static_cast<std::size_t>(row)];
+  const Lesson& lesson = readShippedLessons()[static_cast<std::size_t>(row)];
   QString html = "<h3>" + plainText(lesson.title).toHtmlEscaped() + "</h3><p>" +
                  tr("%1 minutes, %2 steps").arg(lesson.minutes).arg(lesson.steps.size()) + "</p>" +
                  richText(shown(lesson.goal));

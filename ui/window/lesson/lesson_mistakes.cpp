@@ -10,7 +10,7 @@ namespace asperity {
 
 namespace {
 
-QString mistakeOfRanges(const std::vector<LessonChoice>& choices) {
+QString findRangeMistake(const std::vector<LessonChoice>& choices) {
   for (std::size_t i = 0; i < choices.size(); ++i) {
     const LessonChoice& choice = choices[i];
     if (!choice.isRange())
@@ -29,24 +29,24 @@ QString mistakeOfRanges(const std::vector<LessonChoice>& choices) {
   return {};
 }
 
-QString mistakeOf(const QString& field, double tolerance) {
+QString findMistake(const QString& field, double tolerance) {
   if (tolerance > 0 && tolerance <= kLargestTolerance) return {};
   return LessonEditor::tr("%1: %2 is not above 0 and up to %3")
       .arg(field, shownNumber(roundedToDigits(100 * tolerance, 12)),
            shownNumber(100 * kLargestTolerance));
 }
 
-QString mistakeOf(const LessonPrediction& prediction) {
+QString findMistake(const LessonPrediction& prediction) {
   if (prediction.kind != PredictionKind::Choice) {
-    if (const QString text = mistakeOf(LessonEditor::tr("Tolerance in %"), prediction.tolerance);
+    if (const QString text = findMistake(LessonEditor::tr("Tolerance in %"), prediction.tolerance);
         !text.isEmpty())
       return text;
     return prediction.kind == PredictionKind::Point && !prediction.x
-               ? mistakeOf(LessonEditor::tr("Tolerance of the place in %"), prediction.xTolerance)
+               ? findMistake(LessonEditor::tr("Tolerance of the place in %"), prediction.xTolerance)
                : QString();
   }
   if (prediction.choices.size() < 2) return LessonEditor::tr("Choices: write at least two");
-  if (prediction.answer) return mistakeOfRanges(prediction.choices);
+  if (prediction.answer) return findRangeMistake(prediction.choices);
   if (std::ranges::count_if(prediction.choices, &LessonChoice::isRight) == 1) return {};
   return LessonEditor::tr(
       "Choices: tick the right one, or write into From and To for which computed answers each is "
@@ -55,10 +55,10 @@ QString mistakeOf(const LessonPrediction& prediction) {
 
 }  // namespace
 
-QString mistakeIn(const Lesson& lesson) {
+QString findMistake(const Lesson& lesson) {
   for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
     if (!lesson.steps[i].prediction) continue;
-    const QString text = mistakeOf(*lesson.steps[i].prediction);
+    const QString text = findMistake(*lesson.steps[i].prediction);
     if (!text.isEmpty()) return LessonEditor::tr("Step %1: %2").arg(i + 1).arg(text);
   }
   return {};

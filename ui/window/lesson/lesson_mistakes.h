@@ -1,6 +1,6 @@
-// What is wrong with the choices and tolerances of a lesson, in the words and units of the lesson
-// editor. The check of its file (core/lesson/lesson_file.h) refuses the same, in the words of the
-// file. GUI thread.
+// Mistakes in the choices and tolerances of a lesson, in the words and units of the lesson editor.
+// The check of its file (core/lesson/lesson_file.h) refuses the same, in the words of the file. GUI
+// thread.
 #pragma once
 
 #include <QString>
@@ -9,7 +9,7 @@
 
 namespace asperity {
 
-/// Returns the first mistake, with the number of its step; empty: there is none.
-QString mistakeIn(const Lesson& lesson);
+/// Returns the first mistake, with the number of its step; empty where there is none.
+QString findMistake(const Lesson& lesson);
 
 }  // namespace asperity

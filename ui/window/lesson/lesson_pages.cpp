@@ -45,17 +45,17 @@ LessonHeadPage::LessonHeadPage(QWidget* parent) : LessonForm(parent) {
 
 void LessonHeadPage::showLesson(const Lesson& lesson) {
   fill([&] {
-    title_->setText(textOf(lesson.title));
-    goal_->setPlainText(textOf(lesson.goal));
-    notes_->setPlainText(textOf(lesson.notes));
+    title_->setText(localText(lesson.title));
+    goal_->setPlainText(localText(lesson.goal));
+    notes_->setPlainText(localText(lesson.notes));
     minutes_->setValue(lesson.minutes);
   });
 }
 
 void LessonHeadPage::take(Lesson& lesson) const {
   write(lesson.title, title_->text());
-  write(lesson.goal, writtenIn(*goal_));
-  write(lesson.notes, writtenIn(*notes_));
+  write(lesson.goal, plainText(*goal_));
+  write(lesson.notes, plainText(*notes_));
   lesson.minutes = minutes_->value();
 }
 
@@ -116,13 +116,13 @@ void LessonStepPage::addScene() {
   button->setObjectName("editorTakeScene");
   button->setAutoDefault(false);
   button->setToolTip(tr("The step begins with the scene of the main window, as it is now"));
-  connect(button, &QPushButton::clicked, this, &LessonStepPage::shownSceneWanted);
+  connect(button, &QPushButton::clicked, this, &LessonStepPage::shownSceneRequested);
   line->addWidget(sceneText_, 1);
   line->addWidget(button);
   addRow(tr("Scene"), row);
 }
 
-/// Adds to the rows of the prediction what belongs to the step and its scene as a whole.
+/// Adds the rows of the prediction that depend on the step and its scene as a whole.
 void LessonStepPage::addPredictionRows() {
   kind_ = findChild<QComboBox*>("editorKind");
   hides_ = findChild<QComboBox*>("editorHides");
@@ -140,7 +140,7 @@ void LessonStepPage::addPredictionRows() {
   computed_ = new QLabel;
   computed_->setObjectName("editorComputed");
   computed_->setTextFormat(Qt::PlainText);
-  computed_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // as the scene above
+  computed_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // as for sceneText_
   addRowBelow(findChild<QWidget*>("editorValueSet")->parentWidget(), QString(), computed_);
   setShown(computed_, false);
   connect(kind_, &QComboBox::activated, this, [this] {
@@ -150,8 +150,8 @@ void LessonStepPage::addPredictionRows() {
   connect(x_, &QLineEdit::textEdited, this, &LessonStepPage::showRowsOfPoint);
 }
 
-/// Shows the tolerance of a place where one is asked. The curve of a point is never in sight before
-/// the answer, but it may stay hidden after it.
+/// Shows the tolerance of the place where the place is asked for. The curve of a point is never
+/// visible before the answer, but it may stay hidden after it.
 void LessonStepPage::showRowsOfPoint() {
   const bool isPoint = kind_->currentIndex() == 1 + static_cast<int>(PredictionKind::Point);
   setShown(xTolerance_, isPoint && x_->text().trimmed().isEmpty());
@@ -167,8 +167,8 @@ void LessonStepPage::showStep(const LessonStep& step, const QString& sceneText) 
   sceneText_->setText(sceneText);
   sceneText_->setToolTip(sceneText);
   fill([&] {
-    title_->setText(textOf(step.title));
-    text_->setPlainText(textOf(step.text));
+    title_->setText(localText(step.title));
+    text_->setPlainText(localText(step.text));
     set_->show(step.set, step.scene);
     tab_->setCurrentIndex(tab_->findData(QString::fromStdString(step.show.tab)));
     quantity_->setCurrentIndex(quantity_->findData(QString::fromStdString(step.show.quantity)));
@@ -182,7 +182,7 @@ void LessonStepPage::showStep(const LessonStep& step, const QString& sceneText) 
 
 void LessonStepPage::take(LessonStep& step) const {
   write(step.title, title_->text());
-  write(step.text, writtenIn(*text_));
+  write(step.text, plainText(*text_));
   step.set = set_->assignments();
   step.show.tab = tab_->currentData().toString().toStdString();
   step.show.quantity = quantity_->currentData().toString().toStdString();
@@ -199,7 +199,7 @@ void LessonStepPage::take(LessonStep& step) const {
   }
   const double percent =
       numberIn(xTolerance_->text().remove('%')).value_or(100 * before.xTolerance);
-  // What was not edited stays as it is, to the last digit.
+  // A value that was not edited keeps all its digits.
   if (std::abs(percent - 100 * before.xTolerance) > 1e-9 * std::abs(percent))
     prediction.xTolerance = percent / 100;
 }
@@ -207,7 +207,7 @@ void LessonStepPage::take(LessonStep& step) const {
 QString LessonStepPage::unreadableIn(const QLineEdit& line, bool mayBeEmpty) const {
   const QString text = line.text().trimmed();
   if (!line.isVisibleTo(this) || (mayBeEmpty && text.isEmpty())) return {};
-  const bool isRead = &line == x_ ? numberOfKey(axis_, text).has_value()
+  const bool isRead = &line == x_ ? parseKeyValue(axis_, text).has_value()
                                   : numberIn(QString(text).remove('%')).has_value();
   if (isRead) return {};
   return tr("%1: “%2” is not a number").arg(line.accessibleName(), text);

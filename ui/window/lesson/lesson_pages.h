@@ -1,5 +1,5 @@
-// The two pages of the lesson editor: the lesson as a whole, and one step. GUI thread; belong to
-// the editor.
+// The two pages of the lesson editor: the lesson as a whole, and one step. GUI thread; owned by the
+// editor.
 #pragma once
 
 #include "ui/window/lesson/lesson_form.h"
@@ -36,20 +36,20 @@ class LessonStepPage : public LessonForm {
  public:
   explicit LessonStepPage(QWidget* parent = nullptr);
 
-  /// sceneText: which scene it is, in words.
+  /// Shows a step. `sceneText`: the name of its scene.
   void showStep(const LessonStep& step, const QString& sceneText);
-  /// Takes over what is written. A number that cannot be read leaves what the step has.
+  /// Writes the fields into the step. Where a number cannot be read, the step keeps its own.
   void take(LessonStep& step) const;
-  /// Returns which field has no number where it needs one, and what is in it; empty: none.
+  /// Returns an error that names the first field without a readable number; empty without an error.
   QString unreadable() const;
-  /// Says what is computed as the answer; empty: nothing is.
+  /// Shows the text about the computed answer; empty: the row is hidden.
   void showComputed(const QString& text);
-  /// Puts the focus into the text, which is marked.
+  /// Puts the focus into the text and selects it.
   void beginText();
 
  signals:
-  /// Emitted where the step shall have the scene that the main window shows.
-  void shownSceneWanted();
+  /// Emitted when the step is to get the scene that the main window shows.
+  void shownSceneRequested();
 
  private:
   void addScene();

@@ -24,8 +24,8 @@ namespace asperity {
 
 namespace {
 
-/// The buttons of choices in the colours of the window: those of the style are black in the dark.
-/// They grow with the letters.
+/// Returns the style sheet of choices in the colours of the window: those of the style are black in
+/// a dark window. The buttons grow with the letters.
 QString choiceStyle(const QPalette& palette, const QFontMetrics& letters) {
   const int size = std::max(11, static_cast<int>(0.7 * letters.height()));
   const int ring = std::max(4, size * 4 / 11);
@@ -210,7 +210,7 @@ void LessonPane::showStep(const LessonPage& page) {
   if (isAsking_ && step.prediction->kind == PredictionKind::Number) addNumber(page);
   QString verdict, reveal;
   if (step.prediction && page.answer) {
-    verdict = verdictOf(step, page);
+    verdict = verdictText(step, page);
     reveal = richText(step.reveal, *step.prediction, *page.answer, *page.given) + page.remark;
   }
   fill(*verdict_, verdict);
@@ -223,9 +223,9 @@ void LessonPane::showStep(const LessonPage& page) {
   QTimer::singleShot(0, this, &LessonPane::scroll);
 }
 
-/// Returns whether the answer is right, what was answered and what the program finds. Without an
-/// answer of the student's the computed one is said all the same.
-QString LessonPane::verdictOf(const LessonStep& step, const LessonPage& page) const {
+/// Returns a text on whether the answer is right, what the student answered and what the program
+/// finds. Without an answer of the student it has only the computed one.
+QString LessonPane::verdictText(const LessonStep& step, const LessonPage& page) const {
   const LessonPrediction& prediction = *step.prediction;
   const LessonAnswer& answer = *page.answer;
   const auto paragraph = [](const QString& text) { return "<p>" + text.toHtmlEscaped() + "</p>"; };
@@ -258,7 +258,7 @@ QString LessonPane::verdictOf(const LessonStep& step, const LessonPage& page) co
   return verdict;
 }
 
-/// The letters of the step's title follow those of the window.
+/// Sets the font of the step's title from that of the window.
 void LessonPane::setHeading() {
   QFont heading = font();
   heading.setBold(true);
@@ -266,9 +266,9 @@ void LessonPane::setHeading() {
   title_->setFont(heading);
 }
 
-/// Shows the beginning of a step. With an answer it shows everything from the question on; where
-/// that does not fit, its beginning: from the question, or from the verdict if that would be out of
-/// sight.
+/// Scrolls to the beginning of a step. With an answer it scrolls to the end; where the question
+/// would then be out of sight, to the question, or to the verdict if the verdict would not be
+/// visible.
 void LessonPane::scroll() {
   QScrollBar& bar = *scroll_->verticalScrollBar();
   if (!isRevealed_) return bar.setValue(0);
@@ -292,7 +292,7 @@ void LessonPane::clearInput() {
   input_ = nullptr;
 }
 
-/// Adds the choices; once the answer is known the right one and a wrong one are marked.
+/// Adds the choices; once the answer is known, the right one and a wrong given one are marked.
 void LessonPane::addChoices(const LessonPrediction& prediction, const LessonPage& page) {
   input_ = new QWidget;
   input_->setStyleSheet(choiceStyle(palette(), fontMetrics()));
@@ -353,7 +353,7 @@ void LessonPane::addNumber(const LessonPage& page) {
   setTabOrder(question_, number_);
 }
 
-/// Returns what was chosen or typed; empty where nothing can be read.
+/// Returns the answer that was chosen or typed; nothing where it cannot be read.
 std::optional<GivenAnswer> LessonPane::typedAnswer() const {
   GivenAnswer given;
   if (choices_) {

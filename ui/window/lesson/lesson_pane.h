@@ -62,7 +62,7 @@ class LessonPane : public QWidget {
   void addChoices(const LessonPrediction& prediction, const LessonPage& page);
   void addNumber(const LessonPage& page);
   void clearInput();
-  QString verdictOf(const LessonStep& step, const LessonPage& page) const;
+  QString verdictText(const LessonStep& step, const LessonPage& page) const;
   void setHeading();
   void scroll();
   void showButtons();

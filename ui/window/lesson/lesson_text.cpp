@@ -13,14 +13,14 @@ namespace asperity {
 
 namespace {
 
-/// Returns a text that is broken into lines only where that does not hinder reading.
+/// Returns a text with no-break characters where a line break would hinder reading.
 QString inReadableLines(const QString& given) {
   QString text = keptTogether(given);
   text.replace(QStringLiteral("m/s"), QStringLiteral("m/\u2060s"));
-  // Nor do the two sides of "H = 0.7" and "T − T₀" part.
+  // The two sides of "H = 0.7" and "T − T₀" stay together.
   for (const char16_t sign : {u'=', u'−', u'+'})
     text.replace(QString(u' ') + sign + ' ', QString(QChar::Nbsp) + sign + QChar::Nbsp);
-  // Nor does a number from what it counts: "3-mal".
+  // So does a number with what it counts: "3-mal".
   static const QRegularExpression times(QStringLiteral(R"((\d)-(?=\w))"));
   return text.replace(times, QStringLiteral("\\1\u2011"));
 }

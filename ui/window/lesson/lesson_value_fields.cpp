@@ -22,14 +22,14 @@ namespace {
 
 enum Kind { kStateValue, kRatio, kPeak, kExponent };  // as in the list
 
-Kind kindOf(const LessonValue& value) {
+Kind valueKind(const LessonValue& value) {
   if (value.kind == LessonValue::Kind::Peak) return kPeak;
   if (value.kind == LessonValue::Kind::Exponent) return kExponent;
   return value.over.empty() ? kStateValue : kRatio;
 }
 
 /// Returns a quantity of the friction curve in words.
-QString titleOf(std::string_view column) {
+QString columnTitle(std::string_view column) {
   for (const QuantityEntry& entry : quantityEntries())
     if (entry.word.text() == column) return translatedText(entry.title);
   const std::pair<std::string_view, QString> titles[] = {
@@ -56,14 +56,14 @@ QString titleOf(std::string_view column) {
 
 }  // namespace
 
-QString valueOfKey(const std::string& key, double value) {
+QString keyValueText(const std::string& key, double value) {
   const Parameter* row = findParameter(key);
   if (!row) return shownNumber(value);
   const UnitText text = inReadableUnit(value, fromUtf8(row->unit));
   return (inLanguage(text.number) + ' ' + text.unit).trimmed();
 }
 
-std::optional<double> numberOfKey(const std::string& key, const QString& text) {
+std::optional<double> parseKeyValue(const std::string& key, const QString& text) {
   const Parameter* row = findParameter(key);
   const QString number = withPoint(text.trimmed());
   return numberIn(row ? toPlainNumber(number, numberRule(*row)) : number);
@@ -81,7 +81,7 @@ LessonValueFields::LessonValueFields(LessonForm& page) : QObject(&page), page_(p
   column_ = page.addChoice(tr("of the quantity"), "editorColumn");
   for (const std::string_view name : curveColumns())
     if (name != "mu_low" && name != "mu_high" && name != "realizations") {
-      column_->addItem(titleOf(name), fromUtf8(name));
+      column_->addItem(columnTitle(name), fromUtf8(name));
       column_->setItemData(column_->count() - 1, fromUtf8(name), Qt::ToolTipRole);
     }
   key_ = page.addChoice(tr("of the parameter"), "editorExponentKey");
@@ -99,7 +99,7 @@ LessonValueFields::LessonValueFields(LessonForm& page) : QObject(&page), page_(p
 
 void LessonValueFields::show(const LessonValue& value, const Scene& scene) {
   scene_ = scene;
-  kind_->setCurrentIndex(kindOf(value));
+  kind_->setCurrentIndex(valueKind(value));
   column_->setCurrentIndex(column_->findData(QString::fromStdString(value.column)));
   set_->show(value.set, scene);
   key_->clear();
@@ -108,13 +108,14 @@ void LessonValueFields::show(const LessonValue& value, const Scene& scene) {
         row.key.find('.') != row.key.npos)
       key_->addItem(ParameterRow::labelText(row), fromUtf8(row.key));
   const QString key = QString::fromStdString(value.key.empty() ? "sliding.velocity" : value.key);
+  // A key may have a meaning only after the changes below.
   if (key_->findData(key) < 0) {
     const Parameter* row = findParameter(key.toStdString());
     key_->addItem(row ? ParameterRow::labelText(*row) : key, key);
-  }  // it has a meaning with the keys below
+  }
   key_->setCurrentIndex(key_->findData(key));
-  from_->setText(value.from == 0 ? QString() : valueOfKey(value.key, value.from));
-  to_->setText(value.to == 0 ? QString() : valueOfKey(value.key, value.to));
+  from_->setText(value.from == 0 ? QString() : keyValueText(value.key, value.from));
+  to_->setText(value.to == 0 ? QString() : keyValueText(value.key, value.to));
   showRows();
 }
 
@@ -133,21 +134,21 @@ void LessonValueFields::showRows() {
 /// Writes two values of the key where those that are there are none of it: that of the step, and
 /// ten times as much.
 void LessonValueFields::proposeEnds() {
-  if (kind_->currentIndex() != kExponent || (endOf(*from_) > 0 && endOf(*to_) > 0)) return;
+  if (kind_->currentIndex() != kExponent || (rangeEnd(*from_) > 0 && rangeEnd(*to_) > 0)) return;
   const std::string key = key_->currentData().toString().toStdString();
   const Parameter* row = findParameter(key);
   if (!row || !std::holds_alternative<RealField>(row->field)) return;
   const double present = std::get<double>(parameterValue(*row, scene_));
   const double most = std::get<RealField>(row->field).maximum;
   const double to = present > 0 ? std::min(10 * present, most) : 1;
-  from_->setText(valueOfKey(key, roundedToDigits(0.1 * to, 4)));
-  to_->setText(valueOfKey(key, roundedToDigits(to, 4)));
+  from_->setText(keyValueText(key, roundedToDigits(0.1 * to, 4)));
+  to_->setText(keyValueText(key, roundedToDigits(to, 4)));
   page_.notifyEdited();
 }
 
-/// Returns the value in SI, 0 where nothing can be read: the lesson is then complained about.
-double LessonValueFields::endOf(const QLineEdit& entry) const {
-  return numberOfKey(key_->currentData().toString().toStdString(), entry.text()).value_or(0);
+/// Returns the value in SI; 0 where it cannot be read, which is a mistake of the lesson.
+double LessonValueFields::rangeEnd(const QLineEdit& entry) const {
+  return parseKeyValue(key_->currentData().toString().toStdString(), entry.text()).value_or(0);
 }
 
 LessonValue LessonValueFields::edited(const LessonValue& before) const {
@@ -155,7 +156,7 @@ LessonValue LessonValueFields::edited(const LessonValue& before) const {
   value.column = column_->currentData().toString().toStdString();
   value.set = set_->assignments();
   const int kind = kind_->currentIndex();
-  if (kind != kindOf(before)) {
+  if (kind != valueKind(before)) {
     value.kind = kind == kPeak       ? LessonValue::Kind::Peak
                  : kind == kExponent ? LessonValue::Kind::Exponent
                                      : LessonValue::Kind::State;
@@ -164,13 +165,13 @@ LessonValue LessonValueFields::edited(const LessonValue& before) const {
   }
   // The divisor of a ratio is of the same column, unless the file names another one.
   for (LessonValue& under : value.over)
-    if (kind != kindOf(before) || under.column == before.column) under.column = value.column;
+    if (kind != valueKind(before) || under.column == before.column) under.column = value.column;
   value.key.clear();
   value.from = value.to = 0;
   if (kind == kExponent) {
     value.key = key_->currentData().toString().toStdString();
-    value.from = endOf(*from_);
-    value.to = endOf(*to_);
+    value.from = rangeEnd(*from_);
+    value.to = rangeEnd(*to_);
   }
   return value;
 }

@@ -26,13 +26,13 @@ class LessonValueFields : public QObject {
   /// Fills the rows. scene: that of the step, whose keys can be chosen for an exponent.
   void show(const LessonValue& value, const Scene& scene);
   void setShown(bool isShown);
-  /// Returns the value with what is written. What the rows do not show is kept.
+  /// Returns the value with the contents of the rows. Members that the rows do not show are kept.
   LessonValue edited(const LessonValue& before) const;
 
  private:
   void showRows();
   void proposeEnds();
-  double endOf(const QLineEdit& entry) const;
+  double rangeEnd(const QLineEdit& entry) const;
 
   LessonForm& page_;
   QComboBox *kind_, *column_, *key_;
@@ -43,9 +43,9 @@ class LessonValueFields : public QObject {
 };
 
 /// Returns a parameter's value with its unit, as in "5 \u00B5m/s".
-QString valueOfKey(const std::string& key, double value);
+QString keyValueText(const std::string& key, double value);
 
-/// Reads such a text; a number alone counts in SI. Nothing where it is no number.
-std::optional<double> numberOfKey(const std::string& key, const QString& text);
+/// Reads such a text; a number without a unit is in SI. Returns nothing where there is no number.
+std::optional<double> parseKeyValue(const std::string& key, const QString& text);
 
 }  // namespace asperity

@@ -8,7 +8,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMainWindow>
-#include <QMessageBox>
 #include <QPainter>
 #include <QTimer>
 #include <QToolButton>
@@ -16,9 +15,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "core/accuracy/compute_curve.h"
 #include "core/base/input_error.h"
-#include "core/base/stop.h"
 #include "core/material/material_library.h"
 #include "core/scene/parameters.h"
 #include "core/scene/sweep.h"
@@ -27,6 +24,7 @@
 #include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/parameter_panel.h"
+#include "ui/window/curve/curve_commands.h"
 #include "ui/window/lesson/lesson_editor.h"
 #include "ui/window/lesson/lesson_list.h"
 #include "ui/window/lesson/lesson_pane.h"
@@ -34,6 +32,7 @@
 #include "ui/window/lesson/prediction_point.h"
 #include "ui/window/main/appearance.h"
 #include "ui/window/main/commands.h"
+#include "ui/window/main/document_commands.h"
 #include "ui/window/main/message_bar.h"
 #include "ui/window/main/scene_library.h"
 #include "ui/window/main/scene_tabs.h"
@@ -43,31 +42,32 @@ namespace asperity {
 
 namespace {
 
-// Pixels of the pane and of the parameters below it, of which a step frees a few.
+// The heights in pixels of the pane and of the parameters below it: a step frees only a few of
+// them.
 constexpr int kDefaultHeight = 430, kParametersHeight = 230;
 constexpr int kMinHeight = 260;  // of the pane
 
-/// Returns the scene under the step's name: its own title may reveal the answer.
-Scene inLesson(Scene scene, const LessonStep& step) {
+/// Returns the scene with the title of the step: its own title may reveal the answer.
+Scene titledByStep(Scene scene, const LessonStep& step) {
   scene.title = shown(step.title);
   scene.description.clear();
   return scene;
 }
 
-/// Returns the scene with the whole paths of its files, which a lesson elsewhere can find.
-Scene withWholePaths(Scene scene) {
-  const auto whole = [&scene](std::string& name) {
+/// Returns the scene with the absolute paths of its files, which a lesson in any folder can find.
+Scene withAbsolutePaths(Scene scene) {
+  const auto makeAbsolute = [&scene](std::string& name) {
     if (!name.empty()) name = std::filesystem::absolute(scene.folder / name).string();
   };
-  whole(scene.surface.file);
+  makeAbsolute(scene.surface.file);
   if (!materialFile(scene.elastomer.material, scene.folder).empty())
-    whole(scene.elastomer.material);
-  for (DataFile& data : scene.comparison.data) whole(data.file);
+    makeAbsolute(scene.elastomer.material);
+  for (DataFile& data : scene.comparison.data) makeAbsolute(data.file);
   scene.folder.clear();
   return scene;
 }
 
-/// A text of one line, which ends in dots where it is too long.
+/// A text of one line, which ends in an ellipsis where it is too long.
 class LessonTitle : public QLabel {
  protected:
   void paintEvent(QPaintEvent*) override {
@@ -76,20 +76,6 @@ class LessonTitle : public QLabel {
                      fontMetrics().elidedText(text(), Qt::ElideRight, contentsRect().width()));
   }
 };
-
-/// Returns the curve of a scene, complete, as the chart pins it.
-std::shared_ptr<const CurveUpdate> computed(const Scene& scene, const std::stop_token& stop) {
-  CurveOptions options;
-  options.stop = stop;
-  Curve curve = computeCurve(scene, options);
-  if (!curve.isComplete) throw StopRequested{};
-  auto update = std::make_shared<CurveUpdate>();
-  update->scene = std::make_shared<const Scene>(scene);
-  update->realizationsDone = update->realizationsTotal = curve.points.front().realizations;
-  update->points = std::move(curve.points);
-  update->isComplete = true;
-  return update;
-}
 
 }  // namespace
 
@@ -209,7 +195,7 @@ LessonList& Lessons::showList() {
 
 LessonEditor& Lessons::showEditor(const Lesson& lesson, const QString& file) {
   for (LessonEditor* open : parts_.window.findChildren<LessonEditor*>()) {
-    if (!open->isVisible()) {  // it stepped aside
+    if (!open->isVisible()) {  // it is hidden during a trial
       open->show();
       return *open;
     }
@@ -218,7 +204,7 @@ LessonEditor& Lessons::showEditor(const Lesson& lesson, const QString& file) {
   }
   const auto shownNow = [this] {
     LessonStep step;
-    step.scene = step.revealedScene = withWholePaths(parts_.document.scene());
+    step.scene = step.revealedScene = withAbsolutePaths(parts_.document.scene());
     const auto tab = static_cast<std::size_t>(std::max(0, parts_.tabs.currentIndex()));
     if (tab < std::size(kLessonTabs)) step.show.tab = kLessonTabs[tab];
     const FrictionChartModel& chart = parts_.session.friction();
@@ -230,7 +216,7 @@ LessonEditor& Lessons::showEditor(const Lesson& lesson, const QString& file) {
   editor->setAttribute(Qt::WA_DeleteOnClose);
   connect(
       editor, &LessonEditor::trialRequested, this, [this, editor](const Lesson& edited, int step) {
-        // The editor steps aside for the lesson, and comes back when that ends.
+        // The editor is hidden during the lesson, and shown again when that ends.
         start(edited, step);
         isTrial_ = true;
         editor->hide();
@@ -258,7 +244,7 @@ bool Lessons::open(const QString& nameOrFile) {
 void Lessons::start(const Lesson& lesson, int step) {
   if (lesson.steps.empty()) return;
   end();
-  parts_.document.endTrial();  // of the tour
+  parts_.document.endTrial();  // the tour may be running
   const FrictionChartModel& chart = parts_.session.friction();
   Before before{{}, chart.quantity(), chart.isLinearY(), parts_.tabs.currentIndex(), false};
   for (const PinnedCurve& pinned : chart.pinned()) before.pinned.push_back(pinned.curve);
@@ -296,7 +282,7 @@ void Lessons::show(int step) {
   waiting_.reset();
   finding_.cancel();
   showScene();
-  // A text that speaks of what moves stands beside a picture that moves.
+  // The text of a step may describe a movement, so its picture moves.
   if (!present().sceneName.empty() || !present().sceneJson.empty()) parts_.session.setPlaying(true);
   showChart();
   showPage();
@@ -353,7 +339,7 @@ void Lessons::showTitle() {
 
 void Lessons::showScene() {
   const LessonStep& step = present();
-  const Scene scene = inLesson(isRevealed() ? step.revealedScene : step.scene, step);
+  const Scene scene = titledByStep(isRevealed() ? step.revealedScene : step.scene, step);
   parts_.document.openTrial({{}, {}, scene});
   showControls();
   const auto tab = std::ranges::find(kLessonTabs, step.show.tab) - std::begin(kLessonTabs);
@@ -362,7 +348,8 @@ void Lessons::showScene() {
       action->trigger();
 }
 
-/// Before the prediction is made nothing can be tried: that would give the answer away.
+/// Frees and locks the controls. Before the prediction is made all are locked: trying them would
+/// reveal the answer.
 void Lessons::showControls() {
   std::map<std::string, RowAccess> access;
   const LessonControls& controls = present().controls;
@@ -378,11 +365,12 @@ void Lessons::showControls() {
   parts_.panel.setRowAccess(access);
 }
 
-/// Returns a change of a control that is not free to what the step has.
+/// Undoes a change of a control that is not free.
 void Lessons::lockControls(const Scene& scene) {
   LessonControls controls = present().controls;
   if (!isRevealed()) controls = {{}, {}, {}, ControlState::Locked};
-  const Scene shown = inLesson(isRevealed() ? present().revealedScene : present().scene, present());
+  const Scene shown =
+      titledByStep(isRevealed() ? present().revealedScene : present().scene, present());
   const std::vector<std::string_view> changed = lockedChanges(controls, shown, scene);
   if (changed.empty()) return;
   const Scene held = withinControls(controls, shown, scene);
@@ -406,7 +394,7 @@ void Lessons::showChart() {
     plot.setQuantity(*findQuantity(view.quantity));
     plot.setLinearY(view.isLinearY);
     plot.conceal(hides ? std::optional<AxisRange>({view.hiddenFrom, view.hiddenTo}) : std::nullopt);
-    // The axis on which the guess was made stays when the curve appears.
+    // The axis on which the student made the guess stays when the curve appears.
     plot.reachOver(view.hidesCurve && !hides
                        ? std::optional<AxisRange>({view.hiddenFrom, view.hiddenTo})
                        : std::nullopt);
@@ -418,7 +406,7 @@ void Lessons::showChart() {
         [scene, beside = view.beside](const BackgroundWork::Run& run) {
           std::vector<std::shared_ptr<const CurveUpdate>> curves;
           for (const std::vector<std::string>& keys : beside)
-            curves.push_back(computed(withKeys(scene, keys), run.stop()));
+            curves.push_back(computeCurveToPin(withKeys(scene, keys), run.stop()));
           return curves;
         },
         [this](const std::vector<std::shared_ptr<const CurveUpdate>>& curves) {
@@ -462,7 +450,7 @@ void Lessons::takeAnswer(int step, const LessonAnswer& answer) {
   answers_[step] = answer;
   if (step != step_) return;
   if (waiting_) return settle(*std::exchange(waiting_, std::nullopt));
-  if (isRevealed()) showPage();  // of results from a file: its texts have their values now
+  if (isRevealed()) showPage();  // the result is from a file, and its texts get their values now
 }
 
 /// Takes the user's answer. givesUp: the user asks for the solution without a guess.
@@ -478,7 +466,7 @@ void Lessons::answer(GivenAnswer given, bool givesUp) {
   findAnswer();
 }
 
-/// Compares, keeps and shows.
+/// Compares the answer with the computed one, keeps the result and shows it.
 void Lessons::settle(const GivenAnswer& given) {
   const LessonPrediction& prediction = *present().prediction;
   const LessonAnswer& expected = answers_.at(step_);
@@ -510,15 +498,9 @@ bool Lessons::hasUnsavedAnswers() const {
 
 bool Lessons::mayLeave() {
   if (!hasUnsavedAnswers()) return true;
-  QMessageBox box(QMessageBox::Question, tr("Asperity"), tr("Save your answers?"),
-                  QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &parts_.window);
-  box.setObjectName("resultsQuestion");
-  box.setInformativeText(tr("They go into a file of your choice. Otherwise they are lost."));
-  box.setDefaultButton(QMessageBox::Save);
-  box.button(QMessageBox::Save)->setText(tr("&Save"));
-  box.button(QMessageBox::Discard)->setText(tr("&Discard"));
-  box.button(QMessageBox::Cancel)->setText(tr("&Cancel"));
-  switch (box.exec()) {
+  switch (askSaveChanges(&parts_.window, "resultsQuestion", tr("Asperity"),
+                         tr("Save your answers?"),
+                         tr("They go into a file of your choice. Otherwise they are lost."))) {
     case QMessageBox::Save:
       askResultsFile();
       return isSaved_;
@@ -530,7 +512,7 @@ bool Lessons::mayLeave() {
   }
 }
 
-/// Ends the lesson when the student wants that.
+/// Ends the lesson, unless the student decides to stay in it.
 void Lessons::leave() {
   if (isRunning() && mayLeave()) end();
 }

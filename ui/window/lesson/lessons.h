@@ -58,7 +58,7 @@ class Lessons : public QObject {
 
   /// Shows the page of all lessons.
   LessonList& showList();
-  /// Shows the page on which a lesson is written; empty: a new one.
+  /// Shows the page on which a lesson is edited. `file`: of the lesson; empty: it has none.
   LessonEditor& showEditor(const Lesson& lesson, const QString& file);
   /// Begins a lesson at a step; it replaces the present one.
   void start(const Lesson& lesson, int step = 0);
@@ -66,7 +66,7 @@ class Lessons : public QObject {
   bool open(const QString& nameOrFile);
   /// Ends the lesson and brings the user's scene back.
   void end();
-  /// Asks what becomes of answers that no file has; returns whether the lesson may end.
+  /// Asks whether answers that are in no file are to be saved; returns whether the lesson may end.
   bool mayLeave();
 
   bool isRunning() const { return lesson_ != nullptr; }
@@ -78,8 +78,8 @@ class Lessons : public QObject {
   LessonPane& pane() { return *pane_; }
   PredictionPoint& point() { return *point_; }
 
-  /// Keeps the results in this file from now on, with those of this lesson that are in it. Returns
-  /// false, with the reason in the message bar, where that cannot be.
+  /// Keeps the results in this file from now on, together with those of this lesson that are in it
+  /// already. Returns false, with the reason in the message bar, where the file cannot be used.
   bool keepResults(const QString& file);
 
  signals:
@@ -119,12 +119,12 @@ class Lessons : public QObject {
   std::unique_ptr<Lesson> lesson_;
   int step_ = 0;
   std::map<int, LessonAnswer> answers_;
-  std::optional<GivenAnswer> waiting_;  // for the answer
+  std::optional<GivenAnswer> waiting_;  // given, while the right answer is computed
   LessonResults results_;
   QString file_;  // of the lesson; empty: a shipped one, or one that was never saved
   QString resultsFile_;
-  bool isSaved_ = false;  // whether that file has the results
-  bool isTrial_ = false;  // of the editor: its answers are nobody's results
+  bool isSaved_ = false;  // the file has the results
+  bool isTrial_ = false;  // from the editor: its answers are not kept
   /// Answers of lessons that were left for another scene, by the digest of the lesson.
   std::map<std::string, LessonResults> left_;
 

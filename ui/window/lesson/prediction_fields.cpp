@@ -80,17 +80,17 @@ void PredictionFields::addChoices() {
 void PredictionFields::show(const LessonStep& step) {
   const LessonPrediction prediction = step.prediction.value_or(LessonPrediction{});
   kind_->setCurrentIndex(step.prediction ? 1 + static_cast<int>(prediction.kind) : kNone);
-  question_->setPlainText(page_.textOf(prediction.question));
-  LessonForm::showIn(*right_, page_.textOf(prediction.right));
-  LessonForm::showIn(*wrong_, page_.textOf(prediction.wrong));
+  question_->setPlainText(page_.localText(prediction.question));
+  LessonForm::showText(*right_, page_.localText(prediction.right));
+  LessonForm::showText(*wrong_, page_.localText(prediction.wrong));
   tolerance_->setText(shownNumber(roundedToDigits(100 * prediction.tolerance, 12)));
-  x_->setText(prediction.x ? valueOfKey(step.scene.sweep.key, *prediction.x) : QString());
+  x_->setText(prediction.x ? keyValueText(step.scene.sweep.key, *prediction.x) : QString());
   value_->show(prediction.answer.value_or(LessonValue{}), step.scene);
   hides_->setCurrentIndex(!step.show.hidesCurve       ? kVisible
                           : step.show.hidesCurveAfter ? kHiddenThroughout
                                                       : kHiddenUntilAnswered);
   after_->show(step.after, step.revealedScene);
-  reveal_->setPlainText(page_.textOf(step.reveal));
+  reveal_->setPlainText(page_.localText(step.reveal));
   showChoices(prediction);
   showRows();
 }
@@ -103,7 +103,7 @@ void PredictionFields::showChoices(const LessonPrediction& prediction) {
     auto* tick = new QTableWidgetItem;
     tick->setFlags(Qt::ItemIsUserCheckable | Qt::ItemIsEnabled | Qt::ItemIsSelectable);
     tick->setCheckState(choice.isRight ? Qt::Checked : Qt::Unchecked);
-    choices_->setItem(i, 0, new QTableWidgetItem(page_.textOf(choice.text)));
+    choices_->setItem(i, 0, new QTableWidgetItem(page_.localText(choice.text)));
     choices_->setItem(i, 1, tick);
     choices_->setItem(i, 2, new QTableWidgetItem(endText(choice.above)));
     choices_->setItem(i, 3, new QTableWidgetItem(endText(choice.below)));
@@ -124,7 +124,7 @@ void PredictionFields::showRows() {
 
 // ---- Taking what is written
 
-/// Returns whether the choices have ranges of a computed answer.
+/// Writes the choices into the prediction. Returns whether they have ranges of a computed answer.
 bool PredictionFields::takeChoices(LessonPrediction& prediction) const {
   const std::vector<LessonChoice> before = std::exchange(prediction.choices, {});
   bool hasRanges = false;
@@ -157,7 +157,7 @@ void PredictionFields::take(LessonStep& step) const {
   }
   LessonPrediction prediction = step.prediction.value_or(LessonPrediction{});
   prediction.kind = static_cast<PredictionKind>(kind - 1);
-  page_.write(prediction.question, LessonForm::writtenIn(*question_));
+  page_.write(prediction.question, LessonForm::plainText(*question_));
   page_.write(prediction.right, right_->text());
   page_.write(prediction.wrong, wrong_->text());
   // Values that were not edited keep all their digits.
@@ -165,7 +165,7 @@ void PredictionFields::take(LessonStep& step) const {
   if (std::abs(percent - 100 * prediction.tolerance) > 1e-9 * percent || percent == 0)
     prediction.tolerance = percent / 100;
   prediction.x.reset();
-  if (kind == kPoint) prediction.x = numberOfKey(step.scene.sweep.key, x_->text());
+  if (kind == kPoint) prediction.x = parseKeyValue(step.scene.sweep.key, x_->text());
   bool isComputed = kind == kNumber;
   if (kind == kChoice)
     isComputed = takeChoices(prediction);
@@ -177,7 +177,7 @@ void PredictionFields::take(LessonStep& step) const {
     prediction.answer.reset();
   step.prediction = prediction;
   step.after = after_->assignments();
-  page_.write(step.reveal, LessonForm::writtenIn(*reveal_));
+  page_.write(step.reveal, LessonForm::plainText(*reveal_));
 }
 
 }  // namespace asperity

@@ -24,9 +24,9 @@ class PredictionFields : public QObject {
  public:
   explicit PredictionFields(LessonForm& page);
 
-  /// Fills the rows; the page is being filled.
+  /// Fills the rows. Call it within LessonForm::fill().
   void show(const LessonStep& step);
-  /// Takes over what is written. What the rows do not show is kept.
+  /// Writes the rows into the step. Members that the rows do not show are kept.
   void take(LessonStep& step) const;
 
  private:

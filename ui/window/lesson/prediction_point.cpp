@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include "core/base/number_text.h"
 #include "ui/chart/chart_view.h"
@@ -32,6 +33,16 @@ struct PixelAxis {
     return axisValue(scale, position);
   }
 };
+
+QString valueText(double value, const std::string& unit) {
+  return QString::fromStdString(quantity(value, unit, 2));
+}
+
+/// Returns "0.25 at 1 m/s".
+QString positionText(QPointF point, const Diagram& diagram) {
+  return PredictionPoint::tr("%1 at %2")
+      .arg(valueText(point.y(), diagram.y.unit), valueText(point.x(), diagram.x.unit));
+}
 
 }  // namespace
 
@@ -86,38 +97,29 @@ QPointF PredictionPoint::toPixel(QPointF value) const {
   return chart_.mapToPosition(value.x(), value.y());
 }
 
+/// Returns the pixels at the lower left and the upper right corner of the axes.
+std::pair<QPointF, QPointF> PredictionPoint::axesCorners() const {
+  const Diagram& diagram = chart_.sheet().diagrams.front();
+  const VisibleRange range = chart_.visibleRange();
+  return {
+      toPixel({axisValue(diagram.x.scale, range.x.from), axisValue(diagram.y.scale, range.y.from)}),
+      toPixel({axisValue(diagram.x.scale, range.x.to), axisValue(diagram.y.scale, range.y.to)})};
+}
+
 QPointF PredictionPoint::valueAt(QPointF pixel) const {
   const Diagram& diagram = chart_.sheet().diagrams.front();
   const VisibleRange range = chart_.visibleRange();
-  const QPointF low = chart_.mapToPosition(axisValue(diagram.x.scale, range.x.from),
-                                           axisValue(diagram.y.scale, range.y.from));
-  const QPointF high = chart_.mapToPosition(axisValue(diagram.x.scale, range.x.to),
-                                            axisValue(diagram.y.scale, range.y.to));
+  const auto [low, high] = axesCorners();
   const PixelAxis x{diagram.x.scale, range.x.from, range.x.to, low.x(), high.x()};
   const PixelAxis y{diagram.y.scale, range.y.from, range.y.to, low.y(), high.y()};
   return {x_ ? *x_ : x.value(pixel.x()), y.value(pixel.y())};
 }
 
-/// Returns the pixels between the axes.
-QRectF PredictionPoint::axesRect() const {
-  const Diagram& diagram = chart_.sheet().diagrams.front();
-  const VisibleRange range = chart_.visibleRange();
-  return QRectF(chart_.mapToPosition(axisValue(diagram.x.scale, range.x.from),
-                                     axisValue(diagram.y.scale, range.y.from)),
-                chart_.mapToPosition(axisValue(diagram.x.scale, range.x.to),
-                                     axisValue(diagram.y.scale, range.y.to)))
-      .normalized();
-}
-
-/// Returns the height of the point, and its place where that is asked, too.
+/// Returns the value of the point, and its position on the x-axis unless the question fixes it.
 QString PredictionPoint::placeText() const {
   const Diagram& diagram = chart_.sheet().diagrams.front();
-  const auto said = [](double value, const std::string& unit) {
-    return QString::fromStdString(quantity(value, unit, 2));
-  };
-  const QString height = said(point_->y(), diagram.y.unit);
-  return x_ && !isComputed_ ? height
-                            : tr("%1 at %2").arg(height, said(point_->x(), diagram.x.unit));
+  return x_ && !isComputed_ ? valueText(point_->y(), diagram.y.unit)
+                            : positionText(*point_, diagram);
 }
 
 /// Returns the initial position of a point that has not been placed.
@@ -138,15 +140,7 @@ void PredictionPoint::place(QPointF value) {
 /// Sets the accessible description: the question and the position of the point.
 void PredictionPoint::describePosition() {
   QString text = name_;
-  if (point_ && hasAxes()) {
-    const Diagram& diagram = chart_.sheet().diagrams.front();
-    const auto said = [](double value, const std::string& unit) {
-      return QString::fromStdString(quantity(value, unit, 2));
-    };
-    text +=
-        ": " +
-        tr("%1 at %2").arg(said(point_->y(), diagram.y.unit), said(point_->x(), diagram.x.unit));
-  }
+  if (point_ && hasAxes()) text += ": " + positionText(*point_, chart_.sheet().diagrams.front());
   setAccessibleName(text);
   setAccessibleDescription(toolTip());
 }
@@ -224,7 +218,11 @@ void PredictionPoint::mousePressEvent(QMouseEvent* event) {
   setFocus(Qt::MouseFocusReason);
   // A click beside the axes, such as on the legend, is no answer. The edge itself is one.
   constexpr double kEdge = 3;  // pixels
-  isDragged_ = axesRect().adjusted(-kEdge, -kEdge, kEdge, kEdge).contains(event->position());
+  const auto [low, high] = axesCorners();
+  isDragged_ = QRectF(low, high)
+                   .normalized()
+                   .adjusted(-kEdge, -kEdge, kEdge, kEdge)
+                   .contains(event->position());
   if (isDragged_) place(valueAt(event->position()));
 }
 

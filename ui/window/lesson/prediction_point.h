@@ -9,6 +9,7 @@
 #include <QRectF>
 #include <QWidget>
 #include <optional>
+#include <utility>
 
 namespace asperity {
 
@@ -48,7 +49,7 @@ class PredictionPoint : public QWidget {
   bool hasAxes() const;
   QPointF toPixel(QPointF value) const;
   QPointF valueAt(QPointF pixel) const;
-  QRectF axesRect() const;
+  std::pair<QPointF, QPointF> axesCorners() const;
   QString placeText() const;
   QRectF labelRect(QSizeF label, QPointF at, const QRectF& frame) const;
   QPointF middle() const;

@@ -19,18 +19,18 @@ namespace {
 
 /// Returns the colour of everything that can be dragged; it is legible on the panels of both
 /// themes.
-QColor accent(const Theme& theme) {
+QColor accentColour(const Theme& theme) {
   return isDark(theme) ? QColor(0x6c, 0xb2, 0xff) : QColor(0x1f, 0x6f, 0xc9);
 }
 
 /// Returns the colour of bars and docks; in the dark theme they are a little lighter than the
 /// views.
-QColor panelOf(const Theme& theme) {
+QColor panelColour(const Theme& theme) {
   return isDark(theme) ? mixed(toQColor(theme.background), Qt::white, 0.06) : toQColor(theme.panel);
 }
 
-QColor edge(const Theme& theme) {
-  return mixed(panelOf(theme), toQColor(theme.text), isDark(theme) ? 0.22 : 0.18);
+QColor edgeColour(const Theme& theme) {
+  return mixed(panelColour(theme), toQColor(theme.text), isDark(theme) ? 0.22 : 0.18);
 }
 
 }  // namespace
@@ -41,7 +41,7 @@ bool systemIsDark() {
 }
 
 QPalette themePalette(const Theme& theme) {
-  const QColor panel = panelOf(theme);
+  const QColor panel = panelColour(theme);
   const QColor text = toQColor(theme.text);
   const QColor base = isDark(theme) ? toQColor(theme.background) : QColor(Qt::white);
   QPalette palette;
@@ -55,12 +55,12 @@ QPalette themePalette(const Theme& theme) {
   palette.setColor(QPalette::ToolTipBase, base);
   palette.setColor(QPalette::ToolTipText, text);
   palette.setColor(QPalette::PlaceholderText, toQColor(theme.faintText));
-  palette.setColor(QPalette::Highlight, accent(theme));
+  palette.setColor(QPalette::Highlight, accentColour(theme));
   palette.setColor(QPalette::HighlightedText,
                    isDark(theme) ? QColor(Qt::black) : QColor(Qt::white));
-  palette.setColor(QPalette::Link, accent(theme));
-  palette.setColor(QPalette::Mid, edge(theme));
-  palette.setColor(QPalette::Dark, edge(theme));
+  palette.setColor(QPalette::Link, accentColour(theme));
+  palette.setColor(QPalette::Mid, edgeColour(theme));
+  palette.setColor(QPalette::Dark, edgeColour(theme));
   palette.setColor(QPalette::Light, mixed(panel, base, 0.5));
   for (const QPalette::ColorRole role :
        {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
@@ -68,15 +68,15 @@ QPalette themePalette(const Theme& theme) {
   return palette;
 }
 
-double presentedScale(const QSizeF& screen) {
+double presentationScale(const QSizeF& screen) {
   constexpr double kMin = 1.5;
-  constexpr QSizeF kEnoughFor(1600, 900);
-  return kMin * std::max(1.0, std::min(screen.width() / kEnoughFor.width(),
-                                       screen.height() / kEnoughFor.height()));
+  constexpr QSizeF kReference(1600, 900);  // pixels; larger screens have larger texts
+  return kMin * std::max(1.0, std::min(screen.width() / kReference.width(),
+                                       screen.height() / kReference.height()));
 }
 
 QString windowStyleSheet(const Theme& theme) {
-  const QColor panel = panelOf(theme);
+  const QColor panel = panelColour(theme);
   const QColor text = toQColor(theme.text);
   const bool dark = isDark(theme);
   return QStringLiteral(R"(
@@ -150,11 +150,11 @@ QString windowStyleSheet(const Theme& theme) {
     QScrollBar::add-line, QScrollBar::sub-line { height: 0; }
     QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
   )")
-      .arg(panel.name(), text.name(), edge(theme).name(), mixed(panel, text, 0.1).name(),
-           accent(theme).name(), toQColor(theme.faintText).name(),
+      .arg(panel.name(), text.name(), edgeColour(theme).name(), mixed(panel, text, 0.1).name(),
+           accentColour(theme).name(), toQColor(theme.faintText).name(),
            dark ? QStringLiteral("#5b2a2a") : QStringLiteral("#fde3e1"),
            dark ? QStringLiteral("#ffd9d6") : QStringLiteral("#8c1d18"),
-           mixed(panel, accent(theme), 0.12).name(), toQColor(theme.background).name());
+           mixed(panel, accentColour(theme), 0.12).name(), toQColor(theme.background).name());
 }
 
 Appearance::Appearance(QWidget& window)

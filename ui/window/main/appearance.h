@@ -62,7 +62,7 @@ QPalette themePalette(const Theme& theme);
 
 /// Returns the factor of all texts in a presentation on a screen of this size in pixels. It keeps
 /// the size of texts relative to a large screen, so that they can be read from the back of a room.
-double presentedScale(const QSizeF& screen);
+double presentationScale(const QSizeF& screen);
 
 /// Returns the style sheet of the main window: bars, docks, menus, splitter, message bar.
 QString windowStyleSheet(const Theme& theme);

@@ -222,4 +222,5 @@ QIcon symbolIcon(Symbol symbol, const QColor& colour) {
   }
   return icon;
 }
+
 }  // namespace asperity

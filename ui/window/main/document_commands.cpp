@@ -5,7 +5,6 @@
 #include <QFileInfo>
 #include <QLocale>
 #include <QMenu>
-#include <QMessageBox>
 #include <QPushButton>
 #include <QSettings>
 #include <exception>
@@ -30,7 +29,7 @@ namespace {
 
 const QString kRecentFiles = QStringLiteral("recentFiles");
 
-/// Returns the name of a file of the scene as it has to be in another folder.
+/// Returns the name by which a file of the scene is found from another folder.
 std::string relativeName(const std::filesystem::path& folder, const Scene& scene,
                          const std::string& name) {
   if (name.empty() || std::filesystem::path(name).is_absolute()) return name;
@@ -40,8 +39,8 @@ std::string relativeName(const std::filesystem::path& folder, const Scene& scene
       .string();
 }
 
-/// Returns the scene as it has to be written into `folder`: its files are named relative to it.
-Scene writtenInto(const std::filesystem::path& folder, Scene scene) {
+/// Returns the scene with its files named relative to `folder`, into which it is to be written.
+Scene withRelativeFiles(const std::filesystem::path& folder, Scene scene) {
   scene.surface.file = relativeName(folder, scene, scene.surface.file);
   if (!materialFile(scene.elastomer.material, scene.folder).empty())
     scene.elastomer.material = relativeName(folder, scene, scene.elastomer.material);
@@ -83,14 +82,14 @@ void DocumentCommands::addTo(Commands& commands) {
                 {QKeySequence::Undo},
                 Symbol::Undo,
                 [] { return tr("Undo"); }});
-  QList<QKeySequence> again = QKeySequence::keyBindings(QKeySequence::Redo);
-  if (const QKeySequence y(Qt::CTRL | Qt::Key_Y); !again.contains(y)) again += y;
+  QList<QKeySequence> redoKeys = QKeySequence::keyBindings(QKeySequence::Redo);
+  if (const QKeySequence y(Qt::CTRL | Qt::Key_Y); !redoKeys.contains(y)) redoKeys += y;
   commands.add({"redo",
                 [this] {
                   const QUndoStack& history = document_.history();
                   return history.canRedo() ? tr("Redo %1").arg(history.redoText()) : tr("Redo");
                 },
-                [this] { document_.history().redo(); }, again, Symbol::Redo,
+                [this] { document_.history().redo(); }, redoKeys, Symbol::Redo,
                 [] { return tr("Redo"); }});
   commands.add(
       {"revert", [] { return tr("Back to the scene as opened"); }, [this] { document_.revert(); }});
@@ -148,22 +147,22 @@ void DocumentCommands::showFound(const QString& file, const FoundScene& found) {
 bool DocumentCommands::confirmOpen(const QString& file, const FoundScene& found) {
   const SceneDemands demands = found.isEmbedded ? sceneDemands(found.scene) : SceneDemands{};
   if (!demands.any()) return true;
-  QStringList wants;
+  QStringList reasons;
   if (!demands.file.empty())
-    wants += tr("It reads a file that does not lie beside it: %1")
-                 .arg(QDir::toNativeSeparators(QString::fromStdString(demands.file.string())));
+    reasons += tr("It reads a file that does not lie beside it: %1")
+                   .arg(QDir::toNativeSeparators(QString::fromStdString(demands.file.string())));
   if (demands.memory > 0)
-    wants +=
+    reasons +=
         tr("It takes about %1 GB of memory.").arg(QLocale().toString(demands.memory / 1e9, 'f', 1));
   if (demands.seconds > 0)
-    wants += tr("Its curve takes about %1 minutes of processor time.")
-                 .arg(QLocale().toString(demands.seconds / 60, 'g', 2));
+    reasons += tr("Its curve takes about %1 minutes of processor time.")
+                   .arg(QLocale().toString(demands.seconds / 60, 'g', 2));
   QMessageBox box(QMessageBox::Warning, tr("Asperity"), {}, QMessageBox::Open | QMessageBox::Cancel,
                   &window_);
   box.setObjectName("demandQuestion");
   box.setTextFormat(Qt::PlainText);  // file names are not markup
   box.setText(tr("Open the scene in “%1”?").arg(QFileInfo(file).fileName()) + "\n\n" +
-              wants.join('\n'));
+              reasons.join('\n'));
   box.setDefaultButton(QMessageBox::Cancel);
   box.button(QMessageBox::Open)->setText(tr("&Open"));
   box.button(QMessageBox::Cancel)->setText(tr("&Cancel"));
@@ -189,7 +188,7 @@ bool DocumentCommands::write(const QString& file, const Scene& scene) {
   try {
     const std::filesystem::path path = std::filesystem::absolute(file.toStdString());
     checkWritable(path);
-    writeFileAtomically(path, writeScene(writtenInto(path.parent_path(), scene)));
+    writeFileAtomically(path, writeScene(withRelativeFiles(path.parent_path(), scene)));
   } catch (const std::exception& error) {
     messages_.showFailure(MessageBar::Failure::Files, translatedError(error));
     return false;
@@ -203,8 +202,8 @@ bool DocumentCommands::save() {
 }
 
 bool DocumentCommands::askSave() {
-  const QString name = document_.file().isEmpty() ? document_.proposedFile() : document_.file();
-  const QString file = askSaveFile(&window_, tr("Save scene"), name, tr("Scenes (*.json)"));
+  const QString file =
+      askSaveFile(&window_, tr("Save scene"), document_.fileOrProposal(), tr("Scenes (*.json)"));
   return !file.isEmpty() && saveTo(file);
 }
 
@@ -221,19 +220,10 @@ bool DocumentCommands::maybeSave(const SceneState& state) {
   const QString file = QFileInfo(state.origin.file).absoluteFilePath();
   QString name = sceneText(state.scene.title);
   if (name.isEmpty()) name = QFileInfo(file).fileName();
-  QMessageBox box(QMessageBox::Question, tr("Asperity"),
-                  tr("“%1” was changed. Save the changes?").arg(name),
-                  QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &window_);
-  box.setObjectName("saveQuestion");
-  box.setTextFormat(Qt::PlainText);  // titles and file names are not markup
-  box.setInformativeText(tr("They go into %1.").arg(QDir::toNativeSeparators(file)) + ' ' +
-                         tr("Otherwise they are lost."));
-  box.setDefaultButton(QMessageBox::Save);
-  // Not every desktop gives its standard buttons a shortcut letter.
-  box.button(QMessageBox::Save)->setText(tr("&Save"));
-  box.button(QMessageBox::Discard)->setText(tr("&Discard"));
-  box.button(QMessageBox::Cancel)->setText(tr("&Cancel"));
-  switch (box.exec()) {
+  switch (askSaveChanges(&window_, "saveQuestion", tr("Asperity"),
+                         tr("“%1” was changed. Save the changes?").arg(name),
+                         tr("They go into %1.").arg(QDir::toNativeSeparators(file)) + ' ' +
+                             tr("Otherwise they are lost."))) {
     case QMessageBox::Save:
       return isPresent ? saveTo(state.origin.file) : write(file, state.scene);
     case QMessageBox::Discard:
@@ -242,6 +232,23 @@ bool DocumentCommands::maybeSave(const SceneState& state) {
     default:
       return false;
   }
+}
+
+QMessageBox::StandardButton askSaveChanges(QWidget* parent, const QString& name,
+                                           const QString& title, const QString& question,
+                                           const QString& explanation) {
+  QMessageBox box(QMessageBox::Question, title, {},
+                  QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, parent);
+  box.setObjectName(name);
+  box.setTextFormat(Qt::PlainText);  // titles and file names are not markup
+  box.setText(question);
+  box.setInformativeText(explanation);
+  box.setDefaultButton(QMessageBox::Save);
+  // Not every desktop gives its standard buttons a shortcut letter.
+  box.button(QMessageBox::Save)->setText(DocumentCommands::tr("&Save"));
+  box.button(QMessageBox::Discard)->setText(DocumentCommands::tr("&Discard"));
+  box.button(QMessageBox::Cancel)->setText(DocumentCommands::tr("&Cancel"));
+  return static_cast<QMessageBox::StandardButton>(box.exec());
 }
 
 // ---- Recent files

@@ -1,10 +1,11 @@
-// The commands of the document: opening, saving, dropping a file on the window, undo and redo; and
-// the question before the end of the program where changes of a file would be lost. Another scene
+// The commands of the document: opening, saving, undo and redo; and the question before the end of
+// the program where changes of a file would be lost. Another scene
 // is a step of the history, so it asks nothing. It keeps the list of recent files. Owned by
 // the main window; GUI thread. Failure: the reason appears in the message bar, and the document
 // stays as it is.
 #pragma once
 
+#include <QMessageBox>
 #include <QObject>
 #include <QString>
 #include <QStringList>
@@ -12,7 +13,6 @@
 #include "ui/window/main/scene_document.h"
 #include "ui/window/tasks/background_work.h"
 
-class QDropEvent;
 class QMenu;
 class QWidget;
 
@@ -72,6 +72,12 @@ class DocumentCommands : public QObject {
   QMenu* recent_ = nullptr;
   BackgroundWork reading_;  // last: its thread ends before other members are destroyed
 };
+
+/// Asks whether unsaved changes are to be saved, in plain text: Save, Discard or Cancel. `name`: of
+/// the dialog as an object.
+QMessageBox::StandardButton askSaveChanges(QWidget* parent, const QString& name,
+                                           const QString& title, const QString& question,
+                                           const QString& explanation = {});
 
 /// The recent files, the newest first, as absolute paths, kept in the user's settings. Files that
 /// no longer exist are left out.

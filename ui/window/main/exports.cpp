@@ -68,23 +68,23 @@ void Exports::addTo(Commands& commands) {
        [this] {
          copyText(curveCommand(parts_.document.origin(), parts_.document.scene(), shownCurves()));
        }});
-  const auto show = [this, &commands] { showCommands(commands); };
+  const auto show = [this, &commands] { enableCommands(commands); };
   connect(&parts_.figures, &FigurePages::pageChanged, this, show);
   connect(&parts_.figures, &FigurePages::figureShown, this, show);
 }
 
-/// Shows the commands for what is visible: the contact, or the figure that is shown instead.
-void Exports::showCommands(Commands& commands) const {
-  const bool views = parts_.figures.isShowingViews();
-  const bool figure = parts_.figures.isShowingFigures() && parts_.figures.gallery().hasFigure();
+/// Enables the commands for what is visible: the contact, or the figure that is shown instead.
+void Exports::enableCommands(Commands& commands) const {
+  const bool hasViews = parts_.figures.isShowingViews();
+  const bool hasFigure = parts_.figures.isShowingFigures() && parts_.figures.gallery().hasFigure();
   for (QAction* action : commands.get({"copyPicture", "savePicture"}))
-    action->setEnabled(views || figure);
+    action->setEnabled(hasViews || hasFigure);
   for (QAction* action : commands.get(
            {"copyCommand", "copyCurveCommand", "exportPicture", "exportFilm", "exportTable"}))
-    action->setEnabled(views);
+    action->setEnabled(hasViews);
 }
 
-/// Returns the present picture as a still; none before the first.
+/// Returns the present picture as a still; nothing before the first frame.
 std::optional<ContactShot> Exports::shot() const {
   const ContactCanvas& canvas = parts_.canvas;
   const std::shared_ptr<const Frame> frame = canvas.viewer().frame();
@@ -145,7 +145,8 @@ CurveCommandOptions Exports::shownCurves() const {
   return {curves_->shown(), parts_.tabs.accuracy().comparison()};
 }
 
-/// Returns what makes the contact and, below it, the front tab as they are shown.
+/// Returns the options of a command that draws the contact and, below it, the front tab as they are
+/// shown.
 RenderCommandOptions Exports::shownOptions() const {
   const ContactCanvas& canvas = parts_.canvas;
   const Scene& scene = parts_.document.scene();
@@ -177,9 +178,7 @@ QString Exports::pictureCommand() const {
 
 ExportDialog& Exports::openDialog(ExportKind kind) {
   delete parts_.window.findChild<ExportDialog*>(QString(), Qt::FindDirectChildrenOnly);
-  const QString name = QFileInfo(parts_.document.file().isEmpty() ? parts_.document.proposedFile()
-                                                                  : parts_.document.file())
-                           .completeBaseName();
+  const QString name = QFileInfo(parts_.document.fileOrProposal()).completeBaseName();
   auto* dialog =
       new ExportDialog({parts_.document.origin(), parts_.document.scene(), shownOptions(), name},
                        kind, program_, &parts_.window);

@@ -73,7 +73,7 @@ class Exports : public QObject {
   std::optional<ContactShot> shot() const;
   void copyPicture();
   void askPicture();
-  void showCommands(Commands& commands) const;
+  void enableCommands(Commands& commands) const;
   CurveCommandOptions shownCurves() const;
   RenderCommandOptions shownOptions() const;
   QString pictureCommand() const;

@@ -20,8 +20,8 @@ bool isSpace(int key) {
   return key == Qt::Key_Space || key == Qt::Key_Select;
 }
 
-/// Returns whether a key goes to an end of a slider or a list. (The page keys do not: a presenter's
-/// remote control sends them to the tour.)
+/// Returns whether a key goes to an end of a slider or a list. The page keys do not count, because
+/// a presenter's remote control sends them to the tour.
 bool isEnd(int key) {
   return key == Qt::Key_Home || key == Qt::Key_End;
 }

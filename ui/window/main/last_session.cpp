@@ -28,7 +28,7 @@ struct LastSessionText {
 const QString kGroup = QStringLiteral("lastSession");
 
 /// Reads the origin of the scene again; returns an unknown origin where it no longer exists.
-SceneOrigin originFrom(const QString& shipped, const QString& file) {
+SceneOrigin findOrigin(const QString& shipped, const QString& file) {
   const std::vector<LibraryScene>& library = libraryScenes();
   if (const auto found = std::ranges::find(library, shipped, &LibraryScene::name);
       !shipped.isEmpty() && found != library.end())
@@ -47,10 +47,10 @@ void checkFiles(const Scene& scene) {
 }
 
 /// Reads the scene. Throws InputError or std::exception where it cannot be read.
-SceneState lastScene(const QSettings& settings) {
+SceneState readLastScene(const QSettings& settings) {
   SceneState state;
   state.origin =
-      originFrom(settings.value("shipped").toString(), settings.value("file").toString());
+      findOrigin(settings.value("shipped").toString(), settings.value("file").toString());
   const bool isKnown = state.origin.isKnown();
   if (isKnown && !settings.value("isChanged").toBool()) {
     state.scene = state.origin.scene;
@@ -101,7 +101,7 @@ LastSession restoreLastSession(MainWindow& window, bool hasScene) {
   LastSession answer = LastSession::Restored;
   if (!hasScene) {
     try {
-      window.document().begin(lastScene(settings));
+      window.document().begin(readLastScene(settings));
       restoreView(window.canvas(), settings);
     } catch (const std::exception& error) {
       answer = LastSession::Broken;

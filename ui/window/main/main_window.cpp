@@ -1,5 +1,4 @@
 #include "ui/window/main/main_window.h"
-#include "ui/window/map/map_panel.h"
 
 #include <QAbstractButton>
 #include <QAction>
@@ -57,6 +56,7 @@
 #include "ui/window/main/tour.h"
 #include "ui/window/main/window_layout.h"
 #include "ui/window/main/window_visibility.h"
+#include "ui/window/map/map_panel.h"
 
 namespace asperity {
 
@@ -66,8 +66,8 @@ constexpr int kPollInterval = 16;  // ms, 60 times a second
 constexpr int kIdlePoll = 100;     // ms, while the run is paused and nothing is computed
 constexpr int kHiddenPoll = 250;   // ms, while the window is hidden
 
-/// Updates the texts of Qt's own buttons of a dock, which its title covers; they keep their first
-/// language.
+/// Translates the dock's own buttons, whose texts Qt sets only once. The title bar covers them, but
+/// screen readers find them.
 void translateButtons(const QDockWidget& dock) {
   static constexpr struct {
     const char *object, *name, *description;
@@ -84,7 +84,7 @@ void translateButtons(const QDockWidget& dock) {
     }
 }
 
-/// Returns a dock's title in the window's own style.
+/// Makes a title bar for a dock in the window's own style.
 QWidget* dockTitle(QDockWidget& dock) {
   auto* title = new QWidget;
   title->setObjectName("dockTitle");
@@ -106,7 +106,7 @@ QWidget* dockTitle(QDockWidget& dock) {
   return title;
 }
 
-LineSize sizeOf(const Frame& frame) {
+LineSize lineSize(const Frame& frame) {
   return {frame.length,
           static_cast<std::int64_t>(frame.lineHeight.size()) / pointsPerElement(*frame.scene)};
 }
@@ -285,16 +285,13 @@ void MainWindow::buildCommands() {
 // ---- Connections: every change of the scene is a change of the document, which informs all parts
 
 void MainWindow::connectScene() {
-  connect(panel_, &ParameterPanel::sceneEdited, this,
-          [this](const Scene& scene) { document_->edit(scene); });
+  const auto edit = [this](const Scene& scene) { document_->edit(scene); };
+  connect(panel_, &ParameterPanel::sceneEdited, this, edit);
   connect(panel_, &ParameterPanel::guideRequested, this, &MainWindow::openGuide);
   connect(canvas_, &ContactCanvas::guideRequested, this, &MainWindow::openGuide);
-  connect(&tabs_->accuracy(), &AccuracyPanel::sceneEdited, this,
-          [this](const Scene& scene) { document_->edit(scene); });
-  connect(&tabs_->map(), &MapPanel::sceneEdited, this,
-          [this](const Scene& scene) { document_->edit(scene); });
-  connect(canvas_, &ContactCanvas::sceneEdited, this,
-          [this](const Scene& scene) { document_->edit(scene); });
+  connect(&tabs_->accuracy(), &AccuracyPanel::sceneEdited, this, edit);
+  connect(&tabs_->map(), &MapPanel::sceneEdited, this, edit);
+  connect(canvas_, &ContactCanvas::sceneEdited, this, edit);
   connect(figures_, &FigurePages::sceneRequested, this,
           [this](const Scene& scene) { document_->open(scene); });
   connect(figures_, &FigurePages::shippedSceneRequested, this, &MainWindow::openShipped);
@@ -311,7 +308,7 @@ void MainWindow::connectScene() {
             if (isOpened || !(panel_->scene() == scene)) panel_->setScene(scene);
             session_->setScene(scene,
                                isOpened ? Session::Begin::Restart : Session::Begin::Continue);
-            // A motion is there to be seen moving.
+            // A scene with a motion plays at once.
             if (isOpened && scene.sliding.kind != SlidingKind::Steady) session_->setPlaying(true);
             showScene(scene);
           });
@@ -417,18 +414,18 @@ void MainWindow::showFrame() {
   tabs_->showFrame(*frame);
   if (frame->sceneNumber == session_->sceneNumber()) {
     timeBar_->showFrame(*frame);
-    panel_->showLine(sizeOf(*frame));
+    panel_->showLine(lineSize(*frame));
   }
   showReadings();
 }
 
-/// Shows what the present frame and the present curve say together.
+/// Shows the readings of the present frame and, at its state, of the present curve.
 void MainWindow::showReadings() {
   const std::shared_ptr<const Frame> frame = session_->frame();
   CurveReading reading = readCurve(*frame, session_->curve());
   if (session_->friction().isConcealed()) {
-    // The shape of the curve is to be guessed. Some lessons read the mean at the present state;
-    // where a point of the curve is asked, it would be one.
+    // The student is to guess the shape of the curve. Some lessons read the mean at the present
+    // state; where a point of the curve is asked for, the mean would be that point.
     if (lessons_ && lessons_->point().isVisible()) reading.mu = kNotApplicable;
     if (!reading.region.empty()) reading.regime.clear();
     reading.region.clear();
@@ -438,9 +435,9 @@ void MainWindow::showReadings() {
   if (frame->sceneNumber == session_->sceneNumber()) showWarnings(*frame, reading.notes);
 }
 
-/// Shows at the parameters how far the present result holds. Until the curve of a changed scene is
-/// complete, the previous warnings stay, so that rows do not move back and forth during the
-/// computation.
+/// Shows at the parameters the notes on the limits of the present result. Until the curve of a
+/// changed scene is complete, the previous warnings stay, so that rows do not move back and forth
+/// during the computation.
 void MainWindow::showWarnings(const Frame& frame, NoteSet notes) {
   const CurveUpdate* curve = session_->curve();
   if (!curve || !haveSameCurve(*frame.scene, *curve->scene)) return;
@@ -467,8 +464,8 @@ void MainWindow::updatePollInterval() {
 void MainWindow::connectTime() {
   connect(timeBar_, &TimeBar::paceChanged, session_, &Session::setPace);
   connect(timeBar_, &TimeBar::seekRequested, session_, &Session::seek);
-  connect(timeBar_, &TimeBar::said, status_, &StatusLine::showMessage);
-  connect(canvas_, &ContactCanvas::said, status_, &StatusLine::showMessage);
+  connect(timeBar_, &TimeBar::statusMessage, status_, &StatusLine::showMessage);
+  connect(canvas_, &ContactCanvas::statusMessage, status_, &StatusLine::showMessage);
   connect(&tabs_->motion(), &MotionView::seekRequested, session_, &Session::seek);
   // Dragging the slider of time pauses the run, which resumes afterwards if it was playing.
   connect(timeBar_, &TimeBar::scrubbing, this, [this](bool isOn) {
@@ -485,11 +482,11 @@ void MainWindow::requestFields() {
 
 /// Moves the line by a clearly visible part of the view, or by a pixel or two.
 void MainWindow::step(bool finely) {
-  const double ofView = finely ? 1.0 / 800 : 1.0 / 50;
+  const double share = finely ? 1.0 / 800 : 1.0 / 50;  // of the width of the view
   const Frame* frame = canvas_->frame();
   const bool isKnown = frame && frame->length > 0;
-  session_->singleStep(isKnown ? ofView * canvas_->viewer().options().view.width / frame->length
-                               : ofView);
+  session_->singleStep(isKnown ? share * canvas_->viewer().options().view.width / frame->length
+                               : share);
 }
 
 // ---- The friction curve

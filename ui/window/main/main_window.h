@@ -93,7 +93,7 @@ class MainWindow : public QMainWindow {
   void connectScene();
   void connectFrames();
   void connectCurve();
-  void buildMenus();  // this and the next six are in main_window_menus.cpp
+  void buildMenus();  // this and the next seven are in main_window_menus.cpp
   QMenu* addMenu(QString (*title)());
   void fillScenes(QMenu& menu);
   void fillLanguages(QMenu& menu);
@@ -138,8 +138,8 @@ class MainWindow : public QMainWindow {
   Lessons* lessons_ = nullptr;
   WindowVisibility* visibility_ = nullptr;
   QTimer* poll_ = nullptr;
-  bool wasPlaying_ = false;               // before a moment was dragged
-  std::optional<std::string> described_;  // last text in the bar of the description
+  bool wasPlaying_ = false;               // before the slider of time was dragged
+  std::optional<std::string> described_;  // the last text in the description bar
 };
 
 }  // namespace asperity

@@ -42,18 +42,20 @@ std::vector<qsizetype> letterPositions(const QString& text) {
   return first;
 }
 
-/// Assigns letters to entries. An earlier entry moves to another of its letters where that helps
-/// (augmenting paths).
-class Letters {
+/// Assigns letters to entries: a matching of entries and letters, which grows by augmenting paths.
+/// An earlier entry moves to another of its letters where that frees one for a later entry.
+class MnemonicLetters {
  public:
-  explicit Letters(const QStringList& texts) : texts_(texts) {}
+  explicit MnemonicLetters(const QStringList& texts) : texts_(texts) {}
 
-  void give(int entry) {
-    QSet<QChar> asked;
-    take(entry, asked);
+  /// Gives the entry a letter, if there is one.
+  void assign(int entry) {
+    QSet<QChar> visited;
+    tryAssign(entry, visited);
   }
 
-  qsizetype positionOf(int entry) const {
+  /// Returns the position of the entry's letter in its text; -1 where it has none.
+  qsizetype markPosition(int entry) const {
     for (const qsizetype position : letterPositions(texts_[entry]))
       if (owners_.value(letter(entry, position), -1) == entry) return position;
     return -1;
@@ -62,7 +64,7 @@ class Letters {
  private:
   QChar letter(int entry, qsizetype position) const { return texts_[entry][position].toLower(); }
 
-  bool take(int entry, QSet<QChar>& asked) {
+  bool tryAssign(int entry, QSet<QChar>& visited) {
     const std::vector<qsizetype> positions = letterPositions(texts_[entry]);
     for (const qsizetype position : positions) {
       if (owners_.contains(letter(entry, position))) continue;
@@ -71,9 +73,9 @@ class Letters {
     }
     for (const qsizetype position : positions) {
       const QChar requested = letter(entry, position);
-      if (asked.contains(requested)) continue;
-      asked += requested;
-      if (!take(owners_[requested], asked)) continue;
+      if (visited.contains(requested)) continue;
+      visited += requested;
+      if (!tryAssign(owners_[requested], visited)) continue;
       owners_[requested] = entry;
       return true;
     }
@@ -89,10 +91,10 @@ class Letters {
 QStringList withMnemonics(const QStringList& texts) {
   QStringList marked;
   for (const QString& text : texts) marked += withoutMarks(text);
-  Letters letters(marked);
-  for (int i = 0; i < marked.size(); ++i) letters.give(i);
+  MnemonicLetters letters(marked);
+  for (int i = 0; i < marked.size(); ++i) letters.assign(i);
   QList<qsizetype> positions;
-  for (int i = 0; i < marked.size(); ++i) positions += letters.positionOf(i);
+  for (int i = 0; i < marked.size(); ++i) positions += letters.markPosition(i);
   for (int i = 0; i < marked.size(); ++i) {
     if (positions[i] >= 0) marked[i].insert(positions[i], u'&');
     marked[i].replace(kAnd, QStringLiteral("&&"));
@@ -119,14 +121,15 @@ void keepMnemonics(QMenu& menu) {
 namespace {
 
 constexpr int kAround = 40;           // pixels around the groups, including a scroll bar
-constexpr double kMinLetters = 0.72;  // smallest factor of the usual size
+constexpr double kMinLetters = 0.72;  // smallest factor of the usual size of letters
 constexpr double kSmaller = 0.97;     // factor of one step
 
 QString plain(QString text) {
   return text.remove('&').remove(u'…');
 }
 
-/// Adds the keys of a command, which are alternatives; a command without keys has no entry.
+/// Adds an entry with the keys of a command, each of which runs it; a command without keys has no
+/// entry.
 void addEntry(ShortcutGroup& group, const QAction& action) {
   QStringList keys;
   for (const QKeySequence& key : action.shortcuts()) keys += key.toString(QKeySequence::NativeText);
@@ -147,7 +150,7 @@ void addMenu(ShortcutGroup& group, const QMenu& menu, QSet<const QAction*>& seen
   }
 }
 
-ShortcutGroup& groupOf(QList<ShortcutGroup>& groups, const QString& title) {
+ShortcutGroup& findOrAddGroup(QList<ShortcutGroup>& groups, const QString& title) {
   const auto found = std::ranges::find(groups, title, &ShortcutGroup::title);
   if (found != groups.end()) return *found;
   groups.append({title, {}});
@@ -185,11 +188,12 @@ QList<ShortcutGroup> shortcutGroups(const QMainWindow& window) {
   QSet<const QAction*> seen;
   if (const auto* bar = qobject_cast<const QMenuBar*>(window.menuWidget()))
     for (const QAction* action : bar->actions())
-      if (action->menu()) addMenu(groupOf(groups, plain(action->text())), *action->menu(), seen);
+      if (action->menu())
+        addMenu(findOrAddGroup(groups, plain(action->text())), *action->menu(), seen);
   for (const QAction* action : window.actions()) {
     if (seen.contains(action)) continue;
     const QString title = action->property("group").toString();
-    addEntry(groupOf(groups, title.isEmpty() ? ShortcutSheet::tr("More") : title), *action);
+    addEntry(findOrAddGroup(groups, title.isEmpty() ? ShortcutSheet::tr("More") : title), *action);
   }
   groups.removeIf([](const ShortcutGroup& group) { return group.entries.isEmpty(); });
   return groups;
@@ -214,23 +218,23 @@ QList<ShortcutGroup> gestureGroups() {
 namespace {
 
 /// Returns the number of lines of a group, with its title and the gap below it.
-qsizetype linesOf(const ShortcutGroup& group) {
+qsizetype lineCount(const ShortcutGroup& group) {
   return group.entries.size() + 2;
 }
 
-/// Returns the number of columns if the groups are put below each other in columns of at most
-/// `most` lines.
-qsizetype columnsWithin(qsizetype most, const QList<ShortcutGroup>& groups,
-                        QList<qsizetype>& columnOf) {
-  columnOf.clear();
+/// Puts the groups below each other in columns of at most `maxLines` lines. Returns the number of
+/// columns, and in `columnIndices` the column of each group.
+qsizetype assignColumns(qsizetype maxLines, const QList<ShortcutGroup>& groups,
+                        QList<qsizetype>& columnIndices) {
+  columnIndices.clear();
   qsizetype column = 0, lines = 0;
   for (const ShortcutGroup& group : groups) {
-    if (lines > 0 && lines + linesOf(group) > most) {
+    if (lines > 0 && lines + lineCount(group) > maxLines) {
       ++column;
       lines = 0;
     }
-    lines += linesOf(group);
-    columnOf += column;
+    lines += lineCount(group);
+    columnIndices += column;
   }
   return column + 1;
 }
@@ -246,12 +250,12 @@ ShortcutSheet::ShortcutSheet(const QMainWindow& window, QWidget* parent) : QDial
   auto* row = new QHBoxLayout(content_);
   row->setSpacing(28);
   QVBoxLayout* columns[] = {new QVBoxLayout, new QVBoxLayout, new QVBoxLayout};
-  constexpr qsizetype kMenuColumns = std::size(columns);
-  QList<qsizetype> columnOf;
-  qsizetype most = 1;
-  while (columnsWithin(most, groups, columnOf) > kMenuColumns) ++most;
+  constexpr qsizetype kMaxColumns = std::size(columns);
+  QList<qsizetype> columnIndices;
+  qsizetype maxLines = 1;
+  while (assignColumns(maxLines, groups, columnIndices) > kMaxColumns) ++maxLines;
   for (qsizetype i = 0; i < groups.size(); ++i)
-    columns[columnOf[i]]->addWidget(groupWidget(groups[i]));
+    columns[columnIndices[i]]->addWidget(groupWidget(groups[i]));
   for (QVBoxLayout* column : columns) {
     column->setSpacing(12);  // otherwise it takes the spacing of the row
     column->addStretch(1);
@@ -276,17 +280,17 @@ QSize ShortcutSheet::neededSize() const {
 /// Makes the list as large as needed, once fonts and style are those of the screen, and its letters
 /// smaller where the list would be larger than the window.
 void ShortcutSheet::showEvent(QShowEvent* event) {
-  const QSize most = parentWidget() ? parentWidget()->size() - kWindowFrame : neededSize();
+  const QSize available = parentWidget() ? parentWidget()->size() - kWindowFrame : neededSize();
   const auto isTooLarge = [&](const QSize& size) {
-    return size.width() > most.width() || size.height() > most.height();
+    return size.width() > available.width() || size.height() > available.height();
   };
-  for (double part = 1; isTooLarge(neededSize()) && part > kMinLetters; part *= kSmaller)
+  for (double scale = 1; isTooLarge(neededSize()) && scale > kMinLetters; scale *= kSmaller)
     for (QLabel* label : content_->findChildren<QLabel*>()) {
       QFont font = label->font();  // with a style sheet it differs from the list's font
       font.setPointSizeF(kSmaller * font.pointSizeF());
       label->setFont(font);
     }
-  resize(neededSize().boundedTo(most));
+  resize(neededSize().boundedTo(available));
   QDialog::showEvent(event);  // puts it over the middle of the window
 }
 

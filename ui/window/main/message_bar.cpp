@@ -86,13 +86,13 @@ void MessageBar::forget() {
   hide();
 }
 
-void MessageBar::showFailure(Failure of, const QString& text) {
+void MessageBar::showFailure(Failure source, const QString& text) {
   showMessage(text);
-  failure_ = of;
+  failure_ = source;
 }
 
-bool MessageBar::end(Failure of) {
-  if (isHidden() || failure_ != of) return false;
+bool MessageBar::end(Failure source) {
+  if (isHidden() || failure_ != source) return false;
   hide();
   if (sceneError_) updateSceneError();
   return true;

@@ -27,8 +27,8 @@ class MessageBar : public QFrame {
   /// The sources of errors. end() removes a message once its source succeeds again; end() returns
   /// whether the message was visible.
   enum class Failure { None, Scene, Files, Export, Comparison };
-  void showFailure(Failure of, const QString& text);
-  bool end(Failure of);
+  void showFailure(Failure source, const QString& text);
+  bool end(Failure source);
 
   /// Shows an error of the scene until sceneRuns(): a key, which may be empty, and core's English
   /// message.
@@ -45,7 +45,7 @@ class MessageBar : public QFrame {
 
  signals:
   void accepted();
-  void closed();  // by its button
+  void closed();  // the user pressed the button that closes it
   /// Emitted with the translated message about the scene when it appears or changes.
   void sceneErrorShown(const QString& key, const QString& text);
 

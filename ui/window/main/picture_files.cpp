@@ -16,9 +16,9 @@ namespace asperity {
 namespace {
 
 /// Returns the first extension of a filter: "png" of "Pictures (*.png *.svg)".
-QString firstEnding(const QString& filter) {
-  static const QRegularExpression ending(QStringLiteral(R"(\*\.(\w+))"));
-  return ending.match(filter).captured(1);
+QString firstExtension(const QString& filter) {
+  static const QRegularExpression pattern(QStringLiteral(R"(\*\.(\w+))"));
+  return pattern.match(filter).captured(1);
 }
 
 }  // namespace
@@ -27,9 +27,9 @@ QString askSaveFile(QWidget* parent, const QString& title, const QString& name,
                     const QString& filters) {
   QFileDialog dialog(parent, title, {}, filters);
   dialog.setAcceptMode(QFileDialog::AcceptSave);
-  dialog.setDefaultSuffix(firstEnding(filters));
+  dialog.setDefaultSuffix(firstExtension(filters));
   QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog,
-                   [&](const QString& filter) { dialog.setDefaultSuffix(firstEnding(filter)); });
+                   [&](const QString& filter) { dialog.setDefaultSuffix(firstExtension(filter)); });
   dialog.selectFile(name);
   return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
 }

@@ -51,8 +51,8 @@ SceneState firstScene() {
   return {{scenes.front().name, {}, scenes.front().scene}, scenes.front().scene};
 }
 
-/// Returns the scene with where it was read: a file, or the name of a shipped scene.
-SceneState stateOf(const Scene& scene, const std::string& name) {
+/// Returns the scene with its origin: the file of this name, or the shipped scene of this name.
+SceneState stateWithOrigin(const Scene& scene, const std::string& name) {
   SceneState state{{{}, {}, scene}, scene};
   try {
     const QFileInfo file(QString::fromStdString(name));
@@ -109,7 +109,7 @@ int runWindow(QApplication& application, const std::optional<Scene>& scene, Runn
   if (start.timing) printTime("connected to the display");
   prepareApplication(application);
   useLanguage(start.language.empty() ? windowLanguage() : start.language);
-  const SceneState first = scene ? stateOf(*scene, start.file) : firstScene();
+  const SceneState first = scene ? stateWithOrigin(*scene, start.file) : firstScene();
   auto window = std::make_unique<MainWindow>(first.scene, options);
   window->document().begin(first);
   window->windowLayout().remember();

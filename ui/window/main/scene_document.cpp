@@ -42,12 +42,12 @@ class GestureCounter : public QObject {
         break;
       case QEvent::KeyPress:
         if (static_cast<QKeyEvent*>(event)->isAutoRepeat())
-          isTurning_ = false;
+          isWheelTurning_ = false;
         else
           begin();
         break;
-      case QEvent::Wheel:  // turning on is one gesture; turning after a drag is another
-        if (!std::exchange(isTurning_, true)) ++present_;
+      case QEvent::Wheel:  // turning without a break is one gesture; after a drag a new one begins
+        if (!std::exchange(isWheelTurning_, true)) ++present_;
         break;
       default:
         break;
@@ -58,11 +58,11 @@ class GestureCounter : public QObject {
  private:
   void begin() {
     ++present_;
-    isTurning_ = false;
+    isWheelTurning_ = false;
   }
 
   std::uint64_t present_ = 0;
-  bool isTurning_ = false;  // the wheel
+  bool isWheelTurning_ = false;
 };
 
 /// A command of the undo history, from one scene to the next.
@@ -77,10 +77,10 @@ class SceneStep : public QUndoCommand {
         keys_(differingKeys(before_.scene, after_.scene)),
         gesture_(gesture),
         what_(what) {
-    takeName();
+    updateName();
   }
 
-  void takeName() {
+  void updateName() {
     if (isOpening())
       setText(openedName(after_));
     else
@@ -111,11 +111,11 @@ class SceneStep : public QUndoCommand {
 
  private:
   static QString openedName(const SceneState& state) {
-    constexpr int kLongest = 40;  // letters
+    constexpr int kMaxLength = 40;  // letters
     QString name = sceneText(state.scene.title);
     if (name.isEmpty()) name = QFileInfo(state.origin.file).fileName();
     if (name.isEmpty()) return SceneDocument::tr("Other scene");
-    if (name.size() > kLongest) name = name.left(kLongest - 1).trimmed() + QChar(0x2026);
+    if (name.size() > kMaxLength) name = name.left(kMaxLength - 1).trimmed() + QChar(0x2026);
     return SceneDocument::tr("Scene “%1”").arg(name);
   }
 
@@ -145,7 +145,8 @@ SceneDocument::SceneDocument(const Scene& scene, QObject* parent)
   keepTranslated(*this, [this] { nameSteps(); });
 }
 
-/// QUndoStack emits signals while it is destroyed, when this object is partly destroyed already.
+/// Disconnects the histories, which emit signals while they are destroyed: this object is then
+/// partly destroyed already.
 SceneDocument::~SceneDocument() {
   for (QUndoStack* history : {&history_, &trialHistory_}) history->disconnect(this);
 }
@@ -157,8 +158,8 @@ void SceneDocument::open(const SceneOrigin& origin) {
   const bool isSame = next.scene == scene_ && origin.shipped == origin_.shipped &&
                       origin.file == origin_.file && origin.scene == origin_.scene;
   if (isSame) return goTo(next, SceneChange::Opened);
-  if (const SceneState now{origin_, scene_}; now.isUnsavedFile()) left_[origin_.file] = now;
-  left_.erase(origin.file);  // the opened state is the one on the disk
+  if (const SceneState now{origin_, scene_}; now.isUnsavedFile()) leftUnsaved_[origin_.file] = now;
+  leftUnsaved_.erase(origin.file);  // the opened state is the one on the disk
   history_.push(new SceneStep(*this, next, SceneChange::Opened, gestures_->present(), nullptr));
 }
 
@@ -173,14 +174,14 @@ void SceneDocument::begin(const SceneState& state) {
 }
 
 void SceneDocument::openTrial(const SceneOrigin& origin) {
-  if (!isTrial()) trialBegan_ = SceneState{origin_, scene_};
+  if (!isTrial()) beforeTrial_ = SceneState{origin_, scene_};
   trialHistory_.clear();
   goTo({origin, origin.scene}, SceneChange::Opened);
 }
 
 void SceneDocument::endTrial() {
   if (!isTrial()) return;
-  const SceneState before = *std::exchange(trialBegan_, std::nullopt);
+  const SceneState before = *std::exchange(beforeTrial_, std::nullopt);
   trialHistory_.clear();
   emit trialEnded();
   goTo(before, SceneChange::Opened);
@@ -195,10 +196,10 @@ std::vector<SceneState> SceneDocument::unsavedFiles() const {
     named += file;
     if (state.isUnsavedFile()) unsaved.push_back(state);
   };
-  add(trialBegan_ ? *trialBegan_ : SceneState{origin_, scene_});
+  add(beforeTrial_ ? *beforeTrial_ : SceneState{origin_, scene_});
   for (int i = history_.index(); i-- > 0;)
     if (const SceneStep& step = stepAt(history_, i); step.isOpening()) add(step.before());
-  for (const auto& [file, state] : left_) add(state);  // that the history has lost
+  for (const auto& [file, state] : leftUnsaved_) add(state);  // the history may have lost them
   return unsaved;
 }
 
@@ -226,7 +227,7 @@ void SceneDocument::revert() {
 /// Names all steps again in the current language.
 void SceneDocument::nameSteps() {
   for (QUndoStack* history : {&history_, &trialHistory_})
-    for (int i = 0; i < history->count(); ++i) stepAt(*history, i).takeName();
+    for (int i = 0; i < history->count(); ++i) stepAt(*history, i).updateName();
   emit historyChanged();
 }
 
@@ -234,7 +235,7 @@ void SceneDocument::nameSteps() {
 /// file from now on.
 void SceneDocument::saved(const QString& file) {
   origin_ = {{}, file, scene_};
-  left_.erase(file);
+  leftUnsaved_.erase(file);
   const QUndoStack& steps = history();
   int opened = steps.index(), left = steps.index();
   while (--opened >= 0 && !stepAt(steps, opened).isOpening()) {

@@ -63,7 +63,7 @@ class SceneDocument : public QObject {
   void openTrial(const SceneOrigin& origin);
   /// Returns from a trial to the scene before it, with its history; does nothing without one.
   void endTrial();
-  bool isTrial() const { return trialBegan_.has_value(); }
+  bool isTrial() const { return beforeTrial_.has_value(); }
 
   /// Makes the next step, within the present gesture of the user. `what` names it in the menu, a
   /// source text of this class; null: it is named after the parameters that differ. Nothing happens
@@ -98,6 +98,7 @@ class SceneDocument : public QObject {
   /// Returns a name such as "figure_1.json" for a scene without a file, from the shipped scene that
   /// it came from, or from its title.
   QString proposedFile() const;
+  QString fileOrProposal() const { return file().isEmpty() ? proposedFile() : file(); }
 
   /// Compares values: moving a slider there and back leaves the scene unchanged.
   bool isChanged() const { return !(scene_ == origin_.scene); }
@@ -122,8 +123,8 @@ class SceneDocument : public QObject {
 
   Scene scene_;
   SceneOrigin origin_;
-  std::optional<SceneState> trialBegan_;  // the state to which the end of a trial returns
-  std::map<QString, SceneState> left_;    // by file: unsaved scenes when they were left
+  std::optional<SceneState> beforeTrial_;      // the state to which the end of a trial returns
+  std::map<QString, SceneState> leftUnsaved_;  // by file: unsaved scenes when they were left
   GestureCounter* gestures_;
   QUndoStack history_, trialHistory_;
 };

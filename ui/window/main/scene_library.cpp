@@ -24,7 +24,7 @@ namespace {
 const QString kFolder = QStringLiteral(":/asperity/scenes");
 
 /// Returns the rank of a chapter; unknown ones come last.
-std::size_t rankOf(const std::string& chapter) {
+std::size_t chapterRank(const std::string& chapter) {
   static const std::string_view order[] = {
       "The basics", "Regions of Eq. (11)", "Roughness",        "Materials and temperature",
       "Motions",    "Limits and checks",   "Everyday surfaces"};
@@ -46,7 +46,7 @@ std::vector<LibraryScene> readLibrary() {
     }
   }
   std::ranges::stable_sort(scenes, {}, [](const LibraryScene& entry) {
-    return std::pair(rankOf(entry.scene.chapter), entry.scene.chapter);
+    return std::pair(chapterRank(entry.scene.chapter), entry.scene.chapter);
   });
   return scenes;
 }
@@ -54,8 +54,8 @@ std::vector<LibraryScene> readLibrary() {
 /// Returns the file of a shipped scene; none where no scene has this name.
 std::optional<std::string> libraryFile(const std::string& name) {
   openResources();
-  const std::string ending = name.ends_with(".json") ? "" : ".json";
-  QFile file(kFolder + "/" + QString::fromStdString(name + ending));
+  const std::string extension = name.ends_with(".json") ? "" : ".json";
+  QFile file(kFolder + "/" + QString::fromStdString(name + extension));
   if (name.empty() || name.find('/') != std::string::npos || !file.open(QIODevice::ReadOnly))
     return std::nullopt;
   return file.readAll().toStdString();

@@ -35,7 +35,7 @@ namespace {
 
 constexpr int kMotionTab = 1;
 constexpr int kTabPadding = 14, kCrowdedTabPadding = 7;  // pixels at each side of a title
-constexpr int kSpare = 24;                      // minimum pixels of the bar beside its titles
+constexpr int kFreeWidth = 24;                  // minimum pixels of the bar beside its titles
 constexpr int kOnePlot = 170, kTwoPlots = 300;  // minimum heights, pixels
 
 /// Returns the root mean square over the points that have such a value; NaN where none has one.
@@ -53,9 +53,9 @@ double rootMeanSquare(const std::vector<CurvePoint>& points, double (*value)(con
 }  // namespace
 
 /// Caches the frequencies that a line excites, which do not depend on the velocity. Any thread.
-class ExcitationOfScene {
+class ExcitationCache {
  public:
-  std::shared_ptr<const Excitation> of(const Scene& scene) {
+  std::shared_ptr<const Excitation> get(const Scene& scene) {
     const std::lock_guard lock(mutex_);
     const bool isSame = excitation_ && scene.surface == scene_.surface &&
                         scene.elastomer == scene_.elastomer && scene.folder == scene_.folder &&
@@ -86,7 +86,7 @@ SceneTabs::SceneTabs(Session& session, QWidget* parent)
       plan_(new PlanList),
       map_(new MapPanel),
       influences_(new InfluencePage),
-      excitation_(std::make_shared<ExcitationOfScene>()) {
+      excitation_(std::make_shared<ExcitationCache>()) {
   setObjectName("tabs");
   setDocumentMode(true);
   tabBar()->setFocusPolicy(Qt::NoFocus);  // the space bar pauses the run
@@ -94,8 +94,8 @@ SceneTabs::SceneTabs(Session& session, QWidget* parent)
   // Tabs move closer and have shorter titles before any of them would be out of sight.
   tabBar()->setUsesScrollButtons(false);
   tabBar()->setElideMode(Qt::ElideRight);
-  plot_->setFocusPolicy(
-      Qt::ClickFocus);  // clicking here leaves an entry, so that the window gets the keys again
+  // Clicking here leaves an entry, so that the window gets the keys again.
+  plot_->setFocusPolicy(Qt::ClickFocus);
   plot_->setObjectName("frictionPlot");
   plot_->setMinimumHeight(kOnePlot);
   motion_->setObjectName("transientStrips");  // as in settings of earlier versions
@@ -114,7 +114,7 @@ SceneTabs::SceneTabs(Session& session, QWidget* parent)
     action->setChecked(true);
     action->setVisible(i != kMotionTab);
     connect(action, &QAction::toggled, this, [this, i](bool on) { setTabRequested(i, on); });
-    wanted_ += action;
+    tabActions_ += action;
   }
   keepTranslated(*this, [this] { showTexts(); });
   connect(accuracy_, &AccuracyPanel::comparisonChanged, this, &SceneTabs::updatePlotHeight);
@@ -149,14 +149,14 @@ void SceneTabs::showTexts() {
   titles_ = QStringList{tr("Friction curve"), tr("Motion in time")} + rest;
   briefTitles_ = QStringList{tr("Curve"), tr("Motion")} + rest;
   for (int i = 0; i < count(); ++i) {
-    wanted_[i]->setText(titles_[i]);
+    tabActions_[i]->setText(titles_[i]);
     if (commands_) commands_->refresh(("go:" + widget(i)->objectName()).toStdString());
   }
   fitTitles();
 }
 
 /// Returns the width of the visible tabs with these titles.
-int SceneTabs::widthOf(const QStringList& titles, int padding) const {
+int SceneTabs::tabsWidth(const QStringList& titles, int padding) const {
   const QFontMetrics metrics(tabBar()->font());
   int width = 0;
   for (int i = 0; i < count(); ++i)
@@ -164,7 +164,7 @@ int SceneTabs::widthOf(const QStringList& titles, int padding) const {
   return width;
 }
 
-/// Qt reserves the width of the button in the corner even while it is hidden.
+/// Returns the width of the button in the corner, which Qt reserves even while it is hidden.
 int SceneTabs::cornerWidth() const {
   return cornerWidget() ? cornerWidget()->sizeHint().width() : 0;
 }
@@ -173,21 +173,18 @@ int SceneTabs::cornerWidth() const {
 QSize SceneTabs::minimumSizeHint() const {
   QSize size = QTabWidget::minimumSizeHint();
   if (!mayScroll_ && !briefTitles_.isEmpty())
-    size.setWidth(
-        std::max(size.width(), widthOf(briefTitles_, kCrowdedTabPadding) + kSpare + cornerWidth()));
+    size.setWidth(std::max(
+        size.width(), tabsWidth(briefTitles_, kCrowdedTabPadding) + kFreeWidth + cornerWidth()));
   return size;
 }
 
 /// Gives the tabs margins and titles that fit into the bar: wide or narrow, long or short.
 void SceneTabs::fitTitles() {
-  const auto needed = [this](const QStringList& titles, int padding) {
-    return widthOf(titles, padding);
-  };
   const int available = width() - cornerWidth();
-  const bool isCrowded = needed(titles_, kTabPadding) > available;
+  const bool isCrowded = tabsWidth(titles_, kTabPadding) > available;
   const QStringList& shown =
-      isCrowded && needed(titles_, kCrowdedTabPadding) > available ? briefTitles_ : titles_;
-  const bool needsButtons = mayScroll_ && needed(shown, kCrowdedTabPadding) > available;
+      isCrowded && tabsWidth(titles_, kCrowdedTabPadding) > available ? briefTitles_ : titles_;
+  const bool needsButtons = mayScroll_ && tabsWidth(shown, kCrowdedTabPadding) > available;
   if (tabBar()->usesScrollButtons() != needsButtons) {
     tabBar()->setUsesScrollButtons(needsButtons);
     tabBar()->setElideMode(needsButtons ? Qt::ElideNone : Qt::ElideRight);
@@ -238,7 +235,7 @@ void SceneTabs::addTo(Commands& commands) {
 void SceneTabs::addMenu(QMenu& menu) {
   QMenu* tabs = menu.addMenu(QString());
   keepTranslated(*tabs, [tabs] { tabs->setTitle(tr("Tabs")); });
-  tabs->addActions(wanted_);
+  tabs->addActions(tabActions_);
 }
 
 /// Sets the minimum height of the chart: two plots need more than one.
@@ -248,14 +245,14 @@ void SceneTabs::updatePlotHeight() {
 }
 
 void SceneTabs::setTabRequested(int index, bool isRequested) {
-  setTabVisible(index, isRequested && wanted_.at(index)->isVisible());
+  setTabVisible(index, isRequested && tabActions_.at(index)->isVisible());
   fitTitles();
   const auto isOn = [](const QAction* each) { return each->isVisible() && each->isChecked(); };
-  setVisible(std::ranges::any_of(wanted_, isOn));
+  setVisible(std::ranges::any_of(tabActions_, isOn));
 }
 
 void SceneTabs::bringToFront(int index) {
-  QAction* action = wanted_.at(index);
+  QAction* action = tabActions_.at(index);
   if (action->isVisible()) action->setChecked(true);
   if (isTabVisible(index) && isTabEnabled(index)) setCurrentIndex(index);
 }
@@ -273,26 +270,26 @@ void SceneTabs::setCurveHidden(bool isHidden) {
 
 QStringList SceneTabs::hiddenTabs() const {
   QStringList names;
-  for (int i = 0; i < wanted_.size(); ++i)
-    if (!wanted_[i]->isChecked()) names += widget(i)->objectName();
+  for (int i = 0; i < tabActions_.size(); ++i)
+    if (!tabActions_[i]->isChecked()) names += widget(i)->objectName();
   return names;
 }
 
 void SceneTabs::hideTabs(const QStringList& names) {
-  for (int i = 0; i < wanted_.size(); ++i)
-    wanted_[i]->setChecked(!names.contains(widget(i)->objectName()));
+  for (int i = 0; i < tabActions_.size(); ++i)
+    tabActions_[i]->setChecked(!names.contains(widget(i)->objectName()));
 }
 
 void SceneTabs::showScene(const Scene& scene) {
-  const bool moves = scene.sliding.kind != SlidingKind::Steady;
-  const bool moved = isTabVisible(kMotionTab);
+  const bool hasMotion = scene.sliding.kind != SlidingKind::Steady;
+  const bool hadMotion = isTabVisible(kMotionTab);
   // The tab of the motion is left before it is hidden; otherwise Qt shows the next one.
-  if (!moves && currentWidget() == motion_) setCurrentWidget(plot_);
-  QAction& action = *wanted_.at(kMotionTab);
-  action.setVisible(moves);
-  setTabVisible(kMotionTab, moves && action.isChecked());
+  if (!hasMotion && currentWidget() == motion_) setCurrentWidget(plot_);
+  QAction& action = *tabActions_.at(kMotionTab);
+  action.setVisible(hasMotion);
+  setTabVisible(kMotionTab, hasMotion && action.isChecked());
   fitTitles();
-  if (moves && !moved) setCurrentIndex(kMotionTab);
+  if (hasMotion && !hadMotion) setCurrentIndex(kMotionTab);
   motion_->showScene(scene);
   hasMeasuredFriction_ = !scene.comparison.data.empty();
   updatePlotHeight();
@@ -300,10 +297,11 @@ void SceneTabs::showScene(const Scene& scene) {
   spectrum_->show([scene] { return spectrumSheet(scene); },
                   {"spectrum", [scene] { return pictureOrigin("surface", scene); }, {}});
   material_->show(
-      [scene, excitation = excitation_] { return excitationSheet(scene, *excitation->of(scene)); },
+      [scene, excitation = excitation_] { return excitationSheet(scene, *excitation->get(scene)); },
       {"material", [scene] { return pictureOrigin("material", scene); },
        [scene, excitation = excitation_] {
-         return provenanceComment("material", scene) + excitationCsv(scene, *excitation->of(scene));
+         return provenanceComment("material", scene) +
+                excitationCsv(scene, *excitation->get(scene));
        }});
   accuracy_->showScene(scene);
   map_->showScene(scene);

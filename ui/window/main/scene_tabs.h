@@ -1,7 +1,7 @@
 // The tabs under the contact: the friction curve, the motion over time (only where the scene has
-// one), the spectrum of the line, statistics of the contact, where the rubber is used, the cost of
-// accuracy, the plan, the map over two parameters, and what friction depends on.
-// GUI thread; owned by its parent.
+// one), the spectrum of the line, statistics of the contact, the moduli of the elastomer with the
+// frequencies in use, the cost of accuracy, the plan, the map over two parameters, and the
+// influences on friction. GUI thread; owned by its parent.
 #pragma once
 
 #include <QElapsedTimer>
@@ -25,7 +25,7 @@ class AccuracyPanel;
 class ChartView;
 class Commands;
 class DiagramView;
-class ExcitationOfScene;
+class ExcitationCache;
 class InfluencePage;
 class MapPanel;
 class MotionView;
@@ -61,7 +61,7 @@ class SceneTabs : public QTabWidget {
   /// Brings the tab of this object name to the front, if it is shown.
   void bringToFront(const QString& name);
 
-  /// Closes the tabs that would tell of a hidden curve, other than the one in front.
+  /// Disables the tabs that would reveal a hidden curve, except for the one in front.
   void setCurveHidden(bool isHidden);
 
   /// Updates the tabs. A new motion comes to the front; its tab leaves with it.
@@ -92,7 +92,7 @@ class SceneTabs : public QTabWidget {
  private:
   void showTexts();
   void fitTitles();
-  int widthOf(const QStringList& titles, int padding) const;
+  int tabsWidth(const QStringList& titles, int padding) const;
   int cornerWidth() const;
   void bringToFront(int index);
   void setTabRequested(int index, bool isRequested);
@@ -108,19 +108,18 @@ class SceneTabs : public QTabWidget {
   MapPanel* map_;
   InfluencePage* influences_;
   Commands* commands_ = nullptr;
-  QList<QAction*> wanted_;  // one for each tab, checkable
-  QStringList titles_,
-      briefTitles_;             // of the tabs; the brief ones are used where the bar is narrow
-  std::optional<Scene> timed_;  // the scene whose curve is timed
+  QList<QAction*> tabActions_;        // one for each tab, checkable
+  QStringList titles_, briefTitles_;  // of the tabs; the brief ones are for a narrow bar
+  std::optional<Scene> timed_;        // the scene whose curve is timed
   bool mayScroll_ = false;
-  bool hasMeasuredFriction_ = false;  // whose ratio to the curve is a plot of its own
+  bool hasMeasuredFriction_ = false;  // its ratio to the curve is a plot of its own
   QElapsedTimer curveTime_;  // since the request for the curve; invalid once it is complete
   /// Results for the present curve; errors are relative, root mean square.
   struct Measured {
     double seconds, standardError, interval;
   };
   std::optional<Measured> measured_;
-  std::shared_ptr<ExcitationOfScene> excitation_;
+  std::shared_ptr<ExcitationCache> excitation_;
 };
 
 }  // namespace asperity

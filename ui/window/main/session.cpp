@@ -1,8 +1,8 @@
 #include "ui/window/main/session.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <initializer_list>
 #include <utility>
 
 #include "core/scene/sweep.h"
@@ -11,16 +11,15 @@ namespace asperity {
 
 namespace {
 
-constexpr int kWaitingDelay =
-    200;  // ms, until waitingChanged() reports that the first frame is missing
-constexpr int kIdleDelay = 1000;  // ms without a command or a frame, until the session is idle
+constexpr int kWaitingDelay = 200;  // ms, until waitingChanged() reports a missing first frame
+constexpr int kIdleDelay = 1000;    // ms without a command or a frame, until the session is idle
 
 bool sameOrBothMissing(double a, double b) {
   return a == b || (!std::isfinite(a) && !std::isfinite(b));
 }
 
 /// Returns whether two frames put the diagram's marker at the same position.
-bool sameMark(const Frame* before, const Frame& now) {
+bool haveSameMark(const Frame* before, const Frame& now) {
   return before && !before->transient && !now.transient &&
          before->scene->sliding.velocity == now.scene->sliding.velocity &&
          before->scene->sweep.key == now.scene->sweep.key &&
@@ -28,19 +27,19 @@ bool sameMark(const Frame* before, const Frame& now) {
          sameOrBothMissing(before->muSteady, now.muSteady);
 }
 
-bool areFinite(const std::vector<double>& values) {
-  return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
+template <class Values>
+bool areFinite(const Values& values) {
+  return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
 }
 
 }  // namespace
 
 QString frameError(const Frame& frame) {
-  const bool finite =
-      std::ranges::all_of(std::initializer_list<double>{frame.length, frame.indentation,
-                                                        frame.normalForce, frame.contactFraction},
-                          [](double v) { return std::isfinite(v); }) &&
-      areFinite(frame.lineHeight) && areFinite(frame.surfaceHeight) && areFinite(frame.pressure);
-  if (!finite) return Session::tr("The numbers of this scene leave what a computer can hold.");
+  const bool isFinite = areFinite(std::array{frame.length, frame.indentation, frame.normalForce,
+                                             frame.contactFraction}) &&
+                        areFinite(frame.lineHeight) && areFinite(frame.surfaceHeight) &&
+                        areFinite(frame.pressure);
+  if (!isFinite) return Session::tr("The numbers of this scene leave what a computer can hold.");
   if (!std::isfinite(frame.muSteady) && !frame.transient)
     return Session::tr("No steady sliding was found at this load and velocity.");
   return {};
@@ -56,7 +55,8 @@ void Session::begin() {
   runner_.play();
 }
 
-/// Returns options that take a curve when it arrives, not at the next step of the window's timer.
+/// Returns the options with a callback that takes a curve when it arrives, not at the next step of
+/// the window's timer.
 RunnerOptions Session::withCurveNotification(RunnerOptions options) {
   options.curveUpdated = [this] {
     if (hasCurveUpdate_.exchange(true)) return;
@@ -115,7 +115,10 @@ void Session::requestFields(const FrameFields& fields) {
 }
 
 void Session::setPlaying(bool playing) {
-  playing ? runner_.play() : runner_.pause();
+  if (playing)
+    runner_.play();
+  else
+    runner_.pause();
   notifyCommandSent();
   emit playingChanged(playing);
 }
@@ -214,7 +217,7 @@ void Session::takeFrame() {
   std::shared_ptr<const Frame> newest = runner_.newestFrame();
   if (!newest || newest == frame_) return;
   activityTime_.start();
-  const bool marked = sameMark(frame_.get(), *newest);
+  const bool marked = haveSameMark(frame_.get(), *newest);
   frame_ = std::move(newest);
   if (!marked) {
     if (friction_.mark(*frame_))

@@ -35,7 +35,7 @@ constexpr int kMessageTime = 5000;     // ms, how long a message is shown
 constexpr int kDrawingInterval = 500;  // ms
 constexpr int kWorkInterval = 100;     // ms
 
-const QString kStopSign = QStringLiteral("✕"), kAgainSign = QStringLiteral("↻");
+const QString kStopSign = QStringLiteral("✕"), kRestartSign = QStringLiteral("↻");
 
 double orMissing(double value) {
   return std::isfinite(value) ? value : kNotApplicable;
@@ -58,7 +58,7 @@ QString meanText(const CurveReading& reading) {
            shownNumber(roundedToDigits(100 * share, 1)));
 }
 
-/// Returns a rate with at most three significant digits: "12,000".
+/// Returns a rate with two significant digits: "12,000".
 QString rateText(double rate) {
   const QLocale locale(fromUtf8(presentLanguage()));
   return locale.toString(static_cast<qlonglong>(roundedToDigits(rate, 2)));
@@ -160,14 +160,14 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
   connect(notes_, &QToolButton::clicked, this, [this] {
     QMenu menu(this);
     menu.setObjectName("notesMenu");
-    for (const Note note : present_.list())
+    for (const Note note : shownNotes_.list())
       menu.addAction(QStringLiteral("⚠ ") + translatedText(noteSentence(note)));
     menu.exec(notes_->mapToGlobal(QPoint(0, -menu.sizeHint().height())));
   });
   line->addWidget(notes_);
   settling_ = addReading(*line, "factSettling");
   message_ = new ElidedLabel;
-  message_->setObjectName("said");
+  message_->setObjectName("statusMessage");
   line->addWidget(message_, 1);
   messageTimer_ = new QTimer(this);
   messageTimer_->setSingleShot(true);
@@ -214,22 +214,22 @@ void StatusLine::showTips() {
 /// Reserves the width of readings that appear only during work, so that the others do not move when
 /// work begins or ends.
 void StatusLine::reserveWidths() {
-  const auto widthOf = [this](const QString& text) {
+  const auto textWidth = [this](const QString& text) {
     return fontMetrics().horizontalAdvance(text);
   };
   const QString number = QStringLiteral("0.00888");
-  mu_->setMinimumWidth(
-      widthOf(tr("friction μ = %1%2")
-                  .arg(number, tr(" (mean %1 ± %2 %)").arg(QStringLiteral("0.0008888"), "0.08"))));
-  force_->setMinimumWidth(widthOf(tr("force F̄ = %1").arg(number)));
-  velocity_->setMinimumWidth(widthOf(tr("velocity v̄ = %1").arg(number)));
-  simulations_->setMinimumWidth(widthOf(tr("%1 simulations/s").arg(rateText(8800000))));
-  rate_->setMinimumWidth(widthOf(tr("%1 frames/s").arg(888)));
+  mu_->setMinimumWidth(textWidth(
+      tr("friction μ = %1%2")
+          .arg(number, tr(" (mean %1 ± %2 %)").arg(QStringLiteral("0.0008888"), "0.08"))));
+  force_->setMinimumWidth(textWidth(tr("force F̄ = %1").arg(number)));
+  velocity_->setMinimumWidth(textWidth(tr("velocity v̄ = %1").arg(number)));
+  simulations_->setMinimumWidth(textWidth(tr("%1 simulations/s").arg(rateText(8800000))));
+  rate_->setMinimumWidth(textWidth(tr("%1 frames/s").arg(888)));
   for (QLabel* reading : {simulations_, rate_})
     reading->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   int widest = 0;
   for (const char* name : {"I", "II", "III", "IV"})
-    widest = std::max(widest, widthOf(regionText(name)));
+    widest = std::max(widest, textWidth(regionText(name)));
   regime_->setMinimumWidth(widest);
   for (QWidget* widget : std::initializer_list<QWidget*>{progress_, stop_}) {
     QSizePolicy policy = widget->sizePolicy();
@@ -270,14 +270,14 @@ void StatusLine::addWork(QHBoxLayout& line) {
   stop_->setObjectName("workStop");
   stop_->setAutoRaise(true);
   stop_->setFocusPolicy(Qt::TabFocus);
-  connect(stop_, &QToolButton::clicked, this, &StatusLine::pressed);
+  connect(stop_, &QToolButton::clicked, this, &StatusLine::workButtonClicked);
   auto* workLayout = new QHBoxLayout;
   workLayout->setSpacing(4);
   workLayout->addWidget(progress_);
   workLayout->addWidget(stop_);
   line.addLayout(workLayout);
   QSize size;
-  for (const QString& sign : {kStopSign, kAgainSign}) {
+  for (const QString& sign : {kStopSign, kRestartSign}) {
     stop_->setText(sign);
     size = size.expandedTo(stop_->sizeHint());
   }
@@ -285,7 +285,7 @@ void StatusLine::addWork(QHBoxLayout& line) {
   line.addStrut(size.height());
 }
 
-void StatusLine::pressed() {
+void StatusLine::workButtonClicked() {
   if (work_.state == Work::State::Running) emit stopRequested();
   if (work_.state == Work::State::Stopped) emit restartRequested();
   if (work_.state == Work::State::Waiting) emit backRequested();
@@ -293,15 +293,15 @@ void StatusLine::pressed() {
 
 void StatusLine::showWork(const Work& work) {
   work_ = work;
-  const bool waits = work.state == Work::State::Waiting;
-  const bool stands = work.state == Work::State::Stopped;
-  progress_->setRange(0, waits ? 0 : 1000);
+  const bool isWaiting = work.state == Work::State::Waiting;
+  const bool isStopped = work.state == Work::State::Stopped;
+  progress_->setRange(0, isWaiting ? 0 : 1000);
   progress_->setValue(static_cast<int>(1000 * work.progress));
-  progress_->setAccessibleName(waits ? tr("making the line") : tr("progress of the curve"));
-  stop_->setText(stands ? kAgainSign : kStopSign);
-  const QString text = waits    ? tr("Making the line… Back to the previous scene")
-                       : stands ? tr("The curve is not complete: average it again")
-                                : tr("Stop averaging the curve");
+  progress_->setAccessibleName(isWaiting ? tr("making the line") : tr("progress of the curve"));
+  stop_->setText(isStopped ? kRestartSign : kStopSign);
+  const QString text = isWaiting   ? tr("Making the line… Back to the previous scene")
+                       : isStopped ? tr("The curve is not complete: average it again")
+                                   : tr("Stop averaging the curve");
   stop_->setToolTip(text);
   stop_->setAccessibleName(text);
   progress_->setVisible(work.state != Work::State::Idle);
@@ -330,7 +330,7 @@ void StatusLine::showFrame(const Frame& frame, const CurveReading& reading) {
 /// Shows the number of notes; tooltip and menu have all sentences. The sign appears beside the
 /// readings, so that no view moves.
 void StatusLine::showNotes(const NoteSet& notes) {
-  present_ = notes;
+  shownNotes_ = notes;
   QStringList sentences;
   for (const Note note : notes.list()) sentences += translatedText(noteSentence(note));
   QString text;
@@ -351,13 +351,13 @@ void StatusLine::showNotes(const NoteSet& notes) {
 /// soon as a widget in it is shown, and would squeeze the readings of one line too many.
 void StatusLine::fitReadings() {
   constexpr int kExtraSpace = 40;  // pixels
-  const QMargins around = layout()->contentsMargins();
-  int available = width() - around.left() - around.right();
+  const QMargins margins = layout()->contentsMargins();
+  int available = width() - margins.left() - margins.right();
   for (const QWidget* work : std::initializer_list<const QWidget*>{progress_, stop_})
     available -= work->width() + layout()->spacing();
   // Friction and the notes stay even in the narrowest window.
-  notes_->setVisible(!present_.empty());
-  if (!present_.empty()) available -= notes_->sizeHint().width() + layout()->spacing();
+  notes_->setVisible(!shownNotes_.empty());
+  if (!shownNotes_.empty()) available -= notes_->sizeHint().width() + layout()->spacing();
   bool fits = true;
   std::vector<QLabel*> shown;
   // "Settling" comes last, because it appears after every change and must hide no other reading.
@@ -400,10 +400,10 @@ void StatusLine::showVelocity(const Frame& frame) {
                             : wrappedTip(velocityTip() + QStringLiteral(". ") + reason.sentence));
   if (reason.brief.isEmpty()) return velocity_->setText(plain);
   const QString whole = tr("%1 (%2)").arg(plain, reason.brief);
-  const int more = fontMetrics().horizontalAdvance(whole) - fontMetrics().horizontalAdvance(plain);
+  const int extra = fontMetrics().horizontalAdvance(whole) - fontMetrics().horizontalAdvance(plain);
   const bool isWhole = velocity_->text() == whole;
   const bool fits =
-      isWhole ? message_->width() >= kMinLeft : message_->width() >= more + kExtraSpace;
+      isWhole ? message_->width() >= kMinLeft : message_->width() >= extra + kExtraSpace;
   velocity_->setText(fits && !velocity_->isHidden() ? whole : plain);
 }
 

@@ -77,7 +77,7 @@ class StatusLine : public QWidget {
   void showVelocity(const Frame& frame);
   void showNotes(const NoteSet& notes);
   void addWork(QHBoxLayout& line);
-  void pressed();
+  void workButtonClicked();
   void reserveWidths();
   void fitReadings();
 
@@ -88,8 +88,8 @@ class StatusLine : public QWidget {
   QTimer* messageTimer_;
   QLabel* regime_;
   QLabel* mu_;
-  QToolButton* notes_;  // opens all of them
-  NoteSet present_;
+  QToolButton* notes_;  // opens a menu of all notes
+  NoteSet shownNotes_;
   QLabel* force_;
   QLabel* velocity_;
   QLabel* settling_;

@@ -88,7 +88,7 @@ int stepCount() {
   return static_cast<int>(tourSteps().size());
 }
 
-QString textOf(int index) {
+QString stepText(int index) {
   const TourStep& step = tourSteps()[static_cast<std::size_t>(index)];
   return keptTogether(TourBar::tr("%1 of %2&ensp;<b>%3.</b> %4 <i>Try: %5</i>")
                           .arg(index + 1)
@@ -123,7 +123,7 @@ void TourBar::showTexts() {
   back_->setText(tr("Back"));
   next_->setText(tr("Next"));
   end_->setText(tr("End"));
-  text_->setText(textOf(step_));
+  text_->setText(stepText(step_));
 }
 
 QPushButton* TourBar::addButton(const char* name) {
@@ -137,7 +137,7 @@ QPushButton* TourBar::addButton(const char* name) {
 
 void TourBar::showStep(int step) {
   step_ = step;
-  text_->setText(textOf(step));
+  text_->setText(stepText(step));
   back_->setEnabled(step > 0);
   next_->setEnabled(step + 1 < stepCount());
   show();
@@ -150,7 +150,7 @@ void TourBar::keepHeight() {
   measured.setTextFormat(Qt::RichText);
   int height = 0;
   for (int step = 0; step < stepCount(); ++step) {
-    measured.setText(textOf(step));
+    measured.setText(stepText(step));
     height = std::max(height, measured.heightForWidth(text_->width()));
   }
   text_->setMinimumHeight(height);
@@ -211,7 +211,7 @@ void Tour::offer() {
 void Tour::start() {
   QSettings().setValue(kOffered, true);
   hint_.hide();
-  document_.endTrial();  // of a lesson
+  document_.endTrial();  // a lesson may be running
   emit starting();
   isRunning_ = true;
   show(0);

@@ -10,7 +10,6 @@
 #include <span>
 
 class QLabel;
-class QMenu;
 class QPushButton;
 
 namespace asperity {
@@ -30,7 +29,7 @@ struct TourStep {
 
 std::span<const TourStep> tourSteps();
 
-/// Returns one of a step's texts in the language of the window.
+/// Translates one of a step's texts into the language of the window.
 QString tourText(const char* text);
 
 /// Shows the number of the step, what can be seen and what to try, with the buttons to go on.
@@ -82,7 +81,7 @@ class Tour : public QObject {
   void starting();
   /// Emitted when a step is shown; the bar then replaces the description of the scene.
   void stepShown();
-  /// Emitted when the frame goes around the control of this key, which has to be visible.
+  /// Emitted before the frame goes around the control of this key, which has to be visible then.
   void controlRequested(const QString& key);
 
  private:

@@ -154,7 +154,7 @@ void WindowLayout::beginPresentation() {
                    !window.statusBar()->isHidden()};
   for (QSplitter* splitter : window.findChildren<QSplitter*>())
     presentation_->splits.emplaceBack(splitter, splitter->saveState());
-  const double scale = presentedScale(window.screen()->size());
+  const double scale = presentationScale(window.screen()->size());
   QFont large = presentation_->font;
   large.setPointSizeF(large.pointSizeF() * scale);
   QApplication::setFont(large);
@@ -164,8 +164,8 @@ void WindowLayout::beginPresentation() {
   for (QWidget* around :
        std::initializer_list<QWidget*>{window.menuBar(), window.statusBar(), &parts_.dock})
     around->hide();
-  parts_.appearance.setDark(
-      parts_.appearance.isDark());  // repaints what was painted with the other font
+  // The style sheet is set again for what was painted with the other font.
+  parts_.appearance.setDark(parts_.appearance.isDark());
   // On a low screen large letters around the chart leave it little height.
   constexpr int kLow = 800;  // pixels
   if (window.screen()->size().height() < kLow) parts_.splitter.setSizes({540, 460});
@@ -269,9 +269,9 @@ void WindowLayout::fitToScreen() {
   const Qt::WindowStates state = window.windowState();
   const QRect requested = state == Qt::WindowNoState ? window.geometry() : window.normalGeometry();
   const bool hasPlace = window.testAttribute(Qt::WA_Moved);
-  const QScreen* there = hasPlace ? QGuiApplication::screenAt(requested.center()) : nullptr;
-  const QRect available =
-      (there ? there : window.screen())->availableGeometry().marginsRemoved(kFrame);
+  const QScreen* screen = hasPlace ? QGuiApplication::screenAt(requested.center()) : nullptr;
+  if (!screen) screen = window.screen();
+  const QRect available = screen->availableGeometry().marginsRemoved(kFrame);
   window.setMinimumSize(kMinWindowSize.boundedTo(available.size()));
   const QSize size = requested.size().boundedTo(available.size());
   const QRect fitted(
@@ -288,9 +288,9 @@ void WindowLayout::fitToScreen() {
 }
 
 QSize pageSize(QSize usual, const QScreen& screen) {
-  constexpr double kOfScreen = 0.7;  // of a large one
+  constexpr double kScreenShare = 0.7;  // of a large screen
   const QSize available = screen.availableSize();
-  return usual.expandedTo(kOfScreen * available).boundedTo(available - kWindowFrame);
+  return usual.expandedTo(kScreenShare * available).boundedTo(available - kWindowFrame);
 }
 
 }  // namespace asperity

@@ -106,7 +106,7 @@ class WindowLayout : public QObject {
     bool hasStatus;
   };
   std::optional<Presentation> presentation_;
-  std::optional<QSize> dockSize_;  // that the dock gets back when the layouts allow it
+  std::optional<QSize> dockSize_;  // the size that the dock gets back when the layouts allow it
 };
 
 }  // namespace asperity

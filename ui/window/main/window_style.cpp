@@ -59,17 +59,17 @@ void WindowStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* op
   painter->restore();
 }
 
-/// Lets check boxes and handles of sliders grow with the letters: in a presentation these are more
-/// than twice as high.
+/// Lets check boxes and handles of sliders grow with the letters, which are more than twice as high
+/// in a presentation.
 int WindowStyle::pixelMetric(PixelMetric metric, const QStyleOption* option,
                              const QWidget* widget) const {
   const int usual = QProxyStyle::pixelMetric(metric, option, widget);
   if (!widget) return usual;
-  constexpr double kOfLetters = 0.85;
+  constexpr double kLetterShare = 0.85;  // side of a check box over the height of letters
   switch (metric) {
     case PM_IndicatorWidth:
     case PM_IndicatorHeight:
-      return std::max(usual, static_cast<int>(kOfLetters * widget->fontMetrics().height()));
+      return std::max(usual, static_cast<int>(kLetterShare * widget->fontMetrics().height()));
     case PM_SliderLength:
     case PM_SliderThickness:
     case PM_SliderControlThickness:

@@ -44,8 +44,8 @@ void askForVisibility(QWidget& window) {
   change(x11->connection(), id, XCB_CW_EVENT_MASK, &requested);
 }
 
-/// Returns whether the window is fully covered, where the message contains that.
-std::optional<bool> coverOf(const QWindow& window, const QByteArray& type, const void* message) {
+/// Returns whether the window is fully covered, if the message reports that.
+std::optional<bool> readCover(const QWindow& window, const QByteArray& type, const void* message) {
   if (type != "xcb_generic_event_t") return std::nullopt;
   const auto* event = static_cast<const xcb_visibility_notify_event_t*>(message);
   if ((event->response_type & 0x7f) != XCB_VISIBILITY_NOTIFY || event->window != window.winId())
@@ -57,7 +57,7 @@ std::optional<bool> coverOf(const QWindow& window, const QByteArray& type, const
 
 void askForVisibility(QWidget&) {}
 
-std::optional<bool> coverOf(const QWindow&, const QByteArray&, const void*) {
+std::optional<bool> readCover(const QWindow&, const QByteArray&, const void*) {
   return std::nullopt;
 }
 
@@ -107,9 +107,9 @@ bool WindowVisibility::eventFilter(QObject* watched, QEvent* event) {
 }
 
 bool WindowVisibility::nativeEventFilter(const QByteArray& type, void* message, qintptr*) {
-  const std::optional<bool> cover = handle_ ? coverOf(*handle_, type, message) : std::nullopt;
-  if (!cover) return false;
-  isCovered_ = *cover;
+  const std::optional<bool> isCovered = handle_ ? readCover(*handle_, type, message) : std::nullopt;
+  if (!isCovered) return false;
+  isCovered_ = *isCovered;
   updateVisibility();
   return false;
 }
