@@ -17,8 +17,8 @@ namespace asperity {
 namespace {
 
 constexpr std::size_t kLargestFile = std::size_t{1} << 31;  // bytes
-constexpr std::size_t kBeginning = 4096;                    // bytes, in which the format shows itself
-constexpr double kFarthest = 1e6;                           // m, limit of lengths and heights
+constexpr std::size_t kBeginning = 4096;  // bytes, in which the format shows itself
+constexpr double kFarthest = 1e6;         // m, limit of lengths and heights
 // Numbers without a unit that exceed these limits are hardly metres.
 constexpr double kLongestAssumed = 1;    // m
 constexpr double kSteepestAssumed = 10;  // rms slope
@@ -38,16 +38,15 @@ struct SurfaceFormat {
 };
 
 /// All formats but text, in the order in which they are tried.
-constexpr std::array kFormats{
-    SurfaceFormat{"x3p", "X3P", {"x3p"}, isX3p, readX3p},
-    SurfaceFormat{"sur", "SUR, PRO", {"sur", "pro"}, isSur, readSur},
-    SurfaceFormat{"gsf", "GSF", {"gsf"}, isGsf, readGsf},
-    SurfaceFormat{"gwy", "GWY", {"gwy"}, isGwy, readGwy},
-    SurfaceFormat{"zygo", "Zygo", {}, isZygo, readZygo},
-    SurfaceFormat{"wyko", "Wyko (text)", {"asc"}, isWyko, readWyko},
-    SurfaceFormat{"surfer", "Surfer", {"grd"}, isSurfer, readSurfer},
-    SurfaceFormat{"sdf", "SDF", {"sdf"}, isSdf, readSdf},
-    SurfaceFormat{"smd", "SMD, PRF", {"smd", "prf"}, isSmd, readSmd}};
+constexpr std::array kFormats{SurfaceFormat{"x3p", "X3P", {"x3p"}, isX3p, readX3p},
+                              SurfaceFormat{"sur", "SUR, PRO", {"sur", "pro"}, isSur, readSur},
+                              SurfaceFormat{"gsf", "GSF", {"gsf"}, isGsf, readGsf},
+                              SurfaceFormat{"gwy", "GWY", {"gwy"}, isGwy, readGwy},
+                              SurfaceFormat{"zygo", "Zygo", {}, isZygo, readZygo},
+                              SurfaceFormat{"wyko", "Wyko (text)", {"asc"}, isWyko, readWyko},
+                              SurfaceFormat{"surfer", "Surfer", {"grd"}, isSurfer, readSurfer},
+                              SurfaceFormat{"sdf", "SDF", {"sdf"}, isSdf, readSdf},
+                              SurfaceFormat{"smd", "SMD, PRF", {"smd", "prf"}, isSmd, readSmd}};
 
 constexpr std::array<std::string_view, 5> kTextWords{"auto", "text", "profile", "matrix", "points"};
 constexpr std::array<std::string_view, 4> kTextEndings{"csv", "txt", "dat", "xyz"};
@@ -83,9 +82,10 @@ SurfaceDraft readDraft(const SurfaceSource& source) {
   } else {
     format = detectFormat(source);
     if (format == nullptr && !canBeText(source))
-      source.fail(message("is {}; text (profiles, matrices, points) and files of these kinds are "
-                          "read: {}",
-                          Message(detectNonText(source.bytes)), readableFormats()));
+      source.fail(
+          message("is {}; text (profiles, matrices, points) and files of these kinds are "
+                  "read: {}",
+                  Message(detectNonText(source.bytes)), readableFormats()));
   }
   return format != nullptr ? format->read(source) : readTextSurface(source);
 }

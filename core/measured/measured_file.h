@@ -26,8 +26,8 @@
 
 namespace asperity {
 
-/// Returns the words of `surface.format`. `text` is any of the three text forms: `profile` is one or
-/// more columns with one row for each point; `matrix` is one row of heights for each profile;
+/// Returns the words of `surface.format`. `text` is any of the three text forms: `profile` is one
+/// or more columns with one row for each point; `matrix` is one row of heights for each profile;
 /// `points` is x, y and z of one point in each row, in any order. `gwyddion` is a file that only
 /// Gwyddion reads.
 std::span<const std::string_view> surfaceFormats();

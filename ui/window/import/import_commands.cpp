@@ -57,7 +57,8 @@ void ImportCommands::askSurface(const Scene& scene) {
   const QString file = QFileDialog::getOpenFileName(
       &parts_.window, tr("Open surface"),
       QString::fromStdString((scene.folder / scene.surface.file).string()),
-      tr("Measured surfaces (%1);;All files (*)").arg(patterns.join(' ')), nullptr, QFileDialog::HideNameFilterDetails);
+      tr("Measured surfaces (%1);;All files (*)").arg(patterns.join(' ')), nullptr,
+      QFileDialog::HideNameFilterDetails);
   if (!file.isEmpty()) showSurface(scene, file);
 }
 

@@ -1,5 +1,6 @@
-// The page of all lessons: what each teaches and how long it takes, for teachers also its
-// answers; it begins one, opens a file, and writes handouts. GUI thread. Failure: one line on the page shows the error.
+// The page of all lessons: what each teaches and how long it takes, for teachers also its answers;
+// it begins one, opens a file, and writes handouts. GUI thread. Failure: one line on the page shows
+// the error.
 #pragma once
 
 #include <QDialog>
