@@ -644,9 +644,9 @@ bool LessonEditor::askAndSave() {
 
 bool LessonEditor::canClose() {
   if (writeLesson(saved_) == writeLesson(lesson_)) return true;
-  const QMessageBox::StandardButton answer = askSaveChanges(
-      this, "editorUnsaved", tr("Lesson editor"), tr("The lesson was changed and not saved."));
-  if (answer != QMessageBox::Save) return answer == QMessageBox::Discard;
+  const SaveAnswer answer = askSaveChanges(this, "editorUnsaved", tr("Lesson editor"),
+                                           tr("The lesson was changed and not saved."));
+  if (answer != SaveAnswer::Save) return answer == SaveAnswer::Discard;
   return file_.isEmpty() ? askAndSave() : saveTo(file_);
 }
 

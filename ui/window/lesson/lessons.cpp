@@ -501,15 +501,16 @@ bool Lessons::mayLeave() {
   switch (askSaveChanges(&parts_.window, "resultsQuestion", tr("Asperity"),
                          tr("Save your answers?"),
                          tr("They go into a file of your choice. Otherwise they are lost."))) {
-    case QMessageBox::Save:
+    case SaveAnswer::Save:
       askResultsFile();
       return isSaved_;
-    case QMessageBox::Discard:
+    case SaveAnswer::Discard:
       results_ = emptyResults(*lesson_);
       return true;
-    default:
-      return false;
+    case SaveAnswer::Cancel:
+      break;
   }
+  return false;
 }
 
 /// Ends the lesson, unless the student decides to stay in it.

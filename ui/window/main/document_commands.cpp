@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QLocale>
 #include <QMenu>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QSettings>
 #include <exception>
@@ -224,19 +225,19 @@ bool DocumentCommands::maybeSave(const SceneState& state) {
                          tr("“%1” was changed. Save the changes?").arg(name),
                          tr("They go into %1.").arg(QDir::toNativeSeparators(file)) + ' ' +
                              tr("Otherwise they are lost."))) {
-    case QMessageBox::Save:
+    case SaveAnswer::Save:
       return isPresent ? saveTo(state.origin.file) : write(file, state.scene);
-    case QMessageBox::Discard:
+    case SaveAnswer::Discard:
       if (isPresent) document_.revert();
       return true;
-    default:
-      return false;
+    case SaveAnswer::Cancel:
+      break;
   }
+  return false;
 }
 
-QMessageBox::StandardButton askSaveChanges(QWidget* parent, const QString& name,
-                                           const QString& title, const QString& question,
-                                           const QString& explanation) {
+SaveAnswer askSaveChanges(QWidget* parent, const QString& name, const QString& title,
+                          const QString& question, const QString& explanation) {
   QMessageBox box(QMessageBox::Question, title, {},
                   QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, parent);
   box.setObjectName(name);
@@ -248,7 +249,14 @@ QMessageBox::StandardButton askSaveChanges(QWidget* parent, const QString& name,
   box.button(QMessageBox::Save)->setText(DocumentCommands::tr("&Save"));
   box.button(QMessageBox::Discard)->setText(DocumentCommands::tr("&Discard"));
   box.button(QMessageBox::Cancel)->setText(DocumentCommands::tr("&Cancel"));
-  return static_cast<QMessageBox::StandardButton>(box.exec());
+  switch (box.exec()) {
+    case QMessageBox::Save:
+      return SaveAnswer::Save;
+    case QMessageBox::Discard:
+      return SaveAnswer::Discard;
+    default:
+      return SaveAnswer::Cancel;
+  }
 }
 
 // ---- Recent files

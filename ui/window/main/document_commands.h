@@ -5,7 +5,6 @@
 // stays as it is.
 #pragma once
 
-#include <QMessageBox>
 #include <QObject>
 #include <QString>
 #include <QStringList>
@@ -73,11 +72,10 @@ class DocumentCommands : public QObject {
   BackgroundWork reading_;  // last: its thread ends before other members are destroyed
 };
 
-/// Asks whether unsaved changes are to be saved, in plain text: Save, Discard or Cancel. `name`: of
-/// the dialog as an object.
-QMessageBox::StandardButton askSaveChanges(QWidget* parent, const QString& name,
-                                           const QString& title, const QString& question,
-                                           const QString& explanation = {});
+/// Asks whether unsaved changes are to be saved, in plain text. `name`: of the dialog as an object.
+enum class SaveAnswer { Save, Discard, Cancel };
+SaveAnswer askSaveChanges(QWidget* parent, const QString& name, const QString& title,
+                          const QString& question, const QString& explanation = {});
 
 /// The recent files, the newest first, as absolute paths, kept in the user's settings. Files that
 /// no longer exist are left out.
