@@ -160,7 +160,7 @@ void LessonList::computeAnswers(int row) {
         CurveOptions options;
         options.stop = run.stop();
         std::vector<LessonAnswer> answers;
-        for (const LessonStep& step : shippedOnes()[static_cast<std::size_t>(row)].steps)
+        for (const LessonStep& step : readShippedLessons()[static_cast<std::size_t>(row)].steps)
           answers.push_back(step.prediction ? lessonAnswer(step, options) : LessonAnswer());
         return answers;
       },
@@ -173,7 +173,7 @@ void LessonList::computeAnswers(int row) {
 
 /// Returns the notes and the answers, as HTML.
 QString LessonList::teacherText(int row) const {
-  const Lesson& lesson = shippedOnes()[static_cast<std::size_t>(row)];
+  const Lesson& lesson = readShippedLessons()[static_cast<std::size_t>(row)];
   QString html = "<h4>" + tr("For teachers") + "</h4>";
   if (!lesson.notes.empty()) html += richText(shown(lesson.notes));
   html += "<h4>" + tr("Answers") + "</h4>";
