@@ -43,11 +43,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Number of rows in the table of a motion.
+/// Maximum number of rows in the table of a motion.
 constexpr std::int64_t kMotionRows = 2000;
 
 /// Number of scenes above which contact sheets are made only on request.
-constexpr std::size_t kMaxSheets = 100;
+constexpr std::size_t kMaxScenesOnSheets = 100;
 
 /// Returns the mean over the scene's lines at its own velocity. It is empty for a motion, and for a
 /// line at rest.
@@ -70,7 +70,7 @@ class BatchRun {
         batch_.items, [](const BatchItem& item) { return item.show != "contact"; });
     if (!hasChart)
       refuseChartOptions(command.picture, "is of charts, and no entry of the batch shows one");
-    if (batch_.items.size() <= kMaxSheets || command.contactSheet) makeSheets();
+    if (batch_.items.size() <= kMaxScenesOnSheets || command.contactSheet) makeSheets();
     makeFolder(command.output);
     progress_.emplace(command.output);
     checkWritable(fileIn("index.html"));
@@ -95,7 +95,7 @@ class BatchRun {
     writeFileAtomically(fileIn("results.csv"),
                         "# asperity: " + made + "\n" + columns_.select(batchTable(results_)));
     writeFileAtomically(fileIn("index.html"), batchPage(batch_, results_, names));
-    // Each scene is once in the table, and in the contact sheet where there is only one.
+    // The provenance of the table has the scenes; a single contact sheet repeats them.
     const std::string ofSheets =
         provenanceLine(sheets_.size() == 1 ? origin(names[0]) : referenceHeader("results.csv"));
     for (std::size_t i = 0; i < sheets_.size(); ++i)
@@ -248,6 +248,7 @@ class BatchRun {
       options["entry"] = itemJson(result.item);
       return options;
     };
+    // In the provenance of all files written below.
     std::optional<ProvenanceOptions> given(std::in_place, itemOptions(name + ".png"));
     PictureComposer composer(settings_, content);
     composer.checkCurveHeight(scene);

@@ -36,7 +36,7 @@ int leadingPower(double value, int digits) {
   return power;
 }
 
-/// Returns "2.3\u00D710\u2075"; a 1 before the power of ten is left out.
+/// Returns "2.3×10⁵"; a 1 before the power of ten is left out.
 std::string withPower(double value, int power, int digits, Zeros zeros) {
   std::string mantissa = printedDecimals(value / std::pow(10.0, power), digits - 1);
   if (zeros == Zeros::Drop) mantissa = withoutTrailingZeros(std::move(mantissa));

@@ -96,9 +96,10 @@ bool showsForces(const CurveSet& set);
 /// Returns whether Eq. (11) is drawn beside the curve of a scene.
 bool showsLaw(const Scene& scene);
 
-/// Returns the index in the palette of the colour of a pinned curve. The first kPinColours curves
-/// have different colours.
+/// Number of pinned curves that have different colours.
 inline constexpr int kPinColours = 8;
+
+/// Returns the index in the palette of the colour of a pinned curve.
 int pinColour(int index);
 
 /// Returns one row for each point of each curve: the series, all columns of a curve (curve_file.h),

@@ -9,9 +9,9 @@
 
 namespace asperity {
 
-/// Relative error of F_N above which a balance is not accepted.
+/// Tolerance of the force balance: the relative error of F_N above which it is not accepted.
 inline constexpr double kAcceptedResidual = 1e-10;
-/// Relative error of F_N at which iteration ends.
+/// Relative error of F_N below which the iteration ends.
 inline constexpr double kWantedResidual = 1e-13;
 
 /// Maximum number of passes over a resolved line in one balance.

@@ -109,7 +109,8 @@ class GroupedMeans {
 };
 
 /// Returns a number derived from one or more GroupedMeans of the same realizations, with its
-/// standard error. groups: their number. `read` gets the group to leave out, or GroupedMeans::kAll.
+/// standard error. groups: GroupedMeans::groups(). `read` gets the group to leave out, or
+/// GroupedMeans::kAll.
 Estimate jackknife(int groups, const std::function<double(int leftOut)>& read);
 
 }  // namespace asperity

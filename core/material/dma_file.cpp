@@ -66,8 +66,8 @@ class Reader {
     return !sweeps.empty();
   }
 
-  /// Reads the lines in front of a block, such as "Temperature: 20 °C", "T = 293 K", "sweep at 20
-  /// °C".
+  /// Returns the temperature stated above a block, in its own header or else in an earlier one:
+  /// "Temperature: 20 °C", "T = 293 K", "sweep at 20 °C".
   std::optional<double> statedTemperature(const TextBlock& block) const {
     const TextBlock* current = &block;
     while (true) {
@@ -92,8 +92,8 @@ class Reader {
   static std::string unitInKey(const std::string& key) { return parseColumnName(key).unit; }
 
   /// Returns name and unit of a column; the user's choice of a unit overrides that of the file.
-  DmaColumnFact factOf(const TextBlock& block, std::size_t column,
-                       const std::string& choice) const {
+  DmaColumnFact columnFact(const TextBlock& block, std::size_t column,
+                           const std::string& choice) const {
     DmaColumnFact fact;
     fact.name = columnLabel(block, column);
     fact.unit = isStated(choice) ? choice : block.columns[column].unit;
@@ -134,16 +134,16 @@ class Reader {
   }
 
   double modulusUnit(const TextBlock& block, std::size_t column, DmaColumnFact& fact) const {
-    fact = factOf(block, column, choices_.modulusUnit);
+    fact = columnFact(block, column, choices_.modulusUnit);
     if (fact.unit.empty()) fact.unit = "Pa";
     const auto unit = unitSize(fact.unit, "Pa");
     if (!unit) refuseUnit(fact, unitNames("Pa"), "--modulus-unit");
     return *unit;
   }
 
-  /// What a loss factor is multiplied by: 0.01 of per cent.
+  /// Returns the factor of the unit of a loss factor: 0.01 for per cent.
   double tangentUnit(const TextBlock& block, std::size_t column) const {
-    DmaColumnFact fact = factOf(block, column, {});
+    DmaColumnFact fact = columnFact(block, column, {});
     if (fact.unit.empty() || fact.unit == "1" || fact.unit == "-") return 1;
     if (const auto unit = unitSize(fact.unit == "percent" ? "%" : fact.unit, "")) return *unit;
     throw InputError(
@@ -177,7 +177,7 @@ class Reader {
   /// Decides about temperatures without a unit: numbers above 200 are kelvins, as no rubber is
   /// hotter in °C.
   Unit temperatureScale(const TextBlock& block, std::size_t column) {
-    const DmaColumnFact fact = factOf(block, column, choices_.temperatureUnit);
+    const DmaColumnFact fact = columnFact(block, column, choices_.temperatureUnit);
     file_.facts.temperature = fact.name;
     if (!fact.unit.empty()) {
       const auto unit = temperatureUnit(fact.unit);
@@ -204,7 +204,7 @@ class Reader {
     const std::size_t frequencyAt = columns[isReduced ? ReducedFrequency : Frequency];
     file_.facts.isReduced = isReduced;
     DmaColumnFact& frequency = file_.facts.frequency;
-    frequency = factOf(block, frequencyAt, choices_.frequencyUnit);
+    frequency = columnFact(block, frequencyAt, choices_.frequencyUnit);
     const bool isAngular =
         dmaColumn(block.columns[frequencyAt].name, block.columns[frequencyAt].unit).isAngular;
     const auto frequencySize = frequencyUnit(frequency.unit, isAngular);
@@ -242,7 +242,7 @@ class Reader {
     if (columns.has(Storage) && columns.has(Loss)) {
       double first = modulusUnit(block, at(Storage), facts.storage);
       double second = modulusUnit(block, at(Loss), facts.loss);
-      // A unit that occurs once is that of both, where the other column has none.
+      // Where only one column has a unit, it is unclear whether it is that of both.
       if (facts.storage.isUnitAssumed != facts.loss.isUnitAssumed)
         throw InputError(
             name_, facts.storage.isUnitAssumed ? facts.storage.name : facts.loss.name,
@@ -293,7 +293,7 @@ class Reader {
   double phaseUnit(const TextBlock& block, std::size_t column) const {
     const std::string& unit = block.columns[column].unit;
     if (const auto size = angleUnit(unit)) return *size;
-    if (const std::string unknown = factOf(block, column, {}).unit; !unknown.empty())
+    if (const std::string unknown = columnFact(block, column, {}).unit; !unknown.empty())
       throw InputError(name_, columnLabel(block, column),
                        message("has the unit {}; an angle is in rad or deg", shortened(unknown)));
     double largest = 0;

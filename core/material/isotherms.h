@@ -37,15 +37,15 @@ struct MeasuredModulus {
   double strainAmplitude = std::numeric_limits<double>::quiet_NaN();  // NaN: not stated
 };
 
-/// Rows whose temperatures differ by less belong to one sweep, unless a user chooses another
-/// tolerance.
+/// Rows belong to one sweep while neighbouring temperatures differ by at most this, unless a user
+/// chooses another tolerance.
 inline constexpr double kIsothermTolerance = 0.6;  // K
 
 /// Groups rows into sweeps, by rising temperature and frequency whatever the order of the rows.
 /// Rows whose temperatures follow each other within `tolerance` (K) are one isotherm; several
 /// values at one frequency of a sweep become their geometric mean. Throws InputError where there is
-/// no row, a frequency or modulus is not above 0, the temperatures have no gap at all, or a sweep
-/// has only one frequency.
+/// no row, a frequency or modulus is out of range, the temperatures of a sweep drift over more than
+/// a few tolerances without a gap, or a sweep has only one frequency.
 std::vector<Isotherm> groupIsotherms(std::vector<MeasuredModulus> rows,
                                      double tolerance = kIsothermTolerance);
 

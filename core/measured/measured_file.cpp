@@ -28,7 +28,8 @@ constexpr std::string_view kKnownUnits = "m, cm, mm, \u00B5m, nm, pm, \u00C5, in
 
 // ---- Formats -----------------------------------------------------------------------------------
 
-/// A format of surface files: a new one needs a row here, and its functions in surface_draft.h.
+/// A format of surface files. A new one needs a source NAME_file.cpp, its functions in
+/// surface_draft.h, and a row here.
 struct SurfaceFormat {
   std::string_view word;                    // of `surface.format`
   std::string_view names;                   // for people

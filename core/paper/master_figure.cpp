@@ -56,7 +56,7 @@ std::vector<Variant> variantsOf(const Scene& base) {
   return variants;
 }
 
-/// The divisors of Eq. (17): velocity (m/s) and friction.
+/// The divisors of Eqs. (16) and (17): velocity (m/s) and friction.
 struct Shift {
   double velocity, friction;
 };
@@ -123,8 +123,8 @@ Claim collapseClaim(const std::vector<GroupedMeans>& allMeans) {
   return claim;
 }
 
-/// Returns the claim on the same G, tau, h and L in other units of length and time: mu / grad is a
-/// function of Fbar, c / L, H and N only.
+/// Returns the claim at other G, tau, h and L, with a force and velocities such that the
+/// dimensionless numbers stay: mu / grad depends on Fbar, tau v / L, H and N only.
 Claim dimensionClaim(const Scene& base, FigureWork& work) {
   Scene scene = base, other = base;
   scene.ensemble.realizations = other.ensemble.realizations =

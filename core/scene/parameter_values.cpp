@@ -34,8 +34,8 @@ bool containsWord(std::string_view words, std::string_view word) {
   return false;
 }
 
-/// The accessors take a Scene&; reading through them leaves the scene as it is.
-Scene& readable(const Scene& scene) {
+/// Returns the scene for an accessor, which takes a Scene& but only reads it here.
+Scene& forReading(const Scene& scene) {
   return const_cast<Scene&>(scene);
 }
 
@@ -162,19 +162,19 @@ bool isApplicable(const Parameter& parameter, const Scene& scene) {
 ParameterValue parameterValue(const Parameter& parameter, const Scene& scene) {
   return std::visit(
       Overloaded{
-          [&](const RealField& field) -> ParameterValue { return field.member(readable(scene)); },
+          [&](const RealField& field) -> ParameterValue { return field.member(forReading(scene)); },
           [&](const IntegerField& field) -> ParameterValue {
-            return field.member(readable(scene));
+            return field.member(forReading(scene));
           },
           [&](const ChoiceField& field) -> ParameterValue {
             return std::string(field.choices[static_cast<std::size_t>(field.read(scene))]);
           },
-          [&](const TextField& field) -> ParameterValue { return field.member(readable(scene)); },
+          [&](const TextField& field) -> ParameterValue { return field.member(forReading(scene)); },
           [&](const ArmsField& field) -> ParameterValue {
-            return listText(field.member(readable(scene)));
+            return listText(field.member(forReading(scene)));
           },
           [&](const ShiftTableField& field) -> ParameterValue {
-            return listText(field.member(readable(scene)));
+            return listText(field.member(forReading(scene)));
           },
           [&](const ListField& field) -> ParameterValue { return field.read(scene); }},
       parameter.field);
@@ -211,12 +211,13 @@ void setFromText(const Parameter& parameter, Scene& scene, std::string_view text
     refuse(parameter, message("{} is beyond what a number can hold; allowed is {}", shortened(text),
                               allowedText(parameter)));
   if (!typed.refusal.empty()) refuse(parameter, typed.refusal);
+  // NaN and infinity have a message of their own.
   if (double notFinite = 0; readNumber(text, notFinite)) setValue(parameter, scene, notFinite);
   setValue(parameter, scene, std::string(text));
 }
 
 QuantityRule quantityRule(const Parameter& parameter) {
-  // The other number in kelvins, a constant of the shift, is a difference of temperatures.
+  // The constant c2 of WLF is in kelvins, too, but is a difference of temperatures.
   const bool isAbsolute =
       parameter.key.ends_with("temperature") || parameter.symbol.starts_with('T');
   return {parameter.unit, parameter.unit == "K" && isAbsolute,

@@ -158,7 +158,7 @@ bool dependsOn(const std::set<std::string_view>& changedKinds, const Parameter& 
   return false;
 }
 
-/// One point per element is what the paper's elements have anyway, chosen or stated.
+/// Returns whether it sets one point per element, which nodal elements have anyway.
 bool isHarmless(const Assignment& assignment) {
   if (assignment.key != "accuracy.oversampling") return false;
   Scene ignored;
@@ -177,7 +177,7 @@ bool isTarget(const Assignment& assignment) {
   return scene.accuracy.targetRelativeError > 0;
 }
 
-/// A target chooses the resolution: one of the two, and --set wins over the file.
+/// A target chooses the resolution, so only one of the two may be stated. --set wins over the file.
 void chooseAccuracy(std::vector<Assignment>& assignments) {
   const auto has = [&](bool fromFile, bool (*is)(const Assignment&)) {
     return std::any_of(assignments.begin(), assignments.end(), [&](const Assignment& assignment) {
@@ -204,7 +204,7 @@ constexpr std::string_view kRheology = "elastomer.rheology";
 constexpr std::string_view kMaterialRemarks[]{"schema", "verb",   "version",     "name",
                                               "source", "origin", "measurement", "fit"};
 
-/// Returns the last value of a text's key among the assignments; null where none has it.
+/// Returns the last assignment to a key; null where there is none.
 const Assignment* lastValue(const std::vector<Assignment>& assignments, std::string_view key) {
   const auto found =
       std::ranges::find(assignments.rbegin(), assignments.rend(), key, &Assignment::key);

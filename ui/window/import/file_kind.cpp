@@ -36,7 +36,7 @@ bool isMaterialJson(std::string_view text) {
   return root.is_object() && root.contains("schema") && root["schema"] == kMaterialSchema;
 }
 
-/// Columns of a frequency and of a modulus, by their names.
+/// Returns whether a table has columns of frequency and of a modulus, by their names.
 bool hasModuli(const TextTable& table) {
   for (const TextBlock& block : table.blocks) {
     bool hasFrequency = false, hasModulus = false;

@@ -162,7 +162,7 @@ void ImportPage::setState(State state) {
   }
 }
 
-/// Shows what the file is like: a person who has to name its columns sees them.
+/// Shows the first lines of the file, so that the user can name its columns.
 void ImportPage::showBeginning() {
   beginning_->setPlainText(beginningOf(file_.toStdString()));
   beginning_->setVisible(!beginning_->document()->isEmpty());
@@ -175,8 +175,8 @@ void ImportPage::pressStop() {
   setState(State::Stopped);
 }
 
-/// The page goes when the worker has come to this request: then nothing runs any more for which its
-/// destructor would wait. A transform of a large surface, for one, cannot be stopped in its middle.
+/// Deletes the page after the worker has finished its earlier requests, so that the destructor does
+/// not wait: a transform of a large surface, for example, cannot be stopped in its middle.
 void ImportPage::deleteWhenFinished() {
   work().cancel();
   work().request([](const BackgroundWork::Run&) {}, [this] { deleteLater(); });

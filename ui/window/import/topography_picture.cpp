@@ -26,7 +26,7 @@ QRgb shadeOf(double part) {
   return qRgb(mix(a.red, b.red), mix(a.green, b.green), mix(a.blue, b.blue));
 }
 
-/// The mean height of each patch of the grid; NaN where nothing was measured.
+/// Returns the mean height of each patch of the grid; NaN where nothing was measured.
 std::vector<double> patches(const Topography& topography, int width, int height) {
   std::vector<double> means;
   means.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));

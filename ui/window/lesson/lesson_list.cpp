@@ -150,11 +150,15 @@ void LessonList::showChosen() {
                  richText(shown(lesson.goal));
   if (notes_->isChecked()) html += teacherText(row);
   about_->setText(html);
-  if (notes_->isChecked() && !answers_.contains(row)) computeAnswers(row);
+  computeAnswers(notes_->isChecked() && !answers_.contains(row) ? row : -1);
 }
 
-/// Computes the right answers to the questions of a lesson, and shows them.
+/// Computes the right answers to the questions of a lesson, and shows them. row: -1 for none, which
+/// stops a computation that is no longer needed.
 void LessonList::computeAnswers(int row) {
+  if (row == computedRow_) return;
+  computedRow_ = row;
+  if (row < 0) return answering_.cancel();
   answering_.request(
       [row](const BackgroundWork::Run& run) {
         CurveOptions options;
@@ -166,7 +170,7 @@ void LessonList::computeAnswers(int row) {
       },
       [this, row](std::vector<LessonAnswer> answers) {
         answers_[row] = std::move(answers);
-        if (row == list_->currentRow()) showChosen();
+        showChosen();
       },
       [this](const QString& reason) { status_->setText(reason); });
 }

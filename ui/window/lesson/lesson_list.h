@@ -48,6 +48,7 @@ class LessonList : public QDialog {
   QPushButton *start_, *open_, *handout_, *edit_, *close_;
   HandoutSaver* saver_;
   std::map<int, std::vector<LessonAnswer>> answers_;  // of the steps of the lessons, by row
+  int computedRow_ = -1;  // of the lesson whose answers are computed; -1: none
   BackgroundWork answering_;
 };
 

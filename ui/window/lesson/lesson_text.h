@@ -21,7 +21,7 @@ QString richText(const std::string& text);
 /// Returns a number as a sentence has it: "1.97", "0.25 µm".
 std::string numberInWords(const LessonNumber& number);
 
-/// Returns the right answer with its tolerance: "1.97 (right within \u00B110 %)", the text of a
+/// Returns the right answer with its tolerance: "1.97 (right within ±10 %)", the text of a
 /// choice.
 QString answerInWords(const LessonPrediction& prediction, const LessonAnswer& answer);
 

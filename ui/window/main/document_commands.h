@@ -72,8 +72,9 @@ class DocumentCommands : public QObject {
   BackgroundWork reading_;  // last: its thread ends before other members are destroyed
 };
 
-/// Asks whether unsaved changes are to be saved, in plain text. `name`: of the dialog as an object.
 enum class SaveAnswer { Save, Discard, Cancel };
+
+/// Asks whether unsaved changes are to be saved, in plain text. name: of the dialog as an object.
 SaveAnswer askSaveChanges(QWidget* parent, const QString& name, const QString& title,
                           const QString& question, const QString& explanation = {});
 

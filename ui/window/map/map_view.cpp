@@ -38,7 +38,7 @@ void MapView::setReading(const QString& text) {
   update();
 }
 
-/// The map is the last diagram; a low view has no cut above it.
+/// Returns the frame of the map, which is the last diagram; null where it is not drawn.
 const DiagramFrame* MapView::map() const {
   return frames().empty() || !(frames().back().width > 0) ? nullptr : &frames().back();
 }
