@@ -286,12 +286,23 @@ DmaColumn dmaColumn(std::string_view name, std::string_view unit) {
                            std::ranges::any_of(words, [](const std::string& one) {
                              return one == "max" || one == "maximum";
                            });
-  column.isDeviation =
+  column.isLeftOut =
       column.quantity != DmaQuantity::None && !isAmplitude && isOfDeviation(word, words);
-  if (column.isDeviation) column.quantity = DmaQuantity::None;
-  if (isModulus && !column.isDeviation) column.unknown = unknownWords(word);
+  if (column.quantity == DmaQuantity::Strain && !strainUnit(unit)) column.isLeftOut = true;
+  if (column.isLeftOut) column.quantity = DmaQuantity::None;
+  if (isModulus && !column.isLeftOut) column.unknown = unknownWords(word);
   column.isAngular = containsAny(plain, {"omega", "angular", "kreisfreq"}) || plain == "w";
   return column;
+}
+
+std::optional<double> strainUnit(std::string_view unit) {
+  std::string word = compact(unit);
+  for (const std::string_view micro : {"\u00B5", "\u03BC"}) replaceAll(word, micro, "u");
+  if (isOneOf(word, {"", "1", "m/m", "mm/mm", "um/um", "strain", "ratio"})) return 1;
+  if (isOneOf(word, {"%", "percent", "pct"})) return 1e-2;
+  if (isOneOf(word, {"\u2030", "mm/m"})) return 1e-3;
+  if (isOneOf(word, {"ppm", "um/m", "ustrain", "microstrain"})) return 1e-6;
+  return {};
 }
 
 std::optional<double> findTemperature(std::string_view text) {

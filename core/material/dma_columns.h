@@ -31,9 +31,11 @@ struct DmaColumn {
   ModulusKind kind = ModulusKind::Unknown;  // of a modulus
   bool isAngular = false;                   // of a frequency: omega by its name
   std::optional<double> temperature{};      // K, where the name states one: "G' (20 \u00B0C)"
-  bool isDeviation = false;  // of another column: "G' std", "u(G')"; its quantity is none
-  std::string unknown{};     // words beside the name of a modulus that are not understood: "fit"
-  std::string words{};       // all of the name's words, by which equal names are recognized
+  /// Of no use, and named to the user: a deviation ("G' std"), a set value, a strain in a unit that
+  /// is not known. Its quantity is none.
+  bool isLeftOut = false;
+  std::string unknown{};  // words beside the name of a modulus that are not understood: "fit"
+  std::string words{};    // all of the name's words, by which equal names are recognized
 };
 
 /// Returns what a column means: "G'", "E_storage", "Storage modulus", "tan(delta)", "|E*|",
@@ -51,6 +53,10 @@ std::vector<double> findTemperatures(std::string_view text);
 /// Reads a whole text as a temperature, in K: "20C", "20 \u00B0C", "68F", "293.15", "293.15K"; a
 /// number alone is in K. Nothing where the text is none.
 std::optional<double> parseTemperature(std::string_view text);
+
+/// Returns one unit of strain as a ratio: 0.01 for "%", 1 for "mm/mm" or no unit; nothing where the
+/// text is none, as "mm".
+std::optional<double> strainUnit(std::string_view unit);
 
 /// Returns one unit of frequency in Hz; nothing where the text is none. An empty text means Hz, or
 /// rad/s for omega.

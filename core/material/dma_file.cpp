@@ -342,13 +342,17 @@ class Reader {
   }
 
   /// Returns the strain of a row; NaN where it states none.
-  static double strainOf(const TextBlock& block, std::size_t row, std::size_t column) {
+  double strainOf(const TextBlock& block, std::size_t row, std::size_t column) const {
     const double value = block.at(row, column);
     if (!std::isfinite(value) || value <= 0) return std::numeric_limits<double>::quiet_NaN();
-    const std::string unit = lowerCase(block.columns[column].unit);
-    const bool isPercent = unit == "%" || unit == "percent" || unit == "pct" ||
-                           lowerCase(block.columns[column].name).ends_with("pct");
-    return isPercent ? value / 100 : value;
+    const TextColumn& strain = block.columns[column];
+    const bool isPercent = strain.unit.empty() && lowerCase(strain.name).ends_with("pct");
+    const auto unit = strainUnit(isPercent ? "%" : strain.unit);
+    if (!unit)
+      throw InputError(name_, "--strain-column",
+                       message("the unit '{}' is no unit of strain; known are %, ppm, mm/mm",
+                               shortened(strain.unit)));
+    return value * *unit;
   }
 
   const TextTable& table_;

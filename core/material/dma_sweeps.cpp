@@ -222,7 +222,7 @@ void dropSetTemperatures(std::vector<DmaColumn>& found) {
   for (DmaColumn& column : found)
     if (isOfDevice(column)) {
       column.quantity = None;
-      column.isDeviation = true;
+      column.isLeftOut = true;
     }
 }
 
@@ -301,7 +301,7 @@ std::vector<SweepColumns> findSweeps(const TextBlock& block, const std::string& 
   dropSetTemperatures(found);
   refuseUnclearColumns(block, fileName, choices, found);
   for (std::size_t i = 0; i < found.size(); ++i)
-    if (found[i].isDeviation)
+    if (found[i].isLeftOut)
       leftOut += (leftOut.empty() ? "" : ", ") + shortened(columnLabel(block, i));
   const bool isChosen = !(choices.storageColumn + choices.lossColumn + choices.lossTangentColumn +
                           choices.magnitudeColumn + choices.phaseColumn)

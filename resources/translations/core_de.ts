@@ -4355,6 +4355,10 @@
         <translation>'%1' ist keine Einheit der Temperatur</translation>
     </message>
     <message>
+        <source>the unit '%1' is no unit of strain; known are %, ppm, mm/mm</source>
+        <translation>die Einheit „%1“ ist keine Einheit einer Dehnung; bekannt sind %, ppm, mm/mm</translation>
+    </message>
+    <message>
         <source>has %1 rows; allowed is 1 to %2</source>
         <translation>hat %1 Zeilen; erlaubt sind 1 bis %2</translation>
     </message>

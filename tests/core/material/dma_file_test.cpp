@@ -200,6 +200,22 @@ TEST(DmaFile, StrainAmplitudeIsKept) {
   EXPECT_NEAR(file.rows[0].strainAmplitude, 0.002, 1e-15);
 }
 
+TEST(DmaFile, AStrainHasAUnitOfStrain) {
+  const auto strainIn = [](const std::string& unit) {
+    return read("f (Hz),T (C),G' (Pa),G'' (Pa),strain [" + unit +
+                "]\n1,20,1e6,1e5,2\n2,20,1e6,1e5,2\n");
+  };
+  EXPECT_NEAR(strainIn("mm/mm").rows[0].strainAmplitude, 2, 1e-15);
+  EXPECT_NEAR(strainIn("\u2030").rows[0].strainAmplitude, 2e-3, 1e-15);
+  EXPECT_NEAR(strainIn("\u00B5m/m").rows[0].strainAmplitude, 2e-6, 1e-15);
+  // A displacement is no strain, but does not stand in the way of the moduli.
+  for (const char* unit : {"mm", "foo"}) {
+    const DmaFile file = strainIn(unit);
+    EXPECT_TRUE(std::isnan(file.rows[0].strainAmplitude)) << unit;
+    EXPECT_THAT(file.facts.leftOutColumns, HasSubstr("strain")) << unit;
+  }
+}
+
 /// Rubber with filler is softer the more it is strained (Payne effect).
 TEST(DmaStrain, OneAmplitudeIsChosen) {
   const auto rows = [] {
