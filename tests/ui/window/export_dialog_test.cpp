@@ -285,6 +285,39 @@ TEST_F(ExportDialogTest, AFolderThatIsNotThereIsSaid) {
   EXPECT_TRUE(exports_->isEmpty());
 }
 
+/// What was wrong was the file; another name is another try.
+TEST_F(ExportDialogTest, AnotherFileNameCanBeExportedAfterAFailure) {
+  openDialog(ExportKind::Table);
+  ASSERT_TRUE(waitForPreview());
+  dialog_->setFile(folder_.filePath("no_such_folder/curve.csv"));
+  dialog_->write();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !reason().isEmpty(); }, kLong));
+  EXPECT_FALSE(in<QPushButton>("exportWrite").isEnabled());
+  const QString file = folder_.filePath("curve.csv");
+  enter("exportFile", file);
+  EXPECT_EQ(dialog_->file(), file);
+  EXPECT_EQ(reason(), "");
+  EXPECT_TRUE(in<QPushButton>("exportWrite").isEnabled());
+  in<QPushButton>("exportWrite").click();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !exports_->isEmpty(); }, kLong));
+  EXPECT_TRUE(QFile::exists(file));
+}
+
+/// A file name does not cure what is wrong with the picture.
+TEST_F(ExportDialogTest, ABadValueStaysRefusedWithAnotherFileName) {
+  openDialog(ExportKind::Picture);
+  choose("exportContent", "contact");
+  ASSERT_TRUE(waitForPreview());
+  EXPECT_FALSE(dialog_->preview().image().isNull());
+  enter("exportWidth", "wide");
+  EXPECT_FALSE(waitForPreview());
+  EXPECT_TRUE(dialog_->preview().image().isNull());
+  EXPECT_EQ(in<QLabel>("exportNote").text(), "No preview.");
+  enter("exportFile", folder_.filePath("contact.png"));
+  EXPECT_TRUE(reason().contains("numbers above 0")) << reason().toStdString();
+  EXPECT_FALSE(in<QPushButton>("exportWrite").isEnabled());
+}
+
 TEST_F(ExportDialogTest, AProgramThatCannotBeStartedIsSaid) {
   window_.exports().setProgram("/no/such/program");
   openDialog(ExportKind::Picture);

@@ -92,7 +92,7 @@ ExportDialog::ExportDialog(Subject subject, ExportKind kind, const QString& prog
   quiet_->setInterval(kPause);
   connect(quiet_, &QTimer::timeout, this, &ExportDialog::requestPreview);
   connect(form_, &ExportForm::changed, this, &ExportDialog::requestChanged);
-  connect(file_, &QLineEdit::textEdited, this, &ExportDialog::showCommand);
+  connect(file_, &QLineEdit::textEdited, this, &ExportDialog::fileChanged);
   connect(previews_, &CommandRun::done, this, &ExportDialog::takePreview);
   connect(previews_, &CommandRun::failed, this, &ExportDialog::refuse);
   connect(writing_, &CommandRun::progressed, this, [this](double part, const QString& of) {
@@ -109,6 +109,7 @@ ExportDialog::ExportDialog(Subject subject, ExportKind kind, const QString& prog
   connect(writing_, &CommandRun::failed, this, [this](const QString& reason) {
     showRunning(false);
     showFailure(reason);
+    hasWriteFailed_ = true;
   });
   extension_ = form_->extension();
   defaultName_ = defaultName();
@@ -188,7 +189,13 @@ QString ExportDialog::file() const {
 
 void ExportDialog::setFile(const QString& file) {
   file_->setText(file);
+  fileChanged();
+}
+
+/// Another file may be writable where the last one was not. What is wrong with the preview stays.
+void ExportDialog::fileChanged() {
   showCommand();
+  if (hasWriteFailed_) showFailure({});
 }
 
 QStringList ExportDialog::words() const {
@@ -311,7 +318,7 @@ void ExportDialog::requestPreview() {
 /// Shows why there is no preview, and so nothing to export.
 void ExportDialog::refuse(const QString& reason) {
   showFailure(reason);
-  preview_->showWork(tr("No preview."));
+  preview_->showPicture({}, tr("No preview."));
   emit previewed(false);
 }
 
@@ -368,6 +375,7 @@ void ExportDialog::write() {
 }
 
 void ExportDialog::showFailure(const QString& reason) {
+  hasWriteFailed_ = false;
   failure_->setText(reason);
   write_->setEnabled(reason.isEmpty() && !writing_->isRunning());
 }

@@ -64,6 +64,7 @@ class ExportDialog : public QDialog {
  private:
   QWidget* makeBottom();
   void askFile();
+  void fileChanged();
   void renameFile();
   QString defaultName() const;
   bool confirmReplace(const QFileInfo& target);
@@ -93,6 +94,7 @@ class ExportDialog : public QDialog {
   QString extension_;      // of the format that was chosen last; empty: a folder
   QString defaultName_;    // the name that was proposed last
   int number_ = 0;         // of the newest preview
+  bool hasWriteFailed_ = false;  // the message that is shown is of the file, not of the preview
 };
 
 }  // namespace asperity

@@ -17,7 +17,8 @@ class ExportPreview : public QWidget {
  public:
   explicit ExportPreview(QWidget* parent = nullptr);
 
-  /// Shows a picture; transparent parts are chequered. note: a line below it; may be empty.
+  /// Shows a picture; transparent parts are chequered. A null image leaves the place empty. note: a
+  /// line below it; may be empty.
   void showPicture(const QImage& image, const QString& note);
   void showTable(const QString& text, const QString& note);
   /// Marks the preview as out of date.
