@@ -198,7 +198,8 @@ void FrictionChartModel::setAxes(CurveAxes axes) {
 void FrictionChartModel::setQuantity(CurveQuantity quantity) {
   if (quantity == quantity_) return;
   quantity_ = quantity;
-  comparisons_ = {};  // those of the new quantity follow
+  comparisons_ = {};  // those of the new quantity follow, and the marker
+  marker_.reset();
   fitVerticalAxis();
 }
 

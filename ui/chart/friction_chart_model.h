@@ -64,7 +64,8 @@ class FrictionChartModel {
 
   void setAxes(CurveAxes axes);
   CurveAxes axes() const { return axes_; }
-  /// Sets what the vertical axis shows, and whether it is linear.
+  /// Sets what the vertical axis shows, and whether it is linear. Another quantity has no marker
+  /// before the next call of mark().
   void setQuantity(CurveQuantity quantity);
   CurveQuantity quantity() const { return quantity_; }
   void setLinearY(bool isLinear);

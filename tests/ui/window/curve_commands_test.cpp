@@ -148,6 +148,22 @@ TEST_F(CurveCommandsTest, TheListsAtTheAxesChooseThem) {
   EXPECT_FALSE(action("dimensionlessAxes").isChecked());
 }
 
+/// The marker is a value of what the axis shows, also where the scene stays as it is.
+TEST_F(CurveCommandsTest, TheMarkerFollowsTheQuantityAtOnce) {
+  ASSERT_TRUE(waitForCurve());
+  const std::optional<DiagramMarker> before = session().friction().marker();
+  ASSERT_TRUE(before);
+  ASSERT_TRUE(frame());
+  const auto show = [this](CurveQuantity quantity) {
+    session().editCurve([&](FrictionChartModel& plot) { plot.setQuantity(quantity); });
+    const std::optional<DiagramMarker> marker = session().friction().marker();
+    return marker ? marker->y : kNotApplicable;
+  };
+  EXPECT_DOUBLE_EQ(show(CurveQuantity::NormalizedMu), before->y / frame()->rmsSlope);
+  EXPECT_DOUBLE_EQ(show(CurveQuantity::ContactFraction), frame()->contactFraction);
+  EXPECT_DOUBLE_EQ(show(CurveQuantity::Mu), before->y);
+}
+
 TEST_F(CurveCommandsTest, AFamilyHasAsManyCurvesAsAreWanted) {
   ASSERT_TRUE(waitForCurve());
   QMenu& family = *window_.findChild<QMenu*>("familyMenu");

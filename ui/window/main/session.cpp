@@ -67,7 +67,9 @@ RunnerOptions Session::withCurveNotification(RunnerOptions options) {
 }
 
 void Session::editCurve(const std::function<void(FrictionChartModel&)>& edit) {
+  const CurveQuantity before = friction_.quantity();
   edit(friction_);
+  if (frame_ && friction_.quantity() != before) friction_.mark(*frame_);
   emit plotChanged();
 }
 
