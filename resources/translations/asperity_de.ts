@@ -1261,6 +1261,10 @@
         <translation>A&amp;uflösung (dpi)</translation>
     </message>
     <message>
+        <source>A picture on paper becomes higher where several panels need more room for their letters.</source>
+        <translation>Ein Bild auf Papier wird höher, wenn mehrere Diagramme mehr Platz für ihre Beschriftung brauchen.</translation>
+    </message>
+    <message>
         <source>Pixels per inch. More of them make texts and lines of a picture in pixels larger, and a picture on paper finer.</source>
         <translation>Pixel je Zoll. Mehr davon machen Texte und Linien eines Bildes in Pixeln größer und ein Bild auf Papier feiner.</translation>
     </message>

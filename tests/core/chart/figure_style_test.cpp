@@ -101,6 +101,14 @@ TEST(StyleFile, ShippedOnesAreWhole) {
   EXPECT_THROW(readStyle("no such style"), InputError);
 }
 
+/// On paper a picture of several panels grows in height; a slide has the shape of the screen.
+TEST(StyleFile, ASlideHasTheShapeOfAScreen) {
+  const auto size = parsePictureSize(readStyle("slides").size);
+  ASSERT_TRUE(size);
+  EXPECT_FALSE(size->isOnPaper());
+  EXPECT_DOUBLE_EQ(9 * size->width, 16 * size->height);
+}
+
 TEST(StyledSheet, LeavesOutAndRenames) {
   FigureStyle style;
   style.hasTitle = style.hasRegions = style.hasLaw = false;

@@ -136,6 +136,25 @@ TEST_F(ExportDialogTest, VectorsAndStylesHaveTheBytesOfTheirCommands) {
   expectSameBytes("contact.svg");
 }
 
+/// Dialog, preview and file agree about the size, with a curve below the contact, too.
+TEST_F(ExportDialogTest, ASlideHasTheSizeThatTheDialogShows) {
+  openDialog(ExportKind::Picture);
+  choose("exportContent", "both");
+  choose("exportStyle", "slides");
+  EXPECT_EQ(in<QLineEdit>("exportWidth").text(), "1920");
+  EXPECT_EQ(in<QLineEdit>("exportHeight").text(), "1080");
+  EXPECT_EQ(in<QComboBox>("exportUnit").currentData(), "");
+  ASSERT_TRUE(waitForPreview()) << reason().toStdString();
+  const QSize preview = dialog_->preview().image().size();
+  EXPECT_EQ(9 * preview.width(), 16 * preview.height());
+  const QString file = folder_.filePath("slide.png");
+  dialog_->setFile(file);
+  dialog_->write();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !exports_->isEmpty() || !reason().isEmpty(); }, kLong));
+  ASSERT_FALSE(exports_->isEmpty()) << reason().toStdString();
+  EXPECT_EQ(QImage(file).size(), QSize(1920, 1080));
+}
+
 TEST_F(ExportDialogTest, ATableHasTheBytesOfItsCommand) {
   openDialog(ExportKind::Table);
   enter("exportColumns", "velocity, mu");

@@ -227,6 +227,8 @@ void ExportForm::addSize() {
   unit_->setAccessibleName(tr("unit of width and height"));
   unit_->addItem(tr("pixels"), "");
   unit_->addItem("mm", "mm");
+  size_->setToolTip(tr(
+      "A picture on paper becomes higher where several panels need more room for their letters."));
   row->addWidget(width_, 1);
   row->addWidget(new QLabel(QStringLiteral("×")));
   row->addWidget(height_, 1);
