@@ -7,6 +7,7 @@
 #include <QFile>
 #include <QFileDialog>
 #include <QLineEdit>
+#include <QSettings>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -22,6 +23,7 @@
 #include "ui/panels/parameter_panel.h"
 #include "ui/panels/value_entry.h"
 #include "ui/window/main/message_bar.h"
+#include "ui/window/main/picture_files.h"
 #include "ui/window/main/scene_document.h"
 #include "ui/window/main/session.h"
 
@@ -233,6 +235,30 @@ TEST_F(MainWindowTest, ANameWithoutAnEndingGetsTheOneOfItsKind) {
     action(command).trigger();
     EXPECT_EQ(added, ending);
   }
+}
+
+/// Whatever is saved: pictures, results of a lesson, handouts. A name with a folder keeps it.
+TEST_F(MainWindowTest, AFileIsSavedWhereTheLastOneWas) {
+  const QTemporaryDir folder, other;
+  const QString filter = "Texts (*.txt)";
+  whenAsked<QFileDialog>([&](QFileDialog& dialog) {
+    dialog.findChild<QLineEdit*>("fileNameEdit")->setText(folder.filePath("first"));
+    static_cast<QDialog&>(dialog).accept();
+  });
+  EXPECT_EQ(askSaveFile(&window_, "Save", "first.txt", filter), folder.filePath("first.txt"));
+  const auto folderFor = [&](const QString& name) {
+    QDir shown;
+    whenAsked<QFileDialog>([&](QFileDialog& dialog) {
+      shown = dialog.directory();
+      dialog.reject();
+    });
+    EXPECT_EQ(askSaveFile(&window_, "Save", name, filter), "");
+    return shown.absolutePath();
+  };
+  EXPECT_EQ(folderFor("second.txt"), folder.path());
+  EXPECT_EQ(folderFor(other.filePath("third.txt")), other.path());
+  EXPECT_EQ(folderFor("fourth.txt"), folder.path());  // no file was chosen in the other one
+  QSettings().remove("files/saveFolder");
 }
 
 /// All that `asperity open` takes, without choosing a filter.

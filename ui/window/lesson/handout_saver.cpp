@@ -1,6 +1,5 @@
 #include "ui/window/lesson/handout_saver.h"
 
-#include <QDir>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
@@ -26,8 +25,8 @@ void HandoutSaver::ask(const Lesson& lesson, const QString& name) {
   if (box.clickedButton() != students && box.clickedButton() != teachers) return;
   const bool forTeacher = box.clickedButton() == teachers;
   const QString proposed = name + (forTeacher ? "_teacher.pdf" : ".pdf");
-  const QString file = askSaveFile(window_, tr("Save handout"), QDir::home().filePath(proposed),
-                                   tr("PDF (*.pdf);;Web page (*.html)"));
+  const QString file =
+      askSaveFile(window_, tr("Save handout"), proposed, tr("PDF (*.pdf);;Web page (*.html)"));
   if (!file.isEmpty()) save(lesson, file, forTeacher);
 }
 

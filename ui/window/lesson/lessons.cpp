@@ -1,9 +1,7 @@
 #include "ui/window/lesson/lessons.h"
 
 #include <QAction>
-#include <QDir>
 #include <QDockWidget>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -34,6 +32,7 @@
 #include "ui/window/main/commands.h"
 #include "ui/window/main/document_commands.h"
 #include "ui/window/main/message_bar.h"
+#include "ui/window/main/picture_files.h"
 #include "ui/window/main/scene_library.h"
 #include "ui/window/main/scene_tabs.h"
 #include "ui/window/main/session.h"
@@ -522,12 +521,11 @@ void Lessons::askResultsFile() {
   if (!isRunning()) return;
   const QString name =
       resultsFile_.isEmpty()
-          ? QDir::home().filePath(
-                tr("%1 results.json").arg(QString::fromStdString(lesson_->name).replace('_', ' ')))
+          ? tr("%1 results.json").arg(QString::fromStdString(lesson_->name).replace('_', ' '))
           : resultsFile_;
-  const QString file = QFileDialog::getSaveFileName(
-      &parts_.window, tr("File of your results"), name, tr("Results (*.json)"), nullptr,
-      QFileDialog::DontConfirmOverwrite);  // answers in it are kept
+  constexpr bool kAsksToReplace = false;  // answers in it are kept
+  const QString file = askSaveFile(&parts_.window, tr("File of your results"), name,
+                                   tr("Results (*.json)"), kAsksToReplace);
   if (!file.isEmpty()) keepResults(file);
 }
 

@@ -1,7 +1,10 @@
 #include "ui/window/main/picture_files.h"
 
+#include <QDir>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QRegularExpression>
+#include <QSettings>
 
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
@@ -21,17 +24,29 @@ QString firstExtension(const QString& filter) {
   return pattern.match(filter).captured(1);
 }
 
+const QString kSaveFolder = QStringLiteral("files/saveFolder");
+
+/// Returns the folder of the file that was saved last, or the home folder.
+QString lastSaveFolder() {
+  const QString last = QSettings().value(kSaveFolder).toString();
+  return !last.isEmpty() && QFileInfo(last).isDir() ? last : QDir::homePath();
+}
+
 }  // namespace
 
 QString askSaveFile(QWidget* parent, const QString& title, const QString& name,
-                    const QString& filters) {
-  QFileDialog dialog(parent, title, {}, filters);
+                    const QString& filters, bool asksToReplace) {
+  QFileDialog dialog(parent, title, lastSaveFolder(), filters);
   dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.setOption(QFileDialog::DontConfirmOverwrite, !asksToReplace);
   dialog.setDefaultSuffix(firstExtension(filters));
   QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog,
                    [&](const QString& filter) { dialog.setDefaultSuffix(firstExtension(filter)); });
   dialog.selectFile(name);
-  return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+  if (dialog.exec() != QDialog::Accepted) return {};
+  const QString file = dialog.selectedFiles().value(0);
+  if (!file.isEmpty()) QSettings().setValue(kSaveFolder, QFileInfo(file).absolutePath());
+  return file;
 }
 
 std::shared_ptr<const Frame> stillCopy(const Frame& frame) {

@@ -19,10 +19,10 @@ namespace asperity {
 
 /// Asks the user for a file to write; returns an empty text where none was chosen. A name without
 /// an extension gets the first one of the chosen filter, before the dialog asks whether an existing
-/// file may be replaced. `name` is proposed, with or without a folder; `filters` as for
-/// QFileDialog, separated by ";;".
+/// file may be replaced; it does not ask without `asksToReplace`. `name` is proposed, with a folder
+/// or in that of the file saved last; `filters` as for QFileDialog, separated by ";;".
 QString askSaveFile(QWidget* parent, const QString& title, const QString& name,
-                    const QString& filters);
+                    const QString& filters, bool asksToReplace = true);
 
 /// A picture of the contact as it is on the screen, with its title.
 struct ContactShot {
