@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <QComboBox>
+#include <QCursor>
 #include <QDir>
+#include <QEnterEvent>
 #include <QFile>
 #include <QLabel>
 #include <QMenu>
@@ -13,6 +15,8 @@
 #include <QTabWidget>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
+#include <QToolButton>
 #include <QTreeWidget>
 #include <algorithm>
 #include <set>
@@ -46,6 +50,22 @@ TEST_F(MainWindowTest, ASliderBringsOneSceneToTheWorkerAndItsFrameBack) {
   EXPECT_GT(frame()->scene->load.normalForce, smallScene().load.normalForce);
   EXPECT_EQ(*frame()->scene, window_.panel().scene());
   EXPECT_EQ(session().sceneNumber(), before + 1);
+}
+
+/// The pointer leaves the button while its menu is open, and Escape closes the menu.
+TEST_F(MainWindowTest, TheButtonOfTheScenesIsNotLitAfterItsMenuWasClosed) {
+  auto& button = control<QToolButton>("scenesButton");
+  const QPointF middle = QRectF(button.rect()).center();
+  QEnterEvent enter(middle, middle, button.mapToGlobal(middle));
+  QCoreApplication::sendEvent(&button, &enter);
+  ASSERT_TRUE(button.underMouse());
+  QTimer::singleShot(50, button.menu(), [&] {
+    QCursor::setPos(window_.mapToGlobal(window_.rect().center()));
+    button.menu()->close();
+  });
+  button.showMenu();  // until the menu is closed
+  EXPECT_FALSE(button.underMouse());
+  EXPECT_FALSE(button.isDown());
 }
 
 TEST_F(MainWindowTest, TypingANumberDoesTheSame) {

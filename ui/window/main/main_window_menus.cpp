@@ -3,6 +3,8 @@
 #include <QAction>
 #include <QActionGroup>
 #include <QCoreApplication>
+#include <QCursor>
+#include <QEvent>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
@@ -171,6 +173,13 @@ void MainWindow::buildToolBar(QMenu& scenesMenu) {
   scenes->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   scenes->setPopupMode(QToolButton::InstantPopup);
   scenes->setMenu(&scenesMenu);
+  // While the menu is open, Qt does not tell the button that the pointer leaves it.
+  connect(&scenesMenu, &QMenu::aboutToHide, scenes, [scenes] {
+    if (scenes->rect().contains(scenes->mapFromGlobal(QCursor::pos()))) return;
+    QEvent leave(QEvent::Leave);
+    QCoreApplication::sendEvent(scenes, &leave);
+    scenes->update();
+  });
   connect(appearance_, &Appearance::themeChanged, scenes, [scenes](const Theme& theme) {
     scenes->setIcon(symbolIcon(Symbol::Scenes, themePalette(theme).color(QPalette::WindowText)));
   });
