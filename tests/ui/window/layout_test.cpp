@@ -8,6 +8,9 @@
 #include <QSettings>
 #include <QSplitter>
 #include <QStatusBar>
+#include <QStyle>
+#include <QStyleOption>
+#include <QTabBar>
 #include <QTabWidget>
 #include <QToolBar>
 #include <QToolButton>
@@ -226,6 +229,19 @@ TEST_F(LayoutTest, HandlesOfSlidersGrowWithTheLetters) {
   }
   QTest::mouseClick(&slider, Qt::LeftButton, {}, {150, slider.height() / 2});
   EXPECT_GT(slider.value(), slider.minimum());
+}
+
+/// On a small screen not all titles fit: they have the whole bar, and buttons that can be hit.
+TEST_F(LayoutTest, TitlesOfTabsHaveTheWholeBarInAPresentation) {
+  window_.windowLayout().setPresenting(true);
+  QCoreApplication::processEvents();
+  const QTabBar& bar = *tabs().tabBar();
+  EXPECT_FALSE(tabs().cornerWidget()) << "there is nothing to fit";
+  QStyleOption option;
+  option.initFrom(&bar);
+  EXPECT_GE(bar.style()->pixelMetric(QStyle::PM_TabBarScrollButtonWidth, &option, &bar),
+            bar.fontMetrics().height());
+  window_.windowLayout().setPresenting(false);
 }
 
 TEST_F(LayoutTest, WhatEndsAPresentationIsAsItWasBefore) {

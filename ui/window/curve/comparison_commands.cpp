@@ -90,7 +90,7 @@ void ComparisonCommands::showScene(const Scene& scene) {
       action->setChecked(isShown(scene, entry.theory));
   const bool hasTables = !scene.comparison.data.empty();
   tables_->setEnabled(hasTables);
-  button_->setVisible(hasTables);
+  parts_.tabs.showInCorner(*button_, hasTables);
 }
 
 void ComparisonCommands::takeTheory(Theory theory, bool isSelected) {

@@ -164,7 +164,7 @@ int SceneTabs::tabsWidth(const QStringList& titles, int padding) const {
   return width;
 }
 
-/// Returns the width of the button in the corner, which Qt reserves even while it is hidden.
+/// Returns the width of the button in the corner.
 int SceneTabs::cornerWidth() const {
   return cornerWidget() ? cornerWidget()->sizeHint().width() : 0;
 }
@@ -207,6 +207,14 @@ void SceneTabs::fitTitles() {
 void SceneTabs::setMayScroll(bool mayScroll) {
   mayScroll_ = mayScroll;
   updateGeometry();
+  fitTitles();
+}
+
+/// Qt reserves the space of a corner widget even while it is hidden.
+void SceneTabs::showInCorner(QWidget& widget, bool isShown) {
+  QWidget* wanted = isShown ? &widget : nullptr;
+  if (cornerWidget() != wanted) setCornerWidget(wanted);
+  widget.setVisible(isShown);
   fitTitles();
 }
 

@@ -58,6 +58,9 @@ class SceneTabs : public QTabWidget {
   void setMayScroll(bool mayScroll);
   QSize minimumSizeHint() const override;
 
+  /// Shows a widget beside the titles of the tabs, or leaves its space to them.
+  void showInCorner(QWidget& widget, bool isShown);
+
   /// Brings the tab of this object name to the front, if it is shown.
   void bringToFront(const QString& name);
 

@@ -59,8 +59,8 @@ void WindowStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* op
   painter->restore();
 }
 
-/// Lets check boxes and handles of sliders grow with the letters, which are more than twice as high
-/// in a presentation.
+/// Lets check boxes, handles of sliders and the buttons that scroll tabs grow with the letters,
+/// which are more than twice as high in a presentation.
 int WindowStyle::pixelMetric(PixelMetric metric, const QStyleOption* option,
                              const QWidget* widget) const {
   const int usual = QProxyStyle::pixelMetric(metric, option, widget);
@@ -74,6 +74,8 @@ int WindowStyle::pixelMetric(PixelMetric metric, const QStyleOption* option,
     case PM_SliderThickness:
     case PM_SliderControlThickness:
       return std::max(usual, static_cast<int>(2 * handleRadius(widget->fontMetrics())) + 2);
+    case PM_TabBarScrollButtonWidth:
+      return std::max(usual, widget->fontMetrics().height());
     default:
       return usual;
   }
