@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/command_options.h"
@@ -21,6 +22,7 @@ namespace {
 // than several heights of a number, the texts get smaller still, so that they fit.
 constexpr float kStripText = 0.8F, kMinStripText = 0.5F;
 constexpr float kGoodStrip = 3, kMinStrip = 2;
+constexpr double kLeastContactPart = 0.35;  // of a height that the contact shares with its chart
 
 constexpr NamedChoices<PictureLayout, 4> kLayouts{{{"contact", PictureLayout::Contact},
                                                    {"curve", PictureLayout::Curve},
@@ -151,7 +153,8 @@ void PictureComposer::checkCurveHeight(const Scene& scene) {
   if (layout == PictureLayout::Both) sheet.title = {};
   const int above = layout == PictureLayout::Both ? contactHeight() : 0;
   checkPanels(sheet, settings_, above);
-  if (!settings_.isOnPaper) return;
+  const bool hasLettersOfASize = settings_.format.fontSize > 0;
+  if (!settings_.isOnPaper && !(hasLettersOfASize && above > 0)) return;
   // The marker comes with the frame; its entry in the legend and its label are included in the
   // layout now.
   if (const auto& points = content_.curves.present.points; !points.empty()) {
@@ -168,7 +171,13 @@ void PictureComposer::growFor(const DiagramSheet& sheet) {
   const int above = content_.layout == PictureLayout::Curve ? 0 : contactHeight();
   DiagramOptions options = optionsFor(settings_.height - above, 0);
   if (above > 0) options.above = FrameAbove{};
-  settings_.height = above + heightInPrint(sheet, options);
+  const int needed = heightInPrint(sheet, options);
+  if (!settings_.isOnPaper) {  // the size is that of a screen
+    const int least = static_cast<int>(std::lround(kLeastContactPart * settings_.height));
+    above_ = std::clamp(settings_.height - needed, std::min(least, above), above);
+    return;
+  }
+  settings_.height = above + needed;
   if (above > 0) above_ = above;  // the contact does not grow with its chart
 }
 

@@ -52,7 +52,8 @@ class PictureComposer {
   DiagramOptions optionsFor(int height, float minTextSize) const;
   float stripText(const DiagramSheet& strips, int height) const;
   void checkStrips(const Scene& scene);
-  /// Makes a picture on paper as high as the sheet of its chart needs.
+  /// Makes a picture on paper as high as the sheet of its chart needs. In a picture in pixels the
+  /// contact leaves the chart more of the height.
   void growFor(const DiagramSheet& sheet);
   DiagramSheet curveWithMarker(const Frame& frame) const;
 
@@ -60,7 +61,7 @@ class PictureComposer {
   PictureContent content_;
   std::optional<ContactView> view_;
   ContactPictureOptions contact_;  // options of the last frame
-  std::optional<int> above_;       // height of the contact on paper, where its chart has grown
+  std::optional<int> above_;       // height of the contact, where its chart has grown
   std::optional<DrawList> below_;  // the curve, which does not change in steady sliding
 };
 

@@ -187,6 +187,14 @@ TEST_F(ExportTest, ASequenceGoesOnWhereItStopped) {
   expectRefused("render s.json -o a.png --resume", 2, "--resume");
 }
 
+/// A slide keeps the shape of the screen; its contact leaves the chart the room for its legend.
+TEST_F(ExportTest, ASlideOfContactAndCurveKeepsItsSizeAndItsWholeLegend) {
+  run("render s.json -o slide.svg --layout both --style slides");
+  EXPECT_THAT(read("slide.svg"),
+              AllOf(HasSubstr("width=\"1920\" height=\"1080\""), HasSubstr(">this line, now<"),
+                    HasSubstr(">Eq. (11)<"), HasSubstr(">v = 1 m/s<")));
+}
+
 TEST_F(ExportTest, AShorterSequenceLeavesNoFrameOfALongerOne) {
   const std::string size = kSmall;
   run("render s.json -o seq --frames 5" + size);
