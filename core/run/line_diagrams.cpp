@@ -5,6 +5,9 @@
 #include <map>
 #include <numbers>
 #include <numeric>
+#include <span>
+#include <tuple>
+#include <utility>
 
 #include "core/base/number_text.h"
 #include "core/contact/line/polynomial.h"
@@ -64,6 +67,27 @@ Spectrum wanted(const Scene& scene, const LineSource& source) {
                                                      surface.hurst, surface.rmsHeight, rollOff))
     modes.coefficients.emplace_back(0.5 * amplitude, 0);
   return gathered(modes);
+}
+
+/// Returns the widest range of wave numbers, of at least a decade, in which the points follow the
+/// power law of a self-affine line, 0 <= H <= 1. The range is empty where there is none: measured
+/// spectra have a roll-off, a cut-off and noise.
+std::pair<double, double> powerLawRange(const Spectrum& spectrum) {
+  constexpr double kScatter =
+      0.5;  // rms residual of ln C; the longest waves are few and scatter more
+  const std::span<const double> q = spectrum.waveNumber, density = spectrum.density;
+  std::pair<double, double> widest{1, 0};
+  double width = std::log(10);
+  for (std::size_t from = 0; from < q.size(); ++from)
+    for (std::size_t to = from + 2; to < q.size(); ++to) {
+      if (std::log(q[to] / q[from]) < width) continue;
+      const LineFit fit =
+          fitPower(q.subspan(from, to - from + 1), density.subspan(from, to - from + 1));
+      if (fit.slope > -1 || fit.slope < -3 || fit.rmsResidual > kScatter) continue;
+      width = std::log(q[to] / q[from]);
+      widest = {q[from], q[to]};
+    }
+  return widest;
 }
 
 DiagramSeries seriesOf(const Spectrum& spectrum, Message name) {
@@ -269,9 +293,11 @@ SpectrumReading readSpectrum(const Scene& scene) {
   const double rollOff =
       scene.surface.kind == SurfaceKind::SelfAffine ? scene.surface.rollOffWavelength : 0;
   reading.fitFrom = rollOff > 0 ? 2 * std::numbers::pi / rollOff : 0;
+  if (hasSurfaceFile(scene.surface))
+    std::tie(reading.fitFrom, reading.fitTo) = powerLawRange(spectrum);
   std::vector<double> x, y;
   for (std::size_t i = 0; i < spectrum.waveNumber.size(); ++i) {
-    if (spectrum.waveNumber[i] < reading.fitFrom) continue;
+    if (!reading.isFitted(spectrum.waveNumber[i])) continue;
     x.push_back(spectrum.waveNumber[i]);
     y.push_back(spectrum.density[i]);
   }
@@ -305,7 +331,7 @@ DiagramSheet spectrumSheet(const Scene& scene) {
     fitted.stroke = SeriesStroke::Dashed;
     fitted.colour = 1;
     for (const double q : reading.waveNumber)
-      if (q >= reading.fitFrom)
+      if (reading.isFitted(q))
         fitted.points.push_back(
             {q, std::exp(reading.fit.intercept + reading.fit.slope * std::log(q))});
     diagram.series.push_back(std::move(fitted));
