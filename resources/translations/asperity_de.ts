@@ -3517,8 +3517,8 @@
         <translation>Wie in der Datei</translation>
     </message>
     <message>
-        <source>A number alone counts in the unit beside it, one with an exponent (1e7) in %1; any unit may be typed with it.</source>
-        <translation>Eine Zahl allein gilt in der Einheit daneben, eine mit Exponent (1e7) in %1; jede Einheit darf dazu getippt werden.</translation>
+        <source>A number alone counts in the unit beside it; any unit may be typed with it.</source>
+        <translation>Eine Zahl allein zählt in der Einheit daneben; dazu kann jede Einheit geschrieben werden.</translation>
     </message>
     <message>
         <source>%1 to %2</source>

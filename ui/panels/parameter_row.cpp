@@ -573,10 +573,9 @@ QString ParameterRow::description() const {
   const auto explanation = findExplanation(parameter_.key);
   QString text = explanation ? explanationHtml(*explanation) : QString();
   if (std::holds_alternative<RealField>(parameter_.field) && !parameter_.unit.empty())
-    text += QStringLiteral("<p><small>%1</small></p>")
-                .arg(tr("A number alone counts in the unit beside it, one with an exponent (1e7) "
-                        "in %1; any unit may be typed with it.")
-                         .arg(fromUtf8(parameter_.unit)));
+    text +=
+        QStringLiteral("<p><small>%1</small></p>")
+            .arg(tr("A number alone counts in the unit beside it; any unit may be typed with it."));
   if (slider_) {
     QString keys =
         tr("Arrow keys make steps, with Shift the smallest ones; PageUp and PageDown large ones.");
