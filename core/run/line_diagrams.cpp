@@ -70,22 +70,30 @@ Spectrum wanted(const Scene& scene, const LineSource& source) {
 }
 
 /// Returns the widest range of wave numbers, of at least a decade, in which the points follow the
-/// power law of a self-affine line, 0 <= H <= 1. The range is empty where there is none: measured
-/// spectra have a roll-off, a cut-off and noise.
+/// power law of a self-affine line with 0 <= H <= 1: the exponents of its lower and its upper half
+/// agree. The range is empty where there is none: measured spectra have a roll-off, a cut-off and
+/// noise.
 std::pair<double, double> powerLawRange(const Spectrum& spectrum) {
-  constexpr double kScatter =
-      0.5;  // rms residual of ln C; the longest waves are few and scatter more
+  constexpr double kScatter = 1;  // rms residual of ln C; there are only a few of the longest waves
+  constexpr double kDifference = 0.5;  // of the exponents of the halves: 0.25 of H
   const std::span<const double> q = spectrum.waveNumber, density = spectrum.density;
+  const auto fitOver = [&](std::size_t from, std::size_t to) {
+    return fitPower(q.subspan(from, to - from), density.subspan(from, to - from));
+  };
   std::pair<double, double> widest{1, 0};
   double width = std::log(10);
   for (std::size_t from = 0; from < q.size(); ++from)
-    for (std::size_t to = from + 2; to < q.size(); ++to) {
-      if (std::log(q[to] / q[from]) < width) continue;
-      const LineFit fit =
-          fitPower(q.subspan(from, to - from + 1), density.subspan(from, to - from + 1));
+    for (std::size_t to = from + 4; to <= q.size(); ++to) {
+      if (std::log(q[to - 1] / q[from]) < width) continue;
+      const LineFit fit = fitOver(from, to);
       if (fit.slope > -1 || fit.slope < -3 || fit.rmsResidual > kScatter) continue;
-      width = std::log(q[to] / q[from]);
-      widest = {q[from], q[to]};
+      const auto middle = static_cast<std::size_t>(
+          std::ranges::lower_bound(q, std::sqrt(q[from] * q[to - 1])) - q.begin());
+      if (middle < from + 2 || middle + 2 > to) continue;
+      const double lower = fitOver(from, middle).slope, upper = fitOver(middle, to).slope;
+      if (std::abs(upper - lower) > kDifference) continue;
+      width = std::log(q[to - 1] / q[from]);
+      widest = {q[from], q[to - 1]};
     }
   return widest;
 }

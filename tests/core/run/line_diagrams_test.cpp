@@ -89,7 +89,7 @@ TEST(Spectrum, OfAFileIsFittedWhereItFollowsAPowerLaw) {
   const SpectrumReading reading = readSpectrum(scene);
   ASSERT_TRUE(reading.hasFit);
   EXPECT_NEAR(reading.hurst(), kHurst, 0.1);
-  EXPECT_GT(reading.fitFrom, kRollOff / 3);
+  EXPECT_GT(reading.fitFrom, kRollOff / 2);
   EXPECT_LT(reading.fitTo, kCutOff * 1.2);
 }
 
