@@ -5912,7 +5912,7 @@
     </message>
     <message>
         <source>along the rows (x)</source>
-        <translation>längs Zeilen (x)</translation>
+        <translation>längs der Zeilen (x)</translation>
     </message>
     <message>
         <source>across the rows (y)</source>
@@ -6299,7 +6299,7 @@
     </message>
     <message>
         <source>The load is so high that the rubber fills every valley, and friction is 4 L η v times the squared rms slope over the force, exactly. Raise the velocity until the first valleys open and the straight line ends.</source>
-        <translation>Die Last ist so hoch, dass das Gummi jedes Tal füllt, und die Reibungszahl ist exakt 4 L η v mal dem Quadrat der RMS-Steigung durch die Kraft. Die Geschwindigkeit erhöhen, bis sich die ersten Täler öffnen und die Gerade endet.</translation>
+        <translation>Die Last ist so hoch, dass das Gummi jedes Tal füllt, und die Reibungszahl ist exakt 4 L η v mal das Quadrat der RMS-Steigung, geteilt durch die Kraft. Die Geschwindigkeit erhöhen, bis sich die ersten Täler öffnen und die Gerade endet.</translation>
     </message>
     <message>
         <source>The rubber no longer quite keeps up, and contact begins to leave the trailing sides of the summits. Within a decade of velocity the straight line bends into the plateau.</source>
