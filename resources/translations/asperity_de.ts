@@ -5157,16 +5157,24 @@
         <translation>die Moduln des Elastomers</translation>
     </message>
     <message>
-        <source>Mark the place in the chart. My answer as a number</source>
-        <translation>Zeichnen Sie die Stelle im Diagramm ein. Meine Antwort als Zahl</translation>
+        <source>Mark the place in the chart.</source>
+        <translation>Zeichne die Stelle im Diagramm ein.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>After the answer to step %1</source>
+        <translation>Nach der Antwort zu Schritt %1</translation>
     </message>
     <message>
         <source>Turn the page when you have answered.</source>
-        <translation>Blättern Sie erst um, wenn Sie geantwortet haben.</translation>
+        <translation>Blättere erst um, wenn du geantwortet hast.</translation>
     </message>
     <message>
         <source>After your answer to step %1</source>
-        <translation>Nach Ihrer Antwort zu Schritt %1</translation>
+        <translation>Nach deiner Antwort zu Schritt %1</translation>
     </message>
     <message>
         <source>a factor of %1</source>

@@ -876,6 +876,9 @@ TEST(Handouts, StudentsGetQuestionsAndTeachersAnswers) {
   EXPECT_TRUE(teachers.contains("Answer:"));
   EXPECT_TRUE(teachers.contains("<p>One.</p>"));
   EXPECT_GT(teachers.count("<img"), students.count("<img"));
+  EXPECT_TRUE(teachers.contains("After the answer to step 1"));  // above its picture
+  EXPECT_TRUE(students.contains("Name: ___"));
+  EXPECT_FALSE(teachers.contains("Name: ___"));
   EXPECT_EQ(handoutHtml(lesson, options), teachers);
 }
 
