@@ -1508,6 +1508,10 @@
         <source>%1: “%2” is not a number above 0.</source>
         <translation>%1: „%2“ ist keine Zahl über 0.</translation>
     </message>
+    <message>
+        <source>The picture is too small for its diagrams; make it higher or wider.</source>
+        <translation>Das Bild ist zu klein für seine Diagramme; machen Sie es höher oder breiter.</translation>
+    </message>
 </context>
 <context>
     <name>asperity::ExportPreview</name>
