@@ -6094,6 +6094,10 @@
         <source>has no rows of numbers; line %1: the value in column %2 is missing</source>
         <translation>hat keine Zeilen mit Zahlen; Zeile %1: Der Wert in Spalte %2 fehlt</translation>
     </message>
+    <message>
+        <source>%1 as in the file</source>
+        <translation>%1 wie in der Datei</translation>
+    </message>
 </context>
 <context>
     <name>scenes</name>
