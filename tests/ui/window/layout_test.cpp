@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <QDockWidget>
+#include <QLayout>
 #include <QLineEdit>
 #include <QMenuBar>
 #include <QScreen>
@@ -55,6 +56,17 @@ TEST_F(LayoutTest, TheSlashGoesToTheFilterOfTheParameters) {
   QTest::keyClick(&control<QLineEdit>("parameterFilter"), Qt::Key_Escape);
   EXPECT_EQ(control<QLineEdit>("parameterFilter").text(), "");
   EXPECT_TRUE(window_.canvas().hasFocus()) << "whose keys play and step";
+}
+
+TEST_F(LayoutTest, PlayAndPauseTakeTheSameWidth) {
+  auto& bar = control<QToolBar>("commands");
+  const QWidget& step = *bar.widgetForAction(&action("step"));
+  const int before = step.x();
+  for (const bool isPlaying : {false, true, false}) {
+    session().setPlaying(isPlaying);
+    bar.layout()->activate();
+    EXPECT_EQ(step.x(), before) << isPlaying;
+  }
 }
 
 TEST_F(LayoutTest, AnOpenedSceneBeginsWithoutAFilter) {
