@@ -1508,6 +1508,10 @@
         <source>%1: “%2” is not a number above 0.</source>
         <translation>%1: „%2“ ist keine Zahl über 0.</translation>
     </message>
+    <message>
+        <source>The picture is too small for its diagrams; make it higher or wider.</source>
+        <translation>Das Bild ist zu klein für seine Diagramme; machen Sie es höher oder breiter.</translation>
+    </message>
 </context>
 <context>
     <name>asperity::ExportPreview</name>
@@ -3282,8 +3286,8 @@
         <translation>annehmen</translation>
     </message>
     <message>
-        <source>The guide is not here: it is built with the program where pandoc is installed. Its pages can be read in the folder resources/guide of the sources.</source>
-        <translation>Das Handbuch ist nicht hier: Es wird mit dem Programm gebaut, wo pandoc installiert ist. Seine Seiten stehen im Ordner resources/guide der Quellen.</translation>
+        <source>The guide is not part of this build. Its text is in resources/guide.</source>
+        <translation>Das Handbuch ist nicht Teil dieses Programms. Sein Text steht in resources/guide.</translation>
     </message>
     <message>
         <source>No browser opens the guide; it is the file %1.</source>
