@@ -49,10 +49,20 @@ ParameterValue valueInCurve(const Parameter& row, const Scene& scene) {
   return parameterValue(row, scene);
 }
 
+/// Returns whether the value of the row means "as in the surface's file".
+bool isLeftToFile(const Parameter& row, const Scene& scene) {
+  const ParameterValue value = parameterValue(row, scene);
+  const auto* whole = std::get_if<std::int64_t>(&value);
+  const auto* real = std::get_if<double>(&value);
+  return (whole || real) &&
+         isLeftToProfile(row, scene, whole ? static_cast<double>(*whole) : *real);
+}
+
 /// Returns "seed 3", "linear", "local shear = 2 N/m": rows without a symbol.
 Message inPlainWords(const Parameter& row, const Scene& scene) {
   const ParameterValue value = valueInCurve(row, scene);
   const Message label(row.label);
+  if (isLeftToFile(row, scene)) return message("{} as in the file", label);
   if (const auto* real = std::get_if<double>(&value))
     return row.unit.empty()
                ? message("{} = {:g}", label, *real)
@@ -76,6 +86,8 @@ bool isOfNoCurve(const Parameter& row, const Scene& scene) {
 /// Returns whether two scenes have different texts for a row.
 bool differs(const Parameter& row, const Scene& scene, const Scene& from) {
   if (isOfNoCurve(row, scene) || !isApplicable(row, scene)) return false;
+  // Only beside a line with a file is a length or a number left to the file a change.
+  if (isLeftToFile(row, scene) && !isLeftToProfile(row, from, 0)) return false;
   if (isShiftIdle(row, scene) && isShiftIdle(row, from)) return false;
   // What was chosen automatically in both scenes is no difference that a user made.
   if (parameterValue(row, scene) == parameterValue(row, from) &&

@@ -12,6 +12,12 @@ namespace asperity {
 
 namespace {
 
+// The states of arms: ∂s_i/∂t = ∂u/∂t − s_i/τ_i.
+constexpr std::string_view kForceOfArms =
+                               "f = −4 Δx (G∞ u + Σ G_i s_i + η ∂u/∂t), ∂s_i/∂t = ∂u/∂t − s_i/τ_i",
+                           kPressureOfArms =
+                               "p = −4 (G∞ u + Σ G_i s_i + η ∂u/∂t), ∂s_i/∂t = ∂u/∂t − s_i/τ_i";
+
 constexpr std::array kTable{
     // ---- scene keys: their sentences are those of the table of parameters
     HoverExplanation{"surface.length", "L", "", "rough-line"},
@@ -40,11 +46,13 @@ constexpr std::array kTable{
     HoverExplanation{"elastomer.shift.reference_temperature", "a_T(T_r) = 1", "", "temperature"},
     HoverExplanation{"elastomer.shift.activation_energy", "ln a_T = E_a/R (1/T − 1/T_r)", "",
                      "temperature"},
-    HoverExplanation{"load.normal_force", "F_N = 4 ∫ [G (d − z) + η v z'] dx, Eq. (3)", "", "eq-3"},
+    HoverExplanation{"load.normal_force", "F_N = 4 ∫ [G (d − z) + η v z'] dx, Eq. (3)", "", "eq-3",
+                     "F_N = −4 ∫ (G∞ u + Σ G_i s_i + η ∂u/∂t) dx"},
     HoverExplanation{"load.depth", "u = z − d (p > 0)", "", "foundation"},
     HoverExplanation{"load.nominal_pressure", "F_N = p₀ L w", "", "pressure"},
     HoverExplanation{"load.width", "F_N = p₀ L w", "", "pressure"},
-    HoverExplanation{"sliding.velocity", "f = 4 Δx {G [d − z] + η v z'}, Eq. (2)", "", "steady"},
+    HoverExplanation{"sliding.velocity", "f = 4 Δx {G [d − z] + η v z'}, Eq. (2)", "", "steady",
+                     kForceOfArms},
     HoverExplanation{"sliding.amplitude", "v(t) = v + Δv sin(2π f t)", "", "motion"},
     HoverExplanation{"sliding.frequency", "v(t) = v + Δv sin(2π f t)", "", "motion"},
     HoverExplanation{"interface.friction_coefficient", "μ_total = μ + μ_interface", "",
@@ -76,7 +84,8 @@ constexpr std::array kTable{
         "the height of the line, u that of the surface.",
         "foundation"},
     HoverExplanation{"tangential_force", "F_x = −4 ∫ z' [G (d − z) + η v z'] dx, Eq. (4)",
-                     "The force that sliding takes, on one period of the line.", "eq-4"},
+                     "The force that sliding takes, on one period of the line.", "eq-4",
+                     "F_x = 4 ∫ z' (G∞ u + Σ G_i s_i + η ∂u/∂t) dx"},
     HoverExplanation{"power", "P = |F_x| v", "Power that sliding turns into heat.", "steady"},
     HoverExplanation{"mean_pressure", "F_N/(L_c w)",
                      "Normal force over the area in contact, contact length times width.",
@@ -139,7 +148,7 @@ constexpr std::array kTable{
         "elastomer", "f = −4 Δx {G u + η ∂u/∂t}, Eq. (1)",
         "Springs and dashpots side by side, each for itself; arms are springs and dashpots "
         "in series beside them.",
-        "foundation"},
+        "foundation", kForceOfArms},
     HoverExplanation{"total friction", "μ_total = μ + μ_interface",
                      "Of deformation and interface together: friction force over normal force.",
                      "local-friction"},
@@ -151,22 +160,22 @@ constexpr std::array kTable{
         "contact pressure", "p = −4 (G u + η ∂u/∂t)",
         "Line load: the force with which the bodies press on each other, per length of the "
         "line.",
-        "foundation"},
+        "foundation", kPressureOfArms},
     HoverExplanation{
         "glow of the pressure", "p = −4 (G u + η ∂u/∂t)",
         "The glow is brighter and deeper where the pressure is larger. It does not show "
         "how deep stresses reach, which the model does not know.",
-        "foundation"},
+        "foundation", kPressureOfArms},
     HoverExplanation{
         "time since contact", "u ∝ exp(−t/τ)",
         "How long ago the elastomer was in contact at this place. It recovers within a few "
         "relaxation times.",
-        "foundation"},
+        "foundation", "G∞ u + Σ G_i s_i + η ∂u/∂t = 0"},
     HoverExplanation{
         "dissipated power", "4 η (∂u/∂t)²",
         "What the dashpots and, in contact, the interface turn into heat, per length of "
         "the line; of the free surface, too, while it recovers.",
-        "steady"},
+        "steady", "4 [η (∂u/∂t)² + Σ G_i s_i²/τ_i]"},
     HoverExplanation{"dot at a contact", "",
                      "A contact too narrow to be seen at this size stands under the dot.",
                      "foundation"},
@@ -273,6 +282,13 @@ std::optional<HoverExplanation> findExplanation(std::string_view id) {
 
 std::optional<HoverExplanation> findExplanation(const Message& text) {
   return text.empty() ? std::nullopt : findExplanation(std::string_view(text.text));
+}
+
+HoverExplanation withFormulaFor(HoverExplanation explanation, Rheology rheology) {
+  const bool hasArms = rheology == Rheology::StandardSolid || rheology == Rheology::Prony;
+  if (hasArms && !explanation.formulaOfArms.empty())
+    explanation.formula = explanation.formulaOfArms;
+  return explanation;
 }
 
 std::vector<std::string_view> equationsIn(std::string_view text) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/message.h"
+#include "core/material/elastomer.h"
 
 namespace asperity {
 
@@ -18,6 +19,7 @@ struct HoverExplanation {
   std::string_view formula;      // in printed letters, the same in every language; may be empty
   std::string_view sentence;     // English; its German is in core_de.ts
   std::string_view guideAnchor;  // of the guide's page: "law", "eq-11"
+  std::string_view formulaOfArms = {};  // of elements with arms; empty: the same formula
 };
 
 /// Returns the explanation with this id; nothing where there is none. Every scene key has one.
@@ -26,6 +28,10 @@ std::optional<HoverExplanation> findExplanation(std::string_view id);
 /// Returns the explanation of a text of a chart, by its English template; nothing where there is
 /// none, as for a curve that a user named.
 std::optional<HoverExplanation> findExplanation(const Message& text);
+
+/// Returns the explanation with the formula of the elements of an elastomer: that of a spring and
+/// a dashpot, or that of arms.
+HoverExplanation withFormulaFor(HoverExplanation explanation, Rheology rheology);
 
 /// Returns the numbers of the equations that a text mentions, as ids: "Eq. (13)".
 std::vector<std::string_view> equationsIn(std::string_view text);

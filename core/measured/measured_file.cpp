@@ -394,10 +394,11 @@ std::optional<StatedUnit> statedUnit(const SurfaceSource& source, std::string_vi
   if (const auto metres = metresPer(unit)) return StatedUnit{shortened(unit), *metres};
   const bool ofHeights = axis.starts_with('z') || axis.starts_with('Z');
   if ((ofHeights ? source.choices.heightUnit : source.choices.positionUnit) != "auto") return {};
-  throw InputError(source.name, ofHeights ? "surface.height_unit" : "surface.position_unit",
-                   message("the axis {} is in '{}', which is no unit of length; the key can say "
+  const char* key = ofHeights ? "surface.height_unit" : "surface.position_unit";
+  throw InputError(source.name, key,
+                   message("the axis {} is in '{}', which is no unit of length; {} can name "
                            "another one",
-                           axis, shortened(unit)));
+                           axis, shortened(unit), key));
 }
 
 MeasuredFile readMeasuredBytes(std::string_view bytes, const std::string& name,
@@ -406,7 +407,7 @@ MeasuredFile readMeasuredBytes(std::string_view bytes, const std::string& name,
   const SurfaceSource source{bytes, name, choices, stop, progress};
   requireChoices(source);
   source.report(0);
-  if (bytes.empty()) source.fail("is empty");
+  if (bytes.empty()) source.fail("the file is empty");
   return finished(source, readDraft(source));
 }
 

@@ -429,9 +429,10 @@ std::optional<StatedUnit> columnUnit(const SurfaceSource& source, const TextTabl
   }
   if (const auto metres = metresPer(unit)) return StatedUnit{unit, *metres};
   if (isChosen) return {};
-  throw InputError(source.name, ofHeights ? "surface.height_unit" : "surface.position_unit",
-                   message("{} is in '{}', which is no unit of length; the key can say another one",
-                           columnText(block, column), shortened(unit)));
+  const char* key = ofHeights ? "surface.height_unit" : "surface.position_unit";
+  throw InputError(source.name, key,
+                   message("{} is in '{}', which is no unit of length; {} can name another one",
+                           columnText(block, column), shortened(unit), key));
 }
 
 }  // namespace asperity

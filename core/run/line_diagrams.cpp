@@ -5,6 +5,9 @@
 #include <map>
 #include <numbers>
 #include <numeric>
+#include <span>
+#include <tuple>
+#include <utility>
 
 #include "core/base/number_text.h"
 #include "core/contact/line/polynomial.h"
@@ -64,6 +67,35 @@ Spectrum wanted(const Scene& scene, const LineSource& source) {
                                                      surface.hurst, surface.rmsHeight, rollOff))
     modes.coefficients.emplace_back(0.5 * amplitude, 0);
   return gathered(modes);
+}
+
+/// Returns the widest range of wave numbers, of at least a decade, in which the points follow the
+/// power law of a self-affine line with 0 <= H <= 1: the exponents of its lower and its upper half
+/// agree. The range is empty where there is none: measured spectra have a roll-off, a cut-off and
+/// noise.
+std::pair<double, double> powerLawRange(const Spectrum& spectrum) {
+  constexpr double kScatter = 1;  // rms residual of ln C; there are only a few of the longest waves
+  constexpr double kDifference = 0.5;  // of the exponents of the halves: 0.25 of H
+  const std::span<const double> q = spectrum.waveNumber, density = spectrum.density;
+  const auto fitOver = [&](std::size_t from, std::size_t to) {
+    return fitPower(q.subspan(from, to - from), density.subspan(from, to - from));
+  };
+  std::pair<double, double> widest{1, 0};
+  double width = std::log(10);
+  for (std::size_t from = 0; from < q.size(); ++from)
+    for (std::size_t to = from + 4; to <= q.size(); ++to) {
+      if (std::log(q[to - 1] / q[from]) < width) continue;
+      const LineFit fit = fitOver(from, to);
+      if (fit.slope > -1 || fit.slope < -3 || fit.rmsResidual > kScatter) continue;
+      const auto middle = static_cast<std::size_t>(
+          std::ranges::lower_bound(q, std::sqrt(q[from] * q[to - 1])) - q.begin());
+      if (middle < from + 2 || middle + 2 > to) continue;
+      const double lower = fitOver(from, middle).slope, upper = fitOver(middle, to).slope;
+      if (std::abs(upper - lower) > kDifference) continue;
+      width = std::log(q[to - 1] / q[from]);
+      widest = {q[from], q[to - 1]};
+    }
+  return widest;
 }
 
 DiagramSeries seriesOf(const Spectrum& spectrum, Message name) {
@@ -269,9 +301,11 @@ SpectrumReading readSpectrum(const Scene& scene) {
   const double rollOff =
       scene.surface.kind == SurfaceKind::SelfAffine ? scene.surface.rollOffWavelength : 0;
   reading.fitFrom = rollOff > 0 ? 2 * std::numbers::pi / rollOff : 0;
+  if (hasSurfaceFile(scene.surface))
+    std::tie(reading.fitFrom, reading.fitTo) = powerLawRange(spectrum);
   std::vector<double> x, y;
   for (std::size_t i = 0; i < spectrum.waveNumber.size(); ++i) {
-    if (spectrum.waveNumber[i] < reading.fitFrom) continue;
+    if (!reading.isFitted(spectrum.waveNumber[i])) continue;
     x.push_back(spectrum.waveNumber[i]);
     y.push_back(spectrum.density[i]);
   }
@@ -305,7 +339,7 @@ DiagramSheet spectrumSheet(const Scene& scene) {
     fitted.stroke = SeriesStroke::Dashed;
     fitted.colour = 1;
     for (const double q : reading.waveNumber)
-      if (q >= reading.fitFrom)
+      if (reading.isFitted(q))
         fitted.points.push_back(
             {q, std::exp(reading.fit.intercept + reading.fit.slope * std::log(q))});
     diagram.series.push_back(std::move(fitted));

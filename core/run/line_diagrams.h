@@ -2,6 +2,7 @@
 // fitted to it, and the distributions of pressures and slopes in contact. Pure; any thread.
 #pragma once
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -14,12 +15,14 @@
 namespace asperity {
 
 /// The power spectral density C(q) (m^3, two-sided) over the wave number q (1/m), geometric means
-/// over equal intervals of log q, and the power law fitted above the roll-off: C ~ q^(-2H-1).
+/// over equal intervals of log q, and the power law C ~ q^(-2H-1) fitted to them: above the
+/// roll-off of a self-affine line; for a line from a file where the points follow one.
 struct SpectrumReading {
   std::vector<double> waveNumber, density;
   LineFit fit;          // ln C over ln q
-  bool hasFit = false;  // more than two intervals
-  double fitFrom = 0;   // 1/m
+  bool hasFit = false;  // false: at most two intervals, or no power law
+  double fitFrom = 0, fitTo = std::numeric_limits<double>::infinity();  // 1/m
+  bool isFitted(double q) const { return q >= fitFrom && q <= fitTo; }
   double hurst() const { return -0.5 * (fit.slope + 1); }
 };
 

@@ -437,6 +437,10 @@ Frame Simulation::marchedFrame() const {
   Frame frame;
   frame.scene = ready_->scene;
   frame.velocity = transient_ ? transient_->motion().velocityAt(time_) : ready_->velocity();
+  // At its beginning the contact of a start is still the one at rest.
+  const bool isAtRest = transient_ && time_ == 0;
+  if (isAtRest && needsStage(*ready_->scene, Purpose::Picture, Stage::StartFromRest))
+    frame.velocity = 0;
   frame.length = ready_->line().length;
   frame.spacing = ready_->line().spacing;
   frame.pressure = march().pressure();

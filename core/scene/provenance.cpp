@@ -280,7 +280,7 @@ FoundScene found(std::string_view bytes, const std::string& name,
   }
   if (!isText)
     throw InputError(name, "",
-                     "holds no scene: it was not made by Asperity, or what it said of itself was "
+                     "holds no scene: Asperity did not write this file, or the scene in it was "
                      "removed");
   if (bytes.size() > kLargestScene) throw InputError(name, "", "is larger than a scene may be");
   FoundScene plain;

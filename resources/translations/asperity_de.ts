@@ -1512,6 +1512,10 @@
         <source>%1: “%2” is not a number above 0.</source>
         <translation>%1: „%2“ ist keine Zahl über 0.</translation>
     </message>
+    <message>
+        <source>The picture is too small for its diagrams; make it higher or wider.</source>
+        <translation>Das Bild ist zu klein für seine Diagramme; machen Sie es höher oder breiter.</translation>
+    </message>
 </context>
 <context>
     <name>asperity::ExportPreview</name>
@@ -3286,8 +3290,8 @@
         <translation>annehmen</translation>
     </message>
     <message>
-        <source>The guide is not here: it is built with the program where pandoc is installed. Its pages can be read in the folder resources/guide of the sources.</source>
-        <translation>Das Handbuch ist nicht hier: Es wird mit dem Programm gebaut, wo pandoc installiert ist. Seine Seiten stehen im Ordner resources/guide der Quellen.</translation>
+        <source>The guide is not part of this build. Its text is in resources/guide.</source>
+        <translation>Das Handbuch ist nicht Teil dieses Programms. Sein Text steht in resources/guide.</translation>
     </message>
     <message>
         <source>No browser opens the guide; it is the file %1.</source>
@@ -3521,8 +3525,8 @@
         <translation>Wie in der Datei</translation>
     </message>
     <message>
-        <source>A number alone counts in the unit beside it, one with an exponent (1e7) in %1; any unit may be typed with it.</source>
-        <translation>Eine Zahl allein gilt in der Einheit daneben, eine mit Exponent (1e7) in %1; jede Einheit darf dazu getippt werden.</translation>
+        <source>A number alone counts in the unit beside it; any unit may be typed with it.</source>
+        <translation>Eine Zahl allein zählt in der Einheit daneben; dazu kann jede Einheit geschrieben werden.</translation>
     </message>
     <message>
         <source>%1 to %2</source>
@@ -5161,16 +5165,24 @@
         <translation>die Moduln des Elastomers</translation>
     </message>
     <message>
-        <source>Mark the place in the chart. My answer as a number</source>
-        <translation>Zeichnen Sie die Stelle im Diagramm ein. Meine Antwort als Zahl</translation>
+        <source>Mark the place in the chart.</source>
+        <translation>Zeichne die Stelle im Diagramm ein.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>After the answer to step %1</source>
+        <translation>Nach der Antwort zu Schritt %1</translation>
     </message>
     <message>
         <source>Turn the page when you have answered.</source>
-        <translation>Blättern Sie erst um, wenn Sie geantwortet haben.</translation>
+        <translation>Blättere erst um, wenn du geantwortet hast.</translation>
     </message>
     <message>
         <source>After your answer to step %1</source>
-        <translation>Nach Ihrer Antwort zu Schritt %1</translation>
+        <translation>Nach deiner Antwort zu Schritt %1</translation>
     </message>
     <message>
         <source>a factor of %1</source>

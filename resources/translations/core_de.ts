@@ -2943,8 +2943,8 @@
         <translation>ist größer als die erlaubten %1 Bytes</translation>
     </message>
     <message>
-        <source>holds no scene: it was not made by Asperity, or what it said of itself was removed</source>
-        <translation>enthält keine Szene: Entweder ist es nicht von Asperity gemacht, oder was es von sich sagte, wurde entfernt</translation>
+        <source>holds no scene: Asperity did not write this file, or the scene in it was removed</source>
+        <translation>enthält keine Szene: Asperity hat diese Datei nicht geschrieben, oder die Szene darin wurde entfernt</translation>
     </message>
     <message>
         <source>shows many scenes; open the picture or the table of one of them</source>
@@ -3667,8 +3667,8 @@
         <translation>endet zu früh: %1 x %2 Punkte brauchen %3 Bytes, und %4 sind da</translation>
     </message>
     <message>
-        <source>the axis %1 is in &apos;%2&apos;, which is no unit of length; the key can say another one</source>
-        <translation>die Achse %1 ist in &apos;%2&apos;, was keine Längeneinheit ist; der Schlüssel kann eine andere nennen</translation>
+        <source>the axis %1 is in &apos;%2&apos;, which is no unit of length; %3 can name another one</source>
+        <translation>die Achse %1 ist in &apos;%2&apos;, was keine Längeneinheit ist; %3 kann eine andere nennen</translation>
     </message>
     <message>
         <source>is empty</source>
@@ -3735,8 +3735,8 @@
         <translation>der Kopf sagt %1 x %2 Pixel und ebenso viele, die jene ohne Höhe kennzeichnen; die Datei hat %3 x %4 Zahlen</translation>
     </message>
     <message>
-        <source>%1 is in &apos;%2&apos;, which is no unit of length; the key can say another one</source>
-        <translation>%1 ist in &apos;%2&apos;, was keine Längeneinheit ist; der Schlüssel kann eine andere nennen</translation>
+        <source>%1 is in &apos;%2&apos;, which is no unit of length; %3 can name another one</source>
+        <translation>%1 ist in &apos;%2&apos;, was keine Längeneinheit ist; %3 kann eine andere nennen</translation>
     </message>
     <message>
         <source>points need three columns: x, y and z</source>
@@ -5912,7 +5912,7 @@
     </message>
     <message>
         <source>along the rows (x)</source>
-        <translation>längs Zeilen (x)</translation>
+        <translation>längs der Zeilen (x)</translation>
     </message>
     <message>
         <source>across the rows (y)</source>
@@ -6093,6 +6093,14 @@
     <message>
         <source>has no rows of numbers; line %1: the value in column %2 is missing</source>
         <translation>hat keine Zeilen mit Zahlen; Zeile %1: Der Wert in Spalte %2 fehlt</translation>
+    </message>
+    <message>
+        <source>%1 as in the file</source>
+        <translation>%1 wie in der Datei</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>die Datei ist leer</translation>
     </message>
 </context>
 <context>
@@ -6299,7 +6307,7 @@
     </message>
     <message>
         <source>The load is so high that the rubber fills every valley, and friction is 4 L η v times the squared rms slope over the force, exactly. Raise the velocity until the first valleys open and the straight line ends.</source>
-        <translation>Die Last ist so hoch, dass das Gummi jedes Tal füllt, und die Reibungszahl ist exakt 4 L η v mal dem Quadrat der RMS-Steigung durch die Kraft. Die Geschwindigkeit erhöhen, bis sich die ersten Täler öffnen und die Gerade endet.</translation>
+        <translation>Die Last ist so hoch, dass das Gummi jedes Tal füllt, und die Reibungszahl ist exakt 4 L η v mal das Quadrat der RMS-Steigung, geteilt durch die Kraft. Die Geschwindigkeit erhöhen, bis sich die ersten Täler öffnen und die Gerade endet.</translation>
     </message>
     <message>
         <source>The rubber no longer quite keeps up, and contact begins to leave the trailing sides of the summits. Within a decade of velocity the straight line bends into the plateau.</source>

@@ -11,6 +11,7 @@
 #include "core/scene/motion.h"
 #include "core/scene/sweep.h"
 #include "ui/draw/ticks.h"
+#include "ui/language/language.h"
 #include "ui/language/translated.h"
 
 namespace asperity {
@@ -93,9 +94,21 @@ Message progressText(const CurveUpdate& curve) {
   return message("{} of {} lines", curve.realizationsDone, curve.realizationsTotal);
 }
 
+/// Returns an error with two digits: "0.00001" beside a value in decimals, because "10⁻⁵" looks
+/// like a bound there.
+QString errorLabel(double value, double error) {
+  constexpr double kLeast = 1e-7;  // smaller ones would have too many zeros
+  if (!(error >= kLeast && error < 1) || readingLabel(value).contains(QStringLiteral("10⁻")))
+    return readingLabel(error, 2);
+  const int decimals = 1 - static_cast<int>(std::floor(std::log10(error)));
+  QString text = QString::number(error, 'f', decimals);
+  while (text.endsWith('0')) text.chop(1);
+  return inLanguage(text);
+}
+
 QString withError(const QString& name, double value, double error) {
   const QString text = name + " = " + readingLabel(value);
-  return std::isfinite(error) ? text + " ± " + readingLabel(error, 2) : text;
+  return std::isfinite(error) ? text + " ± " + errorLabel(value, error) : text;
 }
 
 QString velocityText(double velocity) {

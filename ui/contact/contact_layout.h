@@ -42,6 +42,7 @@ struct ContactLayout {
   float footer = 0;  // baseline of the footer's text; 0: none
   float footerWidth = 0;
   std::optional<std::size_t> marked;  // point of a contact so narrow that a dot must show it
+  std::vector<Box> covered{};  // boxes of the inset and of the readout, in which labels are hidden
 
   double pixelsPerMetreX() const;
   double pixelsPerMetreY() const;

@@ -63,6 +63,9 @@ void addMagnifier(DrawList& list, const Frame& frame, const Magnifier& magnifier
 void addProbe(DrawList& list, const Frame& frame, double x, const ContactLayout& layout,
               const Box& taken);
 
+/// Returns the box of that readout; width 0 where there is none.
+Box readoutBox(const Frame& frame, double x, const ContactLayout& layout, const Box& taken);
+
 /// Removes the texts that a box over them would touch.
 void removeTextsUnder(DrawList& list, const Box& box);
 

@@ -72,13 +72,14 @@ DrawList composeContact(const Frame& frame, const ContactPictureOptions& asked) 
   const ContactPictureOptions& options = prepared.options;
   const ContactLayout& layout = prepared.layout;
   DrawList& list = prepared.list;
+  Box taken;
+  if (options.magnifier) taken = magnifierBox(frame, *options.magnifier, layout);
+  prepared.layout.covered = {taken};
+  if (options.probe)
+    prepared.layout.covered.push_back(readoutBox(frame, *options.probe, layout, taken));
   addBodies(list, frame, layout);
   addAxes(list, layout, options.names ? addLabels(list, frame, layout) : Notes{});
-  Box taken;
-  if (options.magnifier) {
-    addMagnifier(list, frame, *options.magnifier, layout);
-    taken = magnifierBox(frame, *options.magnifier, layout);
-  }
+  if (options.magnifier) addMagnifier(list, frame, *options.magnifier, layout);
   if (options.probe) addProbe(list, frame, *options.probe, layout, taken);
   return std::move(prepared.list);
 }

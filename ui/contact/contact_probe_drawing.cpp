@@ -12,10 +12,6 @@
 namespace asperity {
 namespace {
 
-bool overlap(const Box& a, const Box& b) {
-  return a.x < b.right() && b.x < a.right() && a.y < b.bottom() && b.y < a.bottom();
-}
-
 /// Returns the box of a text with its ascenders and descenders, rotated or not.
 Box boxOf(const DrawText& text) {
   const float width = textWidth(text.utf8, text.size, text.bold);
@@ -79,7 +75,7 @@ std::optional<Box> freeBox(const Readout& readout, const Surroundings& around,
       const bool isBeside = candidate.x >= x + 0.5F * away || candidate.right() <= x - 0.5F * away;
       const bool isApart =
           candidate.y >= lower + 0.5F * away || candidate.bottom() <= upper - 0.5F * away;
-      if ((isBeside || isApart) && !overlap(candidate, taken)) return candidate;
+      if ((isBeside || isApart) && !candidate.overlaps(taken)) return candidate;
     }
   return std::nullopt;
 }
@@ -133,38 +129,60 @@ void addReadout(DrawList& list, const Readout& readout, const Box& box,
   }
 }
 
-}  // namespace
+/// The crosshair in pixels: its position, those of its two dots, and its readout where it fits.
+struct Crosshair {
+  float x, line, surface;
+  std::optional<std::pair<Readout, Box>> readout;
+};
 
-void removeTextsUnder(DrawList& list, const Box& box) {
-  std::erase_if(list.texts, [&](const DrawText& text) { return overlap(boxOf(text), box); });
-}
-
-void addProbe(DrawList& list, const Frame& frame, double x, const ContactLayout& layout,
-              const Box& taken) {
+std::optional<Crosshair> placeCrosshair(const Frame& frame, double x, const ContactLayout& layout,
+                                        const Box& taken) {
   const auto reading = probeReading(frame, x);
-  if (!reading) return;
+  if (!reading) return std::nullopt;
   // The copies are shifted to the period of the crosshair.
   const double period = frame.spacing * static_cast<double>(frame.lineHeight.size());
   const double nearest = reading->position + period * std::round((x - reading->position) / period);
   const Box& plot = layout.plot;
+  Crosshair cross{layout.px(nearest), layout.py(reading->line), layout.py(reading->surface), {}};
+  if (cross.x < plot.x - 1 || cross.x > plot.right() + 1) return std::nullopt;
+  const auto [upper, lower] = std::minmax(cross.line, cross.surface);
+  cross.readout = fittingReadout(*reading,
+                                 {cross.x, std::clamp(upper, plot.y, plot.bottom()),
+                                  std::clamp(lower, plot.y, plot.bottom()), taken},
+                                 layout);
+  return cross;
+}
+
+}  // namespace
+
+Box readoutBox(const Frame& frame, double x, const ContactLayout& layout, const Box& taken) {
+  const auto cross = placeCrosshair(frame, x, layout, taken);
+  return cross && cross->readout ? cross->readout->second : Box{};
+}
+
+void removeTextsUnder(DrawList& list, const Box& box) {
+  std::erase_if(list.texts, [&](const DrawText& text) { return boxOf(text).overlaps(box); });
+}
+
+void addProbe(DrawList& list, const Frame& frame, double x, const ContactLayout& layout,
+              const Box& taken) {
+  const auto cross = placeCrosshair(frame, x, layout, taken);
+  if (!cross) return;
+  const Box& plot = layout.plot;
   const float u = layout.sizes.unit;
-  const float px = layout.px(nearest);
-  if (px < plot.x - 1 || px > plot.right() + 1) return;
-  const float line = layout.py(reading->line), surface = layout.py(reading->surface);
   DrawLayer layer;
   layer.clip = plot;
-  addLine(layer, {{px, plot.y}, {px, plot.bottom()}}, 3 * u,
+  addLine(layer, {{cross->x, plot.y}, {cross->x, plot.bottom()}}, 3 * u,
           withAlpha(layout.theme.background, 0.35F));
-  addLine(layer, {{px, plot.y}, {px, plot.bottom()}}, 1.2F * u, withAlpha(layout.theme.text, 0.8F));
-  for (const float y : {surface, line}) {
-    addLine(layer, {{px, y}}, 9 * u, layout.theme.text);
-    addLine(layer, {{px, y}}, 6 * u, y == line ? layout.theme.rigid : layout.theme.highlight);
+  addLine(layer, {{cross->x, plot.y}, {cross->x, plot.bottom()}}, 1.2F * u,
+          withAlpha(layout.theme.text, 0.8F));
+  for (const float y : {cross->surface, cross->line}) {
+    addLine(layer, {{cross->x, y}}, 9 * u, layout.theme.text);
+    addLine(layer, {{cross->x, y}}, 6 * u,
+            y == cross->line ? layout.theme.rigid : layout.theme.highlight);
   }
   list.layers.push_back(std::move(layer));
-  const float upper = std::clamp(std::min(line, surface), plot.y, plot.bottom());
-  const float lower = std::clamp(std::max(line, surface), plot.y, plot.bottom());
-  if (const auto fitting = fittingReadout(*reading, {px, upper, lower, taken}, layout))
-    addReadout(list, fitting->first, fitting->second, layout);
+  if (cross->readout) addReadout(list, cross->readout->first, cross->readout->second, layout);
 }
 
 }  // namespace asperity

@@ -1,5 +1,6 @@
 #include "ui/contact/contact_tags.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -42,9 +43,12 @@ float TagPainter::width(const Tag& tag) const {
 }
 
 void TagPainter::paint(const Tag& tag, DrawPoint topLeft, const Rgba& plate) {
-  handles_.push_back(
-      {tag.handle, {topLeft.x, topLeft.y, width(tag), height()}, tag.id, plainText(tag.before)});
-  addPill(plates_, {topLeft.x, topLeft.y, width(tag), height()}, withAlpha(plate, 0.86F));
+  const Box box{topLeft.x, topLeft.y, width(tag), height()};
+  handles_.push_back({tag.handle, box, tag.id, plainText(tag.before)});
+  // A tag that is covered in part would lose its words, but not its plate.
+  const auto covers = [&box](const Box& cover) { return cover.width > 0 && cover.overlaps(box); };
+  if (std::ranges::any_of(layout_.covered, covers)) return;
+  addPill(plates_, box, withAlpha(plate, 0.86F));
   const Rgba colour = textOn(plate);
   const float baseline = std::round(topLeft.y + height() / 2 + size_ * 0.36F);
   float x = topLeft.x + inset_;

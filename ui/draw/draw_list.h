@@ -45,6 +45,9 @@ struct Box {
   bool contains(float px, float py) const {
     return px >= x && px < right() && py >= y && py < bottom();
   }
+  bool overlaps(const Box& other) const {
+    return x < other.right() && other.x < right() && y < other.bottom() && other.y < bottom();
+  }
 };
 
 /// Colours on a rectangular grid of points, interpolated between neighbours. In a cell of the grid

@@ -181,7 +181,8 @@ UnitText inReadableUnit(double value, const QString& unit) {
 }
 
 QString inShownUnit(const QString& text, const QString& shownUnit) {
-  static const QRegularExpression alone(QStringLiteral(R"(^\s*[+-]?(\d+\.?\d*|\.\d+)\s*$)"));
+  static const QRegularExpression alone(
+      QStringLiteral(R"(^\s*[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?\s*$)"));
   return !shownUnit.isEmpty() && alone.match(text).hasMatch() ? text.trimmed() + ' ' + shownUnit
                                                               : text;
 }

@@ -44,8 +44,8 @@ struct UnitText {
 /// none at all. It reads back to the same number.
 UnitText inReadableUnit(double value, const QString& unit);
 
-/// Returns a typed number with the unit that is shown, if it has none. A number with an exponent
-/// ("1e7") is in the plain unit, as in scene files, and is unchanged, like any text with a unit.
+/// Returns a typed number ("20", "2e1") with the unit that is shown, if it has none; any other text
+/// is unchanged.
 QString inShownUnit(const QString& text, const QString& shownUnit);
 
 /// The rule for the values of an entry.

@@ -14,8 +14,7 @@ FilterLine::FilterLine(QWidget* parent) : QLineEdit(parent) {
   setMaxLength(60);
 }
 
-/// Handles Escape here, not as a shortcut of the window: it clears the filter, and leaves an empty
-/// one.
+/// Handles Escape here, not as a shortcut of the window: it clears the filter and leaves it.
 bool FilterLine::event(QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride &&
       static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
@@ -36,10 +35,9 @@ QSize FilterLine::minimumSizeHint() const {
 void FilterLine::keyPressEvent(QKeyEvent* event) {
   switch (event->key()) {
     case Qt::Key_Escape:
-      if (text().isEmpty())
-        clearFocus();
-      else
-        clear();
+      clear();
+      clearFocus();
+      emit escaped();
       return;
     case Qt::Key_Return:
     case Qt::Key_Enter:

@@ -10,7 +10,7 @@ class QToolButton;
 
 namespace asperity {
 
-/// A line to type a filter in. Escape clears it, and leaves it where it is empty.
+/// A line to type a filter in. Escape clears it and leaves it.
 class FilterLine : public QLineEdit {
   Q_OBJECT
 
@@ -21,6 +21,8 @@ class FilterLine : public QLineEdit {
  signals:
   /// Emitted when Enter or the arrow down leaves the line for the first row that is found.
   void left();
+  /// Emitted when Escape leaves the line, so that the keys are those of the window again.
+  void escaped();
 
  protected:
   bool event(QEvent* event) override;

@@ -143,6 +143,7 @@ ParameterPanel::ParameterPanel(const Scene& scene, const std::vector<ParameterGr
       arrange();
       emit viewChanged();
     });
+    connect(&bar_->filter(), &FilterLine::escaped, this, &ParameterPanel::filterLeft);
     connect(&bar_->filter(), &FilterLine::left, this, [this] {
       for (const Section& section : sections_)
         for (ParameterRow* row : section.rows)
@@ -364,6 +365,10 @@ void ParameterPanel::focusFilter() {
   if (!bar_) return;
   bar_->filter().setFocus(Qt::ShortcutFocusReason);
   bar_->filter().selectAll();
+}
+
+void ParameterPanel::clearFilter() {
+  if (bar_) bar_->filter().clear();
 }
 
 // ---- Editing

@@ -99,6 +99,9 @@ class ParameterPanel : public QWidget {
   /// Puts the cursor into the filter.
   void focusFilter();
 
+  /// Removes the filter, which would hide most rows of another scene.
+  void clearFilter();
+
   PanelView view() const;
   void setView(const PanelView& view);
   /// Returns the view of the first start.
@@ -120,6 +123,8 @@ class ParameterPanel : public QWidget {
   void guideRequested(const QString& anchor);
   /// Emitted where the user chose other rows, or folded a section.
   void viewChanged();
+  /// Emitted when Escape leaves the filter.
+  void filterLeft();
 
  protected:
   void changeEvent(QEvent* event) override;

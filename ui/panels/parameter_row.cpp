@@ -259,6 +259,11 @@ void ParameterRow::showOnSlider(double value, bool replace) {
 void ParameterRow::showScene(const Scene& scene, const LineSize& known, bool replace) {
   const ParameterValue value = parameterValue(parameter_, scene);
   const std::optional<Placeholder> placeholder = placeholderFor(parameter_, scene, known);
+  if (rheology_ != scene.elastomer.rheology) {
+    const QString before = explanationText();
+    rheology_ = scene.elastomer.rheology;
+    if (explanationText() != before) showTexts();
+  }
   if (slider_)
     showOnSlider(placeholder ? placeholder->value.value_or(0) : asNumber(value), replace);
   if (entry_) showEntry(value, placeholder, replace);
@@ -554,10 +559,15 @@ QString ParameterRow::accessibleLabel() const {
                         : QStringLiteral("%1 (%2)").arg(labelText(parameter_), unit);
 }
 
+/// Returns the sentence of the parameter and its formula for the elements of the scene.
+QString ParameterRow::explanationText() const {
+  const auto explanation = findExplanation(parameter_.key);
+  return explanation ? explanationHtml(withFormulaFor(*explanation, rheology_)) : QString();
+}
+
 /// Returns what the parameter is: formula, sentence, key and range.
 QString ParameterRow::meaning() const {
-  const auto explanation = findExplanation(parameter_.key);
-  return (explanation ? explanationHtml(*explanation) : QString()) + keyLine();
+  return explanationText() + keyLine();
 }
 
 /// Returns the last line of a tooltip: the key, for people who write scene files, and its range.
@@ -570,13 +580,11 @@ QString ParameterRow::keyLine() const {
 
 /// Returns what the parameter is and how its control is used.
 QString ParameterRow::description() const {
-  const auto explanation = findExplanation(parameter_.key);
-  QString text = explanation ? explanationHtml(*explanation) : QString();
+  QString text = explanationText();
   if (std::holds_alternative<RealField>(parameter_.field) && !parameter_.unit.empty())
-    text += QStringLiteral("<p><small>%1</small></p>")
-                .arg(tr("A number alone counts in the unit beside it, one with an exponent (1e7) "
-                        "in %1; any unit may be typed with it.")
-                         .arg(fromUtf8(parameter_.unit)));
+    text +=
+        QStringLiteral("<p><small>%1</small></p>")
+            .arg(tr("A number alone counts in the unit beside it; any unit may be typed with it."));
   if (slider_) {
     QString keys =
         tr("Arrow keys make steps, with Shift the smallest ones; PageUp and PageDown large ones.");

@@ -107,12 +107,14 @@ class ParameterRow : public QWidget {
   void showReset(const ParameterValue& value, const ParameterValue& initial);
   void name(QWidget& control, const char* kind);
   void describe(QWidget& control);
+  QString explanationText() const;
   QString meaning() const;
   QString description() const;
   QString keyLine() const;
   QString accessibleLabel() const;
 
   Parameter parameter_;
+  Rheology rheology_ = Rheology::Kelvin;     // of the scene, whose formulas the tooltips have
   bool isLocked_ = false, isFixed_ = false;  // locked by the panel, fixed by the scene
   bool isSliderLonger_ = false;  // than that of the parameter, to reach the scene's value
   ValueSlider* slider_ = nullptr;

@@ -74,5 +74,23 @@ TEST(CurveWords, LeaveOutWhatWasChosenAutomatically) {
   EXPECT_NE(describeDifferences(other, scene).english().find("oversampling 4"), words.npos);
 }
 
+/// A length of 0 m means that of the file, and is no length of 0 m.
+TEST(CurveWords, AValueLeftToTheFileIsNoNumber) {
+  Scene scene, other;
+  other.surface.kind = SurfaceKind::Measured;
+  other.surface.file = "rough.csv";
+  other.surface.length = 0;
+  other.surface.elements = 0;
+  other.ensemble.realizations = 0;
+  const std::string words = describeDifferences(other, scene).english();
+  EXPECT_NE(words.find("measured"), words.npos) << words;
+  EXPECT_NE(words.find("file rough.csv"), words.npos) << words;
+  for (const char* said : {"length", "elements", "realizations"})
+    EXPECT_EQ(words.find(said), words.npos) << words;
+  scene = other;
+  scene.surface.length = 0.01;
+  EXPECT_EQ(describeDifferences(other, scene).english(), "length as in the file");
+}
+
 }  // namespace
 }  // namespace asperity

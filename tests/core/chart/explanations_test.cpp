@@ -62,6 +62,20 @@ TEST(Explanations, IdsAreUniqueAndEachOneIsFoundWhole) {
   }
 }
 
+/// A material of arms has no single viscosity.
+TEST(Explanations, ElementsWithArmsHaveTheirOwnFormulas) {
+  for (const char* id : {"load.normal_force", "sliding.velocity", "tangential_force", "elastomer",
+                         "contact pressure", "glow of the pressure", "dissipated power"}) {
+    const HoverExplanation plain = *findExplanation(std::string_view(id));
+    EXPECT_EQ(withFormulaFor(plain, Rheology::Kelvin).formula, plain.formula) << id;
+    for (const Rheology rheology : {Rheology::StandardSolid, Rheology::Prony})
+      EXPECT_NE(withFormulaFor(plain, rheology).formula.find("G_i s_i"), std::string_view::npos)
+          << id;
+  }
+  const HoverExplanation same = *findExplanation(std::string_view("mu"));
+  EXPECT_EQ(withFormulaFor(same, Rheology::Prony).formula, same.formula);
+}
+
 TEST(Explanations, EquationsOfATextAreFound) {
   EXPECT_THAT(equationsIn("Eq. (13) of the paper"), ElementsAre("Eq. (13)"));
   EXPECT_THAT(equationsIn("no equation"), IsEmpty());

@@ -1,13 +1,18 @@
 // The spectrum read back from lines, and statistics in contact.
 #include "core/run/line_diagrams.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <random>
+#include <string>
+#include <vector>
 
 #include "core/run/steady_frames.h"
+#include "tests/core/temporary_folder.h"
 
 namespace asperity {
 namespace {
@@ -51,6 +56,41 @@ TEST(Spectrum, IsFittedAboveTheRollOff) {
   const SpectrumReading reading = readSpectrum(scene);
   EXPECT_NEAR(reading.fitFrom, 2 * std::numbers::pi / 1e-3, 1e-6);
   EXPECT_NEAR(reading.hurst(), scene.surface.hurst, 1e-9);
+}
+
+/// A measured line has a roll-off and a cut-off: C is constant up to q1, falls as q^(-2H-1) to q2,
+/// and is almost 0 above.
+TEST(Spectrum, OfAFileIsFittedWhereItFollowsAPowerLaw) {
+  constexpr double kLength = 0.04, kHurst = 0.8, kRollOff = 2e3, kCutOff = 6e4;  // m, 1, 1/m, 1/m
+  constexpr int kPoints = 4000;
+  TemporaryFolder folder;
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> phase(0, 2 * std::numbers::pi);
+  std::vector<double> heights(kPoints);
+  for (int mode = 1; mode < kPoints / 2; ++mode) {
+    const double q = 2 * std::numbers::pi * mode / kLength;
+    const double cutOff = q > kCutOff ? 1e-6 : 1;
+    const double density = cutOff * std::pow(std::max(q, kRollOff) / kRollOff, -2 * kHurst - 1);
+    const double shift = phase(random);
+    for (int i = 0; i < kPoints; ++i)
+      heights[i] +=
+          1e-6 * std::sqrt(density) * std::cos(2 * std::numbers::pi * mode * i / kPoints + shift);
+  }
+  std::string text = "x (m),z (m)\n";
+  for (int i = 0; i < kPoints; ++i)
+    text += fmt::format("{:.17g},{:.17g}\n", kLength * i / kPoints, heights[i]);
+  folder.write("profile.csv", text);
+  Scene scene;
+  scene.surface.kind = SurfaceKind::Profile;
+  scene.surface.file = "profile.csv";
+  scene.folder = folder.path();
+  scene.surface.length = 0;
+  scene.surface.elements = 0;
+  const SpectrumReading reading = readSpectrum(scene);
+  ASSERT_TRUE(reading.hasFit);
+  EXPECT_NEAR(reading.hurst(), kHurst, 0.1);
+  EXPECT_GT(reading.fitFrom, kRollOff / 2);
+  EXPECT_LT(reading.fitTo, kCutOff * 1.2);
 }
 
 /// The corners of a wedge: c_k ~ 1/k^2 for odd k, so C ~ q^-4 and H = 1.5.

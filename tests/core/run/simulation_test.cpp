@@ -267,6 +267,20 @@ TEST(Simulation, AMomentIsTheSameFromBothSides) {
   }
 }
 
+/// The contact at the beginning is the one at rest, without friction.
+TEST(Simulation, AStartBeginsAtRest) {
+  auto scene = someScene();
+  scene->sliding.kind = SlidingKind::Start;
+  scene->sliding.velocity = 0.5;
+  scene->sliding.duration = 0.004;
+  Simulation simulation(scene, 1);
+  EXPECT_EQ(simulation.frame().velocity, 0);
+  EXPECT_LT(simulation.frame().muMarch, 1e-6);
+  simulation.advance(1.0 / 72, 1.0 / 60);
+  EXPECT_EQ(simulation.frame().velocity, 0.5);
+  EXPECT_GT(simulation.frame().muMarch, 1e-5);
+}
+
 TEST(Simulation, SteadySlidingHasNoMoments) {
   Simulation simulation(someScene(), 1);
   simulation.advance(1.0 / 72, 1.0 / 60);

@@ -190,6 +190,38 @@ TEST(Probe, TextsStayTidyUnderTheCrosshairAndTheMagnifier) {
       }
 }
 
+/// A plate behind words is a thick line of two points. No box covers the words and leaves the
+/// plate.
+TEST(Probe, APlateKeepsItsWords) {
+  SampleOptions sample;
+  sample.points = 400;
+  const Frame frame = *sampleFrame(sample);
+  int plates = 0;
+  for (const Size& size : kSizes)
+    for (int i = 0; i <= 40; ++i) {
+      ContactPictureOptions options;
+      options.width = size.width;
+      options.height = size.height;
+      options.scale = size.scale;
+      options.probe = i / 40.0 * frame.length;
+      const DrawList list = composeContact(frame, options);
+      for (const DrawLayer& layer : list.layers)
+        for (const DrawLine& line : layer.lines) {
+          if (line.vertices.size() != 2 || line.width < 12 * size.scale) continue;
+          ++plates;
+          const DrawVertex &from = line.vertices.front(), &to = line.vertices.back();
+          EXPECT_TRUE(std::ranges::any_of(list.texts,
+                                          [&](const DrawText& text) {
+                                            return text.x >= from.x - line.width &&
+                                                   text.x <= to.x &&
+                                                   std::abs(text.y - from.y) < line.width / 2;
+                                          }))
+              << size.width << " " << i;
+        }
+    }
+  EXPECT_GT(plates, 100);
+}
+
 /// The dots on line and surface are the last lines that are single points; no readout covers them:
 /// its box is the last layer's.
 TEST(Probe, ReadoutNeverCoversThePoint) {

@@ -123,10 +123,42 @@ TEST_F(PanelViewTest, AFilterThatFindsNothingSaysSoAndEscapeClearsIt) {
   EXPECT_TRUE(filter().text().isEmpty());
   EXPECT_FALSE(isShown("noParameterFound"));
   EXPECT_GT(rowsShown(), 3);
-  panel_.focusFilter();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return filter().hasFocus(); }));
-  QTest::keyClick(&filter(), Qt::Key_Escape);  // an empty one returns the keys to the window
-  EXPECT_FALSE(filter().hasFocus());
+}
+
+TEST_F(PanelViewTest, EscapeLeavesTheFilterWithAndWithoutWords) {
+  QSignalSpy left(&panel_, &ParameterPanel::filterLeft);
+  for (const char* words : {"force", ""}) {
+    panel_.focusFilter();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return filter().hasFocus(); }));
+    filterBy(words);
+    QTest::keyClick(&filter(), Qt::Key_Escape);  // returns the keys to the window
+    EXPECT_FALSE(filter().hasFocus()) << words;
+    EXPECT_TRUE(filter().text().isEmpty()) << words;
+  }
+  EXPECT_EQ(left.count(), 2);
+}
+
+/// A search belongs to the scene in which it was typed; a change of this scene leaves it.
+TEST_F(PanelViewTest, AFilterStaysUntilItIsCleared) {
+  filterBy("seed");
+  EXPECT_FALSE(hasRow("load.normal_force"));
+  Scene scene;
+  scene.load.normalForce = 0.02;
+  panel_.setScene(scene);
+  EXPECT_FALSE(hasRow("load.normal_force"));
+  panel_.clearFilter();
+  EXPECT_TRUE(filter().text().isEmpty());
+  EXPECT_TRUE(hasRow("load.normal_force"));
+}
+
+TEST_F(PanelViewTest, ATooltipHasTheFormulaOfTheElements) {
+  Scene scene;
+  panel_.setScene(scene);
+  EXPECT_TRUE(slider("sliding.velocity").toolTip().contains(QStringLiteral("η v z")));
+  scene.elastomer.rheology = Rheology::StandardSolid;
+  panel_.setScene(scene);
+  EXPECT_FALSE(slider("sliding.velocity").toolTip().contains(QStringLiteral("η v z")));
+  EXPECT_TRUE(slider("sliding.velocity").toolTip().contains("G<sub>i</sub>"));
 }
 
 TEST_F(PanelViewTest, RowsAreLockedAndHiddenByKeySectionAndForAll) {

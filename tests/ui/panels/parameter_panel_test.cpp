@@ -97,13 +97,13 @@ TEST_F(ParameterPanelTest, APressOnTheGrooveTakesTheHandleThere) {
 }
 
 TEST_F(ParameterPanelTest, AcceptsExactNumbers) {
-  type("elastomer.shear_modulus", "3.25e6");
+  type("elastomer.shear_modulus", "3.25e6 Pa");
   EXPECT_EQ(panel_.scene().elastomer.shearModulus, 3.25e6);
-  type("elastomer.shear_modulus", " 1e8 ");
+  type("elastomer.shear_modulus", " 1e8 Pa ");
   EXPECT_EQ(panel_.scene().elastomer.shearModulus, 1e8);
   type("surface.elements", "777");
   EXPECT_EQ(panel_.scene().surface.elements, 777);
-  type("load.normal_force", "1e-9");  // beyond the slider, within the range
+  type("load.normal_force", "1e-9 N");  // beyond the slider, within the range
   EXPECT_EQ(panel_.scene().load.normalForce, 1e-9);
   EXPECT_EQ(spy_.count(), 4);
 }

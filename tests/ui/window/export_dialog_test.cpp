@@ -257,7 +257,7 @@ TEST_F(ExportDialogTest, ABadValueIsSaidAndCannotBeExported) {
                {"exportHeight", "1e300", "600", "160 to 16384"},
                {"exportDensity", "-3", "96", "numbers above 0"},
                {"exportDensity", "nan", "96", "numbers above 0"},
-               {"exportDensity", "1e6", "96", "--scale"}};
+               {"exportDensity", "1e6", "96", "Resolution (dpi): "}};
   for (const auto& [entry, bad, good, said] : cases) {
     in<QLineEdit>(entry).clear();
     enter(entry, bad);
@@ -281,6 +281,24 @@ TEST_F(ExportDialogTest, ABadValueIsSaidAndCannotBeExported) {
     EXPECT_TRUE(reason().contains("“soon” is not a number above 0")) << reason().toStdString();
     enter(entry, "1");
   }
+}
+
+/// The usual size leaves room for the difference below the curve, however low the window is.
+TEST_F(ExportDialogTest, TheUsualSizeHasRoomForTheDifference) {
+  window_.resize(1000, 620);
+  ASSERT_TRUE(waitFor([&] { return session().averaging() == Session::Averaging::Done; }));
+  control<QCheckBox>("comparisonWanted").setChecked(true);
+  ASSERT_TRUE(waitFor([&] { return session().averaging() == Session::Averaging::Done; }));
+  openDialog(ExportKind::Picture);
+  for (const char* content : {"both", "curve"}) {
+    choose("exportContent", content);
+    EXPECT_TRUE(waitForPreview()) << content << ": " << reason().toStdString();
+  }
+  choose("exportContent", "both");
+  enter("exportHeight", "200");
+  EXPECT_FALSE(waitForPreview());
+  EXPECT_FALSE(reason().contains("--")) << reason().toStdString();
+  EXPECT_TRUE(reason().contains("too small")) << reason().toStdString();
 }
 
 TEST_F(ExportDialogTest, ReturnPressesTheButtonWithTheFocus) {

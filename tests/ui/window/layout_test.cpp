@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <QDockWidget>
+#include <QLayout>
 #include <QLineEdit>
 #include <QMenuBar>
 #include <QScreen>
@@ -54,6 +55,32 @@ TEST_F(LayoutTest, TheSlashGoesToTheFilterOfTheParameters) {
   QTest::keyClick(&window_, Qt::Key_Slash);
   EXPECT_TRUE(dock().isVisible());
   EXPECT_TRUE(control<QLineEdit>("parameterFilter").hasFocus());
+  QTest::keyClicks(&control<QLineEdit>("parameterFilter"), "seed");
+  QTest::keyClick(&control<QLineEdit>("parameterFilter"), Qt::Key_Escape);
+  EXPECT_EQ(control<QLineEdit>("parameterFilter").text(), "");
+  EXPECT_TRUE(window_.canvas().hasFocus()) << "whose keys play and step";
+}
+
+TEST_F(LayoutTest, PlayAndPauseTakeTheSameWidth) {
+  auto& bar = control<QToolBar>("commands");
+  const QWidget& step = *bar.widgetForAction(&action("step"));
+  const int before = step.x();
+  for (const bool isPlaying : {false, true, false}) {
+    session().setPlaying(isPlaying);
+    bar.layout()->activate();
+    EXPECT_EQ(step.x(), before) << isPlaying;
+  }
+}
+
+TEST_F(LayoutTest, AnOpenedSceneBeginsWithoutAFilter) {
+  auto& filter = control<QLineEdit>("parameterFilter");
+  filter.setText("seed");
+  Scene edited = window_.document().scene();
+  edited.load.normalForce *= 2;
+  window_.document().edit(edited);
+  EXPECT_EQ(filter.text(), "seed");
+  window_.document().open(smallScene());
+  EXPECT_EQ(filter.text(), "");
 }
 
 /// Where every widget of the window is that can be seen, by its place in the tree.

@@ -16,6 +16,7 @@
 #include <QRegularExpression>
 #include <QTableWidget>
 #include <QToolButton>
+#include <array>
 
 #include "tests/core/lesson/lesson_samples.h"
 #include "tests/core/temporary_folder.h"
@@ -400,9 +401,15 @@ TEST_F(LessonsTest, AHiddenCurveIsSeenNeitherInOtherTabsNorInReadings) {
   const std::shared_ptr<const Frame> before = session().frame();
   ASSERT_TRUE(waitFor([&] { return session().frame() != before; }));
   EXPECT_EQ(said("factRegime"), QString());
+  // Nor can it be pinned or go into a file.
+  constexpr std::array kWithCurve{"pinCurve", "saveCurve", "exportPicture", "exportFilm",
+                                  "exportTable"};
+  for (const char* name : kWithCurve) EXPECT_FALSE(action(name).isEnabled()) << name;
+  EXPECT_FALSE(control<QMenu>("familyMenu").isEnabled());
   click("lessonShow");
   ASSERT_TRUE(waitForAnswer());
   EXPECT_TRUE(waitFor([&] { return said("factRegime").contains("region"); }));
+  for (const char* name : kWithCurve) EXPECT_TRUE(action(name).isEnabled()) << name;
   for (const char* page : {"mapPanel", "influencePage"})
     EXPECT_TRUE(tabs.isTabEnabled(tabs.indexOf(&control<QWidget>(page)))) << page;
 }
@@ -869,6 +876,9 @@ TEST(Handouts, StudentsGetQuestionsAndTeachersAnswers) {
   EXPECT_TRUE(teachers.contains("Answer:"));
   EXPECT_TRUE(teachers.contains("<p>One.</p>"));
   EXPECT_GT(teachers.count("<img"), students.count("<img"));
+  EXPECT_TRUE(teachers.contains("After the answer to step 1"));  // above its picture
+  EXPECT_TRUE(students.contains("Name: ___"));
+  EXPECT_FALSE(teachers.contains("Name: ___"));
   EXPECT_EQ(handoutHtml(lesson, options), teachers);
 }
 

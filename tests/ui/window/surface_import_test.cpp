@@ -7,6 +7,8 @@
 #include <QComboBox>
 #include <QFile>
 #include <QHash>
+#include <QLabel>
+#include <QLayout>
 #include <QPlainTextEdit>
 #include <QPointer>
 #include <QProgressBar>
@@ -29,6 +31,7 @@
 #include "qt_application.h"
 #include "tests/app/program.h"
 #include "tests/ui/window/main_window_fixture.h"
+#include "ui/panels/parameter_row.h"
 #include "ui/window/figures/diagram_view.h"
 #include "ui/window/import/import_commands.h"
 #include "ui/window/main/scene_library.h"
@@ -256,6 +259,25 @@ TEST_F(SurfaceImportTest, ShowsNothingOfARefusedFileThatIsNoText) {
   ASSERT_TRUE(waitForPage());
   EXPECT_FALSE(page_->isReady());
   EXPECT_FALSE(inPage<QPlainTextEdit>("importBeginning").isVisibleTo(page_));
+}
+
+/// Where nothing of the file can be shown, its name does not move into the middle of the page.
+TEST_F(SurfaceImportTest, TheNameOfAnEmptyFileStaysAtTheTop) {
+  openPage(write("empty.csv", ""));
+  ASSERT_TRUE(waitForPage());
+  EXPECT_TRUE(page_->errorText().contains("the file is empty")) << page_->errorText().toStdString();
+  page_->layout()->activate();
+  const auto& name = inPage<QLabel>("importFile");
+  EXPECT_LE(name.geometry().bottom(), 3 * name.fontMetrics().lineSpacing() + 12);
+}
+
+/// The unit of a column can be chosen in the page, by the label that it has there.
+TEST_F(SurfaceImportTest, AnUnknownUnitNamesTheControlThatChoosesAnother) {
+  openPage(sineFile(0, "x [s];z [µm]\n"));
+  ASSERT_TRUE(waitForPage());
+  const QString label = ParameterRow::labelText(*findParameter("surface.position_unit"));
+  EXPECT_TRUE(page_->errorText().contains(QStringLiteral("“%1” can name another").arg(label)))
+      << page_->errorText().toStdString();
 }
 
 TEST_F(SurfaceImportTest, SaysWhatIsWrongInOneLine) {

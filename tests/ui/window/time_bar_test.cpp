@@ -134,6 +134,19 @@ TEST_F(TimeBarTest, APictureThatIsTooSlowHasOneNumber) {
   EXPECT_EQ(part<QLineEdit>("slowMotion").text(), QStringLiteral("600× slower"));
 }
 
+TEST_F(TimeBarTest, ALongPaceIsNotCut) {
+  auto& box = part<QLineEdit>("slowMotion");
+  scene_.sliding.velocity = 1;
+  for (const double length : {3.6e-6, 3.6e-8, 3.6e-11}) {
+    frame_.length = length;
+    bar_.showFrame(frame_);
+    show();
+    EXPECT_GT(bar_.slowMotion(), 3e6);
+    EXPECT_LE(box.fontMetrics().horizontalAdvance(box.text()), box.width() - 8)
+        << box.text().toStdString();
+  }
+}
+
 /// One word says the pace, with the direction beside the number.
 TEST_F(TimeBarTest, APaceFasterThanRealityIsSaidAndTyped) {
   scene_.sliding.velocity = 1e-5;  // 2000 s for a period

@@ -31,12 +31,13 @@ QString dragHint(ContactHandle handle, const Scene& scene) {
 
 namespace {
 
-/// Returns the explanation of a sign, or its text where it has none.
-ContactTip signTip(const ContactSign& sign) {
+/// Returns the explanation of a sign for the elements of the scene, or its text where it has none.
+ContactTip signTip(const ContactSign& sign, Rheology rheology) {
   const QString sentence = keptTogether(QString::fromStdString(sign.tip));
   const auto explanation = findExplanation(sign.id);
   if (!explanation) return {wrappedTip(sentence), {}};
-  return {explanationHtml(*explanation, QString::fromStdString(sign.name), sentence),
+  return {explanationHtml(withFormulaFor(*explanation, rheology), QString::fromStdString(sign.name),
+                          sentence),
           anchorText(*explanation)};
 }
 
@@ -62,7 +63,7 @@ ContactTip contactTipAt(const Frame& frame, const ContactPictureOptions& options
   ContactTip tip;
   if (const auto sign = contactSignAt(frame, options, static_cast<float>(pixel.x()),
                                       static_cast<float>(pixel.y())))
-    tip = signTip(*sign);
+    tip = signTip(*sign, frame.scene->elastomer.rheology);
   if (const ContactHandle handle = contactHandleAt(frame, options, pixel, scene);
       handle != ContactHandle::None)
     tip.html += wrappedTip(dragHint(handle, *scene)) + wrappedTip(draggedText(handle, *scene));

@@ -170,9 +170,11 @@ void TimeBar::setWidths() {
   const auto textWidth = [this](const QString& text) {
     return fontMetrics().horizontalAdvance(text);
   };
-  const QString widest = QStringLiteral("000,000");
-  factor_->setFixedWidth(std::max(textWidth(slowerText(widest)), textWidth(fasterText(widest))) +
-                         kEntryMargin);
+  // A longer pace, which is rare, widens the entry.
+  const QString widest = QStringLiteral("0,000,000");
+  factor_->setFixedWidth(
+      std::max({textWidth(slowerText(widest)), textWidth(fasterText(widest)), textWidth(shown_)}) +
+      kEntryMargin);
   // The numbers change without moving what is beside them.
   momentText_->setMinimumWidth(
       textWidth(momentText(QStringLiteral("000.0 ms"), quantityText(duration_))));
@@ -261,6 +263,7 @@ void TimeBar::showPace() {
   behindText_->setVisible(reachedScale_ > 0);
   factor_->setEnabled(requested > 0);
   shown_ = requested > 0 ? paceText(factor) : QStringLiteral("–");
+  setWidths();
   if (factor_->hasFocus() && factor_->isModified()) return;  // the user is typing
   if (factor_->text() == shown_) return;
   factor_->setText(shown_);

@@ -139,10 +139,11 @@ void AxisChoosers::fillQuantities() {
 /// Sets the tooltips that explain the axes.
 void AxisChoosers::explain() {
   const bool isPlain = !commands_.hasDimensionlessAxes();
-  const auto tip = [](std::string_view id, const QString& hint) {
+  const Rheology rheology = session_.scene().elastomer.rheology;
+  const auto tip = [rheology](std::string_view id, const QString& hint) {
     const auto explanation = findExplanation(id);
-    return (explanation ? explanationHtml(*explanation) : QString()) + "<p><small>" +
-           hint.toHtmlEscaped() + "</small></p>";
+    return (explanation ? explanationHtml(withFormulaFor(*explanation, rheology)) : QString()) +
+           "<p><small>" + hint.toHtmlEscaped() + "</small></p>";
   };
   x_->setToolTip(
       tip(isPlain ? std::string_view(session_.scene().sweep.key) : "dimensionless_velocity",

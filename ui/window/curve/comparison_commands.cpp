@@ -4,8 +4,10 @@
 #include <QMenu>
 #include <QToolButton>
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/input_error.h"
+#include "core/base/number_text.h"
 #include "core/chart/fit_report.h"
 #include "core/friction/theories/theory.h"
 #include "core/scene/list_text.h"
@@ -26,6 +28,19 @@ namespace {
 
 QString theoryWord(Theory theory) {
   return fromUtf8(theoryWords()[static_cast<std::size_t>(theory)]);
+}
+
+/// Returns a fitted value with at least four digits, and with more where its error is smaller.
+/// Further digits mean nothing and overflow the entries. A value at a limit is exact.
+double roundedValue(const FittedParameter& parameter) {
+  constexpr double kFewest = 4, kMost = 17;
+  if (parameter.isAtLimit || parameter.value == 0) return parameter.value;
+  const double part = parameter.isLogarithmic ? parameter.standardError
+                                              : std::abs(parameter.standardError / parameter.value);
+  const double digits = part > 0 ? std::ceil(-std::log10(part)) + 1 : kMost;
+  // Without an error the value is kept as it is.
+  if (!std::isfinite(digits)) return parameter.value;
+  return roundedToDigits(parameter.value, static_cast<int>(std::clamp(digits, kFewest, kMost)));
 }
 
 bool isShown(const Scene& scene, Theory theory) {
@@ -137,7 +152,7 @@ FitPage* ComparisonCommands::openFit() {
 void ComparisonCommands::takeValues(const Fit& fit) {
   Scene scene = parts_.document.scene();
   for (const FittedParameter& parameter : fit.parameters)
-    setValue(*findParameter(parameter.key), scene, parameter.value);
+    setValue(*findParameter(parameter.key), scene, roundedValue(parameter));
   parts_.document.edit(scene, QT_TRANSLATE_NOOP("asperity::SceneDocument", "Fit"));
 }
 

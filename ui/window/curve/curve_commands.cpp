@@ -167,7 +167,10 @@ void CurveCommands::fillUnpin() {
 void CurveCommands::showState() {
   const bool hasPins = !session_.friction().pinned().empty();
   const bool hasCurve = session_.friction().hasCurve();
-  pin_->setEnabled(hasCurve);
+  // A curve that a lesson hides must not appear as a pinned one or in a file.
+  const bool isConcealed = session_.friction().isConcealed();
+  pin_->setEnabled(hasCurve && !isConcealed);
+  family_->setEnabled(!isConcealed);
   unpinAll_->setEnabled(hasPins);
   unpin_->setEnabled(hasPins);
   const Sweep& sweep = session_.scene().sweep;
@@ -177,8 +180,8 @@ void CurveCommands::showState() {
   linearX_->setEnabled(sweep.isOfVelocity() || (sweep.from > 0 && sweep.to > 0));
   linearY_->setChecked(session_.friction().isLinearY());
   // The ends of the axis hide the answer of a lesson.
-  linearY_->setEnabled(!session_.friction().isConcealed());
-  save_->setEnabled(hasCurve);
+  linearY_->setEnabled(!isConcealed);
+  save_->setEnabled(hasCurve && !isConcealed);
   copy_->setEnabled(hasCurve);
 }
 

@@ -11,9 +11,11 @@
 #include <vector>
 
 #include "core/base/number_text.h"
+#include "core/chart/curve_diagram.h"
 #include "core/material/material_library.h"
 #include "core/scene/parameters.h"
 #include "core/scene/scene_file.h"
+#include "ui/chart/diagram_picture.h"
 #include "ui/contact/contact_overlay.h"
 #include "ui/draw/stroke_pattern.h"
 #include "ui/language/language.h"
@@ -184,12 +186,32 @@ QStringList curveWords(const CurveCommandOptions& options, const Scene& scene) {
 int pictureHeight(const RenderCommandOptions& options) {
   const int contact = options.size.height();
   if (options.layout == "contact") return contact;
-  if (!options.curves.compared) return static_cast<int>(std::lround(contact / kContactPart));
-  return std::max(static_cast<int>(std::lround(contact / kContactPartOfThree)),
-                  contact + options.below);
+  const double part = options.curves.compared ? kContactPartOfThree : kContactPart;
+  int height = static_cast<int>(std::lround(contact / part));
+  if (options.curves.compared) height = std::max(height, contact + options.below);
+  if (options.layout != "both") return height;
+  const int left = static_cast<int>(height * (1 - part));
+  const int chart = curveHeight(options.curves, {options.size.width(), left}, options.scale);
+  return std::max(height, chart > left ? static_cast<int>(std::ceil(chart / (1 - part))) : 0);
 }
 
 }  // namespace
+
+int curveHeight(const CurveCommandOptions& curves, QSize size, double scale) {
+  constexpr double kSpare = 1.03;  // letters of a preview are rounded to other pixels
+  if (!curves.shown || size.isEmpty()) return size.height();
+  CurveSet set = *curves.shown;
+  // The command computes the difference even where the window has not finished it.
+  if (curves.compared && !set.difference) set.difference.emplace().setting = *curves.compared;
+  const DiagramSheet sheet = curveSheet(set);
+  if (sheet.diagrams.size() < 2) return size.height();
+  DiagramOptions options;
+  options.width = size.width();
+  options.height = static_cast<int>(size.height() / kSpare);
+  options.scale = static_cast<float>(scale);
+  const int needed = heightForAll(sheet, options);
+  return std::max(size.height(), static_cast<int>(std::ceil(kSpare * needed)));
+}
 
 QString commandText(const QStringList& words) {
   QStringList quoted;

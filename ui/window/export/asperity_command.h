@@ -45,6 +45,10 @@ QString renderCommand(const SceneOrigin& origin, const Scene& scene,
 /// as large as in the window.
 QSize renderSize(const RenderCommandOptions& options, const QString& layout);
 
+/// Returns the height (pixels) of a picture of the curves of at least this size in which all their
+/// diagrams fit: the curve and, below it, differences. scale: of letters.
+int curveHeight(const CurveCommandOptions& curves, QSize size, double scale);
+
 /// Returns "asperity curve ... -o curve.csv", with the other curves in the diagram.
 QString curveCommand(const SceneOrigin& origin, const Scene& scene,
                      const CurveCommandOptions& curves = {});

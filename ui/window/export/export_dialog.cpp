@@ -94,7 +94,8 @@ ExportDialog::ExportDialog(Subject subject, ExportKind kind, const QString& prog
   connect(form_, &ExportForm::changed, this, &ExportDialog::requestChanged);
   connect(file_, &QLineEdit::textEdited, this, &ExportDialog::fileChanged);
   connect(previews_, &CommandRun::done, this, &ExportDialog::takePreview);
-  connect(previews_, &CommandRun::failed, this, &ExportDialog::refuse);
+  connect(previews_, &CommandRun::failed, this,
+          [this](const QString& reason) { refuse(form_->inWords(reason)); });
   connect(writing_, &CommandRun::progressed, this, [this](double part, const QString& of) {
     progress_->setFormat(of + QStringLiteral(": %p %"));
     progress_->setRange(0, kSteps);
@@ -108,7 +109,7 @@ ExportDialog::ExportDialog(Subject subject, ExportKind kind, const QString& prog
   });
   connect(writing_, &CommandRun::failed, this, [this](const QString& reason) {
     showRunning(false);
-    showFailure(reason);
+    showFailure(form_->inWords(reason));
     hasWriteFailed_ = true;
   });
   extension_ = form_->extension();

@@ -338,6 +338,7 @@ void ExportForm::takePreset() {
   }
   SizePreset size{kDefault, 1200, 800, false, kScreen};
   if (chosen(*content_) == "motion") size.height = 1000;
+  if (chosen(*content_) == "curve") size.height = curveHeight(shown_.curves, {1200, 800}, 1);
   if (const QSize window = renderSize(shown_, chosen(*content_));
       content_->currentData() != "curve" && content_->currentData() != "motion" &&
       !window.isEmpty())
@@ -480,6 +481,21 @@ QString ExportForm::sizeError() const {
           .arg(kSmallestPicture)
           .arg(kLargestPicture);
   return {};
+}
+
+QString ExportForm::inWords(const QString& reason) const {
+  const QString option = reason.section(':', 0, 0);
+  for (const QString& typed : request().further)
+    if (typed.section('=', 0, 0) == option) return reason;
+  if (option == "--size")
+    return tr("The picture is too small for its diagrams; make it higher or wider.");
+  for (const auto& [name, entry] :
+       {std::pair("--scale", density_), std::pair("--fps", rate_),
+        std::pair("--duration", duration_), std::pair("--cycles", speedValue_),
+        std::pair("--slow-motion", speedValue_), std::pair("--columns", columns_),
+        std::pair("--realizations", realizations_)})
+    if (option == QLatin1String(name)) return entry->accessibleName() + reason.mid(option.size());
+  return reason;
 }
 
 QSizeF ExportForm::pixels() const {

@@ -36,6 +36,11 @@ class ExportForm : public QWidget {
   /// Returns what is wrong with the size of the picture or another number; empty where nothing is.
   QString errorText() const;
 
+  /// Returns the reason that a command gave, with the label of a control in place of its option.
+  /// Options that the user typed keep their names. The numbers of a size are those of the preview,
+  /// so a size that is too small is described without them.
+  QString inWords(const QString& reason) const;
+
   /// Returns the width and height in pixels as far as they are known; empty where the style or the
   /// command chooses them.
   QSizeF pixels() const;

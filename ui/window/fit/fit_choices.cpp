@@ -5,6 +5,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QListWidget>
+#include <QScrollBar>
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QTableWidget>
@@ -150,6 +151,12 @@ void FitChoices::fillKeys() {
       keys_->setItem(row, limit, cell);
     }
   }
+  // The names are not cut: the page gives the table the width that it needs.
+  const QAbstractItemView& view = *keys_;
+  const int spare = 2 * fontMetrics().averageCharWidth();
+  const int texts = view.sizeHintForColumn(kName) + view.sizeHintForColumn(kNow) + spare;
+  const int bar = keys_->verticalScrollBar()->sizeHint().width();
+  keys_->setMinimumWidth(texts + 2 * keys_->columnWidth(kLow) + bar + 2 * keys_->frameWidth());
 }
 
 void FitChoices::fillTables() {

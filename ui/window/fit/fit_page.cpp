@@ -91,7 +91,7 @@ FitPage::FitPage(const Scene& scene, const FitSelection& before, const Theme& th
   run_->setAutoDefault(false);
   connect(run_, &QPushButton::clicked, this, &FitPage::pressRun);
   left->addWidget(run_);
-  choices_->setFixedWidth(kChoicesWidth);
+  choices_->setFixedWidth(std::max(kChoicesWidth, choices_->minimumSizeHint().width()));
   auto* halves = new QHBoxLayout;
   halves->setSpacing(14);
   halves->addLayout(left);

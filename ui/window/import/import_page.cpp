@@ -76,6 +76,7 @@ ImportPage::ImportPage(const QString& file, const QString& accept, QWidget* pare
   left->addWidget(name);
   left->addWidget(shown_, 1);
   left->addWidget(beginning_, 1);
+  left->addStretch(0);  // below the name of a file of which nothing can be shown
   halves_->setSpacing(12);
   halves_->addLayout(left, 1);
 

@@ -103,6 +103,8 @@ class HandoutMaker {
     add("<h1>" + plainText(lesson_.title).toHtmlEscaped() + "</h1>", KeepWithNext::Always);
     add("<p><b>" + utf(Words::tr("Goal")) + ":</b> " + plainText(lesson_.goal).toHtmlEscaped() +
         " (" + utf(Words::tr("%1 minutes")).arg(lesson_.minutes) + ")</p>");
+    if (!options_.forTeacher)
+      add("<p>" + utf(Words::tr("Name")) + ": ______________________________</p>");
     if (!options_.forTeacher || lesson_.notes.empty()) return;
     add("<h2>" + utf(Words::tr("Notes for the teacher")) + "</h2>", KeepWithNext::Always);
     add(richText(shown(lesson_.notes)));
@@ -124,7 +126,7 @@ class HandoutMaker {
     // Students draw their answer to the question below into an empty chart.
     blocks_.back().withNext = isDrawnInto(step) ? KeepWithNext::Always : KeepWithNext::IfShort;
     addQuestion(*step.prediction);
-    if (options_.forTeacher) return addAnswer(step);
+    if (options_.forTeacher) return addAnswer(step, number);
     // The revealed scene is visible on the screen only; in print it would reveal the answer.
     revealedContact_ = untitled(step.revealedScene);
     if (!step.show.hidesCurve) return;
@@ -271,16 +273,19 @@ class HandoutMaker {
       for (const LessonChoice& choice : prediction.choices)
         html += "<p>☐ " + plainText(choice.text).toHtmlEscaped() + "</p>";
     } else {
-      html += "<p>" +
-              utf(prediction.kind == PredictionKind::Point
-                      ? Words::tr("Mark the place in the chart. My answer as a number")
-                      : Words::tr("My answer")) +
-              ": ____________________</p>";
+      const QString blank = QStringLiteral("____________________");
+      const bool isPoint = prediction.kind == PredictionKind::Point;
+      html += "<p>";
+      if (isPoint) html += utf(Words::tr("Mark the place in the chart.")) + ' ';
+      html += utf(Words::tr("My answer")) + ": " + blank;
+      // A free point has two numbers.
+      if (isPoint && !prediction.x) html += ' ' + utf(Words::tr("at %1")).arg(blank);
+      html += "</p>";
     }
     add(html);
   }
 
-  void addAnswer(const LessonStep& step) {
+  void addAnswer(const LessonStep& step, int number) {
     const LessonPrediction& prediction = *step.prediction;
     const LessonAnswer answer = lessonAnswer(step, curveOptions());
     const bool hasVerdict = answer.choice >= 0 && prediction.answer && !prediction.right.empty();
@@ -292,10 +297,15 @@ class HandoutMaker {
       add(richText(prediction.right, prediction, answer, {}),
           step.reveal.empty() ? KeepWithNext::No : KeepWithNext::Always);
     if (!step.reveal.empty()) add(richText(step.reveal, prediction, answer, {}));
-    // Pictures may go to the next page: else a large part of this one could stay empty.
+    // Pictures may go to the next page: else a large part of this one could stay empty. So they say
+    // what they belong to.
+    const std::size_t caption = blocks_.size();
+    add("<p><i>" + utf(Words::tr("After the answer to step %1")).arg(number + 1) + ":</i></p>",
+        KeepWithNext::Always);
     if (!(step.scene == step.revealedScene)) addContact(step.revealedScene);
     if (step.show.hidesCurve && !step.show.hidesCurveAfter)
       addChart(step, step.revealedScene, false);
+    if (blocks_.size() == caption + 1) blocks_.pop_back();
   }
 
   /// Keeps a text with the picture below it, and that picture with another one below.

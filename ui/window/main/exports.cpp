@@ -71,17 +71,21 @@ void Exports::addTo(Commands& commands) {
   const auto show = [this, &commands] { enableCommands(commands); };
   connect(&parts_.figures, &FigurePages::pageChanged, this, show);
   connect(&parts_.figures, &FigurePages::figureShown, this, show);
+  connect(&parts_.session, &Session::plotChanged, this, show);
 }
 
 /// Enables the commands for what is visible: the contact, or the figure that is shown instead.
+/// While a lesson hides the curve, pictures and tables that could have it are not made.
 void Exports::enableCommands(Commands& commands) const {
   const bool hasViews = parts_.figures.isShowingViews();
   const bool hasFigure = parts_.figures.isShowingFigures() && parts_.figures.gallery().hasFigure();
   for (QAction* action : commands.get({"copyPicture", "savePicture"}))
     action->setEnabled(hasViews || hasFigure);
-  for (QAction* action : commands.get(
-           {"copyCommand", "copyCurveCommand", "exportPicture", "exportFilm", "exportTable"}))
+  const bool isConcealed = parts_.session.friction().isConcealed();
+  for (QAction* action : commands.get({"copyCommand", "copyCurveCommand"}))
     action->setEnabled(hasViews);
+  for (QAction* action : commands.get({"exportPicture", "exportFilm", "exportTable"}))
+    action->setEnabled(hasViews && !isConcealed);
 }
 
 /// Returns the present picture as a still; nothing before the first frame.

@@ -20,9 +20,7 @@ QString guideFile(const QString& programFolder) {
 QString openGuideFile(const QString& programFolder, const QString& anchor) {
   const QString file = guideFile(programFolder);
   if (file.isEmpty())
-    return MessageBar::tr(
-        "The guide is not here: it is built with the program where pandoc is installed. Its pages "
-        "can be read in the folder resources/guide of the sources.");
+    return MessageBar::tr("The guide is not part of this build. Its text is in resources/guide.");
   QUrl path = QUrl::fromLocalFile(file);
   if (!anchor.isEmpty()) path.setFragment(anchor);
   if (!QDesktopServices::openUrl(path))

@@ -288,6 +288,8 @@ void MainWindow::connectScene() {
   const auto edit = [this](const Scene& scene) { document_->edit(scene); };
   connect(panel_, &ParameterPanel::sceneEdited, this, edit);
   connect(panel_, &ParameterPanel::guideRequested, this, &MainWindow::openGuide);
+  // Escape in the filter gives the keys of the picture back.
+  connect(panel_, &ParameterPanel::filterLeft, canvas_, [this] { canvas_->setFocus(); });
   connect(canvas_, &ContactCanvas::guideRequested, this, &MainWindow::openGuide);
   connect(&tabs_->accuracy(), &AccuracyPanel::sceneEdited, this, edit);
   connect(&tabs_->map(), &MapPanel::sceneEdited, this, edit);
@@ -302,6 +304,7 @@ void MainWindow::connectScene() {
             const bool isOpened = change == SceneChange::Opened;
             if (isOpened) described_.reset();
             if (isOpened) panel_->showNotes({});
+            if (isOpened) panel_->clearFilter();
             // An opened scene is shown at once, so the gallery closes.
             if (isOpened && figures_->isShowingScenes()) figures_->closeFigures();
             // A scene that comes from the panel must not replace what is being typed there.

@@ -10,7 +10,10 @@
 #include <QMessageBox>
 #include <QToolBar>
 #include <QToolButton>
+#include <algorithm>
+#include <functional>
 #include <string>
+#include <utility>
 
 #include "ui/language/explained.h"
 #include "ui/language/language.h"
@@ -44,6 +47,41 @@ void adoptActions(QWidget& window, const QMenu& menu) {
       window.addAction(action);
   }
 }
+
+/// Keeps a button of the tool bar as wide as the longest of its texts, so that the others stay
+/// where they are when its text changes. Lives with the button.
+class SteadyWidth : public QObject {
+ public:
+  SteadyWidth(QToolButton& button, std::function<QStringList()> texts)
+      : QObject(&button), button_(button), texts_(std::move(texts)) {
+    button_.installEventFilter(this);
+    keepTranslated(button_, [this] { reserve(); });
+  }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    const QEvent::Type type = event->type();
+    if (type == QEvent::Show) reserve();
+    // The button notices a change of style or font only after this filter.
+    if (type == QEvent::StyleChange || type == QEvent::FontChange)
+      QMetaObject::invokeMethod(this, &SteadyWidth::reserve, Qt::QueuedConnection);
+    return QObject::eventFilter(watched, event);
+  }
+
+ private:
+  void reserve() {
+    button_.ensurePolished();
+    const auto width = [this](const QString& text) {
+      return button_.fontMetrics().size(Qt::TextShowMnemonic, text).width();
+    };
+    int widest = 0;
+    for (const QString& text : texts_()) widest = std::max(widest, width(text));
+    button_.setMinimumWidth(button_.sizeHint().width() - width(button_.text()) + widest);
+  }
+
+  QToolButton& button_;
+  std::function<QStringList()> texts_;
+};
 
 }  // namespace
 
@@ -166,6 +204,8 @@ void MainWindow::buildToolBar(QMenu& scenesMenu) {
   bar->setIconSize({20, 20});
   bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   bar->addActions(commands_->get({"play", "step", "reset"}));
+  if (auto* play = qobject_cast<QToolButton*>(bar->widgetForAction(commands_->get("play"))))
+    new SteadyWidth(*play, [] { return QStringList{tr("Play"), tr("Pause")}; });
   bar->addSeparator();
 
   auto* scenes = new QToolButton;
