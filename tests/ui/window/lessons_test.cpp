@@ -646,6 +646,55 @@ TEST_F(LessonsTest, TheEditorStepsAsideForAStepThatIsTried) {
   EXPECT_TRUE(editor.isVisible());
 }
 
+/// What was typed is not lost, and the question does not come when the window is gone.
+TEST_F(LessonsTest, TheWindowAsksAboutTheLessonInTheEditorBeforeItCloses) {
+  LessonEditor& editor = lessons().showEditor(lessonOf(sampleLesson()), {});
+  QTest::keyClicks(editor.findChild<QLineEdit*>("editorTitle"), "Mine");
+  answer(QMessageBox::Cancel);
+  EXPECT_FALSE(window_.close());
+  EXPECT_EQ(asked_, 1);
+  EXPECT_TRUE(window_.isVisible());
+  ASSERT_EQ(lessons().editor(), &editor);
+  EXPECT_TRUE(editor.isVisible());
+  answer(QMessageBox::Discard);
+  EXPECT_TRUE(window_.close());
+  EXPECT_EQ(asked_, 1);
+  EXPECT_EQ(lessons().editor(), nullptr);
+}
+
+TEST_F(LessonsTest, TheWindowAsksAboutAnEditorThatATrialHides) {
+  LessonEditor& editor = lessons().showEditor(lessonOf(sampleLesson()), {});
+  QTest::keyClicks(editor.findChild<QLineEdit*>("editorTitle"), "Mine");
+  emit editor.trialRequested(editor.lesson(), 0);
+  ASSERT_FALSE(editor.isVisible());
+  answer(QMessageBox::Discard);
+  EXPECT_TRUE(window_.close());
+  EXPECT_EQ(asked_, 1);
+  EXPECT_EQ(lessons().editor(), nullptr);
+}
+
+/// Neither the end of a trial nor the menu asks or begins another lesson.
+TEST_F(LessonsTest, TheOpenEditorComesBackWithItsLesson) {
+  LessonEditor& editor = lessons().showEditor(lessonOf(sampleLesson()), {});
+  auto& title = *editor.findChild<QLineEdit*>("editorTitle");
+  title.selectAll();
+  QTest::keyClicks(&title, "Mine");
+  emit editor.trialRequested(editor.lesson(), 0);
+  ASSERT_FALSE(editor.isVisible());
+  QTest::mouseClick(&control<QAbstractButton>("lessonEnd"), Qt::LeftButton);
+  EXPECT_FALSE(lessons().isRunning());
+  EXPECT_TRUE(editor.isVisible());
+  EXPECT_TRUE(waitFor([&] { return editor.isActiveWindow(); }));
+  action("lessonEditor").trigger();  // it may lie behind the main window
+  ASSERT_EQ(lessons().editor(), &editor);
+  emit editor.trialRequested(editor.lesson(), 0);
+  action("lessonEditor").trigger();
+  ASSERT_EQ(lessons().editor(), &editor);
+  EXPECT_TRUE(editor.isVisible());
+  EXPECT_EQ(title.text(), "Mine");
+  delete &editor;  // it would ask about its changes
+}
+
 /// Reordering keeps the scene that each step shows.
 TEST_F(LessonsTest, StepsKeepTheirScenesWhereTheyAreMovedAndRemoved) {
   const Lesson lesson = lessonOf(sampleLesson());

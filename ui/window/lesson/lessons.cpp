@@ -67,6 +67,16 @@ Scene withAbsolutePaths(Scene scene) {
   return scene;
 }
 
+/// Shows a window before all others of the program.
+void bringToFront(QWidget& window) {
+  if (window.isMinimized())
+    window.showNormal();
+  else
+    window.show();
+  window.raise();
+  window.activateWindow();
+}
+
 /// A text of one line, which ends in an ellipsis where it is too long.
 class LessonTitle : public QLabel {
  protected:
@@ -165,9 +175,13 @@ void Lessons::addTo(Commands& commands) {
                 },
                 {Qt::CTRL | Qt::ALT | Qt::Key_Right}});
   commands.add({"lessonEnd", [] { return tr("End the lesson"); }, [this] { leave(); }});
-  commands.add(
-      {"lessonEditor", [] { return tr("Lesson editor…"); },
-       [this] { showEditor(lesson_ ? *lesson_ : Lesson{}, lesson_ ? file_ : QString()); }});
+  commands.add({"lessonEditor", [] { return tr("Lesson editor…"); },
+                [this] {
+                  if (LessonEditor* open = editor())
+                    bringToFront(*open);
+                  else
+                    showEditor(lesson_ ? *lesson_ : Lesson{}, lesson_ ? file_ : QString());
+                }});
   for (QAction* action : commands.get({"lessonBackStep", "lessonNextStep", "lessonEnd"}))
     action->setEnabled(false);
   // The usual layout has no lesson, but a lesson that runs keeps its pane.
@@ -193,13 +207,17 @@ LessonList& Lessons::showList() {
   return *list;
 }
 
+LessonEditor* Lessons::editor() const {
+  return parts_.window.findChild<LessonEditor*>(QString(), Qt::FindDirectChildrenOnly);
+}
+
 LessonEditor& Lessons::showEditor(const Lesson& lesson, const QString& file) {
-  for (LessonEditor* open : parts_.window.findChildren<LessonEditor*>()) {
-    if (!open->isVisible()) {  // it is hidden during a trial
-      open->show();
+  if (LessonEditor* open = editor()) {
+    // It is hidden during a trial.
+    if (!open->isVisible() || !open->canClose()) {
+      bringToFront(*open);
       return *open;
     }
-    if (!open->canClose()) return *open;
     delete open;
   }
   const auto shownNow = [this] {
@@ -214,15 +232,16 @@ LessonEditor& Lessons::showEditor(const Lesson& lesson, const QString& file) {
   };
   auto* editor = new LessonEditor(lesson, file, shownNow, &parts_.window);
   editor->setAttribute(Qt::WA_DeleteOnClose);
-  connect(
-      editor, &LessonEditor::trialRequested, this, [this, editor](const Lesson& edited, int step) {
-        // The editor is hidden during the lesson, and shown again when that ends.
-        start(edited, step);
-        isTrial_ = true;
-        editor->hide();
-        connect(
-            this, &Lessons::ended, editor, [editor] { editor->show(); }, Qt::SingleShotConnection);
-      });
+  connect(editor, &LessonEditor::trialRequested, this,
+          [this, editor](const Lesson& edited, int step) {
+            // The editor is hidden during the lesson, and shown again when that ends.
+            start(edited, step);
+            isTrial_ = true;
+            editor->hide();
+            connect(
+                this, &Lessons::ended, editor, [editor] { bringToFront(*editor); },
+                Qt::SingleShotConnection);
+          });
   editor->show();
   return *editor;
 }
@@ -511,6 +530,18 @@ bool Lessons::mayLeave() {
       break;
   }
   return false;
+}
+
+bool Lessons::canClose() {
+  LessonEditor* open = editor();
+  if (!open || open->canClose()) return mayLeave();
+  bringToFront(*open);  // it says why the lesson could not be saved
+  return false;
+}
+
+void Lessons::close() {
+  delete editor();
+  end();
 }
 
 /// Ends the lesson, unless the student decides to stay in it.

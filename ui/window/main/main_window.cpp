@@ -562,9 +562,10 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!lessons_->mayLeave()) return event->ignore();
+  // All questions come first: the editor would ask while the program ends already.
+  if (!lessons_->canClose()) return event->ignore();
   if (!documents_->canClose()) return event->ignore();
-  lessons_->end();
+  lessons_->close();
   if (windowLayout_->remembers()) saveLastSession(*this);
   windowLayout_->save();
   QMainWindow::closeEvent(event);
