@@ -9,10 +9,12 @@
 #include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QSpinBox>
 #include <QStandardItemModel>
 #include <QTableWidget>
 #include <QTest>
 #include <QTimer>
+#include <QWheelEvent>
 
 #include "core/lesson/lesson_file.h"
 #include "tests/core/lesson/lesson_samples.h"
@@ -243,6 +245,37 @@ TEST_F(LessonEditorTest, AStepTakesTheSceneThatIsShown) {
   EXPECT_NE(editor_->lesson().steps[0].scene.surface, next.surface);
   EXPECT_EQ(editor_->lesson().steps[1].scene, next);
   EXPECT_EQ(editor_->lesson().steps[1].set, std::vector<std::string>{"load.normal_force=20mN"});
+}
+
+/// Else the wheel that scrolls the form would change the lesson below the pointer.
+TEST_F(LessonEditorTest, TheWheelChangesOnlyAFieldWithFocus) {
+  edit(sampleLesson(), 1);
+  ASSERT_TRUE(waitFor([&] {
+    editor_->activateWindow();
+    return editor_->isActiveWindow();
+  }));
+  const auto turn = [](QWidget& widget, int delta) {
+    QWheelEvent event(QPointF(5, 5), widget.mapToGlobal(QPointF(5, 5)), {}, {0, delta},
+                      Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+    QApplication::sendEvent(&widget, &event);
+  };
+  const std::string before = writeLesson(editor_->lesson());
+  field<QLineEdit>("editorStepTitle").setFocus();
+  for (const int delta : {120, -120}) {
+    for (QComboBox* box : editor_->findChildren<QComboBox*>()) {
+      EXPECT_EQ(box->focusPolicy(), Qt::StrongFocus) << box->objectName().toStdString();
+      const int index = box->currentIndex();
+      turn(*box, delta);
+      EXPECT_EQ(box->currentIndex(), index) << box->objectName().toStdString();
+    }
+    turn(field<QSpinBox>("editorMinutes"), delta);
+  }
+  EXPECT_EQ(writeLesson(editor_->lesson()), before);
+  auto& tab = field<QComboBox>("editorTab");
+  tab.setFocus();
+  ASSERT_TRUE(waitFor([&] { return tab.hasFocus(); }));
+  turn(tab, -120);
+  EXPECT_EQ(tab.currentIndex(), 1);
 }
 
 /// A style sheet creates the popup list of a combo box at once; it is no part of the order.

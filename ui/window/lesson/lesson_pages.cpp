@@ -19,6 +19,7 @@
 #include "core/friction/curve_quantity.h"
 #include "core/scene/parameters.h"
 #include "ui/language/translated.h"
+#include "ui/panels/choice_box.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/parameter_row.h"
 #include "ui/window/lesson/assignment_list.h"
@@ -32,7 +33,7 @@ namespace asperity {
 LessonHeadPage::LessonHeadPage(QWidget* parent) : LessonForm(parent) {
   title_ = addLine(tr("Title"), "editorTitle");
   goal_ = addText(tr("Goal"), "editorGoal", 4);
-  minutes_ = new QSpinBox;
+  minutes_ = new SpinBox;
   minutes_->setObjectName("editorMinutes");
   minutes_->setRange(1, 600);
   minutes_->setAccessibleName(tr("Minutes"));
