@@ -2346,6 +2346,10 @@
         <translation>Berechnete Antworten sind Mittelwerte über die %1 Linien der Szene; das Bild zeigt eine.</translation>
     </message>
     <message>
+        <source>The curve, which is in sight, may show this answer.</source>
+        <translation>Die Kurve ist zu sehen und verrät vielleicht diese Antwort.</translation>
+    </message>
+    <message>
         <source>Choice %1: needs a number in From or To, as the others have</source>
         <translation>Antwort %1: braucht wie die anderen eine Zahl in „Von“ oder „Bis“</translation>
     </message>

@@ -247,6 +247,27 @@ TEST_F(LessonEditorTest, AStepTakesTheSceneThatIsShown) {
   EXPECT_EQ(editor_->lesson().steps[1].set, std::vector<std::string>{"load.normal_force=20mN"});
 }
 
+TEST_F(LessonEditorTest, ACurveThatShowsTheAnswerIsHiddenOrTheFormSaysSo) {
+  Json json = sampleLesson();
+  json["steps"][1] = {{"text", "Look."}};
+  edit(json, 2);
+  const auto& view = editor_->lesson().steps[1].show;
+  const auto says = [&] { return field<QLabel>("editorComputed").text().contains("in sight"); };
+  choose("editorKind", 1);  // a choice that nothing computes
+  EXPECT_FALSE(view.hidesCurve);
+  choose("editorKind", 2);
+  EXPECT_TRUE(view.hidesCurve);
+  EXPECT_EQ(field<QComboBox>("editorHides").currentIndex(), 1);
+  EXPECT_FALSE(says());
+  choose("editorHides", 0);  // the teacher's own choice stays
+  EXPECT_FALSE(view.hidesCurve);
+  EXPECT_TRUE(says());
+  auto& column = field<QComboBox>("editorColumn");
+  choose("editorColumn", column.findData("indentation"));
+  EXPECT_FALSE(view.hidesCurve);
+  EXPECT_FALSE(says());
+}
+
 /// Else the wheel that scrolls the form would change the lesson below the pointer.
 TEST_F(LessonEditorTest, TheWheelChangesOnlyAFieldWithFocus) {
   edit(sampleLesson(), 1);

@@ -443,6 +443,7 @@ QString LessonEditor::computedText() const {
   if (step.scene.ensemble.realizations > 1)
     sentences += tr("Computed answers are means over the scene's %1 lines; the picture shows one.")
                      .arg(step.scene.ensemble.realizations);
+  if (showsAnswer(step)) sentences += tr("The curve, which is in sight, may show this answer.");
   return sentences.join('\n');
 }
 

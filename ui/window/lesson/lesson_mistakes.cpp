@@ -53,7 +53,22 @@ QString findMistake(const LessonPrediction& prediction) {
       "right");
 }
 
+/// Returns whether a number can be read off the curve of the step's scene.
+bool isOnCurve(const LessonValue& value, const LessonStep& step) {
+  const auto isAxis = [&](std::string_view key) { return key == step.scene.sweep.key; };
+  return value.column == step.show.quantity &&
+         std::ranges::all_of(value.set, isAxis, assignmentKey) &&
+         (value.kind != LessonValue::Kind::Exponent || isAxis(value.key)) &&
+         std::ranges::all_of(value.over,
+                             [&](const LessonValue& under) { return isOnCurve(under, step); });
+}
+
 }  // namespace
+
+bool showsAnswer(const LessonStep& step) {
+  return step.show.tab == "curve" && !step.show.hidesCurve && step.prediction &&
+         step.prediction->answer && isOnCurve(*step.prediction->answer, step);
+}
 
 QString findMistake(const Lesson& lesson) {
   for (std::size_t i = 0; i < lesson.steps.size(); ++i) {

@@ -12,4 +12,8 @@ namespace asperity {
 /// Returns the first mistake, with the number of its step; empty where there is none.
 QString findMistake(const Lesson& lesson);
 
+/// Returns whether the curve of a step, in sight before the answer, shows the number that it asks
+/// for.
+bool showsAnswer(const LessonStep& step);
+
 }  // namespace asperity

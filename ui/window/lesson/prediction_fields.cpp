@@ -12,6 +12,7 @@
 #include "ui/panels/number_text.h"
 #include "ui/window/lesson/assignment_list.h"
 #include "ui/window/lesson/lesson_form.h"
+#include "ui/window/lesson/lesson_mistakes.h"
 #include "ui/window/lesson/lesson_value_fields.h"
 
 namespace asperity {
@@ -148,6 +149,7 @@ void PredictionFields::take(LessonStep& step) const {
   step.show.hidesCurve = hides_->currentIndex() != kVisible;
   step.show.hidesCurveAfter = hides_->currentIndex() == kHiddenThroughout;
   const int kind = kind_->currentIndex();
+  const bool wasComputed = step.prediction && step.prediction->answer;
   if (kind == kNone) {
     step.prediction.reset();
     step.reveal = {};
@@ -176,6 +178,11 @@ void PredictionFields::take(LessonStep& step) const {
   else
     prediction.answer.reset();
   step.prediction = prediction;
+  // The curve would show a number that is asked for from now on.
+  if (!wasComputed && showsAnswer(step)) {
+    step.show.hidesCurve = true;
+    hides_->setCurrentIndex(kHiddenUntilAnswered);
+  }
   step.after = after_->assignments();
   page_.write(step.reveal, LessonForm::plainText(*reveal_));
 }
