@@ -2812,6 +2812,10 @@
         <translation>Du hattest bei %1 von %2 Vorhersagen recht.</translation>
     </message>
     <message>
+        <source>You were right in %1 of %2 predictions; 1 was shown to you.</source>
+        <translation>Du hattest bei %1 von %2 Vorhersagen recht; eine hast du dir zeigen lassen.</translation>
+    </message>
+    <message>
         <source>You were right in %1 of %2 predictions; %3 were shown to you.</source>
         <translation>Du hattest bei %1 von %2 Vorhersagen recht; %3 hast du dir zeigen lassen.</translation>
     </message>

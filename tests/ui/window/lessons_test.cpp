@@ -486,7 +486,7 @@ TEST_F(LessonsTest, WhatIsShownIsSaidMarkedAndNoWrongAnswer) {
     click("lessonShow");
     ASSERT_TRUE(waitForAnswer());
     EXPECT_TRUE(said("lessonVerdict").contains("The program finds"));
-    EXPECT_TRUE(said("lessonReveal").contains("; 1 were shown to you."));
+    EXPECT_TRUE(said("lessonReveal").contains("; 1 was shown to you."));
     PredictionPoint& point = lessons().point();
     EXPECT_TRUE(point.isVisible());
     EXPECT_EQ(point.point()->y(), lessons().results().find(1)->expected.number.value);

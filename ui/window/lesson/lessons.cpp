@@ -340,12 +340,12 @@ QString Lessons::summary() const {
       lesson_->steps, [](const LessonStep& step) { return step.prediction.has_value(); });
   if (asked == 0) return {};
   const int shown = results_.shown();
-  const QString score =
-      shown == 0 ? tr("You were right in %1 of %2 predictions.").arg(results_.right()).arg(asked)
-                 : tr("You were right in %1 of %2 predictions; %3 were shown to you.")
-                       .arg(results_.right())
-                       .arg(asked)
-                       .arg(shown);
+  QString score = shown == 0 ? tr("You were right in %1 of %2 predictions.")
+                  : shown == 1
+                      ? tr("You were right in %1 of %2 predictions; 1 was shown to you.")
+                      : tr("You were right in %1 of %2 predictions; %3 were shown to you.");
+  score = score.arg(results_.right()).arg(asked);
+  if (shown > 1) score = score.arg(shown);
   return "<p><b>" + score + "</b></p>";
 }
 
