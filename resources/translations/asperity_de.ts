@@ -2491,6 +2491,22 @@
         <translation>Deine Antwort war %1.</translation>
     </message>
     <message>
+        <source>You said %1 at %2.</source>
+        <translation>Deine Antwort war %1 bei %2.</translation>
+    </message>
+    <message>
+        <source>The height is right, the place is not.</source>
+        <translation>Die Höhe stimmt, die Stelle nicht.</translation>
+    </message>
+    <message>
+        <source>The place is right, the height is not.</source>
+        <translation>Die Stelle stimmt, die Höhe nicht.</translation>
+    </message>
+    <message>
+        <source>Neither the place nor the height is right.</source>
+        <translation>Weder die Stelle noch die Höhe stimmt.</translation>
+    </message>
+    <message>
         <source>Right</source>
         <translation>Richtig</translation>
     </message>

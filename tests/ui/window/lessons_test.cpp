@@ -480,6 +480,32 @@ TEST_F(LessonsTest, AWrongNumberStaysInSightAndTheScoreComesLast) {
   EXPECT_TRUE(said("lessonReveal").contains("You were right in 0 of 2 predictions."));
 }
 
+TEST_F(LessonsTest, AWrongPointIsNamedWithWhatIsWrongOfIt) {
+  LessonPane pane;
+  const auto verdict = [&pane](bool hasPlace, double x, double y) {
+    const Lesson lesson = sampleWithPoint(hasPlace);
+    const LessonAnswer answer{{0.5, ""}, {0.1, "m/s"}, -1, {}};
+    const GivenAnswer given{-1, y, x};
+    LessonPage page;
+    page.lesson = &lesson;
+    page.step = 1;
+    page.answer = &answer;
+    page.given = &given;
+    page.isRight = isRight(*lesson.steps[1].prediction, answer, given);
+    pane.showStep(page);
+    return pane.findChild<QLabel*>("lessonVerdict")->text().toStdString();
+  };
+  using testing::HasSubstr;
+  EXPECT_THAT(verdict(false, 5, 0.5), HasSubstr("at 5"));
+  EXPECT_THAT(verdict(false, 5, 0.5), HasSubstr("The height is right, the place is not."));
+  EXPECT_THAT(verdict(false, 0.1, 9), HasSubstr("You said 9 at "));
+  EXPECT_THAT(verdict(false, 0.1, 9), HasSubstr("The place is right, the height is not."));
+  EXPECT_THAT(verdict(false, 5, 9), HasSubstr("Neither the place nor the height is right."));
+  EXPECT_THAT(verdict(false, 0.1, 0.5), Not(HasSubstr("place")));
+  EXPECT_THAT(verdict(true, 0.1, 9), HasSubstr("You said 9."));
+  EXPECT_THAT(verdict(true, 0.1, 9), HasSubstr("The program finds 0.5."));
+}
+
 TEST_F(LessonsTest, WhatIsShownIsSaidMarkedAndNoWrongAnswer) {
   for (const bool hasPlace : {true, false}) {
     lessons().start(sampleWithPoint(hasPlace), 1);
