@@ -2381,6 +2381,26 @@
         <source>Choices: tick the right one, or write into From and To for which computed answers each is right</source>
         <translation>Antworten: Haken Sie die richtige an, oder schreiben Sie in „Von“ und „Bis“, für welche berechneten Antworten jede richtig ist</translation>
     </message>
+    <message>
+        <source>The lesson needs a title</source>
+        <translation>Die Lektion braucht einen Titel</translation>
+    </message>
+    <message>
+        <source>A lesson needs at least one step</source>
+        <translation>Eine Lektion braucht mindestens einen Schritt</translation>
+    </message>
+    <message>
+        <source>the step needs a text</source>
+        <translation>der Schritt braucht einen Text</translation>
+    </message>
+    <message>
+        <source>the question needs a text</source>
+        <translation>die Frage braucht einen Text</translation>
+    </message>
+    <message>
+        <source>a point needs the tab “Friction curve” in front, on which it lies</source>
+        <translation>ein Punkt braucht vorn den Reiter „Reibungskurve“, auf dem er liegt</translation>
+    </message>
 </context>
 <context>
     <name>asperity::LessonHeadPage</name>

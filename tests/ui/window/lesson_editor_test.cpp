@@ -128,6 +128,25 @@ TEST_F(LessonEditorTest, WhatIsNoNumberIsSaidAndChangesNothing) {
   EXPECT_EQ(errorText(), "");
 }
 
+TEST_F(LessonEditorTest, WhatALessonLacksIsSaidInAPlainSentence) {
+  editor_ = &window_.lessons().showEditor({}, {});
+  EXPECT_EQ(errorText(), "The lesson needs a title");
+  type("editorTitle", "Mine");
+  EXPECT_EQ(errorText(), "A lesson needs at least one step");
+  editor_->addShownStep();
+  EXPECT_EQ(errorText(), "");
+  field<QPlainTextEdit>("editorText").clear();
+  EXPECT_EQ(errorText(), "Step 1: the step needs a text");
+  field<QPlainTextEdit>("editorText").setPlainText("Look.");
+  choose("editorKind", 3);
+  EXPECT_EQ(errorText(), "Step 1: the question needs a text");
+  field<QPlainTextEdit>("editorQuestion").setPlainText("Where?");
+  EXPECT_EQ(errorText(), "");
+  choose("editorTab", 1);
+  EXPECT_EQ(errorText(),
+            "Step 1: a point needs the tab “Friction curve” in front, on which it lies");
+}
+
 TEST_F(LessonEditorTest, ChoicesAreCheckedInTheWordsOfTheForm) {
   edit(sampleLesson(), 1);
   setCell(1, 2, "abc");

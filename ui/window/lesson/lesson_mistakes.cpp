@@ -36,7 +36,13 @@ QString findMistake(const QString& field, double tolerance) {
            shownNumber(100 * kLargestTolerance));
 }
 
-QString findMistake(const LessonPrediction& prediction) {
+QString findMistake(const LessonStep& step) {
+  if (step.text.empty()) return LessonEditor::tr("the step needs a text");
+  if (!step.prediction) return {};
+  const LessonPrediction& prediction = *step.prediction;
+  if (prediction.question.empty()) return LessonEditor::tr("the question needs a text");
+  if (prediction.kind == PredictionKind::Point && step.show.tab != "curve")
+    return LessonEditor::tr("a point needs the tab “Friction curve” in front, on which it lies");
   if (prediction.kind != PredictionKind::Choice) {
     if (const QString text = findMistake(LessonEditor::tr("Tolerance in %"), prediction.tolerance);
         !text.isEmpty())
@@ -71,11 +77,11 @@ bool showsAnswer(const LessonStep& step) {
 }
 
 QString findMistake(const Lesson& lesson) {
-  for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
-    if (!lesson.steps[i].prediction) continue;
-    const QString text = findMistake(*lesson.steps[i].prediction);
-    if (!text.isEmpty()) return LessonEditor::tr("Step %1: %2").arg(i + 1).arg(text);
-  }
+  if (lesson.title.empty()) return LessonEditor::tr("The lesson needs a title");
+  if (lesson.steps.empty()) return LessonEditor::tr("A lesson needs at least one step");
+  for (std::size_t i = 0; i < lesson.steps.size(); ++i)
+    if (const QString text = findMistake(lesson.steps[i]); !text.isEmpty())
+      return LessonEditor::tr("Step %1: %2").arg(i + 1).arg(text);
   return {};
 }
 

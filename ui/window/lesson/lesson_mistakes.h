@@ -1,6 +1,6 @@
-// Mistakes in the choices and tolerances of a lesson, in the words and units of the lesson editor.
-// The check of its file (core/lesson/lesson_file.h) refuses the same, in the words of the file. GUI
-// thread.
+// What a lesson lacks, and mistakes in its predictions, in the words and units of the lesson
+// editor. The check of its file (core/lesson/lesson_file.h) refuses the same, in the words of the
+// file. GUI thread.
 #pragma once
 
 #include <QString>
