@@ -14,6 +14,8 @@
 #include <QPushButton>
 #include <QRadioButton>
 #include <QRegularExpression>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTableWidget>
 #include <QToolButton>
 
@@ -542,6 +544,18 @@ TEST_F(LessonsTest, TheListSaysWhatEachTeachesAndBeginsIt) {
   QTest::keyClick(&names, Qt::Key_Return);
   ASSERT_TRUE(lessons().isRunning());
   EXPECT_EQ(lessons().lesson()->name, "load_and_friction");
+}
+
+TEST_F(LessonsTest, TheListShowsAnotherLessonFromItsBeginning) {
+  LessonList& list = lessons().showList();
+  list.resize(500, 260);
+  list.findChild<QCheckBox*>("lessonNotes")->click();
+  auto& bar = *list.findChild<QScrollArea*>()->verticalScrollBar();
+  ASSERT_TRUE(waitFor([&] { return bar.maximum() > 0; }));
+  bar.setValue(bar.maximum());
+  EXPECT_GT(bar.value(), 0);
+  list.findChild<QListWidget*>("lessonNames")->setCurrentRow(1);
+  EXPECT_EQ(bar.value(), 0);
 }
 
 TEST_F(LessonsTest, AWrongFileIsOneMessage) {
