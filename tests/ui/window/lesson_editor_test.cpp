@@ -25,6 +25,7 @@
 #include "ui/window/lesson/lesson_editor.h"
 #include "ui/window/lesson/lesson_text.h"
 #include "ui/window/lesson/lessons.h"
+#include "ui/window/main/fitted_labels.h"
 
 namespace asperity {
 namespace {
@@ -105,6 +106,24 @@ TEST_F(LessonEditorTest, SaysWhatTheProgramFindsAndOverHowManyLines) {
   EXPECT_TRUE(said.isVisibleTo(editor_));
   EXPECT_TRUE(said.text().contains("4 lines"));
   EXPECT_TRUE(waitFor([&] { return said.text().contains("The program finds"); }));
+}
+
+/// The form may be narrower than its sentences.
+TEST_F(LessonEditorTest, LongTextsOfTheFormAreWrappedOrElided) {
+  Json json = sampleLesson();
+  json["steps"][0]["scene"]["title"] = QString(120, 'n').toStdString();
+  edit(json, 1);
+  auto& said = field<QLabel>("editorComputed");
+  const auto isWhole = [&] {
+    return said.isVisible() && said.height() >= said.heightForWidth(said.width());
+  };
+  EXPECT_TRUE(waitFor(isWhole));
+  const int before = said.height();
+  editor_->resize(editor_->minimumSizeHint());
+  EXPECT_TRUE(waitFor([&] { return isWhole() && said.height() >= before; }));
+  const auto& scene = field<ElidedLabel>("editorScene");
+  EXPECT_TRUE(scene.shownText().contains(QChar(0x2026))) << scene.shownText().toStdString();
+  EXPECT_LE(scene.geometry().right(), field<QPushButton>("editorTakeScene").x());
 }
 
 TEST_F(LessonEditorTest, WhatIsNoNumberIsSaidAndChangesNothing) {

@@ -8,7 +8,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMainWindow>
-#include <QPainter>
 #include <QTimer>
 #include <QToolButton>
 #include <algorithm>
@@ -33,6 +32,7 @@
 #include "ui/window/main/appearance.h"
 #include "ui/window/main/commands.h"
 #include "ui/window/main/document_commands.h"
+#include "ui/window/main/fitted_labels.h"
 #include "ui/window/main/message_bar.h"
 #include "ui/window/main/scene_library.h"
 #include "ui/window/main/scene_tabs.h"
@@ -77,23 +77,13 @@ void bringToFront(QWidget& window) {
   window.activateWindow();
 }
 
-/// A text of one line, which ends in an ellipsis where it is too long.
-class LessonTitle : public QLabel {
- protected:
-  void paintEvent(QPaintEvent*) override {
-    QPainter painter(this);
-    painter.drawText(contentsRect(), Qt::AlignVCenter | Qt::AlignLeft,
-                     fontMetrics().elidedText(text(), Qt::ElideRight, contentsRect().width()));
-  }
-};
-
 }  // namespace
 
 Lessons::Lessons(const Parts& parts)
     : QObject(&parts.window),
       parts_(parts),
       dock_(new QDockWidget),
-      title_(new LessonTitle),
+      title_(new ElidedLabel),
       keep_(new QToolButton),
       close_(new QToolButton),
       pane_(new LessonPane),
@@ -126,7 +116,6 @@ void Lessons::buildDock() {
   auto* line = new QHBoxLayout(bar);
   line->setContentsMargins(14, 5, 8, 5);
   title_->setObjectName("lessonTitle");
-  title_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   keep_->setObjectName("lessonKeep");
   close_->setObjectName("lessonEnd");
   close_->setText(QStringLiteral("✕"));

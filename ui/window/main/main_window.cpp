@@ -41,6 +41,7 @@
 #include "ui/window/figures/gallery_page.h"
 #include "ui/window/import/import_commands.h"
 #include "ui/window/lesson/lessons.h"
+#include "ui/window/lesson/prediction_point.h"
 #include "ui/window/main/appearance.h"
 #include "ui/window/main/commands.h"
 #include "ui/window/main/document_commands.h"
