@@ -3711,6 +3711,10 @@
         <translation>Schreiben Sie {answer}, wo die berechnete Antwort stehen soll, und {given}, wo die der Lernenden stehen soll</translation>
     </message>
     <message>
+        <source>{answer}: the computed answer; {given}: that of the student</source>
+        <translation>{answer}: die berechnete Antwort; {given}: die der Lernenden</translation>
+    </message>
+    <message>
         <source>The curve is</source>
         <translation>Die Kurve ist</translation>
     </message>

@@ -306,6 +306,18 @@ TEST_F(LessonEditorTest, ACurveThatShowsTheAnswerIsHiddenOrTheFormSaysSo) {
   EXPECT_FALSE(says());
 }
 
+TEST_F(LessonEditorTest, TheTextsAfterAnAnswerNameTheirPlaceholders) {
+  edit(sampleLesson(), 1);
+  auto& reveal = field<QPlainTextEdit>("editorReveal");
+  for (const QString& text : {reveal.placeholderText(), reveal.toolTip()})
+    EXPECT_TRUE(text.contains("{answer}") && text.contains("{given}")) << text.toStdString();
+  for (const char* name : {"editorRight", "editorWrong"}) {
+    auto& line = field<QLineEdit>(name);
+    for (const QString& text : {line.placeholderText(), line.toolTip()})
+      EXPECT_TRUE(text.contains("{answer}") && text.contains("{given}")) << text.toStdString();
+  }
+}
+
 /// Else the wheel that scrolls the form would change the lesson below the pointer.
 TEST_F(LessonEditorTest, TheWheelChangesOnlyAFieldWithFocus) {
   edit(sampleLesson(), 1);

@@ -45,14 +45,17 @@ PredictionFields::PredictionFields(LessonForm& page) : QObject(&page), page_(pag
       "1.5 for 50 %"));
   right_ = page.addLine(tr("If right"), "editorRight");
   wrong_ = page.addLine(tr("If wrong"), "editorWrong");
-  for (QLineEdit* line : {right_, wrong_})
-    line->setToolTip(tr(
-        "Write {answer} where the computed answer belongs, and {given} where the student's does"));
   hides_ = page.addChoice(tr("The curve is"), "editorHides");
   hides_->addItems({tr("in sight"), tr("hidden until the answer"), tr("hidden throughout")});
   after_ = page.addAssignments(tr("Changed with the answer"), "editorAfter");
   after_->setToolTip(tr("What the program changes in the scene when the answer is shown"));
   reveal_ = page.addText(tr("Said with the answer"), "editorReveal", 4);
+  const QString places = tr("{answer}: the computed answer; {given}: that of the student");
+  for (QLineEdit* line : {right_, wrong_}) line->setPlaceholderText(places);
+  reveal_->setPlaceholderText(places);
+  for (QWidget* text : std::initializer_list<QWidget*>{right_, wrong_, reveal_})
+    text->setToolTip(tr(
+        "Write {answer} where the computed answer belongs, and {given} where the student's does"));
 }
 
 void PredictionFields::addChoices() {
