@@ -208,11 +208,19 @@ bool isRight(const LessonPrediction& prediction, const LessonAnswer& answer,
     case PredictionKind::Point:
       break;
   }
-  if (!std::isfinite(given.number)) return false;
-  const bool isHigh = isWithinFactor(given.number, answer.number.value, prediction.tolerance);
-  if (prediction.x) return isHigh;
-  return isHigh && std::isfinite(given.x) &&
-         isWithinFactor(given.x, answer.x.value, prediction.xTolerance);
+  return isHeightRight(prediction, answer, given) && isPlaceRight(prediction, answer, given);
+}
+
+bool isHeightRight(const LessonPrediction& prediction, const LessonAnswer& answer,
+                   const GivenAnswer& given) {
+  return std::isfinite(given.number) &&
+         isWithinFactor(given.number, answer.number.value, prediction.tolerance);
+}
+
+bool isPlaceRight(const LessonPrediction& prediction, const LessonAnswer& answer,
+                  const GivenAnswer& given) {
+  return prediction.x ||
+         (std::isfinite(given.x) && isWithinFactor(given.x, answer.x.value, prediction.xTolerance));
 }
 
 std::string withValues(const std::string& text, const LessonPrediction& prediction,

@@ -74,6 +74,13 @@ std::string lessonValueUnit(const LessonValue& value, const Scene& scene);
 bool isRight(const LessonPrediction& prediction, const LessonAnswer& answer,
              const GivenAnswer& given);
 
+/// Return whether the height of a point is right, and its place on the axis, which counts where the
+/// question does not fix it.
+bool isHeightRight(const LessonPrediction& prediction, const LessonAnswer& answer,
+                   const GivenAnswer& given);
+bool isPlaceRight(const LessonPrediction& prediction, const LessonAnswer& answer,
+                  const GivenAnswer& given);
+
 /// Returns a text with the values of its names "{name}", or "{name%}" in per cent. formatNumber
 /// returns a number as text.
 std::string withValues(const std::string& text, const LessonPrediction& prediction,

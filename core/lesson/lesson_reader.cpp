@@ -438,8 +438,10 @@ class StepReader {
 Lesson parseLesson(const Json& root, const std::filesystem::path& folder,
                    const SceneReader& readNamed) {
   if (!root.is_object()) refuseMember("", "a lesson is one JSON object");
-  if (textMember(root, "schema") != kLessonSchema)
-    refuseMember("schema", message("is not {}", kLessonSchema));
+  const std::string schema = textMember(root, "schema");
+  if (schema.starts_with("asperity-lesson-results/"))
+    refuseMember("", "holds the results of a student, not a lesson");
+  if (schema != kLessonSchema) refuseMember("schema", message("is not {}", kLessonSchema));
   checkMembers(root, "", {"schema", "title", "goal", "minutes", "notes", "steps"});
   Lesson lesson;
   lesson.title = readText(root, "title", "", true);

@@ -2354,6 +2354,10 @@
         <translation>Berechnete Antworten sind Mittelwerte über die %1 Linien der Szene; das Bild zeigt eine.</translation>
     </message>
     <message>
+        <source>The curve, which is in sight, may show this answer.</source>
+        <translation>Die Kurve ist zu sehen und verrät vielleicht diese Antwort.</translation>
+    </message>
+    <message>
         <source>Choice %1: needs a number in From or To, as the others have</source>
         <translation>Antwort %1: braucht wie die anderen eine Zahl in „Von“ oder „Bis“</translation>
     </message>
@@ -2384,6 +2388,26 @@
     <message>
         <source>Choices: tick the right one, or write into From and To for which computed answers each is right</source>
         <translation>Antworten: Haken Sie die richtige an, oder schreiben Sie in „Von“ und „Bis“, für welche berechneten Antworten jede richtig ist</translation>
+    </message>
+    <message>
+        <source>The lesson needs a title</source>
+        <translation>Die Lektion braucht einen Titel</translation>
+    </message>
+    <message>
+        <source>A lesson needs at least one step</source>
+        <translation>Eine Lektion braucht mindestens einen Schritt</translation>
+    </message>
+    <message>
+        <source>the step needs a text</source>
+        <translation>der Schritt braucht einen Text</translation>
+    </message>
+    <message>
+        <source>the question needs a text</source>
+        <translation>die Frage braucht einen Text</translation>
+    </message>
+    <message>
+        <source>a point needs the tab “Friction curve” in front, on which it lies</source>
+        <translation>ein Punkt braucht vorn den Reiter „Reibungskurve“, auf dem er liegt</translation>
     </message>
 </context>
 <context>
@@ -2493,6 +2517,22 @@
     <message>
         <source>You said %1.</source>
         <translation>Deine Antwort war %1.</translation>
+    </message>
+    <message>
+        <source>You said %1 at %2.</source>
+        <translation>Deine Antwort war %1 bei %2.</translation>
+    </message>
+    <message>
+        <source>The height is right, the place is not.</source>
+        <translation>Die Höhe stimmt, die Stelle nicht.</translation>
+    </message>
+    <message>
+        <source>The place is right, the height is not.</source>
+        <translation>Die Stelle stimmt, die Höhe nicht.</translation>
+    </message>
+    <message>
+        <source>Neither the place nor the height is right.</source>
+        <translation>Weder die Stelle noch die Höhe stimmt.</translation>
     </message>
     <message>
         <source>Right</source>
@@ -2814,6 +2854,10 @@
     <message>
         <source>You were right in %1 of %2 predictions.</source>
         <translation>Du hattest bei %1 von %2 Vorhersagen recht.</translation>
+    </message>
+    <message>
+        <source>You were right in %1 of %2 predictions; 1 was shown to you.</source>
+        <translation>Du hattest bei %1 von %2 Vorhersagen recht; eine hast du dir zeigen lassen.</translation>
     </message>
     <message>
         <source>You were right in %1 of %2 predictions; %3 were shown to you.</source>
@@ -3673,6 +3717,10 @@
     <message>
         <source>Write {answer} where the computed answer belongs, and {given} where the student&apos;s does</source>
         <translation>Schreiben Sie {answer}, wo die berechnete Antwort stehen soll, und {given}, wo die der Lernenden stehen soll</translation>
+    </message>
+    <message>
+        <source>{answer}: the computed answer; {given}: that of the student</source>
+        <translation>{answer}: die berechnete Antwort; {given}: die der Lernenden</translation>
     </message>
     <message>
         <source>The curve is</source>

@@ -5611,6 +5611,10 @@
         <translation>braucht eine Liste von 1 bis %1 Schritten</translation>
     </message>
     <message>
+        <source>holds the results of a student, not a lesson</source>
+        <translation>enthält die Ergebnisse von Lernenden, keine Lektion</translation>
+    </message>
+    <message>
         <source>is larger than %1 bytes, the most that a lesson may have</source>
         <translation>ist größer als %1 Bytes, mehr darf eine Lektion nicht haben</translation>
     </message>

@@ -61,6 +61,15 @@ void ChoiceBox::paintEvent(QPaintEvent*) {
   painter.drawPath(chevron);
 }
 
+SpinBox::SpinBox(QWidget* parent) : QSpinBox(parent) {
+  setFocusPolicy(Qt::StrongFocus);
+}
+
+void SpinBox::wheelEvent(QWheelEvent* event) {
+  if (hasFocus()) return QSpinBox::wheelEvent(event);
+  event->ignore();
+}
+
 namespace {
 
 constexpr int kFewestLines = 4, kMaxLines = 10;

@@ -1,9 +1,11 @@
-// Boxes of the panels for a choice and for a text, and the style that all controls share. GUI
-// thread; owned by their parent. Cannot fail.
+// Boxes of the panels for a choice, a whole number and a text, and the style that all controls
+// share. The wheel changes a choice or a number only while its box has the focus, so that scrolling
+// changes nothing. GUI thread; owned by their parent. Cannot fail.
 #pragma once
 
 #include <QComboBox>
 #include <QPlainTextEdit>
+#include <QSpinBox>
 #include <QString>
 
 class QPalette;
@@ -26,6 +28,14 @@ class ChoiceBox : public QComboBox {
 
  private:
   QString shown_;
+};
+
+class SpinBox : public QSpinBox {
+ public:
+  explicit SpinBox(QWidget* parent = nullptr);
+
+ protected:
+  void wheelEvent(QWheelEvent* event) override;
 };
 
 class TextBox : public QPlainTextEdit {

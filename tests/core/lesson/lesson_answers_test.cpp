@@ -134,6 +134,8 @@ TEST(LessonAnswers, APointIsRightWithinAFactor) {
   EXPECT_TRUE(isRight(prediction, answer, given));
   given.x = 0.21;
   EXPECT_FALSE(isRight(prediction, answer, given));
+  EXPECT_TRUE(isHeightRight(prediction, answer, given));
+  EXPECT_FALSE(isPlaceRight(prediction, answer, given));
   prediction.x = 0.1;  // its place is not asked
   EXPECT_TRUE(isRight(prediction, answer, given));
   given.number = 0.0132;

@@ -110,6 +110,7 @@ INSTANTIATE_TEST_SUITE_P(
     All, WrongLesson,
     testing::Values(
         Wrong{"/schema", "\"asperity-lesson/2\"", "schema", "asperity-lesson/1"},
+        Wrong{"/schema", "\"asperity-lesson-results/1\"", "", "the results of a student"},
         Wrong{"/titel", "1", "titel", "title"}, Wrong{"/minutes", "0", "minutes", "1 to 600"},
         Wrong{"/steps", "[]", "steps", "1 to 200"},
         Wrong{"/title", "{\"fr\": \"x\"}", "title.fr", "known are en, de"},

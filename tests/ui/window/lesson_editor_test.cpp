@@ -9,10 +9,12 @@
 #include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QSpinBox>
 #include <QStandardItemModel>
 #include <QTableWidget>
 #include <QTest>
 #include <QTimer>
+#include <QWheelEvent>
 
 #include "core/lesson/lesson_file.h"
 #include "tests/core/lesson/lesson_samples.h"
@@ -23,6 +25,7 @@
 #include "ui/window/lesson/lesson_editor.h"
 #include "ui/window/lesson/lesson_text.h"
 #include "ui/window/lesson/lessons.h"
+#include "ui/window/main/fitted_labels.h"
 
 namespace asperity {
 namespace {
@@ -105,6 +108,24 @@ TEST_F(LessonEditorTest, SaysWhatTheProgramFindsAndOverHowManyLines) {
   EXPECT_TRUE(waitFor([&] { return said.text().contains("The program finds"); }));
 }
 
+/// The form may be narrower than its sentences.
+TEST_F(LessonEditorTest, LongTextsOfTheFormAreWrappedOrElided) {
+  Json json = sampleLesson();
+  json["steps"][0]["scene"]["title"] = QString(120, 'n').toStdString();
+  edit(json, 1);
+  auto& said = field<QLabel>("editorComputed");
+  const auto isWhole = [&] {
+    return said.isVisible() && said.height() >= said.heightForWidth(said.width());
+  };
+  EXPECT_TRUE(waitFor(isWhole));
+  const int before = said.height();
+  editor_->resize(editor_->minimumSizeHint());
+  EXPECT_TRUE(waitFor([&] { return isWhole() && said.height() >= before; }));
+  const auto& scene = field<ElidedLabel>("editorScene");
+  EXPECT_TRUE(scene.shownText().contains(QChar(0x2026))) << scene.shownText().toStdString();
+  EXPECT_LE(scene.geometry().right(), field<QPushButton>("editorTakeScene").x());
+}
+
 TEST_F(LessonEditorTest, WhatIsNoNumberIsSaidAndChangesNothing) {
   Json json = sampleWithPeak();
   json["steps"][1]["prediction"].erase("place_tolerance");
@@ -124,6 +145,25 @@ TEST_F(LessonEditorTest, WhatIsNoNumberIsSaidAndChangesNothing) {
   EXPECT_EQ(errorText(), "Step 2: Tolerance in %: -5 is not above 0 and up to 1000");
   type("editorTolerance", "20");
   EXPECT_EQ(errorText(), "");
+}
+
+TEST_F(LessonEditorTest, WhatALessonLacksIsSaidInAPlainSentence) {
+  editor_ = &window_.lessons().showEditor({}, {});
+  EXPECT_EQ(errorText(), "The lesson needs a title");
+  type("editorTitle", "Mine");
+  EXPECT_EQ(errorText(), "A lesson needs at least one step");
+  editor_->addShownStep();
+  EXPECT_EQ(errorText(), "");
+  field<QPlainTextEdit>("editorText").clear();
+  EXPECT_EQ(errorText(), "Step 1: the step needs a text");
+  field<QPlainTextEdit>("editorText").setPlainText("Look.");
+  choose("editorKind", 3);
+  EXPECT_EQ(errorText(), "Step 1: the question needs a text");
+  field<QPlainTextEdit>("editorQuestion").setPlainText("Where?");
+  EXPECT_EQ(errorText(), "");
+  choose("editorTab", 1);
+  EXPECT_EQ(errorText(),
+            "Step 1: a point needs the tab “Friction curve” in front, on which it lies");
 }
 
 TEST_F(LessonEditorTest, ChoicesAreCheckedInTheWordsOfTheForm) {
@@ -243,6 +283,70 @@ TEST_F(LessonEditorTest, AStepTakesTheSceneThatIsShown) {
   EXPECT_NE(editor_->lesson().steps[0].scene.surface, next.surface);
   EXPECT_EQ(editor_->lesson().steps[1].scene, next);
   EXPECT_EQ(editor_->lesson().steps[1].set, std::vector<std::string>{"load.normal_force=20mN"});
+}
+
+TEST_F(LessonEditorTest, ACurveThatShowsTheAnswerIsHiddenOrTheFormSaysSo) {
+  Json json = sampleLesson();
+  json["steps"][1] = {{"text", "Look."}};
+  edit(json, 2);
+  const auto& view = editor_->lesson().steps[1].show;
+  const auto says = [&] { return field<QLabel>("editorComputed").text().contains("in sight"); };
+  choose("editorKind", 1);  // a choice that nothing computes
+  EXPECT_FALSE(view.hidesCurve);
+  choose("editorKind", 2);
+  EXPECT_TRUE(view.hidesCurve);
+  EXPECT_EQ(field<QComboBox>("editorHides").currentIndex(), 1);
+  EXPECT_FALSE(says());
+  choose("editorHides", 0);  // the teacher's own choice stays
+  EXPECT_FALSE(view.hidesCurve);
+  EXPECT_TRUE(says());
+  auto& column = field<QComboBox>("editorColumn");
+  choose("editorColumn", column.findData("indentation"));
+  EXPECT_FALSE(view.hidesCurve);
+  EXPECT_FALSE(says());
+}
+
+TEST_F(LessonEditorTest, TheTextsAfterAnAnswerNameTheirPlaceholders) {
+  edit(sampleLesson(), 1);
+  auto& reveal = field<QPlainTextEdit>("editorReveal");
+  for (const QString& text : {reveal.placeholderText(), reveal.toolTip()})
+    EXPECT_TRUE(text.contains("{answer}") && text.contains("{given}")) << text.toStdString();
+  for (const char* name : {"editorRight", "editorWrong"}) {
+    auto& line = field<QLineEdit>(name);
+    for (const QString& text : {line.placeholderText(), line.toolTip()})
+      EXPECT_TRUE(text.contains("{answer}") && text.contains("{given}")) << text.toStdString();
+  }
+}
+
+/// Else the wheel that scrolls the form would change the lesson below the pointer.
+TEST_F(LessonEditorTest, TheWheelChangesOnlyAFieldWithFocus) {
+  edit(sampleLesson(), 1);
+  ASSERT_TRUE(waitFor([&] {
+    editor_->activateWindow();
+    return editor_->isActiveWindow();
+  }));
+  const auto turn = [](QWidget& widget, int delta) {
+    QWheelEvent event(QPointF(5, 5), widget.mapToGlobal(QPointF(5, 5)), {}, {0, delta},
+                      Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+    QApplication::sendEvent(&widget, &event);
+  };
+  const std::string before = writeLesson(editor_->lesson());
+  field<QLineEdit>("editorStepTitle").setFocus();
+  for (const int delta : {120, -120}) {
+    for (QComboBox* box : editor_->findChildren<QComboBox*>()) {
+      EXPECT_EQ(box->focusPolicy(), Qt::StrongFocus) << box->objectName().toStdString();
+      const int index = box->currentIndex();
+      turn(*box, delta);
+      EXPECT_EQ(box->currentIndex(), index) << box->objectName().toStdString();
+    }
+    turn(field<QSpinBox>("editorMinutes"), delta);
+  }
+  EXPECT_EQ(writeLesson(editor_->lesson()), before);
+  auto& tab = field<QComboBox>("editorTab");
+  tab.setFocus();
+  ASSERT_TRUE(waitFor([&] { return tab.hasFocus(); }));
+  turn(tab, -120);
+  EXPECT_EQ(tab.currentIndex(), 1);
 }
 
 /// A style sheet creates the popup list of a combo box at once; it is no part of the order.

@@ -14,6 +14,8 @@
 #include <QPushButton>
 #include <QRadioButton>
 #include <QRegularExpression>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTableWidget>
 #include <QToolButton>
 #include <array>
@@ -487,13 +489,39 @@ TEST_F(LessonsTest, AWrongNumberStaysInSightAndTheScoreComesLast) {
   EXPECT_TRUE(said("lessonReveal").contains("You were right in 0 of 2 predictions."));
 }
 
+TEST_F(LessonsTest, AWrongPointIsNamedWithWhatIsWrongOfIt) {
+  LessonPane pane;
+  const auto verdict = [&pane](bool hasPlace, double x, double y) {
+    const Lesson lesson = sampleWithPoint(hasPlace);
+    const LessonAnswer answer{{0.5, ""}, {0.1, "m/s"}, -1, {}};
+    const GivenAnswer given{-1, y, x};
+    LessonPage page;
+    page.lesson = &lesson;
+    page.step = 1;
+    page.answer = &answer;
+    page.given = &given;
+    page.isRight = isRight(*lesson.steps[1].prediction, answer, given);
+    pane.showStep(page);
+    return pane.findChild<QLabel*>("lessonVerdict")->text().toStdString();
+  };
+  using testing::HasSubstr;
+  EXPECT_THAT(verdict(false, 5, 0.5), HasSubstr("at 5"));
+  EXPECT_THAT(verdict(false, 5, 0.5), HasSubstr("The height is right, the place is not."));
+  EXPECT_THAT(verdict(false, 0.1, 9), HasSubstr("You said 9 at "));
+  EXPECT_THAT(verdict(false, 0.1, 9), HasSubstr("The place is right, the height is not."));
+  EXPECT_THAT(verdict(false, 5, 9), HasSubstr("Neither the place nor the height is right."));
+  EXPECT_THAT(verdict(false, 0.1, 0.5), Not(HasSubstr("place")));
+  EXPECT_THAT(verdict(true, 0.1, 9), HasSubstr("You said 9."));
+  EXPECT_THAT(verdict(true, 0.1, 9), HasSubstr("The program finds 0.5."));
+}
+
 TEST_F(LessonsTest, WhatIsShownIsSaidMarkedAndNoWrongAnswer) {
   for (const bool hasPlace : {true, false}) {
     lessons().start(sampleWithPoint(hasPlace), 1);
     click("lessonShow");
     ASSERT_TRUE(waitForAnswer());
     EXPECT_TRUE(said("lessonVerdict").contains("The program finds"));
-    EXPECT_TRUE(said("lessonReveal").contains("; 1 were shown to you."));
+    EXPECT_TRUE(said("lessonReveal").contains("; 1 was shown to you."));
     PredictionPoint& point = lessons().point();
     EXPECT_TRUE(point.isVisible());
     EXPECT_EQ(point.point()->y(), lessons().results().find(1)->expected.number.value);
@@ -523,6 +551,18 @@ TEST_F(LessonsTest, TheListSaysWhatEachTeachesAndBeginsIt) {
   QTest::keyClick(&names, Qt::Key_Return);
   ASSERT_TRUE(lessons().isRunning());
   EXPECT_EQ(lessons().lesson()->name, "load_and_friction");
+}
+
+TEST_F(LessonsTest, TheListShowsAnotherLessonFromItsBeginning) {
+  LessonList& list = lessons().showList();
+  list.resize(500, 260);
+  list.findChild<QCheckBox*>("lessonNotes")->click();
+  auto& bar = *list.findChild<QScrollArea*>()->verticalScrollBar();
+  ASSERT_TRUE(waitFor([&] { return bar.maximum() > 0; }));
+  bar.setValue(bar.maximum());
+  EXPECT_GT(bar.value(), 0);
+  list.findChild<QListWidget*>("lessonNames")->setCurrentRow(1);
+  EXPECT_EQ(bar.value(), 0);
 }
 
 TEST_F(LessonsTest, AWrongFileIsOneMessage) {
@@ -653,6 +693,55 @@ TEST_F(LessonsTest, TheEditorStepsAsideForAStepThatIsTried) {
   EXPECT_TRUE(editor.isVisible());
 }
 
+/// What was typed is not lost, and the question does not come when the window is gone.
+TEST_F(LessonsTest, TheWindowAsksAboutTheLessonInTheEditorBeforeItCloses) {
+  LessonEditor& editor = lessons().showEditor(lessonOf(sampleLesson()), {});
+  QTest::keyClicks(editor.findChild<QLineEdit*>("editorTitle"), "Mine");
+  answer(QMessageBox::Cancel);
+  EXPECT_FALSE(window_.close());
+  EXPECT_EQ(asked_, 1);
+  EXPECT_TRUE(window_.isVisible());
+  ASSERT_EQ(lessons().editor(), &editor);
+  EXPECT_TRUE(editor.isVisible());
+  answer(QMessageBox::Discard);
+  EXPECT_TRUE(window_.close());
+  EXPECT_EQ(asked_, 1);
+  EXPECT_EQ(lessons().editor(), nullptr);
+}
+
+TEST_F(LessonsTest, TheWindowAsksAboutAnEditorThatATrialHides) {
+  LessonEditor& editor = lessons().showEditor(lessonOf(sampleLesson()), {});
+  QTest::keyClicks(editor.findChild<QLineEdit*>("editorTitle"), "Mine");
+  emit editor.trialRequested(editor.lesson(), 0);
+  ASSERT_FALSE(editor.isVisible());
+  answer(QMessageBox::Discard);
+  EXPECT_TRUE(window_.close());
+  EXPECT_EQ(asked_, 1);
+  EXPECT_EQ(lessons().editor(), nullptr);
+}
+
+/// Neither the end of a trial nor the menu asks or begins another lesson.
+TEST_F(LessonsTest, TheOpenEditorComesBackWithItsLesson) {
+  LessonEditor& editor = lessons().showEditor(lessonOf(sampleLesson()), {});
+  auto& title = *editor.findChild<QLineEdit*>("editorTitle");
+  title.selectAll();
+  QTest::keyClicks(&title, "Mine");
+  emit editor.trialRequested(editor.lesson(), 0);
+  ASSERT_FALSE(editor.isVisible());
+  QTest::mouseClick(&control<QAbstractButton>("lessonEnd"), Qt::LeftButton);
+  EXPECT_FALSE(lessons().isRunning());
+  EXPECT_TRUE(editor.isVisible());
+  EXPECT_TRUE(waitFor([&] { return editor.isActiveWindow(); }));
+  action("lessonEditor").trigger();  // it may lie behind the main window
+  ASSERT_EQ(lessons().editor(), &editor);
+  emit editor.trialRequested(editor.lesson(), 0);
+  action("lessonEditor").trigger();
+  ASSERT_EQ(lessons().editor(), &editor);
+  EXPECT_TRUE(editor.isVisible());
+  EXPECT_EQ(title.text(), "Mine");
+  delete &editor;  // it would ask about its changes
+}
+
 /// Reordering keeps the scene that each step shows.
 TEST_F(LessonsTest, StepsKeepTheirScenesWhereTheyAreMovedAndRemoved) {
   const Lesson lesson = lessonOf(sampleLesson());
@@ -690,8 +779,7 @@ TEST_F(LessonsTest, TheEditorSaysWhatIsWrongAndWhere) {
   auto& question = *editor.findChild<QPlainTextEdit*>("editorQuestion");
   question.selectAll();
   QTest::keyClick(&question, Qt::Key_Delete);
-  EXPECT_TRUE(editor.errorText().startsWith("Step 2, question: "))
-      << editor.errorText().toStdString();
+  EXPECT_EQ(editor.errorText(), "Step 2: the question needs a text");
   QTest::keyClicks(&question, "How deep?");
   QTest::mouseClick(editor.findChild<QPushButton*>("editorTry"), Qt::LeftButton);
   EXPECT_EQ(lessons().step(), 1);

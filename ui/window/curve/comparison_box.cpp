@@ -20,7 +20,7 @@ constexpr int kHeight = 24;  // height in pixels of its entries
 constexpr int kMaxOversampling = 64, kMaxLines = 10000;
 
 QSpinBox* makeSpinBox(const char* name, int value, int most) {
-  auto* box = new QSpinBox;
+  auto* box = new SpinBox;
   box->setObjectName(name);
   box->setRange(1, most);
   box->setValue(value);

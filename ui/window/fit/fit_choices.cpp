@@ -60,7 +60,7 @@ FitChoices::FitChoices(const Scene& scene, const FitSelection& before, QWidget* 
       limits_(parameters_.size()),
       keys_(new QTableWidget),
       tables_(new QListWidget),
-      lines_(new QSpinBox),
+      lines_(new SpinBox),
       profiles_(new QCheckBox(tr("profile along each parameter"))) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);

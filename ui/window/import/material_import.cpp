@@ -205,7 +205,7 @@ void MaterialImport::buildChoices() {
                         "Williams, Landel and Ferry, by that of Arrhenius, or as their table"),
                      tr("automatic"), {"wlf", "arrhenius", "table"});
   heading(tr("Prony series"));
-  terms_ = new QSpinBox;
+  terms_ = new SpinBox;
   terms_->setObjectName("dmaTerms");
   terms_->setRange(0, kMostChosenTerms);
   terms_->setSpecialValueText(tr("as few as needed"));

@@ -16,6 +16,7 @@
 #include "core/scene/sweep.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
+#include "ui/panels/choice_box.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/parameter_row.h"
 #include "ui/window/lesson/lesson_form.h"
@@ -137,7 +138,7 @@ QWidget* AssignmentList::makeRow(std::size_t index) {
 QWidget* AssignmentList::makeValue(std::size_t index, const Parameter& row) {
   const QString written = assignedValue(assignments_[index]);
   const auto list = [&](const auto& fill) {
-    auto* box = new QComboBox;
+    auto* box = new ChoiceBox;
     fill(*box);
     if (box->findData(written) < 0) box->addItem(written, written);
     box->setCurrentIndex(box->findData(written));

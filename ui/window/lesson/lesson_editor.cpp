@@ -443,6 +443,7 @@ QString LessonEditor::computedText() const {
   if (step.scene.ensemble.realizations > 1)
     sentences += tr("Computed answers are means over the scene's %1 lines; the picture shows one.")
                      .arg(step.scene.ensemble.realizations);
+  if (showsAnswer(step)) sentences += tr("The curve, which is in sight, may show this answer.");
   return sentences.join('\n');
 }
 
@@ -638,13 +639,18 @@ bool LessonEditor::saveTo(const QString& file) {
 
 bool LessonEditor::askAndSave() {
   const QString name = file_.isEmpty() ? QStringLiteral("lesson.json") : file_;
-  const QString file = askSaveFile(this, tr("Save lesson"), name, tr("Lessons (*.json)"));
+  const QString file = askSaveFile(asking(), tr("Save lesson"), name, tr("Lessons (*.json)"));
   return !file.isEmpty() && saveTo(file);
+}
+
+/// Returns the window over which questions appear: the editor is hidden during a trial.
+QWidget* LessonEditor::asking() {
+  return isVisible() || !parentWidget() ? this : parentWidget();
 }
 
 bool LessonEditor::canClose() {
   if (writeLesson(saved_) == writeLesson(lesson_)) return true;
-  const SaveAnswer answer = askSaveChanges(this, "editorUnsaved", tr("Lesson editor"),
+  const SaveAnswer answer = askSaveChanges(asking(), "editorUnsaved", tr("Lesson editor"),
                                            tr("The lesson was changed and not saved."));
   if (answer != SaveAnswer::Save) return answer == SaveAnswer::Discard;
   return file_.isEmpty() ? askAndSave() : saveTo(file_);

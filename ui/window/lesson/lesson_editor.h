@@ -93,6 +93,7 @@ class LessonEditor : public QDialog {
   void checkAnswers();
   QString computedText() const;
   bool askAndSave();
+  QWidget* asking();
   void showButtons();
   Lesson checked() const;
   void openOther();

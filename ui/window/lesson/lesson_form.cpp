@@ -9,6 +9,7 @@
 #include <QTextDocument>
 
 #include "core/scene/parameters.h"
+#include "ui/panels/choice_box.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/window/lesson/assignment_list.h"
@@ -42,7 +43,7 @@ QPlainTextEdit* LessonForm::addText(const QString& label, const char* name, int 
 }
 
 QComboBox* LessonForm::addChoice(const QString& label, const char* name) {
-  auto* box = new QComboBox;
+  auto* box = new ChoiceBox;
   box->setObjectName(name);
   box->setAccessibleName(label);
   addRow(label, box);

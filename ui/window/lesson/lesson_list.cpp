@@ -8,6 +8,7 @@
 #include <QPushButton>
 #include <QScreen>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QVBoxLayout>
 
 #include "core/lesson/lesson_file.h"
@@ -97,7 +98,10 @@ LessonList::LessonList(QWidget* parent)
   const QSize available = (parent ? parent->screen() : screen())->availableSize();
   resize(kDefaultSize.boundedTo(available - QSize(kFreeAround, kFreeAround)));
 
-  connect(list_, &QListWidget::currentRowChanged, this, &LessonList::showChosen);
+  connect(list_, &QListWidget::currentRowChanged, this, [this, scroll] {
+    showChosen();
+    scroll->verticalScrollBar()->setValue(0);
+  });
   connect(notes_, &QCheckBox::toggled, this, &LessonList::showChosen);
   connect(list_, &QListWidget::itemActivated, this, &LessonList::begin);
   connect(start_, &QPushButton::clicked, this, &LessonList::begin);

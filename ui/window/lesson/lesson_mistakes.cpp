@@ -36,7 +36,13 @@ QString findMistake(const QString& field, double tolerance) {
            shownNumber(100 * kLargestTolerance));
 }
 
-QString findMistake(const LessonPrediction& prediction) {
+QString findMistake(const LessonStep& step) {
+  if (step.text.empty()) return LessonEditor::tr("the step needs a text");
+  if (!step.prediction) return {};
+  const LessonPrediction& prediction = *step.prediction;
+  if (prediction.question.empty()) return LessonEditor::tr("the question needs a text");
+  if (prediction.kind == PredictionKind::Point && step.show.tab != "curve")
+    return LessonEditor::tr("a point needs the tab “Friction curve” in front, on which it lies");
   if (prediction.kind != PredictionKind::Choice) {
     if (const QString text = findMistake(LessonEditor::tr("Tolerance in %"), prediction.tolerance);
         !text.isEmpty())
@@ -53,14 +59,29 @@ QString findMistake(const LessonPrediction& prediction) {
       "right");
 }
 
+/// Returns whether a number can be read off the curve of the step's scene.
+bool isOnCurve(const LessonValue& value, const LessonStep& step) {
+  const auto isAxis = [&](std::string_view key) { return key == step.scene.sweep.key; };
+  return value.column == step.show.quantity &&
+         std::ranges::all_of(value.set, isAxis, assignmentKey) &&
+         (value.kind != LessonValue::Kind::Exponent || isAxis(value.key)) &&
+         std::ranges::all_of(value.over,
+                             [&](const LessonValue& under) { return isOnCurve(under, step); });
+}
+
 }  // namespace
 
+bool showsAnswer(const LessonStep& step) {
+  return step.show.tab == "curve" && !step.show.hidesCurve && step.prediction &&
+         step.prediction->answer && isOnCurve(*step.prediction->answer, step);
+}
+
 QString findMistake(const Lesson& lesson) {
-  for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
-    if (!lesson.steps[i].prediction) continue;
-    const QString text = findMistake(*lesson.steps[i].prediction);
-    if (!text.isEmpty()) return LessonEditor::tr("Step %1: %2").arg(i + 1).arg(text);
-  }
+  if (lesson.title.empty()) return LessonEditor::tr("The lesson needs a title");
+  if (lesson.steps.empty()) return LessonEditor::tr("A lesson needs at least one step");
+  for (std::size_t i = 0; i < lesson.steps.size(); ++i)
+    if (const QString text = findMistake(lesson.steps[i]); !text.isEmpty())
+      return LessonEditor::tr("Step %1: %2").arg(i + 1).arg(text);
   return {};
 }
 

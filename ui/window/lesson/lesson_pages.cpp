@@ -3,7 +3,6 @@
 #include <QAction>
 #include <QComboBox>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QPlainTextEdit>
@@ -19,11 +18,13 @@
 #include "core/friction/curve_quantity.h"
 #include "core/scene/parameters.h"
 #include "ui/language/translated.h"
+#include "ui/panels/choice_box.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/parameter_row.h"
 #include "ui/window/lesson/assignment_list.h"
 #include "ui/window/lesson/lesson_value_fields.h"
 #include "ui/window/lesson/prediction_fields.h"
+#include "ui/window/main/fitted_labels.h"
 
 namespace asperity {
 
@@ -32,7 +33,7 @@ namespace asperity {
 LessonHeadPage::LessonHeadPage(QWidget* parent) : LessonForm(parent) {
   title_ = addLine(tr("Title"), "editorTitle");
   goal_ = addText(tr("Goal"), "editorGoal", 4);
-  minutes_ = new QSpinBox;
+  minutes_ = new SpinBox;
   minutes_->setObjectName("editorMinutes");
   minutes_->setRange(1, 600);
   minutes_->setAccessibleName(tr("Minutes"));
@@ -107,11 +108,8 @@ void LessonStepPage::addScene() {
   auto* row = new QWidget;
   auto* line = new QHBoxLayout(row);
   line->setContentsMargins(0, 0, 0, 0);
-  sceneText_ = new QLabel;
+  sceneText_ = new ElidedLabel;
   sceneText_->setObjectName("editorScene");
-  sceneText_->setTextFormat(Qt::PlainText);
-  // QFormLayout of Qt 6.4 writes beyond its rows where one of them wraps its words.
-  sceneText_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   auto* button = new QPushButton(tr("Take the scene that is shown"));
   button->setObjectName("editorTakeScene");
   button->setAutoDefault(false);
@@ -137,10 +135,8 @@ void LessonStepPage::addPredictionRows() {
          "2 for 100 %"));
   addRowBelow(tolerance_, tr("Tolerance of the place in %"), xTolerance_);
   connect(xTolerance_, &QLineEdit::textEdited, this, &LessonForm::notifyEdited);
-  computed_ = new QLabel;
+  computed_ = new WrappedLabel;
   computed_->setObjectName("editorComputed");
-  computed_->setTextFormat(Qt::PlainText);
-  computed_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // as for sceneText_
   addRowBelow(findChild<QWidget*>("editorValueSet")->parentWidget(), QString(), computed_);
   setShown(computed_, false);
   connect(kind_, &QComboBox::activated, this, [this] {

@@ -223,6 +223,14 @@ void LessonPane::showStep(const LessonPage& page) {
   QTimer::singleShot(0, this, &LessonPane::scroll);
 }
 
+/// Returns which part of a wrong point is wrong.
+QString LessonPane::mistakeText(const LessonPrediction& prediction, const LessonAnswer& answer,
+                                const GivenAnswer& given) {
+  if (isHeightRight(prediction, answer, given)) return tr("The height is right, the place is not.");
+  if (isPlaceRight(prediction, answer, given)) return tr("The place is right, the height is not.");
+  return tr("Neither the place nor the height is right.");
+}
+
 /// Returns a text on whether the answer is right, what the student answered and what the program
 /// finds. Without an answer of the student it has only the computed one.
 QString LessonPane::verdictText(const LessonStep& step, const LessonPage& page) const {
@@ -249,8 +257,14 @@ QString LessonPane::verdictText(const LessonStep& step, const LessonPage& page) 
   const LessonText& said = page.isRight ? prediction.right : prediction.wrong;
   QString verdict = page.isRight ? QStringLiteral("<p><b>✓ %1</b></p>").arg(tr("Right"))
                                  : QStringLiteral("<p><b>✗ %1</b></p>").arg(tr("No"));
-  if (prediction.kind == PredictionKind::Number && !tells(said, "{given"))
-    verdict += paragraph(tr("You said %1.").arg(inWords({page.given->number, answer.number.unit})));
+  const QString given = inWords({page.given->number, answer.number.unit});
+  const bool hasPlace = prediction.kind == PredictionKind::Point && !prediction.x;
+  if (hasPlace)
+    verdict +=
+        paragraph(tr("You said %1 at %2.").arg(given, inWords({page.given->x, answer.x.unit})) +
+                  (page.isRight ? QString() : ' ' + mistakeText(prediction, answer, *page.given)));
+  else if (prediction.kind != PredictionKind::Choice && !tells(said, "{given"))
+    verdict += paragraph(tr("You said %1.").arg(given));
   if (!said.empty())
     verdict += richText(said, prediction, answer, *page.given);
   else if (prediction.kind != PredictionKind::Choice)

@@ -6,7 +6,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMainWindow>
-#include <QPainter>
 #include <QTimer>
 #include <QToolButton>
 #include <algorithm>
@@ -31,6 +30,7 @@
 #include "ui/window/main/appearance.h"
 #include "ui/window/main/commands.h"
 #include "ui/window/main/document_commands.h"
+#include "ui/window/main/fitted_labels.h"
 #include "ui/window/main/message_bar.h"
 #include "ui/window/main/picture_files.h"
 #include "ui/window/main/scene_library.h"
@@ -66,15 +66,15 @@ Scene withAbsolutePaths(Scene scene) {
   return scene;
 }
 
-/// A text of one line, which ends in an ellipsis where it is too long.
-class LessonTitle : public QLabel {
- protected:
-  void paintEvent(QPaintEvent*) override {
-    QPainter painter(this);
-    painter.drawText(contentsRect(), Qt::AlignVCenter | Qt::AlignLeft,
-                     fontMetrics().elidedText(text(), Qt::ElideRight, contentsRect().width()));
-  }
-};
+/// Shows a window before all others of the program.
+void bringToFront(QWidget& window) {
+  if (window.isMinimized())
+    window.showNormal();
+  else
+    window.show();
+  window.raise();
+  window.activateWindow();
+}
 
 }  // namespace
 
@@ -82,7 +82,7 @@ Lessons::Lessons(const Parts& parts)
     : QObject(&parts.window),
       parts_(parts),
       dock_(new QDockWidget),
-      title_(new LessonTitle),
+      title_(new ElidedLabel),
       keep_(new QToolButton),
       close_(new QToolButton),
       pane_(new LessonPane),
@@ -115,7 +115,6 @@ void Lessons::buildDock() {
   auto* line = new QHBoxLayout(bar);
   line->setContentsMargins(14, 5, 8, 5);
   title_->setObjectName("lessonTitle");
-  title_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   keep_->setObjectName("lessonKeep");
   close_->setObjectName("lessonEnd");
   close_->setText(QStringLiteral("✕"));
@@ -164,9 +163,13 @@ void Lessons::addTo(Commands& commands) {
                 },
                 {Qt::CTRL | Qt::ALT | Qt::Key_Right}});
   commands.add({"lessonEnd", [] { return tr("End the lesson"); }, [this] { leave(); }});
-  commands.add(
-      {"lessonEditor", [] { return tr("Lesson editor…"); },
-       [this] { showEditor(lesson_ ? *lesson_ : Lesson{}, lesson_ ? file_ : QString()); }});
+  commands.add({"lessonEditor", [] { return tr("Lesson editor…"); },
+                [this] {
+                  if (LessonEditor* open = editor())
+                    bringToFront(*open);
+                  else
+                    showEditor(lesson_ ? *lesson_ : Lesson{}, lesson_ ? file_ : QString());
+                }});
   for (QAction* action : commands.get({"lessonBackStep", "lessonNextStep", "lessonEnd"}))
     action->setEnabled(false);
   // The usual layout has no lesson, but a lesson that runs keeps its pane.
@@ -192,13 +195,17 @@ LessonList& Lessons::showList() {
   return *list;
 }
 
+LessonEditor* Lessons::editor() const {
+  return parts_.window.findChild<LessonEditor*>(QString(), Qt::FindDirectChildrenOnly);
+}
+
 LessonEditor& Lessons::showEditor(const Lesson& lesson, const QString& file) {
-  for (LessonEditor* open : parts_.window.findChildren<LessonEditor*>()) {
-    if (!open->isVisible()) {  // it is hidden during a trial
-      open->show();
+  if (LessonEditor* open = editor()) {
+    // It is hidden during a trial.
+    if (!open->isVisible() || !open->canClose()) {
+      bringToFront(*open);
       return *open;
     }
-    if (!open->canClose()) return *open;
     delete open;
   }
   const auto shownNow = [this] {
@@ -213,15 +220,16 @@ LessonEditor& Lessons::showEditor(const Lesson& lesson, const QString& file) {
   };
   auto* editor = new LessonEditor(lesson, file, shownNow, &parts_.window);
   editor->setAttribute(Qt::WA_DeleteOnClose);
-  connect(
-      editor, &LessonEditor::trialRequested, this, [this, editor](const Lesson& edited, int step) {
-        // The editor is hidden during the lesson, and shown again when that ends.
-        start(edited, step);
-        isTrial_ = true;
-        editor->hide();
-        connect(
-            this, &Lessons::ended, editor, [editor] { editor->show(); }, Qt::SingleShotConnection);
-      });
+  connect(editor, &LessonEditor::trialRequested, this,
+          [this, editor](const Lesson& edited, int step) {
+            // The editor is hidden during the lesson, and shown again when that ends.
+            start(edited, step);
+            isTrial_ = true;
+            editor->hide();
+            connect(
+                this, &Lessons::ended, editor, [editor] { bringToFront(*editor); },
+                Qt::SingleShotConnection);
+          });
   editor->show();
   return *editor;
 }
@@ -320,12 +328,12 @@ QString Lessons::summary() const {
       lesson_->steps, [](const LessonStep& step) { return step.prediction.has_value(); });
   if (asked == 0) return {};
   const int shown = results_.shown();
-  const QString score =
-      shown == 0 ? tr("You were right in %1 of %2 predictions.").arg(results_.right()).arg(asked)
-                 : tr("You were right in %1 of %2 predictions; %3 were shown to you.")
-                       .arg(results_.right())
-                       .arg(asked)
-                       .arg(shown);
+  QString score = shown == 0 ? tr("You were right in %1 of %2 predictions.")
+                  : shown == 1
+                      ? tr("You were right in %1 of %2 predictions; 1 was shown to you.")
+                      : tr("You were right in %1 of %2 predictions; %3 were shown to you.");
+  score = score.arg(results_.right()).arg(asked);
+  if (shown > 1) score = score.arg(shown);
   return "<p><b>" + score + "</b></p>";
 }
 
@@ -510,6 +518,18 @@ bool Lessons::mayLeave() {
       break;
   }
   return false;
+}
+
+bool Lessons::canClose() {
+  LessonEditor* open = editor();
+  if (!open || open->canClose()) return mayLeave();
+  bringToFront(*open);  // it says why the lesson could not be saved
+  return false;
+}
+
+void Lessons::close() {
+  delete editor();
+  end();
 }
 
 /// Ends the lesson, unless the student decides to stay in it.

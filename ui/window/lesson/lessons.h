@@ -58,6 +58,8 @@ class Lessons : public QObject {
 
   /// Shows the page of all lessons.
   LessonList& showList();
+  /// Returns the page on which a lesson is edited, also while a trial hides it; null without one.
+  LessonEditor* editor() const;
   /// Shows the page on which a lesson is edited. `file`: of the lesson; empty: it has none.
   LessonEditor& showEditor(const Lesson& lesson, const QString& file);
   /// Begins a lesson at a step; it replaces the present one.
@@ -68,6 +70,11 @@ class Lessons : public QObject {
   void end();
   /// Asks whether answers that are in no file are to be saved; returns whether the lesson may end.
   bool mayLeave();
+  /// Asks the same about answers and about the lesson in the editor; returns whether the window may
+  /// close.
+  bool canClose();
+  /// Closes the editor without a question, and ends the lesson.
+  void close();
 
   bool isRunning() const { return lesson_ != nullptr; }
   const Lesson* lesson() const { return lesson_.get(); }

@@ -12,6 +12,7 @@
 #include "ui/panels/number_text.h"
 #include "ui/window/lesson/assignment_list.h"
 #include "ui/window/lesson/lesson_form.h"
+#include "ui/window/lesson/lesson_mistakes.h"
 #include "ui/window/lesson/lesson_value_fields.h"
 
 namespace asperity {
@@ -44,14 +45,17 @@ PredictionFields::PredictionFields(LessonForm& page) : QObject(&page), page_(pag
       "1.5 for 50 %"));
   right_ = page.addLine(tr("If right"), "editorRight");
   wrong_ = page.addLine(tr("If wrong"), "editorWrong");
-  for (QLineEdit* line : {right_, wrong_})
-    line->setToolTip(tr(
-        "Write {answer} where the computed answer belongs, and {given} where the student's does"));
   hides_ = page.addChoice(tr("The curve is"), "editorHides");
   hides_->addItems({tr("in sight"), tr("hidden until the answer"), tr("hidden throughout")});
   after_ = page.addAssignments(tr("Changed with the answer"), "editorAfter");
   after_->setToolTip(tr("What the program changes in the scene when the answer is shown"));
   reveal_ = page.addText(tr("Said with the answer"), "editorReveal", 4);
+  const QString places = tr("{answer}: the computed answer; {given}: that of the student");
+  for (QLineEdit* line : {right_, wrong_}) line->setPlaceholderText(places);
+  reveal_->setPlaceholderText(places);
+  for (QWidget* text : std::initializer_list<QWidget*>{right_, wrong_, reveal_})
+    text->setToolTip(tr(
+        "Write {answer} where the computed answer belongs, and {given} where the student's does"));
 }
 
 void PredictionFields::addChoices() {
@@ -148,6 +152,7 @@ void PredictionFields::take(LessonStep& step) const {
   step.show.hidesCurve = hides_->currentIndex() != kVisible;
   step.show.hidesCurveAfter = hides_->currentIndex() == kHiddenThroughout;
   const int kind = kind_->currentIndex();
+  const bool wasComputed = step.prediction && step.prediction->answer;
   if (kind == kNone) {
     step.prediction.reset();
     step.reveal = {};
@@ -176,6 +181,11 @@ void PredictionFields::take(LessonStep& step) const {
   else
     prediction.answer.reset();
   step.prediction = prediction;
+  // The curve would show a number that is asked for from now on.
+  if (!wasComputed && showsAnswer(step)) {
+    step.show.hidesCurve = true;
+    hides_->setCurrentIndex(kHiddenUntilAnswered);
+  }
   step.after = after_->assignments();
   page_.write(step.reveal, LessonForm::plainText(*reveal_));
 }

@@ -41,6 +41,7 @@
 #include "ui/window/figures/gallery_page.h"
 #include "ui/window/import/import_commands.h"
 #include "ui/window/lesson/lessons.h"
+#include "ui/window/lesson/prediction_point.h"
 #include "ui/window/main/appearance.h"
 #include "ui/window/main/commands.h"
 #include "ui/window/main/document_commands.h"
@@ -565,9 +566,10 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!lessons_->mayLeave()) return event->ignore();
+  // All questions come first: the editor would ask while the program ends already.
+  if (!lessons_->canClose()) return event->ignore();
   if (!documents_->canClose()) return event->ignore();
-  lessons_->end();
+  lessons_->close();
   if (windowLayout_->remembers()) saveLastSession(*this);
   windowLayout_->save();
   QMainWindow::closeEvent(event);

@@ -1,15 +1,11 @@
 #include "ui/window/main/status_line.h"
 
 #include <QHBoxLayout>
-#include <QHelpEvent>
 #include <QLocale>
 #include <QMenu>
-#include <QPainter>
 #include <QProgressBar>
-#include <QStyle>
 #include <QTimer>
 #include <QToolButton>
-#include <QToolTip>
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -118,30 +114,6 @@ double dimensionlessVelocity(const Frame& frame) {
                    (std::sqrt(2.0) * frame.rmsHeight));
 }
 
-ElidedLabel::ElidedLabel(QWidget* parent) : QLabel(parent) {
-  setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-}
-
-QString ElidedLabel::shownText() const {
-  const int available = contentsRect().width();
-  return fontMetrics().elidedText(text(), Qt::ElideMiddle, available);
-}
-
-bool ElidedLabel::event(QEvent* event) {
-  if (event->type() != QEvent::ToolTip) return QLabel::event(event);
-  const bool isCut = shownText() != text();
-  QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(),
-                     isCut ? wrappedTip(text()) : QString(), this);
-  return true;
-}
-
-void ElidedLabel::paintEvent(QPaintEvent*) {
-  QPainter painter(this);
-  style()->drawItemText(&painter, contentsRect(), static_cast<int>(alignment()), palette(),
-                        isEnabled(), shownText(), foregroundRole());
-}
-
 StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
   auto* line = new QHBoxLayout(this);
   line->setContentsMargins(12, 3, 12, 3);
@@ -167,6 +139,7 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
   line->addWidget(notes_);
   settling_ = addReading(*line, "factSettling");
   message_ = new ElidedLabel;
+  message_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   message_->setObjectName("statusMessage");
   line->addWidget(message_, 1);
   messageTimer_ = new QTimer(this);

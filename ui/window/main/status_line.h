@@ -4,10 +4,10 @@
 // present frame. GUI thread.
 #pragma once
 
-#include <QLabel>
 #include <QWidget>
 
 #include "core/run/frame.h"
+#include "ui/window/main/fitted_labels.h"
 
 class QHBoxLayout;
 class QProgressBar;
@@ -19,21 +19,6 @@ namespace asperity {
 class ContactCanvas;
 class Session;
 struct CurveReading;
-
-/// A line of text that is shortened where the space is too small; the tooltip then shows all of it.
-class ElidedLabel : public QLabel {
-  Q_OBJECT
-
- public:
-  explicit ElidedLabel(QWidget* parent = nullptr);
-
-  /// Returns the text as it is shown, perhaps shortened.
-  QString shownText() const;
-
- protected:
-  bool event(QEvent* event) override;
-  void paintEvent(QPaintEvent* event) override;
-};
 
 /// The present work on the curve or on the line.
 struct Work {

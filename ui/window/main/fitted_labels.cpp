@@ -1,0 +1,52 @@
+#include "ui/window/main/fitted_labels.h"
+
+#include <QHelpEvent>
+#include <QPainter>
+#include <QResizeEvent>
+#include <QStyle>
+#include <QToolTip>
+#include <algorithm>
+
+#include "ui/language/explained.h"
+
+namespace asperity {
+
+ElidedLabel::ElidedLabel(QWidget* parent) : QLabel(parent) {
+  setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+}
+
+QString ElidedLabel::shownText() const {
+  const int available = contentsRect().width();
+  return fontMetrics().elidedText(text(), Qt::ElideMiddle, available);
+}
+
+bool ElidedLabel::event(QEvent* event) {
+  if (event->type() != QEvent::ToolTip) return QLabel::event(event);
+  const bool isCut = shownText() != text();
+  QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(),
+                     isCut ? wrappedTip(text()) : QString(), this);
+  return true;
+}
+
+void ElidedLabel::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  style()->drawItemText(&painter, contentsRect(), static_cast<int>(alignment()), palette(),
+                        isEnabled(), shownText(), foregroundRole());
+}
+
+WrappedLabel::WrappedLabel(QWidget* parent) : QLabel(parent) {
+  setTextFormat(Qt::PlainText);
+  setWordWrap(true);
+  setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+}
+
+QSize WrappedLabel::sizeHint() const {
+  return {0, std::max(0, heightForWidth(width()))};
+}
+
+void WrappedLabel::resizeEvent(QResizeEvent* event) {
+  QLabel::resizeEvent(event);
+  if (event->oldSize().width() != event->size().width()) updateGeometry();
+}
+
+}  // namespace asperity

@@ -1,0 +1,38 @@
+// Labels of text that fit into the width which a layout gives them. GUI thread; owned by their
+// parent. Cannot fail.
+#pragma once
+
+#include <QLabel>
+
+namespace asperity {
+
+/// A line of text that is shortened where the space is too small; the tooltip then shows all of it.
+class ElidedLabel : public QLabel {
+  Q_OBJECT
+
+ public:
+  explicit ElidedLabel(QWidget* parent = nullptr);
+
+  /// Returns the text as it is shown, perhaps shortened.
+  QString shownText() const;
+
+ protected:
+  bool event(QEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+};
+
+/// A text that breaks into lines. Its height is a fixed one for the present width, because
+/// QFormLayout of Qt 6.4 writes beyond its rows where a height depends on the width.
+class WrappedLabel : public QLabel {
+ public:
+  explicit WrappedLabel(QWidget* parent = nullptr);
+
+  bool hasHeightForWidth() const override { return false; }
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override { return sizeHint(); }
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+};
+
+}  // namespace asperity
