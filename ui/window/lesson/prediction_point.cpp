@@ -177,9 +177,9 @@ void PredictionPoint::paintEvent(QPaintEvent*) {
                 (arrow.isEmpty() ? QString() : QStringLiteral(": %1 %2").arg(height, arrow));
   const QString text = isDecided_ ? decided : height;
   const QFontMetricsF metrics(font());
-  const QRectF label =
-      labelRect(QSizeF(metrics.horizontalAdvance(text) + 6, metrics.height() + 2), at,
-                {rect().left() + 8.0, top, rect().width() - 16.0, bottom - top});
+  const auto [low, high] = axesCorners();
+  const QRectF label = labelRect(QSizeF(metrics.horizontalAdvance(text) + 6, metrics.height() + 2),
+                                 at, {low.x(), top, high.x() - low.x(), bottom - top});
   QColor ground = palette().color(QPalette::Base);
   ground.setAlpha(210);
   painter.fillRect(label, ground);
