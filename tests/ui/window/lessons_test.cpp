@@ -709,6 +709,18 @@ TEST_F(LessonsTest, TheWindowAsksAboutTheLessonInTheEditorBeforeItCloses) {
   EXPECT_EQ(lessons().editor(), nullptr);
 }
 
+/// The pages of the window are made anew in another language.
+TEST_F(LessonsTest, AnotherLanguageDoesNotLoseTheLessonInTheEditor) {
+  LessonEditor& editor = lessons().showEditor(lessonOf(sampleLesson()), {});
+  QTest::keyClicks(editor.findChild<QLineEdit*>("editorTitle"), "Mine");
+  answer(QMessageBox::Cancel);
+  action("language:de").trigger();
+  EXPECT_EQ(asked_, 1);
+  EXPECT_EQ(presentLanguage(), "en");
+  EXPECT_FALSE(action("language:de").isChecked());
+  EXPECT_EQ(lessons().editor(), &editor);
+}
+
 TEST_F(LessonsTest, TheWindowAsksAboutAnEditorThatATrialHides) {
   LessonEditor& editor = lessons().showEditor(lessonOf(sampleLesson()), {});
   QTest::keyClicks(editor.findChild<QLineEdit*>("editorTitle"), "Mine");

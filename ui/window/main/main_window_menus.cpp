@@ -23,6 +23,8 @@
 #include "ui/window/curve/comparison_commands.h"
 #include "ui/window/curve/curve_commands.h"
 #include "ui/window/figures/figure_pages.h"
+#include "ui/window/lesson/lesson_editor.h"
+#include "ui/window/lesson/lessons.h"
 #include "ui/window/main/appearance.h"
 #include "ui/window/main/commands.h"
 #include "ui/window/main/document_commands.h"
@@ -182,7 +184,13 @@ void MainWindow::fillLanguages(QMenu& menu) {
     action->setCheckable(true);
     action->setChecked(code == fromUtf8(chosenLanguage()));
     group->addAction(action);
-    connect(action, &QAction::triggered, this, [this, code] {
+    connect(action, &QAction::triggered, this, [this, code, group] {
+      // The pages are closed, so a lesson in the editor is saved or discarded first.
+      if (LessonEditor* editor = lessons_->editor(); editor && !editor->canClose()) {
+        for (QAction* one : group->actions())
+          one->setChecked(one->objectName() == "language:" + fromUtf8(chosenLanguage()));
+        return;
+      }
       chooseLanguage(code);
       setLanguage(windowLanguage());
     });
