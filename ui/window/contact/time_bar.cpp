@@ -171,7 +171,7 @@ void TimeBar::setWidths() {
     return fontMetrics().horizontalAdvance(text);
   };
   // A longer pace, which is rare, widens the entry.
-  const QString widest = QStringLiteral("0,000,000");
+  const QString widest = QStringLiteral("000,000");
   factor_->setFixedWidth(
       std::max({textWidth(slowerText(widest)), textWidth(fasterText(widest)), textWidth(shown_)}) +
       kEntryMargin);
