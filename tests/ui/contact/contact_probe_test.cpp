@@ -190,13 +190,13 @@ TEST(Probe, TextsStayTidyUnderTheCrosshairAndTheMagnifier) {
       }
 }
 
-/// A plate behind words is a thick line of two points. No box covers the words and leaves the
-/// plate.
-TEST(Probe, APlateKeepsItsWords) {
+/// Calls `visit(list, size, where)` with pictures of a frame of 400 points at all sizes, with the
+/// crosshair at 41 places.
+template <class Visit>
+void visitProbed(Visit visit) {
   SampleOptions sample;
   sample.points = 400;
   const Frame frame = *sampleFrame(sample);
-  int plates = 0;
   for (const Size& size : kSizes)
     for (int i = 0; i <= 40; ++i) {
       ContactPictureOptions options;
@@ -204,58 +204,53 @@ TEST(Probe, APlateKeepsItsWords) {
       options.height = size.height;
       options.scale = size.scale;
       options.probe = i / 40.0 * frame.length;
-      const DrawList list = composeContact(frame, options);
-      for (const DrawLayer& layer : list.layers)
-        for (const DrawLine& line : layer.lines) {
-          if (line.vertices.size() != 2 || line.width < 12 * size.scale) continue;
-          ++plates;
-          const DrawVertex &from = line.vertices.front(), &to = line.vertices.back();
-          EXPECT_TRUE(std::ranges::any_of(list.texts,
-                                          [&](const DrawText& text) {
-                                            return text.x >= from.x - line.width &&
-                                                   text.x <= to.x &&
-                                                   std::abs(text.y - from.y) < line.width / 2;
-                                          }))
-              << size.width << " " << i;
-        }
+      visit(composeContact(frame, options), size,
+            std::to_string(size.width) + ' ' + std::to_string(i));
     }
+}
+
+/// A plate behind words is a thick line of two points. No box covers the words and leaves the
+/// plate.
+TEST(Probe, APlateKeepsItsWords) {
+  int plates = 0;
+  visitProbed([&](const DrawList& list, const Size& size, const std::string& where) {
+    for (const DrawLayer& layer : list.layers)
+      for (const DrawLine& line : layer.lines) {
+        if (line.vertices.size() != 2 || line.width < 12 * size.scale) continue;
+        ++plates;
+        const DrawVertex &from = line.vertices.front(), &to = line.vertices.back();
+        EXPECT_TRUE(std::ranges::any_of(list.texts, [&](const DrawText& text) {
+          return text.x >= from.x - line.width && text.x <= to.x &&
+                 std::abs(text.y - from.y) < line.width / 2;
+        })) << where;
+      }
+  });
   EXPECT_GT(plates, 100);
 }
 
 /// The dots on line and surface are the last lines that are single points; no readout covers them:
 /// its box is the last layer's.
 TEST(Probe, ReadoutNeverCoversThePoint) {
-  SampleOptions sample;
-  sample.points = 400;
-  const Frame frame = *sampleFrame(sample);
   int shown = 0;
-  for (const Size& size : kSizes)
-    for (int i = 0; i <= 40; ++i) {
-      ContactPictureOptions options;
-      options.width = size.width;
-      options.height = size.height;
-      options.scale = size.scale;
-      options.probe = i / 40.0 * frame.length;
-      const DrawList list = composeContact(frame, options);
-      const DrawLayer& box = list.layers.back();
-      if (!box.lines.empty() || box.triangles.size() != 12) continue;  // no room for a readout
-      ++shown;
-      float left = 1e9F, right = 0, top = 1e9F, bottom = 0;
-      for (const DrawVertex& v : box.triangles) {
-        left = std::min(left, v.x);
-        right = std::max(right, v.x);
-        top = std::min(top, v.y);
-        bottom = std::max(bottom, v.y);
-      }
-      for (const DrawLine& line : list.layers[list.layers.size() - 2].lines)
-        if (line.vertices.size() == 1) {
-          const DrawVertex& dot = line.vertices.front();
-          EXPECT_FALSE(dot.x > left && dot.x < right && dot.y > top && dot.y < bottom)
-              << size.width << " " << i;
-        }
-      EXPECT_GE(left, 0);
-      EXPECT_LE(right, static_cast<float>(size.width));
+  visitProbed([&](const DrawList& list, const Size& size, const std::string& where) {
+    const DrawLayer& box = list.layers.back();
+    if (!box.lines.empty() || box.triangles.size() != 12) return;  // no room for a readout
+    ++shown;
+    float left = 1e9F, right = 0, top = 1e9F, bottom = 0;
+    for (const DrawVertex& v : box.triangles) {
+      left = std::min(left, v.x);
+      right = std::max(right, v.x);
+      top = std::min(top, v.y);
+      bottom = std::max(bottom, v.y);
     }
+    for (const DrawLine& line : list.layers[list.layers.size() - 2].lines)
+      if (line.vertices.size() == 1) {
+        const DrawVertex& dot = line.vertices.front();
+        EXPECT_FALSE(dot.x > left && dot.x < right && dot.y > top && dot.y < bottom) << where;
+      }
+    EXPECT_GE(left, 0);
+    EXPECT_LE(right, static_cast<float>(size.width));
+  });
   EXPECT_GT(shown, 200);
 }
 
