@@ -579,6 +579,7 @@ TEST_F(LessonsTest, ATeacherAddsAStepFromWhatIsShown) {
   type("load.normal_force", "5 mN");
   LessonEditor& editor = lessons().showEditor({}, {});
   EXPECT_FALSE(editor.errorText().isEmpty());  // there is no step yet
+  EXPECT_EQ(editor.focusWidget()->objectName(), "editorTitle");
   EXPECT_FALSE(editor.findChild<QPushButton*>("editorSave")->isEnabled());
   auto& title = *editor.findChild<QLineEdit*>("editorTitle");
   QTest::keyClicks(&title, "Mine");

@@ -187,6 +187,7 @@ LessonEditor::LessonEditor(const Lesson& lesson, const QString& file,
   qApp->installEventFilter(this);
   showList();
   steps_->setCurrentRow(0);
+  if (lesson_.steps.empty()) head_->beginTitle();
   states_.push_back({lesson_});
   check();
 }

@@ -44,6 +44,10 @@ LessonHeadPage::LessonHeadPage(QWidget* parent) : LessonForm(parent) {
   notes_->setMaximumHeight(QWIDGETSIZE_MAX);  // the notes get what is left
 }
 
+void LessonHeadPage::beginTitle() {
+  title_->setFocus();
+}
+
 void LessonHeadPage::showLesson(const Lesson& lesson) {
   fill([&] {
     title_->setText(localText(lesson.title));

@@ -22,6 +22,8 @@ class LessonHeadPage : public LessonForm {
 
   void showLesson(const Lesson& lesson);
   void take(Lesson& lesson) const;
+  /// Puts the focus into the title.
+  void beginTitle();
 
  private:
   QLineEdit* title_;
