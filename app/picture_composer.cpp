@@ -153,8 +153,8 @@ void PictureComposer::checkCurveHeight(const Scene& scene) {
   if (layout == PictureLayout::Both) sheet.title = {};
   const int above = layout == PictureLayout::Both ? contactHeight() : 0;
   checkPanels(sheet, settings_, above);
-  const bool hasLettersOfASize = settings_.format.fontSize > 0;
-  if (!settings_.isOnPaper && !(hasLettersOfASize && above > 0)) return;
+  const bool hasFontSize = settings_.format.fontSize > 0;
+  if (!settings_.isOnPaper && !(hasFontSize && above > 0)) return;
   // The marker comes with the frame; its entry in the legend and its label are included in the
   // layout now.
   if (const auto& points = content_.curves.present.points; !points.empty()) {

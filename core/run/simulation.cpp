@@ -438,8 +438,8 @@ Frame Simulation::marchedFrame() const {
   frame.scene = ready_->scene;
   frame.velocity = transient_ ? transient_->motion().velocityAt(time_) : ready_->velocity();
   // At its beginning the contact of a start is still the one at rest.
-  const bool isAtRest = transient_ && time_ == 0;
-  if (isAtRest && needsStage(*ready_->scene, Purpose::Picture, Stage::StartFromRest))
+  if (transient_ && time_ == 0 &&
+      needsStage(*ready_->scene, Purpose::Picture, Stage::StartFromRest))
     frame.velocity = 0;
   frame.length = ready_->line().length;
   frame.spacing = ready_->line().spacing;

@@ -52,8 +52,7 @@ QString ImportCommands::folder() const {
 
 void ImportCommands::askSurface(const Scene& scene) {
   QStringList patterns;
-  for (const std::string_view ending : surfaceFileEndings())
-    patterns << "*." + QString::fromLatin1(ending.data(), qsizetype(ending.size()));
+  for (const std::string_view ending : surfaceFileEndings()) patterns << "*." + fromUtf8(ending);
   const QString file = QFileDialog::getOpenFileName(
       &parts_.window, tr("Open surface"),
       QString::fromStdString((scene.folder / scene.surface.file).string()),

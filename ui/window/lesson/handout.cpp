@@ -51,10 +51,6 @@ constexpr double kMargin = 22, kShownWidth = 150, kGap = 2.5, kTextGap = 1.3, kH
 constexpr double kShort = 0.72;   // part of a page; what is shorter stays together
 constexpr int kResolution = 300;  // per inch
 
-QString utf(const std::string& text) {
-  return QString::fromStdString(text);
-}
-
 struct Picture {
   QImage image;
   QString name;  // the alternative text of the picture
@@ -101,12 +97,13 @@ class HandoutMaker {
 
   void addHead() {
     add("<h1>" + plainText(lesson_.title).toHtmlEscaped() + "</h1>", KeepWithNext::Always);
-    add("<p><b>" + utf(Words::tr("Goal")) + ":</b> " + plainText(lesson_.goal).toHtmlEscaped() +
-        " (" + utf(Words::tr("%1 minutes")).arg(lesson_.minutes) + ")</p>");
+    add("<p><b>" + fromUtf8(Words::tr("Goal")) + ":</b> " +
+        plainText(lesson_.goal).toHtmlEscaped() + " (" +
+        fromUtf8(Words::tr("%1 minutes")).arg(lesson_.minutes) + ")</p>");
     if (!options_.forTeacher)
-      add("<p>" + utf(Words::tr("Name")) + ": ______________________________</p>");
+      add("<p>" + fromUtf8(Words::tr("Name")) + ": ______________________________</p>");
     if (!options_.forTeacher || lesson_.notes.empty()) return;
-    add("<h2>" + utf(Words::tr("Notes for the teacher")) + "</h2>", KeepWithNext::Always);
+    add("<h2>" + fromUtf8(Words::tr("Notes for the teacher")) + "</h2>", KeepWithNext::Always);
     add(richText(shown(lesson_.notes)));
   }
 
@@ -138,8 +135,8 @@ class HandoutMaker {
   void separateFromQuestion(int asked) {
     if (!lesson_.steps[static_cast<std::size_t>(asked)].prediction) return;
     blocks_.back().withNext = KeepWithNext::Always;
-    add("<p><i>" + utf(Words::tr("Turn the page when you have answered.")) + "</i></p>");
-    add("<h3>" + utf(Words::tr("After your answer to step %1")).arg(asked + 1) + "</h3>",
+    add("<p><i>" + fromUtf8(Words::tr("Turn the page when you have answered.")) + "</i></p>");
+    add("<h3>" + fromUtf8(Words::tr("After your answer to step %1")).arg(asked + 1) + "</h3>",
         KeepWithNext::Always);
     blocks_.back().beginsPage = true;
   }
@@ -170,7 +167,7 @@ class HandoutMaker {
     options.scale = kPictureScale;
     options.theme = printTheme();
     addPicture(composeContact(makeFrame(scene), options),
-               utf(Words::tr("the contact of the rough line and the rubber")));
+               fromUtf8(Words::tr("the contact of the rough line and the rubber")));
   }
 
   /// Adds what the step has in front where it differs from the chart before, or an empty chart that
@@ -179,11 +176,12 @@ class HandoutMaker {
     if (step.show.tab == "curve")
       addCurve(step, scene, isHidden);
     else if (step.show.tab == "spectrum" && isNewChart(step, scene))
-      addSheet(spectrumSheet(scene), utf(Words::tr("the spectrum of the line")));
+      addSheet(spectrumSheet(scene), fromUtf8(Words::tr("the spectrum of the line")));
     else if (step.show.tab == "statistics" && isNewChart(step, scene))
-      addSheet(statisticsSheet(makeFrame(scene)), utf(Words::tr("the statistics of the line")));
+      addSheet(statisticsSheet(makeFrame(scene)),
+               fromUtf8(Words::tr("the statistics of the line")));
     else if (step.show.tab == "material" && isNewChart(step, scene))
-      addSheet(excitationSheet(scene), utf(Words::tr("the moduli of the elastomer")));
+      addSheet(excitationSheet(scene), fromUtf8(Words::tr("the moduli of the elastomer")));
   }
 
   /// Returns whether the chart differs from the one before, and notes it as the last one.
@@ -234,8 +232,8 @@ class HandoutMaker {
         }
       }
     }
-    addSheet(sheet, isHidden ? utf(Words::tr("an empty chart of friction, to draw into"))
-                             : utf(Words::tr("the friction curve")));
+    addSheet(sheet, isHidden ? fromUtf8(Words::tr("an empty chart of friction, to draw into"))
+                             : fromUtf8(Words::tr("the friction curve")));
   }
 
   void addSheet(DiagramSheet sheet, const QString& name) {
@@ -276,10 +274,10 @@ class HandoutMaker {
       const QString blank = QStringLiteral("____________________");
       const bool isPoint = prediction.kind == PredictionKind::Point;
       html += "<p>";
-      if (isPoint) html += utf(Words::tr("Mark the place in the chart.")) + ' ';
-      html += utf(Words::tr("My answer")) + ": " + blank;
+      if (isPoint) html += fromUtf8(Words::tr("Mark the place in the chart.")) + ' ';
+      html += fromUtf8(Words::tr("My answer")) + ": " + blank;
       // A free point has two numbers.
-      if (isPoint && !prediction.x) html += ' ' + utf(Words::tr("at %1")).arg(blank);
+      if (isPoint && !prediction.x) html += ' ' + fromUtf8(Words::tr("at %1")).arg(blank);
       html += "</p>";
     }
     add(html);
@@ -289,7 +287,7 @@ class HandoutMaker {
     const LessonPrediction& prediction = *step.prediction;
     const LessonAnswer answer = lessonAnswer(step, curveOptions());
     const bool hasVerdict = answer.choice >= 0 && prediction.answer && !prediction.right.empty();
-    add("<p><b>" + utf(Words::tr("Answer")) + ":</b> " +
+    add("<p><b>" + fromUtf8(Words::tr("Answer")) + ":</b> " +
             answerInWords(prediction, answer).toHtmlEscaped() + "</p>",
         step.reveal.empty() && !hasVerdict ? KeepWithNext::No : KeepWithNext::Always);
     // A sentence with the number that decides: "It becomes 1.97 times as large."
@@ -300,7 +298,7 @@ class HandoutMaker {
     // Pictures may go to the next page: else a large part of this one could stay empty. So they say
     // what they belong to.
     const std::size_t caption = blocks_.size();
-    add("<p><i>" + utf(Words::tr("After the answer to step %1")).arg(number + 1) + ":</i></p>",
+    add("<p><i>" + fromUtf8(Words::tr("After the answer to step %1")).arg(number + 1) + ":</i></p>",
         KeepWithNext::Always);
     if (!(step.scene == step.revealedScene)) addContact(step.revealedScene);
     if (step.show.hidesCurve && !step.show.hidesCurveAfter)

@@ -640,18 +640,19 @@ bool LessonEditor::saveTo(const QString& file) {
 
 bool LessonEditor::askAndSave() {
   const QString name = file_.isEmpty() ? QStringLiteral("lesson.json") : file_;
-  const QString file = askSaveFile(asking(), tr("Save lesson"), name, tr("Lessons (*.json)"));
+  const QString file =
+      askSaveFile(questionParent(), tr("Save lesson"), name, tr("Lessons (*.json)"));
   return !file.isEmpty() && saveTo(file);
 }
 
 /// Returns the window over which questions appear: the editor is hidden during a trial.
-QWidget* LessonEditor::asking() {
+QWidget* LessonEditor::questionParent() {
   return isVisible() || !parentWidget() ? this : parentWidget();
 }
 
 bool LessonEditor::canClose() {
   if (writeLesson(saved_) == writeLesson(lesson_)) return true;
-  const SaveAnswer answer = askSaveChanges(asking(), "editorUnsaved", tr("Lesson editor"),
+  const SaveAnswer answer = askSaveChanges(questionParent(), "editorUnsaved", tr("Lesson editor"),
                                            tr("The lesson was changed and not saved."));
   if (answer != SaveAnswer::Save) return answer == SaveAnswer::Discard;
   return file_.isEmpty() ? askAndSave() : saveTo(file_);

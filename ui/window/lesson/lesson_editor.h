@@ -93,7 +93,7 @@ class LessonEditor : public QDialog {
   void checkAnswers();
   QString computedText() const;
   bool askAndSave();
-  QWidget* asking();
+  QWidget* questionParent();
   void showButtons();
   Lesson checked() const;
   void openOther();

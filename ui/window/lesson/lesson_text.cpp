@@ -39,10 +39,10 @@ QString inlineHtml(const QString& text) {
 /// Returns how far a right answer may be from the computed one, in words; empty for a choice.
 QString toleranceInWords(const LessonPrediction& prediction) {
   const auto number = [](double value) {
-    return QString::fromStdString(numberInWords({roundedToDigits(value, 3), {}}));
+    return fromUtf8(numberInWords({roundedToDigits(value, 3), {}}));
   };
   const auto factor = [&](double tolerance) {
-    return QString::fromStdString(Words::tr("a factor of %1")).arg(number(1 + tolerance));
+    return fromUtf8(Words::tr("a factor of %1")).arg(number(1 + tolerance));
   };
   QString within;
   if (prediction.kind == PredictionKind::Number)
@@ -50,10 +50,10 @@ QString toleranceInWords(const LessonPrediction& prediction) {
   else if (prediction.kind == PredictionKind::Point && prediction.x)
     within = factor(prediction.tolerance);
   else if (prediction.kind == PredictionKind::Point)
-    within = QString::fromStdString(Words::tr("%1, its place within %2"))
+    within = fromUtf8(Words::tr("%1, its place within %2"))
                  .arg(factor(prediction.tolerance), factor(prediction.xTolerance));
   if (within.isEmpty()) return {};
-  return " (" + QString::fromStdString(Words::tr("right within %1")).arg(within) + ")";
+  return " (" + fromUtf8(Words::tr("right within %1")).arg(within) + ")";
 }
 
 }  // namespace
@@ -108,10 +108,9 @@ std::string numberInWords(const LessonNumber& number) {
 QString answerInWords(const LessonPrediction& prediction, const LessonAnswer& answer) {
   if (answer.choice >= 0)
     return plainText(prediction.choices[static_cast<std::size_t>(answer.choice)].text);
-  QString words = QString::fromStdString(numberInWords(answer.number));
+  QString words = fromUtf8(numberInWords(answer.number));
   if (prediction.kind == PredictionKind::Point && !prediction.x)
-    words += " " + QString::fromStdString(Words::tr("at %1"))
-                       .arg(QString::fromStdString(numberInWords(answer.x)));
+    words += " " + fromUtf8(Words::tr("at %1")).arg(fromUtf8(numberInWords(answer.x)));
   return words + toleranceInWords(prediction);
 }
 

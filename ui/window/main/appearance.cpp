@@ -194,10 +194,7 @@ void Appearance::setColours(Colours colours) {
   colours_ = colours;
   if (!choices_.isEmpty()) choices_.at(static_cast<int>(colours))->setChecked(true);
   const bool dark = colours == Colours::System ? systemIsDark() : colours == Colours::Dark;
-  if (dark != isDark_)
-    setDark(dark);
-  else
-    announceTheme();
+  if (dark != isDark_) setDark(dark);
 }
 
 void Appearance::setDark(bool dark) {

@@ -33,12 +33,14 @@ class Appearance : public QObject {
   /// Adds a submenu: same as system, light, dark.
   void addMenu(QMenu& menu);
 
-  /// Chooses the colours of the system, or always light or dark ones; needs the commands.
+  /// Chooses the colours of the system, or always light or dark ones.
   void setColours(Colours colours);
   Colours colours() const { return colours_; }
 
   /// Sets palette and style sheet again, also where only the font has changed.
   void setDark(bool dark);
+  /// Passes the theme on to the commands, and to all parts by themeChanged.
+  void announceTheme();
   bool isDark() const { return isDark_; }
   const Theme& theme() const;
 
@@ -47,7 +49,6 @@ class Appearance : public QObject {
 
  private:
   void applyTheme();
-  void announceTheme();
 
   QWidget& window_;
   Commands* commands_ = nullptr;

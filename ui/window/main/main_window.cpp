@@ -141,7 +141,7 @@ MainWindow::MainWindow(const Scene& scene, RunnerOptions options, QWidget* paren
   connectTime();
   connectCurve();
   new FocusKeys(*this);
-  appearance_->setColours(Colours::System);
+  appearance_->announceTheme();
   showScene(scene);
   setMinimumSize(kMinWindowSize);
   resize(1280, 800);
@@ -209,7 +209,7 @@ void MainWindow::buildViews() {
   dock_->setObjectName("parameterDock");
   dock_->setTitleBarWidget(dockTitle(*dock_));
   addDockWidget(Qt::RightDockWidgetArea, dock_);
-  // It gets its last parent at once: with another one Qt evaluates the style of its rows again.
+  // The panel gets its final parent at once: Qt evaluates the style of its rows for each parent.
   panel_ = new ParameterPanel(document_->scene(), dock_);
   dock_->setWidget(panel_);
   resizeDocks({dock_}, {panel_->sizeHint().width()}, Qt::Horizontal);
