@@ -10,10 +10,9 @@
 
 #include "app/contact_sheets.h"
 #include "app/picture_composer.h"
-#include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
-#include "core/base/json_members.h"
 #include "core/base/json_text.h"
+#include "core/base/regular_file.h"
 #include "core/base/text.h"
 #include "core/chart/curve_words.h"
 #include "core/friction/ensemble.h"

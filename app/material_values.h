@@ -1,6 +1,6 @@
-// Temperatures and moduli in the options of `asperity material`, which are the arguments of
-// asperity.material() in Python, too. Pure; any thread. Throw InputError with the name of the
-// option.
+// Values of the options of `asperity material`, which are the arguments of asperity.material() in
+// Python, too: choices, temperatures and moduli. Pure; any thread. Throw InputError with the name
+// of the option.
 #pragma once
 
 #include <cmath>
@@ -8,11 +8,22 @@
 #include <string>
 
 #include "core/base/input_error.h"
+#include "core/base/named_choices.h"
 #include "core/base/text_number.h"
 #include "core/base/units.h"
 #include "core/material/dma_columns.h"
+#include "core/material/elastomer.h"
 
 namespace asperity {
+
+inline constexpr NamedChoices<std::optional<ShiftKind>, 4> kShiftChoices{
+    {{"auto", std::nullopt},
+     {"wlf", ShiftKind::Wlf},
+     {"arrhenius", ShiftKind::Arrhenius},
+     {"table", ShiftKind::Table}}};
+inline constexpr NamedChoices<ModulusKind, 3> kModulusChoices{{{"auto", ModulusKind::Unknown},
+                                                               {"shear", ModulusKind::Shear},
+                                                               {"tension", ModulusKind::Tension}}};
 
 /// Returns a temperature in K, such as 20C, 293.15K or 68F.
 inline double kelvinsFrom(const std::string& text, const std::string& option) {

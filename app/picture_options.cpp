@@ -226,10 +226,10 @@ PictureSettings pictureSettings(const PictureArguments& arguments,
            settings);
   useFontFamily(style.font);
   settings.themeName = style.theme.empty() ? defaults.theme : style.theme;
-  settings.theme = chosenFrom(kThemes, settings.themeName, "--theme")();
+  settings.theme = chosen(kThemes, settings.themeName, "--theme")();
   settings.transparent = arguments.transparent;
   if (!arguments.backend.empty())
-    settings.backend = chosenFrom(kBackends, arguments.backend, "--backend");
+    settings.backend = chosen(kBackends, arguments.backend, "--backend");
   settings.format = formatOf(style, settings);
   return settings;
 }

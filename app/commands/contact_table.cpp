@@ -68,7 +68,7 @@ int runContactTable(const RenderCommand& command) {
   const Scene scene = loadScene(command.common);
   checkUsage(command);
   const ContactTable& kind =
-      chosenFrom(kTables, command.table.empty() ? "shape" : command.table, "--table");
+      chosen(kTables, command.table.empty() ? "shape" : command.table, "--table");
   const ColumnChoice columns(command.columns, {kind.name});
   if (command.output != "-") {
     checkOutputs({command.output}, {".csv", ".json"});

@@ -38,14 +38,6 @@ namespace fs = std::filesystem;
 constexpr std::size_t kLargestFile = std::size_t{64} << 20;  // bytes of measurements
 constexpr PictureDefaults kPictures{1200, 800, "print"};
 
-constexpr NamedChoices<std::optional<ShiftKind>, 4> kShifts{{{"auto", std::nullopt},
-                                                             {"wlf", ShiftKind::Wlf},
-                                                             {"arrhenius", ShiftKind::Arrhenius},
-                                                             {"table", ShiftKind::Table}}};
-constexpr NamedChoices<ModulusKind, 3> kModuli{{{"auto", ModulusKind::Unknown},
-                                                {"shear", ModulusKind::Shear},
-                                                {"tension", ModulusKind::Tension}}};
-
 void checkUnit(bool isKnown, const std::string& unit, const char* option,
                const std::string& allowed) {
   if (!unit.empty() && !isKnown)
@@ -55,7 +47,7 @@ void checkUnit(bool isKnown, const std::string& unit, const char* option,
 MaterialChoices materialChoices(const MaterialCommand& command) {
   MaterialChoices choices;
   choices.columns = command.columns;
-  choices.columns.modulus = chosenFrom(kModuli, command.modulus, "--modulus");
+  choices.columns.modulus = chosen(kModulusChoices, command.modulus, "--modulus");
   choices.columns.poissonRatio = command.poissonRatio;
   checkUnit(frequencyUnit(command.columns.frequencyUnit, false).has_value(),
             command.columns.frequencyUnit, "--frequency-unit", "rad/s, " + unitNames("Hz"));
@@ -86,7 +78,7 @@ MaterialChoices materialChoices(const MaterialCommand& command) {
   if (!command.instantaneousModulus.empty())
     choices.instantaneousModulus =
         pascalsFrom(command.instantaneousModulus, "--instantaneous-modulus");
-  choices.shift = chosenFrom(kShifts, command.shift, "--shift");
+  choices.shift = chosen(kShiftChoices, command.shift, "--shift");
   choices.name = command.name;
   choices.source = command.source;
   choices.options = command.written;

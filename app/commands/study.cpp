@@ -265,7 +265,7 @@ int runStudyMerge(const StudyCommand& command) {
 
 int runStudyTable(const StudyCommand& command) {
   const StudyStore store(command.study);
-  const TableShape shape = chosenFrom(kShapes, command.shape, "--shape");
+  const TableShape shape = chosen(kShapes, command.shape, "--shape");
   const bool isStdout = command.outputs.empty();
   checkOutputs(command.outputs, {".csv", ".json"}, DefaultOutput::PrintsTable);
   for (const std::string& output : command.outputs) checkNoInput(output, {command.study});

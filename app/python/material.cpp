@@ -33,17 +33,6 @@ struct Option {
   std::string name, value;
 };
 
-template <class Choice, std::size_t N>
-Choice chosenFrom(const std::array<std::pair<std::string_view, Choice>, N>& choices,
-                  const Option& option) {
-  std::array<std::string_view, N> known;
-  for (std::size_t i = 0; i < N; ++i) {
-    if (choices[i].first == option.value) return choices[i].second;
-    known[i] = choices[i].first;
-  }
-  throw InputError("", option.name, notOneOf(option.value, known));
-}
-
 double kelvins(const Option& option) {
   return kelvinsFrom(option.value, option.name);
 }
@@ -94,20 +83,10 @@ constexpr std::array<Row, 26> kRows{{
      }},
     {"--vertical-shifts", [](const Option& o, MaterialChoices& c) { c.isVertical = isTrue(o); }},
     {"--shift",
-     [](const Option& o, MaterialChoices& c) {
-       using Shift = std::optional<ShiftKind>;
-       c.shift = chosenFrom<Shift, 4>({{{"auto", std::nullopt},
-                                        {"wlf", ShiftKind::Wlf},
-                                        {"arrhenius", ShiftKind::Arrhenius},
-                                        {"table", ShiftKind::Table}}},
-                                      o);
-     }},
+     [](const Option& o, MaterialChoices& c) { c.shift = chosen(kShiftChoices, o.value, o.name); }},
     {"--modulus",
      [](const Option& o, MaterialChoices& c) {
-       c.columns.modulus = chosenFrom<ModulusKind, 3>({{{"auto", ModulusKind::Unknown},
-                                                        {"shear", ModulusKind::Shear},
-                                                        {"tension", ModulusKind::Tension}}},
-                                                      o);
+       c.columns.modulus = chosen(kModulusChoices, o.value, o.name);
      }},
     {"--poisson-ratio",
      [](const Option& o, MaterialChoices& c) { c.columns.poissonRatio = numberWithin(o, 0, 0.5); }},

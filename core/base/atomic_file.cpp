@@ -17,7 +17,6 @@
 #include <cstdio>
 #include <cstring>
 #include <ctime>
-#include <memory>
 #include <tuple>
 #include <utility>
 
@@ -300,31 +299,6 @@ void writeFileAtomically(const fs::path& file, std::string_view bytes) {
   AtomicFile whole(file);
   whole.write(bytes);
   whole.commit();
-}
-
-std::string readWholeFile(const fs::path& file, std::size_t limit) {
-  std::error_code error;
-  if (fs::is_directory(file, error)) throw InputError(file.string(), "", "is a folder, not a file");
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> handle(std::fopen(file.c_str(), "rb"),
-                                                               &std::fclose);
-  if (!handle)
-    throw InputError(file.string(), "",
-                     message("cannot be opened: {}", Message(std::strerror(errno))));
-  const auto refuseAbove = [&](std::uintmax_t size) {
-    if (size > limit)
-      throw InputError(file.string(), "", message("is larger than the {} bytes allowed", limit));
-  };
-  // A file that reports too large a size is refused without reading it; a pipe reports no size.
-  const std::uintmax_t size = fs::file_size(file, error);
-  if (!error) refuseAbove(size);
-  std::string bytes;
-  char buffer[1 << 16];
-  while (const std::size_t count = std::fread(buffer, 1, sizeof buffer, handle.get())) {
-    bytes.append(buffer, count);
-    refuseAbove(bytes.size());
-  }
-  if (std::ferror(handle.get())) throw InputError(file.string(), "", "cannot be read");
-  return bytes;
 }
 
 }  // namespace asperity

@@ -62,7 +62,4 @@ void removeUnfinishedFiles();
 /// with the file's name where writing fails.
 void writeFileAtomically(const std::filesystem::path& file, std::string_view bytes);
 
-/// Returns the content of a file of at most `limit` bytes. Throws InputError.
-std::string readWholeFile(const std::filesystem::path& file, std::size_t limit);
-
 }  // namespace asperity

@@ -1,14 +1,17 @@
 #include "core/base/json_text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "core/base/input_error.h"
-#include "core/base/regular_file.h"
 #include "core/base/text.h"
+#include "core/base/text_encoding.h"
 
 namespace asperity {
 namespace {
@@ -143,9 +146,7 @@ std::string_view withoutBlanks(std::string_view text) {
 }  // namespace
 
 bool beginsAsObject(std::string_view text) {
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-  const std::size_t first = text.find_first_not_of(" \t\r\n");
-  return first != text.npos && text[first] == '{';
+  return withoutBlanks(text).starts_with('{');
 }
 
 nlohmann::ordered_json parseJson(std::string_view text, int deepest, std::string_view wanted) {
@@ -165,11 +166,56 @@ nlohmann::ordered_json membersUpTo(std::string_view text, const std::string& nam
   return reader.root().is_object() ? std::move(reader.root()) : Json();
 }
 
-nlohmann::ordered_json memberOf(std::string_view text, const std::string& name, int deepest) {
-  Json root = membersUpTo(text, name, deepest);
-  if (!root.is_object()) return {};
-  const auto found = root.find(name);
-  return found == root.end() ? Json() : std::move(*found);
+void refuseMember(const std::string& key, const Message& why) {
+  throw InputError("", key, why);
+}
+
+void checkMembers(const Json& object, const std::string& where,
+                  std::initializer_list<std::string_view> list) {
+  const std::span<const std::string_view> known(list.begin(), list.size());
+  if (!object.is_object()) refuseMember(where, "needs an object");
+  for (const auto& [key, value] : object.items()) {
+    if (std::ranges::find(known, key) != known.end()) continue;
+    const std::string path = where.empty() ? shortened(key) : where + "." + shortened(key);
+    const std::string_view nearest = nearestWord(key, known);
+    refuseMember(
+        path, nearest.empty()
+                  ? message("unknown key; known are {}", fmt::format("{}", fmt::join(known, ", ")))
+                  : message("unknown key; the nearest known one is {}", nearest));
+  }
+}
+
+double numberMember(const Json& object, const std::string& where, const char* member) {
+  const auto found = object.find(member);
+  if (found == object.end()) refuseMember(where + "." + member, "is missing; it needs a number");
+  if (!found->is_number()) refuseMember(where + "." + member, "needs a number");
+  return found->get<double>();
+}
+
+std::optional<double> optionalNumberMember(const Json& object, const std::string& where,
+                                           const char* member) {
+  return object.contains(member) ? std::optional(numberMember(object, where, member))
+                                 : std::nullopt;
+}
+
+std::int64_t integerMember(const Json& object, const char* member, std::int64_t least,
+                           std::int64_t most, const std::string& where) {
+  const std::string path = where.empty() ? member : where + "." + member;
+  const double number = object.at(member).is_number() ? object.at(member).get<double>() : 0.5;
+  if (number != std::floor(number) || number < static_cast<double>(least) ||
+      number > static_cast<double>(most))
+    refuseMember(path, message("{} is not a whole number from {} to {}",
+                               shortened(object.at(member).dump()), least, most));
+  return static_cast<std::int64_t>(number);
+}
+
+std::string textMember(const Json& object, const char* member, const std::string& otherwise,
+                       const std::string& where) {
+  const auto found = object.find(member);
+  if (found == object.end()) return otherwise;
+  if (!found->is_string())
+    refuseMember(where.empty() ? member : where + "." + member, "needs a text");
+  return found->get<std::string>();
 }
 
 std::string assignedText(const Json& value) {

@@ -1,10 +1,17 @@
-// Reads JSON that a user wrote, such as scenes and batches, and refuses errors that a parser would
-// accept silently. Also writes numbers of JSON. Pure; any thread.
+// Reads JSON that a user wrote, such as scenes and studies: texts, with refusal of errors that a
+// parser would accept silently, and the members of objects, with errors that name their path:
+// "space.load.normal_force.from". Also makes single values of JSON. Pure; any thread.
+// Failure: InputError with the path and what is allowed.
 #pragma once
 
+#include <cstdint>
+#include <initializer_list>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
+
+#include "core/base/message.h"
 
 namespace asperity {
 
@@ -23,9 +30,26 @@ nlohmann::ordered_json parseJson(std::string_view text, int deepest,
 /// parseJson.
 nlohmann::ordered_json membersUpTo(std::string_view text, const std::string& name, int deepest);
 
-/// Returns the value of this member of the outermost object, without reading what follows it; null
-/// where there is none. Throws as parseJson.
-nlohmann::ordered_json memberOf(std::string_view text, const std::string& name, int deepest);
+/// Throws InputError with the path.
+[[noreturn]] void refuseMember(const std::string& path, const Message& why);
+
+/// Throws InputError where the value is no object, or has a member that is not known.
+void checkMembers(const nlohmann::ordered_json& object, const std::string& where,
+                  std::initializer_list<std::string_view> known);
+
+/// Returns a number. where: the path of the object, here and below. Throws InputError where the
+/// member is missing or no number.
+double numberMember(const nlohmann::ordered_json& object, const std::string& where,
+                    const char* member);
+/// Returns a number, or nothing where the member is missing.
+std::optional<double> optionalNumberMember(const nlohmann::ordered_json& object,
+                                           const std::string& where, const char* member);
+/// Returns a whole number from `least` to `most`; the member must exist.
+std::int64_t integerMember(const nlohmann::ordered_json& object, const char* member,
+                           std::int64_t least, std::int64_t most, const std::string& where = "");
+/// Returns a text, or `otherwise` where the member is missing.
+std::string textMember(const nlohmann::ordered_json& object, const char* member,
+                       const std::string& otherwise = "", const std::string& where = "");
 
 /// Returns a value in the form that --set takes: a text as it is, anything else as JSON.
 std::string assignedText(const nlohmann::ordered_json& value);

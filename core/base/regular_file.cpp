@@ -3,11 +3,13 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstddef>
+#include <cstdio>
 #include <cstring>
+#include <memory>
 
 #include "core/base/input_error.h"
 
@@ -74,60 +76,30 @@ std::string readRegularFile(const std::filesystem::path& file, std::size_t limit
   return regular.read(0, limit);
 }
 
-namespace {
-
-using namespace std::string_view_literals;
-
-struct Signature {
-  std::string_view bytes;
-  std::string_view kind;
-};
-
-/// A longer signature comes before one that is its beginning.
-constexpr std::array<Signature, 18> kSignatures{
-    {{"\xFF\xFE\0\0"sv, "text in UTF-32"},
-     {"\0\0\xFE\xFF"sv, "text in UTF-32"},
-     {"\xFF\xFE"sv, "text in UTF-16"},
-     {"\xFE\xFF"sv, "text in UTF-16"},
-     {"\x89PNG"sv, "a PNG picture"},
-     {"\xFF\xD8\xFF"sv, "a JPEG picture"},
-     {"GIF8"sv, "a GIF picture"},
-     {"II*\0"sv, "a TIFF picture"},
-     {"MM\0*"sv, "a TIFF picture"},
-     {"RIFF"sv, "a RIFF file (as WebP is)"},
-     {"%PDF-"sv, "a PDF document"},
-     {"PK\3\4"sv, "a ZIP archive (as of a spreadsheet)"},
-     {"\xD0\xCF\x11\xE0"sv, "an old Office document"},
-     {"\x1F\x8B"sv, "a gzip archive"},
-     {"\xFD"
-      "7zXZ\0"sv,
-      "an xz archive"},
-     {"\x28\xB5\x2F\xFD"sv, "a zstd archive"},
-     {"\x89HDF"sv, "an HDF5 file"},
-     {"\x1A\x45\xDF\xA3"sv, "a WebM film"}}};
-
-/// UTF-16 without a byte order mark: in mostly Latin text every second byte is 0.
-bool looksLikeUtf16(std::string_view beginning) {
-  std::array<std::size_t, 2> zeros{};
-  for (std::size_t i = 0; i < beginning.size(); ++i) zeros[i % 2] += beginning[i] == '\0' ? 1 : 0;
-  const auto [few, many] = std::minmax(zeros[0], zeros[1]);
-  return many > beginning.size() / 4 && few <= many / 8;
-}
-
-}  // namespace
-
-std::string_view detectNonText(std::string_view bytes) {
-  constexpr std::size_t kLookedAt = 4096;
-  for (const Signature& signature : kSignatures)
-    if (bytes.starts_with(signature.bytes)) return signature.kind;
-  const std::string_view beginning = bytes.substr(0, kLookedAt);
-  const std::size_t zero = beginning.find('\0');
-  if (zero == std::string_view::npos) return {};
-  // Zeros behind a text alone fill up its last block.
-  if (zero > 1 && !looksLikeUtf16(beginning) &&
-      bytes.find_first_not_of('\0', zero) == std::string_view::npos)
-    return {};
-  return looksLikeUtf16(beginning) ? "text in UTF-16"sv : "a binary file"sv;
+std::string readWholeFile(const std::filesystem::path& file, std::size_t limit) {
+  std::error_code error;
+  if (std::filesystem::is_directory(file, error))
+    throw InputError(file.string(), "", "is a folder, not a file");
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> handle(std::fopen(file.c_str(), "rb"),
+                                                               &std::fclose);
+  if (!handle)
+    throw InputError(file.string(), "",
+                     message("cannot be opened: {}", Message(std::strerror(errno))));
+  const auto refuseAbove = [&](std::uintmax_t size) {
+    if (size > limit)
+      throw InputError(file.string(), "", message("is larger than the {} bytes allowed", limit));
+  };
+  // A file that reports too large a size is refused without reading it; a pipe reports no size.
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  if (!error) refuseAbove(size);
+  std::string bytes;
+  char buffer[1 << 16];
+  while (const std::size_t count = std::fread(buffer, 1, sizeof buffer, handle.get())) {
+    bytes.append(buffer, count);
+    refuseAbove(bytes.size());
+  }
+  if (std::ferror(handle.get())) throw InputError(file.string(), "", "cannot be read");
+  return bytes;
 }
 
 }  // namespace asperity

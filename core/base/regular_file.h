@@ -1,12 +1,11 @@
-// Reading of plain files on a disk only, because a pipe or a device might never answer; and the
-// kind of a file that is not text in UTF-8.
+// Reads files; most of them only where they are plain ones on a disk, because a pipe or a device
+// might never answer.
 // Failure: InputError that names the file, but contains nothing of its content.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
 #include <string>
-#include <string_view>
 
 namespace asperity {
 
@@ -33,8 +32,7 @@ class RegularFile {
 /// Returns the content of a regular file of at most `limit` bytes.
 std::string readRegularFile(const std::filesystem::path& file, std::size_t limit);
 
-/// Returns "text in UTF-16", "a PNG picture", "a ZIP archive (as of a spreadsheet)" or "a binary
-/// file"; empty where the bytes may be text in UTF-8. It examines only the beginning.
-std::string_view detectNonText(std::string_view bytes);
+/// Returns the content of a file of at most `limit` bytes, which may be a pipe.
+std::string readWholeFile(const std::filesystem::path& file, std::size_t limit);
 
 }  // namespace asperity

@@ -1,14 +1,53 @@
 #include "core/base/text_encoding.h"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 
 #include "core/base/input_error.h"
-#include "core/base/regular_file.h"
 
 namespace asperity {
 namespace {
+
+using namespace std::string_view_literals;
+
+struct Signature {
+  std::string_view bytes;
+  std::string_view kind;
+};
+
+/// A longer signature comes before one that is its beginning.
+constexpr std::array<Signature, 18> kSignatures{
+    {{"\xFF\xFE\0\0"sv, "text in UTF-32"},
+     {"\0\0\xFE\xFF"sv, "text in UTF-32"},
+     {"\xFF\xFE"sv, "text in UTF-16"},
+     {"\xFE\xFF"sv, "text in UTF-16"},
+     {"\x89PNG"sv, "a PNG picture"},
+     {"\xFF\xD8\xFF"sv, "a JPEG picture"},
+     {"GIF8"sv, "a GIF picture"},
+     {"II*\0"sv, "a TIFF picture"},
+     {"MM\0*"sv, "a TIFF picture"},
+     {"RIFF"sv, "a RIFF file (as WebP is)"},
+     {"%PDF-"sv, "a PDF document"},
+     {"PK\3\4"sv, "a ZIP archive (as of a spreadsheet)"},
+     {"\xD0\xCF\x11\xE0"sv, "an old Office document"},
+     {"\x1F\x8B"sv, "a gzip archive"},
+     {"\xFD"
+      "7zXZ\0"sv,
+      "an xz archive"},
+     {"\x28\xB5\x2F\xFD"sv, "a zstd archive"},
+     {"\x89HDF"sv, "an HDF5 file"},
+     {"\x1A\x45\xDF\xA3"sv, "a WebM film"}}};
+
+/// UTF-16 without a byte order mark: in mostly Latin text every second byte is 0.
+bool looksLikeUtf16(std::string_view beginning) {
+  std::array<std::size_t, 2> zeros{};
+  for (std::size_t i = 0; i < beginning.size(); ++i) zeros[i % 2] += beginning[i] == '\0' ? 1 : 0;
+  const auto [few, many] = std::minmax(zeros[0], zeros[1]);
+  return many > beginning.size() / 4 && few <= many / 8;
+}
 
 unsigned char byteAt(std::string_view text, std::size_t index) {
   return static_cast<unsigned char>(text[index]);
@@ -86,6 +125,20 @@ std::string withLineFeeds(std::string_view text) {
 }
 
 }  // namespace
+
+std::string_view detectNonText(std::string_view bytes) {
+  constexpr std::size_t kLookedAt = 4096;
+  for (const Signature& signature : kSignatures)
+    if (bytes.starts_with(signature.bytes)) return signature.kind;
+  const std::string_view beginning = bytes.substr(0, kLookedAt);
+  const std::size_t zero = beginning.find('\0');
+  if (zero == std::string_view::npos) return {};
+  // Zeros behind a text alone fill up its last block.
+  if (zero > 1 && !looksLikeUtf16(beginning) &&
+      bytes.find_first_not_of('\0', zero) == std::string_view::npos)
+    return {};
+  return looksLikeUtf16(beginning) ? "text in UTF-16"sv : "a binary file"sv;
+}
 
 bool isUtf8(std::string_view text) {
   for (std::size_t i = 0; i < text.size();) {

@@ -1,10 +1,15 @@
-// Decodes text files to UTF-8 with plain line ends, whatever program wrote them. Pure; any thread.
+// The content of a file by its bytes: which kind it is where it is no text, and text decoded to
+// UTF-8 with plain line ends, whatever program wrote it. Pure; any thread.
 #pragma once
 
 #include <string>
 #include <string_view>
 
 namespace asperity {
+
+/// Returns "text in UTF-16", "a PNG picture", "a ZIP archive (as of a spreadsheet)" or "a binary
+/// file"; empty where the bytes may be text in UTF-8. It examines only the beginning.
+std::string_view detectNonText(std::string_view bytes);
 
 /// The text of a file in UTF-8, without its byte order mark, each line ended by LF or CR LF.
 struct DecodedText {

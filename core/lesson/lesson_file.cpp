@@ -56,8 +56,8 @@ std::string writeLesson(const Lesson& lesson) {
 
 bool isLesson(std::string_view text) {
   try {
-    const LessonJson schema = memberOf(text, "schema", kDeepestLesson);
-    return schema.is_string() && schema.get<std::string>().starts_with("asperity-lesson/");
+    const LessonJson beginning = membersUpTo(text, "schema", kDeepestLesson);
+    return textMember(beginning, "schema").starts_with("asperity-lesson/");
   } catch (const InputError&) {
     return false;
   }

@@ -32,8 +32,8 @@ Lesson readLesson(std::string_view json, const std::string& file,
 /// Returns the canonical text, which reads back to the same lesson.
 std::string writeLesson(const Lesson& lesson);
 
-/// Returns whether a text is, or is meant to be, a lesson: its outermost object has the schema, or
-/// has steps.
+/// Returns whether a text is meant to be a lesson: the schema of its outermost object is that of a
+/// lesson, of any version.
 bool isLesson(std::string_view json);
 
 /// Returns whether that holds for a regular file; false where it cannot be read.

@@ -4,7 +4,8 @@
 
 #include <filesystem>
 
-#include "core/base/json_members.h"
+#include "core/base/json_text.h"
+#include "core/base/named_choices.h"
 #include "core/lesson/lesson_file.h"
 
 namespace asperity {

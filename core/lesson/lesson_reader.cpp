@@ -7,7 +7,6 @@
 #include <set>
 
 #include "core/base/input_error.h"
-#include "core/base/json_text.h"
 #include "core/base/number_text.h"
 #include "core/base/text.h"
 #include "core/chart/diagram.h"

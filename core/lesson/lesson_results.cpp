@@ -7,7 +7,6 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
-#include "core/base/json_members.h"
 #include "core/base/json_text.h"
 #include "core/base/regular_file.h"
 #include "core/lesson/lesson_json.h"

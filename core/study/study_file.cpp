@@ -8,8 +8,8 @@
 
 #include "core/base/file_digest.h"
 #include "core/base/input_error.h"
-#include "core/base/json_members.h"
 #include "core/base/json_text.h"
+#include "core/base/named_choices.h"
 #include "core/base/number_text.h"
 #include "core/base/regular_file.h"
 #include "core/base/text.h"

@@ -17,6 +17,7 @@
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/regular_file.h"
+#include "core/base/text_encoding.h"
 
 namespace asperity {
 namespace {

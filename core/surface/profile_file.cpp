@@ -8,6 +8,7 @@
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/regular_file.h"
+#include "core/base/text_encoding.h"
 #include "core/base/text_number.h"
 #include "core/surface/profile_header.h"
 

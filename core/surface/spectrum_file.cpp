@@ -11,6 +11,7 @@
 #include "core/base/number_text.h"
 #include "core/base/regular_file.h"
 #include "core/base/text.h"
+#include "core/base/text_encoding.h"
 #include "core/base/text_number.h"
 #include "core/base/text_table.h"
 #include "core/base/text_units.h"

@@ -220,14 +220,5 @@ TEST(AtomicFile, AnEndThatIsToldOfRemovesTheHiddenName) {
   EXPECT_THAT(folder.names(), ElementsAre("a.csv"));
 }
 
-TEST(AtomicFile, ReadingRefusesFoldersMissingAndOversizedFiles) {
-  const TemporaryFolder folder;
-  const auto file = folder.write("a.txt", std::string(100, 'x'));
-  EXPECT_EQ(readWholeFile(file, 100).size(), 100U);
-  EXPECT_THROW(readWholeFile(file, 99), InputError);
-  EXPECT_THROW(readWholeFile(folder.path(), 99), InputError);
-  EXPECT_THROW(readWholeFile(folder / "none", 99), InputError);
-}
-
 }  // namespace
 }  // namespace asperity

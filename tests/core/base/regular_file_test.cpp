@@ -42,5 +42,14 @@ TEST(RegularFile, PipesDevicesAndFoldersAreRefusedAtOnce) {
   EXPECT_THAT(refusal(folder / "gone"), HasSubstr("cannot be opened: No such file"));
 }
 
+TEST(WholeFile, ReadingRefusesFoldersMissingAndOversizedFiles) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("a.txt", std::string(100, 'x'));
+  EXPECT_EQ(readWholeFile(file, 100).size(), 100U);
+  EXPECT_THROW(readWholeFile(file, 99), InputError);
+  EXPECT_THROW(readWholeFile(folder.path(), 99), InputError);
+  EXPECT_THROW(readWholeFile(folder / "none", 99), InputError);
+}
+
 }  // namespace
 }  // namespace asperity

@@ -12,6 +12,7 @@
 namespace asperity {
 namespace {
 
+using testing::EndsWith;
 using testing::HasSubstr;
 
 TEST(Parameters, KeysAreUniqueAndEveryRowIsComplete) {
@@ -129,6 +130,23 @@ TEST(Parameters, MarkdownKeepsTheTextAsItIs) {
   // What is not escaped is our own: the name as code, its anchor, the sign of a definition.
   EXPECT_THAT(parameterListMarkdown(),
               HasSubstr("[`surface.hurst`]{#key-surface-hurst} 0 to 1; default 0.7\n\n:   How "));
+}
+
+TEST(Parameters, EveryNumberOfTheTableIsRefusedWithItsRangeAndUnit) {
+  for (const Parameter& row : parameters()) {
+    const auto range = allowedRange(row);
+    if (!range) continue;
+    Scene scene;
+    try {
+      setValue(row, scene, 2 * range->maximum + 1);
+      FAIL() << row.key;
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.message().english(), EndsWith(" is outside " + allowedText(row).english()));
+      if (!row.unit.empty()) {
+        EXPECT_THAT(error.message().english(), EndsWith(" " + std::string(row.unit)));
+      }
+    }
+  }
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "core/base/input_error.h"
 
 namespace asperity {
@@ -51,6 +53,31 @@ TEST(PrintableText, AnErrorHoldsNothingElse) {
   EXPECT_EQ(error.key(), "surface.\\nhurst");
   EXPECT_EQ(error.message(), "'\\xff' is not a number");
   EXPECT_STREQ(error.in("b\n").what(), "b\\n: surface.\\nhurst: '\\xff' is not a number");
+}
+
+constexpr std::array<std::string_view, 3> kThemes{"light", "dark", "print"};
+
+TEST(KnownWords, NamesTheNearestAndListsAll) {
+  EXPECT_EQ(nearestWord("drak", kThemes), "dark");
+  EXPECT_EQ(nearestWord("", {}), "");
+  EXPECT_EQ(nearestWord("", kThemes), "");
+  EXPECT_EQ(nearestWord("foo", kThemes), "");
+  EXPECT_EQ(notOneOf("pink", kThemes).english(), "pink is not one of light, dark, print");
+}
+
+TEST(KnownWords, ALongWordIsCutBetweenLetters) {
+  EXPECT_EQ(shortened("short"), "short");
+  EXPECT_EQ(shortened(std::string(100, 'x')), std::string(60, 'x') + "...");
+  // A letter of two bytes that begins with the last byte that would be kept.
+  EXPECT_EQ(shortened(std::string(59, 'x') + "\u00FC" + std::string(9, 'x')),
+            std::string(59, 'x') + "...");
+}
+
+TEST(FileName, HasNoSignThatAFolderOrAShellCouldTake) {
+  EXPECT_EQ(makeFileName("paper_2-a"), "paper_2-a");
+  EXPECT_EQ(makeFileName("../a b/$c"), "___a_b__c");
+  EXPECT_EQ(makeFileName(""), "");
+  EXPECT_EQ(makeFileName(std::string(1000, 'x')).size(), 60U);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "core/base/regular_file.h"
+#include "core/base/text_encoding.h"
 
 #include <gtest/gtest.h>
 
@@ -17,12 +17,12 @@ std::string utf16(const std::string& text, bool littleEndian) {
   return bytes;
 }
 
-TEST(FileKind, TextInUtf8IsNotForeign) {
+TEST(DetectNonText, TextInUtf8IsNotForeign) {
   for (const char* text : {"", "{}", "x,z\n0,1\n", "\xEF\xBB\xBF{}", "Größe", "RI", "\xE4"})
     EXPECT_EQ(detectNonText(text), "") << text;
 }
 
-TEST(FileKind, Utf16IsKnownWithItsMarkAndWithout) {
+TEST(DetectNonText, Utf16IsKnownWithItsMarkAndWithout) {
   const std::string text = "x (mm)\tz (mm)\r\n0\t1\r\n";
   for (const bool littleEndian : {true, false}) {
     EXPECT_EQ(detectNonText(utf16(text, littleEndian)), "text in UTF-16");
@@ -33,14 +33,14 @@ TEST(FileKind, Utf16IsKnownWithItsMarkAndWithout) {
   EXPECT_EQ(detectNonText("\xFF\xFE\0\0x\0\0\0"s), "text in UTF-32");
 }
 
-TEST(FileKind, OtherFilesAreNamed) {
+TEST(DetectNonText, OtherFilesAreNamed) {
   EXPECT_EQ(detectNonText("\x89PNG\r\n"), "a PNG picture");
   EXPECT_EQ(detectNonText("PK\3\4"), "a ZIP archive (as of a spreadsheet)");
   EXPECT_EQ(detectNonText("%PDF-1.7"), "a PDF document");
   EXPECT_EQ(detectNonText("ISO-1.0\0\1\2\3\4\5\6\7\x08\x09 and more"s), "a binary file");
 }
 
-TEST(FileKind, ZerosBehindATextAreNoneOfIt) {
+TEST(DetectNonText, ZerosBehindATextAreNoneOfIt) {
   EXPECT_EQ(detectNonText("x,z\n0,1\n1,2\n\0\0\0"s), "");
   EXPECT_EQ(detectNonText("x,z\n0,1\n1,2\n\0\0\0x"s), "a binary file");
 }
