@@ -25,12 +25,6 @@ double valueAt(const Frame& frame, const std::vector<double>& field, std::size_t
   return field.size() == frame.pressure.size() ? field[i] : kNotApplicable;
 }
 
-double slopeAt(const Frame& frame, std::size_t i) {
-  const std::size_t n = frame.lineHeight.size();
-  if (frame.lineSlope.size() == n) return frame.lineSlope[i];
-  return (frame.lineHeight[(i + 1) % n] - frame.lineHeight[(i + n - 1) % n]) / (2 * frame.spacing);
-}
-
 std::vector<std::string> names(std::initializer_list<ColumnName> columns) {
   std::vector<std::string> words;
   for (const ColumnName column : columns) words.push_back(column.text());
@@ -53,7 +47,7 @@ StretchForces forcesOf(const Frame& frame, const ContactStretch& contact) {
   forEachPoint(frame, contact, [&](std::size_t i) {
     const double pressure = frame.pressure[i];
     forces.normal += pressure * frame.spacing;
-    forces.tangential -= pressure * slopeAt(frame, i) * frame.spacing;
+    forces.tangential -= pressure * lineSlopeAt(frame, i) * frame.spacing;
     forces.largest = std::max(forces.largest, pressure);
   });
   return forces;

@@ -5,6 +5,7 @@
 #include "core/scene/sweep.h"
 
 namespace asperity {
+
 void CurveRequests::post(const PostedScene& scene) {
   const bool isSame = requested_.scene &&
                       canonicalCurveScene(*scene.scene) == canonicalCurveScene(*requested_.scene);
@@ -13,7 +14,7 @@ void CurveRequests::post(const PostedScene& scene) {
   if (!isSame) {
     requested_ = scene;
     last_.reset();
-    request();
+    start();
   } else if (last_) {
     last_->scene = scene.scene;
     last_->sceneNumber = scene.number;
@@ -27,10 +28,6 @@ void CurveRequests::stop() {
 }
 
 void CurveRequests::start() {
-  request();
-}
-
-void CurveRequests::request() {
   working_.request_stop();
   isStopped_ = false;
   ++number_;

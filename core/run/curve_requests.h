@@ -46,7 +46,7 @@ class CurveRequests {
 
   /// Stops the present or requested curve; its results so far are kept.
   void stop();
-  /// Starts the same curve from its beginning.
+  /// Starts the requested curve from its beginning.
   void start();
   /// Ends all averaging.
   void end() { working_.request_stop(); }
@@ -64,8 +64,6 @@ class CurveRequests {
   std::vector<CurveUpdate> takeUpdates();
 
  private:
-  void request();
-
   PostedScene present_, requested_;
   std::uint64_t number_ = 0;
   std::stop_source working_;

@@ -1,4 +1,5 @@
-// The state of the simulation at one time, as pictures need it. Immutable once made; passed on by
+// The state of the simulation at one time, as pictures need it, and the samples of a motion up to
+// that time. Immutable once made; passed on by
 // shared_ptr<const Frame>, read by any thread.
 //
 // Geometry, in the elastomer's frame: material point i rests at x_i = i * spacing, 0 <= i < n, one
@@ -7,12 +8,12 @@
 // - d). For v > 0 the rigid line moves towards +x. Both arrays are periodic.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <vector>
 
 #include "core/friction/curve_point.h"
-#include "core/run/transient_sample.h"
 #include "core/scene/scene.h"
 
 namespace asperity {
@@ -36,6 +37,29 @@ struct ContactState {
   double contactFraction = 0;
   double mu = kNotApplicable;  // NaN where the time steps or elements are too coarse to read it
   double muInterface = 0;      // of local friction, in addition to mu
+};
+
+/// One sample of a motion that is not steady: means over the steps since the previous sample.
+struct TransientSample {
+  double time = 0;         // s, at its end
+  double velocity = 0;     // m/s, mean; below 0 the line moves backwards
+  double distance = 0;     // m, slid so far
+  double indentation = 0;  // m
+  double normalForce = 0;  // N
+  /// N, integral of p z' dx = -F_x: it has the sign of the velocity where it resists. Defined also
+  /// at rest, while contact is still one-sided.
+  double tangentialForce = 0;
+  double mu = kNotApplicable;  // magnitude of friction over normal force; NaN without normal force
+  double muError = kNotApplicable;  // estimated discretization error; NaN where it is unknown
+  double muInterface = 0;           // of local friction, 0 at rest
+  double powerDissipated = 0;       // W, in the dashpots of all elements
+  double contactFraction = 0;
+  double contactSpots = 0;   // stretches in contact
+  double contactLength = 0;  // m, mean of one stretch in contact
+  /// 1/s, rate at which friction is expected to relax: 1 / tau + |v| / contactLength. Exact to
+  /// about 1 % for one contact of Kelvin elements at constant force; approximate on rough lines.
+  /// NaN for others.
+  double predictedRate = kNotApplicable;
 };
 
 struct Frame {
@@ -93,5 +117,14 @@ struct Frame {
   /// The history since the motion began; null in steady sliding.
   std::shared_ptr<const std::vector<TransientSample>> transient;
 };
+
+/// Returns dz/dx of the rigid line at a point; of a frame without slopes the central difference of
+/// the heights.
+inline double lineSlopeAt(const Frame& frame, std::size_t point) {
+  const std::size_t n = frame.lineHeight.size();
+  if (frame.lineSlope.size() == n) return frame.lineSlope[point];
+  const double rise = frame.lineHeight[(point + 1) % n] - frame.lineHeight[(point + n - 1) % n];
+  return rise / (2 * frame.spacing);
+}
 
 }  // namespace asperity

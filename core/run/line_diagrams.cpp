@@ -129,12 +129,8 @@ std::size_t binsFor(std::size_t points) {
 }
 
 std::vector<double> slopesOf(const Frame& frame) {
-  const std::size_t n = frame.lineHeight.size();
-  if (frame.lineSlope.size() == n) return frame.lineSlope;
-  std::vector<double> slopes(n);
-  for (std::size_t i = 0; i < n; ++i)
-    slopes[i] =
-        (frame.lineHeight[(i + 1) % n] - frame.lineHeight[(i + n - 1) % n]) / (2 * frame.spacing);
+  std::vector<double> slopes(frame.lineHeight.size());
+  for (std::size_t i = 0; i < slopes.size(); ++i) slopes[i] = lineSlopeAt(frame, i);
   return slopes;
 }
 
@@ -209,11 +205,7 @@ Diagram slopeDiagram(const SlopeStatistics& slopes) {
   diagram.series = {stepsOf(slopes.whole, "whole line", 1)};
   if (!slopes.contact.share.empty())
     diagram.series.push_back(stepsOf(slopes.contact, "in contact", 0));
-  DiagramSeries normal{.name = "normal", .stroke = SeriesStroke::Dashed, .isTheory = true};
-  for (double x = -kMostSlopes; x <= kMostSlopes; x += 0.1)
-    normal.points.push_back(
-        {x, 100 * slopes.whole.width() * std::exp(-0.5 * x * x) / std::sqrt(2 * std::numbers::pi)});
-  diagram.series.push_back(std::move(normal));
+  diagram.series.push_back(normalDistribution(kMostSlopes, slopes.whole.width()));
   return diagram;
 }
 
@@ -364,6 +356,14 @@ Histogram makeHistogram(const std::vector<double>& values, double from, double t
       histogram.share[static_cast<std::size_t>(bin)] += (weights.empty() ? 1 : weights[i]) / whole;
   }
   return histogram;
+}
+
+DiagramSeries normalDistribution(double most, double width) {
+  DiagramSeries normal{.name = "normal", .stroke = SeriesStroke::Dashed, .isTheory = true};
+  for (double x = -most; x <= most; x += 0.1)
+    normal.points.push_back(
+        {x, 100 * width * std::exp(-0.5 * x * x) / std::sqrt(2 * std::numbers::pi)});
+  return normal;
 }
 
 SlopeStatistics slopeStatistics(const Frame& frame) {

@@ -60,6 +60,10 @@ struct Histogram {
 Histogram makeHistogram(const std::vector<double>& values, double from, double to, std::size_t bins,
                         std::span<const double> weights = {});
 
+/// Returns the standard normal distribution from -most to most, in per cent of a histogram's
+/// intervals of this width.
+DiagramSeries normalDistribution(double most, double width);
+
 /// Slopes of the line over the elements in contact and over all, in units of the rms slope;
 /// positive where the line climbs against the approaching elastomer.
 struct SlopeStatistics {

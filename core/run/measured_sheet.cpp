@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "core/base/number_text.h"
 #include "core/run/line_diagrams.h"
@@ -159,11 +158,7 @@ Diagram heightDistribution(const MeasuredSummary& summary) {
     steps.points.push_back({from, 100 * histogram.share[i]});
     steps.points.push_back({from + histogram.width(), 100 * histogram.share[i]});
   }
-  DiagramSeries normal{.name = "normal", .stroke = SeriesStroke::Dashed, .isTheory = true};
-  for (double x = -kMost; x <= kMost; x += 0.1)
-    normal.points.push_back(
-        {x, 100 * histogram.width() * std::exp(-0.5 * x * x) / std::sqrt(2 * std::numbers::pi)});
-  diagram.series = {std::move(steps), std::move(normal)};
+  diagram.series = {std::move(steps), normalDistribution(kMost, histogram.width())};
   return diagram;
 }
 

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "core/chart/diagram.h"
-#include "core/run/transient_sample.h"
+#include "core/run/frame.h"
 #include "core/scene/scene.h"
 
 namespace asperity {

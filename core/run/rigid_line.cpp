@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "core/scene/plan.h"
@@ -76,6 +77,30 @@ TimeMarch restingMarch(const RigidLine& rigid, const Scene& scene, double distan
   march.setDistance(distance);
   march.settleAtRest(marchLoad(scene.load, rigid.line->length));
   return march;
+}
+
+std::vector<double> steadyContactAge(std::span<const double> pressure, double spacing,
+                                     double velocity) {
+  const std::size_t count = pressure.size();
+  std::vector<double> age(count, std::numeric_limits<double>::infinity());
+  const double each =
+      velocity != 0 ? spacing / std::abs(velocity) : std::numeric_limits<double>::infinity();
+  double now = std::numeric_limits<double>::infinity();
+  // Goes around twice, from the side towards which the line slides.
+  for (std::size_t step = 0; step < 2 * count; ++step) {
+    const std::size_t offset = step % count;
+    const std::size_t i = velocity > 0 ? count - 1 - offset : offset;
+    now = pressure[i] > 0 ? 0 : now + each;
+    age[i] = now;
+  }
+  return age;
+}
+
+void startRecords(TimeMarch& march, MarchRecords wanted, double velocity) {
+  const bool isNew = wanted.sinceContact && march.sinceContact().empty();
+  march.record(wanted);
+  if (isNew && velocity != 0)
+    march.setSinceContact(steadyContactAge(march.pressure(), march.line().spacing, velocity));
 }
 
 }  // namespace asperity

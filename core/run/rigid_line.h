@@ -1,10 +1,12 @@
 // A scene's line prepared for contact, and the march of its elements from a known state: steady
-// sliding, or static equilibrium. Threading: plain functions; a RigidLine may be shared for
-// reading.
+// sliding, with the times since contact that it determines, or static equilibrium.
+// Threading: plain functions; a RigidLine may be shared for reading.
 #pragma once
 
 #include <cstdint>
 #include <memory>
+#include <span>
+#include <vector>
 
 #include "core/contact/line/prepared_profile.h"
 #include "core/contact/march/time_march.h"
@@ -43,5 +45,16 @@ TimeMarch steadyMarch(const RigidLine& rigid, const SteadySolver& sliding, doubl
 /// Begins in the equilibrium at rest, with the line moved by `distance` (m): nothing creeps. Throws
 /// InputError where the elastomer has no equilibrium.
 TimeMarch restingMarch(const RigidLine& rigid, const Scene& scene, double distance = 0);
+
+/// Returns the time since contact ended at each of the periodic points, s: 0 in contact. Elements
+/// behind a contact were in it a moment ago: the time is the distance to the nearest contact in the
+/// direction of sliding over the velocity (m/s, either sign), to within one spacing (m). Infinite
+/// where nothing is in contact or nothing slides.
+std::vector<double> steadyContactAge(std::span<const double> pressure, double spacing,
+                                     double velocity);
+
+/// Starts records of the elements. Where the march is in steady sliding at `velocity` (m/s; 0: it
+/// is not), the times since contact before its records began are known, too.
+void startRecords(TimeMarch& march, MarchRecords wanted, double velocity);
 
 }  // namespace asperity

@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/contact/march/time_march.h"
 #include "core/contact/steady_sliding.h"
 #include "core/contact/steady_solver.h"
-#include "core/run/contact_age.h"
 #include "core/run/rigid_line.h"
 #include "core/run/steady_frames.h"
 #include "core/scene/plan.h"
@@ -192,12 +190,10 @@ void Simulation::requestFields(const FrameFields& fields) {
 /// Starts the records; in steady sliding the time before is known, too.
 void Simulation::recordFields() {
   const MarchRecords records{fields_.sinceContact, fields_.power};
-  if (transient_) return transient_->record(records);
-  const bool isNew = fields_.sinceContact && march_->sinceContact().empty();
-  march_->record(records);
-  if (isNew && ready_->velocity() > 0)
-    march_->setSinceContact(
-        steadyContactAge(march_->pressure(), ready_->line().spacing, ready_->velocity()));
+  if (transient_)
+    transient_->record(records);
+  else
+    startRecords(*march_, records, ready_->velocity());
 }
 
 void Simulation::addFields(Frame& frame) const {

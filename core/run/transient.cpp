@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "core/contact/steady_sliding.h"
-#include "core/run/contact_age.h"
 #include "core/scene/plan.h"
 #include "core/scene/scene_check.h"
 
@@ -110,11 +109,8 @@ void Transient::estimateErrors(const Scene& scene) {
 /// Starts the records. Before its first step a motion that began in steady sliding knows the times
 /// of contact.
 void Transient::record(MarchRecords wanted) {
-  const bool isNew = wanted.sinceContact && march_.sinceContact().empty();
-  march_.record(wanted);
-  if (isNew && steps_ == 0 && !startsAtRest_)
-    march_.setSinceContact(
-        steadyContactAge(march_.pressure(), rigid_->line->spacing, motion_.velocityAt(0)));
+  const bool isSteady = steps_ == 0 && !startsAtRest_;
+  startRecords(march_, wanted, isSteady ? motion_.velocityAt(0) : 0);
 }
 
 /// Returns the step, s. At a constant velocity it is a node or an integer fraction of one, so that

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "core/contact/march/time_march.h"
+#include "core/run/frame.h"
 #include "core/run/rigid_line.h"
-#include "core/run/transient_sample.h"
 #include "core/scene/motion.h"
 #include "core/scene/scene.h"
 

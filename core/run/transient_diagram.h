@@ -8,7 +8,6 @@
 #include "core/chart/curve_set.h"
 #include "core/chart/diagram.h"
 #include "core/run/frame.h"
-#include "core/run/transient_sample.h"
 #include "core/scene/scene.h"
 
 namespace asperity {

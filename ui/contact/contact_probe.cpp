@@ -45,10 +45,7 @@ std::optional<ProbeReading> probeReading(const Frame& frame, double x) {
   reading.surface = frame.surfaceHeight[i];
   reading.pressure = frame.pressure[i];
   reading.gap = reading.pressure > 0 ? 0 : std::max(reading.line - reading.surface, 0.0);
-  reading.slope = frame.lineSlope.size() == n
-                      ? frame.lineSlope[i]
-                      : (frame.lineHeight[(i + 1) % n] - frame.lineHeight[(i + n - 1) % n]) /
-                            (2 * frame.spacing);
+  reading.slope = lineSlopeAt(frame, i);
   reading.surfaceRate = surfaceRate(frame, i);
   if (frame.sinceContact.size() == n && std::isfinite(frame.sinceContact[i]))
     reading.age = frame.sinceContact[i];

@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "core/contact/march/time_march.h"
-#include "core/run/contact_age.h"
+#include "core/run/rigid_line.h"
 #include "core/run/runner.h"
 #include "core/run/simulation.h"
 #include "core/run/steady_frames.h"
