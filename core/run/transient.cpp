@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-
 #include <stdexcept>
 
 #include "core/contact/steady_sliding.h"
@@ -250,21 +249,6 @@ double recentError(const std::vector<TransientSample>& samples) {
     ++count;
   }
   return count > 0 ? std::sqrt(squares / count) : kNotApplicable;
-}
-
-std::shared_ptr<const std::vector<TransientSample>> computeTransient(const Scene& scene,
-                                                                     std::int64_t count,
-                                                                     const std::stop_token& stop) {
-  Transient transient(scene, std::make_shared<RigidLine>(scene),
-                      std::max<std::int64_t>(count, 500));
-  auto samples = std::make_shared<std::vector<TransientSample>>();
-  TransientSample first = transient.singleStep();
-  first.time = 0;
-  samples->push_back(first);
-  for (std::int64_t i = 1; i <= count && !stop.stop_requested() && !transient.isOver(); ++i)
-    samples->push_back(transient.marchTo(transient.motion().duration() * static_cast<double>(i) /
-                                         static_cast<double>(count)));
-  return samples;
 }
 
 }  // namespace asperity

@@ -7,7 +7,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <stop_token>
 #include <vector>
 
 #include "core/contact/march/time_march.h"
@@ -97,10 +96,5 @@ class Transient {
 /// Returns the root mean square of the errors of the newest of these samples; NaN where none is
 /// known.
 double recentError(const std::vector<TransientSample>& samples);
-
-/// Returns `count` samples at equal distances over the scene's duration, after one at time 0 from
-/// its first step. Ends early, with the samples so far, where `stop` is requested.
-std::shared_ptr<const std::vector<TransientSample>> computeTransient(
-    const Scene& scene, std::int64_t count, const std::stop_token& stop = {});
 
 }  // namespace asperity

@@ -8,6 +8,7 @@
 
 #include "core/base/input_error.h"
 #include "tests/core/elastomers.h"
+#include "tests/core/run/transient_samples.h"
 
 namespace asperity {
 namespace {
@@ -38,10 +39,6 @@ Scene rough(SlidingKind kind) {
   return scene;
 }
 
-Samples run(const Scene& scene, std::int64_t count) {
-  return *computeTransient(scene, count);
-}
-
 /// 1/s, of the last decay of mu towards `end` between two times.
 double rateOf(const Samples& samples, double end, double from, double to) {
   double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
@@ -62,7 +59,7 @@ TEST(Transient, FrictionRelaxesAtThePredictedRateOnAParabola) {
   Scene scene = parabola(SlidingKind::Step);
   scene.sliding.velocityAfter = 0.55;
   scene.sliding.duration = 0.02;
-  const Samples samples = run(scene, 500);
+  const Samples samples = transientSamples(scene, 500);
   const TransientSample& last = samples.back();
   const double jump = 0.5 * scene.sliding.duration, time = 1 / last.predictedRate;
   const double rate = rateOf(samples, last.mu, jump + time, jump + 4 * time);
@@ -75,7 +72,7 @@ TEST(Transient, ARateIsPredictedForKelvinElementsAlone) {
     Scene scene = parabola(SlidingKind::Step);
     scene.elastomer = elastomer;
     const bool isKelvin = elementLaw(elastomer).kind() == ElementKind::Kelvin;
-    EXPECT_EQ(std::isfinite(run(scene, 4).back().predictedRate), isKelvin) << name;
+    EXPECT_EQ(std::isfinite(transientSamples(scene, 4).back().predictedRate), isKelvin) << name;
   }
 }
 
@@ -85,7 +82,7 @@ TEST(Transient, FrictionJumpsWithTheVelocity) {
   scene.surface.elements = 16000;
   scene.sliding.velocityAfter = 0.45;
   scene.sliding.duration = 0.01;
-  const Samples samples = run(scene, 1600);
+  const Samples samples = transientSamples(scene, 1600);
   std::size_t after = 0;
   while (samples[after].time <= 0.5 * scene.sliding.duration) ++after;
   const TransientSample &before = samples[after - 1], &first = samples[after];
@@ -266,7 +263,7 @@ TEST(Transient, BeginsInStaticEquilibriumAndReachesTheSteadyState) {
     // At rest nothing moves.
     Scene still = scene;
     still.sliding.velocity = 0;
-    const Samples resting = run(still, 20);
+    const Samples resting = transientSamples(still, 20);
     for (const TransientSample& sample : resting) {
       EXPECT_NEAR(sample.indentation / resting.front().indentation, 1, 1e-9) << name;
       EXPECT_NEAR(sample.normalForce / scene.load.normalForce, 1, 1e-9);
@@ -334,7 +331,7 @@ TEST(Transient, AtConstantDepthTheForceFollows) {
   Scene scene = rough(SlidingKind::Step);
   scene.load = {LoadKind::Indentation, 0, 4e-7};
   scene.sliding.velocityAfter = 2;
-  const Samples samples = run(scene, 100);
+  const Samples samples = transientSamples(scene, 100);
   EXPECT_GT(samples.back().normalForce, samples.front().normalForce);
   for (const TransientSample& sample : samples) EXPECT_EQ(sample.indentation, 4e-7);
 }
@@ -348,7 +345,7 @@ TEST(Transient, FullContactHasNone) {
   scene.sliding.velocity = 0.01;
   scene.sliding.velocityAfter = 0.02;
   scene.sliding.duration = 0.02;
-  const Samples samples = run(scene, 200);
+  const Samples samples = transientSamples(scene, 200);
   for (const TransientSample& sample : samples)
     if (sample.time > 0.5 * scene.sliding.duration)
       EXPECT_NEAR(sample.mu / samples.back().mu, 1, 1e-3);
@@ -359,7 +356,7 @@ TEST(Transient, FullContactHasNone) {
 TEST(Transient, LocalFrictionIsReportedApart) {
   Scene plain = rough(SlidingKind::Start), sticky = plain;
   sticky.interface.frictionCoefficient = 0.3;
-  const Samples one = run(plain, 50), other = run(sticky, 50);
+  const Samples one = transientSamples(plain, 50), other = transientSamples(sticky, 50);
   for (std::size_t i = 0; i < one.size(); ++i) {
     EXPECT_EQ(one[i].mu, other[i].mu);
     EXPECT_EQ(one[i].muInterface, 0);
@@ -370,7 +367,7 @@ TEST(Transient, LocalFrictionIsReportedApart) {
 TEST(Transient, WithoutAnEquilibriumThereIsNoBeginning) {
   Scene scene = rough(SlidingKind::Start);
   scene.elastomer = prony(0, {{1e7, 1e-3}});
-  EXPECT_THROW(run(scene, 10), InputError);
+  EXPECT_THROW(transientSamples(scene, 10), InputError);
 }
 
 }  // namespace

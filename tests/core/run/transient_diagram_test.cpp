@@ -1,4 +1,5 @@
-// Strips over time do not magnify the ripple of the march.
+// Strips over time do not magnify the ripple of the march, and the guide over the friction of a
+// motion is the exponential with the rate that each sample predicts.
 #include "core/run/transient_diagram.h"
 
 #include <gtest/gtest.h>
@@ -6,8 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/run/transient.h"
-#include "core/run/transient_diagram.h"
+#include "tests/core/run/transient_samples.h"
 
 namespace asperity {
 namespace {
@@ -41,13 +41,13 @@ Extent extentOf(const std::vector<TransientSample>& samples, double TransientSam
 }
 
 TEST(StripRange, ARippleOfOneNodeStaysSmall) {
-  const auto samples = computeTransient(slowParabola(), 200);
-  const MinimumSpan floors = minimumSpan(*samples, 1e-5, 0.04);
+  const auto samples = transientSamples(slowParabola(), 200);
+  const MinimumSpan floors = minimumSpan(samples, 1e-5, 0.04);
   for (const auto& [member, floor] :
        {std::pair{&TransientSample::mu, floors.friction},
         std::pair{&TransientSample::indentation, floors.indentation},
         std::pair{&TransientSample::contactLength, floors.contactLength}}) {
-    const Extent ripple = extentOf(*samples, member);
+    const Extent ripple = extentOf(samples, member);
     const AxisEnds ends = axisEnds(ripple.low, ripple.high, floor);
     EXPECT_LT(ripple.high - ripple.low, 0.4 * (ends.to - ends.from)) << floor;
     EXPECT_LT(ends.to - ends.from, 0.1 * ripple.high) << "still close to the value";
@@ -58,12 +58,12 @@ TEST(StripRange, WhatIsMoreThanARippleFillsItsStrip) {
   Scene scene = slowParabola();
   scene.sliding.velocity = 0.5;
   scene.sliding.velocityAfter = 0.55;
-  const auto samples = computeTransient(scene, 200);
-  const MinimumSpan floors = minimumSpan(*samples, 1e-5, 0.04);
+  const auto samples = transientSamples(scene, 200);
+  const MinimumSpan floors = minimumSpan(samples, 1e-5, 0.04);
   for (const auto& [member, floor] :
        {std::pair{&TransientSample::mu, floors.friction},
         std::pair{&TransientSample::indentation, floors.indentation}}) {
-    const Extent change = extentOf(*samples, member);
+    const Extent change = extentOf(samples, member);
     const AxisEnds ends = axisEnds(change.low, change.high, floor);
     EXPECT_NEAR((change.high - change.low) / (ends.to - ends.from), 1 / 1.24, 1e-9);
   }
@@ -92,11 +92,62 @@ TEST(StripRange, WithoutKnowledgeTheValuesDecide) {
 
 TEST(StripRange, SheetsHoldItToo) {
   const Scene scene = slowParabola();
-  const auto samples = computeTransient(scene, 200);
-  const DiagramSheet sheet = transientSheet(scene, *samples, 1e-5, 0.04);
+  const auto samples = transientSamples(scene, 200);
+  const DiagramSheet sheet = transientSheet(scene, samples, 1e-5, 0.04);
   const DiagramAxis& friction = sheet.diagrams[1].y;
-  const Extent ripple = extentOf(*samples, &TransientSample::mu);
+  const Extent ripple = extentOf(samples, &TransientSample::mu);
   EXPECT_LT(ripple.high - ripple.low, 0.4 * (friction.to - friction.from));
+}
+
+constexpr double kRate = 900;  // 1/s
+
+/// Friction that relaxes from the jump on exactly as predicted; level before it.
+std::vector<TransientSample> relaxing(double jump, double duration) {
+  std::vector<TransientSample> samples;
+  for (int i = 0; i <= 400; ++i) {
+    TransientSample sample;
+    sample.time = duration * i / 400;
+    sample.mu = sample.time > jump ? 0.5 + 0.3 * std::exp(-kRate * (sample.time - jump)) : 0.2;
+    sample.predictedRate = kRate;
+    samples.push_back(sample);
+  }
+  return samples;
+}
+
+Sliding motion(SlidingKind kind) {
+  Sliding sliding;
+  sliding.kind = kind;
+  sliding.duration = 0.04;
+  return sliding;
+}
+
+TEST(RelaxationGuide, LiesOnFrictionThatRelaxesAsPredicted) {
+  for (const SlidingKind kind : {SlidingKind::Start, SlidingKind::Step, SlidingKind::Reversal}) {
+    const double jump = kind == SlidingKind::Start ? 0 : 0.02;
+    const auto samples = relaxing(jump, 0.04);
+    const auto guide = relaxationGuide(motion(kind), samples);
+    ASSERT_GE(guide.size(), 199U);
+    EXPECT_GT(guide.front().x, jump);
+    for (const DiagramPoint& point : guide) {
+      const double mu = 0.5 + 0.3 * std::exp(-kRate * (point.x - jump));
+      EXPECT_NEAR(point.y, mu, 1e-8 * mu + 0.3 * std::exp(-kRate * 0.02)) << point.x;
+    }
+  }
+}
+
+TEST(RelaxationGuide, IsNotThereBeforeAJumpNorWhereTheVelocityAlwaysChanges) {
+  auto samples = relaxing(0.02, 0.04);
+  EXPECT_TRUE(relaxationGuide(motion(SlidingKind::Oscillation), samples).empty());
+  samples.resize(150);
+  EXPECT_TRUE(relaxationGuide(motion(SlidingKind::Step), samples).empty());
+  EXPECT_TRUE(relaxationGuide(motion(SlidingKind::Start), {}).empty());
+}
+
+TEST(RelaxationGuide, IsNotThereAtRest) {
+  auto samples = relaxing(0.02, 0.04);
+  for (TransientSample& sample : samples)
+    if (sample.time > 0.02) sample.mu = kNotApplicable;
+  EXPECT_TRUE(relaxationGuide(motion(SlidingKind::Step), samples).empty());
 }
 
 }  // namespace
