@@ -19,7 +19,6 @@
 #include "core/study/study_merge.h"
 #include "core/study/study_report.h"
 #include "core/study/study_run.h"
-#include "core/study/study_sheets.h"
 #include "core/study/study_table.h"
 #include "ui/draw/ticks.h"
 #include "ui/language/translated.h"

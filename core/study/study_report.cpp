@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <vector>
@@ -15,6 +16,10 @@ namespace asperity {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+/// Half of a 95 % confidence interval, in standard errors of a jackknife over 20 groups: Student's
+/// t with 19 degrees of freedom.
+constexpr double kHalfInterval = 2.093;
 
 std::string joined(const std::vector<std::string>& cells) {
   return fmt::format("{}\n", fmt::join(cells, ","));
@@ -123,6 +128,200 @@ std::string percentilesCsv(const StudyAnalysis& analysis) {
     for (std::size_t v = 0; v < band.values.size(); ++v)
       row(band.name, band.values[v], band.percentiles[v]);
   return text;
+}
+
+namespace {
+
+constexpr std::size_t kMostDots = 1500;  // of one diagram of scattered points
+
+/// Every axis or column gets a position 1, 2, ... with its name above it.
+void addNames(Diagram& diagram, const std::vector<std::string>& names,
+              const std::vector<std::string>& shortNames) {
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    DiagramSpan span;
+    span.from = static_cast<double>(i) + 0.5;
+    span.to = span.from + 1;
+    span.label = Message(names[i]);
+    span.shortLabel = shortNames[i];
+    diagram.spans.push_back(std::move(span));
+  }
+  diagram.x = {"parameter", "", AxisScale::Linear, 0.5, static_cast<double>(names.size()) + 0.5};
+}
+
+/// Returns the label of a key, and its symbol.
+std::string keyLabel(const StudyColumn& column) {
+  return std::string(column.row->label);
+}
+std::string shortLabel(const StudyColumn& column) {
+  return std::string(column.row->symbol.empty() ? column.row->label : column.row->symbol);
+}
+
+Message outputTitle(const std::string& name) {
+  return Message::name(name);
+}
+
+DiagramSheet sensitivitySheet(const ParameterStudy& study, const StudyAnalysis& analysis) {
+  DiagramSheet sheet;
+  sheet.title = "Which parameter is responsible for the scatter";
+  sheet.note =
+      "First order: the share of the variance that goes where the parameter is known. Total: the "
+      "share that stays where all others are known. Bars: 95 % confidence.";
+  std::vector<std::string> names, shortNames;
+  for (const StudyAxis& axis : study.space.axes()) {
+    const bool isSingle = axis.columns.size() == 1;
+    names.push_back(isSingle ? keyLabel(axis.columns.front()) : "rows");
+    shortNames.push_back(isSingle ? shortLabel(axis.columns.front()) : "rows");
+  }
+  for (const OutputAnalysis& output : analysis.outputs) {
+    if (output.indices.empty()) continue;
+    Diagram diagram;
+    diagram.title = outputTitle(output.name);
+    addNames(diagram, names, shortNames);
+    diagram.y = {"share of the variance", "", AxisScale::Linear};
+    DiagramSeries first, total;
+    first.name = "first order";
+    first.mark = SeriesMark::Circle;
+    first.stroke = SeriesStroke::None;
+    total.name = "total";
+    total.mark = SeriesMark::Square;
+    total.stroke = SeriesStroke::None;
+    for (const SobolIndex& index : output.indices) {
+      constexpr double kAside = 0.12;
+      const double x = static_cast<double>(index.axis) + 1;
+      const auto point = [](double at, const Estimate& estimate) {
+        const double half = kHalfInterval * estimate.standardError;
+        return DiagramPoint{at, estimate.value, estimate.value - half, estimate.value + half};
+      };
+      first.points.push_back(point(x - kAside, index.first));
+      total.points.push_back(point(x + kAside, index.total));
+    }
+    diagram.series = {std::move(first), std::move(total)};
+    sheet.diagrams.push_back(std::move(diagram));
+  }
+  return sheet;
+}
+
+DiagramSheet correlationSheet(const ParameterStudy& study, const StudyAnalysis& analysis) {
+  DiagramSheet sheet;
+  sheet.title = "How the results go with the parameters";
+  sheet.note =
+      "Correlation of the values (of the logarithm where a key is varied over it) and of their "
+      "ranks; 1 and -1 mean that the parameter decides alone.";
+  for (const OutputAnalysis& output : analysis.outputs) {
+    Diagram diagram;
+    diagram.title = outputTitle(output.name);
+    std::vector<std::string> names, shortNames;
+    DiagramSeries values, ranks;
+    values.name = "of the values";
+    values.mark = SeriesMark::Circle;
+    values.stroke = SeriesStroke::None;
+    ranks.name = "of the ranks";
+    ranks.mark = SeriesMark::Diamond;
+    ranks.stroke = SeriesStroke::None;
+    for (const ColumnEffect& effect : output.effects) {
+      const StudyColumn& column = study.space.column(effect.column);
+      if (column.hasWords()) continue;  // words have no order
+      names.push_back(keyLabel(column));
+      shortNames.push_back(shortLabel(column));
+      const auto x = static_cast<double>(names.size());
+      values.points.push_back({x - 0.1, effect.correlation});
+      ranks.points.push_back({x + 0.1, effect.rankCorrelation});
+    }
+    if (names.empty()) continue;
+    addNames(diagram, names, shortNames);
+    diagram.y = {"correlation", "", AxisScale::Linear, -1.05, 1.05};
+    diagram.series = {std::move(values), std::move(ranks)};
+    sheet.diagrams.push_back(std::move(diagram));
+  }
+  return sheet;
+}
+
+DiagramSheet effectsSheet(const ParameterStudy& study, const OutputAnalysis& output) {
+  DiagramSheet sheet;
+  sheet.title = message("{} over each parameter", output.name);
+  sheet.note =
+      "Points: single simulations. Line: mean over all other parameters, with its standard error.";
+  for (const ColumnEffect& effect : output.effects) {
+    const StudyColumn& column = study.space.column(effect.column);
+    Diagram diagram;
+    diagram.x = {Message(column.row->label), std::string(column.row->unit),
+                 effect.isLogarithmic ? AxisScale::Logarithmic : AxisScale::Linear};
+    diagram.y = {Message::name(output.name), "", AxisScale::Linear};
+    DiagramSeries single, mean;
+    single.name = "single simulations";
+    single.mark = SeriesMark::Circle;
+    single.stroke = SeriesStroke::None;
+    single.isFaded = true;
+    const std::size_t step = effect.sample.size() / kMostDots + 1;
+    for (std::size_t i = 0; i < effect.sample.size(); i += step)
+      single.points.push_back({effect.sample[i].first, effect.sample[i].second});
+    mean.name = "mean";
+    mean.isBand = true;
+    mean.colour = 1;
+    for (const MainEffect& one : effect.means)
+      mean.points.push_back(
+          {one.x, one.mean, one.mean - one.standardError, one.mean + one.standardError});
+    diagram.series = {std::move(single), std::move(mean)};
+    sheet.diagrams.push_back(std::move(diagram));
+  }
+  return sheet;
+}
+
+DiagramSheet bandSheet(const ParameterStudy& study, const CurveBand& band) {
+  DiagramSheet sheet;
+  const Parameter& row = *findParameter(study.base.sweep.key);
+  sheet.title = message("{} with its scatter", band.name.substr(band.name.find('.') + 1));
+  sheet.note = "Bands: from the 5th to the 95th, and from the 25th to the 75th percentile.";
+  Diagram diagram;
+  const bool isLogarithmic = study.base.sweep.scale == SweepScale::Logarithmic;
+  diagram.x = {Message(row.label), std::string(row.unit),
+               isLogarithmic ? AxisScale::Logarithmic : AxisScale::Linear};
+  diagram.y = {Message::name(band.name.substr(band.name.find('.') + 1)), "", AxisScale::Linear};
+  const auto series = [&](const Message& name, std::size_t low, std::size_t high, bool isBand) {
+    DiagramSeries one;
+    one.name = name;
+    one.isBand = isBand;
+    one.colour = 0;
+    if (isBand) one.stroke = SeriesStroke::None;
+    for (std::size_t v = 0; v < band.values.size(); ++v) {
+      const auto& at = band.percentiles[v];
+      if (isBand)
+        one.points.push_back({band.values[v], at[2], at[low], at[high]});
+      else
+        one.points.push_back({band.values[v], at[2]});
+    }
+    return one;
+  };
+  diagram.series = {series("5 % to 95 %", 0, 4, true), series("25 % to 75 %", 1, 3, true),
+                    series("median", 2, 2, false)};
+  double least = 1, largest = 0;
+  for (const auto& at : band.percentiles)
+    if (std::isfinite(at[0]) && at[0] > 0) {
+      least = largest > 0 ? std::min(least, at[0]) : at[0];
+      largest = std::max(largest, at[4]);
+    }
+  constexpr double kWide = 30;
+  if (largest > kWide * least) diagram.y.scale = AxisScale::Logarithmic;
+  sheet.diagrams = {std::move(diagram)};
+  return sheet;
+}
+
+}  // namespace
+
+std::vector<NamedSheet> studySheets(const ParameterStudy& study, const StudyAnalysis& analysis) {
+  std::vector<NamedSheet> sheets;
+  const auto add = [&](std::string name, DiagramSheet sheet) {
+    std::ranges::replace(name, '.', '_');
+    if (!study.title.empty() && sheet.subtitle.empty()) sheet.subtitle = Message::name(study.title);
+    if (!sheet.diagrams.empty()) sheets.push_back({std::move(name), std::move(sheet)});
+  };
+  add("sensitivity", sensitivitySheet(study, analysis));
+  add("correlation", correlationSheet(study, analysis));
+  for (const OutputAnalysis& output : analysis.outputs)
+    if (output.count > 0) add("effects_" + output.name, effectsSheet(study, output));
+  for (const CurveBand& band : analysis.bands)
+    add("band_" + band.name.substr(band.name.find('.') + 1), bandSheet(study, band));
+  return sheets;
 }
 
 }  // namespace asperity

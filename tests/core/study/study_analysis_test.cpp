@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/study/study_sheets.h"
+#include "core/study/study_report.h"
 
 namespace asperity {
 namespace {
