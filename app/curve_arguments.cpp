@@ -45,17 +45,6 @@ constexpr std::int64_t kMaxOversampling = 64;
 constexpr NamedChoices<CurveAxes, 2> kAxesNames{
     {{"physical", CurveAxes::Physical}, {"dimensionless", CurveAxes::Dimensionless}}};
 
-std::vector<std::string> split(const std::string& text, char at) {
-  std::vector<std::string> parts(1);
-  for (const char c : text) {
-    if (c == at)
-      parts.emplace_back();
-    else
-      parts.back() += c;
-  }
-  return parts;
-}
-
 [[noreturn]] void refuseComparison(const std::string& text) {
   throw InputError("", kCompare,
                    message("{} is not SCHEME[:OVERSAMPLING[:LINES]] with nodal, linear or cubic, "
@@ -63,14 +52,14 @@ std::vector<std::string> split(const std::string& text, char at) {
                            shortened(text), kMaxOversampling));
 }
 
-std::int64_t wholeFrom(const std::string& part, const std::string& all, std::int64_t most) {
+std::int64_t wholeFrom(std::string_view part, const std::string& all, std::int64_t most) {
   std::int64_t number = 0;
   if (!readNumber(part, number) || number < 1 || number > most) refuseComparison(all);
   return number;
 }
 
 CurveSetting settingFrom(const std::string& text, const Scene& scene) {
-  const std::vector<std::string> parts = split(text, ':');
+  const std::vector<std::string_view> parts = splitText(text, ":");
   const auto& schemes = std::get<ChoiceField>(findParameter("accuracy.scheme")->field).choices;
   const auto& lines = std::get<IntegerField>(findParameter("ensemble.realizations")->field);
   CurveSetting setting;

@@ -6,7 +6,6 @@
 #include <cctype>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 namespace asperity {
 namespace {
@@ -122,6 +121,15 @@ std::string shortened(std::string_view text) {
   std::size_t end = kMost;
   while (end > 0 && isInside(end)) --end;
   return std::string(text.substr(0, end)) + "...";
+}
+
+std::vector<std::string_view> splitText(std::string_view text, std::string_view separator) {
+  std::vector<std::string_view> parts;
+  for (std::size_t end; (end = text.find(separator)) != std::string_view::npos;
+       text.remove_prefix(end + separator.size()))
+    parts.push_back(text.substr(0, end));
+  parts.push_back(text);
+  return parts;
 }
 
 std::string_view nearestWord(std::string_view word, std::span<const std::string_view> known) {

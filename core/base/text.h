@@ -1,5 +1,5 @@
-// Texts from a user or a file: quoting them in printable characters, shortening them, finding the
-// nearest known word, making file names from them. Pure; any thread.
+// Texts from a user or a file: quoting them in printable characters, shortening and splitting them,
+// finding the nearest known word, making file names from them. Pure; any thread.
 #pragma once
 
 #include <algorithm>
@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace asperity {
 
@@ -18,6 +19,9 @@ std::string printable(std::string_view text);
 
 /// Returns a user's text, shortened so that it can be quoted in a message.
 std::string shortened(std::string_view text);
+
+/// Returns the parts of a text between separators; where there is none, the text itself.
+std::vector<std::string_view> splitText(std::string_view text, std::string_view separator);
 
 /// Returns whether the word is one of these.
 template <class Words = std::initializer_list<std::string_view>>

@@ -6,6 +6,7 @@
 #include <set>
 #include <vector>
 
+#include "core/base/text.h"
 #include "core/scene/parameters.h"
 
 namespace asperity {
@@ -15,15 +16,9 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kBatch = "batch", kMap = "map", kOverIt = "curve over it, map";
 
-/// Splits a list that is separated by ", ".
-std::vector<std::string> itemsOf(std::string_view list) {
-  std::vector<std::string> items;
-  while (!list.empty()) {
-    const std::size_t comma = list.find(", ");
-    items.emplace_back(list.substr(0, comma));
-    list = comma == list.npos ? std::string_view() : list.substr(comma + 2);
-  }
-  return items;
+/// Returns the tables that have the column.
+std::vector<std::string_view> tablesOf(const Column& column) {
+  return splitText(column.tables, ", ");
 }
 
 /// Calls `use` for every column of the dictionary, then for the scene keys, which are columns of a
@@ -38,8 +33,7 @@ void forEachColumn(const Use& use) {
   // word.
   std::set<std::string_view> known;
   for (const Column& column : kColumns)
-    for (const std::string& table : itemsOf(column.tables))
-      if (table == kMap) known.insert(column.name);
+    if (isOneOf(kMap, tablesOf(column))) known.insert(column.name);
   for (const Parameter& row : parameters()) {
     const std::string_view word = row.key.substr(row.key.rfind('.') + 1);
     if (allowedRange(row) && known.insert(word).second)
@@ -73,7 +67,7 @@ std::string columnsJson() {
                     {"unit", column.unit},
                     {"meaning", column.meaning},
                     {"equation", column.equation},
-                    {"tables", itemsOf(column.tables)}});
+                    {"tables", tablesOf(column)}});
   });
   const Json root = {{"schema", "asperity-columns/1"},
                      {"verb", "columns"},

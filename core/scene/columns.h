@@ -251,8 +251,7 @@ inline constexpr auto kColumns = std::to_array<Column>({
     {"raw", "", "The same of the file before processing; empty where there is none.", "",
      "statistics"},
 
-    // ---- a material
-    // ---- fits of measured friction
+    // ---- fits of measured friction, and a material
     {"mu_measured", "", "Measured coefficient of friction.", "", "fit"},
     {"mu_error", "", "Its error as the table gives it; empty where there is none.", "", "fit"},
     {"mu_band", "", "Standard error of the computed friction by the errors of the parameters.",

@@ -32,16 +32,6 @@ Json jsonCell(const TableCell& cell) {
   return std::get<std::string>(cell);
 }
 
-std::vector<std::string> splitAtCommas(std::string_view list) {
-  std::vector<std::string> parts;
-  for (std::size_t comma = 0; comma != list.npos;) {
-    comma = list.find(',');
-    parts.emplace_back(list.substr(0, comma));
-    list = comma == list.npos ? std::string_view() : list.substr(comma + 1);
-  }
-  return parts;
-}
-
 /// Returns the cells of a line as they are written, with their quotes. A quoted cell may contain
 /// line ends, so the line ends where `at` stands afterwards.
 std::vector<std::string_view> cellsAt(std::string_view csv, std::size_t& at) {
@@ -61,21 +51,11 @@ std::vector<std::string_view> cellsAt(std::string_view csv, std::size_t& at) {
   return cells;
 }
 
-/// Returns whether a table is in the list "curve, curves, figure 2".
-bool isListed(std::string_view list, std::string_view table) {
-  while (!list.empty()) {
-    const std::size_t comma = list.find(", ");
-    if (list.substr(0, comma) == table) return true;
-    list = comma == list.npos ? std::string_view() : list.substr(comma + 2);
-  }
-  return false;
-}
-
 std::set<std::string_view> columnsOf(const std::vector<std::string_view>& tables) {
   std::set<std::string_view> names;
   for (const Column& column : kColumns)
     for (const std::string_view table : tables)
-      if (isListed(column.tables, table)) names.insert(column.name);
+      if (isOneOf(table, splitText(column.tables, ", "))) names.insert(column.name);
   return names;
 }
 
@@ -117,10 +97,9 @@ ColumnChoice::ColumnChoice(const std::string& words, const std::vector<std::stri
   if (words.empty()) return;
   const std::set<std::string_view> known = columnsOf(tables);
   const std::vector<std::string_view> list(known.begin(), known.end());
-  for (const std::string& word : splitAtCommas(words)) {
+  for (const std::string_view word : splitText(words, ",")) {
     const bool isKey = std::ranges::any_of(parameters(), [&](const Parameter& row) {
-      const std::string_view key = row.key;
-      return key == word || key.substr(key.rfind('.') + 1) == word;
+      return row.key == word || lastWord(row.key) == word;
     });
     if (!known.contains(word) && !isKey) {
       const std::string_view nearest = nearestWord(word, list);
@@ -131,9 +110,9 @@ ColumnChoice::ColumnChoice(const std::string& words, const std::vector<std::stri
                           : message("'{}' is no column of this table; did you mean '{}'?",
                                     shortened(word), nearest));
     }
-    if (std::ranges::find(columns_, word) != columns_.end())
+    if (isOneOf(word, columns_))
       throw InputError("", kOption, message("'{}' is given more than once", shortened(word)));
-    columns_.push_back(word);
+    columns_.emplace_back(word);
   }
 }
 

@@ -159,6 +159,21 @@ bool isApplicable(const Parameter& parameter, const Scene& scene) {
   return !parameter.alsoApplies.choiceKey.empty() && holds(parameter.alsoApplies, scene);
 }
 
+Parameter parameterIn(const Parameter& row, const Scene& scene) {
+  Parameter shown = row;
+  if (row.key == kVelocityKey && scene.sliding.kind == SlidingKind::Oscillation)
+    shown.label = "mean velocity";
+  const bool isEndOfOtherAxis = row.applies.choiceKey == "sweep.key" && row.applies.isExcept;
+  const Parameter* swept = isEndOfOtherAxis ? findParameter(scene.sweep.key) : nullptr;
+  if (!swept || scene.sweep.isOfVelocity() || !isNumber(*swept)) return shown;
+  shown.unit = swept->unit;
+  shown.symbol = swept->symbol;
+  const auto [minimum, maximum] = *allowedRange(*swept);
+  const auto [from, to, scale] = *sliderRange(*swept);
+  shown.field = RealField{std::get<RealField>(row.field).member, minimum, maximum, from, to, scale};
+  return shown;
+}
+
 ParameterValue parameterValue(const Parameter& parameter, const Scene& scene) {
   return std::visit(
       Overloaded{
@@ -202,9 +217,7 @@ void setValue(const Parameter& parameter, Scene& scene, const ParameterValue& va
 }
 
 void setFromText(const Parameter& parameter, Scene& scene, std::string_view text) {
-  const bool isWhole = std::holds_alternative<IntegerField>(parameter.field);
-  if (!isWhole && !std::holds_alternative<RealField>(parameter.field))
-    return setValue(parameter, scene, std::string(text));
+  if (!isNumber(parameter)) return setValue(parameter, scene, std::string(text));
   const TypedQuantity typed = typedQuantity(text, quantityRule(parameter));
   if (typed.value) return setValue(parameter, scene, *typed.value);
   if (typed.isTooLarge)
@@ -220,8 +233,29 @@ QuantityRule quantityRule(const Parameter& parameter) {
   // The constant c2 of WLF is in kelvins, too, but is a difference of temperatures.
   const bool isAbsolute =
       parameter.key.ends_with("temperature") || parameter.symbol.starts_with('T');
-  return {parameter.unit, parameter.unit == "K" && isAbsolute,
-          std::holds_alternative<IntegerField>(parameter.field)};
+  return {parameter.unit, parameter.unit == "K" && isAbsolute, isWholeNumber(parameter)};
+}
+
+const Parameter& numberRow(std::string_view key) {
+  const Parameter& row = knownParameter(key);
+  if (!isNumber(row)) refuse(row, "is not a number, so it has no range");
+  return row;
+}
+
+double parseNumber(const Parameter& parameter, std::string_view text) {
+  Scene scratch;
+  setFromText(parameter, scratch, text);
+  return parameterNumber(parameter, scratch);
+}
+
+double parameterNumber(const Parameter& parameter, const Scene& scene) {
+  const ParameterValue value = parameterValue(parameter, scene);
+  const auto* whole = std::get_if<std::int64_t>(&value);
+  return whole ? static_cast<double>(*whole) : std::get<double>(value);
+}
+
+void setNumber(const Parameter& parameter, Scene& scene, double number) {
+  setValue(parameter, scene, isWholeNumber(parameter) ? std::round(number) : number);
 }
 
 std::optional<AllowedRange> allowedRange(const Parameter& parameter) {
@@ -230,6 +264,24 @@ std::optional<AllowedRange> allowedRange(const Parameter& parameter) {
   if (const auto* whole = std::get_if<IntegerField>(&parameter.field))
     return AllowedRange{static_cast<double>(whole->minimum), static_cast<double>(whole->maximum)};
   return {};
+}
+
+bool isWholeNumber(const Parameter& parameter) {
+  return std::holds_alternative<IntegerField>(parameter.field);
+}
+
+std::optional<SliderRange> sliderRange(const Parameter& parameter) {
+  if (const auto* real = std::get_if<RealField>(&parameter.field))
+    return SliderRange{real->sliderFrom, real->sliderTo, real->scale};
+  if (const auto* whole = std::get_if<IntegerField>(&parameter.field))
+    return SliderRange{static_cast<double>(whole->sliderFrom), static_cast<double>(whole->sliderTo),
+                       whole->scale};
+  return {};
+}
+
+bool hasLogarithmicSlider(const Parameter& parameter) {
+  const auto slider = sliderRange(parameter);
+  return slider && slider->scale != Scale::Linear;
 }
 
 Message allowedText(const Parameter& parameter) {

@@ -115,6 +115,9 @@ const Parameter* findParameter(std::string_view key);
 /// Returns the row of a key. Throws InputError with the nearest known key where there is none.
 const Parameter& knownParameter(std::string_view key);
 
+/// Returns the row of a number. Throws InputError with the key where it is unknown or no number.
+const Parameter& numberRow(std::string_view key);
+
 /// Returns the known key nearest to `key` by edit distance.
 std::string_view nearestKey(std::string_view key);
 
@@ -126,6 +129,11 @@ bool isKind(const Parameter& parameter);
 
 /// Returns whether its value is a list in JSON: arms, a table of shifts.
 bool isList(const Parameter& parameter);
+
+/// Returns the row as it is in this scene: the ends of an axis over another key than velocity have
+/// the unit, the limits and the slider of that key, and the velocity of an oscillation is called
+/// its mean. All other rows are returned unchanged.
+Parameter parameterIn(const Parameter& row, const Scene& scene);
 
 /// Returns the value in the scene; choices as their word, lists as JSON text.
 ParameterValue parameterValue(const Parameter& parameter, const Scene& scene);
@@ -144,14 +152,35 @@ void setFromText(const Parameter& parameter, Scene& scene, std::string_view text
 /// Returns which texts are numbers of the row.
 QuantityRule quantityRule(const Parameter& parameter);
 
-/// Limits of numbers; other rows have none.
+/// Returns a number of the row as people type it, with or without a unit. Throws InputError with
+/// the key where it is none or outside what the parameter allows.
+double parseNumber(const Parameter& parameter, std::string_view text);
+
+/// Returns the number that a real or whole parameter has in a scene.
+double parameterNumber(const Parameter& parameter, const Scene& scene);
+
+/// Sets a real or whole parameter; a whole one to the nearest whole number. Throws as setValue.
+void setNumber(const Parameter& parameter, Scene& scene, double number);
+
+/// Limits of numbers, in the row's unit; other rows have none.
 struct AllowedRange {
-  double minimum, maximum;  // in the row's unit
+  double minimum, maximum;
 };
 std::optional<AllowedRange> allowedRange(const Parameter& parameter);
 inline bool isNumber(const Parameter& parameter) {
   return allowedRange(parameter).has_value();
 }
+
+/// Returns whether the row's numbers are whole.
+bool isWholeNumber(const Parameter& parameter);
+
+/// What the slider of a number covers, in the row's unit; other rows have none.
+struct SliderRange {
+  double from, to;
+  Scale scale;
+};
+std::optional<SliderRange> sliderRange(const Parameter& parameter);
+bool hasLogarithmicSlider(const Parameter& parameter);
 
 /// Returns "0 to 1", "1e-6 to 1e15 Pa", "one of nodal, linear, cubic" or "text".
 Message allowedText(const Parameter& parameter);

@@ -7,7 +7,7 @@
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
-#include "core/scene/sweep.h"
+#include "core/base/text.h"
 
 namespace asperity {
 namespace {
@@ -16,53 +16,45 @@ namespace {
   throw InputError("", std::string(key), what);
 }
 
-std::vector<std::string_view> splitAtColons(std::string_view text) {
-  std::vector<std::string_view> parts;
-  for (std::size_t colon; (colon = text.find(':')) != std::string_view::npos;
-       text.remove_prefix(colon + 1))
-    parts.push_back(text.substr(0, colon));
-  parts.push_back(text);
-  return parts;
+int decadeOf(double value) {
+  return static_cast<int>(std::floor(std::log10(std::abs(value))));
+}
+
+/// Rounds to the 15th digit of `largest`; what is smaller than that is 0.
+double roundedBeside(double value, double largest) {
+  if (value == 0) return 0;
+  const int digits = 15 - (decadeOf(largest) - decadeOf(value));
+  return digits > 0 ? roundedToDigits(value, digits) : 0;
 }
 
 }  // namespace
 
-const Parameter& numberRow(std::string_view key) {
-  const Parameter& row = knownParameter(key);
-  if (!allowedRange(row)) refuse(key, message("is not a number, so it has no range"));
-  return row;
+std::vector<double> logSpaced(double from, double to, std::int64_t points) {
+  std::vector<double> values{from};
+  // In higher precision, so that 15 digits are right: decades of a sweep are met exactly.
+  const long double ratio = static_cast<long double>(to) / from;
+  for (std::int64_t i = 1; i + 1 < points; ++i) {
+    const long double part = static_cast<long double>(i) / static_cast<long double>(points - 1);
+    values.push_back(roundedToDigits(static_cast<double>(from * std::pow(ratio, part)), 15));
+  }
+  if (points > 1) values.push_back(to);
+  return values;
 }
 
-bool isWholeNumber(const Parameter& row) {
-  return std::holds_alternative<IntegerField>(row.field);
-}
-
-double parameterNumber(const Parameter& row, const Scene& scene) {
-  const ParameterValue value = parameterValue(row, scene);
-  const auto* whole = std::get_if<std::int64_t>(&value);
-  return whole ? static_cast<double>(*whole) : std::get<double>(value);
-}
-
-void setNumber(const Parameter& row, Scene& scene, double number) {
-  setValue(row, scene, isWholeNumber(row) ? std::round(number) : number);
-}
-
-double parseNumber(const Parameter& row, std::string_view text) {
-  Scene scratch;
-  setFromText(row, scratch, text);
-  return parameterNumber(row, scratch);
-}
-
-bool hasLogarithmicSlider(const Parameter& row) {
-  if (const auto* real = std::get_if<RealField>(&row.field)) return real->scale != Scale::Linear;
-  if (const auto* whole = std::get_if<IntegerField>(&row.field))
-    return whole->scale != Scale::Linear;
-  return false;
+std::vector<double> linearSpaced(double from, double to, std::int64_t points) {
+  std::vector<double> values{from};
+  const double largest = std::max(std::abs(from), std::abs(to));
+  for (std::int64_t i = 1; i + 1 < points; ++i) {
+    const double part = static_cast<double>(i) / static_cast<double>(points - 1);
+    values.push_back(roundedBeside(from + (to - from) * part, largest));
+  }
+  if (points > 1) values.push_back(to);
+  return values;
 }
 
 ParameterRange parseRange(std::string_view key, std::string_view text) {
   const Parameter& row = numberRow(key);
-  const std::vector<std::string_view> parts = splitAtColons(text);
+  const std::vector<std::string_view> parts = splitText(text, ":");
   const auto refuseText = [&] {
     refuse(key,
            message("'{}' is not FROM:TO:N, such as 0.001:10:41, with :log or :linear behind it "

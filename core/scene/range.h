@@ -24,25 +24,11 @@ struct ParameterRange {
 
 inline constexpr std::int64_t kMostRangePoints = 100000;
 
-/// Returns the row of a number. Throws InputError with the key where it is unknown or no number.
-const Parameter& numberRow(std::string_view key);
+/// Returns x_i = from (to / from)^(i / (points - 1)), with the last one exactly `to`.
+std::vector<double> logSpaced(double from, double to, std::int64_t points);
 
-/// Returns whether the row's numbers are whole.
-bool isWholeNumber(const Parameter& row);
-
-/// Returns the number that a real or whole parameter has in a scene.
-double parameterNumber(const Parameter& row, const Scene& scene);
-
-/// Sets a real or whole parameter; a whole one to the nearest whole number. Throws InputError with
-/// the key where the number is outside what the parameter allows.
-void setNumber(const Parameter& row, Scene& scene, double number);
-
-/// Returns a number of the row as people type it, with or without a unit. Throws InputError with
-/// the key where it is none or outside what the parameter allows.
-double parseNumber(const Parameter& row, std::string_view text);
-
-/// Returns whether the row's slider is logarithmic.
-bool hasLogarithmicSlider(const Parameter& row);
+/// Returns x_i = from + (to - from) i / (points - 1), with the last one exactly `to`.
+std::vector<double> linearSpaced(double from, double to, std::int64_t points);
 
 /// Reads "FROM:TO:N" with ":log" or ":linear" behind it where wanted. Throws InputError with the
 /// key.
@@ -55,8 +41,8 @@ ParameterRange parseRangeOption(const std::string& option, std::string_view text
 /// range touches 0, or there are too few or too many points.
 void checkRange(const ParameterRange& range, const Scene& scene);
 
-/// Returns from (to/from)^(i/(N - 1)) or from + (to - from) i/(N - 1), the last one exactly `to`.
-/// Whole numbers are rounded and repeats left out; one point is `from`.
+/// Returns the values, spaced evenly in their logarithm or evenly. Whole numbers are rounded and
+/// repeats left out; one point is `from`.
 std::vector<double> rangeValues(const ParameterRange& range);
 
 /// Returns the range as text that reads back to the same range.

@@ -166,12 +166,19 @@ bool isHarmless(const Assignment& assignment) {
   return ignored.accuracy.oversampling <= 1;
 }
 
+constexpr std::string_view kTarget = "accuracy.target_relative_error";
+
+/// Returns whether a target accuracy determines the value of this key.
+bool isResolution(std::string_view key) {
+  return key == "accuracy.scheme" || key == "accuracy.oversampling";
+}
+
 bool isResolution(const Assignment& assignment) {
-  return assignment.key == "accuracy.scheme" || assignment.key == "accuracy.oversampling";
+  return isResolution(assignment.key);
 }
 
 bool isTarget(const Assignment& assignment) {
-  if (assignment.key != "accuracy.target_relative_error") return false;
+  if (assignment.key != kTarget) return false;
   Scene scene;
   apply(assignment, scene);
   return scene.accuracy.targetRelativeError > 0;
@@ -392,6 +399,14 @@ bool isLeftOut(const Parameter& row, const Scene& scene) {
          parameterValue(row, scene) == defaultValue(row);
 }
 
+/// Returns whether the row may be stated for the scene. A target accuracy determines the
+/// resolution, so only one of them may be stated.
+bool isStated(const Parameter& row, const Scene& scene) {
+  if (!isApplicable(row, scene)) return false;
+  if (row.key == kTarget) return choosesAccuracy(scene);
+  return !isResolution(row.key) || !choosesAccuracy(scene);
+}
+
 /// Returns the member of a dotted key.
 Json& memberAt(Json& root, std::string_view key) {
   Json* value = &root;
@@ -428,10 +443,7 @@ std::string writeScene(const Scene& scene) {
   Json root;
   root["schema"] = kSchema;
   for (const Parameter& row : parameters()) {
-    if (!isApplicable(row, scene)) continue;
-    if (isLeftOut(row, scene)) continue;
-    if (row.key == "accuracy.scheme" && choosesAccuracy(scene)) continue;
-    if (row.key == "accuracy.target_relative_error" && !choosesAccuracy(scene)) continue;
+    if (!isStated(row, scene) || isLeftOut(row, scene)) continue;
     const ParameterValue value = parameterValue(row, scene);
     const bool hasFile = hasSurfaceFile(scene.surface);
     if (hasFile && row.key == "surface.length" && scene.surface.length == 0) continue;
@@ -449,23 +461,11 @@ std::string assignedValue(const ParameterValue& value) {
   return std::visit([](const auto& held) { return fmt::format("{}", held); }, value);
 }
 
-bool isResolution(const Parameter& row) {
-  return row.key == "accuracy.scheme" || row.key == "accuracy.oversampling";
-}
-
-/// Returns whether the row may be stated for the scene. A target accuracy determines the
-/// resolution, so only one of them may be stated.
-bool isStated(const Parameter& row, const Scene& scene) {
-  if (!isApplicable(row, scene)) return false;
-  if (row.key == "accuracy.target_relative_error") return choosesAccuracy(scene);
-  return !isResolution(row) || !choosesAccuracy(scene);
-}
-
 /// Returns whether the base's own text would leave another value here. A key without a meaning in
 /// the base is not part of its text, so its default counts.
 bool differs(const Parameter& row, const Scene& base, const Scene& scene) {
   const ParameterValue value = parameterValue(row, scene);
-  if (isResolution(row) && choosesAccuracy(base)) return true;
+  if (isResolution(row.key) && choosesAccuracy(base)) return true;
   if (row.rule.isOfMaterial && base.elastomer.material != scene.elastomer.material) return true;
   if (row.rule.isRequired && differs(*findParameter(row.applies.choiceKey), base, scene))
     return true;

@@ -32,12 +32,8 @@ bool slideAlike(const Scene& a, const Scene& b) {
 
 /// Returns whether friction depends on the parameter anywhere in the range of its slider.
 bool hasInfluence(const Parameter& parameter, const Scene& scene) {
-  std::array<double, 3> tried{};
-  if (const auto* real = std::get_if<RealField>(&parameter.field))
-    tried = {real->sliderFrom, real->sliderTo, std::midpoint(real->sliderFrom, real->sliderTo)};
-  else if (const auto* whole = std::get_if<IntegerField>(&parameter.field))
-    tried = {static_cast<double>(whole->sliderFrom), static_cast<double>(whole->sliderTo),
-             static_cast<double>((whole->sliderFrom + whole->sliderTo) / 2)};
+  const SliderRange slider = *sliderRange(parameter);
+  const std::array tried{slider.from, slider.to, std::midpoint(slider.from, slider.to)};
   return std::ranges::any_of(tried, [&](double value) {
     Scene other = scene;
     setNumber(parameter, other, value);
@@ -64,17 +60,6 @@ Message whyInapplicable(const Parameter& parameter, const Scene& scene) {
                  std::get<std::string>(parameterValue(*choice, scene)));
 }
 
-int decadeOf(double value) {
-  return static_cast<int>(std::floor(std::log10(std::abs(value))));
-}
-
-/// Rounds to the 15th digit of `largest`; what is smaller than that is 0.
-double roundedBeside(double value, double largest) {
-  if (value == 0) return 0;
-  const int digits = 15 - (decadeOf(largest) - decadeOf(value));
-  return digits > 0 ? roundedToDigits(value, digits) : 0;
-}
-
 void checkEnd(const Parameter& parameter, const Scene& scene, const char* key, double value) {
   const AllowedRange allowed = *allowedRange(parameter);
   if (value < allowed.minimum || value > allowed.maximum)
@@ -89,54 +74,6 @@ void checkEnd(const Parameter& parameter, const Scene& scene, const char* key, d
 }
 
 }  // namespace
-
-Parameter parameterIn(const Parameter& row, const Scene& scene) {
-  if (row.key == kVelocityKey && scene.sliding.kind == SlidingKind::Oscillation) {
-    Parameter mean = row;
-    mean.label = "mean velocity";
-    return mean;
-  }
-  const bool isEndOfOtherAxis = row.applies.choiceKey == "sweep.key" && row.applies.isExcept;
-  const Parameter* swept = isEndOfOtherAxis ? findParameter(scene.sweep.key) : nullptr;
-  if (!swept || scene.sweep.isOfVelocity() || !isNumber(*swept)) return row;
-  Parameter shown = row;
-  shown.unit = swept->unit;
-  shown.symbol = swept->symbol;
-  auto& end = std::get<RealField>(shown.field);
-  const auto follow = [&end](const auto& field) {
-    end.minimum = static_cast<double>(field.minimum);
-    end.maximum = static_cast<double>(field.maximum);
-    end.sliderFrom = static_cast<double>(field.sliderFrom);
-    end.sliderTo = static_cast<double>(field.sliderTo);
-    end.scale = field.scale;
-  };
-  if (const auto* real = std::get_if<RealField>(&swept->field)) follow(*real);
-  if (const auto* whole = std::get_if<IntegerField>(&swept->field)) follow(*whole);
-  return shown;
-}
-
-std::vector<double> logSpaced(double from, double to, std::int64_t points) {
-  std::vector<double> values{from};
-  // In higher precision, so that 15 digits are right: decades of a sweep are met exactly.
-  const long double ratio = static_cast<long double>(to) / from;
-  for (std::int64_t i = 1; i + 1 < points; ++i) {
-    const long double part = static_cast<long double>(i) / static_cast<long double>(points - 1);
-    values.push_back(roundedToDigits(static_cast<double>(from * std::pow(ratio, part)), 15));
-  }
-  if (points > 1) values.push_back(to);
-  return values;
-}
-
-std::vector<double> linearSpaced(double from, double to, std::int64_t points) {
-  std::vector<double> values{from};
-  const double largest = std::max(std::abs(from), std::abs(to));
-  for (std::int64_t i = 1; i + 1 < points; ++i) {
-    const double part = static_cast<double>(i) / static_cast<double>(points - 1);
-    values.push_back(roundedBeside(from + (to - from) * part, largest));
-  }
-  if (points > 1) values.push_back(to);
-  return values;
-}
 
 std::vector<double> sweepVelocities(const Sweep& sweep) {
   return rangeValues({findParameter(kVelocityKey), sweep.velocityFrom, sweep.velocityTo,
@@ -214,11 +151,8 @@ ParameterRange usualRange(const Parameter& parameter, const Scene& scene) {
   constexpr int kAttempts = 8;
   const AllowedRange allowed = *allowedRange(parameter);
   const double own = parameterNumber(parameter, scene);
-  ParameterRange range{&parameter, 0, 0, kPoints, hasLogarithmicSlider(parameter)};
-  const auto* real = std::get_if<RealField>(&parameter.field);
-  const auto* whole = std::get_if<IntegerField>(&parameter.field);
-  const double from = real ? real->sliderFrom : static_cast<double>(whole->sliderFrom);
-  const double to = real ? real->sliderTo : static_cast<double>(whole->sliderTo);
+  const auto [from, to, scale] = *sliderRange(parameter);
+  ParameterRange range{&parameter, 0, 0, kPoints, scale != Scale::Linear};
   const bool isAround = range.isLogarithmic && own > 0;
   range.from = std::clamp(isAround ? own / kAround : from, allowed.minimum, allowed.maximum);
   range.to = std::clamp(isAround ? own * kAround : to, allowed.minimum, allowed.maximum);
@@ -227,7 +161,7 @@ ParameterRange usualRange(const Parameter& parameter, const Scene& scene) {
   for (double* end : {&range.from, &range.to})
     for (int i = 0; i < kAttempts && !canBe(parameter, scene, *end); ++i)
       *end = isAround ? std::sqrt(*end * own) : (*end + own) / 2;
-  if (whole) {
+  if (isWholeNumber(parameter)) {
     range.from = std::round(range.from);
     range.to = std::round(range.to);
   }

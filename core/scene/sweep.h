@@ -2,7 +2,6 @@
 // and the state at each of them. Pure; any thread.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "core/base/message.h"
@@ -10,12 +9,6 @@
 #include "core/scene/scene.h"
 
 namespace asperity {
-
-/// Returns x_i = from (to / from)^(i / (points - 1)), with the last one exactly `to`.
-std::vector<double> logSpaced(double from, double to, std::int64_t points);
-
-/// Returns x_i = from + (to - from) i / (points - 1), with the last one exactly `to`.
-std::vector<double> linearSpaced(double from, double to, std::int64_t points);
 
 /// Returns the velocities of a sweep over velocity, m/s.
 std::vector<double> sweepVelocities(const Sweep& sweep);
@@ -37,11 +30,6 @@ std::vector<double> sweepValues(const Scene& scene);
 /// Returns the scene with the swept key at a value: a state that slides at `sliding.velocity`, with
 /// the plain sweep over velocity. Throws InputError where the key does not allow the value.
 Scene sceneAt(const Scene& scene, double value);
-
-/// Returns the row as it is in this scene: the ends of an axis over another key than velocity have
-/// the unit, the limits and the slider of that key, and the velocity of an oscillation is called
-/// its mean. All other rows are returned unchanged.
-Parameter parameterIn(const Parameter& row, const Scene& scene);
 
 /// Returns the number that the swept key has in the scene itself.
 double ownSweptValue(const Scene& scene);
