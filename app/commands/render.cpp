@@ -21,7 +21,6 @@
 #include "core/base/json_text.h"
 #include "core/run/contact_tables.h"
 #include "core/scene/provenance.h"
-#include "core/scene/scene_check.h"
 #include "ui/contact/contact_overlay.h"
 #include "ui/contact/contact_probe.h"
 #include "ui/draw/png_file.h"

@@ -22,6 +22,22 @@ bool isBlankOrTab(char letter) {
 using Separator = TextDialect::Separator;
 using Lines = std::vector<std::string_view>;
 
+/// Returns the character between two fields; a blank where any run of blanks separates them.
+char separatorCharacter(Separator separator) {
+  switch (separator) {
+    case Separator::Blanks:
+      return ' ';
+    case Separator::Tab:
+      return '\t';
+    case Separator::Semicolon:
+      return ';';
+    case Separator::Bar:
+      return '|';
+    default:
+      return ',';
+  }
+}
+
 /// Texts up to this length are examined as a whole; of longer ones this many lines from each of
 /// several parts.
 constexpr std::size_t kStretch = std::size_t{1} << 15, kMostLines = 200;
@@ -254,21 +270,6 @@ TextDialect withRightMark(const Sample& sample, const TextDialect& dialect, cons
 }
 
 }  // namespace
-
-char separatorCharacter(Separator separator) {
-  switch (separator) {
-    case Separator::Blanks:
-      return ' ';
-    case Separator::Tab:
-      return '\t';
-    case Separator::Semicolon:
-      return ';';
-    case Separator::Bar:
-      return '|';
-    default:
-      return ',';
-  }
-}
 
 std::string_view takeLine(std::string_view& text) {
   const std::size_t end = std::min(text.find('\n'), text.size());

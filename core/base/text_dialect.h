@@ -28,9 +28,6 @@ struct TextDialect {
   bool operator==(const TextDialect&) const = default;
 };
 
-/// Returns the character between two fields; a blank where any run of blanks separates them.
-char separatorCharacter(TextDialect::Separator separator);
-
 /// Returns the dialect in which most lines of the text are rows of equally many numbers. Of a long
 /// text only some parts are examined.
 TextDialect detectDialect(std::string_view text);

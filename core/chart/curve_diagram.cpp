@@ -11,7 +11,6 @@
 #include "core/chart/curve_regions.h"
 #include "core/chart/curve_words.h"
 #include "core/fit/derivatives.h"
-#include "core/scene/scene_check.h"
 #include "core/scene/sweep.h"
 
 namespace asperity {

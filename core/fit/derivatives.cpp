@@ -7,7 +7,6 @@
 #include "core/base/number_text.h"
 #include "core/base/stop.h"
 #include "core/base/text.h"
-#include "core/scene/range.h"
 #include "core/scene/sweep.h"
 
 namespace asperity {
@@ -72,6 +71,9 @@ void VariedParameter::set(Scene& scene, double coordinate) const {
   setValue(*row_, scene, value(coordinate));
 }
 
+namespace {
+
+/// Reads "KEY" or "KEY=LOW:HIGH".
 VariedParameter parseVariedParameter(const std::string& text, const Scene& scene) {
   const std::size_t equals = text.find('=');
   const std::string key = text.substr(0, equals);
@@ -84,6 +86,8 @@ VariedParameter parseVariedParameter(const std::string& text, const Scene& scene
   return {key, scene, parseNumber(row, range.substr(0, colon)),
           parseNumber(row, range.substr(colon + 1))};
 }
+
+}  // namespace
 
 std::vector<VariedParameter> parseVariedParameters(const std::vector<std::string>& texts,
                                                    const Scene& scene) {

@@ -48,11 +48,8 @@ class VariedParameter {
   double step_ = 1e-3;
 };
 
-/// Reads "KEY" or "KEY=LOW:HIGH"; the limits may have units. Throws InputError with the key, or
-/// with --vary.
-VariedParameter parseVariedParameter(const std::string& text, const Scene& scene);
-
-/// Reads several parameters. Throws InputError (--vary) where there is none, or a key occurs twice.
+/// Reads parameters given as "KEY" or "KEY=LOW:HIGH"; the limits may have units. Throws InputError
+/// with the key, or with --vary where a text is neither, there is none, or a key occurs twice.
 std::vector<VariedParameter> parseVariedParameters(const std::vector<std::string>& texts,
                                                    const Scene& scene);
 

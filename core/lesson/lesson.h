@@ -106,7 +106,7 @@ struct LessonControls {
 
 /// The appearance of the window in a step.
 struct LessonView {
-  std::string tab = "curve";     // a word of lessonTabs()
+  std::string tab = "curve";     // one of kLessonTabs
   std::string quantity = "mu";   // of the vertical axis of the friction curve
   bool isLinearY = false;        // whether that axis is linear
   bool hidesCurve = false;       // until the prediction is made

@@ -7,7 +7,6 @@
 #include "core/chart/curve_regions.h"
 #include "core/material/element_law.h"
 #include "core/run/contact_tables.h"
-#include "core/scene/scene_check.h"
 
 namespace asperity {
 namespace {

@@ -21,7 +21,6 @@
 #include "core/run/transient_diagram.h"
 #include "core/scene/columns.h"
 #include "core/scene/provenance.h"
-#include "core/scene/scene_check.h"
 
 namespace asperity {
 namespace {

@@ -8,7 +8,6 @@
 #include "core/run/rigid_line.h"
 #include "core/run/steady_frames.h"
 #include "core/scene/plan.h"
-#include "core/scene/scene_check.h"
 
 namespace asperity {
 namespace {

@@ -9,7 +9,6 @@
 #include "core/friction/law.h"
 #include "core/material/element_law.h"
 #include "core/scene/motion.h"
-#include "core/scene/scene_check.h"
 #include "core/scene/sweep.h"
 
 namespace asperity {

@@ -305,10 +305,6 @@ FoundScene findResult(const std::filesystem::path& file, const std::filesystem::
   return found(endsOf(RegularFile(file)), file.string(), folders, true);
 }
 
-Scene readProvenance(const std::filesystem::path& file) {
-  return findScene(file).scene;
-}
-
 namespace {
 
 namespace fs = std::filesystem;

@@ -95,9 +95,6 @@ std::vector<std::filesystem::path> foldersAround(const std::filesystem::path& fi
 FoundScene findScene(std::string_view bytes, const std::string& name,
                      const std::filesystem::path& folder = {});
 
-/// Returns only the scene.
-Scene readProvenance(const std::filesystem::path& file);
-
 /// Limits of memory and time for such a scene without a question.
 inline constexpr double kMemoryUnasked = 1e9;   // bytes
 inline constexpr double kSecondsUnasked = 600;  // of one processor

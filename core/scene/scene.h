@@ -202,6 +202,11 @@ inline bool mayHaveManyLines(const Surface& surface) {
          (surface.kind == SurfaceKind::Measured && surface.reading.row == 0);
 }
 
+/// Returns whether the scene has local friction in contact in addition to that of the deformation.
+inline bool hasLocalFriction(const Scene& scene) {
+  return scene.interface.frictionCoefficient > 0 || scene.interface.shearStress > 0;
+}
+
 /// Returns whether resolution and number of lines follow from a target accuracy.
 inline bool choosesAccuracy(const Scene& scene) {
   return scene.accuracy.scheme == Scheme::Cubic && scene.accuracy.targetRelativeError > 0;

@@ -14,11 +14,6 @@ void checkScene(const Scene& scene);
 /// Throws InputError that names the key where two effects exclude each other or one is impossible.
 void checkEffects(const Scene& scene);
 
-/// Returns whether the scene has local friction in contact in addition to that of the deformation.
-inline bool hasLocalFriction(const Scene& scene) {
-  return scene.interface.frictionCoefficient > 0 || scene.interface.shearStress > 0;
-}
-
 /// Throws InputError where the elastomer has no equilibrium. Over a steady period the strain of an
 /// arm has the mean 0, because what it yields must return, and so has the rate of the depth. The
 /// remaining force is F_N = 4G integral of y, which is 0 for G = 0 at any velocity: under a force

@@ -139,6 +139,15 @@ class ChunkWork {
   }
 };
 
+/// Computes a chunk. Returns one without values where `stop` was requested.
+StudyChunk computeChunk(const ParameterStudy& study, std::int64_t number, int threads,
+                        const std::stop_token& stop) {
+  StudyChunk chunk =
+      ChunkWork(study, threads, stop).compute(number * study.chunk, study.sizeOfChunk(number));
+  chunk.number = number;
+  return chunk;
+}
+
 /// The chunks of a store, which several threads take.
 class StudyRun {
  public:
@@ -216,14 +225,6 @@ class StudyRun {
 };
 
 }  // namespace
-
-StudyChunk computeChunk(const ParameterStudy& study, std::int64_t number, int threads,
-                        const std::stop_token& stop) {
-  StudyChunk chunk =
-      ChunkWork(study, threads, stop).compute(number * study.chunk, study.sizeOfChunk(number));
-  chunk.number = number;
-  return chunk;
-}
 
 std::int64_t runStudy(StudyStore& store, const StudyRunOptions& options) {
   return StudyRun(store, options).run();

@@ -20,10 +20,6 @@ struct StudyRunOptions {
   std::function<void(std::int64_t done)> progress;
 };
 
-/// Computes a chunk. Returns one without values where `stop` was requested.
-StudyChunk computeChunk(const ParameterStudy& study, std::int64_t number, int threads = 1,
-                        const std::stop_token& stop = {});
-
 /// Computes every missing chunk of the store on which no other process works. Returns the number of
 /// simulations that it added.
 std::int64_t runStudy(StudyStore& store, const StudyRunOptions& options = {});

@@ -19,6 +19,19 @@ constexpr ColumnName kSimulation = "simulation", kOutput = "output", kSweepValue
                      kValue = "value", kError = "error";
 constexpr std::size_t kEnough = std::size_t{1} << 18;  // bytes that are handed over together
 
+/// Returns the names of the numbers of a simulation in a wide table: "mu", and for a curve "mu_1",
+/// "mu_2", ...
+std::vector<std::string> numberNames(const ParameterStudy& study) {
+  const std::size_t values = study.curveValues().size();
+  std::vector<std::string> names;
+  for (const StudyOutput& output : study.outputs) {
+    if (!output.isCurve) names.push_back(output.name);
+    for (std::size_t v = 0; output.isCurve && v < values; ++v)
+      names.push_back(fmt::format("{}_{}", output.column, v + 1));
+  }
+  return names;
+}
+
 /// Writes the rows of one table.
 class TableWriter {
  public:
@@ -173,17 +186,6 @@ class TableWriter {
 };
 
 }  // namespace
-
-std::vector<std::string> numberNames(const ParameterStudy& study) {
-  const std::size_t values = study.curveValues().size();
-  std::vector<std::string> names;
-  for (const StudyOutput& output : study.outputs) {
-    if (!output.isCurve) names.push_back(output.name);
-    for (std::size_t v = 0; output.isCurve && v < values; ++v)
-      names.push_back(fmt::format("{}_{}", output.column, v + 1));
-  }
-  return names;
-}
 
 Json studyProvenance(const StudyStore& store) {
   const ParameterStudy& study = store.study();

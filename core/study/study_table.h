@@ -25,8 +25,4 @@ std::int64_t writeStudyTable(const StudyStore& store, TableShape shape, TableFor
 /// simulations (and which ones, where some are missing).
 nlohmann::ordered_json studyProvenance(const StudyStore& store);
 
-/// Returns the names of the numbers of a simulation in a wide table: "mu", and for a curve "mu_1",
-/// "mu_2", ...
-std::vector<std::string> numberNames(const ParameterStudy& study);
-
 }  // namespace asperity

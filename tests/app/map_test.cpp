@@ -61,7 +61,7 @@ TEST_F(MapCommandTest, WritesPicturesThatBringTheirSceneBack) {
                                 "contact_fraction --set load.normal_force=0.05 --size 800x600");
   ASSERT_EQ(said.status, 0) << said.err;
   for (const char* name : {"a.png", "a.svg", "a.pdf", "a.csv", "a.json"})
-    EXPECT_EQ(readProvenance(program.folder / name).load.normalForce, 0.05) << name;
+    EXPECT_EQ(findScene(program.folder / name).scene.load.normalForce, 0.05) << name;
   EXPECT_THAT(read("a.csv"), HasSubstr("\"show\":\"contact_fraction\"}"));
   EXPECT_THAT(read("a.csv"), HasSubstr("\"key\":\"load.normal_force\""));
   const std::string svg = read("a.svg");

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/scene/scene_check.h"
 #include "ui/contact/label_placement.h"
 #include "ui/draw/theme.h"
 #include "ui/draw/ticks.h"

@@ -9,7 +9,6 @@
 #include "core/friction/ensemble.h"
 #include "core/material/element_law.h"
 #include "core/scene/plan.h"
-#include "core/scene/scene_check.h"
 #include "tests/core/elastomers.h"
 #include "tests/core/small_scene.h"
 

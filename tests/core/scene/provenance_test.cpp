@@ -111,7 +111,7 @@ TEST(Provenance, ALargeFileIsReadAtBothEnds) {
 }
 
 std::string refusal(const std::filesystem::path& file) {
-  return errorFrom([&] { readProvenance(file); });
+  return errorFrom([&] { findScene(file); });
 }
 
 TEST(Provenance, RefusesFilesWithoutAScene) {

@@ -57,7 +57,7 @@ Scene sceneSaid(QStringList words) {
   EXPECT_TRUE(answer.open(QIODevice::WriteOnly));
   answer.write(program.readAllStandardOutput());
   answer.close();
-  return readProvenance(answer.fileName().toStdString());
+  return findScene(answer.fileName().toStdString()).scene;
 }
 
 QString clipboardText() {
@@ -345,7 +345,7 @@ TEST_F(CopyTest, PicturesAreSavedAndOpenAsTheirScene) {
     window_.exports().savePicture(file);
     ASSERT_TRUE(waitFor([&] { return exported.count() == count + 1; })) << name;
     ++count;
-    EXPECT_EQ(writeScene(readProvenance(file.toStdString())), writeScene(smallScene())) << name;
+    EXPECT_EQ(writeScene(findScene(file.toStdString()).scene), writeScene(smallScene())) << name;
   }
   window_.exports().savePicture(folder.filePath("a.bmp"));
   ASSERT_TRUE(waitFor([&] { return window_.messages().isVisible(); }));

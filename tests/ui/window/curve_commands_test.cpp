@@ -237,7 +237,7 @@ TEST_F(CurveCommandsTest, WhatIsShownIsSavedInEveryFormatAndOpensAgain) {
     const QString file = folder.filePath(name);
     window_.curveCommands().save(file);
     ASSERT_TRUE(waitFor([&] { return exported.count() == 1; })) << name;
-    EXPECT_EQ(readProvenance(file.toStdString()).elastomer, scene.elastomer) << name;
+    EXPECT_EQ(findScene(file.toStdString()).scene.elastomer, scene.elastomer) << name;
     QFile written(file);
     ASSERT_TRUE(written.open(QIODevice::ReadOnly));
     const QByteArray bytes = written.readAll();

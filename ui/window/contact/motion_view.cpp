@@ -11,7 +11,6 @@
 #include "core/run/motion_table.h"
 #include "core/run/transient_diagram.h"
 #include "core/scene/provenance.h"
-#include "core/scene/scene_check.h"
 #include "ui/chart/chart_view.h"
 #include "ui/draw/png_file.h"
 #include "ui/draw/ticks.h"

@@ -12,7 +12,6 @@
 
 #include "core/base/number_text.h"
 #include "core/material/element_law.h"
-#include "core/scene/scene_check.h"
 #include "ui/chart/friction_chart_model.h"
 #include "ui/language/explained.h"
 #include "ui/language/language.h"
