@@ -70,7 +70,7 @@ namespace {
 /// of that name already.
 std::string familyColumn(const CurveSet& set, const std::string& header) {
   if (set.familyKey.empty()) return {};
-  const std::string word = set.familyKey.substr(set.familyKey.rfind('.') + 1);
+  const std::string word(columnOfKey(set.familyKey));
   return ("," + header + ",").find("," + word + ",") == std::string::npos ? word : set.familyKey;
 }
 

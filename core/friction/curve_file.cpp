@@ -140,7 +140,7 @@ double curveValue(const CurvePoint& point, std::string_view column) {
 }
 
 std::string_view CurveColumns::sweptColumn() const {
-  return std::string_view(sweptKey).substr(sweptKey.rfind('.') + 1);
+  return columnOfKey(sweptKey);
 }
 
 CurveColumns columnsFor(const Scene& scene, bool hasForces) {

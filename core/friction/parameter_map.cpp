@@ -127,13 +127,9 @@ std::vector<double> exponents(const std::vector<double>& x, std::vector<double> 
   return slopes;
 }
 
-std::string lastWord(std::string_view key) {
-  return std::string(key.substr(key.rfind('.') + 1));
-}
-
 /// Returns the names of the first two columns.
 std::array<std::string, 2> keyColumns(const ParameterMap& map) {
-  std::array<std::string, 2> names{lastWord(map.x.key()), lastWord(map.y.key())};
+  std::array names{std::string(columnOfKey(map.x.key())), std::string(columnOfKey(map.y.key()))};
   if (names[0] == names[1]) names = {std::string(map.x.key()), std::string(map.y.key())};
   return names;
 }

@@ -11,6 +11,8 @@
 namespace asperity {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 constexpr int kDeepestLesson = 16;
 
 }  // namespace
@@ -35,7 +37,7 @@ Lesson readLesson(std::string_view text, const std::string& file,
     if (text.size() > kLargestLesson)
       refuseMember(
           "", message("is larger than {} bytes, the most that a lesson may have", kLargestLesson));
-    const LessonJson root = parseJson(text, kDeepestLesson, "a lesson is JSON in UTF-8");
+    const Json root = parseJson(text, kDeepestLesson, "a lesson is JSON in UTF-8");
     Lesson lesson = parseLesson(root, folder, readNamed);
     lesson.name = std::filesystem::path(file).stem().string();
     lesson.digest = sha256(writeLesson(lesson));
@@ -51,12 +53,12 @@ Lesson readLessonFile(const std::filesystem::path& file, const SceneReader& read
 }
 
 std::string writeLesson(const Lesson& lesson) {
-  return lessonJson(lesson).dump(2, ' ', false, LessonJson::error_handler_t::replace) + "\n";
+  return lessonJson(lesson).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 bool isLesson(std::string_view text) {
   try {
-    const LessonJson beginning = membersUpTo(text, "schema", kDeepestLesson);
+    const Json beginning = membersUpTo(text, "schema", kDeepestLesson);
     return textMember(beginning, "schema").starts_with("asperity-lesson/");
   } catch (const InputError&) {
     return false;

@@ -10,8 +10,6 @@
 
 namespace asperity {
 
-using LessonJson = nlohmann::ordered_json;
-
 inline constexpr NamedChoices<PredictionKind, 3> kPredictionKinds{
     {{"choice", PredictionKind::Choice},
      {"number", PredictionKind::Number},
@@ -33,10 +31,10 @@ inline constexpr NamedChoices<LessonValue::Kind, 3> kLessonValueKinds{
      {"exponent", LessonValue::Kind::Exponent}}};
 
 /// Reads and checks a lesson. Throws InputError with the path ("steps[2].prediction.answer").
-Lesson parseLesson(const LessonJson& root, const std::filesystem::path& folder,
+Lesson parseLesson(const nlohmann::ordered_json& root, const std::filesystem::path& folder,
                    const SceneReader& readNamed);
 
 /// Returns the JSON that parseLesson reads back as the same lesson.
-LessonJson lessonJson(const Lesson& lesson);
+nlohmann::ordered_json lessonJson(const Lesson& lesson);
 
 }  // namespace asperity

@@ -22,7 +22,7 @@
 namespace asperity {
 namespace {
 
-using Json = LessonJson;
+using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMostChoices = 9, kFewestChoices = 2, kMostBeside = 6, kMostValues = 30;
 

@@ -8,7 +8,7 @@
 namespace asperity {
 namespace {
 
-using Json = LessonJson;
+using Json = nlohmann::ordered_json;
 
 Json toJson(const std::string& text) {
   Json list = Json::array();
@@ -127,7 +127,7 @@ Json toJson(const LessonStep& step) {
 
 }  // namespace
 
-LessonJson lessonJson(const Lesson& lesson) {
+Json lessonJson(const Lesson& lesson) {
   Json json = {{"schema", kLessonSchema}};
   addText(json, "title", lesson.title);
   addText(json, "goal", lesson.goal);

@@ -28,14 +28,13 @@ void forEachColumn(const Use& use) {
   for (const Column& column : kColumns) use(column);
   for (const Parameter& row : parameters())
     use(Column{row.key, row.unit, row.sentence, row.symbol, kBatch});
-  // The axis of a curve or of a map is named by the last word of its key. Some of these words are
-  // columns of the table itself, with the same meaning, and several keys may end with the same
-  // word.
+  // Some columns of keys are columns of the table itself, with the same meaning, and several keys
+  // may end with the same word.
   std::set<std::string_view> known;
   for (const Column& column : kColumns)
     if (isOneOf(kMap, tablesOf(column))) known.insert(column.name);
   for (const Parameter& row : parameters()) {
-    const std::string_view word = row.key.substr(row.key.rfind('.') + 1);
+    const std::string_view word = columnOfKey(row.key);
     if (allowedRange(row) && known.insert(word).second)
       use(Column{word, row.unit, row.sentence, row.symbol, kOverIt});
   }

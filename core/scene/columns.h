@@ -453,6 +453,11 @@ class ColumnName {
   std::string_view name_;
 };
 
+/// Returns the column of a scene key over which a curve or a map goes: the last word of the key.
+constexpr std::string_view columnOfKey(std::string_view key) {
+  return key.substr(key.rfind('.') + 1);
+}
+
 /// "a,b,c", without a line end.
 std::string joinedColumns(std::initializer_list<ColumnName> names);
 

@@ -51,17 +51,19 @@ std::vector<std::string_view> cellsAt(std::string_view csv, std::size_t& at) {
   return cells;
 }
 
+/// Returns where the line of names begins.
+std::size_t afterComments(std::string_view csv) {
+  std::size_t at = 0;
+  while (at < csv.size() && csv[at] == '#') at = std::min(csv.find('\n', at), csv.size() - 1) + 1;
+  return at;
+}
+
 std::set<std::string_view> columnsOf(const std::vector<std::string_view>& tables) {
   std::set<std::string_view> names;
   for (const Column& column : kColumns)
     for (const std::string_view table : tables)
       if (isOneOf(table, splitText(column.tables, ", "))) names.insert(column.name);
   return names;
-}
-
-/// Tables name a key's column by its last word where that says which it is.
-std::string_view lastWord(std::string_view column) {
-  return column.substr(column.rfind('.') + 1);
 }
 
 }  // namespace
@@ -99,7 +101,7 @@ ColumnChoice::ColumnChoice(const std::string& words, const std::vector<std::stri
   const std::vector<std::string_view> list(known.begin(), known.end());
   for (const std::string_view word : splitText(words, ",")) {
     const bool isKey = std::ranges::any_of(parameters(), [&](const Parameter& row) {
-      return row.key == word || lastWord(row.key) == word;
+      return row.key == word || columnOfKey(row.key) == word;
     });
     if (!known.contains(word) && !isKey) {
       const std::string_view nearest = nearestWord(word, list);
@@ -118,14 +120,13 @@ ColumnChoice::ColumnChoice(const std::string& words, const std::vector<std::stri
 
 std::string ColumnChoice::select(const std::string& csv) const {
   if (isAll()) return csv;
-  std::size_t at = 0;
-  while (at < csv.size() && csv[at] == '#') at = std::min(csv.find('\n', at), csv.size() - 1) + 1;
+  std::size_t at = afterComments(csv);
   std::string text = csv.substr(0, at) + fmt::format("{}\n", fmt::join(columns_, ","));
   const std::vector<std::string_view> names = cellsAt(csv, at);
   std::vector<std::size_t> indices;
   for (const std::string& column : columns_) {
     auto name = std::ranges::find(names, column);
-    if (name == names.end()) name = std::ranges::find(names, lastWord(column));
+    if (name == names.end()) name = std::ranges::find(names, columnOfKey(column));
     indices.push_back(static_cast<std::size_t>(name - names.begin()));
   }
   while (at < csv.size()) {
@@ -140,8 +141,7 @@ std::string ColumnChoice::select(const std::string& csv) const {
 }
 
 std::string ColumnChoice::selectAvailable(const std::string& csv) const {
-  std::size_t at = 0;
-  while (at < csv.size() && csv[at] == '#') at = std::min(csv.find('\n', at), csv.size() - 1) + 1;
+  std::size_t at = afterComments(csv);
   const std::vector<std::string_view> names = cellsAt(csv, at);
   ColumnChoice known;
   for (const std::string& column : columns_)
@@ -155,7 +155,7 @@ Json ColumnChoice::select(const Json& rows) const {
   for (const Json& row : rows) {
     Json object;
     for (const std::string& column : columns_)
-      object[column] = row.value(column, row.value(std::string(lastWord(column)), Json()));
+      object[column] = row.value(column, row.value(std::string(columnOfKey(column)), Json()));
     chosen.push_back(std::move(object));
   }
   return chosen;

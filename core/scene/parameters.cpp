@@ -36,10 +36,11 @@ constexpr Scale kLin = Scale::Linear;
 constexpr Scale kNoneOrLog = Scale::LogarithmicFromNone;
 constexpr Change kLive = Change::Live;
 constexpr Change kRebuild = Change::Rebuild;
-constexpr FileRule kOfMaterial{true, false};
-constexpr FileRule kNewOfMaterial{true, true};  // scene files from before it do not state it
-constexpr FileRule kUnlessDefault{false, true};
-constexpr FileRule kRequired{false, false, true};
+constexpr FileRule kOfMaterial{.isOfMaterial = true};
+// Scene files from before such a key do not state it.
+constexpr FileRule kNewOfMaterial{.isOfMaterial = true, .isLeftOutAtDefault = true};
+constexpr FileRule kUnlessDefault{.isLeftOutAtDefault = true};
+constexpr FileRule kRequired{.isRequired = true};
 constexpr std::int64_t kLargestInteger = (std::int64_t{1} << 53) - 1;  // exact in JSON
 
 /// A field that reads and writes `scene.section.member`.
