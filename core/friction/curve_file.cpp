@@ -9,6 +9,7 @@
 
 #include "core/base/json_text.h"
 #include "core/base/number_text.h"
+#include "core/contact/steady_sliding.h"
 #include "core/scene/columns.h"
 #include "core/scene/provenance.h"
 
@@ -227,6 +228,28 @@ std::string curveJson(const std::vector<CurvePoint>& points, const Scene& scene,
   root["points"] = nlohmann::ordered_json::array();
   for (const CurvePoint& point : points) root["points"].push_back(table.json(point));
   return root.dump(2) + "\n";
+}
+
+RealizationTable::RealizationTable(std::vector<double> velocities)
+    : velocities_(std::move(velocities)) {
+  for (const ColumnName column :
+       {ColumnName("realization"), ColumnName("velocity"), ColumnName("mu"),
+        ColumnName("mu_interface"), ColumnName("contact_fraction"), ColumnName("rms_slope_contact"),
+        ColumnName("indentation"), ColumnName("normal_force"), ColumnName("tangential_force"),
+        ColumnName("rms_slope")})
+    table_.columns.push_back(column.text());
+}
+
+void RealizationTable::add(std::int64_t realization, std::span<const SteadyResult> results) {
+  for (std::size_t i = 0; i < std::min(results.size(), velocities_.size()); ++i) {
+    const SteadyResult& at = results[i];
+    // A line without normal force has no coefficient of friction.
+    const bool isPressed = at.normalForce > 0;
+    table_.rows.push_back({realization, velocities_[i], isPressed ? at.mu : kNotApplicable,
+                           isPressed ? at.muInterface : kNotApplicable, at.contactFraction,
+                           at.rmsSlopeContact, at.indentation, at.normalForce, at.tangentialForce,
+                           at.rmsSlopeLine});
+  }
 }
 
 }  // namespace asperity

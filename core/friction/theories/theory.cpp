@@ -7,8 +7,8 @@
 
 #include "core/friction/curve_point.h"
 #include "core/friction/law.h"
-#include "core/friction/theories/complete_contact_friction.h"
 #include "core/friction/theories/gaussian_foundation.h"
+#include "core/friction/theories/line_spectrum.h"
 #include "core/friction/theories/persson_half_space.h"
 #include "core/scene/sweep.h"
 
