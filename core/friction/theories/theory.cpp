@@ -157,12 +157,10 @@ std::vector<TheoryPoint> theoryOverAxis(Theory theory, const Scene& scene, std::
       made = state.surface;
     }
     const double length = source->length();
-    const double width =
-        state.load.kind == LoadKind::Pressure && state.load.width > 0 ? state.load.width : length;
     for (TheoryPoint point : theoryCurve(theory, state, *source, velocities)) {
       point.swept = swept;
       point.rmsSlope = source->statistics().rmsSlope;
-      point.area = length * width;
+      point.area = length * contactWidth(state.load, length);
       if (state.load.kind != LoadKind::Indentation)
         point.normalForce = loadOn(state.load, length).normalForce;
       curve.push_back(point);
