@@ -306,7 +306,7 @@ struct Trial {
 };
 
 Trial runTrial(MapStage stage, const Scene& scene, const MapAxis& x, const MapAxis& y,
-            const std::stop_token& stop) {
+               const std::stop_token& stop) {
   MapOptions options;
   options.threads = 1;
   options.stop = stop;

@@ -73,6 +73,21 @@ constexpr std::array<ExtraColumn, 14> kExtraColumns{{
 
 constexpr ColumnName kNotesColumn = "notes";
 
+/// Returns whether more than half of the friction by Eq. (4) is the work of the elastic pressure.
+bool isUnresolved(const CurvePoint& point) {
+  if (point.mu == 0) return false;
+  // Eq. (4) is the work of the damping, 4 eta v times the squared slope over the contact, plus that
+  // of the elastic pressure. On resolved lines at H = 0.7 and 1e-4 to 1 N the second part never
+  // exceeds 0.45 of the first; where a contact has only a few elements it is the error of their
+  // sum.
+  const double slope = point.mu / point.normalizedMu;  // rms, of the whole line
+  const double damping = 4 * std::sqrt(2.0) * point.dimensionlessVelocity / slope /
+                         point.dimensionlessForce * point.rmsSlopeContact * point.rmsSlopeContact *
+                         point.contactFraction;
+  // A value that does not apply gives no note.
+  return std::isgreater(std::abs(point.mu - damping), damping);
+}
+
 bool hasNotes(const std::vector<CurvePoint>& points) {
   return std::ranges::any_of(points,
                              [](const CurvePoint& point) { return !pointNotes(point).empty(); });
@@ -91,25 +106,6 @@ std::string curveRow(const CurvePoint& point) {
   for (const CurveColumn& column : kCurveColumns) text += csvNumber(point.*column.member) + ",";
   return text + (point.realizations > 0 ? fmt::format("{}\n", point.realizations) : "\n");
 }
-
-namespace {
-
-/// Returns whether more than half of the friction by Eq. (4) is the work of the elastic pressure.
-bool isUnresolved(const CurvePoint& point) {
-  if (point.mu == 0) return false;
-  // Eq. (4) is the work of the damping, 4 eta v times the squared slope over the contact, plus that
-  // of the elastic pressure. On resolved lines at H = 0.7 and 1e-4 to 1 N the second part never
-  // exceeds 0.45 of the first; where a contact has only a few elements it is the error of their
-  // sum.
-  const double slope = point.mu / point.normalizedMu;  // rms, of the whole line
-  const double damping = 4 * std::sqrt(2.0) * point.dimensionlessVelocity / slope /
-                         point.dimensionlessForce * point.rmsSlopeContact * point.rmsSlopeContact *
-                         point.contactFraction;
-  // A value that does not apply gives no note.
-  return std::isgreater(std::abs(point.mu - damping), damping);
-}
-
-}  // namespace
 
 NoteSet pointNoteSet(const CurvePoint& point) {
   NoteSet notes = point.notes;

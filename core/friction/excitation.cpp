@@ -19,15 +19,7 @@ double excitedFrequency(double waveNumber, double velocity) {
   return waveNumber * velocity / (2 * std::numbers::pi);
 }
 
-}  // namespace
-
-std::optional<FrequencyRange> measuredFrequencies(const Elastomer& elastomer) {
-  const MeasuredRange& range = elastomer.measured;
-  if (elastomer.rheology != Rheology::Prony || !(range.frequencyTo > 0)) return {};
-  const double shift = shiftFactor(elastomer.shift, elastomer.temperature);
-  return FrequencyRange{range.frequencyFrom / shift, range.frequencyTo / shift};
-}
-
+/// Returns whether the elastomer is at a temperature outside of the measured range.
 bool isAtForeignTemperature(const Elastomer& elastomer) {
   const MeasuredRange& range = elastomer.measured;
   if (elastomer.rheology != Rheology::Prony || !(range.temperatureTo > 0)) return false;
@@ -35,6 +27,15 @@ bool isAtForeignTemperature(const Elastomer& elastomer) {
   constexpr double kNear = 0.5;  // K
   return elastomer.temperature < range.temperatureFrom - kNear ||
          elastomer.temperature > range.temperatureTo + kNear;
+}
+
+}  // namespace
+
+std::optional<FrequencyRange> measuredFrequencies(const Elastomer& elastomer) {
+  const MeasuredRange& range = elastomer.measured;
+  if (elastomer.rheology != Rheology::Prony || !(range.frequencyTo > 0)) return {};
+  const double shift = shiftFactor(elastomer.shift, elastomer.temperature);
+  return FrequencyRange{range.frequencyFrom / shift, range.frequencyTo / shift};
 }
 
 bool isExtrapolated(double shareNotMeasured) {

@@ -34,9 +34,6 @@ inline constexpr double kMostNotMeasured = 0.1;
 /// at the reference divided by a_T. Nothing where they are not known.
 std::optional<FrequencyRange> measuredFrequencies(const Elastomer& elastomer);
 
-/// Returns whether the elastomer is at a temperature outside of the measured range.
-bool isAtForeignTemperature(const Elastomer& elastomer);
-
 /// Returns whether this share of the weight makes friction extrapolated; false for NaN.
 bool isExtrapolated(double shareNotMeasured);
 
