@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "core/material/temperature_shift.h"
 #include "core/surface/line_source.h"
 #include "core/surface/spectrum.h"
 
