@@ -53,11 +53,6 @@ NoteSet elastomerNotes(const Elastomer& elastomer, double rmsSlope, double share
   return notes;
 }
 
-NoteSet elastomerNotes(const Elastomer& elastomer, const LineSource& source,
-                       double shareNotMeasured) {
-  return elastomerNotes(elastomer, source.statistics().rmsSlope, shareNotMeasured);
-}
-
 ExcitedWaves excitedWaves(const LineSource& source) {
   const FourierLine modes = modesOf(source);
   const double lowest = 2 * std::numbers::pi / modes.length;
