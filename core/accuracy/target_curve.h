@@ -31,7 +31,7 @@ struct TargetCurve {
   /// Its target is not met where more lines or memory than allowed would be needed.
   Curve curve;
   std::vector<AchievedAccuracy> achieved;  // for each point
-  double operations = 0;       // nodes passed over, pilot included
+  double operations = 0;                   // nodes passed over, pilot included
   double plainOperations = 0;  // predicted for plain averaging on the finest level, without pilot
 };
 

@@ -64,8 +64,7 @@ ParameterMap computeStage(const Scene& scene, const MapAxis& x, const MapAxis& y
       state.comparison = {};
       if (lines == 0) continue;
       // A preview has the resolution of the final map.
-      if (state.accuracy.scheme != Scheme::Nodal)
-        state.accuracy.oversampling = curvePointsPerElement(state);
+      fixResolution(state);
       state.ensemble.realizations = lines;
     }
   SteadyStates found = slideStates(states, options);

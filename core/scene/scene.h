@@ -223,4 +223,8 @@ std::int64_t pointsPerElement(const Scene& scene);
 /// because it chooses at each velocity.
 std::int64_t curvePointsPerElement(const Scene& scene);
 
+/// Sets the resolution of a friction curve that the scene leaves to the program, so that it does
+/// not change with other parameters.
+void fixResolution(Scene& scene);
+
 }  // namespace asperity
