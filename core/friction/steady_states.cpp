@@ -288,8 +288,8 @@ class States {
     const Pieces pieces(lines.groups);
     const std::int64_t total = source.lines();
     std::vector<CurveAverages> averages(lines.members);
-    const RealizationParts work{source, lines.groups.front().scene.accuracy.scheme, pieces.parts(),
-                                0};
+    const RealizationWork work{source, lines.groups.front().scene.accuracy.scheme, pieces.parts(),
+                               0};
     const auto take = [&](std::span<const SteadyResult> all) {
       for (const SteadyResult& result : all) {
         found.largestResidual = std::max(found.largestResidual, result.residual);
