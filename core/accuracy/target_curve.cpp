@@ -10,6 +10,7 @@
 #include "core/base/number_text.h"
 #include "core/base/processor_time.h"
 #include "core/base/stop.h"
+#include "core/contact/steady_sliding.h"
 #include "core/material/element_law.h"
 
 namespace asperity {

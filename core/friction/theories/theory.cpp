@@ -15,7 +15,7 @@
 namespace asperity {
 namespace {
 
-constexpr std::array<TheoryEntry, 4> kEntries{
+constexpr std::array<TheoryEntry, 4> kTheories{
     {{Theory::Eq11, "Eq. (11)",
       "Eq. (11) of Li et al. (2013): self-affine lines, Kelvin elements, contact of many summits."},
      {Theory::GaussianFoundation, "Gaussian foundation, low velocity",
@@ -92,11 +92,11 @@ std::vector<TheoryPoint> perssonCurve(const TheoryInput& in, std::span<const dou
 }  // namespace
 
 std::span<const TheoryEntry> theoryEntries() {
-  return kEntries;
+  return kTheories;
 }
 
 const TheoryEntry& theoryEntry(Theory theory) {
-  return *std::ranges::find(kEntries, theory, &TheoryEntry::theory);
+  return *std::ranges::find(kTheories, theory, &TheoryEntry::theory);
 }
 
 std::vector<TheoryPoint> theoryCurve(Theory theory, const Scene& scene, const LineSource& source,
