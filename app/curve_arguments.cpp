@@ -23,7 +23,6 @@
 #include "core/chart/curve_words.h"
 #include "core/fit/friction_data.h"
 #include "core/friction/curve_file.h"
-#include "core/friction/realization_table.h"
 #include "core/scene/list_text.h"
 #include "core/scene/parameters.h"
 #include "core/scene/provenance.h"

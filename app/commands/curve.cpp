@@ -15,7 +15,6 @@
 #include "core/chart/curve_diagram.h"
 #include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"
-#include "core/friction/realization_table.h"
 #include "core/scene/data_table.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_check.h"

@@ -18,7 +18,6 @@
 #include "core/base/text_number.h"
 #include "core/base/units.h"
 #include "core/chart/material_sheets.h"
-#include "core/material/dma_strain.h"
 #include "core/material/material_model.h"
 #include "core/scene/columns.h"
 #include "core/scene/data_table.h"

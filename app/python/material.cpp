@@ -16,7 +16,6 @@
 #include "core/base/text.h"
 #include "core/base/text_number.h"
 #include "core/base/units.h"
-#include "core/material/dma_strain.h"
 #include "core/material/material_model.h"
 #include "core/scene/material_tables.h"
 

@@ -23,7 +23,7 @@ namespace asperity {
 /// `sliding.velocity` (core/friction/steady_states.h); states that differ only in scaling share
 /// their lines. Each point is that of the state's own curve over velocity, to rounding: a
 /// resolution that the scene leaves open is chosen for each value, as that curve would, and a
-/// target is met at each value. fixResolution (core/fit/derivatives.h) would hold one resolution
+/// target is met at each value. fixResolution (core/scene/scene.h) would hold one resolution
 /// along the axis, which a derivative needs; here the choice keeps the error of resolution below
 /// half of the standard error at each point, so that a change of it stays below what the error bars
 /// show.

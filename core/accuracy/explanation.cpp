@@ -58,8 +58,8 @@ void addLine(Explanation& explanation) {
   if (!measuredFrequencies(scene.elastomer)) return;
   const Excitation excitation(scene, source);
   explanation.excitation = describeExcitation(scene, excitation);
-  explanation.notes.add(
-      elastomerNotes(scene.elastomer, source, excitation.shareNotMeasured(scene.sliding.velocity)));
+  explanation.notes.add(elastomerNotes(scene.elastomer, source.statistics().rmsSlope,
+                                       excitation.shareNotMeasured(scene.sliding.velocity)));
 }
 
 /// A curve over velocity that costs as much as the scene's curve over another key: all points on

@@ -75,7 +75,7 @@ CostedPlan planBetween(const Halves& halves, int first, int last, double relativ
   LevelPlan plan{first, last, {}, 0, 0, resolution};
   Work work;
   for (const std::size_t half : {0U, 1U}) {
-    const std::size_t other = otherHalf(half);
+    const std::size_t other = 1 - half;
     const Terms terms = termsOf(halves, other, first, last);
     const double error = relative * std::abs(frictionOf(halves, other, first, last));
     // The mean of two means has half the variance of each. One half may give a smaller friction

@@ -36,9 +36,6 @@ struct LevelSums {
   RunningMean operations;  // nodes passed over per line on this level
 };
 using Halves = std::array<std::vector<LevelSums>, 2>;
-inline constexpr std::size_t otherHalf(std::size_t half) {
-  return 1 - half;
-}
 
 /// The levels that are used at one velocity, with their numbers of lines.
 struct LevelPlan {

@@ -10,6 +10,7 @@
 #include "core/base/number_text.h"
 #include "core/base/processor_time.h"
 #include "core/base/stop.h"
+#include "core/contact/steady_sliding.h"
 #include "core/material/element_law.h"
 
 namespace asperity {
@@ -342,27 +343,26 @@ class Targeting {
 
   TargetCurve result(bool isWhole) {
     TargetCurve result;
-    result.isReached = isWhole;
+    Curve& curve = result.curve;
+    curve.isComplete = curve.isTargetMet = isWhole;
+    curve.achievedError = 0;
     for (const VelocityState& state : states_) {
       if (!state.isPlanned) continue;
       const AchievedAccuracy& achieved = result.achieved.emplace_back(achievedBy(state));
-      const CurvePoint& point = result.curve.points.emplace_back(pointOf(state, achieved));
+      const CurvePoint& point = curve.points.emplace_back(pointOf(state, achieved));
       const double error = relativeError(achieved, point.mu);
-      result.worst = std::max(result.worst, error);
-      result.isReached &= error <= target();
+      curve.achievedError = std::max(curve.achievedError, error);
+      curve.isTargetMet &= error <= target();
       // Two levels of a line may agree by chance, and the allowed nodes do not suffice for a third
       // one.
-      result.isReached &= isRandom_ || isFrictionless_ || state.plan.last >= kFirstAccepted;
+      curve.isTargetMet &= isRandom_ || isFrictionless_ || state.plan.last >= kFirstAccepted;
       result.plainOperations += state.plan.plainOperations;
     }
     const SamplingCost& cost = sampler_.cost();
     result.operations = cost.operations;
-    result.curve.isComplete = isWhole;
-    result.curve.achievedError = result.worst;
-    result.curve.isTargetMet = result.isReached;
-    result.curve.largestResidual = cost.largestResidual;
-    result.curve.meanPasses = static_cast<double>(cost.passes) /
-                              static_cast<double>(std::max<std::int64_t>(1, cost.solves));
+    curve.largestResidual = cost.largestResidual;
+    curve.meanPasses = static_cast<double>(cost.passes) /
+                       static_cast<double>(std::max<std::int64_t>(1, cost.solves));
     return result;
   }
 

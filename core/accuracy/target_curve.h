@@ -28,12 +28,10 @@ struct AchievedAccuracy {
 };
 
 struct TargetCurve {
+  /// Its target is not met where more lines or memory than allowed would be needed.
   Curve curve;
   std::vector<AchievedAccuracy> achieved;  // for each point
-  // at every velocity; false: more lines or memory than allowed were needed
-  bool isReached = false;
-  double worst = 0;            // largest relative error achieved
-  double operations = 0;       // nodes passed over, pilot included
+  double operations = 0;                   // nodes passed over, pilot included
   double plainOperations = 0;  // predicted for plain averaging on the finest level, without pilot
 };
 

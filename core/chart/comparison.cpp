@@ -8,7 +8,7 @@
 
 #include "core/base/input_error.h"
 #include "core/friction/ensemble.h"
-#include "core/material/element_law.h"
+#include "core/material/temperature_shift.h"
 #include "core/scene/list_text.h"
 #include "core/scene/sweep.h"
 

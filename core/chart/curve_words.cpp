@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/number_text.h"
-#include "core/material/element_law.h"
+#include "core/material/temperature_shift.h"
 #include "core/scene/parameters.h"
 
 namespace asperity {

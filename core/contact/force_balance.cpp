@@ -6,6 +6,12 @@
 #include "core/contact/kernels/resolved_pass.h"
 
 namespace asperity {
+namespace {
+
+constexpr int kMostPasses = 200;       // over the line in one balance
+constexpr int kMostStalledPasses = 2;  // without a smaller residual, until the best one is taken
+
+}  // namespace
 
 void ForceBalance::start(const PreparedProfile& line, double load, double guess) {
   load_ = load;

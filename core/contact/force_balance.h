@@ -14,11 +14,6 @@ inline constexpr double kAcceptedResidual = 1e-10;
 /// Relative error of F_N below which the iteration ends.
 inline constexpr double kWantedResidual = 1e-13;
 
-/// Maximum number of passes over a resolved line in one balance.
-inline constexpr int kMostPasses = 200;
-/// Number of passes without a smaller residual after which the best one is taken.
-inline constexpr int kMostStalledPasses = 2;
-
 /// The result of a balance.
 struct Balance {
   double depth = 0;     // m, indentation below the lowest point

@@ -8,6 +8,7 @@
 #include "core/contact/kernels/kernels.h"
 #include "core/contact/kernels/resolved_pass.h"
 #include "core/material/element_law.h"
+#include "core/material/temperature_shift.h"
 #include "core/scene/plan.h"
 
 namespace asperity {

@@ -4,6 +4,7 @@
 #include "core/contact/arms/arm_guess.h"
 #include "core/contact/complete_contact.h"
 #include "core/contact/sweep.h"
+#include "core/material/temperature_shift.h"
 #include "core/scene/plan.h"
 #include "core/scene/scene_check.h"
 

@@ -118,11 +118,6 @@ std::vector<VariedParameter> activeParameters(const Scene& scene) {
   return active;
 }
 
-void fixResolution(Scene& scene) {
-  if (scene.accuracy.scheme != Scheme::Nodal && scene.accuracy.oversampling == 0)
-    scene.accuracy.oversampling = curvePointsPerElement(scene);
-}
-
 double totalMu(const CurvePoint& point) {
   return std::isnan(point.muInterface) ? point.mu : point.mu + point.muInterface;
 }

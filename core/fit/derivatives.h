@@ -57,10 +57,6 @@ std::vector<VariedParameter> parseVariedParameters(const std::vector<std::string
 /// parameter that is 0 is an effect that is switched off, and left out.
 std::vector<VariedParameter> activeParameters(const Scene& scene);
 
-/// Sets the resolution that the scene leaves to the program, so that it does not change with other
-/// parameters.
-void fixResolution(Scene& scene);
-
 /// Returns friction as it is measured: of deformation and interface together.
 double totalMu(const CurvePoint& point);
 

@@ -9,6 +9,7 @@
 
 #include "core/base/json_text.h"
 #include "core/base/number_text.h"
+#include "core/contact/steady_sliding.h"
 #include "core/scene/columns.h"
 #include "core/scene/provenance.h"
 
@@ -72,6 +73,21 @@ constexpr std::array<ExtraColumn, 14> kExtraColumns{{
 
 constexpr ColumnName kNotesColumn = "notes";
 
+/// Returns whether more than half of the friction by Eq. (4) is the work of the elastic pressure.
+bool isUnresolved(const CurvePoint& point) {
+  if (point.mu == 0) return false;
+  // Eq. (4) is the work of the damping, 4 eta v times the squared slope over the contact, plus that
+  // of the elastic pressure. On resolved lines at H = 0.7 and 1e-4 to 1 N the second part never
+  // exceeds 0.45 of the first; where a contact has only a few elements it is the error of their
+  // sum.
+  const double slope = point.mu / point.normalizedMu;  // rms, of the whole line
+  const double damping = 4 * std::sqrt(2.0) * point.dimensionlessVelocity / slope /
+                         point.dimensionlessForce * point.rmsSlopeContact * point.rmsSlopeContact *
+                         point.contactFraction;
+  // A value that does not apply gives no note.
+  return std::isgreater(std::abs(point.mu - damping), damping);
+}
+
 bool hasNotes(const std::vector<CurvePoint>& points) {
   return std::ranges::any_of(points,
                              [](const CurvePoint& point) { return !pointNotes(point).empty(); });
@@ -90,25 +106,6 @@ std::string curveRow(const CurvePoint& point) {
   for (const CurveColumn& column : kCurveColumns) text += csvNumber(point.*column.member) + ",";
   return text + (point.realizations > 0 ? fmt::format("{}\n", point.realizations) : "\n");
 }
-
-namespace {
-
-/// Returns whether more than half of the friction by Eq. (4) is the work of the elastic pressure.
-bool isUnresolved(const CurvePoint& point) {
-  if (point.mu == 0) return false;
-  // Eq. (4) is the work of the damping, 4 eta v times the squared slope over the contact, plus that
-  // of the elastic pressure. On resolved lines at H = 0.7 and 1e-4 to 1 N the second part never
-  // exceeds 0.45 of the first; where a contact has only a few elements it is the error of their
-  // sum.
-  const double slope = point.mu / point.normalizedMu;  // rms, of the whole line
-  const double damping = 4 * std::sqrt(2.0) * point.dimensionlessVelocity / slope /
-                         point.dimensionlessForce * point.rmsSlopeContact * point.rmsSlopeContact *
-                         point.contactFraction;
-  // A value that does not apply gives no note.
-  return std::isgreater(std::abs(point.mu - damping), damping);
-}
-
-}  // namespace
 
 NoteSet pointNoteSet(const CurvePoint& point) {
   NoteSet notes = point.notes;
@@ -227,6 +224,28 @@ std::string curveJson(const std::vector<CurvePoint>& points, const Scene& scene,
   root["points"] = nlohmann::ordered_json::array();
   for (const CurvePoint& point : points) root["points"].push_back(table.json(point));
   return root.dump(2) + "\n";
+}
+
+RealizationTable::RealizationTable(std::vector<double> velocities)
+    : velocities_(std::move(velocities)) {
+  for (const ColumnName column :
+       {ColumnName("realization"), ColumnName("velocity"), ColumnName("mu"),
+        ColumnName("mu_interface"), ColumnName("contact_fraction"), ColumnName("rms_slope_contact"),
+        ColumnName("indentation"), ColumnName("normal_force"), ColumnName("tangential_force"),
+        ColumnName("rms_slope")})
+    table_.columns.push_back(column.text());
+}
+
+void RealizationTable::add(std::int64_t realization, std::span<const SteadyResult> results) {
+  for (std::size_t i = 0; i < std::min(results.size(), velocities_.size()); ++i) {
+    const SteadyResult& at = results[i];
+    // A line without normal force has no coefficient of friction.
+    const bool isPressed = at.normalForce > 0;
+    table_.rows.push_back({realization, velocities_[i], isPressed ? at.mu : kNotApplicable,
+                           isPressed ? at.muInterface : kNotApplicable, at.contactFraction,
+                           at.rmsSlopeContact, at.indentation, at.normalForce, at.tangentialForce,
+                           at.rmsSlopeLine});
+  }
 }
 
 }  // namespace asperity

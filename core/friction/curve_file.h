@@ -1,9 +1,11 @@
 // Friction curves as text: the columns of one table as CSV, the same with scene, version and seed
-// as JSON. Numbers have the shortest form that reads back to the same value; a value that does not
-// apply is empty in CSV and null in JSON. Pure functions; equal curves give equal bytes.
+// as JSON; and the table of the single lines behind a curve. Numbers have the shortest form that
+// reads back to the same value; a value that does not apply is empty in CSV and null in JSON. Equal
+// curves give equal bytes. Pure functions, and plain values for one thread at a time.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
@@ -11,6 +13,7 @@
 #include <vector>
 
 #include "core/friction/curve_point.h"
+#include "core/scene/data_table.h"
 #include "core/scene/scene.h"
 
 namespace asperity {
@@ -33,6 +36,7 @@ NoteSet pointNoteSet(const CurvePoint& point);
 std::vector<std::string_view> curveColumns();
 /// Returns the number in a column; NaN where it does not apply.
 double curveValue(const CurvePoint& point, std::string_view column);
+
 /// What the columns of a table depend on besides its points.
 struct CurveColumns {
   /// The key over which the curves go. Another one than velocity gives the first column, named by
@@ -78,5 +82,23 @@ class CurveTable {
 std::string curveCsv(const std::vector<CurvePoint>& points, const CurveColumns& columns = {});
 std::string curveJson(const std::vector<CurvePoint>& points, const Scene& scene,
                       bool hasForces = false);
+
+/// The values of each random line behind a curve, of which its means and standard errors are made.
+class RealizationTable {
+ public:
+  /// velocities: of the sweep, m/s.
+  explicit RealizationTable(std::vector<double> velocities);
+
+  /// Adds a realization's results at the velocities, in their order.
+  void add(std::int64_t realization, std::span<const SteadyResult> results);
+
+  /// Returns one row for each line and velocity: realization, velocity, mu, mu_interface,
+  /// contact_fraction, rms_slope_contact, indentation, normal_force, tangential_force, rms_slope.
+  const DataTable& table() const { return table_; }
+
+ private:
+  std::vector<double> velocities_;
+  DataTable table_;
+};
 
 }  // namespace asperity

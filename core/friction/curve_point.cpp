@@ -110,8 +110,7 @@ void LawColumns::addForces(CurvePoint& point, const CurveAverages& averages) con
       isHeld ? averages.normalForce.mean() : loadOn(scene_.load, length_).normalForce;
   point.tangentialForce = isHeld ? averages.tangentialForce.mean() : point.mu * point.forceOnPeriod;
   point.power = point.tangentialForce * point.velocity;
-  const double width =
-      scene_.load.kind == LoadKind::Pressure && scene_.load.width > 0 ? scene_.load.width : length_;
+  const double width = contactWidth(scene_.load, length_);
   if (std::isgreater(point.contactFraction, 0))
     point.contactPressure = point.forceOnPeriod / (point.contactFraction * length_ * width);
 }

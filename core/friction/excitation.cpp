@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "core/material/temperature_shift.h"
 #include "core/surface/line_source.h"
 #include "core/surface/spectrum.h"
 
@@ -19,15 +20,7 @@ double excitedFrequency(double waveNumber, double velocity) {
   return waveNumber * velocity / (2 * std::numbers::pi);
 }
 
-}  // namespace
-
-std::optional<FrequencyRange> measuredFrequencies(const Elastomer& elastomer) {
-  const MeasuredRange& range = elastomer.measured;
-  if (elastomer.rheology != Rheology::Prony || !(range.frequencyTo > 0)) return {};
-  const double shift = shiftFactor(elastomer.shift, elastomer.temperature);
-  return FrequencyRange{range.frequencyFrom / shift, range.frequencyTo / shift};
-}
-
+/// Returns whether the elastomer is at a temperature outside of the measured range.
 bool isAtForeignTemperature(const Elastomer& elastomer) {
   const MeasuredRange& range = elastomer.measured;
   if (elastomer.rheology != Rheology::Prony || !(range.temperatureTo > 0)) return false;
@@ -35,6 +28,15 @@ bool isAtForeignTemperature(const Elastomer& elastomer) {
   constexpr double kNear = 0.5;  // K
   return elastomer.temperature < range.temperatureFrom - kNear ||
          elastomer.temperature > range.temperatureTo + kNear;
+}
+
+}  // namespace
+
+std::optional<FrequencyRange> measuredFrequencies(const Elastomer& elastomer) {
+  const MeasuredRange& range = elastomer.measured;
+  if (elastomer.rheology != Rheology::Prony || !(range.frequencyTo > 0)) return {};
+  const double shift = shiftFactor(elastomer.shift, elastomer.temperature);
+  return FrequencyRange{range.frequencyFrom / shift, range.frequencyTo / shift};
 }
 
 bool isExtrapolated(double shareNotMeasured) {
@@ -49,11 +51,6 @@ NoteSet elastomerNotes(const Elastomer& elastomer, double rmsSlope, double share
   notes.add(Note::StrainBeyondMeasured,
             elastomer.rheology == Rheology::Prony && strain > 0 && rmsSlope > strain);
   return notes;
-}
-
-NoteSet elastomerNotes(const Elastomer& elastomer, const LineSource& source,
-                       double shareNotMeasured) {
-  return elastomerNotes(elastomer, source.statistics().rmsSlope, shareNotMeasured);
 }
 
 ExcitedWaves excitedWaves(const LineSource& source) {

@@ -34,17 +34,11 @@ inline constexpr double kMostNotMeasured = 0.1;
 /// at the reference divided by a_T. Nothing where they are not known.
 std::optional<FrequencyRange> measuredFrequencies(const Elastomer& elastomer);
 
-/// Returns whether the elastomer is at a temperature outside of the measured range.
-bool isAtForeignTemperature(const Elastomer& elastomer);
-
 /// Returns whether this share of the weight makes friction extrapolated; false for NaN.
 bool isExtrapolated(double shareNotMeasured);
 
-/// Returns the notes on an elastomer on these lines: on frequencies, temperature and strains
-/// outside of the measured range. Strains are about as large as the slopes.
-NoteSet elastomerNotes(const Elastomer& elastomer, const LineSource& source,
-                       double shareNotMeasured);
-/// Returns the same for lines of this rms slope.
+/// Returns the notes on an elastomer on lines of this rms slope: on frequencies, temperature and
+/// strains outside of the measured range. Strains are about as large as the slopes.
 NoteSet elastomerNotes(const Elastomer& elastomer, double rmsSlope, double shareNotMeasured);
 
 /// The modes of a band of neighbouring wave numbers.

@@ -6,7 +6,6 @@
 #include "core/scene/plan.h"
 
 namespace asperity {
-
 namespace {
 
 std::vector<LoadCase> makeCases(const std::vector<double>& normalForces,

@@ -36,9 +36,6 @@ struct MapAxis {
   std::string_view key() const { return range.key(); }
 };
 
-inline constexpr std::int64_t kMostMapPoints = 1000;  // along a side
-inline constexpr std::int64_t kMostMapCells = 100000;
-
 /// Returns whether the row is a number on which friction in this scene depends (whyNotSwept of
 /// core/scene/sweep.h).
 bool isMapParameter(const Parameter& row, const Scene& scene);

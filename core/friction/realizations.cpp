@@ -41,7 +41,7 @@ std::size_t stateCount(const RealizationPart& part) {
 
 class Realizations {
  public:
-  Realizations(const RealizationParts& work, int threads, const std::stop_token& stop)
+  Realizations(const RealizationWork& work, int threads, const std::stop_token& stop)
       : work_(work), stop_(stop), jobs_(threads) {
     static std::atomic<std::uint64_t> owners{0};
     owner_ = ++owners;
@@ -139,7 +139,7 @@ class Realizations {
     for (std::size_t i = 0; i < row.size(); ++i) requireBalance(row[i], one.velocities[i], where);
   }
 
-  const RealizationParts& work_;
+  const RealizationWork& work_;
   std::vector<std::unique_ptr<SteadySolver>> solvers_;
   std::vector<std::size_t> solverOf_;  // [part]
   std::vector<Chunk> chunks_;
@@ -156,11 +156,11 @@ bool slideRealizations(const RealizationTask& task, std::int64_t count, int thre
                        const std::stop_token& stop, const TakeRealization& take,
                        const BatchDone& batchDone) {
   const RealizationPart part{task.scene, task.cases};
-  const RealizationParts work{task.source, task.scene.accuracy.scheme, {&part, 1}, task.first};
+  const RealizationWork work{task.source, task.scene.accuracy.scheme, {&part, 1}, task.first};
   return slideRealizations(work, count, threads, stop, take, batchDone);
 }
 
-bool slideRealizations(const RealizationParts& work, std::int64_t count, int threads,
+bool slideRealizations(const RealizationWork& work, std::int64_t count, int threads,
                        const std::stop_token& stop, const TakeRealization& take,
                        const BatchDone& batchDone) {
   Realizations realizations(work, threads, stop);

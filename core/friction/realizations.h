@@ -43,8 +43,9 @@ struct RealizationPart {
   bool beginsChunk = true;  // false: slid by the same thread as the part before it
 };
 
-/// Several parts on the same lines, each made once for as many parts as a thread slides together.
-struct RealizationParts {
+/// Several parts on the same lines. Each line is made once for as many parts as a thread slides
+/// together.
+struct RealizationWork {
   const LineSource& source;
   Scheme scheme;
   std::span<const RealizationPart> parts;
@@ -64,7 +65,7 @@ bool slideRealizations(const RealizationTask& task, std::int64_t count, int thre
                        const BatchDone& batchDone = {});
 
 /// Does the same for several parts, whose results follow one another.
-bool slideRealizations(const RealizationParts& work, std::int64_t count, int threads,
+bool slideRealizations(const RealizationWork& work, std::int64_t count, int threads,
                        const std::stop_token& stop, const TakeRealization& take,
                        const BatchDone& batchDone = {});
 

@@ -73,8 +73,7 @@ std::vector<CutoffPoint> frictionOverCutoff(const Scene& scene, const StateOptio
   std::vector<Scene> states;
   // The resolution that the program chooses must not change from cut to cut.
   Scene whole = scene;
-  if (whole.accuracy.scheme != Scheme::Nodal)
-    whole.accuracy.oversampling = curvePointsPerElement(scene);
+  fixResolution(whole);
   std::size_t last = all + 1;
   for (int step = 0;; ++step) {
     const auto modes = static_cast<std::size_t>(

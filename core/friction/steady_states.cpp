@@ -17,10 +17,10 @@ namespace {
 
 /// Values with a smaller relative difference are equal up to rounding: products computed in two
 /// orders.
-constexpr double kRounding = 1e-13;
+constexpr double kEqualWithin = 1e-13;
 
 bool areEqual(double a, double b) {
-  return a == b || std::abs(a - b) <= kRounding * std::max(std::abs(a), std::abs(b));
+  return a == b || std::abs(a - b) <= kEqualWithin * std::max(std::abs(a), std::abs(b));
 }
 
 /// The factors between the moduli and the relaxation times of two laws.
@@ -288,8 +288,8 @@ class States {
     const Pieces pieces(lines.groups);
     const std::int64_t total = source.lines();
     std::vector<CurveAverages> averages(lines.members);
-    const RealizationParts work{source, lines.groups.front().scene.accuracy.scheme, pieces.parts(),
-                                0};
+    const RealizationWork work{source, lines.groups.front().scene.accuracy.scheme, pieces.parts(),
+                               0};
     const auto take = [&](std::span<const SteadyResult> all) {
       for (const SteadyResult& result : all) {
         found.largestResidual = std::max(found.largestResidual, result.residual);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <initializer_list>
 #include <numbers>
 #include <utility>
@@ -14,7 +15,7 @@
 namespace asperity {
 namespace {
 
-/// Letters of names that are words of their own.
+/// Greek letters, which are words of their own, and signs that stand for others.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 12> kGreek{
     {{"\u03B4", " delta "},
      {"\u0394", " delta "},
@@ -259,6 +260,10 @@ std::optional<std::pair<std::size_t, FoundTemperature>> findFirstTemperature(
 
 }  // namespace
 
+double shearFromYoungs(double youngs, double poisson) {
+  return youngs / (2 * (1 + poisson));
+}
+
 DmaColumn dmaColumn(std::string_view name, std::string_view unit) {
   DmaColumn column;
   std::string word(name);
@@ -325,6 +330,13 @@ std::optional<double> parseTemperature(std::string_view text) {
   if (quantity->unit.empty()) return quantity->number;
   const auto unit = temperatureUnit(quantity->unit);
   return unit ? std::optional(unit->toSi(quantity->number)) : std::nullopt;
+}
+
+std::optional<double> parseStrain(std::string_view text) {
+  const auto quantity = parseQuantity(text);
+  if (!quantity || !(quantity->unit.empty() || quantity->unit == "%")) return {};
+  const double strain = quantity->unit.empty() ? quantity->number : quantity->number / 100;
+  return strain > 0 && std::isfinite(strain) ? std::optional(strain) : std::nullopt;
 }
 
 std::optional<double> frequencyUnit(std::string_view unit, bool isAngular) {

@@ -26,6 +26,9 @@ enum class DmaQuantity {
 
 enum class ModulusKind { Unknown, Shear, Tension };
 
+/// Returns the shear modulus of a Young's modulus, E / (2 (1 + nu)).
+double shearFromYoungs(double youngs, double poisson);
+
 struct DmaColumn {
   DmaQuantity quantity = DmaQuantity::None;
   ModulusKind kind = ModulusKind::Unknown;  // of a modulus
@@ -53,6 +56,9 @@ std::vector<double> findTemperatures(std::string_view text);
 /// Reads a whole text as a temperature, in K: "20C", "20 \u00B0C", "68F", "293.15", "293.15K"; a
 /// number alone is in K. Nothing where the text is none.
 std::optional<double> parseTemperature(std::string_view text);
+
+/// Reads a strain, "1%" or "0.01"; nothing where the text is no number above 0.
+std::optional<double> parseStrain(std::string_view text);
 
 /// Returns one unit of strain as a ratio: 0.01 for "%", 1 for "mm/mm" or no unit; nothing where the
 /// text is none, as "mm".

@@ -171,7 +171,7 @@ class Reader {
                        "may be of shear (G) or of tension (E); say which with --modulus shear or "
                        "--modulus tension");
     file_.facts.modulus = kind;
-    return kind == ModulusKind::Tension ? 1 / (2 * (1 + choices_.poissonRatio)) : 1;
+    return kind == ModulusKind::Tension ? shearFromYoungs(1, choices_.poissonRatio) : 1;
   }
 
   /// Decides about temperatures without a unit: numbers above 200 are kelvins, as no rubber is

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
+#include "core/material/temperature_shift.h"
 
 namespace asperity {
 namespace {
@@ -48,42 +48,6 @@ void checkArms(const Elastomer& elastomer) {
   checkModulus(elastomer.equilibriumModulus, "elastomer.equilibrium_modulus");
 }
 
-double wlfDecades(const TemperatureShift& shift, double temperature) {
-  const double above = temperature - shift.referenceTemperature;
-  if (above == 0) return 0;
-  if (!(above > -shift.c2))
-    throw InputError("", "elastomer.temperature",
-                     message("{} K is not above {} K, reference_temperature - c2, where the "
-                             "shift ends",
-                             temperature, shift.referenceTemperature - shift.c2));
-  return -shift.c1 * above / (shift.c2 + above);
-}
-
-double arrheniusDecades(const TemperatureShift& shift, double temperature) {
-  if (temperature == shift.referenceTemperature) return 0;
-  return shift.activationEnergy / kGasConstant * std::numbers::log10e *
-         (1 / temperature - 1 / shift.referenceTemperature);
-}
-
-bool isWithinTable(const TemperatureShift& shift, double temperature) {
-  return !shift.table.empty() && temperature >= shift.table.front().temperature &&
-         temperature <= shift.table.back().temperature;
-}
-
-double tableDecades(const TemperatureShift& shift, double temperature) {
-  const std::vector<ShiftPoint>& table = shift.table;
-  if (table.empty()) throw InputError("", "elastomer.shift.table", "has no rows");
-  if (!isWithinTable(shift, temperature))
-    throw InputError("", "elastomer.temperature",
-                     message("{} K is outside the shift table, {} to {} K", temperature,
-                             table.front().temperature, table.back().temperature));
-  const auto above = std::ranges::lower_bound(table, temperature, {}, &ShiftPoint::temperature);
-  if (above->temperature == temperature) return above->log10Shift;
-  const ShiftPoint &low = *std::prev(above), &high = *above;
-  const double part = (temperature - low.temperature) / (high.temperature - low.temperature);
-  return low.log10Shift + part * (high.log10Shift - low.log10Shift);
-}
-
 }  // namespace
 
 std::vector<Arm> joinedArms(std::vector<Arm> arms) {
@@ -106,35 +70,6 @@ double ElementLaw::springModulus() const {
 
 double ElementLaw::glassyModulus() const {
   return viscosity > 0 ? std::numeric_limits<double>::infinity() : springModulus();
-}
-
-double log10ShiftFactor(const TemperatureShift& shift, double temperature) {
-  const double decades = shift.kind == ShiftKind::Table       ? tableDecades(shift, temperature)
-                         : shift.kind == ShiftKind::Arrhenius ? arrheniusDecades(shift, temperature)
-                                                              : wlfDecades(shift, temperature);
-  if (!(std::abs(decades) <= kMostDecades))
-    throw InputError("", "elastomer.temperature",
-                     message("{} K shifts the times by {:.3g} decades; allowed is {}", temperature,
-                             decades, kMostDecades));
-  return decades;
-}
-
-double shiftFactor(const TemperatureShift& shift, double temperature) {
-  const double decades = log10ShiftFactor(shift, temperature);
-  return decades == 0 ? 1 : std::pow(10, decades);
-}
-
-bool shiftsTimes(const Elastomer& elastomer) {
-  const TemperatureShift& shift = elastomer.shift;
-  if (shift.kind != ShiftKind::Table) return elastomer.temperature != shift.referenceTemperature;
-  return !isWithinTable(shift, elastomer.temperature) ||
-         tableDecades(shift, elastomer.temperature) != 0;
-}
-
-double temperatureShift(const Elastomer& elastomer) {
-  return elastomer.rheology == Rheology::Elastic
-             ? 1
-             : shiftFactor(elastomer.shift, elastomer.temperature);
 }
 
 ElementLaw elementLaw(const Elastomer& elastomer) {

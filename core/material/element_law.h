@@ -1,5 +1,6 @@
-// The law of one element: an elastomer after the temperature shift and without effects of strength
-// 0, as the plain values from which every kernel starts. Pure functions; any thread.
+// The law of one element: an elastomer after its temperature shift (temperature_shift.h) and
+// without effects of strength 0, as the plain values from which every kernel starts. Pure
+// functions; any thread.
 //
 // Per length, p = 4 (G y + eta y' + sum G_i e_i) with e_i' = y' - e_i / tau_i, where y = -u is the
 // depth of an element and ' the time derivative; without contact p = 0.
@@ -37,35 +38,6 @@ struct ElementLaw {
 /// Returns the arms by falling relaxation time. Arms of equal times are joined into one with the
 /// sum of their moduli, which is the same element.
 std::vector<Arm> joinedArms(std::vector<Arm> arms);
-
-/// The largest shift that has a meaning, in decades.
-inline constexpr double kMostDecades = 30;
-
-/// Limits of the constants of a shift, as in scenes.
-inline constexpr double kMostC1 = 1000, kLeastC2 = 1e-3, kMostC2 = 1e4;  // the latter two K
-inline constexpr double kMostActivationEnergy = 1e7;                     // J/mol
-
-/// J/(mol K), the molar gas constant (exact since the SI of 2019).
-inline constexpr double kGasConstant = 8.31446261815324;
-
-/// Returns log10 of the factor a_T by which temperature (K) multiplies every relaxation time and
-/// the viscosity.
-/// Wlf: log10 a_T = -c1 (T - T_r) / (c2 + T - T_r), Williams, Landel and Ferry, J. Am. Chem. Soc.
-/// 77, 3701 (1955), valid from the glass transition to about 100 K above it.
-/// Arrhenius: ln a_T = E/R (1/T - 1/T_r). Table: linear in T between the rows.
-/// The moduli do not change, so mu(v, T) = mu(v a_T, T_r). The result is exactly 0 at the reference
-/// temperature. Throws InputError (elastomer.temperature) at or below T_r - c2, where there is no
-/// shift, outside of a table, and beyond kMostDecades.
-double log10ShiftFactor(const TemperatureShift& shift, double temperature);
-
-/// Returns a_T itself.
-double shiftFactor(const TemperatureShift& shift, double temperature);
-
-/// Returns whether the temperature changes the relaxation times, or has no shift at all.
-bool shiftsTimes(const Elastomer& elastomer);
-
-/// Returns a_T of an elastomer at its own temperature; 1 for an elastic one, which has no times.
-double temperatureShift(const Elastomer& elastomer);
 
 /// Returns the law of the elements of an elastomer. Throws InputError where the elastomer is
 /// impossible: it has no modulus, a standard solid has not exactly one arm, or a temperature has no

@@ -1,9 +1,12 @@
-// Measured dynamic moduli as plain values: frequency sweeps at several temperatures, shear moduli
-// in Pa. core/material/dma_file.h reads them; core/material/temperature_shifts.h and prony_fit.h
-// make a material of them. Pure functions; any thread.
+// Measured dynamic moduli as plain values: rows of one strain amplitude, and frequency sweeps at
+// several temperatures made of them; shear moduli in Pa. core/material/dma_file.h reads the rows;
+// core/material/master_curve.h and prony_fit.h make a material of the sweeps. Pure functions; any
+// thread.
 #pragma once
 
 #include <limits>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "core/base/message.h"
@@ -36,6 +39,15 @@ struct MeasuredModulus {
   DynamicModulus modulus{};
   double strainAmplitude = std::numeric_limits<double>::quiet_NaN();  // NaN: not stated
 };
+
+/// Keeps the rows of the chosen strain amplitude, if one is chosen, and returns the median of the
+/// remaining ones; NaN where no row states one. Filled rubber is softer the more it is strained
+/// (Payne effect), so a master curve belongs to one amplitude. Amplitudes within a fifth of each
+/// other count as equal; those at other temperatures or frequencies may differ. Throws InputError
+/// (`name`) where sweeps at one temperature (within `tolerance`, K) were measured at several
+/// amplitudes and none is chosen, and (--strain) where no amplitude is close to the chosen one.
+double chooseStrain(std::vector<MeasuredModulus>& rows, std::optional<double> chosen,
+                    double tolerance, const std::string& name);
 
 /// Rows belong to one sweep while neighbouring temperatures differ by at most this, unless a user
 /// chooses another tolerance.

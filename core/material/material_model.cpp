@@ -12,8 +12,6 @@
 #include "core/base/json_text.h"
 #include "core/base/number_text.h"
 #include "core/base/text_encoding.h"
-#include "core/material/dma_strain.h"
-#include "core/material/element_law.h"
 #include "core/material/material_library.h"
 
 namespace asperity {

@@ -16,10 +16,10 @@
 #include "core/material/dma_file.h"
 #include "core/material/elastomer.h"
 #include "core/material/isotherms.h"
+#include "core/material/master_curve.h"
 #include "core/material/prony_file.h"
 #include "core/material/prony_fit.h"
-#include "core/material/temperature_fit.h"
-#include "core/material/temperature_shifts.h"
+#include "core/material/temperature_shift.h"
 
 namespace asperity {
 

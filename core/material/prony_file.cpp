@@ -23,10 +23,8 @@ namespace {
 std::string plainWord(std::string_view text) {
   std::string word = lowerCase(text);
   for (const std::string_view infinity : {"\u221E", "infinity", "infty"})
-    for (std::size_t at; (at = word.find(infinity)) != word.npos;)
-      word.replace(at, infinity.size(), "inf");
-  for (const std::string_view tau : {"\u03C4", "\u03A4"})
-    for (std::size_t at; (at = word.find(tau)) != word.npos;) word.replace(at, tau.size(), "tau");
+    replaceAll(word, infinity, "inf");
+  for (const std::string_view tau : {"\u03C4", "\u03A4"}) replaceAll(word, tau, "tau");
   std::erase_if(word, [](char letter) {
     return letter == ' ' || letter == '_' || letter == '-' || letter == '.' || letter == '{' ||
            letter == '}' || letter == '(' || letter == ')';

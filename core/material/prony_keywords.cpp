@@ -12,7 +12,7 @@
 #include "core/base/text_dialect.h"
 #include "core/base/text_number.h"
 #include "core/material/dma_columns.h"
-#include "core/material/element_law.h"
+#include "core/material/temperature_shift.h"
 
 namespace asperity {
 namespace {
@@ -269,10 +269,6 @@ void refuseDyna(const std::vector<Line>& lines, const std::string& name) {
 }
 
 }  // namespace
-
-double shearFromYoungs(double youngs, double poisson) {
-  return youngs / (2 * (1 + poisson));
-}
 
 std::optional<RawSeries> keywordSeries(std::string_view text, const std::string& name,
                                        const PronyChoices& choices) {

@@ -33,9 +33,6 @@ struct RawSeries {
   std::vector<Message> notes{};
 };
 
-/// Returns the shear modulus of a Young's modulus, E / (2 (1 + nu)).
-double shearFromYoungs(double youngs, double poisson);
-
 /// Reads the keywords of Abaqus or the commands of Ansys; nothing where the text has neither.
 /// Throws InputError (`name`), also for the keywords of LS-DYNA, which are not read.
 std::optional<RawSeries> keywordSeries(std::string_view text, const std::string& name,

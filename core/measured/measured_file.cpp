@@ -125,7 +125,7 @@ double rmsSlope(const Topography& grid) {
   return count > 0 ? std::sqrt(squares / count) : 0;
 }
 
-/// Throws InputError where a unit must be chosen, because that of the file is not known.
+/// Returns what to say where a unit must be chosen, because that of the file is not known.
 Message unknownUnitText(const std::string& unit) {
   return message("is needed ({}): the unit '{}' of the file is not known; known are {}", kUnits,
                  shortened(unit), kKnownUnits);

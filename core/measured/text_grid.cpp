@@ -16,11 +16,12 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 // ---- Matrix ------------------------------------------------------------------------------------
 
-/// The keys of the width and height of the whole field, as Gwyddion writes them in each language.
+/// The width and the height of the whole field.
 struct Extent {
   std::optional<HeaderLength> width, height;
 };
 
+/// Returns the extent by the keys that Gwyddion writes in each of its languages, and by others.
 Extent findExtent(const TextTable& table, const TextBlock& block) {
   Extent extent;
   extent.width = headerLength(

@@ -46,8 +46,8 @@ std::optional<HeaderLength> statedSpacing(const TextTable& table, const TextBloc
   return countedStep(table, block, static_cast<std::int64_t>(block.rows), true);
 }
 
-/// Removes the heights that no surface can have: some files write such a number for a missing
-/// point.
+/// Throws InputError for heights that no surface can have: some files write such a number for a
+/// missing point.
 void requireHeights(const std::vector<double>& heights, const TextBlock& block,
                     const SurfaceSource& source) {
   constexpr double kNoHeight = 1e30;  // in any unit

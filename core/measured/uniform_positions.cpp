@@ -60,7 +60,7 @@ class Rounding {
 
   double of(double value) const {
     if (finest_ > 300) return 0;
-    const double magnitude = value == 0 ? 0 : std::abs(value);
+    const double magnitude = std::abs(value);
     const int leading =
         magnitude > 0 ? static_cast<int>(std::floor(std::log10(magnitude))) : finest_;
     return 0.5 * std::pow(10.0, std::max(finest_, leading - most_ + 1));

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "core/contact/steady_sliding.h"
+#include "core/material/temperature_shift.h"
 #include "core/scene/plan.h"
 #include "core/scene/scene_check.h"
 

@@ -205,9 +205,7 @@ double quantityOf(const Frame& frame, CurveQuantity quantity, double mu) {
     default:
       break;
   }
-  const Load& load = frame.scene->load;
-  const double width =
-      load.kind == LoadKind::Pressure && load.width > 0 ? load.width : frame.length;
+  const double width = contactWidth(frame.scene->load, frame.length);
   return frame.contactFraction > 0
              ? frame.normalForce / (frame.contactFraction * frame.length * width)
              : kNotApplicable;

@@ -10,7 +10,7 @@
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/text.h"
-#include "core/material/element_law.h"
+#include "core/material/temperature_shift.h"
 #include "core/scene/parameters.h"
 
 namespace asperity {

@@ -6,7 +6,7 @@
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
-#include "core/material/element_law.h"
+#include "core/material/temperature_shift.h"
 #include "core/scene/columns.h"
 
 namespace asperity {

@@ -100,4 +100,9 @@ std::int64_t curvePointsPerElement(const Scene& scene) {
   return withinMemory(scene, points);
 }
 
+void fixResolution(Scene& scene) {
+  if (scene.accuracy.scheme != Scheme::Nodal && scene.accuracy.oversampling == 0)
+    scene.accuracy.oversampling = curvePointsPerElement(scene);
+}
+
 }  // namespace asperity

@@ -172,13 +172,19 @@ struct Scene {
   bool operator==(const Scene&) const = default;
 };
 
+/// Returns the width (m) of the contact across a line of this period (m): that of a nominal
+/// pressure, where it has one, else the period.
+inline double contactWidth(const Load& load, double length) {
+  return load.kind == LoadKind::Pressure && load.width > 0 ? load.width : length;
+}
+
 /// Returns the load on a line of this period (m): a nominal pressure as the force that follows from
 /// it, F_N = p_0 L width; any other load is unchanged.
 inline Load loadOn(const Load& load, double length) {
   Load same = load;
   if (load.kind != LoadKind::Pressure) return same;
   same.kind = LoadKind::Force;
-  same.normalForce = load.nominalPressure * length * (load.width > 0 ? load.width : length);
+  same.normalForce = load.nominalPressure * length * contactWidth(load, length);
   return same;
 }
 
@@ -221,5 +227,9 @@ std::int64_t pointsPerElement(const Scene& scene);
 /// resolution stays below half of the standard error. A curve to a target accuracy does not use it,
 /// because it chooses at each velocity.
 std::int64_t curvePointsPerElement(const Scene& scene);
+
+/// Sets the resolution of a friction curve that the scene leaves to the program, so that it does
+/// not change with other parameters.
+void fixResolution(Scene& scene);
 
 }  // namespace asperity

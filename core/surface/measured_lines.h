@@ -49,8 +49,7 @@ class MeasuredLines {
   std::int64_t rows() const { return static_cast<std::int64_t>(rows_.size()); }  // that can be used
   std::int64_t rowsLeftOut() const { return leftOut_; }  // with fewer than three measured points
 
-  double length() const { return length_; }          // m, the period
-  double lengthUsed() const { return usedLength_; }  // m, of the file
+  double length() const { return length_; }                                         // m, the period
   std::int64_t points() const { return static_cast<std::int64_t>(periodPoints_); }  // of a period
 
   /// Returns row 0 ... rows() - 1 of the used ones before and after processing, without the seam.

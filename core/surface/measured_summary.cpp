@@ -1,16 +1,12 @@
 #include "core/surface/measured_summary.h"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "core/base/json_text.h"
 #include "core/base/number_text.h"
 
 namespace asperity {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 PrintedNumber metres(double value) {
   return {printedQuantity(value, "m", 5)};
@@ -22,18 +18,6 @@ std::vector<double> withoutGaps(std::vector<double> heights) {
   interpolateGaps(heights);
   removeForm(heights, FormRemoval::Mean);
   return heights;
-}
-
-std::string_view unitSourceWord(UnitSource source) {
-  return source == UnitSource::File ? "file" : source == UnitSource::Choice ? "choice" : "assumed";
-}
-
-Json unitJson(const UnitFact& unit) {
-  return {{"unit", unit.unit}, {"metres", unit.metres}, {"source", unitSourceWord(unit.source)}};
-}
-
-Json spectrumJson(const SpectralDensity& spectrum) {
-  return {{"wave_number", spectrum.waveNumber}, {"power_spectral_density", spectrum.density}};
 }
 
 }  // namespace
@@ -129,47 +113,6 @@ std::vector<NamedValue> namedValues(const MeasuredSummary& summary) {
           {letter + "sk", "", raw.psk, used.psk}, {letter + "ku", "", raw.pku, used.pku},
           {letter + "z", "m", raw.pz, used.pz},   {letter + "t", "m", raw.pt, used.pt},
           {letter + "dq", "", raw.pdq, used.pdq}};
-}
-
-void addTo(Json& root, const MeasuredSummary& summary) {
-  const ReadingFacts& facts = summary.facts;
-  Json& reading = root["reading"];
-  reading = {{"format", facts.format},
-             {"columns", summary.columns},
-             {"rows", summary.rows},
-             {"spacing", summary.spacing},
-             {"row_spacing", summary.rowSpacing},
-             {"position_column", facts.positionColumn},
-             {"height_column", facts.heightColumn},
-             {"position_unit", unitJson(facts.positionUnit)},
-             {"height_unit", unitJson(facts.heightUnit)},
-             {"points", facts.points},
-             {"gaps", facts.gaps},
-             {"spacing_variation", facts.spacingVariation},
-             {"resampled", facts.resampled},
-             {"row", summary.rowInFile},
-             {"rows_used", summary.rowsUsed},
-             {"rows_left_out", summary.rowsLeftOut},
-             {"gaps_interpolated", summary.profile.gaps},
-             {"outliers_interpolated", summary.profile.outliers}};
-  reading["facts"] = Json::array();
-  for (const Message& fact : factsOf(summary)) reading["facts"].push_back(fact.english());
-  Json raw, used;
-  for (const NamedValue& value : namedValues(summary)) {
-    raw["P" + value.name.substr(1)] = numberOrNull(value.raw);
-    used[value.name] = numberOrNull(value.used);
-  }
-  root["values"] = {{"raw", std::move(raw)},
-                    {"used", std::move(used)},
-                    {"length", summary.used.length},
-                    {"slope_ratio", summary.slopeRatio}};
-  root["spectrum_of_surface"] = {{"reliable_from", summary.band.from},
-                                 {"reliable_to", summary.band.to},
-                                 {"ends_in_noise", summary.band.endsInNoise},
-                                 {"raw", spectrumJson(summary.rawSpectrum)},
-                                 {"used", spectrumJson(summary.usedSpectrum)}};
-  root["notes"] = Json::array();
-  for (const Note note : summary.notes.list()) root["notes"].push_back(noteWord(note));
 }
 
 }  // namespace asperity

@@ -4,7 +4,6 @@
 // Failure: InputError as LineSource.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -46,8 +45,5 @@ struct NamedValue {
 };
 /// Returns the parameters in the order of ISO 21920-2. The raw values are always P parameters.
 std::vector<NamedValue> namedValues(const MeasuredSummary& summary);
-
-/// Adds "reading", "values", "spectrum_of_surface" and "notes".
-void addTo(nlohmann::ordered_json& root, const MeasuredSummary& summary);
 
 }  // namespace asperity

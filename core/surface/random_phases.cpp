@@ -5,13 +5,13 @@
 #include <cstddef>
 #include <numbers>
 
-// As for the contact kernels: one lane, AVX2, AVX-512.
+// The instruction sets are those of the contact kernels: one lane, AVX2, AVX-512.
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/surface/random_phases.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
-// After it, as Highway wants.
+// This include comes after it, as Highway requires.
 #include <hwy/contrib/math/math-inl.h>
 
 HWY_BEFORE_NAMESPACE();

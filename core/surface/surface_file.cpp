@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "core/base/json_text.h"
 #include "core/scene/columns.h"
 #include "core/scene/provenance.h"
 #include "core/surface/measured_summary.h"
@@ -16,15 +18,69 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// C(q_k) = a_k^2 / (4 dq), so that h^2 = 2 sum C dq.
-Json spectrumJson(const FourierLine& modes) {
-  Json waves = Json::array(), densities = Json::array();
+/// Returns C(q_k) = a_k^2 / (4 dq) of the waves of a line, so that h^2 = 2 sum C dq.
+SpectralDensity lineSpectrum(const FourierLine& modes) {
   const double lowest = 2 * std::numbers::pi / modes.length;
+  SpectralDensity spectrum;
   for (std::size_t j = 0; j < modes.coefficients.size(); ++j) {
-    waves.push_back(lowest * static_cast<double>(j + 1));
-    densities.push_back(std::norm(modes.coefficients[j]) / lowest);
+    spectrum.waveNumber.push_back(lowest * static_cast<double>(j + 1));
+    spectrum.density.push_back(std::norm(modes.coefficients[j]) / lowest);
   }
-  return {{"wave_number", std::move(waves)}, {"power_spectral_density", std::move(densities)}};
+  return spectrum;
+}
+
+std::string_view unitSourceWord(UnitSource source) {
+  return source == UnitSource::File ? "file" : source == UnitSource::Choice ? "choice" : "assumed";
+}
+
+Json unitJson(const UnitFact& unit) {
+  return {{"unit", unit.unit}, {"metres", unit.metres}, {"source", unitSourceWord(unit.source)}};
+}
+
+Json spectrumJson(const SpectralDensity& spectrum) {
+  return {{"wave_number", spectrum.waveNumber}, {"power_spectral_density", spectrum.density}};
+}
+
+/// Adds "reading", "values", "spectrum_of_surface" and "notes" of a measured surface.
+void addMeasured(Json& root, const MeasuredSummary& summary) {
+  const ReadingFacts& facts = summary.facts;
+  Json& reading = root["reading"];
+  reading = {{"format", facts.format},
+             {"columns", summary.columns},
+             {"rows", summary.rows},
+             {"spacing", summary.spacing},
+             {"row_spacing", summary.rowSpacing},
+             {"position_column", facts.positionColumn},
+             {"height_column", facts.heightColumn},
+             {"position_unit", unitJson(facts.positionUnit)},
+             {"height_unit", unitJson(facts.heightUnit)},
+             {"points", facts.points},
+             {"gaps", facts.gaps},
+             {"spacing_variation", facts.spacingVariation},
+             {"resampled", facts.resampled},
+             {"row", summary.rowInFile},
+             {"rows_used", summary.rowsUsed},
+             {"rows_left_out", summary.rowsLeftOut},
+             {"gaps_interpolated", summary.profile.gaps},
+             {"outliers_interpolated", summary.profile.outliers}};
+  reading["facts"] = Json::array();
+  for (const Message& fact : factsOf(summary)) reading["facts"].push_back(fact.english());
+  Json raw, used;
+  for (const NamedValue& value : namedValues(summary)) {
+    raw["P" + value.name.substr(1)] = numberOrNull(value.raw);
+    used[value.name] = numberOrNull(value.used);
+  }
+  root["values"] = {{"raw", std::move(raw)},
+                    {"used", std::move(used)},
+                    {"length", summary.used.length},
+                    {"slope_ratio", summary.slopeRatio}};
+  root["spectrum_of_surface"] = {{"reliable_from", summary.band.from},
+                                 {"reliable_to", summary.band.to},
+                                 {"ends_in_noise", summary.band.endsInNoise},
+                                 {"raw", spectrumJson(summary.rawSpectrum)},
+                                 {"used", spectrumJson(summary.usedSpectrum)}};
+  root["notes"] = Json::array();
+  for (const Note note : summary.notes.list()) root["notes"].push_back(noteWord(note));
 }
 
 }  // namespace
@@ -39,11 +95,9 @@ std::string lineCsv(const Line& line) {
 DataTable spectrumTable(const LineSource& source) {
   DataTable table{{ColumnName("wave_number").text(), ColumnName("power_spectral_density").text()},
                   {}};
-  const FourierLine modes = source.spectrum(0);
-  const double lowest = 2 * std::numbers::pi / modes.length;
-  for (std::size_t j = 0; j < modes.coefficients.size(); ++j)
-    table.rows.push_back(
-        {lowest * static_cast<double>(j + 1), std::norm(modes.coefficients[j]) / lowest});
+  const SpectralDensity spectrum = lineSpectrum(source.spectrum(0));
+  for (std::size_t j = 0; j < spectrum.density.size(); ++j)
+    table.rows.push_back({spectrum.waveNumber[j], spectrum.density[j]});
   return table;
 }
 
@@ -76,9 +130,9 @@ std::string surfaceJson(const Scene& scene, const LineSource& source, const Line
                         {"spacing", line.spacing},    {"rms_height", line.rmsHeight},
                         {"rms_slope", line.rmsSlope}, {"lowest", *lowest},
                         {"highest", *highest}};
-  const FourierLine modes = source.spectrum(0);
-  root["spectrum"] = modes.coefficients.empty() ? Json(nullptr) : spectrumJson(modes);
-  if (source.measured()) addTo(root, measuredSummary(scene, source));
+  const SpectralDensity spectrum = lineSpectrum(source.spectrum(0));
+  root["spectrum"] = spectrum.empty() ? Json(nullptr) : spectrumJson(spectrum);
+  if (source.measured()) addMeasured(root, measuredSummary(scene, source));
   for (const Message& fact : source.spectrumFacts())
     root["reading"]["facts"].push_back(fact.english());
   return root.dump(2) + "\n";

@@ -1,5 +1,6 @@
-// Writes the line of a scene as text: its points as CSV that the profile reader accepts, its
-// statistics and spectrum as JSON. Pure functions; equal scenes give equal bytes.
+// Writes the line of a scene as text: its points as CSV that the profile reader accepts; its
+// statistics and spectrum as tables and as JSON, with the summary of a measured surface. Pure
+// functions; equal scenes give equal bytes.
 #pragma once
 
 #include <string>

@@ -80,7 +80,8 @@ std::string multilevel(bool isQuick) {
     if (isQuick && target < 0.01) continue;
     const TargetCurve result = targetCurve(targetScene(target, 1));
     const TargetPlan plan = planTarget(targetScene(target, 1));
-    table.add({percentText(target), result.isReached ? "yes" : "no", percentText(result.worst),
+    table.add({percentText(target), result.curve.isTargetMet ? "yes" : "no",
+               percentText(result.curve.achievedError),
                ratioText(result.plainOperations / result.operations),
                ratioText(result.plainOperations / plan.operations)});
   }
@@ -158,7 +159,7 @@ std::string coverage(bool isQuick) {
       const TargetCurve result = targetCurve(scene);
       for (std::size_t i = 0; i < truth.size(); ++i) honesty[i].add(result.achieved[i], truth[i]);
       operations += result.operations;
-      reached += result.isReached ? 1 : 0;
+      reached += result.curve.isTargetMet ? 1 : 0;
       points = result.curve.points;
     }
     for (std::size_t i = 0; i < truth.size(); ++i) {

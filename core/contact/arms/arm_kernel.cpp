@@ -1,12 +1,12 @@
 #include "core/contact/arms/arm_kernel.h"
 
-// One lane runs everywhere; AVX2 and AVX-512 are the steps worth a kernel of their own.
+// The instruction sets are those of kernels.cpp: one lane, AVX2, AVX-512.
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/contact/arms/arm_kernel.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
-// After it, as Highway wants.
+// These includes come after it, as Highway requires.
 #include "core/base/flush_denormals.h"
 #include "core/contact/arms/arm_kernel-inl.h"
 #include "core/contact/arms/arm_tangent-inl.h"

@@ -23,52 +23,54 @@ PassSums blend(const PassSums& lower, const PassSums& upper, double share) {
   return sums;
 }
 
-/// Runs one pass for all unfinished searches; returns false where all are finished.
-bool passOnce(const PreparedProfile& line, const LaneValues& relaxationLength,
-              std::span<NodalSearch> searches, LaneValues& depth,
-              std::array<NodalState, kMostLanes>& states) {
-  Output output = Output::Force;
-  bool goesOn = false;
-  for (std::size_t lane = 0; lane < searches.size(); ++lane) {
-    if (searches[lane].isDone()) continue;
-    goesOn = true;
-    depth[lane] = searches[lane].nextDepth();
-    if (searches[lane].wanted() == Output::Everything) output = Output::Everything;
+/// One balance, whose caller runs the passes, so that many balances share them. Plain value; no
+/// allocation.
+class NodalSearch {
+ public:
+  /// load = F_N / 4G (m^2); guess: a depth near the answer (m), or 0.
+  void start(const PreparedProfile& line, double load, double guess);
+
+  bool isDone() const { return stage_ == Stage::Done; }
+  /// Return the depth (m) of the next pass, and what it has to compute.
+  double nextDepth() const { return next_; }
+  Output wanted() const { return stage_ >= Stage::Threshold ? Output::Everything : Output::Force; }
+  /// Takes the result of that pass.
+  void take(const NodalState& found);
+
+  const NodalBalance& answer() const { return answer_; }
+
+ private:
+  enum class Stage { Bracket, Narrow, Threshold, Above, Below, Answer, Done };
+
+  void takeBracket(const NodalState& found);
+  void takeNarrow(const NodalState& found);
+  void takeThreshold(const NodalState& found);
+  void takeAbove(const NodalState& found);
+  void takeBelow(const NodalState& found);
+  void takeAnswer(const NodalState& found);
+  void chooseNext();
+  double pointInside() const;
+  void halve();
+  void askAround(double edge);
+  void ask(Stage stage, double depth);
+  void finishBetween(const NodalState& less, const NodalState& more);
+  bool isEnough(const NodalState& state) const { return state.sums.pressure >= load_; }
+  /// Returns the depth at which the straight piece through a state carries the load.
+  double straightTo(const NodalState& state) const {
+    return state.depth - (state.sums.pressure - load_) / stiffness(state);
   }
-  if (!goesOn) return false;
-  // Lanes without a search repeat the last one.
-  for (std::size_t lane = searches.size(); lane < kMostLanes; ++lane)
-    depth[lane] = depth[searches.size() - 1];
-  nodalLanePass(line, depth, relaxationLength, output, states);
-  for (std::size_t lane = 0; lane < searches.size(); ++lane)
-    if (!searches[lane].isDone()) searches[lane].take(states[lane]);
-  return true;
-}
+  double stiffness(const NodalState& state) const { return state.loaded * spacing_; }
 
-}  // namespace
-
-NodalBalance balanceNodal(const PreparedProfile& line, double relaxationLength, double load) {
-  NodalSearch search;
-  search.start(line, load, 0);
-  while (!search.isDone()) search.take(nodalPass(line, search.nextDepth(), relaxationLength));
-  return search.answer();
-}
-
-bool balanceNodalLanes(const PreparedProfile& line, std::span<const double> relaxationLengths,
-                       double load, const LaneValues& guesses, const std::stop_token& stop,
-                       std::span<NodalBalance> balances) {
-  const std::size_t used = relaxationLengths.size();
-  LaneValues depth{}, relaxationLength{};
-  std::array<NodalState, kMostLanes> states;
-  std::array<NodalSearch, kMostLanes> searches;
-  for (std::size_t lane = 0; lane < kMostLanes; ++lane)
-    relaxationLength[lane] = relaxationLengths[std::min(lane, used - 1)];
-  for (std::size_t lane = 0; lane < used; ++lane) searches[lane].start(line, load, guesses[lane]);
-  while (passOnce(line, relaxationLength, {searches.data(), used}, depth, states))
-    if (stop.stop_requested()) return false;
-  for (std::size_t lane = 0; lane < used; ++lane) balances[lane] = searches[lane].answer();
-  return true;
-}
+  double load_ = 0, spacing_ = 0, upperBound_ = 0, next_ = 0;
+  NodalState lower_, upper_;  // too little force, enough force
+  NodalState above_;          // at the threshold of the element that enters last
+  double edge_ = 0;           // m, its indentation
+  double reach_ = 0;          // relative distance of the passes from it
+  int passes_ = 0, sameSide_ = 0;
+  bool lastWasEnough_ = false, halving_ = false;
+  Stage stage_ = Stage::Done;
+  NodalBalance answer_;
+};
 
 void NodalSearch::start(const PreparedProfile& line, double load, double guess) {
   *this = {};
@@ -234,6 +236,53 @@ void NodalSearch::finishBetween(const NodalState& less, const NodalState& more) 
                             : std::numeric_limits<double>::infinity()};
   answer_.marginalShare = more.loaded > less.loaded ? share : 1;
   stage_ = Stage::Done;
+}
+
+/// Runs one pass for all unfinished searches; returns false where all are finished.
+bool passOnce(const PreparedProfile& line, const LaneValues& relaxationLength,
+              std::span<NodalSearch> searches, LaneValues& depth,
+              std::array<NodalState, kMostLanes>& states) {
+  Output output = Output::Force;
+  bool goesOn = false;
+  for (std::size_t lane = 0; lane < searches.size(); ++lane) {
+    if (searches[lane].isDone()) continue;
+    goesOn = true;
+    depth[lane] = searches[lane].nextDepth();
+    if (searches[lane].wanted() == Output::Everything) output = Output::Everything;
+  }
+  if (!goesOn) return false;
+  // Lanes without a search repeat the last one.
+  for (std::size_t lane = searches.size(); lane < kMostLanes; ++lane)
+    depth[lane] = depth[searches.size() - 1];
+  nodalLanePass(line, depth, relaxationLength, output, states);
+  for (std::size_t lane = 0; lane < searches.size(); ++lane)
+    if (!searches[lane].isDone()) searches[lane].take(states[lane]);
+  return true;
+}
+
+}  // namespace
+
+NodalBalance balanceNodal(const PreparedProfile& line, double relaxationLength, double load) {
+  NodalSearch search;
+  search.start(line, load, 0);
+  while (!search.isDone()) search.take(nodalPass(line, search.nextDepth(), relaxationLength));
+  return search.answer();
+}
+
+bool balanceNodalLanes(const PreparedProfile& line, std::span<const double> relaxationLengths,
+                       double load, const LaneValues& guesses, const std::stop_token& stop,
+                       std::span<NodalBalance> balances) {
+  const std::size_t used = relaxationLengths.size();
+  LaneValues depth{}, relaxationLength{};
+  std::array<NodalState, kMostLanes> states;
+  std::array<NodalSearch, kMostLanes> searches;
+  for (std::size_t lane = 0; lane < kMostLanes; ++lane)
+    relaxationLength[lane] = relaxationLengths[std::min(lane, used - 1)];
+  for (std::size_t lane = 0; lane < used; ++lane) searches[lane].start(line, load, guesses[lane]);
+  while (passOnce(line, relaxationLength, {searches.data(), used}, depth, states))
+    if (stop.stop_requested()) return false;
+  for (std::size_t lane = 0; lane < used; ++lane) balances[lane] = searches[lane].answer();
+  return true;
 }
 
 }  // namespace asperity

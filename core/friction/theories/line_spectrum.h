@@ -1,10 +1,15 @@
-// The spectrum of a scene's line, as theories need it: mean squares of its waves, without phases.
-// Plain values; pure functions; any thread.
+// The spectrum of a scene's line as theories need it, mean squares of its waves without phases, and
+// the friction that it alone determines: that of complete contact, for any linear rheology. There
+// the surface of the elastomer is the line itself, each wave of it is a harmonic deformation at the
+// angular frequency q v, and the losses of all waves add up:
+//   mu F_N = 2 L integral_0^inf q C1(q) 4 G''(q v) dq.
+// The pressure is p = F_N / L + 4 sum |G*(q v)| times the waves; contact is complete where it is
+// above 0 everywhere. Plain values; pure functions; any thread.
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
+#include "core/material/element_law.h"
 #include "core/surface/line_source.h"
 
 namespace asperity {
@@ -25,5 +30,14 @@ struct WaveSpectrum {
 /// Returns the spectrum of realization 0. Random lines differ only in their phases, unless the
 /// scene has a summit correlation. A line given by a formula is analysed at its nodes.
 WaveSpectrum waveSpectrum(const LineSource& source);
+
+struct CompleteContactFriction {
+  double mu = 0;
+  double rmsPressure = 0;  // N/m, of the pressure's variation about its mean F_N / L
+};
+
+/// Returns the friction at a velocity (m/s). lineForce: F_N / L in N/m, above 0.
+CompleteContactFriction completeContactFriction(const ElementLaw& law, const WaveSpectrum& spectrum,
+                                                double lineForce, double velocity);
 
 }  // namespace asperity

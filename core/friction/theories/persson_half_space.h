@@ -15,7 +15,6 @@
 #include <vector>
 
 #include "core/friction/theories/line_spectrum.h"
-#include "core/material/element_law.h"
 
 namespace asperity {
 

@@ -7,15 +7,15 @@
 
 #include "core/friction/curve_point.h"
 #include "core/friction/law.h"
-#include "core/friction/theories/complete_contact_friction.h"
 #include "core/friction/theories/gaussian_foundation.h"
+#include "core/friction/theories/line_spectrum.h"
 #include "core/friction/theories/persson_half_space.h"
 #include "core/scene/sweep.h"
 
 namespace asperity {
 namespace {
 
-constexpr std::array<TheoryEntry, 4> kEntries{
+constexpr std::array<TheoryEntry, 4> kTheories{
     {{Theory::Eq11, "Eq. (11)",
       "Eq. (11) of Li et al. (2013): self-affine lines, Kelvin elements, contact of many summits."},
      {Theory::GaussianFoundation, "Gaussian foundation, low velocity",
@@ -92,11 +92,11 @@ std::vector<TheoryPoint> perssonCurve(const TheoryInput& in, std::span<const dou
 }  // namespace
 
 std::span<const TheoryEntry> theoryEntries() {
-  return kEntries;
+  return kTheories;
 }
 
 const TheoryEntry& theoryEntry(Theory theory) {
-  return *std::ranges::find(kEntries, theory, &TheoryEntry::theory);
+  return *std::ranges::find(kTheories, theory, &TheoryEntry::theory);
 }
 
 std::vector<TheoryPoint> theoryCurve(Theory theory, const Scene& scene, const LineSource& source,
@@ -157,12 +157,10 @@ std::vector<TheoryPoint> theoryOverAxis(Theory theory, const Scene& scene, std::
       made = state.surface;
     }
     const double length = source->length();
-    const double width =
-        state.load.kind == LoadKind::Pressure && state.load.width > 0 ? state.load.width : length;
     for (TheoryPoint point : theoryCurve(theory, state, *source, velocities)) {
       point.swept = swept;
       point.rmsSlope = source->statistics().rmsSlope;
-      point.area = length * width;
+      point.area = length * contactWidth(state.load, length);
       if (state.load.kind != LoadKind::Indentation)
         point.normalForce = loadOn(state.load, length).normalForce;
       curve.push_back(point);

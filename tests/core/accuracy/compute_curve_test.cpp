@@ -12,7 +12,7 @@
 
 #include "core/base/input_error.h"
 #include "core/friction/curve_file.h"
-#include "core/material/element_law.h"
+#include "core/material/temperature_shift.h"
 #include "core/scene/sweep.h"
 #include "tests/core/small_scene.h"
 

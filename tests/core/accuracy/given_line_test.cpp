@@ -112,7 +112,7 @@ TEST(GivenLine, TheReferenceLiesInTheInterval) {
       scene.sweep = {row.velocity, row.velocity, 1};
       scene.accuracy.targetRelativeError = target;
       const TargetCurve result = targetCurve(scene);
-      EXPECT_TRUE(result.isReached);
+      EXPECT_TRUE(result.curve.isTargetMet);
       EXPECT_NEAR(result.curve.points[0].mu / row.mu, 1, target);
       const double digits = 1e-6 * row.mu;
       ++all;

@@ -7,6 +7,7 @@
 
 #include "core/contact/steady_solver.h"
 #include "core/material/element_law.h"
+#include "core/material/temperature_shift.h"
 #include "core/surface/line.h"
 #include "tests/core/contact/instruction_sets.h"
 #include "tests/core/contact/lines.h"

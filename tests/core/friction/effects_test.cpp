@@ -7,7 +7,7 @@
 #include "core/contact/steady_sliding.h"
 #include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"
-#include "core/material/element_law.h"
+#include "core/material/temperature_shift.h"
 #include "core/scene/plan.h"
 #include "tests/core/elastomers.h"
 #include "tests/core/small_scene.h"

@@ -9,6 +9,7 @@
 #include "core/chart/material_sheets.h"
 #include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"
+#include "core/material/temperature_shift.h"
 #include "core/surface/line_source.h"
 #include "tests/core/elastomers.h"
 #include "tests/core/small_scene.h"

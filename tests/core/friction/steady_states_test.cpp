@@ -10,6 +10,7 @@
 
 #include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"
+#include "core/material/temperature_shift.h"
 #include "core/scene/parameters.h"
 #include "tests/core/elastomers.h"
 #include "tests/core/small_scene.h"

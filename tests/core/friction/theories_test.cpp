@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "core/friction/ensemble.h"
-#include "core/friction/theories/complete_contact_friction.h"
 #include "core/friction/theories/gaussian_foundation.h"
+#include "core/friction/theories/line_spectrum.h"
 #include "core/friction/theories/persson_half_space.h"
 #include "core/friction/theories/theory.h"
 #include "tests/core/elastomers.h"

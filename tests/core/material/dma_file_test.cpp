@@ -4,11 +4,9 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "core/base/input_error.h"
-#include "core/material/dma_strain.h"
 #include "tests/core/error_from.h"
 
 namespace asperity {
@@ -214,38 +212,6 @@ TEST(DmaFile, AStrainHasAUnitOfStrain) {
     EXPECT_TRUE(std::isnan(file.rows[0].strainAmplitude)) << unit;
     EXPECT_THAT(file.facts.leftOutColumns, HasSubstr("strain")) << unit;
   }
-}
-
-/// Rubber with filler is softer the more it is strained (Payne effect).
-TEST(DmaStrain, OneAmplitudeIsChosen) {
-  const auto rows = [] {
-    std::vector<MeasuredModulus> all;
-    for (const double strain : {0.001, 0.0101, 0.1})
-      for (const double frequency : {1.0, 3.0, 10.0})
-        all.push_back({293.15, {frequency, 1e6 / strain, 1e5}, strain});
-    return all;
-  };
-  auto all = rows();
-  EXPECT_THAT(errorFrom([&] { chooseStrain(all, {}, 0.6, "dma.csv"); }),
-              HasSubstr("choose one amplitude with --strain: 0.1 %, 1.01 %, 10 %"));
-  EXPECT_NEAR(chooseStrain(all, 0.01, 0.6, "dma.csv"), 0.0101, 1e-12);
-  ASSERT_EQ(all.size(), 3U);
-  EXPECT_NEAR(all[0].modulus.storage, 1e6 / 0.0101, 1e-3);
-  all = rows();
-  EXPECT_THAT(errorFrom([&] { chooseStrain(all, 0.03, 0.6, "dma.csv"); }),
-              HasSubstr("--strain: 3 % was not measured; there is 0.1 %, 1.01 %, 10 %"));
-  // A smaller amplitude at low temperatures is usual.
-  all = rows();
-  for (std::size_t i = 0; i < all.size(); ++i)
-    all[i].temperature += static_cast<double>(10 * (i / 3));
-  EXPECT_NEAR(chooseStrain(all, {}, 0.6, "dma.csv"), 0.0101, 1e-12);
-  EXPECT_EQ(all.size(), 9U);
-  all.front().strainAmplitude = std::numeric_limits<double>::quiet_NaN();
-  all.resize(1);
-  EXPECT_TRUE(std::isnan(chooseStrain(all, {}, 0.6, "dma.csv")));
-  EXPECT_EQ(parseStrain("1%"), 0.01);
-  EXPECT_EQ(parseStrain("0.01"), 0.01);
-  EXPECT_FALSE(parseStrain("1 mm"));
 }
 
 TEST(DmaFile, MissingValuesAreLeftOutAndCounted) {

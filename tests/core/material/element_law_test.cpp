@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/input_error.h"
+#include "core/material/temperature_shift.h"
 #include "core/scene/scene_check.h"
 #include "tests/core/elastomers.h"
 
@@ -14,47 +15,6 @@ namespace {
 
 Elastomer prony(std::vector<Arm> arms, double equilibrium = 1e6, double viscosity = 0) {
   return asperity::prony(equilibrium, std::move(arms), viscosity);
-}
-
-TEST(TemperatureShift, IsTheFormulaOfWilliamsLandelAndFerry) {
-  const TemperatureShift shift{4.41, 137.64, 343.15};
-  EXPECT_EQ(shiftFactor(shift, 343.15), 1);
-  EXPECT_NEAR(std::log10(shiftFactor(shift, 363.15)), -4.41 * 20 / 157.64, 1e-14);
-  EXPECT_NEAR(std::log10(shiftFactor(shift, 300.0)), 4.41 * 43.15 / (137.64 - 43.15), 1e-13);
-  EXPECT_GT(shiftFactor(shift, 300), 1);  // colder is slower
-}
-
-TEST(TemperatureShift, EndsAboveTheVogelTemperature) {
-  const TemperatureShift shift{8.86, 101.6, 298.15};
-  EXPECT_THROW(shiftFactor(shift, 298.15 - 101.6), InputError);
-  EXPECT_THROW(shiftFactor(shift, 100), InputError);
-  EXPECT_THROW(shiftFactor(shift, 298.15 - 101.5), InputError);  // 9000 decades
-  EXPECT_GT(shiftFactor(shift, 298.15 - 70), 1e10);
-}
-
-/// ln a_T = E/R (1/T - 1/T_r).
-TEST(TemperatureShift, ArrheniusIsItsClosedForm) {
-  TemperatureShift shift;
-  shift.kind = ShiftKind::Arrhenius;
-  shift.activationEnergy = 8e4;
-  for (const double kelvin : {260.0, 280.0, 298.0, 330.0, 400.0})
-    EXPECT_NEAR(std::log(shiftFactor(shift, kelvin)),
-                8e4 / 8.31446261815324 * (1 / kelvin - 1 / 298.15), 1e-12);
-  EXPECT_EQ(shiftFactor(shift, 298.15), 1);
-}
-
-TEST(TemperatureShift, ATableIsLinearBetweenItsRows) {
-  TemperatureShift shift;
-  shift.kind = ShiftKind::Table;
-  shift.table = {{280, 2}, {290, 1}, {300, 0}, {320, -1}};
-  EXPECT_EQ(log10ShiftFactor(shift, 290), 1);
-  EXPECT_NEAR(log10ShiftFactor(shift, 285), 1.5, 1e-15);
-  EXPECT_NEAR(log10ShiftFactor(shift, 315), -0.75, 1e-15);
-  EXPECT_EQ(shiftFactor(shift, 300), 1);
-  EXPECT_NO_THROW(shiftFactor(shift, 280));
-  EXPECT_NO_THROW(shiftFactor(shift, 320));
-  EXPECT_THROW(shiftFactor(shift, 279.999), InputError);
-  EXPECT_THROW(shiftFactor(shift, 320.001), InputError);
 }
 
 TEST(TemperatureShift, MultipliesEveryTimeAndTheViscosity) {

@@ -9,8 +9,8 @@
 
 #include "core/base/input_error.h"
 #include "core/base/regular_file.h"
-#include "core/material/element_law.h"
 #include "core/material/material_library.h"
+#include "core/material/temperature_shift.h"
 #include "core/scene/material_tables.h"
 #include "tests/core/material/synthetic_rubber.h"
 

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "core/base/input_error.h"
-#include "core/material/temperature_shifts.h"
+#include "core/material/master_curve.h"
 #include "tests/core/error_from.h"
 #include "tests/core/material/synthetic_rubber.h"
 

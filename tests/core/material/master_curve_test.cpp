@@ -1,5 +1,5 @@
-// Time-temperature superposition: shifts from overlaps, their errors, and formulas through them.
-#include "core/material/temperature_shifts.h"
+// Time-temperature superposition: shifts from overlaps, and their errors.
+#include "core/material/master_curve.h"
 
 #include <gmock/gmock.h>
 
@@ -7,8 +7,7 @@
 #include <cmath>
 
 #include "core/base/input_error.h"
-#include "core/material/element_law.h"
-#include "core/material/temperature_fit.h"
+#include "core/material/temperature_shift.h"
 #include "tests/core/error_from.h"
 #include "tests/core/material/synthetic_rubber.h"
 
@@ -18,7 +17,7 @@ namespace {
 using testing::HasSubstr;
 
 /// Reduced frequency f a_T with the a_T that made the sweeps.
-TEST(TemperatureShifts, KnownShiftsComeBack) {
+TEST(MasterCurve, KnownShiftsComeBack) {
   for (const int points : {7, 15, 21}) {
     const auto isotherms = SyntheticRubber().sweeps(points);
     const MasterCurve curve = masterCurve(isotherms, 298.15);
@@ -31,7 +30,7 @@ TEST(TemperatureShifts, KnownShiftsComeBack) {
   }
 }
 
-TEST(TemperatureShifts, StandardErrorsSayHowFarNoiseMovesThem) {
+TEST(MasterCurve, StandardErrorsSayHowFarNoiseMovesThem) {
   int beyondOne = 0, beyondThree = 0, count = 0;
   for (unsigned seed = 1; seed <= 40; ++seed) {
     const MasterCurve curve = masterCurve(SyntheticRubber().sweeps(15, 0.02, seed), 298.15);
@@ -49,7 +48,7 @@ TEST(TemperatureShifts, StandardErrorsSayHowFarNoiseMovesThem) {
   EXPECT_LE(beyondThree, count / 100);
 }
 
-TEST(TemperatureShifts, NoiseAloneDoesNotMakeARubberComplex) {
+TEST(MasterCurve, NoiseAloneDoesNotMakeARubberComplex) {
   int complex = 0;
   for (unsigned seed = 1; seed <= 20; ++seed)
     complex +=
@@ -60,7 +59,7 @@ TEST(TemperatureShifts, NoiseAloneDoesNotMakeARubberComplex) {
 }
 
 /// Loss and storage that ask for different shifts.
-TEST(TemperatureShifts, DifferentShiftsOfTheModuliAreFound) {
+TEST(MasterCurve, DifferentShiftsOfTheModuliAreFound) {
   const SyntheticRubber rubber;
   std::vector<Isotherm> isotherms = rubber.sweeps(15, 0.005);
   for (std::size_t i = 0; i < isotherms.size(); ++i)
@@ -74,7 +73,7 @@ TEST(TemperatureShifts, DifferentShiftsOfTheModuliAreFound) {
   EXPECT_NEAR(curve.largestStep, 0.1, 0.03);
 }
 
-TEST(TemperatureShifts, VerticalShiftsOfAFewPerCentComeBack) {
+TEST(MasterCurve, VerticalShiftsOfAFewPerCentComeBack) {
   std::vector<Isotherm> isotherms = SyntheticRubber().sweeps(21);
   for (Isotherm& isotherm : isotherms)
     for (DynamicModulus& point : isotherm.points) {
@@ -89,7 +88,7 @@ TEST(TemperatureShifts, VerticalShiftsOfAFewPerCentComeBack) {
 }
 
 /// Williams, Landel and Ferry at another reference: C1' = C1 C2 / (C2 + dT), C2' = C2 + dT.
-TEST(TemperatureShifts, TheReferenceMayLieBetweenIsotherms) {
+TEST(MasterCurve, TheReferenceMayLieBetweenIsotherms) {
   const auto isotherms = SyntheticRubber().sweeps(15);
   for (const double reference : {271.15, 303.15, 326.15}) {
     const MasterCurve curve = masterCurve(isotherms, reference);
@@ -107,7 +106,7 @@ TEST(TemperatureShifts, TheReferenceMayLieBetweenIsotherms) {
 }
 
 /// Where no formula holds, the shift is linear in T between two isotherms, as in a table.
-TEST(TemperatureShifts, WithoutAFormulaTheReferenceIsInterpolated) {
+TEST(MasterCurve, WithoutAFormulaTheReferenceIsInterpolated) {
   std::vector<Isotherm> isotherms = SyntheticRubber().sweeps(15);
   for (std::size_t i = 0; i < isotherms.size(); ++i)
     for (DynamicModulus& point : isotherms[i].points)
@@ -118,16 +117,7 @@ TEST(TemperatureShifts, WithoutAFormulaTheReferenceIsInterpolated) {
     EXPECT_NEAR(at30.shifts[i].log10Shift, at25.shifts[i].log10Shift - half, 1e-12);
 }
 
-/// A table has a row at its reference, so that its shift there is 0.
-TEST(TemperatureFit, ATableIsZeroAtItsReference) {
-  const std::vector<ShiftPoint> rows{{280, 1}, {300, -2}};
-  EXPECT_EQ(tableShift(rows, 290).table, (std::vector<ShiftPoint>{{280, 1}, {290, 0}, {300, -2}}));
-  EXPECT_EQ(tableShift(rows, 280).table, rows);
-  const std::vector<ShiftPoint> crossing{{280, 1}, {300, -1}};
-  EXPECT_EQ(tableShift(crossing, 290).table, crossing);
-}
-
-TEST(TemperatureShifts, TheUsualReferenceWasMeasured) {
+TEST(MasterCurve, TheUsualReferenceWasMeasured) {
   std::vector<Isotherm> isotherms(3);
   isotherms[0].temperature = 283.15;
   isotherms[1].temperature = 293.15;
@@ -141,7 +131,7 @@ TEST(TemperatureShifts, TheUsualReferenceWasMeasured) {
 }
 
 /// Entropy elasticity: b_T = T / T_0.
-TEST(TemperatureShifts, AnEntropicRubberIsSimpleWithVerticalShifts) {
+TEST(MasterCurve, AnEntropicRubberIsSimpleWithVerticalShifts) {
   SyntheticRubber rubber;
   rubber.equilibrium = 5e6;
   std::vector<Isotherm> isotherms = rubber.sweeps(21);
@@ -154,7 +144,7 @@ TEST(TemperatureShifts, AnEntropicRubberIsSimpleWithVerticalShifts) {
   EXPECT_TRUE(masterCurve(isotherms, 298.15, true).isThermorheologicallySimple);
 }
 
-TEST(TemperatureShifts, OneIsothermIsItsOwnMasterCurve) {
+TEST(MasterCurve, OneIsothermIsItsOwnMasterCurve) {
   const std::vector<Isotherm> one{SyntheticRubber().sweep(293.15, 0.1, 10, 9)};
   const MasterCurve curve = masterCurve(one, 293.15);
   ASSERT_EQ(curve.points.size(), 9U);
@@ -162,7 +152,7 @@ TEST(TemperatureShifts, OneIsothermIsItsOwnMasterCurve) {
   EXPECT_EQ(curve.shifts.front().log10Shift, 0);
 }
 
-TEST(TemperatureShifts, WhatCannotBeShiftedIsSaidInOneLine) {
+TEST(MasterCurve, WhatCannotBeShiftedIsSaidInOneLine) {
   const SyntheticRubber rubber;
   const std::vector<Isotherm> apart{rubber.sweep(258.15, 1, 3, 5), rubber.sweep(298.15, 1, 3, 5)};
   EXPECT_THAT(errorFrom([&] { masterCurve(apart, 298.15); }), HasSubstr("do not overlap"));
@@ -171,76 +161,6 @@ TEST(TemperatureShifts, WhatCannotBeShiftedIsSaidInOneLine) {
   EXPECT_THAT(errorFrom([&] { masterCurve(swapped, 298.15); }), HasSubstr("out of order"));
   EXPECT_THAT(errorFrom([&] { masterCurve(rubber.sweeps(15), 20); }),
               HasSubstr("--reference-temperature: 20 K is outside"));
-}
-
-// ---- Sweeps from rows
-// ----------------------------------------------------------------------------
-
-TEST(Isotherms, RowsOfAnyOrderBecomeSweeps) {
-  std::vector<MeasuredModulus> rows;
-  for (const double kelvin : {300.0, 280.0, 290.0})
-    for (const double frequency : {10.0, 1.0, 3.0})
-      rows.push_back({kelvin + 0.05 * frequency / 10, {frequency, 1e6, 1e5}});
-  const auto isotherms = groupIsotherms(rows);
-  ASSERT_EQ(isotherms.size(), 3U);
-  EXPECT_NEAR(isotherms[0].temperature, 280.0233, 1e-3);
-  EXPECT_EQ(isotherms[2].lowestFrequency(), 1);
-  EXPECT_EQ(isotherms[2].highestFrequency(), 10);
-}
-
-TEST(Isotherms, EqualFrequenciesAreAveraged) {
-  const auto isotherms =
-      groupIsotherms({{300, {1, 1e6, 1e5}}, {300, {1, 4e6, 1e5}}, {300, {2, 3e6, 2e5}}});
-  ASSERT_EQ(isotherms.front().points.size(), 2U);
-  EXPECT_NEAR(isotherms.front().points.front().storage, 2e6, 1e-3);
-  EXPECT_EQ(isotherms.front().repeats, 1U);
-  EXPECT_NEAR(isotherms.front().repeatRatio, 4, 1e-12);
-}
-
-TEST(Isotherms, BadRowsAreSaidInOneLine) {
-  EXPECT_THAT(errorFrom([] {
-                groupIsotherms({{300, {1, 1e6, 1e5}}, {310, {1, 1e6, 1e5}}});
-              }),
-              HasSubstr("one frequency alone at"));
-  EXPECT_THAT(errorFrom([] {
-                groupIsotherms({{300, {1, 1e6, -1}}, {300, {2, 1e6, 1}}});
-              }),
-              HasSubstr("loss modulus: -1 at"));
-  std::vector<MeasuredModulus> ramp;
-  for (int i = 0; i < 40; ++i) ramp.push_back({280 + 0.25 * i, {1.0 + i % 3, 1e6, 1e5}});
-  EXPECT_THAT(errorFrom([&] { groupIsotherms(ramp); }), HasSubstr("without a gap"));
-}
-
-// ---- Formulas
-// ------------------------------------------------------------------------------------
-
-/// log10 a_T = -c1 (T - T_r) / (c2 + T - T_r), Williams, Landel and Ferry (1955).
-TEST(TemperatureFit, FormulasComeBackFromTheirOwnTables) {
-  std::vector<ShiftPoint> wlf, arrhenius;
-  constexpr double kEnergy = 85e3, kGas = 8.31446261815324;
-  for (const double kelvin : {268.15, 278.15, 288.15, 298.15, 313.15, 333.15}) {
-    wlf.push_back({kelvin, SyntheticRubber::log10Shift(kelvin)});
-    arrhenius.push_back({kelvin, kEnergy / kGas * (1 / kelvin - 1 / 298.15) / std::log(10.0)});
-  }
-  const TemperatureFit first = fitWlf(wlf, 298.15);
-  EXPECT_NEAR(first.shift.c1, 8.86, 1e-3);
-  EXPECT_NEAR(first.shift.c2, 101.6, 1e-2);
-  EXPECT_LT(first.rms, 1e-6);
-  const TemperatureFit second = fitArrhenius(arrhenius, 298.15);
-  EXPECT_NEAR(second.shift.activationEnergy, kEnergy, 1e-6 * kEnergy);
-  EXPECT_LT(second.rms, 1e-12);
-  EXPECT_EQ(chosenShift(wlf, 298.15).kind, ShiftKind::Wlf);
-  std::vector<ShiftPoint> neither{{280, 1}, {290, 0.9}, {298.15, 0}, {310, -0.05}, {320, -1}};
-  EXPECT_EQ(chosenShift(neither, 298.15).kind, ShiftKind::Table);
-}
-
-/// A sweep at 25 degrees is at 298.15 K, not at a mean that rounding moved.
-TEST(Isotherms, HaveTheTemperatureOfTheirRowsExactly) {
-  for (int points = 2; points < 40; ++points) {
-    std::vector<MeasuredModulus> rows;
-    for (int i = 0; i < points; ++i) rows.push_back({298.15, {1.0 + i, 1e6, 1e5}});
-    EXPECT_EQ(groupIsotherms(rows).front().temperature, 298.15) << points;
-  }
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "core/material/temperature_shifts.h"
+#include "core/material/master_curve.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -9,7 +9,7 @@
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/stop.h"
-#include "core/material/temperature_fit.h"
+#include "core/material/temperature_shift.h"
 
 namespace asperity {
 namespace {
@@ -28,6 +28,9 @@ constexpr int kHighestDegree = 4;
 constexpr double kUsualVertical = 0.01;    // decades
 constexpr double kSimpleDifference = 0.1;  // decades, see isThermorheologicallySimple
 constexpr double kWrongWay = 0.3;          // decades against the order of temperatures
+
+/// The moduli from which a shift is determined.
+enum class ShiftModuli { Both, Storage, Loss };
 
 /// An isotherm in decades (decimal logarithms).
 struct LogSweep {
@@ -102,8 +105,8 @@ std::optional<double> scannedShift(const LogSweep& colder, const LogSweep& warme
   return from + (to - from) * best / steps;
 }
 
-/// Selects the points that determine the shift: those in the common range, and on each side the
-/// next one beyond it, so that sparse sweeps have some. True: of the colder isotherm.
+/// The points that determine the shift, as indices: those in the common range, and on each side the
+/// next one beyond it, so that sparse sweeps have some.
 struct Window {
   std::vector<std::size_t> colder, warmer;
   bool operator==(const Window&) const = default;
@@ -426,10 +429,6 @@ void compareModuli(MasterCurve& curve) {
 }
 
 }  // namespace
-
-Overlap findOverlap(const Isotherm& colder, const Isotherm& warmer, bool isVertical) {
-  return neighbourShifts(colder, warmer, isVertical).both;
-}
 
 MasterCurve masterCurve(std::span<const Isotherm> isotherms, double referenceTemperature,
                         bool isVertical, const std::stop_token& stop) {

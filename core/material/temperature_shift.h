@@ -1,5 +1,6 @@
-// Fits formulas to a table of temperature shifts: Williams, Landel and Ferry, and Arrhenius
-// (core/material/element_law.h has both). Pure functions; any thread.
+// The shift of relaxation times with temperature: the factor a_T by the formulas of Williams,
+// Landel and Ferry and of Arrhenius or by a table, and the fits of both formulas to a table. Pure
+// functions; any thread.
 #pragma once
 
 #include <optional>
@@ -8,6 +9,37 @@
 #include "core/material/elastomer.h"
 
 namespace asperity {
+
+/// The largest shift that has a meaning, in decades.
+inline constexpr double kMostDecades = 30;
+
+/// Limits of the constants of a shift, as in scenes.
+inline constexpr double kMostC1 = 1000, kLeastC2 = 1e-3, kMostC2 = 1e4;  // the latter two K
+inline constexpr double kMostActivationEnergy = 1e7;                     // J/mol
+
+/// J/(mol K), the molar gas constant (exact since the SI of 2019).
+inline constexpr double kGasConstant = 8.31446261815324;
+
+/// Returns log10 of the factor a_T by which temperature (K) multiplies every relaxation time and
+/// the viscosity.
+/// Wlf: log10 a_T = -c1 (T - T_r) / (c2 + T - T_r), Williams, Landel and Ferry, J. Am. Chem. Soc.
+/// 77, 3701 (1955), valid from the glass transition to about 100 K above it.
+/// Arrhenius: ln a_T = E/R (1/T - 1/T_r). Table: linear in T between the rows.
+/// The moduli do not change, so mu(v, T) = mu(v a_T, T_r). The result is exactly 0 at the reference
+/// temperature. Throws InputError (elastomer.temperature) at or below T_r - c2, where there is no
+/// shift, outside of a table, and beyond kMostDecades.
+double log10ShiftFactor(const TemperatureShift& shift, double temperature);
+
+/// Returns a_T itself.
+double shiftFactor(const TemperatureShift& shift, double temperature);
+
+/// Returns whether the temperature changes the relaxation times, or has no shift at all.
+bool shiftsTimes(const Elastomer& elastomer);
+
+/// Returns a_T of an elastomer at its own temperature; 1 for an elastic one, which has no times.
+double temperatureShift(const Elastomer& elastomer);
+
+// ---- Fits
 
 /// A fitted formula and its residual.
 struct TemperatureFit {
@@ -24,9 +56,6 @@ TemperatureFit fitWlf(std::span<const ShiftPoint> table, double referenceTempera
                       bool isOffsetFree = false);
 TemperatureFit fitArrhenius(std::span<const ShiftPoint> table, double referenceTemperature,
                             bool isOffsetFree = false);
-
-/// A formula with a smaller rms (decades) may replace the table: overlaps are hardly more accurate.
-inline constexpr double kGoodShiftFit = 0.05;
 
 /// Returns the formula that interpolates the shift between the rows: chosen as by chosenShift, with
 /// a free offset. Nothing where no formula is good.

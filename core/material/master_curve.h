@@ -15,11 +15,11 @@
 
 namespace asperity {
 
-/// The moduli from which a shift is determined.
-enum class ShiftModuli { Both, Storage, Loss };
-
-/// The relation of two neighbouring isotherms. Errors are NaN where no residuals are left to
-/// estimate them.
+/// The relation of two neighbouring isotherms, by least squares. Over the common range both are one
+/// polynomial in the logarithm of frequency for each modulus (of degree 1 to 4, as the number of
+/// points allows); the shift is the unknown that moves one isotherm against the other; all relative
+/// deviations have equal weight. The standard errors follow from the covariance of all unknowns and
+/// the residuals; they are NaN where no residuals are left to estimate them.
 struct Overlap {
   double log10Shift = 0;     // decades, log10 of a_T of the colder over that of the warmer
   double standardError = 0;  // decades
@@ -28,13 +28,6 @@ struct Overlap {
   double mismatch = 0;       // decades of modulus, rms difference of the two where they overlap
   double decades = 0;        // of frequency that they have in common
 };
-
-/// Determines the relation by least squares. Over the common range both isotherms are one
-/// polynomial in the logarithm of frequency for each modulus (of degree 1 to 4, as the number of
-/// points allows); the shift is the unknown that moves one isotherm against the other; all relative
-/// deviations have equal weight. The standard errors follow from the covariance of all unknowns and
-/// the residuals. Throws InputError where the two do not overlap.
-Overlap findOverlap(const Isotherm& colder, const Isotherm& warmer, bool isVertical = false);
 
 /// The shift of one isotherm in the table.
 struct IsothermShift {

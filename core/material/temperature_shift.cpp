@@ -1,13 +1,87 @@
-#include "core/material/temperature_fit.h"
+#include "core/material/temperature_shift.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "core/material/element_law.h"
+#include "core/base/input_error.h"
 
 namespace asperity {
 namespace {
+
+double wlfDecades(const TemperatureShift& shift, double temperature) {
+  const double above = temperature - shift.referenceTemperature;
+  if (above == 0) return 0;
+  if (!(above > -shift.c2))
+    throw InputError("", "elastomer.temperature",
+                     message("{} K is not above {} K, reference_temperature - c2, where the "
+                             "shift ends",
+                             temperature, shift.referenceTemperature - shift.c2));
+  return -shift.c1 * above / (shift.c2 + above);
+}
+
+double arrheniusDecades(const TemperatureShift& shift, double temperature) {
+  if (temperature == shift.referenceTemperature) return 0;
+  return shift.activationEnergy / kGasConstant * std::numbers::log10e *
+         (1 / temperature - 1 / shift.referenceTemperature);
+}
+
+bool isWithinTable(const TemperatureShift& shift, double temperature) {
+  return !shift.table.empty() && temperature >= shift.table.front().temperature &&
+         temperature <= shift.table.back().temperature;
+}
+
+double tableDecades(const TemperatureShift& shift, double temperature) {
+  const std::vector<ShiftPoint>& table = shift.table;
+  if (table.empty()) throw InputError("", "elastomer.shift.table", "has no rows");
+  if (!isWithinTable(shift, temperature))
+    throw InputError("", "elastomer.temperature",
+                     message("{} K is outside the shift table, {} to {} K", temperature,
+                             table.front().temperature, table.back().temperature));
+  const auto above = std::ranges::lower_bound(table, temperature, {}, &ShiftPoint::temperature);
+  if (above->temperature == temperature) return above->log10Shift;
+  const ShiftPoint &low = *std::prev(above), &high = *above;
+  const double part = (temperature - low.temperature) / (high.temperature - low.temperature);
+  return low.log10Shift + part * (high.log10Shift - low.log10Shift);
+}
+
+}  // namespace
+
+double log10ShiftFactor(const TemperatureShift& shift, double temperature) {
+  const double decades = shift.kind == ShiftKind::Table       ? tableDecades(shift, temperature)
+                         : shift.kind == ShiftKind::Arrhenius ? arrheniusDecades(shift, temperature)
+                                                              : wlfDecades(shift, temperature);
+  if (!(std::abs(decades) <= kMostDecades))
+    throw InputError("", "elastomer.temperature",
+                     message("{} K shifts the times by {:.3g} decades; allowed is {}", temperature,
+                             decades, kMostDecades));
+  return decades;
+}
+
+double shiftFactor(const TemperatureShift& shift, double temperature) {
+  const double decades = log10ShiftFactor(shift, temperature);
+  return decades == 0 ? 1 : std::pow(10, decades);
+}
+
+bool shiftsTimes(const Elastomer& elastomer) {
+  const TemperatureShift& shift = elastomer.shift;
+  if (shift.kind != ShiftKind::Table) return elastomer.temperature != shift.referenceTemperature;
+  return !isWithinTable(shift, elastomer.temperature) ||
+         tableDecades(shift, elastomer.temperature) != 0;
+}
+
+double temperatureShift(const Elastomer& elastomer) {
+  return elastomer.rheology == Rheology::Elastic
+             ? 1
+             : shiftFactor(elastomer.shift, elastomer.temperature);
+}
+
+// ---- Fits --------------------------------------------------------------------------------------
+
+namespace {
+
+/// A formula with a smaller rms may replace the table: overlaps are hardly more accurate.
+constexpr double kGoodFit = 0.05;  // decades
 
 struct LinearFit {
   double factor = 0, rms = 0, offset = 0;
@@ -103,7 +177,7 @@ namespace {
 std::optional<TemperatureFit> goodFit(std::span<const ShiftPoint> table, double reference,
                                       bool isOffsetFree) {
   const auto isGood = [&](const TemperatureFit& fit, std::size_t constants) {
-    return fit.isDefined && fit.rms <= kGoodShiftFit && table.size() > constants + 1;
+    return fit.isDefined && fit.rms <= kGoodFit && table.size() > constants + 1;
   };
   const TemperatureFit wlf = fitWlf(table, reference, isOffsetFree);
   if (isGood(wlf, 2) && wlf.shift.c1 <= kMostC1) return wlf;
