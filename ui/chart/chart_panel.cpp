@@ -17,8 +17,8 @@
 
 #include "ui/chart/diagram_colours.h"
 #include "ui/chart/diagram_series.h"
+#include "ui/chart/occupancy_grid.h"
 #include "ui/draw/fonts.h"
-#include "ui/draw/occupancy_grid.h"
 
 namespace asperity {
 

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "ui/chart/diagram_series.h"
-#include "ui/draw/occupancy_grid.h"
 
 namespace asperity {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ui/chart/diagram_axes.h"
-#include "ui/draw/occupancy_grid.h"
+#include "ui/chart/occupancy_grid.h"
 #include "ui/draw/stroke_pattern.h"
 
 namespace asperity {
