@@ -148,12 +148,6 @@ void addTitle(DrawList& list, const std::string& title, DrawPoint at, float size
   addLabel(list, form.text, at, form.size, anchor, colour, angle);
 }
 
-float widestLabel(const TickedAxis& axis, float size) {
-  float widest = 0;
-  for (const AxisTick& tick : axis.ticks) widest = std::max(widest, textWidth(tick.label, size));
-  return widest;
-}
-
 /// Adds marks on all four sides of the frame, or with a negative length outside of it, where only
 /// the lower and the left side have them.
 void addTickMarks(DrawLayer& layer, const DiagramAxes& axes, const Rgba& colour, float width,
@@ -190,6 +184,12 @@ void addTickLabels(DrawList& list, const DiagramAxes& axes, const Rgba& colour, 
 }
 
 }  // namespace
+
+float widestLabel(const TickedAxis& axis, float size) {
+  float widest = 0;
+  for (const AxisTick& tick : axis.ticks) widest = std::max(widest, textWidth(tick.label, size));
+  return widest;
+}
 
 std::string trailingSymbol(const std::string& name) {
   constexpr std::size_t kLongest = 3;  // bytes, a Greek letter with a mark
@@ -317,16 +317,6 @@ float belowAxes(const DiagramSizes& sizes) {
   return std::ceil(1.5F * sizes.tick + 2 * sizes.axis);
 }
 
-void addFrame(DrawLayer& layer, const Box& box, const Rgba& colour, float width) {
-  addLine(layer,
-          {{box.x, box.y},
-           {box.right(), box.y},
-           {box.right(), box.bottom()},
-           {box.x, box.bottom()},
-           {box.x, box.y}},
-          width, colour);
-}
-
 void addDiagramGrid(DrawList& list, const DiagramAxes& axes, const DiagramSizes& sizes,
                     const Theme& theme) {
   const Box& box = axes.box;
@@ -350,7 +340,7 @@ void addDiagramFrame(DrawList& list, const DiagramAxes& axes, const DiagramSizes
   const float reach = std::round(6 * sizes.unit);
   if (sizes.ticks != TickSide::None)
     addTickMarks(layer, axes, colour, width, sizes.ticks == TickSide::Inside ? reach : -reach);
-  addFrame(layer, box, colour, width);
+  addOutline(layer, box, width, colour);
   list.layers.push_back(std::move(layer));
   DiagramAxes labelled = axes;
   if (!axes.hasXLabels) labelled.xAxis.ticks.clear();

@@ -8,7 +8,6 @@
 
 #include "ui/chart/diagram_colours.h"
 #include "ui/draw/fonts.h"
-#include "ui/draw/stroke_pattern.h"
 
 namespace asperity {
 namespace {
@@ -143,12 +142,9 @@ TickedAxis colourAxis(const DiagramField& field, float height, const DiagramSize
   return tickedYAxis(field.colours, range, height, sizes);
 }
 
-float widthOfColourBar(const TickedAxis& colours, const DiagramSizes& sizes) {
-  float widest = 0;
-  for (const AxisTick& tick : colours.ticks)
-    widest = std::max(widest, textWidth(tick.label, sizes.tick));
-  return std::ceil((kColourBarGap + kColourBarWidth) * sizes.unit + 0.6F * sizes.tick + widest +
-                   1.8F * sizes.axis);
+float colourBarWidth(const TickedAxis& colours, const DiagramSizes& sizes) {
+  return std::ceil((kColourBarGap + kColourBarWidth) * sizes.unit + 0.6F * sizes.tick +
+                   widestLabel(colours, sizes.tick) + 1.8F * sizes.axis);
 }
 
 void addFieldColours(DrawList& list, const DiagramField& field, const DiagramAxes& axes) {
@@ -262,7 +258,7 @@ void addColourBar(DrawList& list, const TickedAxis& colours, const Box& frame,
   axes.yAxis = colours;
   const Rgba colour = mix(theme.text, theme.axis, 0.35F);
   const float width = std::max(1.0F, std::round(1.1F * sizes.unit));
-  addFrame(layer, bar, colour, width);
+  addOutline(layer, bar, width, colour);
   const float reach = std::round(5 * sizes.unit);
   const auto addTick = [&](double value, float length) {
     const float y = axes.py(value);
@@ -271,16 +267,14 @@ void addColourBar(DrawList& list, const TickedAxis& colours, const Box& frame,
   for (const AxisTick& tick : colours.ticks) addTick(tick.value, reach);
   for (const double value : colours.minor) addTick(value, reach / 2);
   list.layers.push_back(std::move(layer));
-  float widest = 0;
-  for (const AxisTick& tick : colours.ticks) {
+  for (const AxisTick& tick : colours.ticks)
     addLabel(list, tick.label,
              {bar.right() + 0.5F * sizes.tick, axes.py(tick.value) + 0.36F * sizes.tick},
              sizes.tick, TextAnchor::Left, theme.text);
-    widest = std::max(widest, textWidth(tick.label, sizes.tick));
-  }
   const FittedTitle title = fittedTitle(colours.title, sizes.axis, frame.height);
   addLabel(list, title.text,
-           {std::round(bar.right() + 0.5F * sizes.tick + widest + 1.3F * sizes.axis),
+           {std::round(bar.right() + 0.5F * sizes.tick + widestLabel(colours, sizes.tick) +
+                       1.3F * sizes.axis),
             frame.y + frame.height / 2},
            title.size, TextAnchor::Centre, theme.text, std::numbers::pi_v<float> / 2);
 }

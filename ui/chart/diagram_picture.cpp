@@ -12,7 +12,6 @@
 #include "ui/chart/diagram_legend.h"
 #include "ui/chart/diagram_series.h"
 #include "ui/draw/fonts.h"
-#include "ui/draw/stroke_pattern.h"
 #include "ui/language/translated.h"
 
 namespace asperity {
@@ -47,25 +46,20 @@ class Panel {
     arrange();
   }
 
-  DiagramFrame place() const {
-    const AxisRange &x = axes_.xAxis.range, &y = axes_.yAxis.range;
-    const auto value = [](AxisScale scale, double at) {
-      return scale == AxisScale::Logarithmic ? std::pow(10, at) : at;
-    };
+  DiagramFrame diagramFrame() const {
+    const TickedAxis &x = axes_.xAxis, &y = axes_.yAxis;
     const Box& box = axes_.box;
     return {box.x,
             box.y,
             box.width,
             box.height,
-            axes_.xAxis.scale,
-            axes_.yAxis.scale,
-            value(axes_.xAxis.scale, x.from),
-            value(axes_.xAxis.scale, x.to),
-            value(axes_.yAxis.scale, y.from),
-            value(axes_.yAxis.scale, y.to)};
+            x.scale,
+            y.scale,
+            axisValue(x.scale, x.range.from),
+            axisValue(x.scale, x.range.to),
+            axisValue(y.scale, y.range.from),
+            axisValue(y.scale, y.range.to)};
   }
-
-  float frameHeight() const { return axes_.box.height; }
 
   /// Returns whether the title of the y-axis fits.
   bool hasTitle() const {
@@ -252,7 +246,7 @@ class Panel {
     float bar = 0;
     if (diagram_.field) {
       colours_ = colourAxis(*diagram_.field, box.height, sizes_);
-      bar = widthOfColourBar(colours_, sizes_);
+      bar = colourBarWidth(colours_, sizes_);
     }
     box.x = std::round(std::max(left_, cell_.x + leftOfAxes(axes_, sizes_)));
     const auto fit = [&](float overhang) {
@@ -489,7 +483,7 @@ float lowestFrame(const DiagramSheet& english, const DiagramOptions& options) {
   DrawList list = emptyList(options);
   float lowest = std::numeric_limits<float>::infinity();
   for (const Panel& panel : placePanels(sheet, options, list))
-    lowest = std::min(lowest, panel.isReadable() ? panel.frameHeight() : 0);
+    lowest = std::min(lowest, panel.isReadable() ? panel.frame().height : 0);
   return lowest / sizesFor(sheet, options).tick;
 }
 
@@ -528,7 +522,8 @@ std::vector<DiagramFrame> diagramFrames(const DiagramSheet& english,
   const DiagramSheet sheet = prepared(english, options);
   DrawList list = emptyList(options);
   std::vector<DiagramFrame> frames;
-  for (const Panel& panel : placePanels(sheet, options, list)) frames.push_back(panel.place());
+  for (const Panel& panel : placePanels(sheet, options, list))
+    frames.push_back(panel.diagramFrame());
   return frames;
 }
 

@@ -7,7 +7,6 @@
 #include "ui/chart/diagram_colours.h"
 #include "ui/chart/marks.h"
 #include "ui/draw/fonts.h"
-#include "ui/draw/stroke_pattern.h"
 #include "ui/draw/theme.h"
 
 namespace asperity {

@@ -6,7 +6,7 @@
 
 #include "ui/chart/diagram_axes.h"
 #include "ui/chart/occupancy_grid.h"
-#include "ui/draw/stroke_pattern.h"
+#include "ui/draw/polyline.h"
 
 namespace asperity {
 

@@ -70,12 +70,6 @@ Box sourceBox(const ContactView& part, const ContactLayout& layout) {
   return {0.5F * (left + right - width), 0.5F * (top + bottom - height), width, height};
 }
 
-void addBorder(DrawLayer& layer, const Box& b, float width, const Rgba& colour) {
-  addLine(layer,
-          {{b.x, b.y}, {b.right(), b.y}, {b.right(), b.bottom()}, {b.x, b.bottom()}, {b.x, b.y}},
-          width, colour);
-}
-
 /// Adds lines from the enlarged part to the inset's near corners.
 void addConnection(DrawLayer& layer, const Box& source, const Box& inset, float width,
                    const Rgba& colour) {
@@ -215,13 +209,13 @@ void addMagnifier(DrawList& list, const Frame& frame, const Magnifier& magnifier
   DrawLayer below;
   below.clip = layout.plot;
   const Box source = sourceBox(inset.view, layout);
-  addBorder(below, source, 1.6F * u, ink);
+  addOutline(below, source, 1.6F * u, ink);
   addConnection(below, source, box, 1.2F * u, withAlpha(ink, 0.55F));
   list.layers.push_back(std::move(below));
   addBodies(list, frame, inset);
   DrawLayer above;
   if (plate) ScaleBars(inset).addTo(list, above, *plate);
-  addBorder(above, box, 2.2F * u, ink);
+  addOutline(above, box, 2.2F * u, ink);
   list.layers.push_back(std::move(above));
   addHeading(list, inset, inset.pixelsPerMetreX() / layout.pixelsPerMetreX());
 }

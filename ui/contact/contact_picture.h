@@ -82,6 +82,9 @@ struct ContactReading {
 std::vector<ContactReading> contactReadings(const Frame& frame,
                                             const ContactPictureOptions& options);
 
+/// Part of a picture's height for the contact above one diagram, and above two.
+inline constexpr double kContactPart = 0.54, kContactPartOfThree = 0.4;
+
 /// Draws shapes and texts. A frame without points gives empty axes; it never throws because of a
 /// frame's content. Each curve has at most two vertices per pixel column, so the cost does not grow
 /// with the points.

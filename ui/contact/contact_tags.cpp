@@ -9,19 +9,6 @@
 
 namespace asperity {
 
-std::string plainText(const TextRuns& runs) {
-  std::string text;
-  for (const TextRun& run : runs) {
-    if (run.lowered && run.utf8 == "N")
-      text += "\u2099";
-    else if (run.lowered && run.utf8 == "x")
-      text += "\u2093";
-    else
-      text += run.utf8;
-  }
-  return text;
-}
-
 TagPainter::TagPainter(DrawList& list, DrawLayer& plates, DrawLayer& arrows,
                        const ContactLayout& layout)
     : list_(list),

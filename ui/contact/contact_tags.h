@@ -20,9 +20,6 @@ struct Tag {
   std::string_view id{};                       // of its explanation
 };
 
-/// Returns the words without their style: "F\u2099".
-std::string plainText(const TextRuns& runs);
-
 /// Paints tags, all in one size: their plates in one layer, their arrows in another. The list,
 /// layers and layout must outlive it.
 class TagPainter {

@@ -325,4 +325,81 @@ bool sameColour(const Rgba& a, const Rgba& b) {
                     [](float x, float y) { return std::lround(255 * x) == std::lround(255 * y); });
 }
 
+Box boundingBox(const DrawField& field) {
+  if (field.x.empty() || field.y.empty()) return {};
+  const auto [left, right] = std::ranges::minmax(field.x);
+  const auto [top, bottom] = std::ranges::minmax(field.y);
+  return {left, top, right - left, bottom - top};
+}
+
+namespace {
+
+/// A position between two neighbours of a list.
+struct Between {
+  std::size_t index = 0;
+  float part = 0;
+};
+
+/// Returns the position of a value in an ascending or descending list that contains it.
+Between betweenIn(const std::vector<float>& list, float value) {
+  const bool rises = list.front() <= list.back();
+  std::size_t low = 0, high = list.size() - 1;
+  while (high - low > 1) {
+    const std::size_t middle = (low + high) / 2;
+    ((list[middle] <= value) == rises ? low : high) = middle;
+  }
+  const float size = list[high] - list[low];
+  return {low, size != 0 ? std::clamp((value - list[low]) / size, 0.0F, 1.0F) : 0};
+}
+
+/// Returns the colours of a field at the centres of a raster over its box, row by row from the top;
+/// a = 0 where there is none.
+std::vector<Rgba> sampledColours(const DrawField& field, int columns, int rows) {
+  std::vector<Rgba> raster;
+  if (field.x.size() < 2 || field.y.size() < 2) return raster;
+  raster.reserve(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+  const Box box = boundingBox(field);
+  const std::size_t width = field.x.size();
+  std::vector<Between> across;
+  for (int i = 0; i < columns; ++i)
+    across.push_back(betweenIn(
+        field.x, box.x + box.width * (static_cast<float>(i) + 0.5F) / static_cast<float>(columns)));
+  for (int j = 0; j < rows; ++j) {
+    const Between down = betweenIn(
+        field.y, box.y + box.height * (static_cast<float>(j) + 0.5F) / static_cast<float>(rows));
+    for (const Between& right : across) {
+      const Rgba* row = &field.colours[down.index * width + right.index];
+      const Rgba* next = row + width;
+      const bool isKnown = row[0].a > 0 && row[1].a > 0 && next[0].a > 0 && next[1].a > 0;
+      raster.push_back(isKnown ? mix(mix(row[0], row[1], right.part),
+                                     mix(next[0], next[1], right.part), down.part)
+                               : Rgba{0, 0, 0, 0});
+    }
+  }
+  return raster;
+}
+
+}  // namespace
+
+QImage fieldImage(const DrawField& field, int maxPixels) {
+  const Box box = boundingBox(field);
+  const auto pixels = [maxPixels](float size) {
+    return std::clamp(static_cast<int>(std::ceil(size)), 1, maxPixels);
+  };
+  const int columns = pixels(box.width), rows = pixels(box.height);
+  const std::vector<Rgba> raster = sampledColours(field, columns, rows);
+  if (raster.empty()) return {};
+  QImage image(columns, rows, QImage::Format_ARGB32);
+  bool isOpaque = true;
+  for (int j = 0; j < rows; ++j)
+    for (int i = 0; i < columns; ++i) {
+      const Rgba& colour = raster[static_cast<std::size_t>(j) * static_cast<std::size_t>(columns) +
+                                  static_cast<std::size_t>(i)];
+      isOpaque = isOpaque && colour.a >= 1;
+      const auto byte = [](float part) { return static_cast<int>(std::lround(255 * part)); };
+      image.setPixel(i, j, qRgba(byte(colour.r), byte(colour.g), byte(colour.b), byte(colour.a)));
+    }
+  return isOpaque ? image.convertToFormat(QImage::Format_RGB888) : image;
+}
+
 }  // namespace asperity
