@@ -1,10 +1,17 @@
-#include "ui/draw/raster_context.h"
-
+// The program's own rasterizer. Contact pictures are mostly columns of one colour, for which it
+// takes a fifth of the time that OpenGL in software needs, and the bytes depend on neither the
+// machine's driver nor on its threads. Its pixels follow OpenGL's rules and the renderer's shaders
+// (pixel centres, shared edges belong to one triangle, coverage of lines by distance), so that both
+// draw the same picture within a level of 255 except on single pixels of edges.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <memory>
+
+#include "ui/draw/pixel_context.h"
+#include "ui/draw/shapes.h"
 
 namespace asperity {
 namespace {
@@ -307,28 +314,40 @@ void clear(const DrawList& list, Pixels& pixels) {
   fill(pixels.rgba.data(), list.width * list.height, word);
 }
 
+class RasterContext : public PixelContext {
+ public:
+  std::string name() const override { return "raster"; }
+
+  Pixels draw(const DrawList& list) override {
+    checkPictureSize(list);
+    Pixels pixels{list.width, list.height, {}};
+    pixels.rgba.resize(std::size_t{4} * static_cast<std::size_t>(list.width) *
+                       static_cast<std::size_t>(list.height));
+    clear(list, pixels);
+    flatten(list, geometry_);
+    for (const DrawBatch& batch : geometry_.batches) {
+      const ScissorBox& box = batch.scissor;
+      const int top = list.height - box.y - box.height;
+      const Canvas canvas{pixels.rgba.data(), list.width,      box.x, top,
+                          box.x + box.width,  top + box.height};
+      const float* triangle = geometry_.data.data() + batch.triangleOffset;
+      for (std::size_t i = 0; i < batch.triangleCorners; i += 3, triangle += 3 * kTriangleFloats)
+        drawTriangle(canvas, triangle);
+      const float* segment = geometry_.data.data() + batch.segmentOffset;
+      for (std::size_t i = 0; i < batch.segments; ++i, segment += kSegmentFloats)
+        Segment(segment).draw(canvas);
+    }
+    return pixels;
+  }
+
+ private:
+  Geometry geometry_;
+};
+
 }  // namespace
 
-Pixels RasterContext::draw(const DrawList& list) {
-  checkPictureSize(list);
-  Pixels pixels{list.width, list.height, {}};
-  pixels.rgba.resize(std::size_t{4} * static_cast<std::size_t>(list.width) *
-                     static_cast<std::size_t>(list.height));
-  clear(list, pixels);
-  flatten(list, geometry_);
-  for (const DrawBatch& batch : geometry_.batches) {
-    const ScissorBox& box = batch.scissor;
-    const int top = list.height - box.y - box.height;
-    const Canvas canvas{pixels.rgba.data(), list.width,      box.x, top,
-                        box.x + box.width,  top + box.height};
-    const float* triangle = geometry_.data.data() + batch.triangleOffset;
-    for (std::size_t i = 0; i < batch.triangleCorners; i += 3, triangle += 3 * kTriangleFloats)
-      drawTriangle(canvas, triangle);
-    const float* segment = geometry_.data.data() + batch.segmentOffset;
-    for (std::size_t i = 0; i < batch.segments; ++i, segment += kSegmentFloats)
-      Segment(segment).draw(canvas);
-  }
-  return pixels;
+std::unique_ptr<PixelContext> makeRasterContext() {
+  return std::make_unique<RasterContext>();
 }
 
 }  // namespace asperity
