@@ -7,6 +7,8 @@
 #include <cstdlib>
 
 #include "core/scene/parameters.h"
+#include "ui/contact/contact_parts.h"
+#include "ui/contact/contact_probe.h"
 
 namespace asperity {
 namespace {
@@ -18,6 +20,35 @@ double withFourDigits(double value) {
 }
 
 }  // namespace
+
+std::vector<HandlePosition> contactHandles(const Frame& frame, const ContactPictureOptions& asked) {
+  PreparedPicture prepared = prepareContact(frame, asked);
+  prepared.list.layers.emplace_back();  // in place of the bodies
+  std::vector<HandlePosition> handles;
+  addLabels(prepared.list, frame, prepared.layout, &handles);
+  std::erase_if(handles, [](const HandlePosition& position) {
+    return position.handle == ContactHandle::None;
+  });
+  return handles;
+}
+
+ContactHandle handleAt(const Frame& frame, const ContactPictureOptions& asked, float x, float y) {
+  constexpr float kReach = 5;  // units below the line that still belong to the rigid body
+  for (const HandlePosition& handle : contactHandles(frame, asked))
+    if (handle.box.contains(x, y)) return handle.handle;
+  const PreparedPicture prepared = prepareContact(frame, asked);
+  const ContactPictureOptions& options = prepared.options;
+  const ContactLayout& layout = prepared.layout;
+  const Box& plot = layout.plot;
+  if (!plot.contains(x, y)) return ContactHandle::None;
+  if (options.magnifier && magnifierBox(frame, *options.magnifier, layout).contains(x, y))
+    return ContactHandle::None;
+  const auto reading =
+      probeReading(frame, layout.view.left + (x - plot.x) / layout.pixelsPerMetreX());
+  if (!reading || y > layout.py(reading->line) + kReach * layout.sizes.unit)
+    return ContactHandle::None;
+  return ContactHandle::Body;
+}
 
 std::string_view draggedKey(ContactHandle handle, const Scene& scene) {
   if (handle == ContactHandle::None) return {};

@@ -38,8 +38,8 @@ Heights heightsIn(const Frame& frame, const ContactView& view, float pixels) {
 
 /// Returns the view of the inset, with at least the part `below` of its height free under both
 /// curves. Its heights end at round values, so that they stay fixed while a contact is followed.
-ContactView partOf(const Frame& frame, const Magnifier& magnifier, const ContactLayout& layout,
-                   float pixels, double below) {
+ContactView insetView(const Frame& frame, const Magnifier& magnifier, const ContactLayout& layout,
+                      float pixels, double below) {
   constexpr double kAround = 1.6;  // times the curves' range
   ContactView view = layout.view;
   const double enlargement = magnifier.enlargement > 1 ? magnifier.enlargement : 1;
@@ -160,11 +160,11 @@ std::optional<Box> zoomIn(ContactLayout& inset, const Frame& frame, const Magnif
                           const ContactLayout& layout) {
   std::optional<Box> plate;
   for (const double below : {0.0, 0.3, 0.4, 0.5}) {
-    inset.view = partOf(frame, magnifier, layout, inset.plot.width, below);
+    inset.view = insetView(frame, magnifier, layout, inset.plot.width, below);
     plate = clearPlate(ScaleBars(inset), frame, inset);
     if (plate) return plate;
   }
-  inset.view = partOf(frame, magnifier, layout, inset.plot.width, 0);
+  inset.view = insetView(frame, magnifier, layout, inset.plot.width, 0);
   return plate;
 }
 

@@ -20,7 +20,7 @@ constexpr int kPowerDecades = 3;
 // A free surface has recovered after this many of its longest relaxation times.
 constexpr double kRelaxationTimes = 4;
 
-std::string_view unitOf(ContactOverlay overlay) {
+std::string_view overlayUnit(ContactOverlay overlay) {
   if (overlay == ContactOverlay::Relaxation) return "s";
   return overlay == ContactOverlay::Power ? "W/m" : "N/m";
 }
@@ -32,7 +32,7 @@ std::string lastLabel(double end, const AxisTicks& axis, std::string_view unit) 
   return hasPrefix ? shortNumber(end / axis.unitSize) + " " + axis.unit : quantity(end, unit);
 }
 
-double greatestOf(const std::vector<double>& values) {
+double greatestFinite(const std::vector<double>& values) {
   double greatest = 0;
   for (const double value : values)
     if (std::isfinite(value)) greatest = std::max(greatest, value);
@@ -107,8 +107,8 @@ std::string ColourScale::shortTitle() const {
 }
 
 std::vector<ColourTick> ColourScale::ticks(int most) const {
-  const AxisTicks round = linearTicks(0, maximum, most, unitOf(overlay));
-  const std::string last = lastLabel(maximum, round, unitOf(overlay));
+  const AxisTicks round = linearTicks(0, maximum, most, overlayUnit(overlay));
+  const std::string last = lastLabel(maximum, round, overlayUnit(overlay));
   std::vector<ColourTick> ticks;
   if (overlay == ContactOverlay::Power) {
     // All numbers share one unit; without units they are short enough to fit at each decade.
@@ -129,7 +129,7 @@ std::string reasonUncoloured(const Frame& frame, ContactOverlay overlay) {
   const std::vector<double>& values = overlayValues(frame, overlay);
   if (!isDrawable(frame) || values.size() != frame.lineHeight.size()) return {};
   const bool showsPressure = overlay == ContactOverlay::Pressure;
-  if (showsPressure ? greatestPressure(frame) > 0 : greatestOf(values) > 0) return {};
+  if (showsPressure ? greatestPressure(frame) > 0 : greatestFinite(values) > 0) return {};
   const bool rests = frameVelocity(frame) == 0;
   // If all points were in contact, they would bear pressure.
   const bool touches =
@@ -164,7 +164,7 @@ double scaleMaximum(const Frame& frame, ContactOverlay overlay, double last) {
   if (overlay == ContactOverlay::Pressure && !pointsBearLoad(frame)) return 0;
   if (overlay == ContactOverlay::Pressure && frame.steadyPressure > 0)
     return roundUp(kInHand * frame.steadyPressure);
-  double greatest = greatestOf(overlayValues(frame, overlay));
+  double greatest = greatestFinite(overlayValues(frame, overlay));
   if (overlay == ContactOverlay::Relaxation && greatest > 0)
     greatest = std::min(greatest, kRelaxationTimes * longestRelaxation(frame));
   if (!(greatest > 0) || (greatest <= last && greatest > 0.4 * last)) return last;

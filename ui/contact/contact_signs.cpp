@@ -17,7 +17,7 @@ Box lineAt(float left, float baseline, float width, float size) {
   return {left, baseline - kAboveBaseline * size, width, (kAboveBaseline + kBelowBaseline) * size};
 }
 
-std::string_view idOf(ContactOverlay overlay) {
+std::string_view explanationId(ContactOverlay overlay) {
   switch (overlay) {
     case ContactOverlay::Pressure:
       return "contact pressure";
@@ -34,7 +34,7 @@ std::string_view idOf(ContactOverlay overlay) {
 /// Adds the legend of the colours: its title, its bar and the numbers below or beside it.
 void addLegendSign(std::vector<ContactSign>& signs, const ContactLayout& layout) {
   const LegendLayout& legend = layout.legend;
-  const std::string_view id = idOf(layout.scale.overlay);
+  const std::string_view id = explanationId(layout.scale.overlay);
   const bool hasBar = legend.bar.width > 0;
   if (id.empty() || (!hasBar && legend.title.empty())) return;
   const float size = layout.sizes.small;
@@ -80,9 +80,7 @@ void addFooterSigns(std::vector<ContactSign>& signs, const ContactLayout& layout
 
 std::vector<ContactSign> contactSigns(const Frame& frame, const ContactPictureOptions& asked) {
   PreparedPicture prepared = prepareContact(frame, asked);
-  std::vector<ContactSign> signs;
-  for (ContactReading& reading : contactReadings(frame, prepared.options))
-    signs.push_back({reading.box, std::move(reading.name), reading.id, std::move(reading.tip)});
+  std::vector<ContactSign> signs = contactReadings(frame, prepared.options);
   prepared.list.layers.emplace_back();  // in place of the bodies
   std::vector<HandlePosition> labels;
   const Notes notes = addLabels(prepared.list, frame, prepared.layout, &labels);

@@ -18,7 +18,11 @@ struct ContactSign {
   std::string tip{};    // a sentence on this frame; empty: that of the explanation
 };
 
-/// Returns the signs of the picture that composeContact makes.
+/// Returns the readings above the axes, each with a sentence about it. A title that does not fit
+/// its line is the first one, with its full text as the sentence and no explanation.
+std::vector<ContactSign> contactReadings(const Frame& frame, const ContactPictureOptions& options);
+
+/// Returns all signs of the picture that composeContact makes, first the readings.
 std::vector<ContactSign> contactSigns(const Frame& frame, const ContactPictureOptions& options);
 
 /// Returns the sign under a pixel.
