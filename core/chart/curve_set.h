@@ -76,6 +76,14 @@ struct CurveSet {
   double xFrom = 0, xTo = 0, yFrom = 0, yTo = 0;
 
   bool isOfVelocity() const { return present.scene.sweep.isOfVelocity(); }
+  /// Returns the quantity on the vertical axis.
+  CurveQuantity quantity() const {
+    return axes == CurveAxes::Dimensionless ? CurveQuantity::NormalizedMu : y;
+  }
+  /// Returns whether this is mu or, on dimensionless axes, mu over the rms slope.
+  bool isOfMu() const { return axes == CurveAxes::Dimensionless || y == CurveQuantity::Mu; }
+  /// Returns whether the points of the curve have Eq. (11) as these axes show it.
+  bool hasLawInPoints() const { return isOfVelocity() && isOfMu(); }
   AxisScale scaleOfX() const;
   AxisScale scaleOfY() const { return yScale.value_or(AxisScale::Logarithmic); }
 };

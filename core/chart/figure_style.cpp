@@ -270,8 +270,7 @@ std::vector<std::string> curveNames(const DiagramSheet& sheet) {
   return names;
 }
 
-/// Calls the function with every series of this name, and with its nameless companions of the same
-/// id.
+/// Calls the function with every series of this name.
 template <class Use>
 void forEachNamed(DiagramSheet& sheet, const std::string& name, const Use& use) {
   for (Diagram& diagram : sheet.diagrams)

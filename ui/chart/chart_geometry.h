@@ -35,10 +35,6 @@ struct ChartGeometry {
   double valueAt(double pixel) const;
 };
 
-/// Returns whether the axes of the diagram can show the point; a logarithmic axis shows no negative
-/// value.
-bool hasPosition(const Diagram& diagram, const DiagramPoint& point);
-
 /// The nearest objects of each kind under the pointer, as indices in the diagram.
 struct ChartTarget {
   bool isMarker = false;

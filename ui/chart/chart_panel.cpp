@@ -75,7 +75,7 @@ Box toBox(const QRectF& rect) {
 }
 
 QPointF chartPosition(const Diagram& diagram, double x, double y) {
-  return {axisPlace(diagram.x.scale, x), axisPlace(diagram.y.scale, y)};
+  return {axisPosition(diagram.x.scale, x), axisPosition(diagram.y.scale, y)};
 }
 
 }  // namespace

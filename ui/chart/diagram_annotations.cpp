@@ -26,7 +26,7 @@ std::vector<SpanBox> spanBoxes(const std::vector<DiagramSpan>& spans, const Diag
   std::vector<SpanBox> boxes;
   for (const DiagramSpan& span : spans) {
     const auto column = [&](double value, float otherwise) {
-      const double position = axisPlace(axes.xAxis.scale, value);
+      const double position = axisPosition(axes.xAxis.scale, value);
       return std::isfinite(position) ? std::clamp(axes.px(position), box.x, box.right())
                                      : otherwise;
     };

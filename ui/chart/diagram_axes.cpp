@@ -31,7 +31,7 @@ struct Extent {
 
 /// Returns the range that the axis itself prescribes, or NaN.
 AxisRange prescribedRange(const DiagramAxis& axis) {
-  const double a = axisPlace(axis.scale, axis.from), b = axisPlace(axis.scale, axis.to);
+  const double a = axisPosition(axis.scale, axis.from), b = axisPosition(axis.scale, axis.to);
   if (axis.from == axis.to || !std::isfinite(a) || !std::isfinite(b)) return {kNaN, kNaN};
   return {std::min(a, b), std::max(a, b)};
 }
@@ -83,7 +83,7 @@ AxisRange padded(const DiagramAxis& axis, const Extent& data, const Extent& theo
 
 /// Returns the end of an error bar. On a logarithmic axis it may reach to zero, which is not shown.
 double barEnd(AxisScale scale, double end, double value) {
-  const double position = axisPlace(scale, end);
+  const double position = axisPosition(scale, end);
   return scale == AxisScale::Logarithmic ? std::max(position, value - 1) : position;
 }
 
@@ -223,8 +223,8 @@ AxisRange xRange(const Diagram& diagram) {
   Extent data, theory;
   for (const DiagramSeries& series : diagram.series)
     for (const DiagramPoint& point : series.points)
-      if (std::isfinite(axisPlace(diagram.y.scale, point.y)))
-        (series.isTheory ? theory : data).add(axisPlace(diagram.x.scale, point.x));
+      if (std::isfinite(axisPosition(diagram.y.scale, point.y)))
+        (series.isTheory ? theory : data).add(axisPosition(diagram.x.scale, point.x));
   return padded(diagram.x, data, theory, false);
 }
 
@@ -234,8 +234,8 @@ AxisRange yRange(const Diagram& diagram, const AxisRange& inX) {
   Extent data, theory;
   for (const DiagramSeries& series : diagram.series)
     for (const DiagramPoint& point : series.points) {
-      const double x = axisPlace(diagram.x.scale, point.x);
-      const double y = axisPlace(diagram.y.scale, point.y);
+      const double x = axisPosition(diagram.x.scale, point.x);
+      const double y = axisPosition(diagram.y.scale, point.y);
       if (!(x >= inX.from && x <= inX.to) || !std::isfinite(y)) continue;
       Extent& extent = series.isTheory ? theory : data;
       extent.add(y);
@@ -291,7 +291,7 @@ float DiagramAxes::py(double y) const {
 }
 
 DrawPoint DiagramAxes::mapToPosition(double x, double y) const {
-  const double right = axisPlace(xAxis.scale, x), above = axisPlace(yAxis.scale, y);
+  const double right = axisPosition(xAxis.scale, x), above = axisPosition(yAxis.scale, y);
   if (!std::isfinite(right) || !std::isfinite(above))
     return {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::quiet_NaN()};
   const auto held = [](float pixels) {

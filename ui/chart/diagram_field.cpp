@@ -21,9 +21,9 @@ constexpr float kContourAlpha = 0.75F;
 constexpr std::size_t kFinest = 128;
 
 double colourPart(const DiagramField& field, double value) {
-  const double from = axisPlace(field.colours.scale, field.colours.from);
-  const double to = axisPlace(field.colours.scale, field.colours.to);
-  return (axisPlace(field.colours.scale, value) - from) / (to - from);
+  const double from = axisPosition(field.colours.scale, field.colours.from);
+  const double to = axisPosition(field.colours.scale, field.colours.to);
+  return (axisPosition(field.colours.scale, value) - from) / (to - from);
 }
 
 /// Returns the nodes with `steps` - 1 further ones between each two.
@@ -136,8 +136,8 @@ std::optional<LineLabel> labelOn(const Polyline& line, float width, const Box& f
 }  // namespace
 
 TickedAxis colourAxis(const DiagramField& field, float height, const DiagramSizes& sizes) {
-  const AxisRange range{axisPlace(field.colours.scale, field.colours.from),
-                        axisPlace(field.colours.scale, field.colours.to)};
+  const AxisRange range{axisPosition(field.colours.scale, field.colours.from),
+                        axisPosition(field.colours.scale, field.colours.to)};
   if (!(range.from < range.to)) return {};
   return tickedYAxis(field.colours, range, height, sizes);
 }
@@ -151,8 +151,8 @@ void addFieldColours(DrawList& list, const DiagramField& field, const DiagramAxe
   const std::size_t columns = field.x.size(), rows = field.y.size();
   if (columns < 2 || rows < 2 || field.values.size() != columns * rows) return;
   std::vector<float> x, y;
-  for (const double value : field.x) x.push_back(axes.px(axisPlace(axes.xAxis.scale, value)));
-  for (const double value : field.y) y.push_back(axes.py(axisPlace(axes.yAxis.scale, value)));
+  for (const double value : field.x) x.push_back(axes.px(axisPosition(axes.xAxis.scale, value)));
+  for (const double value : field.y) y.push_back(axes.py(axisPosition(axes.yAxis.scale, value)));
   std::vector<double> parts;
   for (const double value : field.values) parts.push_back(colourPart(field, value));
   const std::size_t alongX = stepsFor(columns), alongY = stepsFor(rows);

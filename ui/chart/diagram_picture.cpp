@@ -97,7 +97,7 @@ class Panel {
         std::ranges::move(clippedCurve(series, axes_), std::back_inserter(borders));
       if (diagram_.marker) borders.push_back(markerLine());
       if (diagram_.marker && diagram_.marker->isCross) {
-        const float y = axes_.py(axisPlace(axes_.yAxis.scale, diagram_.marker->y));
+        const float y = axes_.py(axisPosition(axes_.yAxis.scale, diagram_.marker->y));
         borders.push_back({{box.x, y}, {box.right(), y}});
       }
       addContours(list, *diagram_.field, axes_, sizes_, taken, borders);
@@ -135,7 +135,7 @@ class Panel {
   /// Returns the line of the marker from the bottom to the top.
   std::vector<DrawPoint> markerLine() const {
     const Box& box = axes_.box;
-    const float x = axes_.px(axisPlace(axes_.xAxis.scale, diagram_.marker->x));
+    const float x = axes_.px(axisPosition(axes_.xAxis.scale, diagram_.marker->x));
     return {{x, box.y}, {x, box.bottom()}};
   }
 

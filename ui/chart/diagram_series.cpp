@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/chart/sensitivity_sheet.h"
 #include "ui/chart/diagram_colours.h"
 #include "ui/chart/marks.h"
 #include "ui/draw/fonts.h"
@@ -285,11 +284,11 @@ void addHorizontalBars(DrawList& list, const Diagram& diagram, const DiagramAxes
     const float y = box.y + (static_cast<float>(i) + 0.5F) * row;
     const Rgba colour = seriesColour(bar.value < 0 ? 1 : 0, theme);
     addRectangle(layer, {std::min(zero, end), y - half, std::abs(end - zero), 2 * half},
-                 isSignificant(bar) ? colour : mix(colour, theme.background, kPale));
+                 bar.isSignificant() ? colour : mix(colour, theme.background, kPale));
     if (!std::isfinite(bar.error)) continue;
     const float low = axes.px(bar.value - bar.error), high = axes.px(bar.value + bar.error);
     const float cap = 0.5F * half;
-    const Rgba ink = isSignificant(bar) ? theme.text : theme.faintText;
+    const Rgba ink = bar.isSignificant() ? theme.text : theme.faintText;
     addLine(layer, {{low, y}, {high, y}}, 1.4F * sizes.unit, ink);
     for (const float x : {low, high})
       addLine(layer, {{x, y - cap}, {x, y + cap}}, 1.4F * sizes.unit, ink);
