@@ -41,7 +41,7 @@ struct Paint {
   float weight;
 };
 
-Paint paintOf(Four colour) {
+Paint toPaint(Four colour) {
   const Four bounded = most(least(colour, Four{1, 1, 1, 1}), Four{0, 0, 0, 0});
   Paint paint{bounded * 255, bounded[3]};
   paint.levels[3] = 255;
@@ -49,7 +49,7 @@ Paint paintOf(Four colour) {
 }
 
 /// Returns the four bytes of levels.
-std::uint32_t bytesOf(Four levels) {
+std::uint32_t toBytes(Four levels) {
   const auto bytes =
       __builtin_convertvector(__builtin_convertvector(levels + 0.5F, FourInts), FourBytes);
   std::uint32_t word = 0;
@@ -62,7 +62,7 @@ inline void blend(std::uint8_t* pixel, const Paint& paint) {
   FourBytes bytes;
   std::memcpy(&bytes, pixel, sizeof bytes);
   const Four under = __builtin_convertvector(bytes, Four);
-  const std::uint32_t word = bytesOf(under + (paint.levels - under) * paint.weight);
+  const std::uint32_t word = toBytes(under + (paint.levels - under) * paint.weight);
   std::memcpy(pixel, &word, sizeof word);
 }
 
@@ -146,15 +146,15 @@ void drawSpan(const Canvas& canvas, const Gradient& gradient, int left, int righ
   std::uint8_t* pixel = canvas.pixel(left, y);
   Four colour = gradient.at(left, y);
   if (gradient.isSameAcross()) {
-    const Paint paint = paintOf(colour);
-    if (gradient.isOpaque()) return fill(pixel, right - left, bytesOf(paint.levels));
+    const Paint paint = toPaint(colour);
+    if (gradient.isOpaque()) return fill(pixel, right - left, toBytes(paint.levels));
     for (int x = left; x < right; ++x, pixel += 4) blend(pixel, paint);
     return;
   }
   for (int x = left; x < right; ++x, pixel += 4, colour += gradient.across()) {
-    const Paint paint = paintOf(colour);
+    const Paint paint = toPaint(colour);
     if (gradient.isOpaque())
-      fill(pixel, 1, bytesOf(paint.levels));
+      fill(pixel, 1, toBytes(paint.levels));
     else
       blend(pixel, paint);
   }
@@ -248,7 +248,7 @@ class Segment {
         half_(0.5F * std::max(width_, 1.0F) + 0.5F),
         faint_(std::min(width_, 1.0F)) {
     isFlat_ = change_[0] == 0 && change_[1] == 0 && change_[2] == 0 && change_[3] == 0;
-    flat_ = paintOf(from_);
+    flat_ = toPaint(from_);
   }
 
   void draw(const Canvas& canvas) const {
@@ -285,7 +285,7 @@ class Segment {
     for (int i = 0; i < count; ++i, pixel += 4) {
       if (isOwn[i] == 0) continue;
       const float coverage = std::min(half_ - std::sqrt(square[i]), 1.0F) * faint_;
-      Paint paint = isFlat_ ? flat_ : paintOf(from_ + change_ * place[i]);
+      Paint paint = isFlat_ ? flat_ : toPaint(from_ + change_ * place[i]);
       paint.weight *= coverage;
       blend(pixel, paint);
     }

@@ -45,13 +45,13 @@ void appendTriangles(const std::vector<DrawVertex>& corners, Geometry& geometry,
   }
 }
 
-Rgba meanOf(const Rgba& a, const Rgba& b, const Rgba& c, const Rgba& d) {
+Rgba meanColour(const Rgba& a, const Rgba& b, const Rgba& c, const Rgba& d) {
   return {(a.r + b.r + c.r + d.r) / 4, (a.g + b.g + c.g + d.g) / 4, (a.b + b.b + c.b + d.b) / 4,
           (a.a + b.a + c.a + d.a) / 4};
 }
 
 /// Returns a field as triangles, four around the middle of each cell of its grid.
-std::vector<DrawVertex> trianglesOf(const DrawField& field) {
+std::vector<DrawVertex> fieldTriangles(const DrawField& field) {
   const std::size_t columns = field.x.size();
   std::vector<DrawVertex> corners;
   for (std::size_t j = 0; j + 1 < field.y.size(); ++j)
@@ -65,7 +65,7 @@ std::vector<DrawVertex> trianglesOf(const DrawField& field) {
         continue;
       const DrawVertex middle{
           (around[0].x + around[2].x) / 2, (around[0].y + around[2].y) / 2,
-          meanOf(around[0].colour, around[1].colour, around[2].colour, around[3].colour)};
+          meanColour(around[0].colour, around[1].colour, around[2].colour, around[3].colour)};
       for (std::size_t k = 0; k < 4; ++k)
         corners.insert(corners.end(), {around[k], around[(k + 1) % 4], middle});
     }
@@ -114,7 +114,7 @@ void flatten(const DrawList& list, Geometry& geometry) {
     } else {
       std::vector<DrawVertex> corners;
       for (const DrawField& field : layer.fields)
-        for (const DrawVertex& corner : trianglesOf(field)) corners.push_back(corner);
+        for (const DrawVertex& corner : fieldTriangles(field)) corners.push_back(corner);
       corners.insert(corners.end(), layer.triangles.begin(), layer.triangles.end());
       appendTriangles(corners, geometry, batch);
     }

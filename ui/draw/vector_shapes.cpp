@@ -106,7 +106,7 @@ constexpr float kPiece = 0.08F;       // largest variation in a piece of a mesh
 constexpr float kInvisible = 0.002F;  // opacity
 constexpr float kSmallest = 4;        // pixels; smaller pieces are not split
 
-float areaOf(const Triangle& t) {
+float signedArea(const Triangle& t) {
   return ((t[1].x - t[0].x) * (t[2].y - t[0].y) - (t[2].x - t[0].x) * (t[1].y - t[0].y)) / 2;
 }
 
@@ -117,7 +117,7 @@ float colourDistance(const Rgba& a, const Rgba& b) {
                    opacity * std::abs(a.b - b.b), std::abs(a.a - b.a)});
 }
 
-Rgba meanOf(const Triangle& t) {
+Rgba meanColour(const Triangle& t) {
   return {(t[0].colour.r + t[1].colour.r + t[2].colour.r) / 3,
           (t[0].colour.g + t[1].colour.g + t[2].colour.g) / 3,
           (t[0].colour.b + t[1].colour.b + t[2].colour.b) / 3,
@@ -156,7 +156,7 @@ struct Shade {
 };
 
 /// Returns the shade; none where the colours do not change along one direction.
-std::optional<Shade> shadeOf(const Triangle& t) {
+std::optional<Shade> findShade(const Triangle& t) {
   const double ux = t[1].x - t[0].x, uy = t[1].y - t[0].y;
   const double vx = t[2].x - t[0].x, vy = t[2].y - t[0].y;
   const double determinant = ux * vy - vx * uy;
@@ -183,15 +183,15 @@ std::optional<Shade> shadeOf(const Triangle& t) {
 class FillCollector {
  public:
   void add(Triangle t) {
-    const float area = areaOf(t);
+    const float area = signedArea(t);
     if (!(std::abs(area) > 1e-6F)) return;
     if (std::max({t[0].colour.a, t[1].colour.a, t[2].colour.a}) < kInvisible) return;
     if (area < 0) std::swap(t[1], t[2]);
     if (variation(t) <= kOneColour)
-      addFlat(t, meanOf(t), false);
+      addFlat(t, meanColour(t), false);
     else if (shade_ && shade_->describes(t))
       append(t);
-    else if (const auto shade = shadeOf(t))
+    else if (const auto shade = findShade(t))
       start(*shade, t);
     else
       addPieces(t);
@@ -233,7 +233,7 @@ class FillCollector {
     float longest = 0;
     for (std::size_t i = 0; i < 3; ++i)
       longest = std::max(longest, std::hypot(t[i].x - t[(i + 1) % 3].x, t[i].y - t[(i + 1) % 3].y));
-    if (variation(t) <= kPiece || longest <= kSmallest) return addFlat(t, meanOf(t), true);
+    if (variation(t) <= kPiece || longest <= kSmallest) return addFlat(t, meanColour(t), true);
     const auto middle = [&](std::size_t a, std::size_t b) {
       return DrawVertex{(t[a].x + t[b].x) / 2, (t[a].y + t[b].y) / 2,
                         mix(t[a].colour, t[b].colour, 0.5F)};
