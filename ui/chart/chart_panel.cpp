@@ -15,8 +15,8 @@
 #include <cmath>
 #include <limits>
 
-#include "ui/chart/diagram_colours.h"
 #include "ui/chart/diagram_series.h"
+#include "ui/chart/diagram_style.h"
 #include "ui/chart/occupancy_grid.h"
 #include "ui/draw/fonts.h"
 

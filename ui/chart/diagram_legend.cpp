@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/chart/diagram_colours.h"
-#include "ui/chart/marks.h"
 #include "ui/draw/fonts.h"
 #include "ui/draw/theme.h"
 #include "ui/language/words.h"

@@ -7,10 +7,10 @@
 #include <set>
 
 #include "ui/chart/diagram_annotations.h"
-#include "ui/chart/diagram_colours.h"
 #include "ui/chart/diagram_field.h"
 #include "ui/chart/diagram_legend.h"
 #include "ui/chart/diagram_series.h"
+#include "ui/chart/diagram_style.h"
 #include "ui/draw/fonts.h"
 #include "ui/language/translated.h"
 
