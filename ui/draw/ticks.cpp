@@ -243,4 +243,8 @@ std::string quantity(double value, std::string_view unit, int digits, Zeros zero
   return inLanguage(printedQuantity(value, unit, digits, zeros));
 }
 
+QString readingLabel(double value, int digits) {
+  return QString::fromStdString(shortNumber(value, digits));
+}
+
 }  // namespace asperity
