@@ -102,13 +102,13 @@ DiagramSeries lawSeries(const NamedCurve& curve, CurveAxes axes) {
 std::size_t familySize(const CurveSet& set) {
   if (set.familyKey.empty()) return 0;
   return static_cast<std::size_t>(std::ranges::count_if(
-      set.pinned, [](const NamedCurve& curve) { return std::isfinite(curve.ofFamily); }));
+      set.pinned, [](const NamedCurve& curve) { return std::isfinite(curve.familyValue); }));
 }
 
 /// Returns whether a curve belongs to a large family, whose colours are those of a ramp.
 bool isOnRamp(const NamedCurve& curve, const CurveSet& set) {
   constexpr std::size_t kFewCurves = 5;
-  return std::isfinite(curve.ofFamily) && familySize(set) > kFewCurves;
+  return std::isfinite(curve.familyValue) && familySize(set) > kFewCurves;
 }
 
 /// Returns the meaning of the colours of a large family; nothing for other sets.
@@ -116,7 +116,7 @@ std::optional<DiagramRamp> familyRamp(const CurveSet& set) {
   if (set.pinned.empty() || !isOnRamp(set.pinned.front(), set)) return std::nullopt;
   const Parameter& row = *findParameter(set.familyKey);
   const auto text = [&](const NamedCurve& curve) {
-    return Message::name(printedQuantity(curve.ofFamily, row.unit));
+    return Message::name(printedQuantity(curve.familyValue, row.unit));
   };
   return DiagramRamp{Message(row.label), text(set.pinned.front()),
                      text(set.pinned[familySize(set) - 1])};

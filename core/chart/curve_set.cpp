@@ -86,15 +86,15 @@ std::string curveSetCsv(const CurveSet& set) {
   if (set.difference)
     text += "," + joinedColumns({"relative_difference", "relative_difference_standard_error"});
   text += "\n";
-  const double ownOfFamily =
+  const double presentFamilyValue =
       family.empty() ? kNotApplicable
                      : parameterNumber(*findParameter(set.familyKey), set.present.scene);
-  double ofFamily = ownOfFamily;  // of the curve whose rows are added
+  double familyValue = presentFamilyValue;  // of the curve whose rows are added
   const auto addRow = [&](const std::string& series, const CurvePoint& point,
                           const DifferencePoint* difference = nullptr) {
     if (!std::isfinite(point.mu)) return;
     text += csvCell(series) + ",";
-    if (!family.empty()) text += csvNumber(ofFamily) + ",";
+    if (!family.empty()) text += csvNumber(familyValue) + ",";
     text += table.row(point);
     if (set.difference)
       text += difference ? fmt::format(",{},{}", csvNumber(difference->relative),
@@ -145,10 +145,10 @@ std::string curveSetCsv(const CurveSet& set) {
       addRow(measured.data.name, point);
     }
   for (const NamedCurve& curve : set.pinned) {
-    ofFamily = std::isnan(curve.ofFamily) ? ownOfFamily : curve.ofFamily;
+    familyValue = std::isnan(curve.familyValue) ? presentFamilyValue : curve.familyValue;
     addCurve(curve.name.english(), curve);
   }
-  ofFamily = ownOfFamily;
+  familyValue = presentFamilyValue;
   if (!set.difference) return text;
   for (const DifferencePoint& difference : set.difference->points) {
     CurvePoint point = pointAt(difference.velocity, difference.mu);

@@ -38,7 +38,8 @@ struct NamedCurve {
   std::vector<CurvePoint> points;
   int index = 0;  // among the pinned curves, from 0; it determines colour and mark
   int id = 1;     // of its series in a diagram; above 0 for pinned curves
-  double ofFamily = std::numeric_limits<double>::quiet_NaN();  // its value of the family's key
+  double familyValue =
+      std::numeric_limits<double>::quiet_NaN();  // of CurveSet::familyKey; NaN: not of the family
 };
 
 /// A theory beside the present curve, sampled finely over the axis.

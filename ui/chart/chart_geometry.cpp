@@ -34,10 +34,6 @@ double distance(QPointF a, QPointF b) {
   return std::hypot(a.x() - b.x(), a.y() - b.y());
 }
 
-bool isFinite(QPointF at) {
-  return std::isfinite(at.x()) && std::isfinite(at.y());
-}
-
 /// Finds the nearest drawn point of a diagram's curves; the upper one where two coincide.
 void findPoint(const ChartGeometry& geometry, const Diagram& diagram, bool isStrip,
                QPointF position, ChartTarget& target) {
@@ -85,6 +81,10 @@ bool crosses(const VisibleRange& window, QPointF a, QPointF b) {
 }
 
 }  // namespace
+
+bool isFinite(QPointF position) {
+  return std::isfinite(position.x()) && std::isfinite(position.y());
+}
 
 QPointF ChartGeometry::at(double xValue, double yValue) const {
   return {mapX(xValue), mapY(yValue)};

@@ -35,6 +35,9 @@ struct ChartGeometry {
   double valueAt(double pixel) const;
 };
 
+/// Returns whether a position is one: false for those of values that the axes cannot show.
+bool isFinite(QPointF position);
+
 /// The nearest objects of each kind under the pointer, as indices in the diagram.
 struct ChartTarget {
   bool isMarker = false;

@@ -43,7 +43,7 @@ Extent interfaceExtent(const Frame& frame) {
 }
 
 /// Extends the range of a flat interface to the undeformed surface, or to a micrometre around it.
-Extent withSubstance(Extent extent) {
+Extent withMinimumHeight(Extent extent) {
   const double farthest = std::max(std::abs(extent.low), std::abs(extent.high));
   if (extent.size() > 1e-9 * farthest) return extent;
   if (farthest == 0) return {-0.5e-6, 0.5e-6};
@@ -61,7 +61,7 @@ bool stillFits(const ContactView& view, const Extent& extent) {
 
 ContactView fittedView(const Frame& frame, const std::optional<ContactView>& last) {
   ContactView view = last.value_or(ContactView{});
-  const Extent extent = withSubstance(interfaceExtent(frame));
+  const Extent extent = withMinimumHeight(interfaceExtent(frame));
   if (!stillFits(view, extent)) {
     // The ends are rounded outwards, so that small changes do not move the axis even without
     // `last`.
