@@ -291,12 +291,4 @@ HoverExplanation withFormulaFor(HoverExplanation explanation, Rheology rheology)
   return explanation;
 }
 
-std::vector<std::string_view> equationsIn(std::string_view text) {
-  std::vector<std::string_view> found;
-  for (const HoverExplanation& one : kTable)
-    if (one.id.starts_with("Eq. (") && text.find(one.id) != std::string_view::npos)
-      found.push_back(one.id);
-  return found;
-}
-
 }  // namespace asperity

@@ -90,17 +90,12 @@ FontChoice::Face readFace(const FcPattern* font, const std::string& family) {
   hb_set_destroy(characters);
   if (face.advances.empty())
     throw InputError("", kOption, message("{} has no characters that can be measured", family));
-  // One font of a collection is written as a file of its own.
-  const Blob one(hb_face_reference_blob(whole.get()));
-  unsigned size = 0;
-  const bool isCollection = bytes.startsWith("ttcf");
-  if (isCollection)
+  if (bytes.startsWith("ttcf"))
     throw InputError("", kOption,
                      message("{} is in a collection of fonts (.ttc), of which a picture cannot "
                              "contain a part",
                              family));
-  const char* const data = hb_blob_get_data(one.get(), &size);
-  face.file = QByteArray(data, static_cast<qsizetype>(size));
+  face.file = bytes;
   return face;
 }
 

@@ -229,7 +229,6 @@ class SvgWriter {
       for (const char32_t character : characters)
         if (choice.face(bold).advances.contains(character)) chosen.insert(character);
       for (const char32_t character : chosen) characters.erase(character);
-      if (!options_.embedFont) continue;
       if (!chosen.empty()) add(xmlText(choice.family), bold, chosenFontSubset(bold, chosen));
       if (!characters.empty()) add("DejaVu Sans", bold, fontSubset(bold, characters));
     }
