@@ -17,20 +17,6 @@ Box lineAt(float left, float baseline, float width, float size) {
   return {left, baseline - kAboveBaseline * size, width, (kAboveBaseline + kBelowBaseline) * size};
 }
 
-std::string_view explanationId(ContactOverlay overlay) {
-  switch (overlay) {
-    case ContactOverlay::Pressure:
-      return "contact pressure";
-    case ContactOverlay::Relaxation:
-      return "time since contact";
-    case ContactOverlay::Power:
-      return "dissipated power";
-    case ContactOverlay::None:
-      break;
-  }
-  return {};
-}
-
 /// Adds the legend of the colours: its title, its bar and the numbers below or beside it.
 void addLegendSign(std::vector<ContactSign>& signs, const ContactLayout& layout) {
   const LegendLayout& legend = layout.legend;
