@@ -168,4 +168,9 @@ struct DiagramSheet {
   Message status{};         // of work in progress: "37 of 200 realizations"; not in pictures
 };
 
+struct NamedSheet {
+  std::string name;  // of its file: "master_curve"
+  DiagramSheet sheet;
+};
+
 }  // namespace asperity
