@@ -14,7 +14,6 @@ namespace asperity {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr float kMinText = 7;      // pixels, of a font
 constexpr double kFarthest = 1e6;  // pixels; keeps coordinates small enough for floats
 
 /// The range of the values added to it; empty at first.
@@ -139,7 +138,7 @@ std::optional<FittedTitle> wholeTitle(const std::string& title, float size, floa
 }
 
 float minTitleSize(float size) {
-  return std::max(kMinText, std::round(0.8F * size));
+  return std::max(kSmallestFont, std::round(0.8F * size));
 }
 
 void addTitle(DrawList& list, const std::string& title, DrawPoint at, float size, float pixels,
@@ -214,7 +213,7 @@ FittedTitle fittedTitle(const std::string& title, float size, float pixels) {
       elided(title.substr(0, at), least, false, pixels - textWidth(unit, least));
   if (cut.size() > kWorthReading) return {cut + unit, least};
   const std::string alone = unit.substr(1);
-  return {alone, fittingSize(alone, size, kMinText, false, pixels)};
+  return {alone, fittingSize(alone, size, kSmallestFont, false, pixels)};
 }
 
 AxisRange xRange(const Diagram& diagram) {

@@ -258,7 +258,7 @@ class Panel {
     fit(overhang());
     styles_ = seriesStyles(diagram_, sizes_, theme_, box.width);
     // Letters that must not get smaller need more of a narrow frame.
-    const float widest = sizes_.minFontSize > 7 ? 0.95F : 0.7F;
+    const float widest = sizes_.minFontSize > kSmallestFont ? 0.95F : 0.7F;
     legend_ =
         sizes_.legendMode == LegendMode::None || below_ > 0
             ? Legend{}
@@ -440,6 +440,17 @@ std::vector<Panel> placePanels(const DiagramSheet& sheet, const DiagramOptions& 
   return std::ranges::all_of(others, &Panel::isReadable) ? others : panels;
 }
 
+/// Returns the height of the lowest picture, from options.height in these steps, in which all
+/// panels pass the test; 0 where there is none up to `highest`.
+int lowestHeight(const DiagramSheet& sheet, DiagramOptions options, int step, int highest,
+                 bool (Panel::*test)() const) {
+  for (; options.height <= highest; options.height += step) {
+    DrawList list = emptyList(options);
+    if (std::ranges::all_of(placePanels(sheet, options, list), test)) return options.height;
+  }
+  return 0;
+}
+
 }  // namespace
 
 DiagramOptions printOptions(const DiagramSheet& sheet, const Theme& theme) {
@@ -452,30 +463,18 @@ DiagramOptions printOptions(const DiagramSheet& sheet, const Theme& theme) {
   return options;
 }
 
-int heightForAll(const DiagramSheet& english, const DiagramOptions& asked) {
+int heightForAll(const DiagramSheet& english, const DiagramOptions& options) {
   constexpr int kHighest = 20000;
-  const DiagramSheet sheet = prepared(english, asked);
-  DiagramOptions options = asked;
-  for (; options.height <= kHighest; options.height += 10) {
-    DrawList list = emptyList(options);
-    if (std::ranges::all_of(placePanels(sheet, options, list), &Panel::isWellReadable))
-      return options.height;
-  }
-  return 0;
+  return lowestHeight(prepared(english, options), options, 10, kHighest, &Panel::isWellReadable);
 }
 
-int heightInPrint(const DiagramSheet& english, const DiagramOptions& asked) {
-  if (english.diagrams.size() < 2 && !asked.above) return asked.height;
-  const DiagramSheet sheet = prepared(english, asked);
-  DiagramOptions options = asked;
+int heightInPrint(const DiagramSheet& english, const DiagramOptions& options) {
+  if (english.diagrams.size() < 2 && !options.above) return options.height;
   // Steps of half a letter, to three times the width, which is more than a page.
-  const int step = std::max(1, static_cast<int>(asked.format.fontSize / 2));
-  for (; options.height <= 3 * asked.width; options.height += step) {
-    DrawList list = emptyList(options);
-    if (std::ranges::all_of(placePanels(sheet, options, list), &Panel::isWhole))
-      return options.height;
-  }
-  return asked.height;
+  const int step = std::max(1, static_cast<int>(options.format.fontSize / 2));
+  const int height =
+      lowestHeight(prepared(english, options), options, step, 3 * options.width, &Panel::isWhole);
+  return height > 0 ? height : options.height;
 }
 
 float lowestFrame(const DiagramSheet& english, const DiagramOptions& options) {

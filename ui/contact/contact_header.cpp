@@ -223,8 +223,8 @@ TitleLine titleLine(const Frame& frame, const ContactPictureOptions& options) {
   const float wanted = textWidth(line.whole, s.title, true);
   if (!(progress < 0.4F * width) || (wanted > beside && wanted <= alone)) line.progress.clear();
   line.width = line.progress.empty() ? alone : beside;
-  line.size = fittingSize(line.whole, s.title, std::max(7.0F, std::round(0.8F * s.title)), true,
-                          line.width);
+  line.size = fittingSize(line.whole, s.title, std::max(kSmallestFont, std::round(0.8F * s.title)),
+                          true, line.width);
   line.shown = elided(line.whole, line.size, true, line.width);
   return line;
 }

@@ -213,6 +213,10 @@ float textWidth(std::string_view utf8, float size, bool bold) {
   return units * size / kAdvancesPerSize;
 }
 
+float textScale(float pictureScale) {
+  return pictureScale > 1 ? std::pow(pictureScale, 0.7F) : std::clamp(pictureScale, 0.85F, 1.0F);
+}
+
 float fittingSize(const std::string& utf8, float size, float least, bool bold, float width) {
   while (size - 1 >= least && textWidth(utf8, size, bold) > width) size -= 1;
   return size;
