@@ -121,6 +121,10 @@ Sizes sizesFor(const ContactPictureOptions& options) {
   return {unit, font(19), font(14), font(12), curve};
 }
 
+float Sizes::labelHeight() const {
+  return std::round(1.75F * (small + 1));
+}
+
 double ContactLayout::pixelsPerMetreX() const {
   return plot.width / view.width;
 }

@@ -182,10 +182,9 @@ Box magnifierBox(const Frame& frame, const Magnifier& magnifier, const ContactLa
   // The inset avoids the labels: on the left it is below their row, on the right it is at the
   // bottom, away from the forces.
   const float low = plot.bottom() - edge - height;
-  const float top = plot.y + std::round(1.75F * (layout.sizes.small + 1)) + 2 * edge;
+  const float top = plot.y + layout.sizes.labelHeight() + 2 * edge;
   // In a low plot it ends above the elastomer's name, where that leaves enough of it.
-  const float name =
-      plot.bottom() - std::round(9 * u) - std::round(1.75F * (layout.sizes.small + 1));
+  const float name = plot.bottom() - std::round(9 * u) - layout.sizes.labelHeight();
   const float above = name - std::round(4 * u) - top;
   if (isLeft && above >= 0.8F * kMinHeight * u)
     return {plot.x + edge, top, width, std::min(height, above)};

@@ -136,7 +136,7 @@ std::optional<Box> freeBox(const Readout& readout, const Surroundings& around,
   const float first = plot.x + edge, last = plot.right() - edge - w;
   const float middle = 0.5F * (upper + lower) - 0.5F * h;
   // The readout is below the row of labels where it fits.
-  const float row = std::round(1.75F * (layout.sizes.small + 1)) + 2 * edge;
+  const float row = layout.sizes.labelHeight() + 2 * edge;
   const float high = plot.y + edge, low = plot.bottom() - edge - h;
   const float least = high + row <= low ? high + row : high;
   const bool goesRight = right <= last;

@@ -19,7 +19,7 @@ TagPainter::TagPainter(DrawList& list, DrawLayer& plates, DrawLayer& arrows,
       inset_(std::round(9 * layout.sizes.unit)) {}
 
 float TagPainter::height() const {
-  return std::round(size_ * 1.75F);
+  return layout_.sizes.labelHeight();
 }
 
 float TagPainter::width(const Tag& tag) const {
