@@ -4,7 +4,6 @@
 
 #include "ui/contact/contact_forces.h"
 #include "ui/contact/contact_parts.h"
-#include "ui/contact/contact_signs.h"
 #include "ui/draw/fonts.h"
 #include "ui/language/translated.h"
 #include "ui/language/words.h"
