@@ -381,9 +381,9 @@ void addCurvesTo(nlohmann::ordered_json& answer, const CurveSet& set) {
     auto points = nlohmann::ordered_json::array();
     for (const CurvePoint& point : curve.points) points.push_back(table.json(point));
     nlohmann::ordered_json other{{"name", curve.name.english()}};
-    if (std::isfinite(curve.ofFamily)) other[set.familyKey] = curve.ofFamily;
+    if (std::isfinite(curve.familyValue)) other[set.familyKey] = curve.familyValue;
     other["points"] = std::move(points);
-    answer[std::isfinite(curve.ofFamily) ? "family" : "with"].push_back(std::move(other));
+    answer[std::isfinite(curve.familyValue) ? "family" : "with"].push_back(std::move(other));
   }
   for (const TheoryCurve& theory : set.theories) {
     const TheoryEntry& entry = theoryEntry(theory.theory);

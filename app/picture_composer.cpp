@@ -12,7 +12,7 @@
 #include "ui/chart/diagram_picture.h"
 #include "ui/contact/contact_overlay.h"
 #include "ui/contact/contact_picture.h"
-#include "ui/draw/stroke_pattern.h"
+#include "ui/draw/shapes.h"
 #include "ui/language/words.h"
 
 namespace asperity {

@@ -34,7 +34,6 @@
 #include "core/scene/scene_file.h"
 #include "ui/draw/png_file.h"
 #include "ui/draw/shapes.h"
-#include "ui/draw/stroke_pattern.h"
 #include "ui/language/translated.h"
 #include "ui/language/words.h"
 

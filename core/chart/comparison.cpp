@@ -18,27 +18,22 @@ namespace {
 constexpr std::int64_t kTheoryPoints = 160;
 constexpr std::int64_t kTheoryPointsOfLines = 48;  // each of a line of its own
 
-double temperatureOf(const MeasuredPoint& point, const Scene& scene) {
+double temperatureAt(const MeasuredPoint& point, const Scene& scene) {
   return std::isnan(point.temperature) ? scene.elastomer.temperature : point.temperature;
 }
 
 /// Returns the factor that shifts a measured velocity to the temperature of the scene.
 double shiftToScene(const MeasuredPoint& point, const Scene& scene) {
   Elastomer there = scene.elastomer;
-  there.temperature = temperatureOf(point, scene);
+  there.temperature = temperatureAt(point, scene);
   return temperatureShift(there) / temperatureShift(scene.elastomer);
-}
-
-/// Returns whether Eq. (11) is part of the points of the curve, and is drawn from them.
-bool hasLawInPoints(const CurveSet& set) {
-  return set.isOfVelocity() && (set.axes == CurveAxes::Dimensionless || set.y == CurveQuantity::Mu);
 }
 
 std::vector<TheoryCurve> theoryCurves(const CurveSet& set, const std::stop_token& stop) {
   std::vector<TheoryCurve> curves;
   const Scene& scene = set.present.scene;
   for (const Theory theory : scene.comparison.theory) {
-    if (theory == Theory::Eq11 && hasLawInPoints(set)) continue;
+    if (theory == Theory::Eq11 && set.hasLawInPoints()) continue;
     const bool isOfSurface = scene.sweep.key.starts_with("surface.");
     curves.push_back(
         {theory,
@@ -140,7 +135,7 @@ std::vector<FrictionData> addComparisonData(Scene& scene, const std::vector<std:
 
 bool hasComparisons(const CurveSet& set) {
   const Comparisons& comparison = set.present.scene.comparison;
-  return !(comparison == Comparisons{}) || (!comparison.theory.empty() && !hasLawInPoints(set));
+  return !(comparison == Comparisons{}) || (!comparison.theory.empty() && !set.hasLawInPoints());
 }
 
 void addComparisons(CurveSet& set, std::vector<FrictionData> data, const StateOptions& options) {
@@ -151,7 +146,7 @@ void addComparisons(CurveSet& set, std::vector<FrictionData> data, const StateOp
   else
     for (const FrictionData& table : data)
       for (const MeasuredPoint& point : table.points)
-        set.isReduced |= temperatureOf(point, scene) != scene.elastomer.temperature;
+        set.isReduced |= temperatureAt(point, scene) != scene.elastomer.temperature;
   for (FrictionData& table : data) {
     if (table.points.empty()) continue;
     MeasuredCurve curve;

@@ -47,7 +47,7 @@ struct Piece {
   std::size_t from = 0, to = 0;
 };
 
-std::vector<Piece> piecesOf(const Grid& grid, double level) {
+std::vector<Piece> findPieces(const Grid& grid, double level) {
   std::vector<Piece> pieces;
   for (std::size_t j = 0; j + 1 < grid.rows(); ++j)
     for (std::size_t i = 0; i + 1 < grid.columns(); ++i) {
@@ -125,7 +125,7 @@ class Joining {
 std::vector<ContourLine> contourLines(std::span<const double> x, std::span<const double> y,
                                       std::span<const double> values, double level) {
   const Grid grid(x, y, values, level);
-  const std::vector<Piece> pieces = piecesOf(grid, level);
+  const std::vector<Piece> pieces = findPieces(grid, level);
   std::vector<ContourLine> lines;
   for (const std::vector<std::size_t>& sides : Joining(pieces).lines()) {
     ContourLine line;

@@ -24,7 +24,7 @@ constexpr int kLawPoints = 160;
 
 /// Returns the name of the mean. Curves show the friction of the deformation, also where there is
 /// local friction.
-Message nameOfMean(const NamedCurve& curve) {
+Message meanName(const NamedCurve& curve) {
   const std::vector<CurvePoint>& points = curve.points;
   const bool isPart = hasLocalFriction(curve.scene);
   if (points.empty() || points.front().realizations <= 1)
@@ -36,23 +36,21 @@ Message nameOfMean(const NamedCurve& curve) {
 
 /// Returns the name of the present curve: beside others by the values in which it differs from
 /// them, as they are named.
-Message nameOfPresent(const CurveSet& set) {
+Message presentName(const CurveSet& set) {
   std::vector<Message> words;
   for (const NamedCurve& curve : set.pinned) {
     Message difference = describeDifferences(set.present.scene, curve.scene);
     if (!difference.empty() && std::ranges::find(words, difference) == words.end())
       words.push_back(std::move(difference));
   }
-  return words.empty() || words.size() > 3 ? nameOfMean(set.present) : listed(words);
+  return words.empty() || words.size() > 3 ? meanName(set.present) : listed(words);
 }
 
 /// Returns a point on the axes. It has its own factors: lines with different slopes have different
 /// factors at each velocity.
-DiagramPoint pointOf(const CurvePoint& point, const CurveSet& set, int row) {
-  const CurveQuantity quantity =
-      set.axes == CurveAxes::Dimensionless ? CurveQuantity::NormalizedMu : set.y;
-  const double value = quantityValue(quantity, point);
-  const double error = point.muStandardError * perFriction(quantity, point);
+DiagramPoint diagramPoint(const CurvePoint& point, const CurveSet& set, int row) {
+  const double value = ordinate(point, set);
+  const double error = point.muStandardError * perFriction(set.quantity(), point);
   return {abscissa(point, set), value, value - error, value + error, row};
 }
 
@@ -61,7 +59,7 @@ DiagramSeries meanSeries(const NamedCurve& curve, const CurveSet& set) {
   DiagramSeries series;
   for (std::size_t i = 0; i < curve.points.size(); ++i)
     if (curve.points[i].realizations > 0)
-      series.points.push_back(pointOf(curve.points[i], set, static_cast<int>(i)));
+      series.points.push_back(diagramPoint(curve.points[i], set, static_cast<int>(i)));
   return series;
 }
 
@@ -100,27 +98,27 @@ DiagramSeries lawSeries(const NamedCurve& curve, CurveAxes axes) {
 }
 
 /// Returns how many of the pinned curves are of the family; they come first.
-std::size_t sizeOfFamily(const CurveSet& set) {
+std::size_t familySize(const CurveSet& set) {
   if (set.familyKey.empty()) return 0;
   return static_cast<std::size_t>(std::ranges::count_if(
-      set.pinned, [](const NamedCurve& curve) { return std::isfinite(curve.ofFamily); }));
+      set.pinned, [](const NamedCurve& curve) { return std::isfinite(curve.familyValue); }));
 }
 
 /// Returns whether a curve belongs to a large family, whose colours are those of a ramp.
 bool isOnRamp(const NamedCurve& curve, const CurveSet& set) {
   constexpr std::size_t kFewCurves = 5;
-  return std::isfinite(curve.ofFamily) && sizeOfFamily(set) > kFewCurves;
+  return std::isfinite(curve.familyValue) && familySize(set) > kFewCurves;
 }
 
 /// Returns the meaning of the colours of a large family; nothing for other sets.
-std::optional<DiagramRamp> rampOf(const CurveSet& set) {
+std::optional<DiagramRamp> familyRamp(const CurveSet& set) {
   if (set.pinned.empty() || !isOnRamp(set.pinned.front(), set)) return std::nullopt;
   const Parameter& row = *findParameter(set.familyKey);
   const auto text = [&](const NamedCurve& curve) {
-    return Message::name(printedQuantity(curve.ofFamily, row.unit));
+    return Message::name(printedQuantity(curve.familyValue, row.unit));
   };
   return DiagramRamp{Message(row.label), text(set.pinned.front()),
-                     text(set.pinned[sizeOfFamily(set) - 1])};
+                     text(set.pinned[familySize(set) - 1])};
 }
 
 /// Returns a pinned curve. It keeps its colour and mark when others leave; where colours repeat,
@@ -133,7 +131,7 @@ DiagramSeries pinnedSeries(const NamedCurve& curve, const CurveSet& set) {
   series.name = curve.name;
   series.id = curve.id;
   if (isOnRamp(curve, set)) {
-    series.ramp = static_cast<double>(curve.index) / static_cast<double>(sizeOfFamily(set) - 1);
+    series.ramp = static_cast<double>(curve.index) / static_cast<double>(familySize(set) - 1);
     // Error bars of many curves cover each other.
     for (DiagramPoint& point : series.points) point.low = point.high = kNotApplicable;
     return series;
@@ -184,17 +182,13 @@ void addExtrapolated(Diagram& diagram, const CurveSet& set) {
   }
 }
 
-/// Returns whether a value can be shown on an axis of this scale.
-bool hasPlace(double value, AxisScale scale) {
-  return std::isfinite(value) && (scale == AxisScale::Linear || value > 0);
-}
-
 bool isOnAxes(const DiagramPoint& point, const CurveSet& set) {
-  return hasPlace(point.x, set.scaleOfX()) && hasPlace(point.y, set.scaleOfY());
+  return std::isfinite(axisPosition(set.scaleOfX(), point.x)) &&
+         std::isfinite(axisPosition(set.scaleOfY(), point.y));
 }
 
 /// Returns why none of the present curve's points is on the axes; empty where one is.
-Message blankOf(const CurveSet& set) {
+Message blankReason(const CurveSet& set) {
   const std::vector<CurvePoint>& points = set.present.points;
   const auto isShown = [&](const CurveSet& on) {
     return std::ranges::any_of(meanSeries(set.present, on).points,
@@ -329,7 +323,7 @@ void setAxes(Diagram& diagram, const CurveSet& set) {
   diagram.x = isPhysical
                   ? DiagramAxis{parameterTitle(row.key), std::string(row.unit)}
                   : DiagramAxis{"dimensionless velocity v\u0304 = \u03C4 v \u2207z / (\u221A2 h)"};
-  const QuantityEntry& entry = quantityEntry(isPhysical ? set.y : CurveQuantity::NormalizedMu);
+  const QuantityEntry& entry = quantityEntry(set.quantity());
   diagram.y = {Message(entry.title), std::string(entry.unit)};
   diagram.x.scale = set.scaleOfX();
   diagram.y.scale = set.scaleOfY();
@@ -348,7 +342,7 @@ bool drawsLawOfPoints(const CurveSet& set) {
   const bool isAmongTheories = std::ranges::any_of(
       set.theories, [](const TheoryCurve& theory) { return theory.theory == Theory::Eq11; });
   return set.familyKey.empty() && showsLaw(set.present.scene) && !isAmongTheories &&
-         set.isOfVelocity() && (set.axes == CurveAxes::Dimensionless || set.y == CurveQuantity::Mu);
+         set.hasLawInPoints();
 }
 
 Diagram curvesDiagram(const CurveSet& set) {
@@ -359,12 +353,12 @@ Diagram curvesDiagram(const CurveSet& set) {
       diagram.series.push_back(std::move(law));
   addTheories(diagram, set);
   for (const NamedCurve& curve : set.pinned) diagram.series.push_back(pinnedSeries(curve, set));
-  diagram.ramp = rampOf(set);
+  diagram.ramp = familyRamp(set);
   // A family needs no present curve: it would be one more, and often one of them again.
   const bool showsOwn = set.familyKey.empty();
   if (showsOwn) {
     DiagramSeries mean = meanSeries(set.present, set);
-    mean.name = nameOfPresent(set);
+    mean.name = presentName(set);
     mean.mark = SeriesMark::Circle;
     mean.colour = 0;
     mean.id = kPresentCurve;
@@ -374,7 +368,7 @@ Diagram curvesDiagram(const CurveSet& set) {
   // The regions belong to the present curve of friction over velocity.
   if (showsOwn && set.isOfVelocity()) addRegions(diagram, set.present, set.axes);
   addExtrapolated(diagram, set);
-  diagram.blank = blankOf(set);
+  diagram.blank = blankReason(set);
   return diagram;
 }
 
@@ -387,7 +381,7 @@ void fixAlong(Diagram& diagram) {
   double low = kNotApplicable, high = kNotApplicable;
   for (const DiagramSeries& series : diagram.series)
     for (const DiagramPoint& point : series.points) {
-      if (!hasPlace(point.x, diagram.x.scale) || !hasPlace(point.y, diagram.y.scale)) continue;
+      if (!hasPosition(diagram, point)) continue;
       low = std::isnan(low) ? point.x : std::min(low, point.x);
       high = std::isnan(high) ? point.x : std::max(high, point.x);
     }
@@ -447,14 +441,10 @@ Diagram differenceDiagram(const CurveSet& set, const DiagramAxis& x) {
   return diagram;
 }
 
-}  // namespace
-
-namespace {
-
 /// Returns the title of a chart whose scene has none.
-Message titleOf(const CurveSet& set) {
+Message chartTitle(const CurveSet& set) {
   const Message label(sweptParameter(set.present.scene).label);
-  if (set.axes == CurveAxes::Dimensionless || set.y == CurveQuantity::Mu)
+  if (set.isOfMu())
     return set.isOfVelocity() ? Message("Friction over velocity")
                               : message("Friction over {}", label);
   return message("{} over {}", Message(quantityEntry(set.y).title), label);
@@ -473,7 +463,7 @@ DiagramSheet curveSheet(const CurveSet& set) {
   DiagramSheet sheet;
   // The name of a scene often mentions its friction over velocity.
   const bool isNamed = set.isOfVelocity() && !scene.title.empty();
-  sheet.title = isNamed ? Message(scene.title) : titleOf(set);
+  sheet.title = isNamed ? Message(scene.title) : chartTitle(set);
   sheet.subtitle = isNamed ? describeParameters(scene) : describeScene(scene);
   sheet.diagrams = {curvesDiagram(set)};
   std::vector<Message> notes;

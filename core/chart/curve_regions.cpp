@@ -26,8 +26,7 @@ constexpr std::array<RegionText, 4> kTexts{
       "of the maximum."},
      {"IV", "decrease",
       "Few summits of the finite period carry the load, and the slope in contact falls, "
-      "Eq. (15). "
-      "Begins below 95 % of the maximum."}}};
+      "Eq. (15). Begins below 95 % of the maximum."}}};
 
 const RegionText* findRegionText(std::string_view name) {
   for (const RegionText& text : kTexts)
@@ -84,7 +83,7 @@ class Regions {
   std::vector<CurveRegion> regions_;
 };
 
-std::vector<CurveRegion> regionsOf(const Known& known) {
+std::vector<CurveRegion> splitIntoRegions(const Known& known) {
   enum { kI, kII, kIII, kIV };
   const RegionBorders borders = regionBorders(known.velocities, known.mu);
   const std::size_t last = known.size() - 1;
@@ -113,7 +112,7 @@ std::vector<CurveRegion> regionsOf(const Known& known) {
 std::vector<CurveRegion> findRegions(const Scene& scene, std::span<const CurvePoint> points) {
   const Known known = knownPart(scene, points);
   if (known.size() < 3 || elementLaw(scene.elastomer).kind() != ElementKind::Kelvin) return {};
-  return regionsOf(known);
+  return splitIntoRegions(known);
 }
 
 std::string_view regionWord(std::string_view name) {

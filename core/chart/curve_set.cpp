@@ -28,7 +28,7 @@ AxesFactors axesFactors(std::span<const CurvePoint> points, CurveAxes axes) {
 
 double measuredFactor(const MeasuredCurve& measured, std::size_t point, const CurveSet& set,
                       const AxesFactors& factors) {
-  if (set.axes == CurveAxes::Dimensionless || set.y == CurveQuantity::Mu) return factors.friction;
+  if (set.isOfMu()) return factors.friction;
   return point < measured.computed.size() ? perFriction(set.y, measured.computed[point])
                                           : kNotApplicable;
 }
@@ -55,8 +55,7 @@ double abscissa(const CurvePoint& point, const CurveSet& set) {
 }
 
 double ordinate(const CurvePoint& point, const CurveSet& set) {
-  return quantityValue(set.axes == CurveAxes::Dimensionless ? CurveQuantity::NormalizedMu : set.y,
-                       point);
+  return quantityValue(set.quantity(), point);
 }
 
 bool showsForces(const CurveSet& set) {
@@ -87,15 +86,15 @@ std::string curveSetCsv(const CurveSet& set) {
   if (set.difference)
     text += "," + joinedColumns({"relative_difference", "relative_difference_standard_error"});
   text += "\n";
-  const double ownOfFamily =
+  const double presentFamilyValue =
       family.empty() ? kNotApplicable
                      : parameterNumber(*findParameter(set.familyKey), set.present.scene);
-  double ofFamily = ownOfFamily;  // of the curve whose rows are added
+  double familyValue = presentFamilyValue;  // of the curve whose rows are added
   const auto addRow = [&](const std::string& series, const CurvePoint& point,
                           const DifferencePoint* difference = nullptr) {
     if (!std::isfinite(point.mu)) return;
     text += csvCell(series) + ",";
-    if (!family.empty()) text += csvNumber(ofFamily) + ",";
+    if (!family.empty()) text += csvNumber(familyValue) + ",";
     text += table.row(point);
     if (set.difference)
       text += difference ? fmt::format(",{},{}", csvNumber(difference->relative),
@@ -122,16 +121,16 @@ std::string curveSetCsv(const CurveSet& set) {
     point.normalizedMu = mu * factors.friction;
     return point;
   };
-  const auto abscissaOf = [&](const auto& point) {
+  const auto sweptBy = [&](const auto& point) {
     return set.isOfVelocity() ? point.velocity : point.swept;
   };
   if (showsLaw(set.present.scene))
     for (const CurvePoint& point : set.present.points)
-      addRow("Eq. (11)", pointAt(abscissaOf(point), point.muLaw));
+      addRow("Eq. (11)", pointAt(sweptBy(point), point.muLaw));
   for (const TheoryCurve& theory : set.theories)
     for (const TheoryPoint& point : theory.points) {
       if (!point.isInRange || theory.theory == Theory::Eq11) continue;
-      CurvePoint row = pointAt(abscissaOf(point), point.mu);
+      CurvePoint row = pointAt(sweptBy(point), point.mu);
       row.contactFraction = point.contactFraction;
       if (!set.isOfVelocity()) {
         row.normalizedMu = point.value(CurveQuantity::NormalizedMu);
@@ -146,10 +145,10 @@ std::string curveSetCsv(const CurveSet& set) {
       addRow(measured.data.name, point);
     }
   for (const NamedCurve& curve : set.pinned) {
-    ofFamily = std::isnan(curve.ofFamily) ? ownOfFamily : curve.ofFamily;
+    familyValue = std::isnan(curve.familyValue) ? presentFamilyValue : curve.familyValue;
     addCurve(curve.name.english(), curve);
   }
-  ofFamily = ownOfFamily;
+  familyValue = presentFamilyValue;
   if (!set.difference) return text;
   for (const DifferencePoint& difference : set.difference->points) {
     CurvePoint point = pointAt(difference.velocity, difference.mu);

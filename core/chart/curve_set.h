@@ -38,7 +38,8 @@ struct NamedCurve {
   std::vector<CurvePoint> points;
   int index = 0;  // among the pinned curves, from 0; it determines colour and mark
   int id = 1;     // of its series in a diagram; above 0 for pinned curves
-  double ofFamily = std::numeric_limits<double>::quiet_NaN();  // its value of the family's key
+  double familyValue =
+      std::numeric_limits<double>::quiet_NaN();  // of CurveSet::familyKey; NaN: not of the family
 };
 
 /// A theory beside the present curve, sampled finely over the axis.
@@ -76,6 +77,14 @@ struct CurveSet {
   double xFrom = 0, xTo = 0, yFrom = 0, yTo = 0;
 
   bool isOfVelocity() const { return present.scene.sweep.isOfVelocity(); }
+  /// Returns the quantity on the vertical axis.
+  CurveQuantity quantity() const {
+    return axes == CurveAxes::Dimensionless ? CurveQuantity::NormalizedMu : y;
+  }
+  /// Returns whether this is mu or, on dimensionless axes, mu over the rms slope.
+  bool isOfMu() const { return axes == CurveAxes::Dimensionless || y == CurveQuantity::Mu; }
+  /// Returns whether the points of the curve have Eq. (11) as these axes show it.
+  bool hasLawInPoints() const { return isOfVelocity() && isOfMu(); }
   AxisScale scaleOfX() const;
   AxisScale scaleOfY() const { return yScale.value_or(AxisScale::Logarithmic); }
 };

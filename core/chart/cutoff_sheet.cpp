@@ -67,8 +67,7 @@ DiagramSheet cutoffSheet(const Scene& scene, const std::vector<CutoffPoint>& poi
   sheet.diagrams = {std::move(friction), std::move(share)};
   sheet.note =
       "Friction of the same lines without their waves shorter than \u03BB, and the share of it "
-      "that "
-      "the waves of one decade of wavelengths make.";
+      "that the waves of one decade of wavelengths make.";
   return sheet;
 }
 

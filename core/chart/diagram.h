@@ -26,10 +26,11 @@ enum class AxisScale { Linear, Logarithmic };
 inline constexpr std::array<std::pair<std::string_view, AxisScale>, 2> kAxisScales{
     {{"log", AxisScale::Logarithmic}, {"linear", AxisScale::Linear}}};
 
-/// Returns the value itself or its decimal logarithm; NaN where it has no place on the axis.
-inline double axisPlace(AxisScale scale, double value) {
-  const bool hasPlace = std::isfinite(value) && (scale == AxisScale::Linear || value > 0);
-  if (!hasPlace) return std::numeric_limits<double>::quiet_NaN();
+/// Returns the position of a value on an axis: the value itself or its decimal logarithm; NaN where
+/// the axis cannot show it.
+inline double axisPosition(AxisScale scale, double value) {
+  const bool isShown = std::isfinite(value) && (scale == AxisScale::Linear || value > 0);
+  if (!isShown) return std::numeric_limits<double>::quiet_NaN();
   return scale == AxisScale::Linear ? value : std::log10(value);
 }
 /// Returns the value at a position on the axis.
@@ -44,8 +45,8 @@ struct DiagramAxis {
   double from = 0, to = 0;  // equal: automatic
 };
 
-/// A point. One without a place on the axes (not finite, or not positive on a logarithmic axis) is
-/// not drawn and interrupts the line.
+/// A point. One without a position on the axes (not finite, or not positive on a logarithmic axis)
+/// is not drawn and interrupts the line.
 struct DiagramPoint {
   double x = 0, y = 0;
   double low = std::numeric_limits<double>::quiet_NaN();   // of the error bar or band; NaN: none
@@ -83,8 +84,8 @@ struct DiagramSpan {
   bool isFaded = false;          // belongs to an earlier state
 };
 
-/// A vertical line at x with a dot at y if y has a place: the present state on a curve of possible
-/// states. The user can drag it in the window.
+/// A vertical line at x with a dot at y if the axis can show y: the present state on a curve of
+/// possible states. The user can drag it in the window.
 struct DiagramMarker {
   Message name{};   // for the legend
   Message label{};  // beside the line: "v = 1 m/s"
@@ -92,7 +93,7 @@ struct DiagramMarker {
   double y = std::numeric_limits<double>::quiet_NaN();
   bool isFixed = false;               // moves by itself and cannot be dragged
   bool isFaded = false;               // belongs to an earlier state
-  std::vector<DiagramPoint> trace{};  // its earlier positions; one without a place interrupts it
+  std::vector<DiagramPoint> trace{};  // its earlier states; one without a position interrupts it
   bool isCross = false;               // with a horizontal line at y, too
 };
 
@@ -130,6 +131,9 @@ struct DiagramBar {
   Message name{};
   double value = 0;
   double error = std::numeric_limits<double>::quiet_NaN();  // to each side of its end; NaN: none
+
+  /// Returns whether the value is larger than its error; true where the error is unknown.
+  bool isSignificant() const { return !std::isfinite(error) || std::abs(value) > error; }
 };
 
 struct Diagram {
@@ -147,6 +151,12 @@ struct Diagram {
   std::vector<DiagramBar> bars{};  // instead of the y-axis
 };
 
+/// Returns whether the axes of the diagram can show the point.
+inline bool hasPosition(const Diagram& diagram, const DiagramPoint& point) {
+  return std::isfinite(axisPosition(diagram.x.scale, point.x)) &&
+         std::isfinite(axisPosition(diagram.y.scale, point.y));
+}
+
 /// Diagrams side by side under one heading.
 struct DiagramSheet {
   Message title{};     // "Fig. 3: six Hurst exponents"
@@ -156,6 +166,11 @@ struct DiagramSheet {
   int columns = 0;          // diagrams in a row; 0: up to three in one row, more in a square
   bool sharesAxis = false;  // of one column: all share the x-axis and are aligned
   Message status{};         // of work in progress: "37 of 200 realizations"; not in pictures
+};
+
+struct NamedSheet {
+  std::string name;  // of its file: "master_curve"
+  DiagramSheet sheet;
 };
 
 }  // namespace asperity

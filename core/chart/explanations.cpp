@@ -248,7 +248,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 10> kSection
     {"comparison.", "theories"},
 }};
 
-std::string_view placeOfKey(std::string_view key) {
+std::string_view sectionAnchor(std::string_view key) {
   for (const auto& [beginning, anchor] : kSections)
     if (key.starts_with(beginning)) return anchor;
   return "scenes";
@@ -276,7 +276,7 @@ std::optional<HoverExplanation> findExplanation(std::string_view id) {
   for (const TheoryEntry& entry : theoryEntries())
     if (found.sentence.empty() && id == entry.name) found = {id, {}, entry.range, "theories"};
   if (found.sentence.empty()) return std::nullopt;
-  if (found.guideAnchor.empty()) found.guideAnchor = placeOfKey(id);
+  if (found.guideAnchor.empty()) found.guideAnchor = sectionAnchor(id);
   return found;
 }
 
@@ -289,14 +289,6 @@ HoverExplanation withFormulaFor(HoverExplanation explanation, Rheology rheology)
   if (hasArms && !explanation.formulaOfArms.empty())
     explanation.formula = explanation.formulaOfArms;
   return explanation;
-}
-
-std::vector<std::string_view> equationsIn(std::string_view text) {
-  std::vector<std::string_view> found;
-  for (const HoverExplanation& one : kTable)
-    if (one.id.starts_with("Eq. (") && text.find(one.id) != std::string_view::npos)
-      found.push_back(one.id);
-  return found;
 }
 
 }  // namespace asperity

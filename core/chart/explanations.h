@@ -7,7 +7,6 @@
 #include <optional>
 #include <span>
 #include <string_view>
-#include <vector>
 
 #include "core/base/message.h"
 #include "core/material/elastomer.h"
@@ -32,9 +31,6 @@ std::optional<HoverExplanation> findExplanation(const Message& text);
 /// Returns the explanation with the formula of the elements of an elastomer: that of a spring and
 /// a dashpot, or that of arms.
 HoverExplanation withFormulaFor(HoverExplanation explanation, Rheology rheology);
-
-/// Returns the numbers of the equations that a text mentions, as ids: "Eq. (13)".
-std::vector<std::string_view> equationsIn(std::string_view text);
 
 /// Returns all explanations of the table itself, for tests and the guide.
 std::span<const HoverExplanation> explanations();

@@ -22,11 +22,11 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kLargestStyle = std::size_t{1} << 20;  // bytes
 
 template <class Value, std::size_t N>
-using Words = std::array<std::pair<std::string_view, Value>, N>;
+using NamedValues = std::array<std::pair<std::string_view, Value>, N>;
 
 /// Sets one of several named values; returns why the word is refused.
 template <class Value, class Target, std::size_t N>
-Message choose(const Words<Value, N>& words, const std::string& word, Target& target) {
+Message choose(const NamedValues<Value, N>& words, const std::string& word, Target& target) {
   std::array<std::string_view, N> known;
   for (std::size_t i = 0; i < N; ++i) {
     known[i] = words[i].first;
@@ -37,40 +37,40 @@ Message choose(const Words<Value, N>& words, const std::string& word, Target& ta
   return notOneOf(word, known);
 }
 
-constexpr Words<bool, 2> kOnOff{{{"on", true}, {"off", false}}};
-constexpr Words<LegendMode, 4> kLegends{{{"auto", LegendMode::Automatic},
-                                         {"none", LegendMode::None},
-                                         {"inside", LegendMode::Inside},
-                                         {"below", LegendMode::Below}}};
-constexpr Words<TickSide, 3> kTicks{
+constexpr NamedValues<bool, 2> kOnOff{{{"on", true}, {"off", false}}};
+constexpr NamedValues<LegendMode, 4> kLegends{{{"auto", LegendMode::Automatic},
+                                               {"none", LegendMode::None},
+                                               {"inside", LegendMode::Inside},
+                                               {"below", LegendMode::Below}}};
+constexpr NamedValues<TickSide, 3> kTicks{
     {{"inside", TickSide::Inside}, {"outside", TickSide::Outside}, {"none", TickSide::None}}};
-constexpr Words<PanelLetters, 4> kLetters{{{"none", PanelLetters::None},
-                                           {"a", PanelLetters::Small},
-                                           {"A", PanelLetters::Capital},
-                                           {"(a)", PanelLetters::Bracketed}}};
-constexpr Words<SeriesMark, 6> kMarks{{{"circle", SeriesMark::Circle},
-                                       {"square", SeriesMark::Square},
-                                       {"triangle", SeriesMark::Triangle},
-                                       {"diamond", SeriesMark::Diamond},
-                                       {"ring", SeriesMark::Ring},
-                                       {"no-marker", SeriesMark::None}}};
-constexpr Words<SeriesStroke, 4> kStrokes{{{"solid", SeriesStroke::Solid},
-                                           {"dashed", SeriesStroke::Dashed},
-                                           {"dotted", SeriesStroke::Dotted},
-                                           {"no-line", SeriesStroke::None}}};
+constexpr NamedValues<PanelLetters, 4> kLetters{{{"none", PanelLetters::None},
+                                                 {"a", PanelLetters::Small},
+                                                 {"A", PanelLetters::Capital},
+                                                 {"(a)", PanelLetters::Bracketed}}};
+constexpr NamedValues<SeriesMark, 6> kMarks{{{"circle", SeriesMark::Circle},
+                                             {"square", SeriesMark::Square},
+                                             {"triangle", SeriesMark::Triangle},
+                                             {"diamond", SeriesMark::Diamond},
+                                             {"ring", SeriesMark::Ring},
+                                             {"no-marker", SeriesMark::None}}};
+constexpr NamedValues<SeriesStroke, 4> kStrokes{{{"solid", SeriesStroke::Solid},
+                                                 {"dashed", SeriesStroke::Dashed},
+                                                 {"dotted", SeriesStroke::Dotted},
+                                                 {"no-line", SeriesStroke::None}}};
 // Okabe and Ito (2008), and greys.
-constexpr Words<std::uint32_t, 12> kColours{{{"black", 0x000000},
-                                             {"grey", 0x808080},
-                                             {"gray", 0x808080},
-                                             {"orange", 0xE69F00},
-                                             {"skyblue", 0x56B4E9},
-                                             {"green", 0x009E73},
-                                             {"yellow", 0xF0E442},
-                                             {"blue", 0x0072B2},
-                                             {"vermilion", 0xD55E00},
-                                             {"red", 0xD55E00},
-                                             {"purple", 0xCC79A7},
-                                             {"white", 0xFFFFFF}}};
+constexpr NamedValues<std::uint32_t, 12> kColours{{{"black", 0x000000},
+                                                   {"grey", 0x808080},
+                                                   {"gray", 0x808080},
+                                                   {"orange", 0xE69F00},
+                                                   {"skyblue", 0x56B4E9},
+                                                   {"green", 0x009E73},
+                                                   {"yellow", 0xF0E442},
+                                                   {"blue", 0x0072B2},
+                                                   {"vermilion", 0xD55E00},
+                                                   {"red", 0xD55E00},
+                                                   {"purple", 0xCC79A7},
+                                                   {"white", 0xFFFFFF}}};
 
 Message setNumber(double& target, const std::string& text, double least, double most,
                   const char* unit) {
@@ -91,12 +91,12 @@ bool isHex(char c) {
 }
 
 /// Reads "#d55e00" or a name.
-bool readColour(const std::string& word, CurveStyle& look) {
+bool readColour(const std::string& word, CurveStyle& curve) {
   if (word.size() == 7 && word[0] == '#' && std::all_of(word.begin() + 1, word.end(), isHex)) {
-    look.paint = static_cast<std::uint32_t>(std::stoul(word.substr(1), nullptr, 16));
+    curve.paint = static_cast<std::uint32_t>(std::stoul(word.substr(1), nullptr, 16));
     return true;
   }
-  return choose(kColours, word, look.paint).empty();
+  return choose(kColours, word, curve.paint).empty();
 }
 
 /// Reads "2=#d55e00,circle,dashed".
@@ -107,20 +107,20 @@ Message addCurve(FigureStyle& style, const std::string& text) {
       number < 1 || number > 1000)
     return message("'{}' is not NUMBER=WORDS with the number of a curve in the legend",
                    shortened(text));
-  CurveStyle look;
+  CurveStyle curve;
   std::string words = text.substr(equals + 1) + ",";
   for (std::size_t comma = words.find(','); comma != words.npos; comma = words.find(',')) {
     const std::string word = words.substr(0, comma);
     words.erase(0, comma + 1);
-    if (!readColour(word, look) && !choose(kMarks, word, look.mark).empty() &&
-        !choose(kStrokes, word, look.stroke).empty())
+    if (!readColour(word, curve) && !choose(kMarks, word, curve.mark).empty() &&
+        !choose(kStrokes, word, curve.stroke).empty())
       return message(
           "'{}' is neither a colour (#d55e00, black, grey, orange, skyblue, green, yellow, blue, "
           "vermilion, purple), a marker (circle, square, triangle, diamond, ring, no-marker) nor a "
           "line (solid, dashed, dotted, no-line)",
           shortened(word));
   }
-  style.curves.emplace_back(number, look);
+  style.curves.emplace_back(number, curve);
   return {};
 }
 
@@ -270,8 +270,7 @@ std::vector<std::string> curveNames(const DiagramSheet& sheet) {
   return names;
 }
 
-/// Calls the function with every series of this name, and with its nameless companions of the same
-/// id.
+/// Calls the function with every series of this name.
 template <class Use>
 void forEachNamed(DiagramSheet& sheet, const std::string& name, const Use& use) {
   for (Diagram& diagram : sheet.diagrams)
@@ -459,15 +458,15 @@ DiagramSheet styled(DiagramSheet sheet, const FigureStyle& style) {
   putPresentFirst(sheet);
   if (style.isGrey) cycleStrokes(sheet);
   const std::vector<std::string> names = curveNames(sheet);
-  for (const auto& [number, look] : style.curves) {
+  for (const auto& [number, curve] : style.curves) {
     if (number > names.size())
       throw InputError(
           "", "--curve-style",
           message("there is no curve {} in the legend, which has {}", number, names.size()));
-    forEachNamed(sheet, names[number - 1], [&look = look](DiagramSeries& series) {
-      if (look.paint) series.paint = look.paint;
-      if (look.mark) series.mark = *look.mark;
-      if (look.stroke) series.stroke = *look.stroke;
+    forEachNamed(sheet, names[number - 1], [&curve = curve](DiagramSeries& series) {
+      if (curve.paint) series.paint = curve.paint;
+      if (curve.mark) series.mark = *curve.mark;
+      if (curve.stroke) series.stroke = *curve.stroke;
     });
   }
   for (const auto& [key, text] : style.labels) setLabel(sheet, names, key, text);

@@ -69,7 +69,7 @@ Message labelled(const FittedParameter& parameter) {
 /// load than that of the scene do not lie on its curve.
 std::vector<MeasuredCurve> partedByLoad(const std::vector<MeasuredCurve>& tables) {
   constexpr std::size_t kFew = 4;
-  const auto loadOf = [](const MeasuredPoint& point) {
+  const auto loadText = [](const MeasuredPoint& point) {
     return std::isnan(point.normalForce) ? printedQuantity(point.nominalPressure, "Pa")
                                          : printedQuantity(point.normalForce, "N");
   };
@@ -79,8 +79,8 @@ std::vector<MeasuredCurve> partedByLoad(const std::vector<MeasuredCurve>& tables
     std::vector<std::string> loads;  // in the order of the table
     for (std::size_t i = 0; i < table.computed.size(); ++i) {
       const MeasuredPoint& point = table.data.points[i];
-      MeasuredCurve& part = parts[loadOf(point)];
-      if (part.abscissas.empty()) loads.push_back(loadOf(point));
+      MeasuredCurve& part = parts[loadText(point)];
+      if (part.abscissas.empty()) loads.push_back(loadText(point));
       part.data.points.push_back(point);
       part.abscissas.push_back(table.abscissas[i]);
       part.computed.push_back(table.computed[i]);
@@ -99,7 +99,7 @@ std::vector<MeasuredCurve> partedByLoad(const std::vector<MeasuredCurve>& tables
 
 /// Returns a linear scale where a logarithmic axis would have at most one number, because it spans
 /// little more than a decade.
-AxisScale scaleOf(const FittedParameter& parameter, const ObjectiveProfile& profile) {
+AxisScale profileScale(const FittedParameter& parameter, const ObjectiveProfile& profile) {
   constexpr double kWide = 30;
   if (!parameter.isLogarithmic || profile.values.empty()) return AxisScale::Linear;
   const auto [low, high] = std::ranges::minmax(profile.values);
@@ -253,7 +253,8 @@ DiagramSheet profileSheet(const Fit& fit) {
     const ObjectiveProfile& profile = fit.profiles[k];
     const Parameter& row = *findParameter(profile.key);
     Diagram diagram;
-    diagram.x = {Message(row.label), std::string(row.unit), scaleOf(fit.parameters[k], profile)};
+    diagram.x = {Message(row.label), std::string(row.unit),
+                 profileScale(fit.parameters[k], profile)};
     diagram.y = {"chi squared above its least", "", AxisScale::Linear};
     DiagramSeries series;
     series.mark = SeriesMark::Circle;

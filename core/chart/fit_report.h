@@ -10,7 +10,6 @@
 
 #include "core/chart/curve_set.h"
 #include "core/chart/diagram.h"
-#include "core/chart/material_sheets.h"
 #include "core/fit/fit.h"
 
 namespace asperity {

@@ -53,13 +53,13 @@ constexpr std::array kTitles{
     QuantityTitle{"exponent", "exponent d ln \u03BC / d ln x"},
 };
 
-AxisScale scaleOf(const MapAxis& axis) {
+AxisScale axisScale(const MapAxis& axis) {
   return axis.range.isLogarithmic ? AxisScale::Logarithmic : AxisScale::Linear;
 }
 
-DiagramAxis axisOf(const MapAxis& axis) {
+DiagramAxis diagramAxis(const MapAxis& axis) {
   const auto [least, most] = std::ranges::minmax(axis.values);
-  return {parameterTitle(axis.key()), std::string(axis.range.row->unit), scaleOf(axis), least,
+  return {parameterTitle(axis.key()), std::string(axis.range.row->unit), axisScale(axis), least,
           most};
 }
 
@@ -69,7 +69,7 @@ double axisNumber(const Scene& scene, const MapAxis& axis) {
 
 /// Returns the relative standard error that half of the cells are below; 1 where none is known, as
 /// in a preview of one line.
-double noiseOf(const ParameterMap& map) {
+double usualError(const ParameterMap& map) {
   std::vector<double> errors;
   for (const CurvePoint& cell : map.points)
     if (std::isfinite(cell.muStandardError) && cell.mu > 0)
@@ -82,8 +82,8 @@ double noiseOf(const ParameterMap& map) {
 class RisingMap {
  public:
   RisingMap(const ParameterMap& map, std::string_view quantity) : map_(map) {
-    columns_ = orderOf(map.x);
-    rows_ = orderOf(map.y);
+    columns_ = risingOrder(map.x);
+    rows_ = risingOrder(map.y);
     const std::vector<double> given = mapValues(map, quantity);
     for (const std::size_t j : rows_)
       for (const std::size_t i : columns_) values.push_back(given[j * map.x.values.size() + i]);
@@ -96,13 +96,13 @@ class RisingMap {
     return map_.at(columns_[i], rows_[j]);
   }
   /// Returns the usual relative standard error of friction.
-  double noise() const { return noiseOf(map_); }
+  double noise() const { return usualError(map_); }
   Scene scene(std::size_t i, std::size_t j) const { return cellScene(map_, columns_[i], rows_[j]); }
 
   std::vector<double> x, y, values;
 
  private:
-  static std::vector<std::size_t> orderOf(const MapAxis& axis) {
+  static std::vector<std::size_t> risingOrder(const MapAxis& axis) {
     std::vector<std::size_t> order(axis.values.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
     if (axis.values.front() > axis.values.back()) std::ranges::reverse(order);
@@ -113,9 +113,9 @@ class RisingMap {
   std::vector<std::size_t> columns_, rows_;
 };
 
-std::vector<double> positionsOf(const std::vector<double>& values, AxisScale scale) {
+std::vector<double> axisPositions(const std::vector<double>& values, AxisScale scale) {
   std::vector<double> positions;
-  for (const double value : values) positions.push_back(axisPlace(scale, value));
+  for (const double value : values) positions.push_back(axisPosition(scale, value));
   return positions;
 }
 
@@ -141,7 +141,7 @@ DiagramAxis colourAxis(const std::vector<double>& values, std::string_view quant
   return axis;
 }
 
-std::vector<DiagramPoint> pointsOf(const ContourLine& line, AxisScale x, AxisScale y) {
+std::vector<DiagramPoint> diagramPoints(const ContourLine& line, AxisScale x, AxisScale y) {
   std::vector<DiagramPoint> points;
   for (const ContourPoint& point : line)
     points.push_back({axisValue(x, point.x), axisValue(y, point.y)});
@@ -195,8 +195,8 @@ DiagramField makeField(const RisingMap& map, const Diagram& diagram, std::string
   if (isLogarithmic)
     for (double& height : heights)
       height = std::isfinite(height) ? std::log10(height) : kNotApplicable;
-  const std::vector<double> x = positionsOf(map.x, diagram.x.scale);
-  const std::vector<double> y = positionsOf(map.y, diagram.y.scale);
+  const std::vector<double> x = axisPositions(map.x, diagram.x.scale);
+  const std::vector<double> y = axisPositions(map.y, diagram.y.scale);
   // Numbers over many decades are written as on the axes.
   constexpr double kManyDecades = 1e3;
   const bool arePowers = isLogarithmic && field.colours.to > kManyDecades * field.colours.from;
@@ -207,7 +207,7 @@ DiagramField makeField(const RisingMap& map, const Diagram& diagram, std::string
         level, PrintedNumber{arePowers ? printedPower(level) : printedNumber(level)}, {}};
     for (const ContourLine& line :
          contourLines(x, y, heights, isLogarithmic ? std::log10(level) : level))
-      contour.lines.push_back(pointsOf(line, diagram.x.scale, diagram.y.scale));
+      contour.lines.push_back(diagramPoints(line, diagram.x.scale, diagram.y.scale));
     if (!contour.lines.empty()) field.contours.push_back(std::move(contour));
   }
   return field;
@@ -225,12 +225,12 @@ struct Regions {
   std::array<std::vector<RegionCut>, 4> cuts;
 };
 
-std::size_t numberOfRegion(std::string_view name) {
+std::size_t regionNumber(std::string_view name) {
   constexpr std::array<std::string_view, 4> names{"I", "II", "III", "IV"};
   return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
 }
 
-Regions regionsOf(const RisingMap& map, bool velocityIsX) {
+Regions cutRegions(const RisingMap& map, bool velocityIsX) {
   Regions regions;
   const std::vector<double>& velocities = velocityIsX ? map.x : map.y;
   const std::vector<double>& others = velocityIsX ? map.y : map.x;
@@ -246,7 +246,7 @@ Regions regionsOf(const RisingMap& map, bool velocityIsX) {
     const std::vector<CurveRegion> found = findRegions(scene, curve);
     std::array<bool, 3> isThere{};
     for (std::size_t r = 0; r < found.size(); ++r) {
-      const std::size_t number = numberOfRegion(found[r].name);
+      const std::size_t number = regionNumber(found[r].name);
       if (number > 3) continue;
       regions.cuts[number].push_back({others[k], found[r].from, found[r].to});
       if (r + 1 == found.size() || number > 2) continue;
@@ -259,7 +259,7 @@ Regions regionsOf(const RisingMap& map, bool velocityIsX) {
   return regions;
 }
 
-bool hasAPlace(const DiagramPoint& point) {
+bool isFinite(const DiagramPoint& point) {
   return std::isfinite(point.x) && std::isfinite(point.y);
 }
 
@@ -275,15 +275,15 @@ DiagramSeries borderSeries(std::vector<DiagramPoint> points) {
 /// Returns the position at which the name of a region has the most space: away from the borders of
 /// the region, the edges of the map and the lines of the cross; of several positions with enough
 /// space the one nearest to the middle.
-DiagramPoint positionOfName(const std::vector<RegionCut>& cuts, const ParameterMap& map,
-                            const Diagram& diagram, bool velocityIsX) {
+DiagramPoint namePosition(const std::vector<RegionCut>& cuts, const ParameterMap& map,
+                          const Diagram& diagram, bool velocityIsX) {
   constexpr std::array kParts{0.5, 0.4, 0.6, 0.3, 0.7};  // of the region's width
   constexpr double kEnough = 0.07;                       // of the side of the map
   const DiagramAxis& along = velocityIsX ? diagram.x : diagram.y;
   const DiagramAxis& across = velocityIsX ? diagram.y : diagram.x;
   const auto part = [](const DiagramAxis& axis, double value) {
-    const double from = axisPlace(axis.scale, axis.from), to = axisPlace(axis.scale, axis.to);
-    return (axisPlace(axis.scale, value) - from) / (to - from);
+    const double from = axisPosition(axis.scale, axis.from), to = axisPosition(axis.scale, axis.to);
+    return (axisPosition(axis.scale, value) - from) / (to - from);
   };
   const double crossAlong = part(along, axisNumber(map.scene, velocityIsX ? map.x : map.y));
   const double crossAcross = part(across, axisNumber(map.scene, velocityIsX ? map.y : map.x));
@@ -300,8 +300,8 @@ DiagramPoint positionOfName(const std::vector<RegionCut>& cuts, const ParameterM
       const double worth = std::min(room, kEnough) - 1e-3 * std::abs(row - 0.5);
       if (worth <= most) continue;
       most = worth;
-      const double first = axisPlace(along.scale, along.from),
-                   last = axisPlace(along.scale, along.to);
+      const double first = axisPosition(along.scale, along.from),
+                   last = axisPosition(along.scale, along.to);
       const double velocity = axisValue(along.scale, first + position * (last - first));
       best = velocityIsX ? DiagramPoint{velocity, cut.other} : DiagramPoint{cut.other, velocity};
     }
@@ -317,10 +317,10 @@ Message addRegionBorders(Diagram& diagram, const ParameterMap& given, const Risi
   const bool isLogarithmic =
       (isX ? given.x : given.y).range.isLogarithmic;  // which the rule of regions needs
   if ((isX || isY) && isLogarithmic) {
-    Regions regions = regionsOf(map, isX);
+    Regions regions = cutRegions(map, isX);
     bool isAny = false;
     for (std::vector<DiagramPoint>& border : regions.borders) {
-      if (std::ranges::count_if(border, hasAPlace) < 2) continue;
+      if (std::ranges::count_if(border, isFinite) < 2) continue;
       isAny = true;
       diagram.series.push_back(borderSeries(std::move(border)));
     }
@@ -328,7 +328,7 @@ Message addRegionBorders(Diagram& diagram, const ParameterMap& given, const Risi
     constexpr std::array<const char*, 4> names{"I", "II", "III", "IV"};
     for (std::size_t number = 0; number < 4; ++number) {
       if (regions.cuts[number].size() < 3) continue;
-      const DiagramPoint at = positionOfName(regions.cuts[number], given, diagram, isX);
+      const DiagramPoint at = namePosition(regions.cuts[number], given, diagram, isX);
       diagram.labels.push_back({Message::name(names[number]), at.x, at.y});
     }
     return "Dashed: borders of the regions I to IV, each read from the friction curve at one value "
@@ -344,9 +344,9 @@ Message addRegionBorders(Diagram& diagram, const ParameterMap& given, const Risi
                             : kNotApplicable);
     }
   bool isAny = false;
-  for (const ContourLine& line : contourLines(positionsOf(map.x, diagram.x.scale),
-                                              positionsOf(map.y, diagram.y.scale), heights, 0)) {
-    diagram.series.push_back(borderSeries(pointsOf(line, diagram.x.scale, diagram.y.scale)));
+  for (const ContourLine& line : contourLines(axisPositions(map.x, diagram.x.scale),
+                                              axisPositions(map.y, diagram.y.scale), heights, 0)) {
+    diagram.series.push_back(borderSeries(diagramPoints(line, diagram.x.scale, diagram.y.scale)));
     isAny = true;
   }
   if (!isAny) return {};
@@ -378,8 +378,8 @@ DiagramSheet mapSheet(const ParameterMap& map, std::string_view quantity) {
                         Message(map.y.range.row->label));
   sheet.subtitle = describeScene(map.scene, {map.x.key(), map.y.key()});
   Diagram diagram;
-  diagram.x = axisOf(map.x);
-  diagram.y = axisOf(map.y);
+  diagram.x = diagramAxis(map.x);
+  diagram.y = diagramAxis(map.y);
   const RisingMap rising(map, quantity);
   diagram.field = makeField(rising, diagram, quantity);
   diagram.marker = makeCross(map, diagram);
@@ -401,17 +401,17 @@ Diagram mapCut(const ParameterMap& map, std::string_view quantity, bool alongX) 
   const MapAxis& along = alongX ? map.x : map.y;
   const MapAxis& across = alongX ? map.y : map.x;
   const std::vector<double>& abscissas = alongX ? rising.x : rising.y;
-  const std::vector<double> others = positionsOf(alongX ? rising.y : rising.x, scaleOf(across));
+  const std::vector<double> others = axisPositions(alongX ? rising.y : rising.x, axisScale(across));
   // The cut is interpolated between the two rows or columns beside the state.
   const auto [least, most] = std::ranges::minmax(across.values);
   const double at =
-      axisPlace(scaleOf(across), std::clamp(axisNumber(map.scene, across), least, most));
+      axisPosition(axisScale(across), std::clamp(axisNumber(map.scene, across), least, most));
   const auto above = std::ranges::lower_bound(others, at);
   const auto last = static_cast<std::size_t>(
       std::clamp<std::ptrdiff_t>(above - others.begin(), 1, std::ssize(others) - 1));
   const double part = (at - others[last - 1]) / (others[last] - others[last - 1]);
   Diagram diagram;
-  diagram.x = axisOf(along);
+  diagram.x = diagramAxis(along);
   diagram.y = colourAxis(rising.values, quantity);
   diagram.y.from = diagram.y.to = 0;
   DiagramSeries series;

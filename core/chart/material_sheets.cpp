@@ -38,7 +38,7 @@ Message at(double temperature) {
 }
 
 /// Returns the position of an isotherm on the ramp: 0 for the coldest, 1 for the warmest.
-double rampOf(const Material& material, std::size_t isotherm) {
+double rampPosition(const Material& material, std::size_t isotherm) {
   const double from = material.isotherms.front().temperature;
   const double to = material.isotherms.back().temperature;
   return to > from ? (material.isotherms[isotherm].temperature - from) / (to - from) : 0.5;
@@ -51,13 +51,13 @@ std::optional<DiagramRamp> temperatureRamp(const Material& material) {
 }
 
 using Reading = double (*)(const DynamicModulus&);
-double storageOf(const DynamicModulus& modulus) {
+double readStorage(const DynamicModulus& modulus) {
   return modulus.storage;
 }
-double lossOf(const DynamicModulus& modulus) {
+double readLoss(const DynamicModulus& modulus) {
   return modulus.loss;
 }
-double tangentOf(const DynamicModulus& modulus) {
+double readTangent(const DynamicModulus& modulus) {
   return modulus.loss / modulus.storage;
 }
 
@@ -70,7 +70,7 @@ Diagram isothermDiagram(const Material& material, Message title, const char* uni
   for (std::size_t i = 0; i < material.isotherms.size(); ++i) {
     DiagramSeries series;
     series.mark = SeriesMark::Circle;
-    series.ramp = rampOf(material, i);
+    series.ramp = rampPosition(material, i);
     for (const DynamicModulus& point : material.isotherms[i].points)
       series.points.push_back({point.frequency, reading(point)});
     diagram.series.push_back(std::move(series));
@@ -85,7 +85,7 @@ void addMasterPoints(const Material& material, Diagram& diagram, Reading reading
   for (std::size_t i = 0; i < series.size(); ++i) {
     series[i].mark = mark;
     series[i].stroke = SeriesStroke::None;
-    series[i].ramp = rampOf(material, i);
+    series[i].ramp = rampPosition(material, i);
   }
   for (const MasterPoint& point : material.curve.points)
     series[point.isotherm].points.push_back({point.modulus.frequency, reading(point.modulus)});
@@ -125,8 +125,8 @@ NamedSheet isothermsSheet(const Material& material) {
   DiagramSheet sheet;
   sheet.title = message("{}: isotherms", material.name);
   sheet.subtitle = material.source.empty() ? Message() : Message::name(material.source);
-  sheet.diagrams = {isothermDiagram(material, "storage modulus G'", "Pa", storageOf),
-                    isothermDiagram(material, "loss modulus G''", "Pa", lossOf)};
+  sheet.diagrams = {isothermDiagram(material, "storage modulus G'", "Pa", readStorage),
+                    isothermDiagram(material, "loss modulus G''", "Pa", readLoss)};
   return {"isotherms", std::move(sheet)};
 }
 
@@ -136,11 +136,11 @@ Diagram masterDiagram(const Material& material) {
   diagram.x = frequencyAxis(reducedFrequency(material));
   diagram.y = {"modulus G', G''", "Pa"};
   diagram.height = 2;
-  addMasterPoints(material, diagram, storageOf, SeriesMark::Circle);
-  addMasterPoints(material, diagram, lossOf, SeriesMark::Triangle);
-  diagram.series.push_back(fittedSeries(material, range.from, range.to, storageOf,
+  addMasterPoints(material, diagram, readStorage, SeriesMark::Circle);
+  addMasterPoints(material, diagram, readLoss, SeriesMark::Triangle);
+  diagram.series.push_back(fittedSeries(material, range.from, range.to, readStorage,
                                         "G' (\u25CF measured)", SeriesStroke::Solid));
-  diagram.series.push_back(fittedSeries(material, range.from, range.to, lossOf,
+  diagram.series.push_back(fittedSeries(material, range.from, range.to, readLoss,
                                         "G'' (\u25B2 measured)", SeriesStroke::Dashed));
   diagram.ramp = temperatureRamp(material);
   return diagram;
@@ -206,7 +206,7 @@ NamedSheet masterSheet(const Material& material) {
 
 /// Returns a linear scale for less than a decade, over which a logarithmic axis has hardly any
 /// numbers.
-AxisScale scaleOfPoints(const Diagram& diagram) {
+AxisScale suitableScale(const Diagram& diagram) {
   double smallest = std::numeric_limits<double>::infinity(), largest = 0;
   for (const DiagramSeries& series : diagram.series)
     for (const DiagramPoint& point : series.points) {
@@ -223,10 +223,10 @@ NamedSheet tangentSheet(const Material& material) {
   Diagram diagram;
   diagram.x = frequencyAxis(reducedFrequency(material));
   diagram.y = {"loss tangent tan \u03B4", ""};
-  addMasterPoints(material, diagram, tangentOf, SeriesMark::Circle);
-  diagram.series.push_back(
-      fittedSeries(material, range.from, range.to, tangentOf, "Prony series", SeriesStroke::Solid));
-  diagram.y.scale = scaleOfPoints(diagram);
+  addMasterPoints(material, diagram, readTangent, SeriesMark::Circle);
+  diagram.series.push_back(fittedSeries(material, range.from, range.to, readTangent, "Prony series",
+                                        SeriesStroke::Solid));
+  diagram.y.scale = suitableScale(diagram);
   diagram.ramp = temperatureRamp(material);
   sheet.diagrams = {std::move(diagram)};
   return {"loss_tangent", std::move(sheet)};
@@ -351,10 +351,10 @@ DiagramSheet excitationSheet(const Scene& scene, const Excitation& excitation) {
   moduli.height = 2;
   // A hard blank keeps both symbols together where the title is shortened.
   moduli.y = {"moduli G',\u00A0G''", "Pa"};
-  moduli.series = {lawSeries(law, range, storageOf, "storage modulus G'"),
-                   lawSeries(law, range, lossOf, "loss modulus G''")};
+  moduli.series = {lawSeries(law, range, readStorage, "storage modulus G'"),
+                   lawSeries(law, range, readLoss, "loss modulus G''")};
   tangent.y = {"tan \u03B4", ""};
-  tangent.series = {lawSeries(law, range, tangentOf, {})};
+  tangent.series = {lawSeries(law, range, readTangent, {})};
   weights.y = {"share of the loss", "", AxisScale::Linear, 0, 1.05};
   DiagramSeries share;
   for (const Excitation::Weight& weight : excitation.weights(scene.sliding.velocity))

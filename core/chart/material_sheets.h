@@ -14,11 +14,6 @@
 
 namespace asperity {
 
-struct NamedSheet {
-  std::string name;  // of its file: "master_curve"
-  DiagramSheet sheet;
-};
-
 /// Returns "isotherms", "master_curve" (with fit and residuals), "loss_tangent", "shifts"; for a
 /// ready series "master_curve" and "loss_tangent".
 std::vector<NamedSheet> materialSheets(const Material& material);

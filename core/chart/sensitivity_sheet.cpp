@@ -38,10 +38,6 @@ std::vector<Exponent> sensitivityExponents(const Scene& scene,
   return exponents;
 }
 
-bool isSignificant(const DiagramBar& bar) {
-  return !std::isfinite(bar.error) || std::abs(bar.value) > bar.error;
-}
-
 DiagramSheet sensitivitySheet(const Scene& scene, const std::vector<Exponent>& all) {
   DiagramSheet sheet;
   sheet.title = "What friction depends on";
@@ -54,11 +50,11 @@ DiagramSheet sensitivitySheet(const Scene& scene, const std::vector<Exponent>& a
       diagram.bars.push_back(
           {parameterTitle(one.key), one.exponent.value, one.exponent.standardError});
   // What may be 0 comes last, and the others alone set the axis: a long line of error says little.
-  std::ranges::stable_partition(diagram.bars, isSignificant);
-  const bool hasSignificant = !diagram.bars.empty() && isSignificant(diagram.bars.front());
+  std::ranges::stable_partition(diagram.bars, &DiagramBar::isSignificant);
+  const bool hasSignificant = !diagram.bars.empty() && diagram.bars.front().isSignificant();
   double least = 0, most = 0;
   for (const DiagramBar& bar : diagram.bars) {
-    const bool counts = isSignificant(bar) || !hasSignificant;
+    const bool counts = bar.isSignificant() || !hasSignificant;
     const double reach = counts && std::isfinite(bar.error) ? bar.error : 0;
     least = std::min(least, bar.value - reach);
     most = std::max(most, bar.value + reach);

@@ -24,9 +24,6 @@ struct Exponent {
 /// exponent is p d ln mu / d p.
 std::vector<Exponent> sensitivityExponents(const Scene& scene, const std::vector<Sensitivity>& all);
 
-/// Returns whether the value of a bar is larger than its error; true where the error is unknown.
-bool isSignificant(const DiagramBar& bar);
-
 /// Returns a row for each parameter with its exponent and the standard error; those that may be 0
 /// come last.
 DiagramSheet sensitivitySheet(const Scene& scene, const std::vector<Exponent>& all);

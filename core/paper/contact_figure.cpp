@@ -23,7 +23,7 @@ struct Contact {
   std::vector<double> depth, pressure;  // at the line's nodes; m and N/m
 };
 
-Contact contactOf(const Scene& scene) {
+Contact computeContact(const Scene& scene) {
   const LineSource source(scene, curvePointsPerElement(scene));  // as in all figures
   Contact contact{source.make(0), {}, {}, {}, {}};
   contact.profile = prepareProfile(contact.line, scene.accuracy.scheme);
@@ -36,7 +36,7 @@ Contact contactOf(const Scene& scene) {
   return contact;
 }
 
-std::string tableOf(const Contact& contact) {
+std::string contactTable(const Contact& contact) {
   std::string text =
       joinedColumns({"position", "line_height", "surface_height", "pressure"}) + "\n";
   const double down = contact.profile.lowestHeight + contact.steady.indentation;
@@ -52,7 +52,7 @@ struct Shares {
   double longWaves = 0, shortWaves = 0;
 };
 
-Shares sharesOf(const FourierLine& modes, double power) {
+Shares waveShares(const FourierLine& modes, double power) {
   const std::size_t count = modes.coefficients.size();
   double whole = 0, early = 0, late = 0;
   for (std::size_t k = 1; k <= count; ++k) {
@@ -110,18 +110,18 @@ Claim shareClaim(const char* id, const char* text, const char* quantity, double 
 }  // namespace
 
 void addContactFigure(Figure& figure, const FigureOptions& options) {
-  const Contact contact = contactOf(figure.scene);
-  figure.csv = tableOf(contact);
+  const Contact contact = computeContact(figure.scene);
+  figure.csv = contactTable(contact);
   figure.sheet.note = "Vertical and horizontal units differ.";
   const FourierLine modes = LineSource(figure.scene, 1).spectrum(0);
   figure.claims = {
       balanceClaim(contact), unilateralClaim(contact),
       shareClaim("height_from_long_waves", "h is dominated by the long wavelengths",
                  "share of h\u00B2 from the longest decade of wavelengths",
-                 sharesOf(modes, 0).longWaves),
+                 waveShares(modes, 0).longWaves),
       shareClaim("slope_from_short_waves", "The rms gradient is dominated by the short wavelengths",
                  "share of the squared gradient from the shortest decade of wavelengths",
-                 sharesOf(modes, 2).shortWaves)};
+                 waveShares(modes, 2).shortWaves)};
   if (options.progress) options.progress(1);
 }
 

@@ -161,7 +161,7 @@ std::vector<ElementPoint> fineStepCurve(const Scene& scene, std::span<const doub
                                         std::int64_t lines, const FineSteps& steps,
                                         const GroupedMeansOptions& options) {
   Marches marches(scene, lines, options);
-  const auto pointOf = [&](double velocity, std::int64_t perSpacing) {
+  const auto computePoint = [&](double velocity, std::int64_t perSpacing) {
     ElementPoint point = marches.point(velocity, [&](const std::shared_ptr<const Line>& line) {
       return fineSteps(line, scene, velocity, perSpacing, steps);
     });
@@ -171,12 +171,12 @@ std::vector<ElementPoint> fineStepCurve(const Scene& scene, std::span<const doub
   std::vector<ElementPoint> points;
   std::int64_t perSpacing = steps.first;  // faster sliding never needs fewer
   for (const double velocity : velocities) {
-    ElementPoint coarse = pointOf(velocity, perSpacing);
-    ElementPoint fine = pointOf(velocity, 2 * perSpacing);
+    ElementPoint coarse = computePoint(velocity, perSpacing);
+    ElementPoint fine = computePoint(velocity, 2 * perSpacing);
     while (relativeChange(coarse, fine) > steps.tolerance && 4 * perSpacing <= steps.most) {
       perSpacing *= 2;
       coarse = std::move(fine);
-      fine = pointOf(velocity, 2 * perSpacing);
+      fine = computePoint(velocity, 2 * perSpacing);
     }
     if (relativeChange(coarse, fine) > steps.tolerance) break;
     points.push_back(std::move(fine));

@@ -20,7 +20,7 @@ struct Coefficients {
   std::vector<double> without{};  // alpha without each group of realizations
 };
 
-Coefficients coefficientsOf(const GroupedMeans& means) {
+Coefficients fitCoefficients(const GroupedMeans& means) {
   Coefficients one{
       means.scene().surface.hurst,
       jackknife(means.groups(), [&](int out) { return fitAlpha(means, out); }),
@@ -62,7 +62,7 @@ Message correlationNote(const std::vector<Coefficients>& all) {
       mean);
 }
 
-DiagramPoint pointOf(double x, const Estimate& estimate) {
+DiagramPoint estimatePoint(double x, const Estimate& estimate) {
   return {x, estimate.value, estimate.value - estimate.standardError,
           estimate.value + estimate.standardError};
 }
@@ -84,11 +84,13 @@ Diagram alphaDiagram(const std::vector<Coefficients>& all) {
   DiagramSeries measured{"measured, 0.001 \u2264 F\u2099/GhL \u2264 0.1", SeriesMark::Circle,
                          SeriesStroke::None};
   measured.colour = 0;
-  for (const Coefficients& one : all) measured.points.push_back(pointOf(one.hurst, one.alpha));
+  for (const Coefficients& one : all)
+    measured.points.push_back(estimatePoint(one.hurst, one.alpha));
   DiagramSeries wide{"measured, 0.001 \u2264 F\u2099/GhL \u2264 1", SeriesMark::Diamond,
                      SeriesStroke::None};
   wide.colour = 1;
-  for (const Coefficients& one : all) wide.points.push_back(pointOf(one.hurst, one.wideAlpha));
+  for (const Coefficients& one : all)
+    wide.points.push_back(estimatePoint(one.hurst, one.wideAlpha));
   diagram.series = {theory, wide, measured};
   return diagram;
 }
@@ -105,7 +107,8 @@ Diagram betaDiagram(const std::vector<Coefficients>& all) {
   for (int k = 0; k <= 50; ++k) table.points.push_back({k / 50.0, lawPrefactor(k / 50.0)});
   DiagramSeries measured{"measured, 0.001 \u2264 F\u2099/GhL \u2264 1", SeriesMark::Circle,
                          SeriesStroke::None};
-  for (const Coefficients& here : all) measured.points.push_back(pointOf(here.hurst, here.beta));
+  for (const Coefficients& here : all)
+    measured.points.push_back(estimatePoint(here.hurst, here.beta));
   diagram.series = {one, table, measured};
   return diagram;
 }
@@ -172,7 +175,7 @@ void addExponentsFigure(Figure& figure, const FigureOptions& options) {
     scene.surface.hurst = hurst;
     const double slope = LineSource(scene, 1).statistics().rmsSlope;
     const GroupedMeans means(scene, zone1Cases(scene, slope), work.next(1));
-    const Coefficients& one = all.emplace_back(coefficientsOf(means));
+    const Coefficients& one = all.emplace_back(fitCoefficients(means));
     figure.csv += fmt::format(
         "{},{},{},{},{},{},{},{},{}\n", hurst, one.alpha.value, csvNumber(one.alpha.standardError),
         forceExponent(hurst), one.beta.value, csvNumber(one.beta.standardError),

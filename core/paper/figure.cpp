@@ -14,49 +14,36 @@ namespace {
 
 constexpr std::array<FigureEntry, 8> kEntries{{
     {FigureName::Contact, "1", "Contact of a rough surface and a viscoelastic elastomer",
-     "sweep.velocity_from sweep.velocity_to sweep.points ensemble.realizations"},
+     R"({"title": "Fig. 1", "surface": {"elements": 1000, "seed": 7},
+         "load": {"normal_force": 0.2}})",
+     "sweep.velocity_from sweep.velocity_to sweep.points ensemble.realizations", addContactFigure},
     {FigureName::Velocity, "2", "Typical dependence of friction on velocity",
-     "ensemble.realizations"},
+     R"({"title": "Fig. 2"})", "ensemble.realizations", addVelocityFigure},
     {FigureName::Hurst, "3", "Dependence on velocity for six Hurst exponents",
-     "surface.hurst ensemble.realizations"},
+     R"({"title": "Fig. 3", "load": {"normal_force": 10}})", "surface.hurst ensemble.realizations",
+     addHurstFigure},
     {FigureName::Forces, "4", "Dependence on velocity for twenty normal forces",
-     "load.normal_force ensemble.realizations"},
+     R"({"title": "Fig. 4", "load": {"normal_force": 0.33}})",
+     "load.normal_force ensemble.realizations", addForcesFigure},
     {FigureName::Exponents, "5", "\u03B1 and \u03B2 of Eq. (5) over the Hurst exponent",
+     R"({"title": "Fig. 5", "load": {"normal_force": 0.01}})",
      "surface.hurst load.normal_force sweep.velocity_from sweep.velocity_to sweep.points "
-     "ensemble.realizations"},
+     "ensemble.realizations",
+     addExponentsFigure},
     {FigureName::Plateau, "6", "Friction on the plateau over the normal force",
+     R"({"title": "Fig. 6", "load": {"normal_force": 1}})",
      "surface.hurst load.normal_force sweep.velocity_from sweep.velocity_to sweep.points "
-     "ensemble.realizations"},
+     "ensemble.realizations",
+     addPlateauFigure},
     {FigureName::Master, "master", "The master curve of Eqs. (16) and (17)",
+     R"({"title": "Master curve", "load": {"normal_force": 0.1}})",
      "load.normal_force surface.length surface.elements surface.rms_height "
-     "elastomer.relaxation_time ensemble.realizations"},
+     "elastomer.relaxation_time ensemble.realizations",
+     addMasterFigure},
     {FigureName::Spacing, "spacing", "What the spacing of the elements does",
-     "surface.elements ensemble.realizations"},
+     R"({"title": "Influence of the spacing", "load": {"normal_force": 0.1}})",
+     "surface.elements ensemble.realizations", addSpacingFigure},
 }};
-
-/// Returns the parameters of the paper that differ from a scene's defaults.
-std::string_view paperScene(FigureName name) {
-  switch (name) {
-    case FigureName::Contact:
-      return R"({"title": "Fig. 1", "surface": {"elements": 1000, "seed": 7},
-                 "load": {"normal_force": 0.2}})";
-    case FigureName::Velocity:
-      return R"({"title": "Fig. 2"})";
-    case FigureName::Hurst:
-      return R"({"title": "Fig. 3", "load": {"normal_force": 10}})";
-    case FigureName::Forces:
-      return R"({"title": "Fig. 4", "load": {"normal_force": 0.33}})";
-    case FigureName::Exponents:
-      return R"({"title": "Fig. 5", "load": {"normal_force": 0.01}})";
-    case FigureName::Plateau:
-      return R"({"title": "Fig. 6", "load": {"normal_force": 1}})";
-    case FigureName::Master:
-      return R"({"title": "Master curve", "load": {"normal_force": 0.1}})";
-    case FigureName::Spacing:
-      return R"({"title": "Influence of the spacing", "load": {"normal_force": 0.1}})";
-  }
-  return "{}";
-}
 
 bool listHas(std::string_view list, std::string_view word) {
   for (std::size_t at = list.find(word); at != std::string_view::npos;
@@ -106,7 +93,7 @@ const FigureEntry& figureEntry(FigureName name) {
 Scene figureScene(FigureName name, const FigureOptions& options) {
   const FigureEntry& entry = figureEntry(name);
   checkAssignments(entry, options.assignments);
-  Scene scene = readScene(paperScene(name), "--set", {}, options.assignments);
+  Scene scene = readScene(entry.scene, "--set", {}, options.assignments);
   scene.ensemble.realizations = options.realizations;
   checkModel(entry, scene);
   return scene;
@@ -120,32 +107,7 @@ Figure makeFigure(FigureName name, const FigureOptions& options) {
   const bool isOfPaper = name < FigureName::Master;
   figure.sheet.title = isOfPaper ? message("Fig. {}: {}", entry.word, Message(entry.headline))
                                  : Message(entry.headline);
-  switch (name) {
-    case FigureName::Contact:
-      addContactFigure(figure, options);
-      break;
-    case FigureName::Velocity:
-      addVelocityFigure(figure, options);
-      break;
-    case FigureName::Hurst:
-      addHurstFigure(figure, options);
-      break;
-    case FigureName::Forces:
-      addForcesFigure(figure, options);
-      break;
-    case FigureName::Exponents:
-      addExponentsFigure(figure, options);
-      break;
-    case FigureName::Plateau:
-      addPlateauFigure(figure, options);
-      break;
-    case FigureName::Master:
-      addMasterFigure(figure, options);
-      break;
-    case FigureName::Spacing:
-      addSpacingFigure(figure, options);
-      break;
-  }
+  entry.add(figure, options);
   if (figure.sheet.subtitle.empty()) figure.sheet.subtitle = parameterLine(figure.scene, entry);
   return figure;
 }

@@ -22,12 +22,16 @@ namespace asperity {
 
 enum class FigureName { Contact, Velocity, Hurst, Forces, Exponents, Plateau, Master, Spacing };
 
+struct Figure;
+struct FigureOptions;
+
 struct FigureEntry {
   FigureName name;
   std::string_view word;      // "1" ... "6", "master", "spacing"
   std::string_view headline;  // "Dependence on velocity for six Hurst exponents"
-  /// Scene keys that the figure varies or sets itself, separated by spaces.
-  std::string_view ownKeys;
+  std::string_view scene;     // JSON: the paper's parameters that differ from a scene's defaults
+  std::string_view ownKeys;   // scene keys that the figure sets itself, separated by spaces
+  void (*add)(Figure& figure, const FigureOptions& options);  // diagrams, table and claims
 };
 
 /// Returns all figures, in order.

@@ -19,7 +19,7 @@ DiagramLabel zoneLabel(const GroupedMeans& means, std::size_t j, const char* tex
   return {text, velocity * aside, level, velocity, level};
 }
 
-Diagram diagramOf(const GroupedMeans& means) {
+Diagram forcesDiagram(const GroupedMeans& means) {
   Diagram diagram = frictionDiagram();
   const std::size_t last = means.forces() - 1;
   for (std::size_t j = 0; j <= last; ++j) {
@@ -48,7 +48,7 @@ void addForcesFigure(Figure& figure, const FigureOptions& options) {
   figure.csv = joinedColumns({"normal_force"}) + "," + curveHeader();
   for (std::size_t j = 0; j < means.forces(); ++j)
     figure.csv += tableRows(means, j, fmt::format("{},", means.normalForce(j)));
-  figure.sheet.diagrams.push_back(diagramOf(means));
+  figure.sheet.diagrams.push_back(forcesDiagram(means));
   figure.sheet.note =
       "The third curve from the left is that of Fig. 2. In zone 1 curves shift as F\u2099 to the "
       "power H/(1 + H), in zone 2 as F\u2099.";

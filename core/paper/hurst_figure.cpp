@@ -13,13 +13,13 @@
 namespace asperity {
 namespace {
 
-double hurstOf(const GroupedMeans& means) {
+double hurstExponent(const GroupedMeans& means) {
   return means.scene().surface.hurst;
 }
 
 /// Returns a result for each Hurst exponent.
 template <class Read>
-std::vector<Estimate> estimatesOf(const std::vector<GroupedMeans>& allMeans, const Read& read) {
+std::vector<Estimate> estimateEach(const std::vector<GroupedMeans>& allMeans, const Read& read) {
   std::vector<Estimate> estimates;
   for (const GroupedMeans& means : allMeans)
     estimates.push_back(jackknife(means.groups(), [&](int out) { return read(means, out); }));
@@ -36,8 +36,8 @@ Claim linearClaim(const std::vector<GroupedMeans>& allMeans) {
               "largest |n - 1| of \u03BC \u221D v\u207F over the five lowest velocities"};
   claim.expected = 0;
   claim.criterion = "below 0.02";
-  const std::size_t worst = decideByAll(claim, estimatesOf(allMeans, deviation), below(0.02));
-  claim.note = message("Largest at H = {:g}.", hurstOf(allMeans[worst]));
+  const std::size_t worst = decideByAll(claim, estimateEach(allMeans, deviation), below(0.02));
+  claim.note = message("Largest at H = {:g}.", hurstExponent(allMeans[worst]));
   return claim;
 }
 
@@ -68,10 +68,10 @@ Claim lawClaim(const std::vector<GroupedMeans>& allMeans) {
               "largest |\u03BC / Eq. (11) - 1| up to the maximum, \u03B2 as measured"};
   claim.expected = 0;
   claim.criterion = "below 0.25";
-  decideByAll(claim, estimatesOf(allMeans, lawDeviation), below(0.25));
+  decideByAll(claim, estimateEach(allMeans, lawDeviation), below(0.25));
   std::vector<Message> each;
   for (const GroupedMeans& means : allMeans)
-    each.push_back(message("H = {:g}: {:.0f} %", hurstOf(means),
+    each.push_back(message("H = {:g}: {:.0f} %", hurstExponent(means),
                            100 * lawDeviation(means, GroupedMeans::kAll)));
   double partial = 0;
   for (const GroupedMeans& means : allMeans)
@@ -79,8 +79,7 @@ Claim lawClaim(const std::vector<GroupedMeans>& allMeans) {
   claim.note = message(
       "{}. With the rms slope of the whole line for that in contact. The term of partial contact, "
       "with \u03B1 and \u03B2, lowers Eq. (11) by at most {:.2g} % at this force: the figure does "
-      "not "
-      "test it.",
+      "not test it.",
       listed(each), 100 * partial);
   return claim;
 }
@@ -99,9 +98,9 @@ Claim outsideClaim(const std::vector<GroupedMeans>& allMeans) {
   claim.expected = 1;
   claim.criterion = "above 0.9";
   const GroupedMeans& worst =
-      allMeans[decideByAll(claim, estimatesOf(allMeans, leftAtTheEnd), above(0.9))];
-  claim.note =
-      message("At {:.3g} m/s, smallest at H = {:g}.", worst.velocities().back(), hurstOf(worst));
+      allMeans[decideByAll(claim, estimateEach(allMeans, leftAtTheEnd), above(0.9))];
+  claim.note = message("At {:.3g} m/s, smallest at H = {:g}.", worst.velocities().back(),
+                       hurstExponent(worst));
   return claim;
 }
 

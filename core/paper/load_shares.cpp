@@ -13,7 +13,7 @@ LoadShares::LoadShares(const Scene& scene, std::vector<LoadCase> cases, std::int
                        const GroupedMeansOptions& options)
     : cases_(std::move(cases)) {
   const LineSource source(scene, pointsPerElement(scene));
-  const std::size_t cells = cellOf(cases_.size(), 0);
+  const std::size_t cells = cellIndex(cases_.size(), 0);
   std::vector<std::vector<Sums>> each(static_cast<std::size_t>(lines));
   Jobs(options.threads).run(lines, [&](std::int64_t r) {
     const PreparedProfile line = prepareProfile(source.make(r), scene.accuracy.scheme);
@@ -21,7 +21,7 @@ LoadShares::LoadShares(const Scene& scene, std::vector<LoadCase> cases, std::int
     for (const LoadCase& one : cases_)
       for (const double velocity : one.velocities) {
         if (options.stop.stop_requested()) return;
-        sums.push_back(sumsOf(line, slidingConditions(scene, velocity), one.load.normalForce));
+        sums.push_back(lineSums(line, slidingConditions(scene, velocity), one.load.normalForce));
       }
   });
   throwIfStopped(options.stop);
@@ -43,8 +43,8 @@ void LoadShares::Sums::add(const Sums& other) {
 
 /// Returns the sums of a line. Material travels towards larger s: a leading side is one whose rise
 /// falls along s.
-LoadShares::Sums LoadShares::sumsOf(const PreparedProfile& line,
-                                    const SlidingConditions& conditions, double force) {
+LoadShares::Sums LoadShares::lineSums(const PreparedProfile& line,
+                                      const SlidingConditions& conditions, double force) {
   const SteadyResult result = slideAtForce(line, conditions, force);
   const NodeShape shape = shapeAt(line, conditions, result.indentation);
   Sums sums;
@@ -62,15 +62,15 @@ LoadShares::Sums LoadShares::sumsOf(const PreparedProfile& line,
   return sums;
 }
 
-std::size_t LoadShares::cellOf(std::size_t j, std::size_t i) const {
+std::size_t LoadShares::cellIndex(std::size_t j, std::size_t i) const {
   return j * cases_.front().velocities.size() + i;
 }
 
 LoadShares::Sums LoadShares::sums(std::size_t j, std::size_t i, int leftOut) const {
-  const std::size_t cells = cellOf(cases_.size(), 0);
+  const std::size_t cells = cellIndex(cases_.size(), 0);
   Sums all;
   for (int group = 0; group < groups_; ++group)
-    if (group != leftOut) all.add(sums_[static_cast<std::size_t>(group) * cells + cellOf(j, i)]);
+    if (group != leftOut) all.add(sums_[static_cast<std::size_t>(group) * cells + cellIndex(j, i)]);
   return all;
 }
 

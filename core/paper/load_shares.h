@@ -38,9 +38,9 @@ class LoadShares {
     void add(const Sums& other);
   };
 
-  static Sums sumsOf(const PreparedProfile& line, const SlidingConditions& conditions,
-                     double force);
-  std::size_t cellOf(std::size_t j, std::size_t i) const;
+  static Sums lineSums(const PreparedProfile& line, const SlidingConditions& conditions,
+                       double force);
+  std::size_t cellIndex(std::size_t j, std::size_t i) const;
   Sums sums(std::size_t j, std::size_t i, int leftOut) const;
 
   std::vector<LoadCase> cases_;

@@ -24,7 +24,7 @@ struct Variant {
   SeriesStroke stroke = SeriesStroke::Solid;  // tells variants of one kind apart
 };
 
-std::vector<Variant> variantsOf(const Scene& base) {
+std::vector<Variant> makeVariants(const Scene& base) {
   std::vector<Variant> variants{{"as given", base, 0}};
   const auto add = [&](Message name, int kind, const auto& change) {
     constexpr std::array kStrokes{SeriesStroke::Solid, SeriesStroke::Dashed, SeriesStroke::Dotted};
@@ -61,7 +61,7 @@ struct Shift {
   double velocity, friction;
 };
 
-Shift shiftOf(const GroupedMeans& means, int leftOut = GroupedMeans::kAll) {
+Shift masterShift(const GroupedMeans& means, int leftOut = GroupedMeans::kAll) {
   LawInput in = means.lawInput(0, 0);
   in.rmsSlope = means.rmsSlopeContact(0, 0, leftOut);
   in.velocity = 1;
@@ -102,7 +102,7 @@ constexpr double kCollapseFrom = 0.01, kCollapseTo = 10;
 double spreadAfter(const std::vector<GroupedMeans>& allMeans, int out) {
   return spread(allMeans, logSpaced(kCollapseFrom, kCollapseTo, 60),
                 [&](const GroupedMeans& means, double x) {
-                  const Shift shift = shiftOf(means, out);
+                  const Shift shift = masterShift(means, out);
                   return normalizedMuAt(means, 0, x * shift.velocity, out) * means.line().rmsSlope /
                          shift.friction;
                 });
@@ -168,7 +168,7 @@ struct Temperatures {
 };
 
 /// Tests mu(v, T) = mu(v a_T, T_r) with curves at four temperatures, each computed independently.
-Temperatures temperaturesOf(const Scene& base, FigureWork& work) {
+Temperatures testTemperatures(const Scene& base, FigureWork& work) {
   Temperatures result;
   result.diagram = frictionDiagram();
   result.diagram.title = "temperature";
@@ -219,7 +219,7 @@ DiagramSeries plainSeries(const GroupedMeans& means, const Variant& variant, boo
   series.colour = variant.kind;
   series.stroke = variant.stroke;
   if (variant.kind == 0) series.mark = SeriesMark::Circle;
-  const Shift shift = isShifted ? shiftOf(means) : Shift{1, 1};
+  const Shift shift = isShifted ? masterShift(means) : Shift{1, 1};
   for (DiagramPoint& point : series.points) {
     point.low = point.high = kNotApplicable;
     point.x /= shift.velocity;
@@ -231,7 +231,7 @@ DiagramSeries plainSeries(const GroupedMeans& means, const Variant& variant, boo
 }  // namespace
 
 void addMasterFigure(Figure& figure, const FigureOptions& options) {
-  const std::vector<Variant> variants = variantsOf(figure.scene);
+  const std::vector<Variant> variants = makeVariants(figure.scene);
   FigureWork work(options, static_cast<double>(variants.size()) + 3.6);
   Diagram before = frictionDiagram(), after;
   before.title = "as computed";
@@ -253,7 +253,7 @@ void addMasterFigure(Figure& figure, const FigureOptions& options) {
     before.series.push_back(plainSeries(means, variant, false));
     after.series.push_back(plainSeries(means, variant, true));
     after.series.back().name = {};
-    const Shift shift = shiftOf(means);
+    const Shift shift = masterShift(means);
     figure.csv += tableRows(
         means, 0, fmt::format("{},{},{},", variant.name.english(), shift.velocity, shift.friction));
   }
@@ -262,12 +262,11 @@ void addMasterFigure(Figure& figure, const FigureOptions& options) {
   after.y.from = 1e-4;
   after.y.to = 3;
   Claim dimension = dimensionClaim(figure.scene, work);
-  Temperatures temperatures = temperaturesOf(figure.scene, work);
+  Temperatures temperatures = testTemperatures(figure.scene, work);
   figure.sheet.diagrams = {std::move(before), std::move(after), std::move(temperatures.diagram)};
   figure.sheet.note =
       "Shifted with the rms slope in contact at low velocity; f is where region I of Eq. (11) "
-      "meets "
-      "the plateau. Region IV is not part of Eq. (12) and does not collapse.";
+      "meets the plateau. Region IV is not part of Eq. (12) and does not collapse.";
   figure.claims = {collapseClaim(allMeans), std::move(dimension), std::move(temperatures.claim)};
 }
 

@@ -28,7 +28,7 @@ struct Tops {
   std::vector<Top> tops;  // ordered by force
 };
 
-Top topOf(const GroupedMeans& means, std::size_t j) {
+Top findTop(const GroupedMeans& means, std::size_t j) {
   Top top;
   top.force = dimensionlessForce(means.lawInput(j, 0));
   top.plateau = findPlateau(means, j);
@@ -43,7 +43,7 @@ Top topOf(const GroupedMeans& means, std::size_t j) {
   return top;
 }
 
-Diagram diagramOf(const std::vector<Tops>& all) {
+Diagram plateauDiagram(const std::vector<Tops>& all) {
   Diagram diagram;
   diagram.x = {"normal force F\u2099", "N"};
   diagram.y = {"plateau of \u03BC/\u2207z", "", AxisScale::Linear, 0, 1.6};
@@ -118,30 +118,28 @@ Claim hurstClaim(const std::vector<Tops>& all) {
   return claim;
 }
 
+/// Returns the plateau at the smallest force over the largest plateau.
+double remainingPlateau(const Tops& one, int out = GroupedMeans::kAll) {
+  double top = 0;
+  for (std::size_t j = 0; j < one.means.forces(); ++j)
+    top = std::max(top, findPlateau(one.means, j, out).normalizedMu);
+  return findPlateau(one.means, 0, out).normalizedMu / top;
+}
+
 Claim fallClaim(const std::vector<Tops>& all) {
   Claim claim{"plateau_falls_at_small_forces", "p. 4, Fig. 6",
               "The plateau decreases at very small forces",
               "plateau at the smallest force over the largest plateau, mean over H"};
-  const auto ratio = [&](int out) {
+  const auto mean = [&](int out) {
     double sum = 0;
-    for (const Tops& one : all) {
-      double top = 0;
-      for (std::size_t j = 0; j < one.means.forces(); ++j)
-        top = std::max(top, findPlateau(one.means, j, out).normalizedMu);
-      sum += findPlateau(one.means, 0, out).normalizedMu / top;
-    }
+    for (const Tops& one : all) sum += remainingPlateau(one, out);
     return sum / static_cast<double>(all.size());
   };
   claim.criterion = "below 1";
-  decide(claim, jackknife(all.front().groups, ratio), below(1));
+  decide(claim, jackknife(all.front().groups, mean), below(1));
   std::vector<Message> each;
   for (const Tops& one : all)
-    each.push_back(message(
-        "H = {:g}: {:.2f}", one.hurst,
-        one.tops.front().normalizedMu.value /
-            std::max_element(one.tops.begin(), one.tops.end(), [](const Top& a, const Top& b) {
-              return a.normalizedMu.value < b.normalizedMu.value;
-            })->normalizedMu.value));
+    each.push_back(message("H = {:g}: {:.2f}", one.hurst, remainingPlateau(one)));
   claim.note = message("{}.", listed(each));
   return claim;
 }
@@ -149,22 +147,16 @@ Claim fallClaim(const std::vector<Tops>& all) {
 /// Returns the claim of p. 4: the dependence is less pronounced for small Hurst exponents and
 /// stronger near 1.
 Claim strongerClaim(const std::vector<Tops>& all) {
-  const auto fall = [](const Tops& one, int out) {
-    double top = 0;
-    for (std::size_t j = 0; j < one.means.forces(); ++j)
-      top = std::max(top, findPlateau(one.means, j, out).normalizedMu);
-    return findPlateau(one.means, 0, out).normalizedMu / top;
-  };
   Claim claim{"fall_grows_with_H", "p. 4, after Eq. (15)",
               "The dependence of the slope in contact on force is less pronounced for H near 0 and "
               "gets stronger for H near 1",
               "what is left of the plateau at the smallest force, for the largest H over that for "
               "the smallest"};
   claim.criterion = "below 1";
-  decide(claim,
-         jackknife(all.front().groups,
-                   [&](int out) { return fall(all.back(), out) / fall(all.front(), out); }),
-         below(1));
+  const auto ratio = [&](int out) {
+    return remainingPlateau(all.back(), out) / remainingPlateau(all.front(), out);
+  };
+  decide(claim, jackknife(all.front().groups, ratio), below(1));
   return claim;
 }
 
@@ -185,7 +177,7 @@ void addPlateauFigure(Figure& figure, const FigureOptions& options) {
     GroupedMeans means(scene, plateauCases(scene, slope, paperForces()), work.next(1));
     std::vector<Top> tops;
     for (std::size_t j = 0; j < means.forces(); ++j) {
-      const Top& top = tops.emplace_back(topOf(means, j));
+      const Top& top = tops.emplace_back(findTop(means, j));
       figure.csv += fmt::format("{},{},{},{},{},{},{},{},{}\n", hurst, means.normalForce(j),
                                 top.force, top.normalizedMu.value,
                                 csvNumber(top.normalizedMu.standardError), top.plateau.velocity,
@@ -194,7 +186,7 @@ void addPlateauFigure(Figure& figure, const FigureOptions& options) {
     const int groups = means.groups();
     all.push_back({hurst, groups, std::move(means), std::move(tops)});
   }
-  figure.sheet.diagrams = {diagramOf(all)};
+  figure.sheet.diagrams = {plateauDiagram(all)};
   figure.sheet.note =
       "The maximum of each averaged curve \u03BC(v), with one standard error. \u221A2 assumes "
       "exponentially distributed slopes; a line of random phases has Gaussian ones.";

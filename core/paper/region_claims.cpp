@@ -21,7 +21,7 @@ constexpr std::int64_t kShareLines = 40;  // lines whose shapes are evaluated
 constexpr std::array kAround{0.25, 0.5, 1.0, 2.0, 4.0};
 constexpr std::size_t kAtMaximum = 2, kAtTheEnd = kAround.size();
 
-LoadShares sharesOf(const GroupedMeans& means, FigureWork& work) {
+LoadShares computeShares(const GroupedMeans& means, FigureWork& work) {
   std::vector<double> velocities;
   for (const double factor : kAround) velocities.push_back(factor * findPlateau(means, 0).velocity);
   velocities.push_back(means.velocities().back());
@@ -75,8 +75,8 @@ Claim followClaim(const GroupedMeans& means, const LoadShares& shares) {
   const std::size_t last = means.velocities().size() - 1;
   claim.note = message(
       "Friction itself falls to {:.2g} of its maximum. Over the slope in contact it goes from "
-      "{:.3f} "
-      "to {:.3f}. On a smooth summit, where the slope in contact is evenly distributed, it is "
+      "{:.3f} to {:.3f}. On a smooth summit, where the slope in contact is evenly distributed, it "
+      "is "
       "2/\u221A3 = {:.3f}.",
       means.normalizedMu(0, last) / findPlateau(means, 0).normalizedMu,
       shares.frictionOverSlope(0, kAtMaximum), shares.frictionOverSlope(0, kAtTheEnd),
@@ -100,7 +100,7 @@ double heightAtBorder(const GroupedMeans& means, int out = GroupedMeans::kAll) {
   return height / means.scene().surface.rmsHeight;
 }
 
-std::vector<GroupedMeans> meansOfForces(const GroupedMeans& means, FigureWork& work) {
+std::vector<GroupedMeans> meansAtForces(const GroupedMeans& means, FigureWork& work) {
   std::vector<GroupedMeans> allMeans;
   for (const double force : {0.01, 0.1, 1.0, 10.0}) {
     Scene scene = means.scene();
@@ -112,7 +112,7 @@ std::vector<GroupedMeans> meansOfForces(const GroupedMeans& means, FigureWork& w
 
 /// Returns longer and shorter periods under the same force per length. The roll-off keeps their
 /// heights and slopes unchanged.
-std::vector<GroupedMeans> meansOfLengths(const GroupedMeans& means, FigureWork& work) {
+std::vector<GroupedMeans> meansAtLengths(const GroupedMeans& means, FigureWork& work) {
   const Surface& given = means.scene().surface;
   const double rollOff = given.rollOffWavelength > 0
                              ? std::min(given.rollOffWavelength, given.length / 4)
@@ -192,9 +192,9 @@ Claim lengthClaim(const std::vector<GroupedMeans>& allMeans) {
 }  // namespace
 
 std::vector<Claim> regionClaims(const GroupedMeans& means, FigureWork& work) {
-  const LoadShares shares = sharesOf(means, work);
-  const std::vector<GroupedMeans> forces = meansOfForces(means, work);
-  const std::vector<GroupedMeans> lengths = meansOfLengths(means, work);
+  const LoadShares shares = computeShares(means, work);
+  const std::vector<GroupedMeans> forces = meansAtForces(means, work);
+  const std::vector<GroupedMeans> lengths = meansAtLengths(means, work);
   return {viscousClaim(means, shares), followClaim(means, shares), borderClaim(forces, lengths),
           lengthClaim(lengths)};
 }

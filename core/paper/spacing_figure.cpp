@@ -54,7 +54,7 @@ Claim maximumClaim(const std::vector<GroupedMeans>& allMeans) {
   return claim;
 }
 
-DiagramSeries seriesOf(const GroupedMeans& means, double ramp, bool isNormalized) {
+DiagramSeries spacingSeries(const GroupedMeans& means, double ramp, bool isNormalized) {
   DiagramSeries series = frictionSeries(means, 0, "");
   series.ramp = ramp;
   for (DiagramPoint& point : series.points) {
@@ -83,8 +83,8 @@ void addSpacingFigure(Figure& figure, const FigureOptions& options) {
     const GroupedMeans& means = allMeans.emplace_back(work.computeMeans(
         scene, {scene.load.normalForce}, sweepVelocities(scene.sweep), 1 / spacings[k]));
     const double ramp = static_cast<double>(k) / static_cast<double>(spacings.size() - 1);
-    plain.series.push_back(seriesOf(means, ramp, false));
-    normalized.series.push_back(seriesOf(means, ramp, true));
+    plain.series.push_back(spacingSeries(means, ramp, false));
+    normalized.series.push_back(spacingSeries(means, ramp, true));
     figure.csv += tableRows(means, 0, fmt::format("{},{},", spacings[k], means.line().rmsSlope));
   }
   plain.ramp = normalized.ramp =

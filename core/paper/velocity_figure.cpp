@@ -57,7 +57,7 @@ DiagramSeries elementSeries(const std::vector<ElementPoint>& points, const char*
   return series;
 }
 
-Diagram diagramOf(const Curves& curves) {
+Diagram velocityDiagram(const Curves& curves) {
   const GroupedMeans& means = curves.resolved;
   Diagram diagram = frictionDiagram();
   diagram.series.push_back(lawSeries(means, 0, "Eq. (11)"));
@@ -85,7 +85,7 @@ Diagram diagramOf(const Curves& curves) {
   return diagram;
 }
 
-std::string tableOf(const Curves& curves) {
+std::string curvesTable(const Curves& curves) {
   std::string text = joinedColumns({"curve"}) + "," + curveHeader();
   text += tableRows(curves.resolved, 0, "resolved,");
   const LawInput in = curves.resolved.lawInput(0, 0);
@@ -137,12 +137,12 @@ Claim linearClaim(const GroupedMeans& means) {
 /// Another rule for the borders, to show their sensitivity to it.
 constexpr BorderRule kStrict{0.9, 0.9};
 
-double widthOf(const GroupedMeans& means, int out, const BorderRule& rule = {}) {
+double transitionWidth(const GroupedMeans& means, int out, const BorderRule& rule = {}) {
   const RegionBorders borders = regionBorders(means, 0, out, rule);
   return std::log10(borders.toPlateau / borders.endOfLinear);
 }
 
-double factorOf(const GroupedMeans& means, int out, const BorderRule& rule = {}) {
+double transitionFactor(const GroupedMeans& means, int out, const BorderRule& rule = {}) {
   const RegionBorders borders = regionBorders(means, 0, out, rule);
   return normalizedMuAt(means, 0, borders.toPlateau, out) /
          normalizedMuAt(means, 0, borders.endOfLinear, out);
@@ -153,12 +153,12 @@ Claim widthClaim(const GroupedMeans& means) {
               "decades from 80 % of the line through region I to 95 % of the maximum"};
   claim.expected = 1;
   claim.criterion = "0.7 to 1.3 decades";
-  decide(claim, jackknife(means.groups(), [&](int out) { return widthOf(means, out); }),
+  decide(claim, jackknife(means.groups(), [&](int out) { return transitionWidth(means, out); }),
          within(1, 0.3));
   claim.note = message(
       "The paper does not say where it reads the borders. From 90 % of the line to 90 % of the "
       "maximum it is {:.2f} decades.",
-      widthOf(means, GroupedMeans::kAll, kStrict));
+      transitionWidth(means, GroupedMeans::kAll, kStrict));
   return claim;
 }
 
@@ -168,12 +168,12 @@ Claim factorClaim(const GroupedMeans& means) {
               "\u03BC at the end of region II over \u03BC at its start, borders as for its width"};
   claim.expected = 2;
   claim.criterion = "1.5 to 2.5";
-  decide(claim, jackknife(means.groups(), [&](int out) { return factorOf(means, out); }),
+  decide(claim, jackknife(means.groups(), [&](int out) { return transitionFactor(means, out); }),
          within(2, 0.5));
   claim.note = message(
       "From 90 % of the line to 90 % of the maximum it is {:.2f}. Region II cannot both begin on "
       "the line of slope 1 and grow by two only within a decade.",
-      factorOf(means, GroupedMeans::kAll, kStrict));
+      transitionFactor(means, GroupedMeans::kAll, kStrict));
   return claim;
 }
 
@@ -263,8 +263,7 @@ Claim convergenceClaim(const Curves& curves) {
   }
   claim.note = message(
       "At {:.2g} m/s. F\u2099(d) of separate elements jumps where one enters under viscous "
-      "pressure; "
-      "on a resolved line it is continuous and every balance is met to {:.0e}.",
+      "pressure; on a resolved line it is continuous and every balance is met to {:.0e}.",
       worst->velocity, std::max(curves.resolved.largestResidual(), 1e-15));
   return claim;
 }
@@ -274,7 +273,7 @@ Claim convergenceClaim(const Curves& curves) {
 void addVelocityFigure(Figure& figure, const FigureOptions& options) {
   FigureWork work(options, 15 + kRegionClaimsCost);
   const Curves curves = computeCurves(figure.scene, options, work);
-  figure.sheet.diagrams.push_back(diagramOf(curves));
+  figure.sheet.diagrams.push_back(velocityDiagram(curves));
   std::vector<Message> notes{
       "Regions by 80 % of the line through region I and 95 % of the maximum. In region IV the "
       "smallest scale decides: the constant level appears only where the line moves one spacing in "
@@ -286,7 +285,7 @@ void addVelocityFigure(Figure& figure, const FigureOptions& options) {
         curves.fine.back().velocity, FineSteps{}.most));
   if (!figure.sheet.diagrams.front().shades.empty()) notes.emplace_back(kFewSummitsSentence);
   figure.sheet.note = sentences(notes);
-  figure.csv = tableOf(curves);
+  figure.csv = curvesTable(curves);
   const GroupedMeans& means = curves.resolved;
   figure.claims = {linearClaim(means),  widthClaim(means),          factorClaim(means),
                    plateauClaim(means), constantLevelClaim(curves), convergenceClaim(curves)};

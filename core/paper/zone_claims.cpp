@@ -22,8 +22,8 @@ std::vector<std::size_t> forcesInZone1(const GroupedMeans& means) {
 
 /// Returns the exponent of `read` over the forces given by index.
 template <class Read>
-double forceExponentOf(const GroupedMeans& means, const std::vector<std::size_t>& forces,
-                       const Read& read) {
+double exponentOverForces(const GroupedMeans& means, const std::vector<std::size_t>& forces,
+                          const Read& read) {
   std::vector<double> x, y;
   for (const std::size_t j : forces) {
     x.push_back(means.normalForce(j));
@@ -40,7 +40,7 @@ Claim zone1Claim(Claim claim, const GroupedMeans& means, double expected, const 
   claim.criterion = "within 0.03 of the expected";
   if (forces.size() < 3) return claim;
   const auto exponent = [&](int out) {
-    return forceExponentOf(means, forces, [&](std::size_t j) { return read(j, out); });
+    return exponentOverForces(means, forces, [&](std::size_t j) { return read(j, out); });
   };
   decide(claim, jackknife(means.groups(), exponent), within(expected, 0.03));
   return claim;
@@ -191,8 +191,7 @@ Claim oneSidedClaim(const GroupedMeans& means, FigureWork& work) {
     each.push_back(message("F\u2099 / G h L = {:g}: {:.2g}", kForces[j], velocities[j].value));
   claim.note = message(
       "{}. In complete contact it grows as the force. The detachment condition of the paper lacks "
-      "a "
-      "factor G: G (d - z) + \u03B7 v z' = 0.",
+      "a factor G: G (d - z) + \u03B7 v z' = 0.",
       listed(each));
   return claim;
 }

@@ -34,10 +34,6 @@ double distance(QPointF a, QPointF b) {
   return std::hypot(a.x() - b.x(), a.y() - b.y());
 }
 
-bool isFinite(QPointF at) {
-  return std::isfinite(at.x()) && std::isfinite(at.y());
-}
-
 /// Finds the nearest drawn point of a diagram's curves; the upper one where two coincide.
 void findPoint(const ChartGeometry& geometry, const Diagram& diagram, bool isStrip,
                QPointF position, ChartTarget& target) {
@@ -86,27 +82,26 @@ bool crosses(const VisibleRange& window, QPointF a, QPointF b) {
 
 }  // namespace
 
+bool isFinite(QPointF position) {
+  return std::isfinite(position.x()) && std::isfinite(position.y());
+}
+
 QPointF ChartGeometry::at(double xValue, double yValue) const {
   return {mapX(xValue), mapY(yValue)};
 }
 
 double ChartGeometry::mapX(double value) const {
-  return area.left() + area.width() * fraction(axisPlace(xScale, value), x);
+  return area.left() + area.width() * fraction(axisPosition(xScale, value), x);
 }
 
 double ChartGeometry::mapY(double value) const {
-  return area.bottom() - area.height() * fraction(axisPlace(yScale, value), y);
+  return area.bottom() - area.height() * fraction(axisPosition(yScale, value), y);
 }
 
 double ChartGeometry::valueAt(double pixel) const {
   const double part = area.width() > 0 ? (pixel - area.left()) / area.width() : 0;
   const double position = x.from + part * x.size();
   return axisValue(xScale, position);
-}
-
-bool hasPosition(const Diagram& diagram, const DiagramPoint& point) {
-  return std::isfinite(axisPlace(diagram.x.scale, point.x)) &&
-         std::isfinite(axisPlace(diagram.y.scale, point.y));
 }
 
 ChartTarget targetAt(const std::vector<ChartGeometry>& geometries, const DiagramSheet& sheet,
@@ -173,8 +168,8 @@ bool showsCurves(const VisibleRange& window, const Diagram& diagram) {
     std::vector<QPointF> positions;
     for (const DiagramPoint& point : series.points)
       if (hasPosition(diagram, point))
-        positions.emplace_back(axisPlace(diagram.x.scale, point.x),
-                               axisPlace(diagram.y.scale, point.y));
+        positions.emplace_back(axisPosition(diagram.x.scale, point.x),
+                               axisPosition(diagram.y.scale, point.y));
     for (std::size_t i = 0; i < positions.size(); ++i)
       if (crosses(window, positions[i], positions[std::min(i + 1, positions.size() - 1)]))
         return true;

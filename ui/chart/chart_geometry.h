@@ -35,9 +35,8 @@ struct ChartGeometry {
   double valueAt(double pixel) const;
 };
 
-/// Returns whether the axes of the diagram can show the point; a logarithmic axis shows no negative
-/// value.
-bool hasPosition(const Diagram& diagram, const DiagramPoint& point);
+/// Returns whether a position is one: false for those of values that the axes cannot show.
+bool isFinite(QPointF position);
 
 /// The nearest objects of each kind under the pointer, as indices in the diagram.
 struct ChartTarget {

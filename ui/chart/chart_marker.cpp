@@ -69,15 +69,15 @@ QRectF MarkerItem::labelRect(const QList<QRectF>& taken) const {
 /// Makes the trace of the marker from the points that the axes can show.
 void MarkerItem::makeTrace() {
   trace_.clear();
-  bool wasFinite = false;
+  bool wasShown = false;
   for (const DiagramPoint& point : marker_->trace) {
     const QPointF at = geometry_.at(point.x, point.y);
-    const bool isFinite = std::isfinite(at.x()) && std::isfinite(at.y());
-    if (isFinite && wasFinite)
+    const bool isShown = isFinite(at);
+    if (isShown && wasShown)
       trace_.lineTo(at);
-    else if (isFinite)
+    else if (isShown)
       trace_.moveTo(at);
-    wasFinite = isFinite;
+    wasShown = isShown;
   }
   if (!trace_.isEmpty()) bounds_ = geometry_.area;
 }
@@ -101,8 +101,7 @@ void MarkerItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
   painter->setPen(QPen(style_.background(), 2));
   painter->setBrush(style_.marker());
   const QPointF dot = geometry_.at(marker_->x, marker_->y);
-  const bool isFinite = std::isfinite(dot.x()) && std::isfinite(dot.y());
-  if (isFinite && area.adjusted(-1, -1, 1, 1).contains(dot)) {
+  if (isFinite(dot) && area.adjusted(-1, -1, 1, 1).contains(dot)) {
     const double radius = kDot * geometry_.scale;
     painter->drawEllipse(dot, radius, radius);
   }
@@ -125,7 +124,7 @@ void TipItem::show(const QString& text, QPointF position, bool ringed, const QRe
                    const ChartStyle& style) {
   prepareGeometryChange();
   text_ = text;
-  place_ = position;
+  position_ = position;
   isRinged_ = ringed;
   style_ = style;
   const QFontMetricsF metrics(style_.font);
@@ -160,7 +159,7 @@ void TipItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*
   if (isRinged_) {
     painter->setPen(QPen(style_.text(), 1.6 * style_.scale()));
     painter->setBrush(Qt::NoBrush);
-    painter->drawEllipse(place_, kRing * style_.scale(), kRing * style_.scale());
+    painter->drawEllipse(position_, kRing * style_.scale(), kRing * style_.scale());
   }
   painter->setPen(QPen(style_.axis(), 1));
   painter->setBrush(style_.background());

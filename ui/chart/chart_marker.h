@@ -50,7 +50,7 @@ class TipItem : public QGraphicsItem {
 
  private:
   QString text_;
-  QPointF place_;
+  QPointF position_;
   bool isRinged_ = false;
   ChartStyle style_;
   QRectF bounds_, box_;

@@ -15,10 +15,10 @@
 #include <cmath>
 #include <limits>
 
-#include "ui/chart/diagram_colours.h"
 #include "ui/chart/diagram_series.h"
+#include "ui/chart/diagram_style.h"
+#include "ui/chart/occupancy_grid.h"
 #include "ui/draw/fonts.h"
-#include "ui/draw/occupancy_grid.h"
 
 namespace asperity {
 
@@ -75,7 +75,7 @@ Box toBox(const QRectF& rect) {
 }
 
 QPointF chartPosition(const Diagram& diagram, double x, double y) {
-  return {axisPlace(diagram.x.scale, x), axisPlace(diagram.y.scale, y)};
+  return {axisPosition(diagram.x.scale, x), axisPosition(diagram.y.scale, y)};
 }
 
 }  // namespace

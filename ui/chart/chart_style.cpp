@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/chart/diagram_colours.h"
-#include "ui/chart/marks.h"
+#include "ui/chart/diagram_style.h"
 #include "ui/draw/fonts.h"
 
 namespace asperity {

@@ -1,5 +1,4 @@
-// The appearance of interactive charts: colours, pens and marks, which grow with the font. GUI
-// thread.
+// The appearance of interactive charts. GUI thread.
 #pragma once
 
 #include <QColor>

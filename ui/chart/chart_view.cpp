@@ -343,9 +343,7 @@ void ChartView::layOutFrames() {
 
 void ChartView::updateMarker() {
   if (frames_.empty()) return marker_->update({}, std::nullopt, kNaN, style_, {});
-  const std::optional<DiagramMarker>& marker = sheet_.diagrams[0].marker;
-  const double x = marker ? (std::isfinite(targetX_) ? targetX_ : marker->x) : kNaN;
-  if (!panels_.empty()) panels_[0]->avoidLine(frames_[0].mapX(x));
+  if (!panels_.empty()) panels_[0]->avoidLine(frames_[0].mapX(lineValue()));
   const QList<QRectF> taken = panels_.empty() ? QList<QRectF>() : panels_[0]->namesInside();
   marker_->update(frames_[0], sheet_.diagrams[0].marker, targetX_, style_, taken);
 }
@@ -439,7 +437,7 @@ void ChartView::keyPressEvent(QKeyEvent* event) {
     if (marker.isFixed || (!isLinear && !(marker.x > 0))) return;
     const bool finely = event->modifiers() & Qt::ShiftModifier;
     const double step = finely ? kFinely * kKeyStep : kKeyStep;
-    const double from = std::isfinite(targetX_) ? targetX_ : marker.x;
+    const double from = lineValue();
     const double displacement = isRight ? step : -step;
     // On a linear axis, the step is a part of the visible range.
     return moveMarker(isLinear ? from + displacement * visibleRange().x.size()
@@ -573,7 +571,7 @@ void ChartView::releaseMarker() {
 /// Moves the marker to the next point of the present curve; does nothing without a curve.
 void ChartView::chooseNextPoint(bool forward) {
   if (!hasMarker()) return;
-  const double from = std::isfinite(targetX_) ? targetX_ : sheet_.diagrams[0].marker->x;
+  const double from = lineValue();
   const DiagramPoint* best = nullptr;
   for (const DiagramSeries& series : sheet_.diagrams[0].series) {
     if (series.id != kPresentCurve) continue;

@@ -26,7 +26,7 @@ std::vector<SpanBox> spanBoxes(const std::vector<DiagramSpan>& spans, const Diag
   std::vector<SpanBox> boxes;
   for (const DiagramSpan& span : spans) {
     const auto column = [&](double value, float otherwise) {
-      const double position = axisPlace(axes.xAxis.scale, value);
+      const double position = axisPosition(axes.xAxis.scale, value);
       return std::isfinite(position) ? std::clamp(axes.px(position), box.x, box.right())
                                      : otherwise;
     };
@@ -148,6 +148,12 @@ std::vector<std::string> elidedLines(const std::string& text, float size, float 
   return lines;
 }
 
+float widestLine(const std::vector<std::string>& lines, float size) {
+  float widest = 0;
+  for (const std::string& line : lines) widest = std::max(widest, textWidth(line, size));
+  return widest;
+}
+
 /// Places a shade's name near its foot, in as many lines as needed; none where the shade is too
 /// narrow or the name would cover something.
 std::optional<PlacedLabel> placeShade(const SpanBox& shade, OccupancyGrid& map,
@@ -156,13 +162,9 @@ std::optional<PlacedLabel> placeShade(const SpanBox& shade, OccupancyGrid& map,
   PlacedLabel out;
   out.lines = wrapped(shade.label, size, false, shade.box.width - 4 * margin);
   std::string whole;
-  float width = 0;
-  for (const std::string& line : out.lines) {
-    whole += (whole.empty() ? "" : " ") + line;
-    width = std::max(width, textWidth(line, size));
-  }
+  for (const std::string& line : out.lines) whole += (whole.empty() ? "" : " ") + line;
   if (out.lines.empty() || whole != shade.label) return std::nullopt;
-  width += 2 * margin;
+  const float width = widestLine(out.lines, size) + 2 * margin;
   const float height = kLine * size * static_cast<float>(out.lines.size());
   const DrawPoint foot{shade.box.x + shade.box.width / 2,
                        shade.box.bottom() - height / 2 - 2 * margin};
@@ -220,10 +222,8 @@ std::vector<PlacedLabel> placeLabels(const Diagram& diagram, const DiagramAxes& 
     if (!isFinite(at)) continue;
     PlacedLabel out;
     out.lines = elidedLines(label.text.text, size, 0.9F * map.area().width);
-    float width = 0;
-    for (const std::string& line : out.lines) width = std::max(width, textWidth(line, size));
     if (out.lines.empty()) continue;
-    width += 2 * margin;
+    const float width = widestLine(out.lines, size) + 2 * margin;
     const float height = kLine * size * static_cast<float>(out.lines.size());
     std::vector<DrawPoint> targets;  // of the others
     for (const DiagramLabel& other : diagram.labels)

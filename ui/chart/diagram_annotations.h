@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ui/chart/diagram_axes.h"
-#include "ui/draw/occupancy_grid.h"
+#include "ui/chart/occupancy_grid.h"
 
 namespace asperity {
 

@@ -14,7 +14,6 @@ namespace asperity {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr float kMinText = 7;      // pixels, of a font
 constexpr double kFarthest = 1e6;  // pixels; keeps coordinates small enough for floats
 
 /// The range of the values added to it; empty at first.
@@ -31,7 +30,7 @@ struct Extent {
 
 /// Returns the range that the axis itself prescribes, or NaN.
 AxisRange prescribedRange(const DiagramAxis& axis) {
-  const double a = axisPlace(axis.scale, axis.from), b = axisPlace(axis.scale, axis.to);
+  const double a = axisPosition(axis.scale, axis.from), b = axisPosition(axis.scale, axis.to);
   if (axis.from == axis.to || !std::isfinite(a) || !std::isfinite(b)) return {kNaN, kNaN};
   return {std::min(a, b), std::max(a, b)};
 }
@@ -83,7 +82,7 @@ AxisRange padded(const DiagramAxis& axis, const Extent& data, const Extent& theo
 
 /// Returns the end of an error bar. On a logarithmic axis it may reach to zero, which is not shown.
 double barEnd(AxisScale scale, double end, double value) {
-  const double position = axisPlace(scale, end);
+  const double position = axisPosition(scale, end);
   return scale == AxisScale::Logarithmic ? std::max(position, value - 1) : position;
 }
 
@@ -139,19 +138,13 @@ std::optional<FittedTitle> wholeTitle(const std::string& title, float size, floa
 }
 
 float minTitleSize(float size) {
-  return std::max(kMinText, std::round(0.8F * size));
+  return std::max(kSmallestFont, std::round(0.8F * size));
 }
 
 void addTitle(DrawList& list, const std::string& title, DrawPoint at, float size, float pixels,
               TextAnchor anchor, const Rgba& colour, float angle) {
   const FittedTitle form = fittedTitle(title, size, pixels);
   addLabel(list, form.text, at, form.size, anchor, colour, angle);
-}
-
-float widestLabel(const TickedAxis& axis, float size) {
-  float widest = 0;
-  for (const AxisTick& tick : axis.ticks) widest = std::max(widest, textWidth(tick.label, size));
-  return widest;
 }
 
 /// Adds marks on all four sides of the frame, or with a negative length outside of it, where only
@@ -191,6 +184,12 @@ void addTickLabels(DrawList& list, const DiagramAxes& axes, const Rgba& colour, 
 
 }  // namespace
 
+float widestLabel(const TickedAxis& axis, float size) {
+  float widest = 0;
+  for (const AxisTick& tick : axis.ticks) widest = std::max(widest, textWidth(tick.label, size));
+  return widest;
+}
+
 std::string trailingSymbol(const std::string& name) {
   constexpr std::size_t kLongest = 3;  // bytes, a Greek letter with a mark
   const std::size_t space = name.rfind(' ');
@@ -214,7 +213,7 @@ FittedTitle fittedTitle(const std::string& title, float size, float pixels) {
       elided(title.substr(0, at), least, false, pixels - textWidth(unit, least));
   if (cut.size() > kWorthReading) return {cut + unit, least};
   const std::string alone = unit.substr(1);
-  return {alone, fittingSize(alone, size, kMinText, false, pixels)};
+  return {alone, fittingSize(alone, size, kSmallestFont, false, pixels)};
 }
 
 AxisRange xRange(const Diagram& diagram) {
@@ -223,8 +222,8 @@ AxisRange xRange(const Diagram& diagram) {
   Extent data, theory;
   for (const DiagramSeries& series : diagram.series)
     for (const DiagramPoint& point : series.points)
-      if (std::isfinite(axisPlace(diagram.y.scale, point.y)))
-        (series.isTheory ? theory : data).add(axisPlace(diagram.x.scale, point.x));
+      if (std::isfinite(axisPosition(diagram.y.scale, point.y)))
+        (series.isTheory ? theory : data).add(axisPosition(diagram.x.scale, point.x));
   return padded(diagram.x, data, theory, false);
 }
 
@@ -234,8 +233,8 @@ AxisRange yRange(const Diagram& diagram, const AxisRange& inX) {
   Extent data, theory;
   for (const DiagramSeries& series : diagram.series)
     for (const DiagramPoint& point : series.points) {
-      const double x = axisPlace(diagram.x.scale, point.x);
-      const double y = axisPlace(diagram.y.scale, point.y);
+      const double x = axisPosition(diagram.x.scale, point.x);
+      const double y = axisPosition(diagram.y.scale, point.y);
       if (!(x >= inX.from && x <= inX.to) || !std::isfinite(y)) continue;
       Extent& extent = series.isTheory ? theory : data;
       extent.add(y);
@@ -291,7 +290,7 @@ float DiagramAxes::py(double y) const {
 }
 
 DrawPoint DiagramAxes::mapToPosition(double x, double y) const {
-  const double right = axisPlace(xAxis.scale, x), above = axisPlace(yAxis.scale, y);
+  const double right = axisPosition(xAxis.scale, x), above = axisPosition(yAxis.scale, y);
   if (!std::isfinite(right) || !std::isfinite(above))
     return {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::quiet_NaN()};
   const auto held = [](float pixels) {
@@ -317,16 +316,6 @@ float belowAxes(const DiagramSizes& sizes) {
   return std::ceil(1.5F * sizes.tick + 2 * sizes.axis);
 }
 
-void addFrame(DrawLayer& layer, const Box& box, const Rgba& colour, float width) {
-  addLine(layer,
-          {{box.x, box.y},
-           {box.right(), box.y},
-           {box.right(), box.bottom()},
-           {box.x, box.bottom()},
-           {box.x, box.y}},
-          width, colour);
-}
-
 void addDiagramGrid(DrawList& list, const DiagramAxes& axes, const DiagramSizes& sizes,
                     const Theme& theme) {
   const Box& box = axes.box;
@@ -350,7 +339,7 @@ void addDiagramFrame(DrawList& list, const DiagramAxes& axes, const DiagramSizes
   const float reach = std::round(6 * sizes.unit);
   if (sizes.ticks != TickSide::None)
     addTickMarks(layer, axes, colour, width, sizes.ticks == TickSide::Inside ? reach : -reach);
-  addFrame(layer, box, colour, width);
+  addOutline(layer, box, width, colour);
   list.layers.push_back(std::move(layer));
   DiagramAxes labelled = axes;
   if (!axes.hasXLabels) labelled.xAxis.ticks.clear();

@@ -45,6 +45,8 @@ TickedAxis tickedXAxis(const DiagramAxis& axis, const AxisRange& range, float pi
 TickedAxis tickedYAxis(const DiagramAxis& axis, const AxisRange& range, float pixels,
                        const DiagramSizes& sizes);
 
+float widestLabel(const TickedAxis& axis, float size);
+
 /// Returns the symbol at the end of a name: "G'" of "storage modulus G'"; empty where there is
 /// none.
 std::string trailingSymbol(const std::string& name);
@@ -88,7 +90,5 @@ void addDiagramGrid(DrawList& list, const DiagramAxes& axes, const DiagramSizes&
 /// Adds frame, ticks, labels and titles. `above`: pixels over the frame that another part uses.
 void addDiagramFrame(DrawList& list, const DiagramAxes& axes, const DiagramSizes& sizes,
                      const Theme& theme, float above);
-/// Adds the outline of a box.
-void addFrame(DrawLayer& layer, const Box& box, const Rgba& colour, float width);
 
 }  // namespace asperity

@@ -6,9 +6,8 @@
 #include <numbers>
 #include <optional>
 
-#include "ui/chart/diagram_colours.h"
+#include "ui/chart/diagram_style.h"
 #include "ui/draw/fonts.h"
-#include "ui/draw/stroke_pattern.h"
 
 namespace asperity {
 namespace {
@@ -22,9 +21,9 @@ constexpr float kContourAlpha = 0.75F;
 constexpr std::size_t kFinest = 128;
 
 double colourPart(const DiagramField& field, double value) {
-  const double from = axisPlace(field.colours.scale, field.colours.from);
-  const double to = axisPlace(field.colours.scale, field.colours.to);
-  return (axisPlace(field.colours.scale, value) - from) / (to - from);
+  const double from = axisPosition(field.colours.scale, field.colours.from);
+  const double to = axisPosition(field.colours.scale, field.colours.to);
+  return (axisPosition(field.colours.scale, value) - from) / (to - from);
 }
 
 /// Returns the nodes with `steps` - 1 further ones between each two.
@@ -137,26 +136,23 @@ std::optional<LineLabel> labelOn(const Polyline& line, float width, const Box& f
 }  // namespace
 
 TickedAxis colourAxis(const DiagramField& field, float height, const DiagramSizes& sizes) {
-  const AxisRange range{axisPlace(field.colours.scale, field.colours.from),
-                        axisPlace(field.colours.scale, field.colours.to)};
+  const AxisRange range{axisPosition(field.colours.scale, field.colours.from),
+                        axisPosition(field.colours.scale, field.colours.to)};
   if (!(range.from < range.to)) return {};
   return tickedYAxis(field.colours, range, height, sizes);
 }
 
-float widthOfColourBar(const TickedAxis& colours, const DiagramSizes& sizes) {
-  float widest = 0;
-  for (const AxisTick& tick : colours.ticks)
-    widest = std::max(widest, textWidth(tick.label, sizes.tick));
-  return std::ceil((kColourBarGap + kColourBarWidth) * sizes.unit + 0.6F * sizes.tick + widest +
-                   1.8F * sizes.axis);
+float colourBarWidth(const TickedAxis& colours, const DiagramSizes& sizes) {
+  return std::ceil((kColourBarGap + kColourBarWidth) * sizes.unit + 0.6F * sizes.tick +
+                   widestLabel(colours, sizes.tick) + 1.8F * sizes.axis);
 }
 
 void addFieldColours(DrawList& list, const DiagramField& field, const DiagramAxes& axes) {
   const std::size_t columns = field.x.size(), rows = field.y.size();
   if (columns < 2 || rows < 2 || field.values.size() != columns * rows) return;
   std::vector<float> x, y;
-  for (const double value : field.x) x.push_back(axes.px(axisPlace(axes.xAxis.scale, value)));
-  for (const double value : field.y) y.push_back(axes.py(axisPlace(axes.yAxis.scale, value)));
+  for (const double value : field.x) x.push_back(axes.px(axisPosition(axes.xAxis.scale, value)));
+  for (const double value : field.y) y.push_back(axes.py(axisPosition(axes.yAxis.scale, value)));
   std::vector<double> parts;
   for (const double value : field.values) parts.push_back(colourPart(field, value));
   const std::size_t alongX = stepsFor(columns), alongY = stepsFor(rows);
@@ -262,7 +258,7 @@ void addColourBar(DrawList& list, const TickedAxis& colours, const Box& frame,
   axes.yAxis = colours;
   const Rgba colour = mix(theme.text, theme.axis, 0.35F);
   const float width = std::max(1.0F, std::round(1.1F * sizes.unit));
-  addFrame(layer, bar, colour, width);
+  addOutline(layer, bar, width, colour);
   const float reach = std::round(5 * sizes.unit);
   const auto addTick = [&](double value, float length) {
     const float y = axes.py(value);
@@ -271,16 +267,14 @@ void addColourBar(DrawList& list, const TickedAxis& colours, const Box& frame,
   for (const AxisTick& tick : colours.ticks) addTick(tick.value, reach);
   for (const double value : colours.minor) addTick(value, reach / 2);
   list.layers.push_back(std::move(layer));
-  float widest = 0;
-  for (const AxisTick& tick : colours.ticks) {
+  for (const AxisTick& tick : colours.ticks)
     addLabel(list, tick.label,
              {bar.right() + 0.5F * sizes.tick, axes.py(tick.value) + 0.36F * sizes.tick},
              sizes.tick, TextAnchor::Left, theme.text);
-    widest = std::max(widest, textWidth(tick.label, sizes.tick));
-  }
   const FittedTitle title = fittedTitle(colours.title, sizes.axis, frame.height);
   addLabel(list, title.text,
-           {std::round(bar.right() + 0.5F * sizes.tick + widest + 1.3F * sizes.axis),
+           {std::round(bar.right() + 0.5F * sizes.tick + widestLabel(colours, sizes.tick) +
+                       1.3F * sizes.axis),
             frame.y + frame.height / 2},
            title.size, TextAnchor::Centre, theme.text, std::numbers::pi_v<float> / 2);
 }

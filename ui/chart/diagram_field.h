@@ -3,7 +3,7 @@
 #pragma once
 
 #include "ui/chart/diagram_axes.h"
-#include "ui/draw/stroke_pattern.h"
+#include "ui/draw/polyline.h"
 
 namespace asperity {
 
@@ -11,7 +11,7 @@ namespace asperity {
 TickedAxis colourAxis(const DiagramField& field, float height, const DiagramSizes& sizes);
 
 /// Returns the pixels at the right of the frame for the colour bar with its labels and title.
-float widthOfColourBar(const TickedAxis& colours, const DiagramSizes& sizes);
+float colourBarWidth(const TickedAxis& colours, const DiagramSizes& sizes);
 
 void addFieldColours(DrawList& list, const DiagramField& field, const DiagramAxes& axes);
 /// Adds the contour lines. A line is interrupted for its value, which is written along it, outside

@@ -5,12 +5,10 @@
 
 #include "core/base/text_number.h"
 #include "ui/chart/diagram_axes.h"
-#include "ui/draw/fonts.h"
 
 namespace asperity {
 namespace {
 
-constexpr float kSmallestFont = 7;
 constexpr float kLineHeight = 1.35F;  // in sizes of the font
 constexpr std::string_view kHardBlank = "\u00A0";
 
@@ -125,8 +123,7 @@ DiagramSizes automaticSizes(const DiagramSheet& sheet, const DiagramOptions& opt
   const float width = static_cast<float>(options.width) / static_cast<float>(grid.columns);
   const float height = static_cast<float>(options.height) / static_cast<float>(grid.rows);
   const float available = std::min(width / (900 * scale), height / (620 * scale));
-  float unit =
-      scale * (available > 1 ? std::pow(available, 0.7F) : std::clamp(available, 0.85F, 1.0F));
+  float unit = scale * textScale(available);
   unit = std::max(std::min({unit, width / 350, height / 380}), options.minTextSize * scale);
   return {unit,
           fontSize(19 * unit),

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ui/chart/diagram_picture.h"
+#include "ui/draw/fonts.h"
 #include "ui/draw/shapes.h"
 
 namespace asperity {
@@ -12,8 +13,8 @@ namespace asperity {
 struct DiagramSizes {
   float unit = 1;  // of line widths and distances
   float title = 19, subtitle = 13, panel = 14, axis = 14, tick = 12, legend = 12, note = 11;
-  float minFontSize = 7;  // of any text
-  float curve = 0;        // width of curves; 0: by the unit
+  float minFontSize = kSmallestFont;  // of any text
+  float curve = 0;                    // width of curves; 0: by the unit
   LegendMode legendMode = LegendMode::Automatic;
   TickSide ticks = TickSide::Inside;
   bool isPrinted = false;  // letters have a given size

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/chart/diagram_colours.h"
-#include "ui/chart/marks.h"
 #include "ui/draw/fonts.h"
 #include "ui/draw/theme.h"
 #include "ui/language/words.h"
@@ -203,7 +201,7 @@ void addLegend(DrawList& list, const Legend& legend, const Box& box, bool framed
   const float size = legend.size, pad = kPad * size;
   if (framed) {
     addRectangle(plate, box, withAlpha(theme.background, 0.86F));
-    addFrame(plate, box, withAlpha(theme.axis, 0.45F), std::max(1.0F, 0.8F * sizes.unit));
+    addOutline(plate, box, std::max(1.0F, 0.8F * sizes.unit), withAlpha(theme.axis, 0.45F));
   }
   float top = box.y + 0.6F * pad;
   if (legend.ramp) {

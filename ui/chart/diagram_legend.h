@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "ui/chart/diagram_series.h"
-#include "ui/draw/occupancy_grid.h"
+#include "ui/chart/diagram_style.h"
 
 namespace asperity {
 

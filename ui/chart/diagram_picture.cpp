@@ -7,12 +7,11 @@
 #include <set>
 
 #include "ui/chart/diagram_annotations.h"
-#include "ui/chart/diagram_colours.h"
 #include "ui/chart/diagram_field.h"
 #include "ui/chart/diagram_legend.h"
 #include "ui/chart/diagram_series.h"
+#include "ui/chart/diagram_style.h"
 #include "ui/draw/fonts.h"
-#include "ui/draw/stroke_pattern.h"
 #include "ui/language/translated.h"
 
 namespace asperity {
@@ -47,25 +46,20 @@ class Panel {
     arrange();
   }
 
-  DiagramFrame place() const {
-    const AxisRange &x = axes_.xAxis.range, &y = axes_.yAxis.range;
-    const auto value = [](AxisScale scale, double at) {
-      return scale == AxisScale::Logarithmic ? std::pow(10, at) : at;
-    };
+  DiagramFrame diagramFrame() const {
+    const TickedAxis &x = axes_.xAxis, &y = axes_.yAxis;
     const Box& box = axes_.box;
     return {box.x,
             box.y,
             box.width,
             box.height,
-            axes_.xAxis.scale,
-            axes_.yAxis.scale,
-            value(axes_.xAxis.scale, x.from),
-            value(axes_.xAxis.scale, x.to),
-            value(axes_.yAxis.scale, y.from),
-            value(axes_.yAxis.scale, y.to)};
+            x.scale,
+            y.scale,
+            axisValue(x.scale, x.range.from),
+            axisValue(x.scale, x.range.to),
+            axisValue(y.scale, y.range.from),
+            axisValue(y.scale, y.range.to)};
   }
-
-  float frameHeight() const { return axes_.box.height; }
 
   /// Returns whether the title of the y-axis fits.
   bool hasTitle() const {
@@ -103,7 +97,7 @@ class Panel {
         std::ranges::move(clippedCurve(series, axes_), std::back_inserter(borders));
       if (diagram_.marker) borders.push_back(markerLine());
       if (diagram_.marker && diagram_.marker->isCross) {
-        const float y = axes_.py(axisPlace(axes_.yAxis.scale, diagram_.marker->y));
+        const float y = axes_.py(axisPosition(axes_.yAxis.scale, diagram_.marker->y));
         borders.push_back({{box.x, y}, {box.right(), y}});
       }
       addContours(list, *diagram_.field, axes_, sizes_, taken, borders);
@@ -141,7 +135,7 @@ class Panel {
   /// Returns the line of the marker from the bottom to the top.
   std::vector<DrawPoint> markerLine() const {
     const Box& box = axes_.box;
-    const float x = axes_.px(axisPlace(axes_.xAxis.scale, diagram_.marker->x));
+    const float x = axes_.px(axisPosition(axes_.xAxis.scale, diagram_.marker->x));
     return {{x, box.y}, {x, box.bottom()}};
   }
 
@@ -252,7 +246,7 @@ class Panel {
     float bar = 0;
     if (diagram_.field) {
       colours_ = colourAxis(*diagram_.field, box.height, sizes_);
-      bar = widthOfColourBar(colours_, sizes_);
+      bar = colourBarWidth(colours_, sizes_);
     }
     box.x = std::round(std::max(left_, cell_.x + leftOfAxes(axes_, sizes_)));
     const auto fit = [&](float overhang) {
@@ -264,7 +258,7 @@ class Panel {
     fit(overhang());
     styles_ = seriesStyles(diagram_, sizes_, theme_, box.width);
     // Letters that must not get smaller need more of a narrow frame.
-    const float widest = sizes_.minFontSize > 7 ? 0.95F : 0.7F;
+    const float widest = sizes_.minFontSize > kSmallestFont ? 0.95F : 0.7F;
     legend_ =
         sizes_.legendMode == LegendMode::None || below_ > 0
             ? Legend{}
@@ -446,6 +440,17 @@ std::vector<Panel> placePanels(const DiagramSheet& sheet, const DiagramOptions& 
   return std::ranges::all_of(others, &Panel::isReadable) ? others : panels;
 }
 
+/// Returns the height of the lowest picture, from options.height in these steps, in which all
+/// panels pass the test; 0 where there is none up to `highest`.
+int lowestHeight(const DiagramSheet& sheet, DiagramOptions options, int step, int highest,
+                 bool (Panel::*test)() const) {
+  for (; options.height <= highest; options.height += step) {
+    DrawList list = emptyList(options);
+    if (std::ranges::all_of(placePanels(sheet, options, list), test)) return options.height;
+  }
+  return 0;
+}
+
 }  // namespace
 
 DiagramOptions printOptions(const DiagramSheet& sheet, const Theme& theme) {
@@ -458,30 +463,18 @@ DiagramOptions printOptions(const DiagramSheet& sheet, const Theme& theme) {
   return options;
 }
 
-int heightForAll(const DiagramSheet& english, const DiagramOptions& asked) {
+int heightForAll(const DiagramSheet& english, const DiagramOptions& options) {
   constexpr int kHighest = 20000;
-  const DiagramSheet sheet = prepared(english, asked);
-  DiagramOptions options = asked;
-  for (; options.height <= kHighest; options.height += 10) {
-    DrawList list = emptyList(options);
-    if (std::ranges::all_of(placePanels(sheet, options, list), &Panel::isWellReadable))
-      return options.height;
-  }
-  return 0;
+  return lowestHeight(prepared(english, options), options, 10, kHighest, &Panel::isWellReadable);
 }
 
-int heightInPrint(const DiagramSheet& english, const DiagramOptions& asked) {
-  if (english.diagrams.size() < 2 && !asked.above) return asked.height;
-  const DiagramSheet sheet = prepared(english, asked);
-  DiagramOptions options = asked;
+int heightInPrint(const DiagramSheet& english, const DiagramOptions& options) {
+  if (english.diagrams.size() < 2 && !options.above) return options.height;
   // Steps of half a letter, to three times the width, which is more than a page.
-  const int step = std::max(1, static_cast<int>(asked.format.fontSize / 2));
-  for (; options.height <= 3 * asked.width; options.height += step) {
-    DrawList list = emptyList(options);
-    if (std::ranges::all_of(placePanels(sheet, options, list), &Panel::isWhole))
-      return options.height;
-  }
-  return asked.height;
+  const int step = std::max(1, static_cast<int>(options.format.fontSize / 2));
+  const int height =
+      lowestHeight(prepared(english, options), options, step, 3 * options.width, &Panel::isWhole);
+  return height > 0 ? height : options.height;
 }
 
 float lowestFrame(const DiagramSheet& english, const DiagramOptions& options) {
@@ -489,7 +482,7 @@ float lowestFrame(const DiagramSheet& english, const DiagramOptions& options) {
   DrawList list = emptyList(options);
   float lowest = std::numeric_limits<float>::infinity();
   for (const Panel& panel : placePanels(sheet, options, list))
-    lowest = std::min(lowest, panel.isReadable() ? panel.frameHeight() : 0);
+    lowest = std::min(lowest, panel.isReadable() ? panel.frame().height : 0);
   return lowest / sizesFor(sheet, options).tick;
 }
 
@@ -528,7 +521,8 @@ std::vector<DiagramFrame> diagramFrames(const DiagramSheet& english,
   const DiagramSheet sheet = prepared(english, options);
   DrawList list = emptyList(options);
   std::vector<DiagramFrame> frames;
-  for (const Panel& panel : placePanels(sheet, options, list)) frames.push_back(panel.place());
+  for (const Panel& panel : placePanels(sheet, options, list))
+    frames.push_back(panel.diagramFrame());
   return frames;
 }
 

@@ -3,23 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/chart/sensitivity_sheet.h"
-#include "ui/chart/diagram_colours.h"
-#include "ui/chart/marks.h"
 #include "ui/draw/fonts.h"
-#include "ui/draw/stroke_pattern.h"
 #include "ui/draw/theme.h"
 
 namespace asperity {
 namespace {
 
-// These are in units.
-constexpr float kCurve = 2, kRampCurve = 1.7F, kTheory = 1.4F, kErrorBar = 1.2F;
-constexpr float kMark = 7.2F, kSmallestMark = 3.6F, kRim = 0.8F;
-// These are in line widths.
-constexpr float kDash = 3.6F, kDashGap = 2.6F, kDotGap = 2.3F;
+constexpr float kErrorBar = 1.2F, kRim = 0.8F;  // units
 constexpr float kBandAlpha = 0.2F;
-constexpr float kFaded = 0.3F;  // opacity of a faded series
 
 bool holds(const Box& box, const DrawPoint& p) {
   constexpr float kEdge = 0.5F;  // tolerance for points at the very end of an axis
@@ -168,62 +159,6 @@ std::vector<DrawPoint> thinned(const std::vector<DrawPoint>& points) {
   return kept;
 }
 
-std::vector<SeriesStyle> seriesStyles(const Diagram& diagram, const DiagramSizes& sizes,
-                                      const Theme& theme, float pixels) {
-  std::vector<SeriesStyle> styles;
-  int next = 0;
-  for (const DiagramSeries& series : diagram.series) {
-    SeriesStyle style;
-    const bool onRamp = std::isfinite(series.ramp);
-    const int before = next;
-    if (series.isTheory)
-      style.colour = theme.text;
-    else if (onRamp)
-      style.colour = rampColour(series.ramp, theme);
-    else
-      style.colour = seriesColour(series.colour >= 0 ? series.colour : next++, theme);
-    if (series.paint) {
-      style.colour = colourFrom(*series.paint);
-      next = before;
-    }
-    if (series.isFaded) style.colour = mix(theme.background, style.colour, kFaded);
-    const float usual = sizes.curve > 0 ? sizes.curve / kCurve : sizes.unit;
-    style.width = (series.isTheory ? kTheory : onRamp ? kRampCurve : kCurve) * usual;
-    style.stroke = series.stroke;
-    // Series that share a colour have different strokes.
-    if (next > kDistinctColours && series.colour < 0 && style.stroke == SeriesStroke::Solid)
-      style.stroke = SeriesStroke::Dashed;
-    style.mark = series.mark;
-    const float apart = pixels / static_cast<float>(series.points.size() + 1);
-    style.markSize = std::clamp(0.55F * apart, kSmallestMark * sizes.unit, kMark * sizes.unit);
-    style.isBand = series.isBand;
-    style.hasBars = !series.isBand &&
-                    std::any_of(series.points.begin(), series.points.end(),
-                                [](const DiagramPoint& point) { return point.high > point.low; });
-    styles.push_back(style);
-  }
-  return styles;
-}
-
-void addStroke(DrawLayer& layer, const std::vector<DrawPoint>& points, const SeriesStyle& style) {
-  const float w = style.width;
-  switch (style.stroke) {
-    case SeriesStroke::None:
-      return;
-    case SeriesStroke::Solid:
-      return addLine(layer, points, w, style.colour);
-    case SeriesStroke::Dashed:
-      // The round ends of a dash make it one width longer, and the gap one width shorter.
-      for (Polyline& dash : dashed(points, (kDash - 1) * w, (kDashGap + 1) * w))
-        addLine(layer, std::move(dash), w, style.colour);
-      return;
-    case SeriesStroke::Dotted:
-      for (Polyline& dot : dashed(points, 0, kDotGap * w))
-        addLine(layer, std::move(dot), 1.15F * w, style.colour);
-      return;
-  }
-}
-
 void addSeries(DrawList& list, const Diagram& diagram, const std::vector<SeriesStyle>& styles,
                const DiagramAxes& axes, const DiagramSizes& sizes, const Theme& theme) {
   DrawLayer bands;
@@ -286,11 +221,11 @@ void addHorizontalBars(DrawList& list, const Diagram& diagram, const DiagramAxes
     const float y = box.y + (static_cast<float>(i) + 0.5F) * row;
     const Rgba colour = seriesColour(bar.value < 0 ? 1 : 0, theme);
     addRectangle(layer, {std::min(zero, end), y - half, std::abs(end - zero), 2 * half},
-                 isSignificant(bar) ? colour : mix(colour, theme.background, kPale));
+                 bar.isSignificant() ? colour : mix(colour, theme.background, kPale));
     if (!std::isfinite(bar.error)) continue;
     const float low = axes.px(bar.value - bar.error), high = axes.px(bar.value + bar.error);
     const float cap = 0.5F * half;
-    const Rgba ink = isSignificant(bar) ? theme.text : theme.faintText;
+    const Rgba ink = bar.isSignificant() ? theme.text : theme.faintText;
     addLine(layer, {{low, y}, {high, y}}, 1.4F * sizes.unit, ink);
     for (const float x : {low, high})
       addLine(layer, {{x, y - cap}, {x, y + cap}}, 1.4F * sizes.unit, ink);

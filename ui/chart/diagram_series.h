@@ -5,24 +5,11 @@
 #include <vector>
 
 #include "ui/chart/diagram_axes.h"
-#include "ui/draw/occupancy_grid.h"
-#include "ui/draw/stroke_pattern.h"
+#include "ui/chart/diagram_style.h"
+#include "ui/chart/occupancy_grid.h"
+#include "ui/draw/polyline.h"
 
 namespace asperity {
-
-/// The appearance of a series in its diagram and in the legend. Pixels.
-struct SeriesStyle {
-  Rgba colour;
-  float width = 2;
-  SeriesStroke stroke = SeriesStroke::Solid;
-  SeriesMark mark = SeriesMark::None;
-  float markSize = 7;
-  bool isBand = false, hasBars = false;
-};
-
-/// Returns one style for each series; marks shrink where points are dense in a frame `pixels` wide.
-std::vector<SeriesStyle> seriesStyles(const Diagram& diagram, const DiagramSizes& sizes,
-                                      const Theme& theme, float pixels);
 
 /// Returns the curve of a series inside the frame, in parts without gaps.
 std::vector<Polyline> clippedCurve(const DiagramSeries& series, const DiagramAxes& axes);
@@ -30,9 +17,6 @@ std::vector<Polyline> clippedCurve(const DiagramSeries& series, const DiagramAxe
 /// Returns the lowest and the highest point of each pixel column, in their order; both ends are
 /// kept. x ascends.
 std::vector<DrawPoint> thinned(const std::vector<DrawPoint>& points);
-
-/// Adds a line in a series' stroke.
-void addStroke(DrawLayer& layer, const std::vector<DrawPoint>& points, const SeriesStyle& style);
 
 /// Adds bands, then theory, then the data in its order.
 void addSeries(DrawList& list, const Diagram& diagram, const std::vector<SeriesStyle>& styles,

@@ -142,10 +142,6 @@ AxisRange steadyRange(const AxisRange& shown, const AxisRange& needed, bool mayS
   return next;
 }
 
-QString readingLabel(double value, int digits) {
-  return QString::fromStdString(shortNumber(value, digits));
-}
-
 void FrictionChartModel::expect(const Scene& scene) {
   expected_ = scene;
   const bool isOtherAxis = scene.sweep.key != sweptKey_;

@@ -29,9 +29,6 @@ AxisRange decadesAround(double low, double high);
 /// `mayShrink` is set and an end lies two decades or more outside the data.
 AxisRange steadyRange(const AxisRange& shown, const AxisRange& needed, bool mayShrink);
 
-/// Returns a number with a few digits for reading: shortNumber() of ui/draw.
-QString readingLabel(double value, int digits = 3);
-
 /// A curve that stays while the scene changes.
 struct PinnedCurve {
   int id = 0;           // above 0, never reused

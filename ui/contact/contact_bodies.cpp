@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/contact/contact_glow.h"
 #include "ui/contact/contact_parts.h"
 #include "ui/contact/decimate.h"
 #include "ui/draw/theme.h"
@@ -13,7 +12,7 @@ using Curve = std::vector<CurveVertex>;
 
 constexpr float kLongestStroke = 0.22F;  // of the plot's height, at the end of the scale
 
-std::vector<DrawPoint> pixelsOf(const Curve& curve, const ContactLayout& layout) {
+std::vector<DrawPoint> toPixels(const Curve& curve, const ContactLayout& layout) {
   std::vector<DrawPoint> points;
   points.reserve(curve.size());
   for (const CurveVertex& v : curve) points.push_back({layout.px(v.x), layout.py(v.height)});
@@ -82,7 +81,7 @@ DrawLayer rigidLayer(const Frame& frame, const Curve& line, const ContactLayout&
   DrawLayer layer;
   const Theme& t = layout.theme;
   const Box& p = layout.plot;
-  const float bottom = lowestRow(pixelsOf(line, layout), layout);
+  const float bottom = lowestRow(toPixels(line, layout), layout);
   if (t.isPaper) {
     addRectangle(layer, {p.x, p.y, p.width, bottom - p.y}, t.rigid);
     addHatching(layer, frame, layout, bottom);
@@ -99,8 +98,8 @@ DrawLayer elastomerLayer(const Curve& line, const Curve& surface, const ContactL
   DrawLayer layer;
   const Theme& t = layout.theme;
   const float bottom = layout.plot.bottom();
-  const std::vector<DrawPoint> points = pixelsOf(surface, layout);
-  fillBelow(layer, pixelsOf(line, layout), lowestRow(points, layout),
+  const std::vector<DrawPoint> points = toPixels(surface, layout);
+  fillBelow(layer, toPixels(line, layout), lowestRow(points, layout),
             [&](float) { return t.panel; });
   if (t.isPaper) {
     fillBelow(layer, points, bottom, [&](float) { return t.elastomer; });
@@ -217,7 +216,7 @@ void addMark(DrawLayer& layer, const Frame& frame, const ContactLayout& layout) 
   const double value = values.empty() ? 0 : values[point];
   const Rgba bright =
       layout.scale.isShown() && value > 0 ? layout.scale.colour(value) : layout.scale.colourAt(1);
-  const double period = frame.spacing * static_cast<double>(frame.lineHeight.size());
+  const double period = periodLength(frame);
   const double at = frame.spacing * static_cast<double>(point);
   for (double k = std::ceil((layout.view.left - at) / period);
        at + k * period <= layout.view.left + layout.view.width; ++k) {

@@ -1,8 +1,8 @@
-#include "ui/contact/contact_glow.h"
-
+// The light below coloured parts of the elastomer's surface.
 #include <algorithm>
 #include <cmath>
 
+#include "ui/contact/contact_parts.h"
 #include "ui/draw/theme.h"
 
 namespace asperity {

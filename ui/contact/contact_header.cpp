@@ -4,7 +4,6 @@
 
 #include "ui/contact/contact_forces.h"
 #include "ui/contact/contact_parts.h"
-#include "ui/contact/contact_tags.h"
 #include "ui/draw/fonts.h"
 #include "ui/language/translated.h"
 #include "ui/language/words.h"
@@ -26,7 +25,7 @@ struct PlacedReading {
   DrawPoint at;
 };
 
-float widthOf(const Reading& reading, const Sizes& s) {
+float readingWidth(const Reading& reading, const Sizes& s) {
   return std::max(textWidth(reading.label, s.small), textWidth(reading.value, s.body, true));
 }
 
@@ -76,7 +75,7 @@ std::string frictionTip(const Frame& frame) {
 
 /// Returns the readings of the state that is drawn. While it approaches the steady state, the
 /// friction of the steady state is shown, too.
-std::vector<Reading> readingsOf(const Frame& frame) {
+std::vector<Reading> makeReadings(const Frame& frame) {
   std::vector<Reading> readings;
   const bool isSteady = !frame.transient;
   const ContactState state = drawnState(frame);
@@ -141,7 +140,7 @@ std::vector<std::vector<Reading>> flow(const std::vector<Reading>& readings, flo
   std::vector<std::vector<Reading>> rows(1);
   float used = 0;
   for (const Reading& reading : readings) {
-    const float needed = widthOf(reading, s);
+    const float needed = readingWidth(reading, s);
     if (!rows.back().empty() && used + gap + needed > width) {
       rows.emplace_back();
       used = 0;
@@ -158,7 +157,7 @@ void dropLeastImportant(std::vector<Reading>& readings) {
                        [](const Reading& a, const Reading& b) { return a.rank < b.rank; }));
 }
 
-std::string lineOf(const Surface& surface) {
+std::string surfaceName(const Surface& surface) {
   switch (surface.kind) {
     case SurfaceKind::SelfAffine:
       return surface.rmsHeight > 0 ? Words::tr("A rough rigid line")
@@ -178,18 +177,18 @@ std::string lineOf(const Surface& surface) {
   return Words::tr("A rigid line");
 }
 
-std::string titleOf(const Frame& frame) {
+std::string pictureTitle(const Frame& frame) {
   if (!frame.scene) return Words::tr("A rigid line on an elastomer");
   if (!frame.scene->title.empty()) return sceneText(frame.scene->title).toStdString();
   const bool rests = frame.scene->sliding.velocity == 0;
   return filled(
       rests ? Words::tr("%1 rests on an elastomer") : Words::tr("%1 slides over an elastomer"),
-      {lineOf(frame.scene->surface)});
+      {surfaceName(frame.scene->surface)});
 }
 
 /// Returns "t = 3.2 ms, slid 1.5 mm", of a motion that returns "displaced by 1.5 mm", or nothing
 /// before the first step.
-std::string progressOf(const Frame& frame) {
+std::string progressText(const Frame& frame) {
   if (!(frame.time > 0)) return {};
   constexpr double kRounding = 1e-12;  // part of the period, for a motion that returned
   const double slid = std::abs(frame.distance);
@@ -215,15 +214,16 @@ struct TitleLine {
 TitleLine titleLine(const Frame& frame, const ContactPictureOptions& options) {
   const Sizes s = sizesFor(options);
   const auto width = static_cast<float>(options.width);
-  TitleLine line{titleOf(frame), {}, progressOf(frame), std::round(16 * s.unit), 0, 0, s.title};
+  TitleLine line{
+      pictureTitle(frame), {}, progressText(frame), std::round(16 * s.unit), 0, 0, s.title};
   const float progress = textWidth(line.progress, s.small);
   line.progressAt = std::floor(width - line.side - progress);
   const float alone = width - 2 * line.side, beside = alone - progress - 2 * line.side;
   const float wanted = textWidth(line.whole, s.title, true);
   if (!(progress < 0.4F * width) || (wanted > beside && wanted <= alone)) line.progress.clear();
   line.width = line.progress.empty() ? alone : beside;
-  line.size = fittingSize(line.whole, s.title, std::max(7.0F, std::round(0.8F * s.title)), true,
-                          line.width);
+  line.size = fittingSize(line.whole, s.title, std::max(kSmallestFont, std::round(0.8F * s.title)),
+                          true, line.width);
   line.shown = elided(line.whole, line.size, true, line.width);
   return line;
 }
@@ -254,13 +254,13 @@ std::vector<PlacedReading> placedReadings(const Frame& frame, const ContactPictu
   const float side = std::round(16 * s.unit), gap = std::round(26 * s.unit);
   const float most = 0.4F * static_cast<float>(options.height);
   const float width = static_cast<float>(options.width) - 2 * side;
-  std::vector<Reading> readings = readingsOf(frame);
+  std::vector<Reading> readings = makeReadings(frame);
   const auto tooMuch = [&](const auto& rows) {
     // One reading alone below a full row would take the picture's height, and come and go with the
     // digits of the others.
     const bool hasWidow = rows.size() == 2 && rows[0].size() > 4 && rows[1].size() == 1;
     return titleHeight(s) + static_cast<float>(rows.size()) * rowHeight(s) > most ||
-           widthOf(rows[0][0], s) > width || hasWidow;
+           readingWidth(rows[0][0], s) > width || hasWidow;
   };
   while (!readings.empty() && tooMuch(flow(readings, width, gap, s))) dropLeastImportant(readings);
   std::vector<PlacedReading> placed;
@@ -269,7 +269,7 @@ std::vector<PlacedReading> placedReadings(const Frame& frame, const ContactPictu
     float x = side;
     for (const Reading& reading : row) {
       placed.push_back({reading, {x, baseline}});
-      x += std::round(widthOf(reading, s) + gap);
+      x += std::round(readingWidth(reading, s) + gap);
     }
     baseline += rowHeight(s);
   }
@@ -299,19 +299,18 @@ float addHeader(DrawList& list, const Frame& frame, const ContactPictureOptions&
   return std::round(readings.back().at.y + rowHeight(s) + s.body * 0.4F);
 }
 
-std::vector<ContactReading> contactReadings(const Frame& frame,
-                                            const ContactPictureOptions& options) {
-  std::vector<ContactReading> readingBoxes;
-  if (!options.title || !hasHeader(options)) return readingBoxes;
+std::vector<ContactSign> contactReadings(const Frame& frame, const ContactPictureOptions& options) {
+  std::vector<ContactSign> signs;
+  if (!options.title || !hasHeader(options)) return signs;
   const Sizes s = sizesFor(options);
   if (const TitleLine line = titleLine(frame, options); line.shown != line.whole)
-    readingBoxes.push_back({{line.side, 0, line.width, titleHeight(s)}, line.shown, line.whole});
+    signs.push_back({{line.side, 0, line.width, titleHeight(s)}, line.shown, {}, line.whole});
   for (const auto& [reading, at] : placedReadings(frame, options, titleBaseline(s)))
-    readingBoxes.push_back({{at.x, at.y + 0.25F * s.body, widthOf(reading, s), rowHeight(s)},
-                            plainText(reading.label),
-                            reading.tip,
-                            reading.id});
-  return readingBoxes;
+    signs.push_back({{at.x, at.y + 0.25F * s.body, readingWidth(reading, s), rowHeight(s)},
+                     plainText(reading.label),
+                     reading.id,
+                     reading.tip});
+  return signs;
 }
 
 }  // namespace asperity

@@ -275,7 +275,7 @@ void nameElastomer(TagPainter& painter, const Frame& frame, const ContactLayout&
 }  // namespace
 
 Notes addLabels(DrawList& list, const Frame& frame, const ContactLayout& layout,
-                std::vector<HandlePosition>* handles) {
+                std::vector<ContactSign>* signs) {
   Notes notes = notesFor(frame, layout);
   DrawLayer layer, plates;
   TagPainter painter(list, plates, layer, layout);
@@ -293,15 +293,16 @@ Notes addLabels(DrawList& list, const Frame& frame, const ContactLayout& layout,
   if (arrows.down > 0)
     addForceArrows({plates, layer}, arrows, arrowFoot(arrows, layout, top), layout);
   nameElastomer(painter, frame, layout, notes);
-  if (handles) {
-    *handles = painter.handles();
+  if (signs) {
+    *signs = painter.signs();
     if (arrows.down > 0) {
       const DrawPoint foot = arrowFoot(arrows, layout, top);
       const float reach = 9 * layout.sizes.unit;
-      handles->push_back({ContactHandle::Force,
-                          {foot.x - reach, foot.y, 2 * reach, arrows.down + reach},
-                          "load.normal_force",
-                          plainText(pressingTag(frame, arrows).before)});
+      signs->push_back({{foot.x - reach, foot.y, 2 * reach, arrows.down + reach},
+                        plainText(pressingTag(frame, arrows).before),
+                        "load.normal_force",
+                        {},
+                        ContactHandle::Force});
     }
   }
   list.layers.insert(list.layers.end() - 1, std::move(plates));  // the last layer has the curves

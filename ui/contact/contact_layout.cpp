@@ -115,13 +115,14 @@ Sizes sizesFor(const ContactPictureOptions& options) {
   const float scale = options.scale > 0 ? options.scale : 1;
   const float available = std::min(static_cast<float>(options.width) / (1280 * scale),
                                    static_cast<float>(options.height) / (720 * scale));
-  // Small pictures shrink their texts a little; large ones enlarge them less than the picture.
-  const float usual =
-      scale * (available > 1 ? std::pow(available, 0.7F) : std::clamp(available, 0.85F, 1.0F));
-  const float unit = options.fontSize > 0 ? options.fontSize / 12 : usual;
-  const auto font = [&](float size) { return std::max(7.0F, std::round(size * unit)); };
+  const float unit = options.fontSize > 0 ? options.fontSize / 12 : scale * textScale(available);
+  const auto font = [&](float size) { return std::max(kSmallestFont, std::round(size * unit)); };
   const float curve = options.lineWidth > 0 ? options.lineWidth : 1.7F * unit;
   return {unit, font(19), font(14), font(12), curve};
+}
+
+float Sizes::labelHeight() const {
+  return std::round(1.75F * (small + 1));
 }
 
 double ContactLayout::pixelsPerMetreX() const {

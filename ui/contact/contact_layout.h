@@ -14,6 +14,9 @@ struct Sizes {
   float unit = 1;  // of line widths and distances
   float title = 18, body = 13, small = 11;
   float curve = 1.7F;  // width of line and surface, pixels
+
+  /// Returns the height of the labels inside the axes.
+  float labelHeight() const;
 };
 Sizes sizesFor(const ContactPictureOptions& options);
 

@@ -38,8 +38,8 @@ Heights heightsIn(const Frame& frame, const ContactView& view, float pixels) {
 
 /// Returns the view of the inset, with at least the part `below` of its height free under both
 /// curves. Its heights end at round values, so that they stay fixed while a contact is followed.
-ContactView partOf(const Frame& frame, const Magnifier& magnifier, const ContactLayout& layout,
-                   float pixels, double below) {
+ContactView insetView(const Frame& frame, const Magnifier& magnifier, const ContactLayout& layout,
+                      float pixels, double below) {
   constexpr double kAround = 1.6;  // times the curves' range
   ContactView view = layout.view;
   const double enlargement = magnifier.enlargement > 1 ? magnifier.enlargement : 1;
@@ -68,12 +68,6 @@ Box sourceBox(const ContactView& part, const ContactLayout& layout) {
   const float least = 6 * layout.sizes.unit;
   const float width = std::max(right - left, least), height = std::max(bottom - top, least);
   return {0.5F * (left + right - width), 0.5F * (top + bottom - height), width, height};
-}
-
-void addBorder(DrawLayer& layer, const Box& b, float width, const Rgba& colour) {
-  addLine(layer,
-          {{b.x, b.y}, {b.right(), b.y}, {b.right(), b.bottom()}, {b.x, b.bottom()}, {b.x, b.y}},
-          width, colour);
 }
 
 /// Adds lines from the enlarged part to the inset's near corners.
@@ -166,11 +160,11 @@ std::optional<Box> zoomIn(ContactLayout& inset, const Frame& frame, const Magnif
                           const ContactLayout& layout) {
   std::optional<Box> plate;
   for (const double below : {0.0, 0.3, 0.4, 0.5}) {
-    inset.view = partOf(frame, magnifier, layout, inset.plot.width, below);
+    inset.view = insetView(frame, magnifier, layout, inset.plot.width, below);
     plate = clearPlate(ScaleBars(inset), frame, inset);
     if (plate) return plate;
   }
-  inset.view = partOf(frame, magnifier, layout, inset.plot.width, 0);
+  inset.view = insetView(frame, magnifier, layout, inset.plot.width, 0);
   return plate;
 }
 
@@ -188,10 +182,9 @@ Box magnifierBox(const Frame& frame, const Magnifier& magnifier, const ContactLa
   // The inset avoids the labels: on the left it is below their row, on the right it is at the
   // bottom, away from the forces.
   const float low = plot.bottom() - edge - height;
-  const float top = plot.y + std::round(1.75F * (layout.sizes.small + 1)) + 2 * edge;
+  const float top = plot.y + layout.sizes.labelHeight() + 2 * edge;
   // In a low plot it ends above the elastomer's name, where that leaves enough of it.
-  const float name =
-      plot.bottom() - std::round(9 * u) - std::round(1.75F * (layout.sizes.small + 1));
+  const float name = plot.bottom() - std::round(9 * u) - layout.sizes.labelHeight();
   const float above = name - std::round(4 * u) - top;
   if (isLeft && above >= 0.8F * kMinHeight * u)
     return {plot.x + edge, top, width, std::min(height, above)};
@@ -215,13 +208,13 @@ void addMagnifier(DrawList& list, const Frame& frame, const Magnifier& magnifier
   DrawLayer below;
   below.clip = layout.plot;
   const Box source = sourceBox(inset.view, layout);
-  addBorder(below, source, 1.6F * u, ink);
+  addOutline(below, source, 1.6F * u, ink);
   addConnection(below, source, box, 1.2F * u, withAlpha(ink, 0.55F));
   list.layers.push_back(std::move(below));
   addBodies(list, frame, inset);
   DrawLayer above;
   if (plate) ScaleBars(inset).addTo(list, above, *plate);
-  addBorder(above, box, 2.2F * u, ink);
+  addOutline(above, box, 2.2F * u, ink);
   list.layers.push_back(std::move(above));
   addHeading(list, inset, inset.pixelsPerMetreX() / layout.pixelsPerMetreX());
 }

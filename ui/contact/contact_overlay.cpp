@@ -1,6 +1,7 @@
 #include "ui/contact/contact_overlay.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -20,9 +21,21 @@ constexpr int kPowerDecades = 3;
 // A free surface has recovered after this many of its longest relaxation times.
 constexpr double kRelaxationTimes = 4;
 
-std::string_view unitOf(ContactOverlay overlay) {
-  if (overlay == ContactOverlay::Relaxation) return "s";
-  return overlay == ContactOverlay::Power ? "W/m" : "N/m";
+struct OverlayEntry {
+  std::string_view word, unit, explanation;
+  const std::vector<double> Frame::*values;
+  double ContactView::*maximum;
+};
+
+/// The overlays in the order of their enumeration.
+constexpr std::array<OverlayEntry, 4> kOverlays{
+    {{"none", "", "", nullptr, nullptr},
+     {"pressure", "N/m", "contact pressure", &Frame::pressure, &ContactView::pressure},
+     {"relaxation", "s", "time since contact", &Frame::sinceContact, &ContactView::age},
+     {"power", "W/m", "dissipated power", &Frame::power, &ContactView::power}}};
+
+const OverlayEntry& overlayEntry(ContactOverlay overlay) {
+  return kOverlays[static_cast<std::size_t>(overlay)];
 }
 
 /// Returns the maximum with the unit of the numbers before it: "200 N/m" or, where there is no
@@ -32,7 +45,7 @@ std::string lastLabel(double end, const AxisTicks& axis, std::string_view unit) 
   return hasPrefix ? shortNumber(end / axis.unitSize) + " " + axis.unit : quantity(end, unit);
 }
 
-double greatestOf(const std::vector<double>& values) {
+double greatestFinite(const std::vector<double>& values) {
   double greatest = 0;
   for (const double value : values)
     if (std::isfinite(value)) greatest = std::max(greatest, value);
@@ -56,16 +69,11 @@ FrameFields fieldsFor(ContactOverlay overlay) {
 }
 
 std::string_view wordFor(ContactOverlay overlay) {
-  switch (overlay) {
-    case ContactOverlay::Pressure:
-      return "pressure";
-    case ContactOverlay::Relaxation:
-      return "relaxation";
-    case ContactOverlay::Power:
-      return "power";
-    default:
-      return "none";
-  }
+  return overlayEntry(overlay).word;
+}
+
+std::string_view explanationId(ContactOverlay overlay) {
+  return overlayEntry(overlay).explanation;
 }
 
 float ColourScale::position(double value) const {
@@ -107,8 +115,8 @@ std::string ColourScale::shortTitle() const {
 }
 
 std::vector<ColourTick> ColourScale::ticks(int most) const {
-  const AxisTicks round = linearTicks(0, maximum, most, unitOf(overlay));
-  const std::string last = lastLabel(maximum, round, unitOf(overlay));
+  const AxisTicks round = linearTicks(0, maximum, most, overlayEntry(overlay).unit);
+  const std::string last = lastLabel(maximum, round, overlayEntry(overlay).unit);
   std::vector<ColourTick> ticks;
   if (overlay == ContactOverlay::Power) {
     // All numbers share one unit; without units they are short enough to fit at each decade.
@@ -129,7 +137,7 @@ std::string reasonUncoloured(const Frame& frame, ContactOverlay overlay) {
   const std::vector<double>& values = overlayValues(frame, overlay);
   if (!isDrawable(frame) || values.size() != frame.lineHeight.size()) return {};
   const bool showsPressure = overlay == ContactOverlay::Pressure;
-  if (showsPressure ? greatestPressure(frame) > 0 : greatestOf(values) > 0) return {};
+  if (showsPressure ? greatestPressure(frame) > 0 : greatestFinite(values) > 0) return {};
   const bool rests = frameVelocity(frame) == 0;
   // If all points were in contact, they would bear pressure.
   const bool touches =
@@ -147,16 +155,8 @@ std::string reasonUncoloured(const Frame& frame, ContactOverlay overlay) {
 
 const std::vector<double>& overlayValues(const Frame& frame, ContactOverlay overlay) {
   static const std::vector<double> none;
-  switch (overlay) {
-    case ContactOverlay::Pressure:
-      return frame.pressure;
-    case ContactOverlay::Relaxation:
-      return frame.sinceContact;
-    case ContactOverlay::Power:
-      return frame.power;
-    default:
-      return none;
-  }
+  const auto values = overlayEntry(overlay).values;
+  return values ? frame.*values : none;
 }
 
 double scaleMaximum(const Frame& frame, ContactOverlay overlay, double last) {
@@ -164,7 +164,7 @@ double scaleMaximum(const Frame& frame, ContactOverlay overlay, double last) {
   if (overlay == ContactOverlay::Pressure && !pointsBearLoad(frame)) return 0;
   if (overlay == ContactOverlay::Pressure && frame.steadyPressure > 0)
     return roundUp(kInHand * frame.steadyPressure);
-  double greatest = greatestOf(overlayValues(frame, overlay));
+  double greatest = greatestFinite(overlayValues(frame, overlay));
   if (overlay == ContactOverlay::Relaxation && greatest > 0)
     greatest = std::min(greatest, kRelaxationTimes * longestRelaxation(frame));
   if (!(greatest > 0) || (greatest <= last && greatest > 0.4 * last)) return last;
@@ -172,16 +172,8 @@ double scaleMaximum(const Frame& frame, ContactOverlay overlay, double last) {
 }
 
 double colourMaximum(const ContactView& view, ContactOverlay overlay) {
-  switch (overlay) {
-    case ContactOverlay::Pressure:
-      return view.pressure;
-    case ContactOverlay::Relaxation:
-      return view.age;
-    case ContactOverlay::Power:
-      return view.power;
-    default:
-      return 0;
-  }
+  const auto maximum = overlayEntry(overlay).maximum;
+  return maximum ? view.*maximum : 0;
 }
 
 }  // namespace asperity

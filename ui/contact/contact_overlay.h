@@ -16,6 +16,9 @@ FrameFields fieldsFor(ContactOverlay overlay);
 /// Returns "none", "pressure", "relaxation" or "power".
 std::string_view wordFor(ContactOverlay overlay);
 
+/// Returns the id of its explanation (core/chart/explanations.h); empty for None.
+std::string_view explanationId(ContactOverlay overlay);
+
 struct ColourTick {
   float position;  // on the bar, 0 to 1
   std::string label;

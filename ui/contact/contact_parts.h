@@ -7,8 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "ui/contact/contact_handles.h"
 #include "ui/contact/contact_layout.h"
+#include "ui/contact/contact_signs.h"
+#include "ui/contact/decimate.h"
 
 namespace asperity {
 
@@ -35,11 +36,18 @@ float addHeader(DrawList& list, const Frame& frame, const ContactPictureOptions&
 /// Adds both bodies, the gap, the curves and the coloured contacts.
 void addBodies(DrawList& list, const Frame& frame, const ContactLayout& layout);
 
+/// Adds triangles that start at the surface and fade with depth, in the colours of the contacts
+/// above.
+void addGlow(DrawLayer& layer, const std::vector<CurveVertex>& surface,
+             const std::vector<std::vector<CurveVertex>>& contacts, const ContactLayout& layout);
+
+/// Returns the depth of that light in pixels; its lower half is hardly visible.
+float glowDepth(const ContactLayout& layout);
+
 /// Adds the names of the bodies, the direction of sliding and the forces; call it after addBodies.
-/// Returns the texts for the footer. handles: receives the positions of labels and arrows; may be
-/// null.
+/// Returns the texts for the footer. signs: receives the labels and arrows; may be null.
 Notes addLabels(DrawList& list, const Frame& frame, const ContactLayout& layout,
-                std::vector<HandlePosition>* handles = nullptr);
+                std::vector<ContactSign>* signs = nullptr);
 
 /// Returns the notes that fit into the footer.
 Notes shownNotes(const ContactLayout& layout, const Notes& notes);

@@ -1,12 +1,15 @@
 #include "ui/contact/contact_picture.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
-#include "ui/contact/contact_handles.h"
+#include "ui/contact/contact_overlay.h"
 #include "ui/contact/contact_parts.h"
-#include "ui/contact/contact_probe.h"
+#include "ui/contact/decimate.h"
+#include "ui/draw/ticks.h"
 
 namespace asperity {
 namespace {
@@ -17,7 +20,79 @@ ContactPictureOptions tidy(ContactPictureOptions options) {
   return options;
 }
 
+// Space above and below the rough interface, relative to its height range, for the bodies and their
+// labels.
+constexpr double kSpaceAbove = 0.24, kSpaceBelow = 0.30;
+constexpr double kMaxPeriods = 50;
+
+struct Extent {
+  double low = 0, high = 0;
+  double size() const { return high - low; }
+};
+
+Extent interfaceExtent(const Frame& frame) {
+  Extent extent{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  for (const std::vector<double>* heights : {&frame.lineHeight, &frame.surfaceHeight}) {
+    for (const double height : *heights) {
+      if (!std::isfinite(height)) continue;
+      extent.low = std::min(extent.low, height);
+      extent.high = std::max(extent.high, height);
+    }
+  }
+  return extent.low <= extent.high ? extent : Extent{};
+}
+
+/// Extends the range of a flat interface to the undeformed surface, or to a micrometre around it.
+Extent withMinimumHeight(Extent extent) {
+  const double farthest = std::max(std::abs(extent.low), std::abs(extent.high));
+  if (extent.size() > 1e-9 * farthest) return extent;
+  if (farthest == 0) return {-0.5e-6, 0.5e-6};
+  return {std::min(extent.low, 0.0) - 0.2 * farthest, std::max(extent.high, 0.0) + 0.2 * farthest};
+}
+
+bool stillFits(const ContactView& view, const Extent& extent) {
+  const double size = view.top - view.bottom;
+  const double fill = extent.size() / size;
+  return size > 0 && fill > 0.48 && extent.high < view.top - 0.10 * size &&
+         extent.low > view.bottom + 0.09 * size;
+}
+
 }  // namespace
+
+ContactView fittedView(const Frame& frame, const std::optional<ContactView>& last) {
+  ContactView view = last.value_or(ContactView{});
+  const Extent extent = withMinimumHeight(interfaceExtent(frame));
+  if (!stillFits(view, extent)) {
+    // The ends are rounded outwards, so that small changes do not move the axis even without
+    // `last`.
+    const double grid = roundUp125(extent.size() / 20);
+    view.bottom = std::floor((extent.low - kSpaceBelow * extent.size()) / grid) * grid;
+    view.top = std::ceil((extent.high + kSpaceAbove * extent.size()) / grid) * grid;
+  }
+  view.pressure = scaleMaximum(frame, ContactOverlay::Pressure, view.pressure);
+  view.age = scaleMaximum(frame, ContactOverlay::Relaxation, view.age);
+  view.power = scaleMaximum(frame, ContactOverlay::Power, view.power);
+  return view;
+}
+
+ContactView resolvedView(const Frame& frame, const ContactView& view) {
+  const double period = isDrawable(frame)  ? periodLength(frame)
+                        : frame.length > 0 ? frame.length
+                                           : 1;
+  ContactView resolved = view;
+  if (!std::isfinite(resolved.left)) resolved.left = 0;
+  if (!(resolved.width > 0)) resolved.width = period;
+  resolved.width = std::min(resolved.width, kMaxPeriods * period);
+  const ContactView fitted = fittedView(frame);
+  if (!(resolved.bottom < resolved.top) || !std::isfinite(resolved.top - resolved.bottom)) {
+    resolved.bottom = fitted.bottom;
+    resolved.top = fitted.top;
+  }
+  if (!(resolved.pressure > 0)) resolved.pressure = fitted.pressure;
+  if (!(resolved.age > 0)) resolved.age = fitted.age;
+  if (!(resolved.power > 0)) resolved.power = fitted.power;
+  return resolved;
+}
 
 PreparedPicture prepareContact(const Frame& frame, const ContactPictureOptions& asked) {
   PreparedPicture prepared{tidy(asked), {}, {}};
@@ -36,35 +111,6 @@ Box contactPlotArea(const Frame& frame, const ContactPictureOptions& asked) {
 
 float contactUnit(const ContactPictureOptions& options) {
   return sizesFor(tidy(options)).unit;
-}
-
-std::vector<HandlePosition> contactHandles(const Frame& frame, const ContactPictureOptions& asked) {
-  PreparedPicture prepared = prepareContact(frame, asked);
-  prepared.list.layers.emplace_back();  // in place of the bodies
-  std::vector<HandlePosition> handles;
-  addLabels(prepared.list, frame, prepared.layout, &handles);
-  std::erase_if(handles, [](const HandlePosition& position) {
-    return position.handle == ContactHandle::None;
-  });
-  return handles;
-}
-
-ContactHandle handleAt(const Frame& frame, const ContactPictureOptions& asked, float x, float y) {
-  constexpr float kReach = 5;  // units below the line that still belong to the rigid body
-  for (const HandlePosition& handle : contactHandles(frame, asked))
-    if (handle.box.contains(x, y)) return handle.handle;
-  const PreparedPicture prepared = prepareContact(frame, asked);
-  const ContactPictureOptions& options = prepared.options;
-  const ContactLayout& layout = prepared.layout;
-  const Box& plot = layout.plot;
-  if (!plot.contains(x, y)) return ContactHandle::None;
-  if (options.magnifier && magnifierBox(frame, *options.magnifier, layout).contains(x, y))
-    return ContactHandle::None;
-  const auto reading =
-      probeReading(frame, layout.view.left + (x - plot.x) / layout.pixelsPerMetreX());
-  if (!reading || y > layout.py(reading->line) + kReach * layout.sizes.unit)
-    return ContactHandle::None;
-  return ContactHandle::Body;
 }
 
 DrawList composeContact(const Frame& frame, const ContactPictureOptions& asked) {

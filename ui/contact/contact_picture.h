@@ -71,16 +71,8 @@ Box contactPlotArea(const Frame& frame, const ContactPictureOptions& options);
 /// Returns the unit of line widths and distances, in pixels; its small texts are 12 units high.
 float contactUnit(const ContactPictureOptions& options);
 
-/// A reading above the axes: its box (pixels), its name, a sentence about it, and its explanation
-/// (an id of core/chart/explanations.h). A title that does not fit its line is the first one, with
-/// its full text as the sentence and no explanation.
-struct ContactReading {
-  Box box;
-  std::string name, tip;
-  std::string_view id{};
-};
-std::vector<ContactReading> contactReadings(const Frame& frame,
-                                            const ContactPictureOptions& options);
+/// Part of a picture's height for the contact above one diagram, and above two.
+inline constexpr double kContactPart = 0.54, kContactPartOfThree = 0.4;
 
 /// Draws shapes and texts. A frame without points gives empty axes; it never throws because of a
 /// frame's content. Each curve has at most two vertices per pixel column, so the cost does not grow

@@ -1,4 +1,4 @@
-// The reading at one element of a contact picture. Pure; any thread.
+// The reading at one element of a contact picture; contact_parts.h draws it. Pure; any thread.
 #pragma once
 
 #include <cstddef>

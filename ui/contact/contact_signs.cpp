@@ -1,9 +1,15 @@
 #include "ui/contact/contact_signs.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <utility>
 
+#include "core/scene/parameters.h"
 #include "ui/contact/contact_parts.h"
+#include "ui/contact/contact_probe.h"
 #include "ui/draw/fonts.h"
 
 namespace asperity {
@@ -17,24 +23,10 @@ Box lineAt(float left, float baseline, float width, float size) {
   return {left, baseline - kAboveBaseline * size, width, (kAboveBaseline + kBelowBaseline) * size};
 }
 
-std::string_view idOf(ContactOverlay overlay) {
-  switch (overlay) {
-    case ContactOverlay::Pressure:
-      return "contact pressure";
-    case ContactOverlay::Relaxation:
-      return "time since contact";
-    case ContactOverlay::Power:
-      return "dissipated power";
-    case ContactOverlay::None:
-      break;
-  }
-  return {};
-}
-
 /// Adds the legend of the colours: its title, its bar and the numbers below or beside it.
 void addLegendSign(std::vector<ContactSign>& signs, const ContactLayout& layout) {
   const LegendLayout& legend = layout.legend;
-  const std::string_view id = idOf(layout.scale.overlay);
+  const std::string_view id = explanationId(layout.scale.overlay);
   const bool hasBar = legend.bar.width > 0;
   if (id.empty() || (!hasBar && legend.title.empty())) return;
   const float size = layout.sizes.small;
@@ -80,14 +72,12 @@ void addFooterSigns(std::vector<ContactSign>& signs, const ContactLayout& layout
 
 std::vector<ContactSign> contactSigns(const Frame& frame, const ContactPictureOptions& asked) {
   PreparedPicture prepared = prepareContact(frame, asked);
-  std::vector<ContactSign> signs;
-  for (ContactReading& reading : contactReadings(frame, prepared.options))
-    signs.push_back({reading.box, std::move(reading.name), reading.id, std::move(reading.tip)});
+  std::vector<ContactSign> signs = contactReadings(frame, prepared.options);
   prepared.list.layers.emplace_back();  // in place of the bodies
-  std::vector<HandlePosition> labels;
+  std::vector<ContactSign> labels;
   const Notes notes = addLabels(prepared.list, frame, prepared.layout, &labels);
-  for (HandlePosition& label : labels)
-    if (!label.id.empty()) signs.push_back({label.box, std::move(label.name), label.id});
+  for (ContactSign& label : labels)
+    if (!label.id.empty()) signs.push_back(std::move(label));
   addAxisSigns(signs, prepared.layout);
   addLegendSign(signs, prepared.layout);
   addFooterSigns(signs, prepared.layout, notes);
@@ -99,6 +89,86 @@ std::optional<ContactSign> contactSignAt(const Frame& frame, const ContactPictur
   for (ContactSign& sign : contactSigns(frame, options))
     if (sign.box.contains(x, y)) return std::move(sign);
   return std::nullopt;
+}
+
+// ---- Handles
+
+namespace {
+
+constexpr double kDecadesDown = 2, kDecadesAcross = 4;
+
+double withFourDigits(double value) {
+  return std::strtod(fmt::format("{:.4g}", value).c_str(), nullptr);
+}
+
+}  // namespace
+
+std::vector<ContactSign> contactHandles(const Frame& frame, const ContactPictureOptions& asked) {
+  PreparedPicture prepared = prepareContact(frame, asked);
+  prepared.list.layers.emplace_back();  // in place of the bodies
+  std::vector<ContactSign> labels;
+  addLabels(prepared.list, frame, prepared.layout, &labels);
+  std::erase_if(labels,
+                [](const ContactSign& label) { return label.handle == ContactHandle::None; });
+  return labels;
+}
+
+ContactHandle handleAt(const Frame& frame, const ContactPictureOptions& asked, float x, float y) {
+  constexpr float kReach = 5;  // units below the line that still belong to the rigid body
+  for (const ContactSign& sign : contactHandles(frame, asked))
+    if (sign.box.contains(x, y)) return sign.handle;
+  const PreparedPicture prepared = prepareContact(frame, asked);
+  const ContactPictureOptions& options = prepared.options;
+  const ContactLayout& layout = prepared.layout;
+  const Box& plot = layout.plot;
+  if (!plot.contains(x, y)) return ContactHandle::None;
+  if (options.magnifier && magnifierBox(frame, *options.magnifier, layout).contains(x, y))
+    return ContactHandle::None;
+  const auto reading =
+      probeReading(frame, layout.view.left + (x - plot.x) / layout.pixelsPerMetreX());
+  if (!reading || y > layout.py(reading->line) + kReach * layout.sizes.unit)
+    return ContactHandle::None;
+  return ContactHandle::Body;
+}
+
+std::string_view draggedKey(ContactHandle handle, const Scene& scene) {
+  if (handle == ContactHandle::None) return {};
+  if (handle == ContactHandle::Velocity)
+    return scene.sliding.kind == SlidingKind::Oscillation ? "sliding.amplitude" : kVelocityKey;
+  switch (scene.load.kind) {
+    case LoadKind::Force:
+      return "load.normal_force";
+    case LoadKind::Pressure:
+      return "load.nominal_pressure";
+    case LoadKind::Indentation:
+      break;
+  }
+  return handle == ContactHandle::Body ? "load.depth" : "";
+}
+
+Scene dragged(const Scene& start, ContactHandle handle, const DragDistance& moved) {
+  const std::string_view key = draggedKey(handle, start);
+  const double displacement = handle == ContactHandle::Velocity ? moved.right : moved.down;
+  if (key.empty() || displacement == 0) return start;  // not even rounded
+  const Parameter& parameter = knownParameter(key);
+  const auto& field = std::get<RealField>(parameter.field);
+  const double before = std::get<double>(parameterValue(parameter, start));
+  double value = before;
+  if (key == "load.depth") {
+    // At least a thousandth of the depth remains, so that the body cannot leave the contact
+    // permanently.
+    value = std::max(before + moved.down * moved.height, 1e-3 * before);
+  } else if (handle == ContactHandle::Velocity) {
+    // A line at rest begins at the slowest velocity of the slider.
+    const double from = before > 0 ? before : field.sliderFrom;
+    if (before > 0 || moved.right > 0) value = from * std::pow(10, kDecadesAcross * moved.right);
+  } else {
+    value = before * std::pow(10, kDecadesDown * moved.down);
+  }
+  if (!std::isfinite(value)) return start;
+  Scene after = start;
+  setValue(parameter, after, std::clamp(withFourDigits(value), field.minimum, field.maximum));
+  return after;
 }
 
 }  // namespace asperity

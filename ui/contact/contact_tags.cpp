@@ -9,19 +9,6 @@
 
 namespace asperity {
 
-std::string plainText(const TextRuns& runs) {
-  std::string text;
-  for (const TextRun& run : runs) {
-    if (run.lowered && run.utf8 == "N")
-      text += "\u2099";
-    else if (run.lowered && run.utf8 == "x")
-      text += "\u2093";
-    else
-      text += run.utf8;
-  }
-  return text;
-}
-
 TagPainter::TagPainter(DrawList& list, DrawLayer& plates, DrawLayer& arrows,
                        const ContactLayout& layout)
     : list_(list),
@@ -32,7 +19,7 @@ TagPainter::TagPainter(DrawList& list, DrawLayer& plates, DrawLayer& arrows,
       inset_(std::round(9 * layout.sizes.unit)) {}
 
 float TagPainter::height() const {
-  return std::round(size_ * 1.75F);
+  return layout_.sizes.labelHeight();
 }
 
 float TagPainter::width(const Tag& tag) const {
@@ -44,7 +31,7 @@ float TagPainter::width(const Tag& tag) const {
 
 void TagPainter::paint(const Tag& tag, DrawPoint topLeft, const Rgba& plate) {
   const Box box{topLeft.x, topLeft.y, width(tag), height()};
-  handles_.push_back({tag.handle, box, tag.id, plainText(tag.before)});
+  signs_.push_back({box, plainText(tag.before), tag.id, {}, tag.handle});
   // A tag that is covered in part would lose its words, but not its plate.
   const auto covers = [&box](const Box& cover) { return cover.width > 0 && cover.overlaps(box); };
   if (std::ranges::any_of(layout_.covered, covers)) return;

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "ui/contact/contact_handles.h"
 #include "ui/contact/contact_layout.h"
+#include "ui/contact/contact_signs.h"
 
 namespace asperity {
 
@@ -20,9 +20,6 @@ struct Tag {
   std::string_view id{};                       // of its explanation
 };
 
-/// Returns the words without their style: "F\u2099".
-std::string plainText(const TextRuns& runs);
-
 /// Paints tags, all in one size: their plates in one layer, their arrows in another. The list,
 /// layers and layout must outlive it.
 class TagPainter {
@@ -32,8 +29,8 @@ class TagPainter {
   float height() const;
   float width(const Tag& tag) const;
   void paint(const Tag& tag, DrawPoint topLeft, const Rgba& plate);
-  /// Returns the handles of the tags painted so far.
-  const std::vector<HandlePosition>& handles() const { return handles_; }
+  /// Returns the tags painted so far.
+  const std::vector<ContactSign>& signs() const { return signs_; }
 
  private:
   float space() const;
@@ -44,7 +41,7 @@ class TagPainter {
   DrawLayer &plates_, &arrows_;
   const ContactLayout& layout_;
   float size_, inset_;
-  std::vector<HandlePosition> handles_;
+  std::vector<ContactSign> signs_;
 };
 
 }  // namespace asperity

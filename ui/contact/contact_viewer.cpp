@@ -16,10 +16,6 @@ constexpr double kFewest = 8;     // minimum number of elements across the plot
 // within the second part of the period it is still the same asperity.
 constexpr double kMore = 1.25, kSame = 0.01;
 
-double periodOf(const Frame& frame) {
-  return frame.spacing * static_cast<double>(frame.lineHeight.size());
-}
-
 /// Returns whether the colour scale is kept: another scene, the end of settling and a motion that
 /// begins again have a new scale.
 bool showsTheSame(const Frame& last, const Frame& now) {
@@ -45,7 +41,7 @@ void ContactViewer::setFrame(std::shared_ptr<const Frame> frame) {
 void ContactViewer::followPeak(const Frame* last) {
   const Frame& frame = *frame_;
   if (!isDrawable(frame)) return;
-  const double period = periodOf(frame);
+  const double period = periodLength(frame);
   const double moved = last && last->length == frame.length ? frame.distance - last->distance : 0;
   const double here = peak_ + moved;
   std::size_t most = 0;
@@ -63,7 +59,7 @@ void ContactViewer::followPeak(const Frame* last) {
 
 ContactView ContactViewer::view() const {
   const ContactView fitted = resolvedView(*frame_, fitted_.value_or(ContactView{}));
-  return navigation_.applied(fitted, isDrawable(*frame_) ? periodOf(*frame_) : fitted.width,
+  return navigation_.applied(fitted, isDrawable(*frame_) ? periodLength(*frame_) : fitted.width,
                              frame_->distance);
 }
 
@@ -115,7 +111,7 @@ void ContactViewer::follow(bool follows) {
   if (!frame_ || !isDrawable(*frame_))
     navigation_ = navigation_.following(follows, 1, 0);
   else
-    navigation_ = navigation_.following(follows, periodOf(*frame_), frame_->distance);
+    navigation_ = navigation_.following(follows, periodLength(*frame_), frame_->distance);
 }
 
 void ContactViewer::pointAt(std::optional<ViewPosition> position) {

@@ -116,6 +116,10 @@ bool isDrawable(const Frame& frame) {
          frame.spacing > 0 && std::isfinite(frame.spacing);
 }
 
+double periodLength(const Frame& frame) {
+  return frame.spacing * static_cast<double>(frame.lineHeight.size());
+}
+
 PointRange pointsWithin(const Frame& frame, double left, double width) {
   const double first = std::floor(left / frame.spacing) - 1;
   const double last = std::ceil((left + width) / frame.spacing) + 1;

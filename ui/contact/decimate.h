@@ -29,6 +29,9 @@ struct PointRange {
 /// Returns true if the arrays have one length, at least one point, and a positive finite spacing.
 bool isDrawable(const Frame& frame);
 
+/// Returns the length of the period by the points of a drawable frame, m.
+double periodLength(const Frame& frame);
+
 /// Returns the points from `left` to `left + width` and one more on either side.
 PointRange pointsWithin(const Frame& frame, double left, double width);
 

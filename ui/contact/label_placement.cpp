@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/contact/contact_glow.h"
+#include "ui/contact/contact_parts.h"
 #include "ui/contact/decimate.h"
 
 namespace asperity {

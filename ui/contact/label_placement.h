@@ -42,6 +42,7 @@ CurveRows curveRows(const Frame& frame, const std::vector<double>& heights,
 /// Returns the left end nearest to `wanted`, from `from` to `to`, of a box of this size at the row
 /// `top` that is above the curve now; none where there is no such position.
 std::optional<float> freeSpanAbove(const CurveRows& curve, const Box& wanted, float from, float to);
+
 enum class Body { Rigid, Elastomer };
 
 /// Returns whether a label in the box lies on the body and not on the other one: always while the

@@ -1,13 +1,15 @@
-#include "ui/draw/egl_context.h"
-
+// Draws into a framebuffer of an OpenGL 3.3 core context without a surface.
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 #include <GL/glcorearb.h>
 
 #include <algorithm>
 #include <cstring>
+#include <memory>
 #include <stdexcept>
+#include <string>
 
+#include "ui/draw/pixel_context.h"
 #include "ui/draw/renderer.h"
 #include "ui/draw/shared_library.h"
 
@@ -108,63 +110,84 @@ EGLContext createContext(const EglLibrary& egl, EGLDisplay display) {
   return context;
 }
 
-}  // namespace
-
-struct EglContext::Body {
-  Body() : display(openDisplay(egl)), context(createContext(egl, display)) {
+class EglContext : public PixelContext {
+ public:
+  EglContext() : display_(openDisplay(egl_)), context_(createContext(egl_, display_)) {
     try {
       makeCurrent();
       const ProcAddress find = [this](const char* name) {
-        return reinterpret_cast<void*>(egl.getProcAddress(name));
+        return reinterpret_cast<void*>(egl_.getProcAddress(name));
       };
-      gl = std::make_unique<FramebufferFunctions>(find);
-      renderer = std::make_unique<Renderer>(find);
-      gl->genFramebuffers(1, &framebuffer);
-      gl->genRenderbuffers(1, &renderbuffer);
-      gl->pixelStore(GL_PACK_ALIGNMENT, 1);
+      gl_ = std::make_unique<FramebufferFunctions>(find);
+      renderer_ = std::make_unique<Renderer>(find);
+      gl_->genFramebuffers(1, &framebuffer_);
+      gl_->genRenderbuffers(1, &renderbuffer_);
+      gl_->pixelStore(GL_PACK_ALIGNMENT, 1);
       leave();
     } catch (...) {
       leave();
-      egl.destroyContext(display, context);
+      egl_.destroyContext(display_, context_);
       throw;
     }
   }
 
-  ~Body() {
-    if (egl.makeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {
-      renderer.reset();
-      gl->deleteFramebuffers(1, &framebuffer);
-      gl->deleteRenderbuffers(1, &renderbuffer);
+  ~EglContext() override {
+    if (egl_.makeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) {
+      renderer_.reset();
+      gl_->deleteFramebuffers(1, &framebuffer_);
+      gl_->deleteRenderbuffers(1, &renderbuffer_);
     }
     leave();
-    egl.destroyContext(display, context);
+    egl_.destroyContext(display_, context_);
   }
 
-  void makeCurrent() {
-    if (!egl.makeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context))
-      egl.refuse("its context cannot be used without a surface");
+  EglContext(const EglContext&) = delete;
+  EglContext& operator=(const EglContext&) = delete;
+
+  std::string name() const override { return "egl"; }
+
+  Pixels draw(const DrawList& list) override {
+    checkPictureSize(list);
+    makeCurrent();
+    try {
+      resize(list.width, list.height);
+      renderer_->draw(list, framebuffer_);
+      gl_->bindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+      Pixels pixels = read();
+      leave();
+      return pixels;
+    } catch (...) {
+      leave();
+      throw;
+    }
   }
-  void leave() { egl.makeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT); }
+
+ private:
+  void makeCurrent() {
+    if (!egl_.makeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_))
+      egl_.refuse("its context cannot be used without a surface");
+  }
+  void leave() { egl_.makeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT); }
 
   void resize(int newWidth, int newHeight) {
-    gl->bindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    if (newWidth == width && newHeight == height) return;
-    gl->bindRenderbuffer(GL_RENDERBUFFER, renderbuffer);
-    gl->storage(GL_RENDERBUFFER, GL_RGBA8, newWidth, newHeight);
-    gl->attach(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, renderbuffer);
-    if (gl->status(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-      egl.refuse("a picture of " + std::to_string(newWidth) + " x " + std::to_string(newHeight) +
-                 " pixels is too large");
-    width = newWidth;
-    height = newHeight;
+    gl_->bindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+    if (newWidth == width_ && newHeight == height_) return;
+    gl_->bindRenderbuffer(GL_RENDERBUFFER, renderbuffer_);
+    gl_->storage(GL_RENDERBUFFER, GL_RGBA8, newWidth, newHeight);
+    gl_->attach(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, renderbuffer_);
+    if (gl_->status(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+      egl_.refuse("a picture of " + std::to_string(newWidth) + " x " + std::to_string(newHeight) +
+                  " pixels is too large");
+    width_ = newWidth;
+    height_ = newHeight;
   }
 
   /// Reads the pixels; OpenGL's rows begin at the bottom.
   Pixels read() const {
-    Pixels pixels{width, height, {}};
-    const std::size_t row = static_cast<std::size_t>(width) * 4;
-    pixels.rgba.resize(row * static_cast<std::size_t>(height));
-    gl->readPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, pixels.rgba.data());
+    Pixels pixels{width_, height_, {}};
+    const std::size_t row = static_cast<std::size_t>(width_) * 4;
+    pixels.rgba.resize(row * static_cast<std::size_t>(height_));
+    gl_->readPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, pixels.rgba.data());
     auto upper = pixels.rgba.begin(), lower = pixels.rgba.end() - static_cast<std::ptrdiff_t>(row);
     for (; upper < lower;
          upper += static_cast<std::ptrdiff_t>(row), lower -= static_cast<std::ptrdiff_t>(row))
@@ -172,33 +195,19 @@ struct EglContext::Body {
     return pixels;
   }
 
-  EglLibrary egl;
-  EGLDisplay display;
-  EGLContext context;
-  std::unique_ptr<FramebufferFunctions> gl;
-  std::unique_ptr<Renderer> renderer;
-  GLuint framebuffer = 0, renderbuffer = 0;
-  int width = 0, height = 0;
+  EglLibrary egl_;
+  EGLDisplay display_;
+  EGLContext context_;
+  std::unique_ptr<FramebufferFunctions> gl_;
+  std::unique_ptr<Renderer> renderer_;
+  GLuint framebuffer_ = 0, renderbuffer_ = 0;
+  int width_ = 0, height_ = 0;
 };
 
-EglContext::EglContext() : body_(std::make_unique<Body>()) {}
+}  // namespace
 
-EglContext::~EglContext() = default;
-
-Pixels EglContext::draw(const DrawList& list) {
-  checkPictureSize(list);
-  body_->makeCurrent();
-  try {
-    body_->resize(list.width, list.height);
-    body_->renderer->draw(list, body_->framebuffer);
-    body_->gl->bindFramebuffer(GL_FRAMEBUFFER, body_->framebuffer);
-    Pixels pixels = body_->read();
-    body_->leave();
-    return pixels;
-  } catch (...) {
-    body_->leave();
-    throw;
-  }
+std::unique_ptr<PixelContext> makeEglContext() {
+  return std::make_unique<EglContext>();
 }
 
 }  // namespace asperity

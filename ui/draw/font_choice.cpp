@@ -31,13 +31,13 @@ FontChoice& present() {
   return choice;
 }
 
-std::string textOf(const FcPattern* pattern, const char* object) {
+std::string patternText(const FcPattern* pattern, const char* object) {
   FcChar8* text = nullptr;
   if (FcPatternGetString(pattern, object, 0, &text) != FcResultMatch) return {};
   return reinterpret_cast<const char*>(text);
 }
 
-int numberOf(const FcPattern* pattern, const char* object) {
+int patternNumber(const FcPattern* pattern, const char* object) {
   int number = 0;
   FcPatternGetInteger(pattern, object, 0, &number);
   return number;
@@ -55,8 +55,8 @@ Fonts installedFonts() {
 /// Returns the distance of a font from the upright one of normal width.
 int distance(const FcPattern* font, bool bold) {
   const int weight = bold ? FC_WEIGHT_BOLD : FC_WEIGHT_REGULAR;
-  return std::abs(numberOf(font, FC_WEIGHT) - weight) + 10 * numberOf(font, FC_SLANT) +
-         10 * std::abs(numberOf(font, FC_WIDTH) - FC_WIDTH_NORMAL);
+  return std::abs(patternNumber(font, FC_WEIGHT) - weight) + 10 * patternNumber(font, FC_SLANT) +
+         10 * std::abs(patternNumber(font, FC_WIDTH) - FC_WIDTH_NORMAL);
 }
 
 bool isSame(const std::string& one, const std::string& other) {
@@ -65,17 +65,17 @@ bool isSame(const std::string& one, const std::string& other) {
 }
 
 /// Reads a font and measures every character that it has.
-FontChoice::Face faceOf(const FcPattern* font, const std::string& family) {
+FontChoice::Face readFace(const FcPattern* font, const std::string& family) {
   FontChoice::Face face;
-  QFile file(QString::fromStdString(textOf(font, FC_FILE)));
+  QFile file(QString::fromStdString(patternText(font, FC_FILE)));
   if (!file.open(QIODevice::ReadOnly))
     throw InputError("", kOption,
-                     message("{}: its file {} cannot be read", family, textOf(font, FC_FILE)));
+                     message("{}: its file {} cannot be read", family, patternText(font, FC_FILE)));
   const QByteArray bytes = file.readAll();
   const Blob blob(hb_blob_create(bytes.constData(), static_cast<unsigned>(bytes.size()),
                                  HB_MEMORY_MODE_READONLY, nullptr, nullptr));
   const Face whole(
-      hb_face_create(blob.get(), static_cast<unsigned>(numberOf(font, FC_INDEX) & 0xFFFF)));
+      hb_face_create(blob.get(), static_cast<unsigned>(patternNumber(font, FC_INDEX) & 0xFFFF)));
   const unsigned unitsPerSize = hb_face_get_upem(whole.get());
   hb_set_t* const characters = hb_set_create();
   hb_face_collect_unicodes(whole.get(), characters);
@@ -90,17 +90,12 @@ FontChoice::Face faceOf(const FcPattern* font, const std::string& family) {
   hb_set_destroy(characters);
   if (face.advances.empty())
     throw InputError("", kOption, message("{} has no characters that can be measured", family));
-  // One font of a collection is written as a file of its own.
-  const Blob one(hb_face_reference_blob(whole.get()));
-  unsigned size = 0;
-  const bool isCollection = bytes.startsWith("ttcf");
-  if (isCollection)
+  if (bytes.startsWith("ttcf"))
     throw InputError("", kOption,
                      message("{} is in a collection of fonts (.ttc), of which a picture cannot "
                              "contain a part",
                              family));
-  const char* const data = hb_blob_get_data(one.get(), &size);
-  face.file = QByteArray(data, static_cast<qsizetype>(size));
+  face.file = bytes;
   return face;
 }
 
@@ -121,9 +116,9 @@ void useFontFamily(const std::string& family) {
   std::vector<std::string> names;
   for (int i = 0; fonts && i < fonts->nfont; ++i) {
     const FcPattern* font = fonts->fonts[i];
-    const std::string format = textOf(font, FC_FONTFORMAT);
+    const std::string format = patternText(font, FC_FONTFORMAT);
     if (format != "TrueType" && format != "CFF") continue;
-    names.push_back(textOf(font, FC_FAMILY));
+    names.push_back(patternText(font, FC_FAMILY));
     if (isSame(names.back(), family)) members.push_back(font);
   }
   if (members.empty()) {
@@ -139,11 +134,11 @@ void useFontFamily(const std::string& family) {
                                   shortened(family), nearest));
   }
   FontChoice choice;
-  choice.family = textOf(members.front(), FC_FAMILY);
+  choice.family = patternText(members.front(), FC_FAMILY);
   for (const bool bold : {false, true}) {
     const FcPattern* font = *std::ranges::min_element(
         members, {}, [bold](const FcPattern* one) { return distance(one, bold); });
-    choice.faces[bold ? 1 : 0] = faceOf(font, choice.family);
+    choice.faces[bold ? 1 : 0] = readFace(font, choice.family);
   }
   present() = std::move(choice);
 }

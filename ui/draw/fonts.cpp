@@ -134,7 +134,7 @@ using Blob = std::unique_ptr<hb_blob_t, Destroyer<hb_blob_destroy>>;
 using Face = std::unique_ptr<hb_face_t, Destroyer<hb_face_destroy>>;
 using SubsetInput = std::unique_ptr<hb_subset_input_t, Destroyer<hb_subset_input_destroy>>;
 
-Face faceOf(const QByteArray& file) {
+Face makeFace(const QByteArray& file) {
   const Blob blob(hb_blob_create(file.constData(), static_cast<unsigned>(file.size()),
                                  HB_MEMORY_MODE_READONLY, nullptr, nullptr));
   return Face(hb_face_create(blob.get(), 0));
@@ -163,8 +163,8 @@ std::set<char32_t> charactersIn(const DrawList& list, bool bold) {
 
 namespace {
 
-QByteArray subsetOf(const QByteArray& file, const std::set<char32_t>& characters) {
-  const Face whole = faceOf(file);
+QByteArray cutFont(const QByteArray& file, const std::set<char32_t>& characters) {
+  const Face whole = makeFace(file);
   const SubsetInput input(hb_subset_input_create_or_fail());
   if (!input) throw std::runtime_error("There is no memory to cut a font.");
   hb_set_t* const wanted = hb_subset_input_unicode_set(input.get());
@@ -185,11 +185,11 @@ QByteArray subsetOf(const QByteArray& file, const std::set<char32_t>& characters
 }  // namespace
 
 QByteArray fontSubset(bool bold, const std::set<char32_t>& characters) {
-  return subsetOf(fontFile(bold), characters);
+  return cutFont(fontFile(bold), characters);
 }
 
 QByteArray chosenFontSubset(bool bold, const std::set<char32_t>& characters) {
-  return subsetOf(fontChoice().face(bold).file, characters);
+  return cutFont(fontChoice().face(bold).file, characters);
 }
 
 namespace {
@@ -211,6 +211,10 @@ float textWidth(std::string_view utf8, float size, bool bold) {
   float units = 0;
   for (std::size_t at = 0; at < utf8.size();) units += fontAdvance(nextCharacter(utf8, at), bold);
   return units * size / kAdvancesPerSize;
+}
+
+float textScale(float pictureScale) {
+  return pictureScale > 1 ? std::pow(pictureScale, 0.7F) : std::clamp(pictureScale, 0.85F, 1.0F);
 }
 
 float fittingSize(const std::string& utf8, float size, float least, bool bold, float width) {

@@ -29,6 +29,12 @@ struct Destroyer {
 
 inline constexpr float kAdvancesPerSize = 2048;
 
+inline constexpr float kSmallestFont = 7;  // pixels; smaller letters are illegible
+
+/// Returns the factor of fonts and lines in a picture that is this many times as large as a usual
+/// one. Small pictures shrink their texts a little; large ones enlarge them less than the picture.
+float textScale(float pictureScale);
+
 /// Returns the advance in units of 1/kAdvancesPerSize of the font's size; a character outside the
 /// table counts as a wide one.
 std::int16_t fontAdvance(std::uint32_t character, bool bold);

@@ -1,8 +1,9 @@
-#include "ui/draw/osmesa_context.h"
-
+// Draws into memory by an OpenGL 3.3 core context of libOSMesa.
+#include <memory>
 #include <stdexcept>
 #include <string>
 
+#include "ui/draw/pixel_context.h"
 #include "ui/draw/renderer.h"
 #include "ui/draw/shared_library.h"
 
@@ -39,68 +40,73 @@ constexpr int kAttributes[] = {OSMESA_FORMAT,
                                3,
                                0};
 
-}  // namespace
-
-struct OsmesaContext::Body {
-  Body() : context(library.createContext(kAttributes, nullptr)) {
-    if (context == nullptr)
-      throw std::runtime_error("The library " + library.name() +
+class OsmesaContext : public PixelContext {
+ public:
+  OsmesaContext() : context_(library_.createContext(kAttributes, nullptr)) {
+    if (context_ == nullptr)
+      throw std::runtime_error("The library " + library_.name() +
                                " is too old for pictures: it offers no OpenGL 3.3 core context.");
     try {
       makeCurrent(1, 1);
-      library.pixelStore(OSMESA_Y_UP, 0);
-      renderer = std::make_unique<Renderer>([this](const char* name) {
-        return reinterpret_cast<void*>(library.getProcAddress(name));
+      library_.pixelStore(OSMESA_Y_UP, 0);
+      renderer_ = std::make_unique<Renderer>([this](const char* name) {
+        return reinterpret_cast<void*>(library_.getProcAddress(name));
       });
-      finish = reinterpret_cast<void (*)()>(library.getProcAddress("glFinish"));
+      finish_ = reinterpret_cast<void (*)()>(library_.getProcAddress("glFinish"));
+      leave();
     } catch (...) {
-      release();
+      leave();
+      library_.destroyContext(context_);
       throw;
     }
-    release(false);
   }
 
-  ~Body() {
-    if (library.makeCurrent(context, pixels.rgba.data(), GL_UNSIGNED_BYTE, pixels.width,
-                            pixels.height))
-      renderer.reset();
-    release();
+  ~OsmesaContext() override {
+    if (library_.makeCurrent(context_, pixels_.rgba.data(), GL_UNSIGNED_BYTE, pixels_.width,
+                             pixels_.height))
+      renderer_.reset();
+    leave();
+    library_.destroyContext(context_);
   }
 
-  /// Makes the context current; it draws into `pixels` of this size.
+  OsmesaContext(const OsmesaContext&) = delete;
+  OsmesaContext& operator=(const OsmesaContext&) = delete;
+
+  std::string name() const override { return "osmesa"; }
+
+  Pixels draw(const DrawList& list) override {
+    checkPictureSize(list);
+    makeCurrent(list.width, list.height);
+    renderer_->draw(list, 0);
+    finish_();
+    leave();
+    return pixels_;
+  }
+
+ private:
+  /// Makes the context current; it draws into `pixels_` of this size.
   void makeCurrent(int width, int height) {
-    pixels.width = width;
-    pixels.height = height;
-    pixels.rgba.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
-    if (!library.makeCurrent(context, pixels.rgba.data(), GL_UNSIGNED_BYTE, width, height))
+    pixels_.width = width;
+    pixels_.height = height;
+    pixels_.rgba.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
+    if (!library_.makeCurrent(context_, pixels_.rgba.data(), GL_UNSIGNED_BYTE, width, height))
       throw std::runtime_error("A picture of " + std::to_string(width) + " x " +
                                std::to_string(height) + " pixels cannot be drawn by " +
-                               library.name() + ".");
+                               library_.name() + ".");
   }
+  void leave() { library_.makeCurrent(nullptr, nullptr, 0, 0, 0); }
 
-  void release(bool destroy = true) {
-    library.makeCurrent(nullptr, nullptr, 0, 0, 0);
-    if (destroy) library.destroyContext(context);
-  }
-
-  OsmesaLibrary library;
-  OSMesaContext context;
-  Pixels pixels;
-  std::unique_ptr<Renderer> renderer;
-  void (*finish)() = nullptr;
+  OsmesaLibrary library_;
+  OSMesaContext context_;
+  Pixels pixels_;
+  std::unique_ptr<Renderer> renderer_;
+  void (*finish_)() = nullptr;
 };
 
-OsmesaContext::OsmesaContext() : body_(std::make_unique<Body>()) {}
+}  // namespace
 
-OsmesaContext::~OsmesaContext() = default;
-
-Pixels OsmesaContext::draw(const DrawList& list) {
-  checkPictureSize(list);
-  body_->makeCurrent(list.width, list.height);
-  body_->renderer->draw(list, 0);
-  body_->finish();
-  body_->library.makeCurrent(nullptr, nullptr, 0, 0, 0);
-  return body_->pixels;
+std::unique_ptr<PixelContext> makeOsmesaContext() {
+  return std::make_unique<OsmesaContext>();
 }
 
 }  // namespace asperity

@@ -25,36 +25,36 @@ constexpr double kPointsPerInch = 72;
 constexpr int kFieldPixels = 512;  // of an image for a field, in each direction
 constexpr int kSoftPixels = 2;     // image pixels per picture pixel, in each direction
 
-QPointF pointOf(const DrawPoint& point) {
+QPointF toPointF(const DrawPoint& point) {
   return {point.x, point.y};
 }
 
-QPainterPath pathOf(const std::vector<Polyline>& lines, bool closed) {
+QPainterPath toPath(const std::vector<Polyline>& lines, bool closed) {
   QPainterPath path;
   path.setFillRule(Qt::WindingFill);
   for (const Polyline& line : lines) {
     if (line.size() < 2) continue;
-    path.moveTo(pointOf(line[0]));
-    for (std::size_t i = 1; i < line.size(); ++i) path.lineTo(pointOf(line[i]));
+    path.moveTo(toPointF(line[0]));
+    for (std::size_t i = 1; i < line.size(); ++i) path.lineTo(toPointF(line[i]));
     if (closed) path.closeSubpath();
   }
   return path;
 }
 
-QBrush brushOf(const VectorPaint& paint) {
+QBrush toBrush(const VectorPaint& paint) {
   if (!paint.isGradient) return toQColor(paint.from);
-  QLinearGradient gradient(pointOf(paint.start), pointOf(paint.end));
+  QLinearGradient gradient(toPointF(paint.start), toPointF(paint.end));
   gradient.setColorAt(0, toQColor(paint.from));
   gradient.setColorAt(1, toQColor(paint.to));
   return gradient;
 }
 
 void paintFill(QPainter& painter, const VectorFill& fill) {
-  const QBrush brush = brushOf(fill.paint);
+  const QBrush brush = toBrush(fill.paint);
   // Viewers always smooth edges, so pieces overlap a little.
   painter.setPen(fill.isPieceOfMesh ? QPen(brush, 0.5) : QPen(Qt::NoPen));
   painter.setBrush(brush);
-  painter.drawPath(pathOf(fill.outlines, true));
+  painter.drawPath(toPath(fill.outlines, true));
 }
 
 bool isSoft(const VectorFill& fill) {
@@ -67,7 +67,7 @@ void paintSoft(QPainter& painter, const std::vector<VectorFill>& fills, std::siz
                std::size_t last, const QRectF& shown) {
   QRectF bounds;
   for (std::size_t i = first; i < last; ++i)
-    bounds |= pathOf(fills[i].outlines, true).controlPointRect();
+    bounds |= toPath(fills[i].outlines, true).controlPointRect();
   const QRect box = (bounds & shown).toAlignedRect();
   if (box.isEmpty()) return;
   QImage image(box.size() * kSoftPixels, QImage::Format_ARGB32_Premultiplied);
@@ -77,8 +77,8 @@ void paintSoft(QPainter& painter, const std::vector<VectorFill>& fills, std::siz
   soft.translate(-box.topLeft());
   soft.setPen(Qt::NoPen);
   for (std::size_t i = first; i < last; ++i) {
-    soft.setBrush(brushOf(fills[i].paint));
-    soft.drawPath(pathOf(fills[i].outlines, true));
+    soft.setBrush(toBrush(fills[i].paint));
+    soft.drawPath(toPath(fills[i].outlines, true));
   }
   soft.end();
   painter.drawImage(QRectF(box), image);
@@ -101,12 +101,13 @@ void paintStroke(QPainter& painter, const VectorStroke& stroke) {
   painter.setBrush(Qt::NoBrush);
   painter.setPen(
       QPen(colour, static_cast<qreal>(stroke.width), Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-  const QPainterPath path = pathOf(stroke.lines, false);
+  const QPainterPath path = toPath(stroke.lines, false);
   if (!path.isEmpty()) painter.drawPath(path);
   painter.setPen(Qt::NoPen);
   painter.setBrush(colour);
   for (const Polyline& line : stroke.lines)
-    if (line.size() == 1) painter.drawEllipse(pointOf(line[0]), stroke.width / 2, stroke.width / 2);
+    if (line.size() == 1)
+      painter.drawEllipse(toPointF(line[0]), stroke.width / 2, stroke.width / 2);
 }
 
 void paintList(QPainter& painter, const DrawList& list) {

@@ -2,10 +2,6 @@
 
 #include <stdexcept>
 
-#include "ui/draw/egl_context.h"
-#include "ui/draw/osmesa_context.h"
-#include "ui/draw/raster_context.h"
-
 namespace asperity {
 namespace {
 
@@ -14,9 +10,9 @@ constexpr int kLargest = 16384;  // pixels per side, the limit of OpenGL in soft
 }  // namespace
 
 std::unique_ptr<PixelContext> makePixelContext(PixelBackend backend) {
-  if (backend == PixelBackend::Egl) return std::make_unique<EglContext>();
-  if (backend == PixelBackend::Osmesa) return std::make_unique<OsmesaContext>();
-  return std::make_unique<RasterContext>();
+  if (backend == PixelBackend::Egl) return makeEglContext();
+  if (backend == PixelBackend::Osmesa) return makeOsmesaContext();
+  return makeRasterContext();
 }
 
 PixelContext& contextOfThread() {

@@ -34,6 +34,13 @@ class PixelContext {
   virtual std::string name() const = 0;
 };
 
+/// Makes one kind of context, each from the file of its name. The environment variables
+/// ASPERITY_OSMESA_LIBRARY and ASPERITY_EGL_LIBRARY name other libraries than libOSMesa.so.8 and
+/// libEGL.so.1. The rasterizer has no state of the thread, so any thread may use it.
+std::unique_ptr<PixelContext> makeRasterContext();
+std::unique_ptr<PixelContext> makeOsmesaContext();
+std::unique_ptr<PixelContext> makeEglContext();
+
 enum class PixelBackend { Automatic, Osmesa, Egl, Raster };
 
 /// Makes a context. Automatic: the program's own rasterizer.

@@ -13,7 +13,6 @@
 #include "core/base/atomic_file.h"
 #include "core/base/embedded_provenance.h"
 #include "core/scene/provenance.h"
-#include "ui/draw/shapes.h"
 #include "ui/language/language.h"
 
 namespace asperity {
@@ -134,27 +133,6 @@ void writePng(const std::filesystem::path& path, const QImage& image, const PngO
   if (image.isNull())
     throw std::runtime_error(path.string() + ": the picture cannot be encoded as PNG");
   writeFileAtomically(path, encodePng(image, options));
-}
-
-QImage fieldImage(const DrawField& field, int maxPixels) {
-  const Box box = boundingBox(field);
-  const auto pixels = [maxPixels](float size) {
-    return std::clamp(static_cast<int>(std::ceil(size)), 1, maxPixels);
-  };
-  const int columns = pixels(box.width), rows = pixels(box.height);
-  const std::vector<Rgba> raster = sampledColours(field, columns, rows);
-  if (raster.empty()) return {};
-  QImage image(columns, rows, QImage::Format_ARGB32);
-  bool isOpaque = true;
-  for (int j = 0; j < rows; ++j)
-    for (int i = 0; i < columns; ++i) {
-      const Rgba& colour = raster[static_cast<std::size_t>(j) * static_cast<std::size_t>(columns) +
-                                  static_cast<std::size_t>(i)];
-      isOpaque = isOpaque && colour.a >= 1;
-      const auto byte = [](float part) { return static_cast<int>(std::lround(255 * part)); };
-      image.setPixel(i, j, qRgba(byte(colour.r), byte(colour.g), byte(colour.b), byte(colour.a)));
-    }
-  return isOpaque ? image.convertToFormat(QImage::Format_RGB888) : image;
 }
 
 std::string pngMetadata(std::string_view bytes) {

@@ -35,9 +35,6 @@ std::string encodePng(const QImage& image, const PngOptions& options = {});
 void writePng(const std::filesystem::path& path, const QImage& image,
               const PngOptions& options = {});
 
-/// Returns a field as an image for vector files, with at most `maxPixels` pixels in each direction.
-QImage fieldImage(const DrawField& field, int maxPixels);
-
 /// Returns the text chunk "asperity" of a PNG's bytes; empty where there is none.
 std::string pngMetadata(std::string_view bytes);
 

@@ -1,10 +1,17 @@
-#include "ui/draw/raster_context.h"
-
+// The program's own rasterizer. Contact pictures are mostly columns of one colour, for which it
+// takes a fifth of the time that OpenGL in software needs, and the bytes depend on neither the
+// machine's driver nor on its threads. Its pixels follow OpenGL's rules and the renderer's shaders
+// (pixel centres, shared edges belong to one triangle, coverage of lines by distance), so that both
+// draw the same picture within a level of 255 except on single pixels of edges.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <memory>
+
+#include "ui/draw/pixel_context.h"
+#include "ui/draw/shapes.h"
 
 namespace asperity {
 namespace {
@@ -34,7 +41,7 @@ struct Paint {
   float weight;
 };
 
-Paint paintOf(Four colour) {
+Paint toPaint(Four colour) {
   const Four bounded = most(least(colour, Four{1, 1, 1, 1}), Four{0, 0, 0, 0});
   Paint paint{bounded * 255, bounded[3]};
   paint.levels[3] = 255;
@@ -42,7 +49,7 @@ Paint paintOf(Four colour) {
 }
 
 /// Returns the four bytes of levels.
-std::uint32_t bytesOf(Four levels) {
+std::uint32_t toBytes(Four levels) {
   const auto bytes =
       __builtin_convertvector(__builtin_convertvector(levels + 0.5F, FourInts), FourBytes);
   std::uint32_t word = 0;
@@ -55,7 +62,7 @@ inline void blend(std::uint8_t* pixel, const Paint& paint) {
   FourBytes bytes;
   std::memcpy(&bytes, pixel, sizeof bytes);
   const Four under = __builtin_convertvector(bytes, Four);
-  const std::uint32_t word = bytesOf(under + (paint.levels - under) * paint.weight);
+  const std::uint32_t word = toBytes(under + (paint.levels - under) * paint.weight);
   std::memcpy(pixel, &word, sizeof word);
 }
 
@@ -139,15 +146,15 @@ void drawSpan(const Canvas& canvas, const Gradient& gradient, int left, int righ
   std::uint8_t* pixel = canvas.pixel(left, y);
   Four colour = gradient.at(left, y);
   if (gradient.isSameAcross()) {
-    const Paint paint = paintOf(colour);
-    if (gradient.isOpaque()) return fill(pixel, right - left, bytesOf(paint.levels));
+    const Paint paint = toPaint(colour);
+    if (gradient.isOpaque()) return fill(pixel, right - left, toBytes(paint.levels));
     for (int x = left; x < right; ++x, pixel += 4) blend(pixel, paint);
     return;
   }
   for (int x = left; x < right; ++x, pixel += 4, colour += gradient.across()) {
-    const Paint paint = paintOf(colour);
+    const Paint paint = toPaint(colour);
     if (gradient.isOpaque())
-      fill(pixel, 1, bytesOf(paint.levels));
+      fill(pixel, 1, toBytes(paint.levels));
     else
       blend(pixel, paint);
   }
@@ -241,7 +248,7 @@ class Segment {
         half_(0.5F * std::max(width_, 1.0F) + 0.5F),
         faint_(std::min(width_, 1.0F)) {
     isFlat_ = change_[0] == 0 && change_[1] == 0 && change_[2] == 0 && change_[3] == 0;
-    flat_ = paintOf(from_);
+    flat_ = toPaint(from_);
   }
 
   void draw(const Canvas& canvas) const {
@@ -278,7 +285,7 @@ class Segment {
     for (int i = 0; i < count; ++i, pixel += 4) {
       if (isOwn[i] == 0) continue;
       const float coverage = std::min(half_ - std::sqrt(square[i]), 1.0F) * faint_;
-      Paint paint = isFlat_ ? flat_ : paintOf(from_ + change_ * place[i]);
+      Paint paint = isFlat_ ? flat_ : toPaint(from_ + change_ * place[i]);
       paint.weight *= coverage;
       blend(pixel, paint);
     }
@@ -307,28 +314,40 @@ void clear(const DrawList& list, Pixels& pixels) {
   fill(pixels.rgba.data(), list.width * list.height, word);
 }
 
+class RasterContext : public PixelContext {
+ public:
+  std::string name() const override { return "raster"; }
+
+  Pixels draw(const DrawList& list) override {
+    checkPictureSize(list);
+    Pixels pixels{list.width, list.height, {}};
+    pixels.rgba.resize(std::size_t{4} * static_cast<std::size_t>(list.width) *
+                       static_cast<std::size_t>(list.height));
+    clear(list, pixels);
+    flatten(list, geometry_);
+    for (const DrawBatch& batch : geometry_.batches) {
+      const ScissorBox& box = batch.scissor;
+      const int top = list.height - box.y - box.height;
+      const Canvas canvas{pixels.rgba.data(), list.width,      box.x, top,
+                          box.x + box.width,  top + box.height};
+      const float* triangle = geometry_.data.data() + batch.triangleOffset;
+      for (std::size_t i = 0; i < batch.triangleCorners; i += 3, triangle += 3 * kTriangleFloats)
+        drawTriangle(canvas, triangle);
+      const float* segment = geometry_.data.data() + batch.segmentOffset;
+      for (std::size_t i = 0; i < batch.segments; ++i, segment += kSegmentFloats)
+        Segment(segment).draw(canvas);
+    }
+    return pixels;
+  }
+
+ private:
+  Geometry geometry_;
+};
+
 }  // namespace
 
-Pixels RasterContext::draw(const DrawList& list) {
-  checkPictureSize(list);
-  Pixels pixels{list.width, list.height, {}};
-  pixels.rgba.resize(std::size_t{4} * static_cast<std::size_t>(list.width) *
-                     static_cast<std::size_t>(list.height));
-  clear(list, pixels);
-  flatten(list, geometry_);
-  for (const DrawBatch& batch : geometry_.batches) {
-    const ScissorBox& box = batch.scissor;
-    const int top = list.height - box.y - box.height;
-    const Canvas canvas{pixels.rgba.data(), list.width,      box.x, top,
-                        box.x + box.width,  top + box.height};
-    const float* triangle = geometry_.data.data() + batch.triangleOffset;
-    for (std::size_t i = 0; i < batch.triangleCorners; i += 3, triangle += 3 * kTriangleFloats)
-      drawTriangle(canvas, triangle);
-    const float* segment = geometry_.data.data() + batch.segmentOffset;
-    for (std::size_t i = 0; i < batch.segments; ++i, segment += kSegmentFloats)
-      Segment(segment).draw(canvas);
-  }
-  return pixels;
+std::unique_ptr<PixelContext> makeRasterContext() {
+  return std::make_unique<RasterContext>();
 }
 
 }  // namespace asperity

@@ -5,7 +5,6 @@
 #include <string_view>
 
 #include "ui/draw/fonts.h"
-#include "ui/draw/theme.h"
 
 namespace asperity {
 namespace {
@@ -46,13 +45,13 @@ void appendTriangles(const std::vector<DrawVertex>& corners, Geometry& geometry,
   }
 }
 
-Rgba meanOf(const Rgba& a, const Rgba& b, const Rgba& c, const Rgba& d) {
+Rgba meanColour(const Rgba& a, const Rgba& b, const Rgba& c, const Rgba& d) {
   return {(a.r + b.r + c.r + d.r) / 4, (a.g + b.g + c.g + d.g) / 4, (a.b + b.b + c.b + d.b) / 4,
           (a.a + b.a + c.a + d.a) / 4};
 }
 
 /// Returns a field as triangles, four around the middle of each cell of its grid.
-std::vector<DrawVertex> trianglesOf(const DrawField& field) {
+std::vector<DrawVertex> fieldTriangles(const DrawField& field) {
   const std::size_t columns = field.x.size();
   std::vector<DrawVertex> corners;
   for (std::size_t j = 0; j + 1 < field.y.size(); ++j)
@@ -66,7 +65,7 @@ std::vector<DrawVertex> trianglesOf(const DrawField& field) {
         continue;
       const DrawVertex middle{
           (around[0].x + around[2].x) / 2, (around[0].y + around[2].y) / 2,
-          meanOf(around[0].colour, around[1].colour, around[2].colour, around[3].colour)};
+          meanColour(around[0].colour, around[1].colour, around[2].colour, around[3].colour)};
       for (std::size_t k = 0; k < 4; ++k)
         corners.insert(corners.end(), {around[k], around[(k + 1) % 4], middle});
     }
@@ -115,7 +114,7 @@ void flatten(const DrawList& list, Geometry& geometry) {
     } else {
       std::vector<DrawVertex> corners;
       for (const DrawField& field : layer.fields)
-        for (const DrawVertex& corner : trianglesOf(field)) corners.push_back(corner);
+        for (const DrawVertex& corner : fieldTriangles(field)) corners.push_back(corner);
       corners.insert(corners.end(), layer.triangles.begin(), layer.triangles.end());
       appendTriangles(corners, geometry, batch);
     }
@@ -169,60 +168,6 @@ void addQuad(DrawLayer& layer, const DrawVertex& a, const DrawVertex& b, const D
   layer.triangles.insert(layer.triangles.end(), {a, b, c, a, c, d});
 }
 
-Box boundingBox(const DrawField& field) {
-  if (field.x.empty() || field.y.empty()) return {};
-  const auto [left, right] = std::ranges::minmax(field.x);
-  const auto [top, bottom] = std::ranges::minmax(field.y);
-  return {left, top, right - left, bottom - top};
-}
-
-namespace {
-
-/// A position between two neighbours of a list.
-struct Between {
-  std::size_t index = 0;
-  float part = 0;
-};
-
-/// Returns the position of a value in an ascending or descending list that contains it.
-Between betweenIn(const std::vector<float>& list, float value) {
-  const bool rises = list.front() <= list.back();
-  std::size_t low = 0, high = list.size() - 1;
-  while (high - low > 1) {
-    const std::size_t middle = (low + high) / 2;
-    ((list[middle] <= value) == rises ? low : high) = middle;
-  }
-  const float size = list[high] - list[low];
-  return {low, size != 0 ? std::clamp((value - list[low]) / size, 0.0F, 1.0F) : 0};
-}
-
-}  // namespace
-
-std::vector<Rgba> sampledColours(const DrawField& field, int columns, int rows) {
-  std::vector<Rgba> raster;
-  if (field.x.size() < 2 || field.y.size() < 2) return raster;
-  raster.reserve(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
-  const Box box = boundingBox(field);
-  const std::size_t width = field.x.size();
-  std::vector<Between> across;
-  for (int i = 0; i < columns; ++i)
-    across.push_back(betweenIn(
-        field.x, box.x + box.width * (static_cast<float>(i) + 0.5F) / static_cast<float>(columns)));
-  for (int j = 0; j < rows; ++j) {
-    const Between down = betweenIn(
-        field.y, box.y + box.height * (static_cast<float>(j) + 0.5F) / static_cast<float>(rows));
-    for (const Between& right : across) {
-      const Rgba* row = &field.colours[down.index * width + right.index];
-      const Rgba* next = row + width;
-      const bool isKnown = row[0].a > 0 && row[1].a > 0 && next[0].a > 0 && next[1].a > 0;
-      raster.push_back(isKnown ? mix(mix(row[0], row[1], right.part),
-                                     mix(next[0], next[1], right.part), down.part)
-                               : Rgba{0, 0, 0, 0});
-    }
-  }
-  return raster;
-}
-
 void addRectangle(DrawLayer& layer, const Box& box, const Rgba& top, const Rgba& bottom) {
   addQuad(layer, {box.x, box.y, top}, {box.right(), box.y, top},
           {box.right(), box.bottom(), bottom}, {box.x, box.bottom(), bottom});
@@ -242,6 +187,16 @@ void addLine(DrawLayer& layer, std::vector<DrawPoint> points, float width, const
   line.width = width;
   for (const DrawPoint& p : points) line.vertices.push_back({p.x, p.y, colour});
   layer.lines.push_back(std::move(line));
+}
+
+void addOutline(DrawLayer& layer, const Box& box, float width, const Rgba& colour) {
+  addLine(layer,
+          {{box.x, box.y},
+           {box.right(), box.y},
+           {box.right(), box.bottom()},
+           {box.x, box.bottom()},
+           {box.x, box.y}},
+          width, colour);
 }
 
 void addPill(DrawLayer& layer, const Box& box, const Rgba& colour) {
@@ -302,6 +257,65 @@ float addText(DrawList& list, const TextRuns& runs, DrawPoint baseline, float si
     list.texts.push_back(std::move(text));
   }
   return baseline.x;
+}
+
+std::string plainText(const TextRuns& runs) {
+  std::string text;
+  for (const TextRun& run : runs) {
+    if (run.lowered && run.utf8 == "N")
+      text += "\u2099";
+    else if (run.lowered && run.utf8 == "x")
+      text += "\u2093";
+    else
+      text += run.utf8;
+  }
+  return text;
+}
+
+void addPicture(DrawList& list, DrawList part, float right, float down) {
+  const Box box{right, down, static_cast<float>(part.width), static_cast<float>(part.height)};
+  if (part.background.a > 0) {
+    DrawLayer background;
+    addRectangle(background, box, part.background);
+    list.layers.push_back(std::move(background));
+  }
+  for (DrawLayer& layer : part.layers) {
+    if (layer.clip.width > 0)
+      layer.clip = {layer.clip.x + right, layer.clip.y + down, layer.clip.width, layer.clip.height};
+    else
+      layer.clip = box;
+    const auto move = [&](std::vector<DrawVertex>& vertices) {
+      for (DrawVertex& vertex : vertices) {
+        vertex.x += right;
+        vertex.y += down;
+      }
+    };
+    for (DrawField& field : layer.fields) {
+      for (float& x : field.x) x += right;
+      for (float& y : field.y) y += down;
+    }
+    move(layer.triangles);
+    for (DrawLine& line : layer.lines) move(line.vertices);
+    list.layers.push_back(std::move(layer));
+  }
+  for (DrawText& text : part.texts) {
+    text.x += right;
+    text.y += down;
+    list.texts.push_back(std::move(text));
+  }
+}
+
+DrawList stacked(DrawList above, DrawList below) {
+  DrawList list;
+  list.width = std::max(above.width, below.width);
+  list.height = above.height + below.height;
+  list.background = above.background;
+  const auto down = static_cast<float>(above.height);
+  below.background.a = 0;
+  above.background.a = 0;
+  addPicture(list, std::move(above), 0, 0);
+  addPicture(list, std::move(below), 0, down);
+  return list;
 }
 
 }  // namespace asperity

@@ -1,4 +1,5 @@
-// Small shapes appended to a DrawLayer or a DrawList. Pure; any thread. Pixels, y down.
+// Shapes and texts appended to a DrawLayer or a DrawList, whole pictures in a picture, and the
+// shapes of a DrawList as numbers for those who draw them. Pure; any thread. Pixels, y down.
 #pragma once
 
 #include <cmath>
@@ -9,6 +10,62 @@
 #include "ui/draw/draw_list.h"
 
 namespace asperity {
+
+struct DrawPoint {
+  float x = 0, y = 0;
+};
+
+/// For a DrawPoint or a DrawVertex.
+template <class Point>
+bool isFinite(const Point& point) {
+  return std::isfinite(point.x) && std::isfinite(point.y);
+}
+template <class Point>
+bool isSamePoint(const Point& a, const Point& b) {
+  return a.x == b.x && a.y == b.y;
+}
+
+void addRectangle(DrawLayer& layer, const Box& box, const Rgba& top, const Rgba& bottom);
+void addRectangle(DrawLayer& layer, const Box& box, const Rgba& colour);
+/// Adds a rectangle whose colour changes from left to right.
+void addRectangleAcross(DrawLayer& layer, const Box& box, const Rgba& left, const Rgba& right);
+void addQuad(DrawLayer& layer, const DrawVertex& a, const DrawVertex& b, const DrawVertex& c,
+             const DrawVertex& d);
+void addLine(DrawLayer& layer, std::vector<DrawPoint> points, float width, const Rgba& colour);
+void addOutline(DrawLayer& layer, const Box& box, float width, const Rgba& colour);
+/// Adds a box with half-round ends.
+void addPill(DrawLayer& layer, const Box& box, const Rgba& colour);
+/// Adds a shaft with an open head at `to`; the head's sides are `head` pixels long.
+void addArrow(DrawLayer& layer, DrawPoint from, DrawPoint to, float head, float width,
+              const Rgba& colour);
+
+/// Adds one text; `at` is its anchor on the baseline. An empty one is left out.
+void addLabel(DrawList& list, std::string utf8, DrawPoint at, float size, TextAnchor anchor,
+              const Rgba& colour, float angle = 0);
+
+/// A piece of a text; a lowered piece is smaller, as in "F_N".
+struct TextRun {
+  std::string utf8;
+  bool bold = false;
+  bool lowered = false;
+};
+using TextRuns = std::vector<TextRun>;
+
+float textWidth(const TextRuns& runs, float size);
+/// Adds text left-aligned on the baseline; returns its right end.
+float addText(DrawList& list, const TextRuns& runs, DrawPoint baseline, float size,
+              const Rgba& colour);
+
+/// Returns the words without their style: "F\u2099".
+std::string plainText(const TextRuns& runs);
+
+/// Adds all of `part`, with its background, to `list`, shifted right and down.
+void addPicture(DrawList& list, DrawList part, float right, float down);
+
+/// Returns one picture above the other; as wide as the wider one.
+DrawList stacked(DrawList above, DrawList below);
+
+// ---- For the rasterizer and OpenGL
 
 inline constexpr int kTriangleFloats = 6;  // x y r g b a for each corner
 inline constexpr int kSegmentFloats = 17;  // ends (4), neighbours (4), two colours (8), width
@@ -36,55 +93,5 @@ void cleanVertices(const DrawLine& line, std::vector<DrawVertex>& clean);
 
 /// Fills `geometry`, reusing its memory.
 void flatten(const DrawList& list, Geometry& geometry);
-
-struct DrawPoint {
-  float x = 0, y = 0;
-};
-
-/// For a DrawPoint or a DrawVertex.
-template <class Point>
-bool isFinite(const Point& point) {
-  return std::isfinite(point.x) && std::isfinite(point.y);
-}
-template <class Point>
-bool isSamePoint(const Point& a, const Point& b) {
-  return a.x == b.x && a.y == b.y;
-}
-
-/// Returns the box around a field.
-Box boundingBox(const DrawField& field);
-/// Returns the colours of a field at the centres of a raster over its box, row by row from the top;
-/// a = 0 where there is none.
-std::vector<Rgba> sampledColours(const DrawField& field, int columns, int rows);
-
-void addRectangle(DrawLayer& layer, const Box& box, const Rgba& top, const Rgba& bottom);
-void addRectangle(DrawLayer& layer, const Box& box, const Rgba& colour);
-/// Adds a rectangle whose colour changes from left to right.
-void addRectangleAcross(DrawLayer& layer, const Box& box, const Rgba& left, const Rgba& right);
-void addQuad(DrawLayer& layer, const DrawVertex& a, const DrawVertex& b, const DrawVertex& c,
-             const DrawVertex& d);
-void addLine(DrawLayer& layer, std::vector<DrawPoint> points, float width, const Rgba& colour);
-/// Adds a box with half-round ends.
-void addPill(DrawLayer& layer, const Box& box, const Rgba& colour);
-/// Adds a shaft with an open head at `to`; the head's sides are `head` pixels long.
-void addArrow(DrawLayer& layer, DrawPoint from, DrawPoint to, float head, float width,
-              const Rgba& colour);
-
-/// Adds one text; `at` is its anchor on the baseline. An empty one is left out.
-void addLabel(DrawList& list, std::string utf8, DrawPoint at, float size, TextAnchor anchor,
-              const Rgba& colour, float angle = 0);
-
-/// A piece of a text; a lowered piece is smaller, as in "F_N".
-struct TextRun {
-  std::string utf8;
-  bool bold = false;
-  bool lowered = false;
-};
-using TextRuns = std::vector<TextRun>;
-
-float textWidth(const TextRuns& runs, float size);
-/// Adds text left-aligned on the baseline; returns its right end.
-float addText(DrawList& list, const TextRuns& runs, DrawPoint baseline, float size,
-              const Rgba& colour);
 
 }  // namespace asperity

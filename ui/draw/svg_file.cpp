@@ -59,22 +59,22 @@ std::string hexColour(const Rgba& c) {
 }
 
 /// Returns ` fill="#102030" fill-opacity="0.5"`.
-std::string paintOf(const std::string& what, const std::string& opacity, const Rgba& c) {
+std::string paintAttributes(const std::string& what, const std::string& opacity, const Rgba& c) {
   std::string text = " " + what + "=\"" + hexColour(c) + "\"";
   if (c.a < 1) text += " " + opacity + "=\"" + fraction(c.a) + "\"";
   return text;
 }
 
-std::string fillOf(const Rgba& c) {
-  return paintOf("fill", "fill-opacity", c);
+std::string fillAttributes(const Rgba& c) {
+  return paintAttributes("fill", "fill-opacity", c);
 }
 
-std::string strokeOf(const Rgba& c) {
-  return paintOf("stroke", "stroke-opacity", c);
+std::string strokeAttributes(const Rgba& c) {
+  return paintAttributes("stroke", "stroke-opacity", c);
 }
 
-std::string stopOf(const Rgba& c) {
-  return paintOf("stop-color", "stop-opacity", c);
+std::string stopAttributes(const Rgba& c) {
+  return paintAttributes("stop-color", "stop-opacity", c);
 }
 
 /// The first point is absolute, others are relative to the previous one; differences of rounded
@@ -122,15 +122,15 @@ class SvgWriter {
       svg += "<metadata>" + xmlText(options_.metadata) + "</metadata>\n";
     if (!list_.texts.empty()) svg += style();
     if (!definitions_.empty()) svg += "<defs>\n" + definitions_ + "</defs>\n";
-    svg += "<rect width=\"" + width + "\" height=\"" + height + "\"" + fillOf(list_.background) +
-           "/>\n";
+    svg += "<rect width=\"" + width + "\" height=\"" + height + "\"" +
+           fillAttributes(list_.background) + "/>\n";
     return svg + body_ + "</svg>\n";
   }
 
  private:
   void addLayer(const VectorLayer& layer) {
     if (layer.fills.empty() && layer.strokes.empty()) return;
-    body_ += "<g" + clipOf(layer.clip) + ">\n";
+    body_ += "<g" + clipAttribute(layer.clip) + ">\n";
     for (const VectorFill& fill : layer.fills) addFill(fill);
     if (!layer.strokes.empty()) {
       body_ += "<g fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n";
@@ -149,15 +149,15 @@ class SvgWriter {
       const std::string bytes = encodePng(image);
       const Box box = boundingBox(field);
       body_ +=
-          "<g" + clipOf(layer.clip) + "><image x=\"" + number(box.x) + "\" y=\"" + number(box.y) +
-          "\" width=\"" + number(box.width) + "\" height=\"" + number(box.height) +
+          "<g" + clipAttribute(layer.clip) + "><image x=\"" + number(box.x) + "\" y=\"" +
+          number(box.y) + "\" width=\"" + number(box.width) + "\" height=\"" + number(box.height) +
           "\" preserveAspectRatio=\"none\" href=\"data:image/png;base64," +
           QByteArray(bytes.data(), static_cast<qsizetype>(bytes.size())).toBase64().toStdString() +
           "\"/></g>\n";
     }
   }
 
-  std::string clipOf(const Box& clip) {
+  std::string clipAttribute(const Box& clip) {
     if (clip.width == 0) return {};
     const std::string rectangle = "<rect x=\"" + number(clip.x) + "\" y=\"" + number(clip.y) +
                                   "\" width=\"" + number(clip.width) + "\" height=\"" +
@@ -176,12 +176,12 @@ class SvgWriter {
   }
 
   std::string fillWith(const VectorPaint& paint) {
-    if (!paint.isGradient) return fillOf(paint.from);
+    if (!paint.isGradient) return fillAttributes(paint.from);
     const std::string name = "g" + std::to_string(gradients_++);
     definitions_ += "<linearGradient id=\"" + name + "\" gradientUnits=\"userSpaceOnUse\" x1=\"" +
                     number(paint.start.x) + "\" y1=\"" + number(paint.start.y) + "\" x2=\"" +
                     number(paint.end.x) + "\" y2=\"" + number(paint.end.y) + "\"><stop" +
-                    stopOf(paint.from) + "/><stop offset=\"1\"" + stopOf(paint.to) +
+                    stopAttributes(paint.from) + "/><stop offset=\"1\"" + stopAttributes(paint.to) +
                     "/></linearGradient>\n";
     return " fill=\"url(#" + name + ")\"";
   }
@@ -189,18 +189,18 @@ class SvgWriter {
   void addStroke(const VectorStroke& stroke) {
     std::string path;
     for (const Polyline& line : stroke.lines) appendPath(path, line, false);
-    body_ += "<path d=\"" + path + "\"" + strokeOf(stroke.colour) + " stroke-width=\"" +
+    body_ += "<path d=\"" + path + "\"" + strokeAttributes(stroke.colour) + " stroke-width=\"" +
              number(stroke.width) + "\"/>\n";
   }
 
   void addTexts() {
     if (list_.texts.empty()) return;
     body_ += "<g xml:space=\"preserve\">\n";
-    for (const DrawText& text : list_.texts) body_ += textOf(text);
+    for (const DrawText& text : list_.texts) body_ += textElement(text);
     body_ += "</g>\n";
   }
 
-  static std::string textOf(const DrawText& text) {
+  static std::string textElement(const DrawText& text) {
     std::string element = "<text";
     if (text.angle == 0)
       element += " x=\"" + number(text.x) + "\" y=\"" + number(text.y) + "\"";
@@ -212,7 +212,7 @@ class SvgWriter {
     if (text.anchor != TextAnchor::Left)
       element +=
           text.anchor == TextAnchor::Centre ? " text-anchor=\"middle\"" : " text-anchor=\"end\"";
-    return element + fillOf(text.colour) + ">" + xmlText(text.utf8) + "</text>\n";
+    return element + fillAttributes(text.colour) + ">" + xmlText(text.utf8) + "</text>\n";
   }
 
   /// Letters keep their measured distances: without kerning and ligatures.
@@ -229,7 +229,6 @@ class SvgWriter {
       for (const char32_t character : characters)
         if (choice.face(bold).advances.contains(character)) chosen.insert(character);
       for (const char32_t character : chosen) characters.erase(character);
-      if (!options_.embedFont) continue;
       if (!chosen.empty()) add(xmlText(choice.family), bold, chosenFontSubset(bold, chosen));
       if (!characters.empty()) add("DejaVu Sans", bold, fontSubset(bold, characters));
     }

@@ -13,7 +13,6 @@ namespace asperity {
 struct SvgOptions {
   std::string title;       // shown by a viewer; empty: none
   std::string metadata;    // any UTF-8 text, kept in <metadata>; empty: none
-  bool embedFont = true;   // the glyphs in use, as a data URI
   double millimetres = 0;  // of one pixel, where the picture has a size on paper; 0: it has none
 };
 

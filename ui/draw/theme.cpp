@@ -85,16 +85,12 @@ void removeColours(DrawList& list) {
 
 namespace {
 
-constexpr Rgba bytes(int r, int g, int b) {
-  return {static_cast<float>(r) / 255, static_cast<float>(g) / 255, static_cast<float>(b) / 255, 1};
-}
-
 // Control colours of "inferno" (matplotlib, CC0) at 0.5, 0.55, ..., 1. Its dark half is left out,
 // because it has too little contrast to the elastomer.
 constexpr std::array<Rgba, 11> kInferno = {
-    bytes(188, 55, 84),  bytes(206, 68, 71),   bytes(221, 81, 58),  bytes(234, 99, 42),
-    bytes(243, 120, 25), bytes(249, 142, 9),   bytes(252, 165, 10), bytes(251, 190, 35),
-    bytes(246, 215, 70), bytes(242, 239, 118), bytes(252, 255, 164)};
+    colourFrom(0xBC3754), colourFrom(0xCE4447), colourFrom(0xDD513A), colourFrom(0xEA632A),
+    colourFrom(0xF37819), colourFrom(0xF98E09), colourFrom(0xFCA50A), colourFrom(0xFBBE23),
+    colourFrom(0xF6D746), colourFrom(0xF2EF76), colourFrom(0xFCFFA4)};
 
 // "Viridis" backwards, from 1 to 0.3. The rest is darker than the elastomer.
 constexpr std::array<Rgba, 8> kAgeColours = [] {
@@ -124,7 +120,7 @@ Rgba withAlpha(Rgba colour, float alpha) {
 
 Rgba textOn(const Rgba& fill) {
   const float lightness = 0.299F * fill.r + 0.587F * fill.g + 0.114F * fill.b;
-  return lightness > 0.5F ? bytes(22, 30, 40) : bytes(240, 245, 250);
+  return lightness > 0.5F ? colourFrom(0x161E28) : colourFrom(0xF0F5FA);
 }
 
 Rgba pressureColour(float t) {

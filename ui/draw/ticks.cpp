@@ -47,7 +47,7 @@ AxisUnit powerUnit(double largestTick, std::string_view unit) {
   return {powerOfTen(power) + (unit.empty() ? "" : " ") + std::string(unit), std::pow(10.0, power)};
 }
 
-double nextOf(std::initializer_list<double> factors, double value) {
+double nextMultiple(std::initializer_list<double> factors, double value) {
   const double power = std::pow(10.0, std::floor(std::log10(value)));
   for (const double factor : factors)
     if (factor * power >= value * (1 - 1e-9)) return factor * power;
@@ -95,11 +95,11 @@ int tickCount(float pixels, float each) {
 }  // namespace
 
 double roundUp125(double value) {
-  return nextOf({1, 2, 5}, value);
+  return nextMultiple({1, 2, 5}, value);
 }
 
 double roundUp(double value) {
-  return nextOf({1, 1.5, 2, 2.5, 3, 4, 5, 6, 8}, value);
+  return nextMultiple({1, 1.5, 2, 2.5, 3, 4, 5, 6, 8}, value);
 }
 
 AxisTicks linearTicks(double from, double to, int most, std::string_view unit) {
@@ -241,6 +241,10 @@ std::string factorText(double factor) {
 
 std::string quantity(double value, std::string_view unit, int digits, Zeros zeros) {
   return inLanguage(printedQuantity(value, unit, digits, zeros));
+}
+
+QString readingLabel(double value, int digits) {
+  return QString::fromStdString(shortNumber(value, digits));
 }
 
 }  // namespace asperity

@@ -2,6 +2,7 @@
 // unit. Pure; any thread. Texts are UTF-8 with a true minus, micro and multiplication sign.
 #pragma once
 
+#include <QString>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -68,5 +69,8 @@ std::string factorText(double factor);
 std::string shortNumber(double value, int digits = 3, Zeros zeros = Zeros::Drop);
 std::string quantity(double value, std::string_view unit, int digits = 3,
                      Zeros zeros = Zeros::Drop);
+
+/// Returns shortNumber() as widgets take it.
+QString readingLabel(double value, int digits = 3);
 
 }  // namespace asperity

@@ -23,12 +23,12 @@ struct MemoryFile {
   std::size_t position = 0;
 };
 
-MemoryFile& fileOf(thandle_t handle) {
+MemoryFile& memoryFile(thandle_t handle) {
   return *static_cast<MemoryFile*>(handle);
 }
 
 tmsize_t readBytes(thandle_t handle, void* to, tmsize_t count) {
-  MemoryFile& file = fileOf(handle);
+  MemoryFile& file = memoryFile(handle);
   const std::size_t known = file.bytes.size() - std::min(file.position, file.bytes.size());
   const std::size_t taken = std::min(static_cast<std::size_t>(count), known);
   std::memcpy(to, file.bytes.data() + file.position, taken);
@@ -37,7 +37,7 @@ tmsize_t readBytes(thandle_t handle, void* to, tmsize_t count) {
 }
 
 tmsize_t writeBytes(thandle_t handle, void* from, tmsize_t count) {
-  MemoryFile& file = fileOf(handle);
+  MemoryFile& file = memoryFile(handle);
   const auto size = static_cast<std::size_t>(count);
   if (file.bytes.size() < file.position + size) file.bytes.resize(file.position + size);
   std::memcpy(file.bytes.data() + file.position, from, size);
@@ -46,7 +46,7 @@ tmsize_t writeBytes(thandle_t handle, void* from, tmsize_t count) {
 }
 
 toff_t moveTo(thandle_t handle, toff_t offset, int whence) {
-  MemoryFile& file = fileOf(handle);
+  MemoryFile& file = memoryFile(handle);
   const std::size_t start = whence == SEEK_SET   ? 0
                             : whence == SEEK_CUR ? file.position
                                                  : file.bytes.size();
@@ -58,8 +58,8 @@ int closeFile(thandle_t) {
   return 0;
 }
 
-toff_t sizeOf(thandle_t handle) {
-  return fileOf(handle).bytes.size();
+toff_t fileSize(thandle_t handle) {
+  return memoryFile(handle).bytes.size();
 }
 
 struct Closer {
@@ -85,7 +85,7 @@ std::string tiffBytes(const QImage& given, const PngOptions& options) {
   {
     const std::unique_ptr<TIFF, Closer> tiff(
         TIFFClientOpen("picture", "wl", static_cast<thandle_t>(&file), readBytes, writeBytes,
-                       moveTo, closeFile, sizeOf, nullptr, nullptr));
+                       moveTo, closeFile, fileSize, nullptr, nullptr));
     if (!tiff) throw std::runtime_error("A TIFF file cannot be begun.");
     const auto set = [&](std::uint32_t tag, auto value) { TIFFSetField(tiff.get(), tag, value); };
     set(TIFFTAG_IMAGEWIDTH, static_cast<std::uint32_t>(image.width()));

@@ -106,7 +106,7 @@ constexpr float kPiece = 0.08F;       // largest variation in a piece of a mesh
 constexpr float kInvisible = 0.002F;  // opacity
 constexpr float kSmallest = 4;        // pixels; smaller pieces are not split
 
-float areaOf(const Triangle& t) {
+float signedArea(const Triangle& t) {
   return ((t[1].x - t[0].x) * (t[2].y - t[0].y) - (t[2].x - t[0].x) * (t[1].y - t[0].y)) / 2;
 }
 
@@ -117,7 +117,7 @@ float colourDistance(const Rgba& a, const Rgba& b) {
                    opacity * std::abs(a.b - b.b), std::abs(a.a - b.a)});
 }
 
-Rgba meanOf(const Triangle& t) {
+Rgba meanColour(const Triangle& t) {
   return {(t[0].colour.r + t[1].colour.r + t[2].colour.r) / 3,
           (t[0].colour.g + t[1].colour.g + t[2].colour.g) / 3,
           (t[0].colour.b + t[1].colour.b + t[2].colour.b) / 3,
@@ -156,7 +156,7 @@ struct Shade {
 };
 
 /// Returns the shade; none where the colours do not change along one direction.
-std::optional<Shade> shadeOf(const Triangle& t) {
+std::optional<Shade> findShade(const Triangle& t) {
   const double ux = t[1].x - t[0].x, uy = t[1].y - t[0].y;
   const double vx = t[2].x - t[0].x, vy = t[2].y - t[0].y;
   const double determinant = ux * vy - vx * uy;
@@ -183,15 +183,15 @@ std::optional<Shade> shadeOf(const Triangle& t) {
 class FillCollector {
  public:
   void add(Triangle t) {
-    const float area = areaOf(t);
+    const float area = signedArea(t);
     if (!(std::abs(area) > 1e-6F)) return;
     if (std::max({t[0].colour.a, t[1].colour.a, t[2].colour.a}) < kInvisible) return;
     if (area < 0) std::swap(t[1], t[2]);
     if (variation(t) <= kOneColour)
-      addFlat(t, meanOf(t), false);
+      addFlat(t, meanColour(t), false);
     else if (shade_ && shade_->describes(t))
       append(t);
-    else if (const auto shade = shadeOf(t))
+    else if (const auto shade = findShade(t))
       start(*shade, t);
     else
       addPieces(t);
@@ -233,7 +233,7 @@ class FillCollector {
     float longest = 0;
     for (std::size_t i = 0; i < 3; ++i)
       longest = std::max(longest, std::hypot(t[i].x - t[(i + 1) % 3].x, t[i].y - t[(i + 1) % 3].y));
-    if (variation(t) <= kPiece || longest <= kSmallest) return addFlat(t, meanOf(t), true);
+    if (variation(t) <= kPiece || longest <= kSmallest) return addFlat(t, meanColour(t), true);
     const auto middle = [&](std::size_t a, std::size_t b) {
       return DrawVertex{(t[a].x + t[b].x) / 2, (t[a].y + t[b].y) / 2,
                         mix(t[a].colour, t[b].colour, 0.5F)};
@@ -323,6 +323,83 @@ bool sameColour(const Rgba& a, const Rgba& b) {
   const auto one = channels(a), other = channels(b);
   return std::equal(one.begin(), one.end(), other.begin(),
                     [](float x, float y) { return std::lround(255 * x) == std::lround(255 * y); });
+}
+
+Box boundingBox(const DrawField& field) {
+  if (field.x.empty() || field.y.empty()) return {};
+  const auto [left, right] = std::ranges::minmax(field.x);
+  const auto [top, bottom] = std::ranges::minmax(field.y);
+  return {left, top, right - left, bottom - top};
+}
+
+namespace {
+
+/// A position between two neighbours of a list.
+struct Between {
+  std::size_t index = 0;
+  float part = 0;
+};
+
+/// Returns the position of a value in an ascending or descending list that contains it.
+Between betweenIn(const std::vector<float>& list, float value) {
+  const bool rises = list.front() <= list.back();
+  std::size_t low = 0, high = list.size() - 1;
+  while (high - low > 1) {
+    const std::size_t middle = (low + high) / 2;
+    ((list[middle] <= value) == rises ? low : high) = middle;
+  }
+  const float size = list[high] - list[low];
+  return {low, size != 0 ? std::clamp((value - list[low]) / size, 0.0F, 1.0F) : 0};
+}
+
+/// Returns the colours of a field at the centres of a raster over its box, row by row from the top;
+/// a = 0 where there is none.
+std::vector<Rgba> sampledColours(const DrawField& field, int columns, int rows) {
+  std::vector<Rgba> raster;
+  if (field.x.size() < 2 || field.y.size() < 2) return raster;
+  raster.reserve(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+  const Box box = boundingBox(field);
+  const std::size_t width = field.x.size();
+  std::vector<Between> across;
+  for (int i = 0; i < columns; ++i)
+    across.push_back(betweenIn(
+        field.x, box.x + box.width * (static_cast<float>(i) + 0.5F) / static_cast<float>(columns)));
+  for (int j = 0; j < rows; ++j) {
+    const Between down = betweenIn(
+        field.y, box.y + box.height * (static_cast<float>(j) + 0.5F) / static_cast<float>(rows));
+    for (const Between& right : across) {
+      const Rgba* row = &field.colours[down.index * width + right.index];
+      const Rgba* next = row + width;
+      const bool isKnown = row[0].a > 0 && row[1].a > 0 && next[0].a > 0 && next[1].a > 0;
+      raster.push_back(isKnown ? mix(mix(row[0], row[1], right.part),
+                                     mix(next[0], next[1], right.part), down.part)
+                               : Rgba{0, 0, 0, 0});
+    }
+  }
+  return raster;
+}
+
+}  // namespace
+
+QImage fieldImage(const DrawField& field, int maxPixels) {
+  const Box box = boundingBox(field);
+  const auto pixels = [maxPixels](float size) {
+    return std::clamp(static_cast<int>(std::ceil(size)), 1, maxPixels);
+  };
+  const int columns = pixels(box.width), rows = pixels(box.height);
+  const std::vector<Rgba> raster = sampledColours(field, columns, rows);
+  if (raster.empty()) return {};
+  QImage image(columns, rows, QImage::Format_ARGB32);
+  bool isOpaque = true;
+  for (int j = 0; j < rows; ++j)
+    for (int i = 0; i < columns; ++i) {
+      const Rgba& colour = raster[static_cast<std::size_t>(j) * static_cast<std::size_t>(columns) +
+                                  static_cast<std::size_t>(i)];
+      isOpaque = isOpaque && colour.a >= 1;
+      const auto byte = [](float part) { return static_cast<int>(std::lround(255 * part)); };
+      image.setPixel(i, j, qRgba(byte(colour.r), byte(colour.g), byte(colour.b), byte(colour.a)));
+    }
+  return isOpaque ? image.convertToFormat(QImage::Format_RGB888) : image;
 }
 
 }  // namespace asperity

@@ -1,10 +1,12 @@
-// The elements of vector files (SVG, PDF): paths of shapes, gradients and fills. Pure; any thread.
+// The elements of vector files (SVG, PDF): paths of shapes, gradients and fills, and fields as
+// images. Pure; any thread.
 #pragma once
 
+#include <QImage>
 #include <vector>
 
 #include "ui/draw/draw_list.h"
-#include "ui/draw/stroke_pattern.h"
+#include "ui/draw/polyline.h"
 
 namespace asperity {
 
@@ -50,5 +52,11 @@ std::vector<VectorFill> vectorFills(const std::vector<DrawVertex>& triangles);
 
 /// Returns whether the colours agree in eight bits per channel.
 bool sameColour(const Rgba& a, const Rgba& b);
+
+/// Returns the box around a field.
+Box boundingBox(const DrawField& field);
+
+/// Returns a field as an image over its box, with at most `maxPixels` pixels in each direction.
+QImage fieldImage(const DrawField& field, int maxPixels);
 
 }  // namespace asperity

@@ -58,7 +58,7 @@ std::unique_ptr<Loaded> load(std::string_view code) {
 }
 
 /// Returns one of kLanguages. Only the thread that chooses languages may call it.
-const Loaded& languageOf(std::string_view code) {
+const Loaded& loadedLanguage(std::string_view code) {
   static std::map<std::string_view, std::unique_ptr<Loaded>> all;
   std::unique_ptr<Loaded>& language = all[code];
   if (!language) language = load(code);
@@ -104,7 +104,7 @@ std::string_view languageFor(std::string_view locale) {
 
 void useLanguage(std::string_view code) {
   const std::string_view known = languageFor(code);
-  const Loaded& next = languageOf(known.empty() ? kLanguages.front().code : known);
+  const Loaded& next = loadedLanguage(known.empty() ? kLanguages.front().code : known);
   const Loaded& last = *presentOne().exchange(&next);
   QLocale::setDefault(next.locale);
   if (!QCoreApplication::instance()) return;

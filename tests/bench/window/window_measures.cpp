@@ -16,8 +16,8 @@
 #include "tests/ui/window/fresh_paints.h"
 #include "ui/contact/contact_picture.h"
 #include "ui/draw/fonts.h"
+#include "ui/draw/pixel_context.h"
 #include "ui/draw/png_file.h"
-#include "ui/draw/raster_context.h"
 #include "ui/panels/value_slider.h"
 #include "ui/window/contact/contact_canvas.h"
 #include "ui/window/main/main_window.h"
@@ -267,7 +267,7 @@ void measureShares(const Frame& frame, bool isQuick, std::vector<WindowMeasure>&
   options.width = 1920;
   options.height = 1080;
   const int pictures = isQuick ? 10 : 60;
-  RasterContext context;
+  const auto context = makeRasterContext();
   double compose = 0, shapes = 0, texts = 0, encode = 0;
   const auto timed = [](double& sum, const auto& work) {
     const double before = processorTime();
@@ -277,7 +277,7 @@ void measureShares(const Frame& frame, bool isQuick, std::vector<WindowMeasure>&
   };
   for (int i = 0; i < pictures; ++i) {
     const DrawList list = timed(compose, [&] { return composeContact(frame, options); });
-    const Pixels pixels = timed(shapes, [&] { return context.draw(list); });
+    const Pixels pixels = timed(shapes, [&] { return context->draw(list); });
     QImage image(pixels.rgba.data(), pixels.width, pixels.height, 4 * pixels.width,
                  QImage::Format_RGBA8888_Premultiplied);
     image.detach();

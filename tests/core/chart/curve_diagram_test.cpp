@@ -307,7 +307,7 @@ TEST(CurveDiagram, AFamilyHasNamesOrARamp) {
   set.familyKey = "load.normal_force";
   for (int i = 0; i < 5; ++i) {
     set.pinned.push_back(curveOf(scene, "F = " + std::to_string(i), i));
-    set.pinned.back().ofFamily = i;
+    set.pinned.back().familyValue = i;
   }
   const Diagram few = curveSheet(set).diagrams.front();
   EXPECT_FALSE(few.ramp);
@@ -316,7 +316,7 @@ TEST(CurveDiagram, AFamilyHasNamesOrARamp) {
   EXPECT_TRUE(few.spans.empty());
   EXPECT_THAT(curveSetCsv(set), testing::StartsWith("series,normal_force,velocity,mu,"));
   set.pinned.push_back(curveOf(scene, "F = 5", 5));
-  set.pinned.back().ofFamily = 5;
+  set.pinned.back().familyValue = 5;
   const Diagram many = curveSheet(set).diagrams.front();
   ASSERT_TRUE(many.ramp);
   EXPECT_EQ(many.ramp->to.english(), "5 N");

@@ -1,7 +1,7 @@
 // What is explained under the pointer: everything that has a symbol, an axis or a number.
 #include "core/chart/explanations.h"
 
-#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
@@ -14,9 +14,6 @@
 
 namespace asperity {
 namespace {
-
-using testing::ElementsAre;
-using testing::IsEmpty;
 
 TEST(Explanations, EveryParameterHasASentenceAndAPlace) {
   for (const Parameter& row : parameters()) {
@@ -74,11 +71,6 @@ TEST(Explanations, ElementsWithArmsHaveTheirOwnFormulas) {
   }
   const HoverExplanation same = *findExplanation(std::string_view("mu"));
   EXPECT_EQ(withFormulaFor(same, Rheology::Prony).formula, same.formula);
-}
-
-TEST(Explanations, EquationsOfATextAreFound) {
-  EXPECT_THAT(equationsIn("Eq. (13) of the paper"), ElementsAre("Eq. (13)"));
-  EXPECT_THAT(equationsIn("no equation"), IsEmpty());
 }
 
 /// The places are headings ("{#law}") or equations ("#eq-11") of the guide's own text.

@@ -20,15 +20,15 @@ TEST(SensitivitySheet, WhatMayBeZeroIsLast) {
   EXPECT_EQ(diagram.bars[0].value, -1);
   EXPECT_EQ(diagram.bars[1].value, 0.5);
   EXPECT_EQ(diagram.bars[2].value, 3);
-  EXPECT_FALSE(isSignificant(diagram.bars[2]));
+  EXPECT_FALSE(diagram.bars[2].isSignificant());
   EXPECT_LT(diagram.x.from, -1.1);
   EXPECT_GT(diagram.x.to, 3);
   EXPECT_LT(diagram.x.to, 4);
 }
 
 TEST(SensitivitySheet, WhatHasNoErrorCounts) {
-  EXPECT_TRUE(isSignificant({"h", 0.1}));
-  EXPECT_FALSE(isSignificant({"h", -0.1, 0.1}));
+  EXPECT_TRUE((DiagramBar{"h", 0.1}.isSignificant()));
+  EXPECT_FALSE((DiagramBar{"h", -0.1, 0.1}.isSignificant()));
   const DiagramSheet sheet = sensitivitySheet({}, {{"surface.hurst", 0.7, {0.5, 1}}});
   EXPECT_GT(sheet.diagrams.front().x.to, 1.5);  // where nothing counts, all is seen
 }

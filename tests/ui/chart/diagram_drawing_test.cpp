@@ -8,8 +8,8 @@
 
 #include "core/base/number_text.h"
 #include "tests/ui/chart/sample_sheets.h"
-#include "ui/chart/diagram_colours.h"
 #include "ui/chart/diagram_picture.h"
+#include "ui/chart/diagram_style.h"
 #include "ui/draw/ticks.h"
 
 namespace asperity {

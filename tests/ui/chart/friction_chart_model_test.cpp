@@ -85,16 +85,6 @@ TEST(DecadeRanges, GrowsAtOnceAndShrinksReluctantly) {
   EXPECT_EQ(steadyRange(shown, {}, true), shown);
 }
 
-TEST(DecadeRanges, ReadingsReadLikePrint) {
-  EXPECT_EQ(readingLabel(0.125), QStringLiteral("0.125"));
-  EXPECT_EQ(readingLabel(2.5e-5), QStringLiteral("2.5×10⁻⁵"));
-  EXPECT_EQ(readingLabel(1e-6), QStringLiteral("10⁻⁶"));
-  EXPECT_EQ(readingLabel(0.01234, 2), QStringLiteral("0.012"));
-  EXPECT_EQ(readingLabel(std::nan("")), QStringLiteral("–"));
-  EXPECT_EQ(readingLabel(-0.41), QStringLiteral("−0.41"));
-  EXPECT_EQ(readingLabel(-2.5e-5), QStringLiteral("−2.5×10⁻⁵"));
-}
-
 TEST(FrictionChartModelTest, SkipsWhatHasNoPlaceOnLogarithmicAxes) {
   FrictionChartModel diagram;
   const double nan = std::nan("");

@@ -2,17 +2,11 @@
 // tests of the pictures. Pure; any thread.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "core/chart/diagram.h"
 
 namespace asperity {
-
-struct NamedSheet {
-  std::string name;
-  DiagramSheet sheet;
-};
 
 /// One series through these points, linear axes.
 DiagramSheet sheetOf(const std::vector<DiagramPoint>& points);

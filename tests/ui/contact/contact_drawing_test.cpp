@@ -9,7 +9,7 @@
 #include "tests/ui/contact/sample_frame.h"
 #include "ui/contact/contact_picture.h"
 #include "ui/draw/fonts.h"
-#include "ui/draw/osmesa_context.h"
+#include "ui/draw/pixel_context.h"
 #include "ui/draw/theme.h"
 #include "ui/draw/ticks.h"
 
@@ -42,7 +42,7 @@ Frame singleContact(int points, std::size_t where) {
 
 /// In a low view that is filled to its top, where the labels are.
 TEST(ContactDrawing, LabelsLeaveTheLineWhole) {
-  OsmesaContext context;
+  const auto context = makeOsmesaContext();
   Frame frame = singleContact(400, 200);
   frame.pressure.assign(400, 0);
   frame.normalForce = 0;
@@ -59,7 +59,7 @@ TEST(ContactDrawing, LabelsLeaveTheLineWhole) {
   const DrawList list = composeContact(frame, options);
   EXPECT_TRUE(
       std::ranges::any_of(list.texts, [](const auto& t) { return t.utf8 == "rigid body"; }));
-  const Pixels pixels = context.draw(list);
+  const Pixels pixels = context->draw(list);
   int broken = 0;
   for (std::size_t i = 2; i < 398; ++i) {
     const double height = frame.lineHeight[i];
@@ -74,7 +74,7 @@ TEST(ContactDrawing, LabelsLeaveTheLineWhole) {
 }
 
 TEST(ContactDrawing, OnePointInContactIsSeenAtEveryWidth) {
-  OsmesaContext context;
+  const auto context = makeOsmesaContext();
   const Rgba colour = pressureColour(static_cast<float>(7 / roundUp(7)));
   for (const int width : {320, 641, 1280, 4000}) {
     for (const int points : {60, 5000, 200000}) {
@@ -89,7 +89,7 @@ TEST(ContactDrawing, OnePointInContactIsSeenAtEveryWidth) {
         const double x =
             plot.x + plot.width * (static_cast<double>(where) * frame.spacing) / view.width;
         const double y = plot.y + plot.height * view.top / (view.top - view.bottom);
-        const Pixels pixels = context.draw(composeContact(frame, options));
+        const Pixels pixels = context->draw(composeContact(frame, options));
         EXPECT_LE(difference(pixels, static_cast<int>(x), static_cast<int>(y), colour), 3)
             << width << " " << points << " " << share;
       }
@@ -99,7 +99,7 @@ TEST(ContactDrawing, OnePointInContactIsSeenAtEveryWidth) {
 
 /// Contact between two points: the bodies all but touch there and no point carries pressure.
 TEST(ContactDrawing, ContactBetweenPointsIsSeen) {
-  OsmesaContext context;
+  const auto context = makeOsmesaContext();
   for (const int points : {60, 5000, 200000}) {
     const auto where = static_cast<std::size_t>(0.3 * points);
     Frame frame = singleContact(points, where);
@@ -113,7 +113,7 @@ TEST(ContactDrawing, ContactBetweenPointsIsSeen) {
         plot.x + plot.width * (static_cast<double>(where) * frame.spacing) / view.width;
     const double y = plot.y + plot.height * view.top / (view.top - view.bottom);
     const auto off = [&] {
-      const Pixels pixels = context.draw(composeContact(frame, options));
+      const Pixels pixels = context->draw(composeContact(frame, options));
       return difference(pixels, static_cast<int>(x), static_cast<int>(y), pressureColour(1));
     };
     EXPECT_LE(off(), 3) << points;
@@ -123,14 +123,14 @@ TEST(ContactDrawing, ContactBetweenPointsIsSeen) {
 }
 
 TEST(ContactDrawing, ContactsAreLitAndTheRestIsNot) {
-  OsmesaContext context;
+  const auto context = makeOsmesaContext();
   SampleOptions options;
   options.points = 60;  // so far apart that every point has pixels of its own
   const auto frame = sampleFrame(options);
   ContactPictureOptions picture;
   const Box plot = contactPlotArea(*frame, picture);
   const ContactView view = resolvedView(*frame, {});
-  const Pixels pixels = context.draw(composeContact(*frame, picture));
+  const Pixels pixels = context->draw(composeContact(*frame, picture));
   int lit = 0;
   for (std::size_t i = 1; i < 60; ++i) {
     const double x = plot.x + plot.width * static_cast<double>(i) / 60;
@@ -149,7 +149,7 @@ TEST(ContactDrawing, ContactsAreLitAndTheRestIsNot) {
 }
 
 TEST(ContactDrawing, NothingMovesOutsideTheAxes) {
-  OsmesaContext context;
+  const auto context = makeOsmesaContext();
   SampleOptions options;
   options.depth = 3e-6;
   ContactPictureOptions picture;
@@ -160,8 +160,8 @@ TEST(ContactDrawing, NothingMovesOutsideTheAxes) {
   auto second = std::make_shared<Frame>(*sampleFrame(options));
   second->time = 0;
   const Box plot = contactPlotArea(*first, picture);
-  const Pixels a = context.draw(composeContact(*first, picture));
-  const Pixels b = context.draw(composeContact(*second, picture));
+  const Pixels a = context->draw(composeContact(*first, picture));
+  const Pixels b = context->draw(composeContact(*second, picture));
   ASSERT_EQ(a.rgba.size(), b.rgba.size());
   int inside = 0;
   for (int y = 0; y < a.height; ++y) {
@@ -183,10 +183,10 @@ TEST(ContactDrawing, BytesRepeat) {
   SampleOptions options;
   const auto frame = sampleFrame(options);
   const auto render = [&] {
-    OsmesaContext context;
+    const auto context = makeOsmesaContext();
     ContactPictureOptions picture;
     picture.theme = darkTheme();
-    return renderImage(context, composeContact(*frame, picture));
+    return renderImage(*context, composeContact(*frame, picture));
   };
   EXPECT_EQ(render(), render());
 }
@@ -209,21 +209,21 @@ TEST(ContactDrawing, CostDoesNotGrowWithThePoints) {
 }
 
 TEST(ContactDrawing, AnyFrameAndSizeComposes) {
-  OsmesaContext context;
+  const auto context = makeOsmesaContext();
   SampleOptions options;
   options.points = 1;
   ContactPictureOptions picture;
   for (const int size : {1, 2, 17, 60, 150}) {
     picture.width = picture.height = size;
-    EXPECT_EQ(context.draw(composeContact(Frame{}, picture)).width, size);
-    EXPECT_EQ(context.draw(composeContact(*sampleFrame(options), picture)).width, size);
+    EXPECT_EQ(context->draw(composeContact(Frame{}, picture)).width, size);
+    EXPECT_EQ(context->draw(composeContact(*sampleFrame(options), picture)).width, size);
   }
   Frame damaged = singleContact(100, 50);
   damaged.lineHeight[10] = damaged.surfaceHeight[11] = std::nan("");
   damaged.pressure[12] = INFINITY;
   damaged.distance = INFINITY;
   picture.width = 400;
-  EXPECT_EQ(context.draw(composeContact(damaged, picture)).width, 400);
+  EXPECT_EQ(context->draw(composeContact(damaged, picture)).width, 400);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "ui/contact/contact_forces.h"
 #include "ui/contact/contact_overlay.h"
 #include "ui/contact/contact_picture.h"
+#include "ui/contact/contact_signs.h"
 #include "ui/draw/ticks.h"
 
 namespace asperity {
@@ -330,10 +331,10 @@ TEST(ContactTexts, EveryReadingHasItsSentence) {
   Frame frame = *sampleFrame(sample);
   frame.isSettling = true;
   frame.drawn = {1e-6, 1, 0.5, 0.1, 0.5, 0};
-  const std::vector<ContactReading> readings = contactReadings(frame, {});
+  const std::vector<ContactSign> readings = contactReadings(frame, {});
   ASSERT_EQ(readings.size(), 7U);
   const DrawList list = composeContact(frame, {});
-  for (const ContactReading& reading : readings) {
+  for (const ContactSign& reading : readings) {
     EXPECT_GT(reading.tip.size(), 20U) << reading.name;
     const Box& place = reading.box;
     int texts = 0;  // the label and the value
@@ -362,7 +363,7 @@ TEST(ContactTexts, ATitleThatIsTooLongIsToldWhereItStands) {
   EXPECT_NE(contactReadings(frame, options).front().tip, scene.title);  // as a whole it is there
   options.width = 700;
   options.scale = 1.5F;
-  const ContactReading title = contactReadings(frame, options).front();
+  const ContactSign title = contactReadings(frame, options).front();
   EXPECT_EQ(title.tip, scene.title);
   const DrawList list = composeContact(frame, options);
   const auto shown = std::ranges::find_if(

@@ -9,7 +9,6 @@
 #include <thread>
 
 #include "tests/ui/draw/drawing.h"
-#include "ui/draw/egl_context.h"
 
 namespace asperity {
 namespace {
@@ -81,9 +80,9 @@ TEST(PixelContext, EglDrawsTheSameBytesAgainAndOnOtherThreads) {
   const DrawList list = richList(200, 100);
   std::vector<std::uint8_t> here, there;
   const auto draw = [&list](std::vector<std::uint8_t>& bytes) {
-    EglContext context;
-    context.draw(richList(50, 300));
-    bytes = context.draw(list).rgba;
+    const auto context = makeEglContext();
+    context->draw(richList(50, 300));
+    bytes = context->draw(list).rgba;
   };
   std::thread other([&] { draw(there); });
   draw(here);

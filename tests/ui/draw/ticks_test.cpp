@@ -137,5 +137,15 @@ TEST(FactorText, GroupsThousands) {
   EXPECT_EQ(factorText(999.9), "1,000");
 }
 
+TEST(ReadingLabel, ReadsLikePrint) {
+  EXPECT_EQ(readingLabel(0.125), QStringLiteral("0.125"));
+  EXPECT_EQ(readingLabel(2.5e-5), QStringLiteral("2.5×10⁻⁵"));
+  EXPECT_EQ(readingLabel(1e-6), QStringLiteral("10⁻⁶"));
+  EXPECT_EQ(readingLabel(0.01234, 2), QStringLiteral("0.012"));
+  EXPECT_EQ(readingLabel(std::nan("")), QStringLiteral("–"));
+  EXPECT_EQ(readingLabel(-0.41), QStringLiteral("−0.41"));
+  EXPECT_EQ(readingLabel(-2.5e-5), QStringLiteral("−2.5×10⁻⁵"));
+}
+
 }  // namespace
 }  // namespace asperity

@@ -179,7 +179,7 @@ TEST_F(ContactCanvasTest, ReadingsExplainThemselves) {
   ContactPictureOptions options = canvas_.viewer().options();
   options.width = canvas_.width();
   options.height = canvas_.height();
-  for (const ContactReading& reading : contactReadings(*canvas_.frame(), options)) {
+  for (const ContactSign& reading : contactReadings(*canvas_.frame(), options)) {
     const Box& box = reading.box;
     const QString tip = tipAt({box.x + 0.5 * box.width, box.y + 0.5 * box.height});
     const QString said = keptTogether(QString::fromStdString(reading.tip)).toHtmlEscaped();

@@ -28,7 +28,7 @@
 #include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
 #include "ui/chart/chart_view.h"
-#include "ui/chart/diagram_colours.h"
+#include "ui/chart/diagram_style.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/panels/value_entry.h"
 #include "ui/panels/value_slider.h"

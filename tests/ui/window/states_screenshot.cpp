@@ -24,7 +24,6 @@
 #include "core/run/frame.h"
 #include "tests/ui/window/window_in.h"
 #include "tests/ui/window/window_states.h"
-#include "ui/contact/contact_handles.h"
 #include "ui/contact/contact_signs.h"
 #include "ui/window/contact/motion_view.h"
 #include "ui/window/main/appearance.h"

@@ -135,7 +135,7 @@ QPoint middleOf(const Box& place) {
 }
 
 std::optional<QPoint> handleIn(const ContactCanvas& canvas, ContactHandle wanted) {
-  for (const HandlePosition& place : contactHandles(*canvas.frame(), shownOptions(canvas)))
+  for (const ContactSign& place : contactHandles(*canvas.frame(), shownOptions(canvas)))
     if (place.handle == wanted) return middleOf(place.box);
   return std::nullopt;
 }

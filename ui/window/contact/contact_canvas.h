@@ -4,7 +4,7 @@
 // environment variable ASPERITY_CANVAS ("opengl", "software") overrides this choice. Wheel and
 // pinch zoom at the cursor; with Ctrl they change the vertical exaggeration, with Shift they move
 // the view in x. Dragging moves the view; the rigid body dragged up or down, the force's arrow and
-// the velocity's change the scene (ui/contact/contact_handles.h): the shape of the cursor and a tip
+// the velocity's change the scene (ui/contact/contact_signs.h): the shape of the cursor and a tip
 // show this before and during the drag, and Escape undoes it. The cursor is a crosshair with a
 // readout. Keys while it has the focus: arrows move the view, with Ctrl they move the crosshair by
 // an element (with Shift by ten), with Shift the up and down arrows change the exaggeration;
@@ -19,8 +19,8 @@
 #include <optional>
 
 #include "core/run/frame.h"
-#include "ui/contact/contact_handles.h"
 #include "ui/contact/contact_picture.h"
+#include "ui/contact/contact_signs.h"
 #include "ui/contact/contact_viewer.h"
 #include "ui/window/contact/canvas_backend.h"
 

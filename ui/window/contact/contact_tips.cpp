@@ -2,7 +2,6 @@
 
 #include "core/scene/parameters.h"
 #include "core/scene/sweep.h"
-#include "ui/contact/contact_signs.h"
 #include "ui/draw/ticks.h"
 #include "ui/language/explained.h"
 #include "ui/language/translated.h"

@@ -7,8 +7,8 @@
 #include <QString>
 #include <optional>
 
-#include "ui/contact/contact_handles.h"
 #include "ui/contact/contact_picture.h"
+#include "ui/contact/contact_signs.h"
 
 namespace asperity {
 

@@ -17,7 +17,7 @@
 #include "core/scene/scene_file.h"
 #include "ui/chart/diagram_picture.h"
 #include "ui/contact/contact_overlay.h"
-#include "ui/draw/stroke_pattern.h"
+#include "ui/contact/contact_picture.h"
 #include "ui/language/language.h"
 #include "ui/panels/number_text.h"
 #include "ui/window/main/scene_library.h"

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <utility>
 
-#include "ui/chart/friction_chart_model.h"
+#include "ui/draw/ticks.h"
 #include "ui/language/translated.h"
 #include "ui/window/figures/claim_text.h"
 

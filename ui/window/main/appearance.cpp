@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "core/chart/curve_set.h"
-#include "ui/chart/diagram_colours.h"
+#include "ui/chart/diagram_style.h"
 #include "ui/draw/fonts.h"
 #include "ui/language/language.h"
 #include "ui/panels/choice_box.h"

@@ -1,4 +1,4 @@
-#include "ui/draw/stroke_pattern.h"
+#include "ui/draw/polyline.h"
 
 #include <gtest/gtest.h>
 

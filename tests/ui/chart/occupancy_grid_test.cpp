@@ -1,4 +1,4 @@
-#include "ui/draw/occupancy_grid.h"
+#include "ui/chart/occupancy_grid.h"
 
 #include <gtest/gtest.h>
 

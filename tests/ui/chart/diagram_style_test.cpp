@@ -1,4 +1,4 @@
-#include "ui/chart/diagram_colours.h"
+#include "ui/chart/diagram_style.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The occupied parts of an area on a coarse grid, and the search for a free box in it. Private to
-// ui/draw. A plain value; any thread. Pixels.
+// ui/chart. A plain value; any thread. Pixels.
 #pragma once
 
 #include <vector>
