@@ -9,8 +9,8 @@
 
 #include "app/command_options.h"
 #include "app/curve_arguments.h"
-#include "app/frame_source.h"
 #include "app/picture_options.h"
+#include "app/pictures/frame_source.h"
 #include "core/base/input_error.h"
 #include "core/material/dma_file.h"
 #include "core/scene/provenance.h"

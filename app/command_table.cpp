@@ -6,7 +6,7 @@
 #include <functional>
 #include <utility>
 
-#include "app/batch_file.h"
+#include "app/batch/batch_file.h"
 #include "core/base/input_error.h"
 #include "core/lesson/lesson_file.h"
 #include "core/paper/figure.h"

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <set>
 
-#include "app/eps_file.h"
+#include "app/pictures/eps_file.h"
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
 #include "core/base/text.h"

@@ -9,15 +9,15 @@
 #include <set>
 #include <utility>
 
-#include "app/batch_file.h"
-#include "app/batch_page.h"
-#include "app/batch_progress.h"
+#include "app/batch/batch_file.h"
+#include "app/batch/batch_page.h"
+#include "app/batch/batch_progress.h"
+#include "app/batch/contact_sheets.h"
 #include "app/command_line.h"
-#include "app/contact_sheets.h"
-#include "app/frame_source.h"
-#include "app/headless_pictures.h"
 #include "app/output.h"
-#include "app/picture_composer.h"
+#include "app/pictures/frame_source.h"
+#include "app/pictures/headless_pictures.h"
+#include "app/pictures/picture_composer.h"
 #include "app/progress_bar.h"
 #include "core/accuracy/compute_curve.h"
 #include "core/accuracy/target_curve.h"

@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include "app/command_line.h"
-#include "app/frame_source.h"
 #include "app/output.h"
+#include "app/pictures/frame_source.h"
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
 #include "core/run/contact_tables.h"

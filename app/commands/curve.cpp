@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "app/command_line.h"
-#include "app/headless_pictures.h"
 #include "app/output.h"
-#include "app/picture_composer.h"
+#include "app/pictures/headless_pictures.h"
+#include "app/pictures/picture_composer.h"
 #include "app/surface_progress.h"
 #include "core/accuracy/compute_curve.h"
 #include "core/base/atomic_file.h"

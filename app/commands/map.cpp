@@ -2,9 +2,9 @@
 #include <fmt/format.h>
 
 #include "app/command_line.h"
-#include "app/headless_pictures.h"
 #include "app/output.h"
 #include "app/picture_options.h"
+#include "app/pictures/headless_pictures.h"
 #include "app/progress_bar.h"
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"

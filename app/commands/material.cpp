@@ -7,10 +7,10 @@
 
 #include "app/command_line.h"
 #include "app/command_options.h"
-#include "app/headless_pictures.h"
 #include "app/material_values.h"
 #include "app/output.h"
 #include "app/output_folder.h"
+#include "app/pictures/headless_pictures.h"
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
 #include "core/base/regular_file.h"

@@ -8,9 +8,9 @@
 #include <cmath>
 
 #include "app/command_line.h"
-#include "app/headless_pictures.h"
 #include "app/output.h"
 #include "app/picture_options.h"
+#include "app/pictures/headless_pictures.h"
 #include "app/progress_bar.h"
 #include "core/base/atomic_file.h"
 #include "core/scene/data_table.h"

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "app/headless_pictures.h"
 #include "app/output.h"
+#include "app/pictures/headless_pictures.h"
 #include "core/base/atomic_file.h"
 #include "core/scene/provenance.h"
 #include "ui/chart/diagram_picture.h"

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/command_line.h"
-#include "app/headless_pictures.h"
 #include "app/output.h"
+#include "app/pictures/headless_pictures.h"
 #include "app/surface_progress.h"
 #include "core/base/atomic_file.h"
 #include "core/base/embedded_provenance.h"

@@ -1,4 +1,4 @@
-#include "app/frame_pipeline.h"
+#include "app/pictures/frame_pipeline.h"
 
 #include <exception>
 #include <mutex>

@@ -1,6 +1,6 @@
 // A film's colours, as ffmpeg reads them back; what it says of itself, however long; and programs
 // under the name of ffmpeg that make no film.
-#include "app/film_file.h"
+#include "app/pictures/film_file.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "app/contact_sheets.h"
+#include "app/batch/contact_sheets.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "app/sequence_files.h"
+#include "app/pictures/sequence_files.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "app/eps_file.h"
+#include "app/pictures/eps_file.h"
 
 #include <QProcess>
 #include <algorithm>

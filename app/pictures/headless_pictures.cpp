@@ -1,12 +1,12 @@
-#include "app/headless_pictures.h"
+#include "app/pictures/headless_pictures.h"
 
 #include <QGuiApplication>
 #include <algorithm>
 #include <array>
 #include <cstdio>
 
-#include "app/eps_file.h"
 #include "app/output.h"
+#include "app/pictures/eps_file.h"
 #include "core/base/input_error.h"
 #include "ui/draw/fonts.h"
 #include "ui/draw/pdf_file.h"

@@ -1,4 +1,4 @@
-#include "app/headless_pictures.h"
+#include "app/pictures/headless_pictures.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "app/batch_file.h"
+#include "app/batch/batch_file.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "app/contact_sheets.h"
-#include "app/picture_composer.h"
+#include "app/batch/contact_sheets.h"
+#include "app/pictures/picture_composer.h"
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
 #include "core/base/json_members.h"

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "app/batch_page.h"
+#include "app/batch/batch_page.h"
 
 namespace asperity {
 

@@ -1,4 +1,4 @@
-#include "app/frame_source.h"
+#include "app/pictures/frame_source.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "app/film_file.h"
+#include "app/pictures/film_file.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>

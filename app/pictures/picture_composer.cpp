@@ -1,4 +1,4 @@
-#include "app/picture_composer.h"
+#include "app/pictures/picture_composer.h"
 
 #include <fmt/format.h>
 

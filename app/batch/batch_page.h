@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/batch_file.h"
+#include "app/batch/batch_file.h"
 #include "core/friction/curve_point.h"
 
 namespace asperity {

@@ -1,4 +1,4 @@
-#include "app/batch_page.h"
+#include "app/batch/batch_page.h"
 
 #include <fmt/format.h>
 
