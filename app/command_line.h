@@ -18,8 +18,9 @@
 
 namespace asperity {
 
-/// Exit statuses of the program.
-inline constexpr int kDone = 0, kRunFailed = 1, kBadInput = 2;
+/// Exit statuses of the program; after SIGINT and SIGTERM: 128 plus the number of the signal.
+inline constexpr int kDone = 0, kRunFailed = 1, kBadInput = 2, kInterrupted = 130,
+                     kTerminated = 143;
 
 /// The options that every command takes.
 struct CommonOptions {
@@ -232,7 +233,8 @@ int runStudyAnalyse(const StudyCommand& command);
 int runOpen(const OpenCommand& command);
 int runLesson(const LessonCommand& command);
 
-/// Parses and runs the command line. Returns the exit status; errors are one line on stderr.
+/// Parses and runs the command line. Returns the exit status. Throws InputError, or
+/// std::runtime_error where the run failed.
 int runCommandLine(int argc, char** argv);
 
 }  // namespace asperity
