@@ -11,9 +11,8 @@
 #include <filesystem>
 
 #include "app/command_options.h"
+#include "app/command_reference.h"
 #include "app/command_table.h"
-#include "app/completions.h"
-#include "app/dictionary.h"
 #include "app/output.h"
 #include "app/remake.h"
 #include "app/vector_target.h"
