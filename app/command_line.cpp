@@ -18,13 +18,9 @@
 #include "app/vector_target.h"
 #include "core/base/input_error.h"
 #include "core/base/text.h"
-#include "core/material/material_library.h"
 #include "core/scene/parameter_help.h"
-#include "core/scene/provenance.h"
-#include "core/scene/scene_file.h"
 #include "ui/language/language.h"
 #include "ui/language/words.h"
-#include "ui/window/main/scene_library.h"
 
 namespace asperity {
 namespace {
@@ -171,39 +167,7 @@ class CommandLine {
   CommandTable commands_;
 };
 
-/// Returns what standard input holds. Throws InputError where it is more than a scene may be.
-std::string standardInput() {
-  std::string text;
-  char part[4096];
-  while (const std::size_t count = std::fread(part, 1, sizeof part, stdin)) {
-    text.append(part, count);
-    if (text.size() > kLargestScene)
-      throw InputError("standard input", "", "is larger than a scene may be");
-  }
-  return text;
-}
-
 }  // namespace
-
-Scene loadScene(const CommonOptions& options) {
-  if (options.remade)
-    return readScene(writeScene(options.remade->scene), options.scene, options.remade->scene.folder,
-                     options.assignments);
-  if (options.scene.empty()) return readScene("{}", "--set", {}, options.assignments);
-  if (options.scene == "-")
-    return readScene(standardInput(), "standard input", {}, options.assignments);
-  return readNamedScene(options.scene, {}, options.assignments);
-}
-
-std::vector<std::filesystem::path> inputFiles(const CommonOptions& options, const Scene& scene) {
-  std::vector<std::filesystem::path> inputs;
-  if (!options.remade) inputs.emplace_back(options.scene);  // a remade file may replace itself
-  for (const GivenOption& option : options.given)
-    if (option.isFile) inputs.insert(inputs.end(), option.values.begin(), option.values.end());
-  const std::vector<std::filesystem::path> named = filesReadBy(scene);
-  inputs.insert(inputs.end(), named.begin(), named.end());
-  return inputs;
-}
 
 int runCommandLine(int argc, char** argv) {
   const auto start = std::chrono::steady_clock::now();

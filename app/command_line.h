@@ -2,16 +2,16 @@
 // app/commands/. Main thread.
 #pragma once
 
-#include <filesystem>
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "app/command_options.h"
+#include "app/common_options.h"
 #include "app/curve_arguments.h"
 #include "app/picture_options.h"
 #include "app/pictures/frame_source.h"
-#include "core/base/input_error.h"
 #include "core/material/dma_file.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene.h"
@@ -21,23 +21,6 @@ namespace asperity {
 /// Exit statuses of the program; after SIGINT and SIGTERM: 128 plus the number of the signal.
 inline constexpr int kDone = 0, kRunFailed = 1, kBadInput = 2, kInterrupted = 130,
                      kTerminated = 143;
-
-/// The options that every command takes.
-struct CommonOptions {
-  std::string scene;
-  std::vector<std::string> assignments;  // --set KEY=VALUE
-  std::string language;                  // language of texts; empty: English, or the window's own
-  int threads = 0;                       // 0: as many as the machine has
-  bool quiet = false;
-  bool json = false;
-  bool timing = false;
-  std::vector<GivenOption> given;  // that shape outputs
-  // instead of the file `scene`, which names it in errors
-  std::optional<FoundScene> remade = {};
-  bool isPart = false;  // the output folder is temporary: one of its files is kept
-
-  bool hidesSummary() const { return quiet || isPart; }
-};
 
 struct CurveCommand {
   CommonOptions common;
@@ -182,24 +165,6 @@ struct BatchCommand {
   PictureArguments picture;
   std::string columns;  // --columns; empty: all
 };
-
-/// Returns the scene of a command with its assignments. The scene comes from a file or, where no
-/// file has the name, from the shipped scenes. Throws InputError.
-Scene loadScene(const CommonOptions& options);
-
-/// Returns the files that were read for the scene; no output may replace them.
-std::vector<std::filesystem::path> inputFiles(const CommonOptions& options, const Scene& scene);
-
-/// Runs the work of a command. Where an InputError names neither a file nor an option, it gets the
-/// name of the scene's file.
-template <class Work>
-auto withSceneContext(const CommonOptions& options, const Work& work) {
-  try {
-    return work();
-  } catch (const InputError& error) {
-    throw error.file().empty() && !error.isOfOption() ? error.in(options.scene) : error;
-  }
-}
 
 int runCheck(const CheckCommand& command);
 int runCurve(const CurveCommand& command);

@@ -9,8 +9,7 @@
 #include <sstream>
 #include <utility>
 
-#include "app/command_line.h"
-#include "app/command_options.h"
+#include "app/common_options.h"
 #include "app/output.h"
 #include "app/progress_bar.h"
 #include "core/accuracy/compute_curve.h"

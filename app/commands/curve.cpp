@@ -8,7 +8,6 @@
 #include "app/output.h"
 #include "app/pictures/headless_pictures.h"
 #include "app/pictures/picture_composer.h"
-#include "app/surface_progress.h"
 #include "core/accuracy/compute_curve.h"
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
@@ -94,8 +93,7 @@ std::string summaryText(const Curve& curve, const CurveSet& set,
   for (const std::string& assumption : surfaceAssumptions(scene)) text += assumption + "\n";
   NoteSet notes;
   for (const CurvePoint& point : curve.points) notes.add(point.notes);
-  for (const Note note : notes.list())
-    text += std::string(noteWord(note)) + ": " + translated(noteSentence(note)) + "\n";
+  text += noteLines(notes);
   if (unresolved > 0)
     text +=
         filled(Words::tr("at %1 velocities friction is below what the elements resolve, see the "

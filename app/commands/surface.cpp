@@ -9,7 +9,6 @@
 #include "app/command_line.h"
 #include "app/output.h"
 #include "app/pictures/headless_pictures.h"
-#include "app/surface_progress.h"
 #include "core/base/atomic_file.h"
 #include "core/base/embedded_provenance.h"
 #include "core/base/input_error.h"
@@ -67,13 +66,6 @@ std::string measuredText(const MeasuredSummary& summary) {
   for (const NamedValue& value : namedValues(summary))
     text += cell(value.name) + cell(valueText(value.raw, value.unit)) +
             valueText(value.used, value.unit) + "\n";
-  return text;
-}
-
-std::string notesText(const NoteSet& notes) {
-  std::string text;
-  for (const Note note : notes.list())
-    text += std::string(noteWord(note)) + ": " + translated(noteSentence(note)) + "\n";
   return text;
 }
 
@@ -193,7 +185,7 @@ int runSurface(const SurfaceCommand& command) {
     const Line line = source.make(0);
     const std::string text = (source.measured() ? measuredText(measuredSummary(scene, source))
                                                 : factsText(source.spectrumFacts())) +
-                             notesText(lineNotes(source)) + summaryText(line, command.outputs);
+                             noteLines(lineNotes(source)) + summaryText(line, command.outputs);
     for (const std::string& output : command.outputs)
       if (output != "-" || !command.common.json) writeSurface(output, command, scene, source, line);
     const bool machineReads = command.common.json || hasStandardOutput(command.outputs);
