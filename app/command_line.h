@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/common_options.h"
-#include "app/curve_arguments.h"
+#include "app/curve_options.h"
 #include "app/picture_options.h"
 #include "app/pictures/frame_source.h"
 #include "core/material/dma_file.h"

@@ -1,4 +1,4 @@
-#include "app/curve_arguments.h"
+#include "app/curve_options.h"
 
 #include <fmt/format.h>
 
