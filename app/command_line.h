@@ -10,9 +10,9 @@
 
 #include "app/common_options.h"
 #include "app/curve_options.h"
+#include "app/material_options.h"
 #include "app/picture_options.h"
 #include "app/pictures/frame_source.h"
-#include "core/material/dma_file.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene.h"
 
@@ -92,16 +92,8 @@ struct MaterialCommand {
   CommonOptions common;  // its scene: a file of moduli, or a scene
   std::string output;    // folder
   PictureArguments picture;
-  DmaChoices columns;  // names and units
-  std::string temperature, referenceTemperature, equilibriumModulus, instantaneousModulus, strain;
-  std::vector<std::string> leftOut;
-  std::string modulus = "auto", shift = "auto", name, source;
-  double poissonRatio = 0.5, temperatureTolerance = kIsothermTolerance;
-  int terms = 0;
-  bool isVertical = false, isLiquid = false;
-  /// Options of the fit and their values, as they were written.
-  std::vector<std::pair<std::string, std::string>> written;
-  std::string tableColumns;  // --columns; empty: all
+  WrittenOptions options;
+  std::string columns;  // --columns; empty: all
 };
 
 /// The actions of `asperity study`; each uses some of the members.

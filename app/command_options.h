@@ -1,37 +1,18 @@
-// Reading of option values: one of several named choices, a range FROM:TO, a number within limits.
-// An invalid value gives one sentence that names the option, the fault and the allowed values. Main
-// thread.
+// Options of the command line: ranges FROM:TO, numbers within limits, the options that shape a
+// file, and errors of the parser in the words of this program. An invalid value gives one sentence
+// that names the option, the fault and the allowed values. Main thread.
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <array>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "core/base/input_error.h"
-#include "core/base/text.h"
 
 namespace asperity {
-
-template <class Choice, std::size_t N>
-using NamedChoices = std::array<std::pair<std::string_view, Choice>, N>;
-
-/// Returns the choice of this name. Throws InputError that names the key or option, and all
-/// choices.
-template <class Choice, std::size_t N>
-Choice chosenFrom(const NamedChoices<Choice, N>& choices, const std::string& name,
-                  const char* key) {
-  std::array<std::string_view, N> known;
-  for (std::size_t i = 0; i < N; ++i) {
-    if (choices[i].first == name) return choices[i].second;
-    known[i] = choices[i].first;
-  }
-  throw InputError("", key, notOneOf(name, known));
-}
 
 struct NumberRange {
   double from = 0, to = 0;

@@ -15,6 +15,7 @@
 #include "core/accuracy/compute_curve.h"
 #include "core/accuracy/target_curve.h"
 #include "core/base/input_error.h"
+#include "core/base/json_members.h"
 #include "core/base/json_text.h"
 #include "core/base/number_text.h"
 #include "core/base/text.h"
@@ -86,7 +87,7 @@ CurveSetting settingFrom(const std::string& text, const Scene& scene) {
 }
 
 CurveAxes axesFrom(const std::string& name) {
-  return chosenFrom(kAxesNames, name, kAxes);
+  return chosen(kAxesNames, name, kAxes);
 }
 
 /// Reads a range of an axis. Throws InputError where the axis cannot show an end.
@@ -112,8 +113,8 @@ void setAxes(CurveSet& set, const CurveArguments& arguments) {
     throw InputError(
         "", kAxes,
         message("dimensionless goes over velocities, not over {}", set.present.scene.sweep.key));
-  if (!arguments.xScale.empty()) set.xScale = chosenFrom(kAxisScales, arguments.xScale, kXScale);
-  if (!arguments.yScale.empty()) set.yScale = chosenFrom(kAxisScales, arguments.yScale, kYScale);
+  if (!arguments.xScale.empty()) set.xScale = chosen(kAxisScales, arguments.xScale, kXScale);
+  if (!arguments.yScale.empty()) set.yScale = chosen(kAxisScales, arguments.yScale, kYScale);
   if (!arguments.xRange.empty()) {
     const NumberRange range = axisRange(kXRange, arguments.xRange, set.scaleOfX());
     set.xFrom = range.from;

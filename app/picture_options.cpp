@@ -8,6 +8,7 @@
 #include "app/command_options.h"
 #include "app/output.h"
 #include "core/base/input_error.h"
+#include "core/base/json_members.h"
 #include "core/base/number_text.h"
 #include "core/base/text.h"
 #include "ui/contact/contact_overlay.h"
@@ -226,10 +227,10 @@ PictureSettings pictureSettings(const PictureArguments& arguments,
            settings);
   useFontFamily(style.font);
   settings.themeName = style.theme.empty() ? defaults.theme : style.theme;
-  settings.theme = chosenFrom(kThemes, settings.themeName, "--theme")();
+  settings.theme = chosen(kThemes, settings.themeName, "--theme")();
   settings.transparent = arguments.transparent;
   if (!arguments.backend.empty())
-    settings.backend = chosenFrom(kBackends, arguments.backend, "--backend");
+    settings.backend = chosen(kBackends, arguments.backend, "--backend");
   settings.format = formatOf(style, settings);
   return settings;
 }

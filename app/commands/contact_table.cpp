@@ -6,6 +6,7 @@
 #include "app/pictures/frame_source.h"
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
+#include "core/base/json_members.h"
 #include "core/run/contact_tables.h"
 #include "core/scene/data_table.h"
 #include "core/scene/provenance.h"
@@ -68,7 +69,7 @@ int runContactTable(const RenderCommand& command) {
   const Scene scene = loadScene(command.common);
   checkUsage(command);
   const ContactTable& kind =
-      chosenFrom(kTables, command.table.empty() ? "shape" : command.table, "--table");
+      chosen(kTables, command.table.empty() ? "shape" : command.table, "--table");
   const ColumnChoice columns(command.columns, {kind.name});
   if (command.output != "-") {
     checkOutputs({command.output}, {".csv", ".json"});

@@ -5,7 +5,6 @@
 #include <filesystem>
 
 #include "app/command_line.h"
-#include "app/command_options.h"
 #include "app/output.h"
 #include "app/output_folder.h"
 #include "app/progress_bar.h"

@@ -8,12 +8,12 @@
 #include <map>
 
 #include "app/command_line.h"
-#include "app/command_options.h"
 #include "app/output.h"
 #include "app/output_folder.h"
 #include "app/progress_bar.h"
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
+#include "core/base/json_members.h"
 #include "core/base/number_text.h"
 #include "core/scene/provenance.h"
 #include "core/study/study_merge.h"
@@ -265,7 +265,7 @@ int runStudyMerge(const StudyCommand& command) {
 
 int runStudyTable(const StudyCommand& command) {
   const StudyStore store(command.study);
-  const TableShape shape = chosenFrom(kShapes, command.shape, "--shape");
+  const TableShape shape = chosen(kShapes, command.shape, "--shape");
   const bool isStdout = command.outputs.empty();
   checkOutputs(command.outputs, {".csv", ".json"}, DefaultOutput::PrintsTable);
   for (const std::string& output : command.outputs) checkNoInput(output, {command.study});

@@ -12,6 +12,7 @@
 #include "core/base/atomic_file.h"
 #include "core/base/embedded_provenance.h"
 #include "core/base/input_error.h"
+#include "core/base/json_members.h"
 #include "core/base/regular_file.h"
 #include "core/base/text.h"
 #include "core/measured/measured_file.h"
@@ -126,7 +127,7 @@ std::string csvText(SurfaceTable table, const Scene& scene, const LineSource& so
 
 void writeSurface(const std::string& output, const SurfaceCommand& command, const Scene& scene,
                   const LineSource& source, const Line& line) {
-  const SurfaceTable table = chosenFrom(kTables, command.table, "--table");
+  const SurfaceTable table = chosen(kTables, command.table, "--table");
   const std::string columnTable = table == SurfaceTable::Line ? "surface" : command.table;
   const ProvenanceOptions given(optionsFor(command.common.given, output));
   const std::string extension = fileExtension(output);
@@ -140,7 +141,7 @@ void writeSurface(const std::string& output, const SurfaceCommand& command, cons
 
 /// Throws for unknown options of tables, and for any of them where no output is a table.
 void checkTable(const SurfaceCommand& command) {
-  const SurfaceTable table = chosenFrom(kTables, command.table, "--table");
+  const SurfaceTable table = chosen(kTables, command.table, "--table");
   const std::string columnTable = table == SurfaceTable::Line ? "surface" : command.table;
   ColumnChoice(command.columns, {columnTable});
   const bool hasTable = std::ranges::any_of(command.outputs, [](const std::string& output) {

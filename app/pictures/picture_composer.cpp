@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/command_options.h"
 #include "core/base/input_error.h"
+#include "core/base/json_members.h"
 #include "core/chart/curve_diagram.h"
 #include "core/run/transient_diagram.h"
 #include "ui/chart/diagram_picture.h"
@@ -32,7 +32,7 @@ constexpr NamedChoices<PictureLayout, 4> kLayouts{{{"contact", PictureLayout::Co
 }  // namespace
 
 PictureLayout layoutFrom(const std::string& name, const char* key) {
-  return chosenFrom(kLayouts, name, key);
+  return chosen(kLayouts, name, key);
 }
 
 ContactOverlay overlayFrom(const std::string& name) {
@@ -41,7 +41,7 @@ ContactOverlay overlayFrom(const std::string& name) {
                                        {{}, ContactOverlay::Relaxation},
                                        {{}, ContactOverlay::Power}}};
   for (auto& [word, overlay] : all) word = wordFor(overlay);
-  return chosenFrom(all, name, "--overlay");
+  return chosen(all, name, "--overlay");
 }
 
 void checkPanels(const DiagramSheet& sheet, const PictureSettings& settings, int above) {
