@@ -168,9 +168,8 @@ std::vector<GivenOption> givenOptions(const CLI::App& command) {
 nlohmann::ordered_json optionsFor(const std::vector<GivenOption>& given,
                                   const std::string& output) {
   // A bare ".png" would be the name of a hidden file.
-  const std::string extension = fileExtension("x" + output);
-  const bool isTable =
-      output == "-" || extension.empty() || extension == ".csv" || extension == ".json";
+  const std::string file = "x" + output;
+  const bool isTable = isTableFile(file) || fileExtension(file).empty();
   nlohmann::ordered_json options = nlohmann::ordered_json::object();
   for (const GivenOption& option : given) {
     if (option.group == (isTable ? kPictureGroup : kTableGroup)) continue;

@@ -325,8 +325,7 @@ std::vector<std::filesystem::path> filesReadBeside(const CurveArguments& argumen
 }
 
 void checkUseful(const CurveArguments& arguments, const std::vector<std::string>& files) {
-  for (const std::string& file : files)
-    if (file != "-" && fileExtension(file) != ".csv" && fileExtension(file) != ".json") return;
+  if (!std::ranges::all_of(files, isTableFile)) return;
   for (const auto& [option, given] : {std::pair{kAxes, arguments.axes != "physical"},
                                       {kXScale, !arguments.xScale.empty()},
                                       {kYScale, !arguments.yScale.empty()},

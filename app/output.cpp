@@ -28,6 +28,11 @@ bool isPictureFile(const std::string& file) {
   return std::ranges::find(kPictureExtensions, fileExtension(file)) != kPictureExtensions.end();
 }
 
+bool isTableFile(const std::string& file) {
+  const std::string extension = fileExtension(file);
+  return file == "-" || extension == ".csv" || extension == ".json";
+}
+
 void checkToolFor(const std::string& file) {
   const std::string extension = fileExtension(file);
   if (extension == ".eps") checkEpsTool(file);

@@ -135,9 +135,9 @@ void checkUseful(const PictureArguments& arguments, const std::vector<std::strin
   bool hasPicture = false, hasPixels = false;
   for (const std::string& file : files) {
     const std::string extension = fileExtension(file);
-    const bool isTable = file == "-" || extension == ".csv" || extension == ".json";
-    hasPicture |= !isTable;
-    hasPixels |= !isTable && extension != ".svg" && extension != ".pdf" && extension != ".eps";
+    hasPicture |= !isTableFile(file);
+    hasPixels |=
+        !isTableFile(file) && extension != ".svg" && extension != ".pdf" && extension != ".eps";
   }
   const auto refuse = [](const char* option, bool given, const char* why) {
     if (given) throw InputError("", option, why);

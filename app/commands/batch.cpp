@@ -90,10 +90,9 @@ class BatchRun {
     }
     finishPictures(pictures);
     // The small files with the results are written first: the sheets are large, and may fail.
-    const std::string made = provenanceLine(origin("results.csv"));
+    const std::string made = provenanceComment(origin("results.csv"));
     const std::vector<std::string> names = grid_ ? grid_->names() : std::vector<std::string>();
-    writeFileAtomically(fileIn("results.csv"),
-                        "# asperity: " + made + "\n" + columns_.select(batchTable(results_)));
+    writeFileAtomically(fileIn("results.csv"), made + columns_.select(batchTable(results_)));
     writeFileAtomically(fileIn("index.html"), batchPage(batch_, results_, names));
     // The provenance of the table has the scenes; a single contact sheet repeats them.
     const std::string ofSheets =
@@ -267,9 +266,9 @@ class BatchRun {
       motion.mostRows = kMotionRows;
       motion.threads = command_.common.threads;
       const MotionTable table = marchMotion(scene, motion);
-      writeFileAtomically(fileIn(name + ".csv"),
-                          "# asperity: " + provenanceLine(motionProvenance("batch", scene, table)) +
-                              "\n" + motionCsv(table));
+      writeFileAtomically(
+          fileIn(name + ".csv"),
+          provenanceComment(motionProvenance("batch", scene, table)) + motionCsv(table));
       result.files.push_back(name + ".csv");
     }
     writeFileAtomically(fileIn(name + ".json"), writeScene(scene));

@@ -6,8 +6,8 @@
 
 #include "app/command_line.h"
 #include "app/output.h"
-#include "app/output_folder.h"
 #include "app/progress_bar.h"
+#include "app/result_files.h"
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/chart/comparison.h"

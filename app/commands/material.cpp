@@ -7,7 +7,7 @@
 #include "app/command_line.h"
 #include "app/material_options.h"
 #include "app/output.h"
-#include "app/output_folder.h"
+#include "app/result_files.h"
 #include "core/base/input_error.h"
 #include "core/base/regular_file.h"
 #include "core/chart/material_sheets.h"
@@ -51,8 +51,7 @@ int makeFromMeasurements(const MaterialCommand& command, const PictureSettings& 
   };
   const auto addTable = [&](const char* name, const std::string& csv) {
     const ProvenanceOptions given(optionsInFolder(command.common.given, name));
-    output.addText(name,
-                   columns.selectAvailable("# asperity: " + provenanceLine(origin()) + "\n" + csv));
+    output.addText(name, columns.selectAvailable(provenanceComment(origin()) + csv));
   };
   output.addText("material.json", json);
   addTable("prony.csv", pronyCsv(material));

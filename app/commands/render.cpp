@@ -383,9 +383,7 @@ class Rendering {
 }  // namespace
 
 int runRender(const RenderCommand& command) {
-  const std::string extension = fileExtension(command.output);
-  if (command.output == "-" || extension == ".csv" || extension == ".json")
-    return runContactTable(command);
+  if (isTableFile(command.output)) return runContactTable(command);
   for (const auto& [option, given] :
        {std::pair{"--table", !command.table.empty()}, {"--columns", !command.columns.empty()}})
     if (given) throw InputError("", option, "belongs to tables, and the output is none");

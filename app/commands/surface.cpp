@@ -9,6 +9,7 @@
 #include "app/command_line.h"
 #include "app/output.h"
 #include "app/pictures/headless_pictures.h"
+#include "app/result_files.h"
 #include "core/base/atomic_file.h"
 #include "core/base/embedded_provenance.h"
 #include "core/base/input_error.h"
@@ -171,12 +172,8 @@ void withFileContext(bool isFile, const std::string& file, const Work& work) {
 int runSurface(const SurfaceCommand& command) {
   const bool isFile = !command.common.remade && isSurfaceFile(command.common.scene);
   const Scene scene = isFile ? sceneFromFile(command.common) : loadScene(command.common);
-  checkOutputs(command.outputs, kOutputExtensions, DefaultOutput::PrintsTable);
+  checkTableOutputs(command.common, scene, command.outputs, command.picture, {1280, 800, "light"});
   checkTable(command);
-  checkUseful(command.picture, command.outputs);
-  surfaceSettings(command, false);
-  for (const std::string& output : command.outputs)
-    checkNoInput(output, inputFiles(command.common, scene));
   const auto run = [&] {
     // A line from a file is written with its elements alone: read as a profile it is the same line.
     const SurfaceKind kind = scene.surface.kind;

@@ -196,8 +196,7 @@ void addContact(py::module_& module) {
       .def("csv",
            [](const MotionOfScene& found) {
              const ProvenanceOptions own(Json::object());  // which has them all
-             return "# asperity: " +
-                    provenanceLine(motionProvenance("motion", found.scene, found.table)) + "\n" +
+             return provenanceComment(motionProvenance("motion", found.scene, found.table)) +
                     motionCsv(found.table);
            })
       .def("json",
