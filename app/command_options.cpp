@@ -39,8 +39,8 @@ NumberRange rangeFrom(const std::string& option, const std::string& text, const 
 namespace {
 
 template <class Number>
-void setNumberRange(CLI::Option* option, Number least, Number most, const char* what,
-                    const std::string& allowed) {
+void setRange(CLI::Option* option, Number least, Number most, const char* what,
+              const std::string& allowed) {
   const CLI::Validator check(
       [=](const std::string& text) -> std::string {
         Number number{};
@@ -115,12 +115,12 @@ InputError mismatch(const std::string& text) {
 
 }  // namespace
 
-void limit(CLI::Option* option, double least, double most, std::string_view unit) {
-  setNumberRange(option, least, most, "number", rangeText(least, most, unit).english());
+void setNumberRange(CLI::Option* option, double least, double most, std::string_view unit) {
+  setRange(option, least, most, "number", rangeText(least, most, unit).english());
 }
 
 void setIntegerRange(CLI::Option* option, std::int64_t least, std::int64_t most) {
-  setNumberRange(option, least, most, "whole number", fmt::format("{} to {}", least, most));
+  setRange(option, least, most, "whole number", fmt::format("{} to {}", least, most));
 }
 
 void refuseEmptyWords(CLI::App& app) {

@@ -24,7 +24,7 @@ NumberRange rangeFrom(const std::string& option, const std::string& text, const 
 
 /// Restricts the option to finite numbers, or integers, within limits. The help shows the limits
 /// with their unit.
-void limit(CLI::Option* option, double least, double most, std::string_view unit = {});
+void setNumberRange(CLI::Option* option, double least, double most, std::string_view unit = {});
 void setIntegerRange(CLI::Option* option, std::int64_t least, std::int64_t most);
 
 /// Forbids empty text for options and files, and values for flags; CLI11 would accept both

@@ -221,26 +221,27 @@ void CommandTable::addRender() {
       command->add_option("--frames", time.frames,
                           "Number of frames (default: 60 per period, or 60 for a motion)"),
       1, 1000000);
-  limit(
+  setNumberRange(
       command->add_option("--fps", time.framesPerSecond, "Frames per second of film (default: 25)"),
       0.001, 1000);
-  limit(command->add_option("--duration", time.duration,
-                            "Length of the film in seconds, instead of --frames"),
-        0.001, 1e6, "s");
-  limit(command->add_option("--cycles", time.cycles,
-                            "Number of periods of the line that pass (default: 1)"),
-        1e-6, 1e6);
-  limit(
+  setNumberRange(command->add_option("--duration", time.duration,
+                                     "Length of the film in seconds, instead of --frames"),
+                 0.001, 1e6, "s");
+  setNumberRange(command->add_option("--cycles", time.cycles,
+                                     "Number of periods of the line that pass (default: 1)"),
+                 1e-6, 1e6);
+  setNumberRange(
       command->add_option("--slow-motion", time.slowMotion, "Seconds of film per simulated second"),
       1e-12, 1e15);
-  limit(command->add_option("--at", time.at,
-                            "One picture, after this time of sliding (default: the start of steady "
-                            "sliding, the end of a motion)"),
-        0, 1e12, "s");
-  limit(command->add_option(
-            "--slid", time.slid,
-            "One picture of steady sliding, after this sliding distance, instead of --at"),
-        0, 1e12, "m");
+  setNumberRange(
+      command->add_option("--at", time.at,
+                          "One picture, after this time of sliding (default: the start of steady "
+                          "sliding, the end of a motion)"),
+      0, 1e12, "s");
+  setNumberRange(command->add_option(
+                     "--slid", time.slid,
+                     "One picture of steady sliding, after this sliding distance, instead of --at"),
+                 0, 1e12, "m");
   command->add_flag("--resume", render_.resume,
                     "Keep the frames of an interrupted run and make the missing ones");
   command
@@ -334,13 +335,13 @@ void CommandTable::addMaterial() {
       ->default_str("auto");
   add("--modulus", "What was measured: auto (by the columns), shear or tension")
       ->default_str("auto");
-  limit(add("--poisson-ratio", "Of moduli of tension: G = E / (2 (1 + nu))")
-            ->default_str(fmt::format("{}", MaterialChoices{}.columns.poissonRatio)),
-        0, 0.5);
+  setNumberRange(add("--poisson-ratio", "Of moduli of tension: G = E / (2 (1 + nu))")
+                     ->default_str(fmt::format("{}", MaterialChoices{}.columns.poissonRatio)),
+                 0, 0.5);
   add("--temperature", "Temperature of a file that does not state one, such as 20C");
-  limit(add("--temperature-tolerance", "Rows closer in temperature are one isotherm")
-            ->default_str(fmt::format("{}", MaterialChoices{}.temperatureTolerance)),
-        0.001, 100, "K");
+  setNumberRange(add("--temperature-tolerance", "Rows closer in temperature are one isotherm")
+                     ->default_str(fmt::format("{}", MaterialChoices{}.temperatureTolerance)),
+                 0.001, 100, "K");
   command
       ->add_option_function<std::vector<std::string>>(
           "--leave-out",

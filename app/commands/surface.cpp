@@ -115,9 +115,9 @@ void writePicture(const std::string& output, const SurfaceCommand& command, cons
 }
 
 enum class SurfaceTable { Line, Spectrum, Statistics };
-constexpr NamedChoices<SurfaceTable, 3> kTables{{{"line", SurfaceTable::Line},
-                                                 {"spectrum", SurfaceTable::Spectrum},
-                                                 {"statistics", SurfaceTable::Statistics}}};
+constexpr NamedChoices<SurfaceTable, 3> kSurfaceTables{{{"line", SurfaceTable::Line},
+                                                        {"spectrum", SurfaceTable::Spectrum},
+                                                        {"statistics", SurfaceTable::Statistics}}};
 
 std::string csvText(SurfaceTable table, const Scene& scene, const LineSource& source,
                     const Line& line) {
@@ -128,7 +128,7 @@ std::string csvText(SurfaceTable table, const Scene& scene, const LineSource& so
 
 void writeSurface(const std::string& output, const SurfaceCommand& command, const Scene& scene,
                   const LineSource& source, const Line& line) {
-  const SurfaceTable table = chosen(kTables, command.table, "--table");
+  const SurfaceTable table = chosen(kSurfaceTables, command.table, "--table");
   const std::string columnTable = table == SurfaceTable::Line ? "surface" : command.table;
   const ProvenanceOptions given(optionsFor(command.common.given, output));
   const std::string extension = fileExtension(output);
@@ -142,7 +142,7 @@ void writeSurface(const std::string& output, const SurfaceCommand& command, cons
 
 /// Throws for unknown options of tables, and for any of them where no output is a table.
 void checkTable(const SurfaceCommand& command) {
-  const SurfaceTable table = chosen(kTables, command.table, "--table");
+  const SurfaceTable table = chosen(kSurfaceTables, command.table, "--table");
   const std::string columnTable = table == SurfaceTable::Line ? "surface" : command.table;
   ColumnChoice(command.columns, {columnTable});
   const bool hasTable = std::ranges::any_of(command.outputs, [](const std::string& output) {

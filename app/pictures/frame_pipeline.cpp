@@ -1,13 +1,65 @@
 #include "app/pictures/frame_pipeline.h"
 
+#include <condition_variable>
+#include <cstddef>
+#include <deque>
 #include <exception>
 #include <mutex>
+#include <optional>
 #include <thread>
+#include <utility>
 
 namespace asperity {
 namespace {
 
 constexpr std::size_t kWaiting = 3;  // pictures waiting between two stages
+
+template <class Item>
+class BoundedQueue {
+ public:
+  explicit BoundedQueue(std::size_t most) : most_(most) {}
+
+  /// Waits until the queue has a free slot. Returns false where the queue was stopped; the value is
+  /// dropped.
+  bool put(Item item) {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return stopped_ || items_.size() < most_; });
+    if (stopped_) return false;
+    items_.push_back(std::move(item));
+    changed_.notify_all();
+    return true;
+  }
+
+  /// Waits for a value. Returns nothing where no more will come.
+  std::optional<Item> take() {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return stopped_ || ended_ || !items_.empty(); });
+    if (stopped_ || items_.empty()) return std::nullopt;
+    std::optional<Item> item(std::move(items_.front()));
+    items_.pop_front();
+    changed_.notify_all();
+    return item;
+  }
+
+  /// Declares that no more values will be put; the waiting ones can still be taken.
+  void end() { set(ended_); }
+
+  /// Stops the queue after a failure: nothing more can be put or taken.
+  void stop() { set(stopped_); }
+
+ private:
+  void set(bool& flag) {
+    const std::lock_guard lock(mutex_);
+    flag = true;
+    changed_.notify_all();
+  }
+
+  const std::size_t most_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::deque<Item> items_;
+  bool ended_ = false, stopped_ = false;
+};
 
 class Pipeline {
  public:

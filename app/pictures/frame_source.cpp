@@ -94,8 +94,7 @@ FramePlan motionPlan(double duration, const TimeArguments& arguments, bool singl
   return plan;
 }
 
-}  // namespace
-
+/// Plans the frames. single: one picture is requested. length: of the period, m. Throws InputError.
 FramePlan planFrames(const Scene& scene, double length, const TimeArguments& arguments,
                      bool single) {
   checkTogether(arguments);
@@ -113,6 +112,8 @@ FramePlan planFrames(const Scene& scene, double length, const TimeArguments& arg
   plan.framesPerSecond = fpsOf(arguments);
   return plan;
 }
+
+}  // namespace
 
 FrameSource::FrameSource(const Scene& scene, const TimeArguments& arguments, bool single,
                          const FrameFields& fields, double visibleLength)
@@ -141,11 +142,6 @@ Frame FrameSource::steadyFrame(std::int64_t index) const {
   return frame;
 }
 
-/// Marches to this time in whole steps.
-void FrameSource::march(double time) {
-  motion_->advanceTo(time, 1, 1 / plan_.framesPerSecond);
-}
-
 /// Returns the frame of a motion at the present time, as the window shows it.
 Frame FrameSource::momentFrame() {
   const RunnerOptions window;
@@ -165,7 +161,9 @@ Frame FrameSource::frame(std::int64_t index) {
   while (advanced_ < target) {
     // Whole steps end before the part does; the next part makes up for it.
     ++advanced_;
-    march(duration_ * static_cast<double>(advanced_) / static_cast<double>(intervals * parts));
+    motion_->advanceTo(
+        duration_ * static_cast<double>(advanced_) / static_cast<double>(intervals * parts), 1,
+        1 / plan_.framesPerSecond);
   }
   Frame frame = motion_->frame();
   frame.timeScale = plan_.timeScale;

@@ -32,11 +32,6 @@ struct FramePlan {
   double timeScale = 0;        // simulated seconds per second of film; 0: nothing moves
 };
 
-/// Plans the frames. `single`: one picture is requested. length: of the period, m. Throws
-/// InputError.
-FramePlan planFrames(const Scene& scene, double length, const TimeArguments& arguments,
-                     bool single);
-
 class FrameSource {
  public:
   /// fields: optional values of the frames. visibleLength: of the line, m; 0: the whole period.
@@ -53,7 +48,6 @@ class FrameSource {
  private:
   Frame steadyFrame(std::int64_t index) const;
   Frame momentFrame();
-  void march(double time);
 
   TimeArguments choice_;
   double velocity_ = 0;  // m/s, in steady sliding
