@@ -13,6 +13,7 @@
 #include "app/material_options.h"
 #include "app/picture_options.h"
 #include "app/pictures/frame_source.h"
+#include "app/result_files.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene.h"
 
@@ -22,38 +23,19 @@ namespace asperity {
 inline constexpr int kDone = 0, kRunFailed = 1, kBadInput = 2, kInterrupted = 130,
                      kTerminated = 143;
 
-struct CurveCommand {
-  CommonOptions common;
-  std::vector<std::string> outputs;
-  PictureArguments picture;
+struct CurveCommand : TableCommand {
   CurveArguments curves;
-  std::string columns;           // --columns; empty: all
   std::string realizationTable;  // file; empty: none
 };
 
-struct MapCommand {
-  CommonOptions common;
-  std::vector<std::string> outputs;
-  PictureArguments picture;
+struct MapCommand : TableCommand {
   std::string x, y;  // KEY=FROM:TO:N
   std::string quantity = "mu";
-  std::string columns;  // --columns; empty: all
 };
 
-/// The commands `sensitivity` and `cutoff`.
-struct SheetCommand {
-  CommonOptions common;
-  std::vector<std::string> outputs;
-  PictureArguments picture;
-};
-
-struct MotionCommand {
-  CommonOptions common;
-  std::vector<std::string> outputs;
-  PictureArguments picture;
+struct MotionCommand : TableCommand {
   std::int64_t every = 1;  // time steps between two rows
   std::int64_t lines = 1;  // realizations
-  std::string columns;     // --columns; empty: all
 };
 
 struct RenderCommand {
@@ -70,30 +52,19 @@ struct RenderCommand {
   std::string columns;  // --columns; empty: all
 };
 
-struct SurfaceCommand {
-  CommonOptions common;
-  std::vector<std::string> outputs;
-  PictureArguments picture;
+struct SurfaceCommand : TableCommand {
   std::string table = "line";  // of a CSV: line, spectrum or statistics
-  std::string columns;         // --columns; empty: all
 };
 
-struct FitCommand {
-  CommonOptions common;
+struct FitCommand : FolderCommand {
   std::vector<std::string> data;    // files, beside those that the scene names
   std::vector<std::string> varied;  // KEY or KEY=LOW:HIGH
-  std::string output;               // folder
   bool withoutProfiles = false;
-  PictureArguments picture;
-  std::string columns;  // --columns; empty: all
 };
 
-struct MaterialCommand {
-  CommonOptions common;  // its scene: a file of moduli, or a scene
-  std::string output;    // folder
-  PictureArguments picture;
-  WrittenOptions options;
-  std::string columns;  // --columns; empty: all
+/// Its scene is a table of moduli, or a scene.
+struct MaterialCommand : FolderCommand {
+  WrittenOptions options;  // of reading and fitting
 };
 
 /// The actions of `asperity study`; each uses some of the members.
@@ -109,13 +80,10 @@ struct StudyCommand {
   PictureArguments picture;
 };
 
-struct FigureCommand {
-  CommonOptions common;  // without a scene, it means the paper's parameters
+/// It has no scene; its assignments change the parameters of the paper.
+struct FigureCommand : FolderCommand {
   std::vector<std::string> names;
-  std::string output;  // folder
   std::int64_t realizations = 200;
-  PictureArguments picture;
-  std::string columns;  // --columns; empty: all
 };
 
 struct ExplainCommand {
@@ -143,26 +111,16 @@ struct CheckCommand {
   std::vector<std::string> scenes;
 };
 
-struct AccuracyCommand {
-  CommonOptions common;
-  std::string output;  // folder
-  PictureArguments picture;
-  std::string columns;  // --columns; empty: all
-};
-
-struct BatchCommand {
-  CommonOptions common;  // the scene is the batch's file
-  std::string output;    // folder
+/// Its scene is the file of the batch.
+struct BatchCommand : FolderCommand {
   bool contactSheet = false;
-  PictureArguments picture;
-  std::string columns;  // --columns; empty: all
 };
 
 int runCheck(const CheckCommand& command);
 int runCurve(const CurveCommand& command);
 int runMap(const MapCommand& command);
-int runSensitivity(const SheetCommand& command);
-int runCutoff(const SheetCommand& command);
+int runSensitivity(const TableCommand& command);
+int runCutoff(const TableCommand& command);
 int runMotion(const MotionCommand& command);
 int runColumns(const CommonOptions& command);
 int runFit(const FitCommand& command);
@@ -172,7 +130,7 @@ int runRender(const RenderCommand& command);
 int runContactTable(const RenderCommand& command);
 int runSurface(const SurfaceCommand& command);
 int runExplain(const ExplainCommand& command);
-int runAccuracy(const AccuracyCommand& command);
+int runAccuracy(const FolderCommand& command);
 int runFigure(const FigureCommand& command);
 /// Opens the window; an empty scene means the default one.
 int runWindowCommand(const CommonOptions& command);

@@ -18,15 +18,16 @@ using Form = std::function<std::string()>;
 
 constexpr const char* kFolderPictures[]{".png", ".svg", ".pdf"};
 
-void writePictures(const CommonOptions& common, const std::vector<std::string>& outputs,
-                   const PictureSettings& settings, const TableResult& result) {
+void writePictures(const TableCommand& command, const PictureSettings& settings,
+                   const TableResult& result) {
+  const std::vector<std::string>& outputs = command.outputs;
   if (std::ranges::all_of(outputs, isTableFile)) return;
   const DiagramSheet sheet = result.sheet();
   const DrawList list = drawSheet(sheet, settings, result.minTextSize);
   HeadlessPictures pictures(settings.backend);
   for (const std::string& output : outputs) {
     if (isTableFile(output)) continue;
-    const ProvenanceOptions given(optionsFor(common.given, output));
+    const ProvenanceOptions given(optionsFor(command.common.given, output));
     nlohmann::ordered_json origin = result.origin();
     origin["picture"] = settings.json();
     origin["picture"].update(result.picture);
@@ -45,18 +46,19 @@ std::string withColumns(const std::string& json, const ColumnChoice& columns) {
   return answer.dump(2) + "\n";
 }
 
-PictureSettings checkTableOutputs(const CommonOptions& common, const Scene& scene,
-                                  const std::vector<std::string>& outputs,
-                                  const PictureArguments& picture,
+PictureSettings checkTableOutputs(const TableCommand& command, const Scene& scene,
                                   const PictureDefaults& defaults) {
-  checkOutputs(outputs, kOutputExtensions, DefaultOutput::PrintsTable);
-  for (const std::string& output : outputs) checkNoInput(output, inputFiles(common, scene));
-  checkUseful(picture, outputs);
-  return pictureSettings(picture, defaults);
+  checkOutputs(command.outputs, kOutputExtensions, DefaultOutput::PrintsTable);
+  for (const std::string& output : command.outputs)
+    checkNoInput(output, inputFiles(command.common, scene));
+  checkUseful(command.picture, command.outputs);
+  return pictureSettings(command.picture, defaults);
 }
 
-void writeResult(const CommonOptions& common, const std::vector<std::string>& outputs,
-                 const PictureSettings& settings, const TableResult& result) {
+void writeResult(const TableCommand& command, const PictureSettings& settings,
+                 const TableResult& result) {
+  const CommonOptions& common = command.common;
+  const std::vector<std::string>& outputs = command.outputs;
   const auto tableText = [&](const Form& form, const std::string& output) {
     const ProvenanceOptions given(optionsFor(common.given, output));
     return form();
@@ -66,7 +68,7 @@ void writeResult(const CommonOptions& common, const std::vector<std::string>& ou
     if (extension == ".csv") writeFileAtomically(output, tableText(result.csv, output));
     if (extension == ".json") writeFileAtomically(output, tableText(result.json, output));
   }
-  writePictures(common, outputs, settings, result);
+  writePictures(command, settings, result);
   std::vector<std::string> files = outputs;
   files.insert(files.end(), result.otherFiles.begin(), result.otherFiles.end());
   const bool printsTable = files.empty() || hasStandardOutput(outputs);

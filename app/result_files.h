@@ -15,6 +15,22 @@
 
 namespace asperity {
 
+/// What every command that makes one table and one chart is given.
+struct TableCommand {
+  CommonOptions common;
+  std::vector<std::string> outputs;
+  PictureArguments picture;
+  std::string columns;  // --columns; empty: all
+};
+
+/// What every command that fills a folder is given.
+struct FolderCommand {
+  CommonOptions common;
+  std::string output;
+  PictureArguments picture;
+  std::string columns;  // --columns; empty: all
+};
+
 /// A result that is one table and one chart. Its forms are made when a file needs them, while the
 /// options of this file are those of each provenance (ProvenanceOptions).
 struct TableResult {
@@ -34,13 +50,12 @@ std::string withColumns(const std::string& json, const ColumnChoice& columns);
 
 /// Checks the names of the output files and the options of pictures before any work. Throws
 /// InputError.
-PictureSettings checkTableOutputs(const CommonOptions& common, const Scene& scene,
-                                  const std::vector<std::string>& outputs,
-                                  const PictureArguments& picture, const PictureDefaults& defaults);
+PictureSettings checkTableOutputs(const TableCommand& command, const Scene& scene,
+                                  const PictureDefaults& defaults);
 
 /// Writes the files and a summary; prints the table where there are no files, and for `-`.
-void writeResult(const CommonOptions& common, const std::vector<std::string>& outputs,
-                 const PictureSettings& settings, const TableResult& result);
+void writeResult(const TableCommand& command, const PictureSettings& settings,
+                 const TableResult& result);
 
 /// A folder of texts and charts that a command writes together.
 class OutputFolder {

@@ -250,7 +250,7 @@ class BatchRun {
     // In the provenance of all files written below.
     std::optional<ProvenanceOptions> given(std::in_place, itemOptions(name + ".png"));
     PictureComposer composer(settings_, content);
-    composer.checkCurveHeight(scene);
+    composer.fitHeight(scene);
     pictures.write(fileIn(name + ".png"), composer.compose(frame),
                    settings_.properties(shown.title, pictureOrigin("batch", scene)));
     given.emplace(itemOptions(name + ".csv"));

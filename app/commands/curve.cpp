@@ -138,8 +138,7 @@ int runCurve(const CurveCommand& command) {
   const ComparedScene compared = withCurveOptions(loadScene(command.common), command.curves);
   const Scene& scene = compared.scene;
   withSceneContext(command.common, [&] { requireSteadySliding(scene, "asperity curve"); });
-  const PictureSettings settings = checkTableOutputs(command.common, scene, command.outputs,
-                                                     command.picture, {1200, 800, "print"});
+  const PictureSettings settings = checkTableOutputs(command, scene, {1200, 800, "print"});
   for (const std::string& output : command.outputs)
     checkNoInput(output, filesReadBeside(command.curves, scene));
   checkUseful(command.curves, command.outputs);
@@ -170,7 +169,7 @@ int runCurve(const CurveCommand& command) {
     writeRealizations(command, scene, lines);
     result.otherFiles = {command.realizationTable};
   }
-  writeResult(command.common, command.outputs, settings, result);
+  writeResult(command, settings, result);
   requireTarget(curve);
   return kDone;
 }

@@ -9,11 +9,10 @@
 
 namespace asperity {
 
-int runCutoff(const SheetCommand& command) {
+int runCutoff(const TableCommand& command) {
   const Scene scene = loadScene(command.common);
   withSceneContext(command.common, [&] { requireSteadySliding(scene, "asperity cutoff"); });
-  const PictureSettings settings = checkTableOutputs(command.common, scene, command.outputs,
-                                                     command.picture, {1200, 1000, "print"});
+  const PictureSettings settings = checkTableOutputs(command, scene, {1200, 1000, "print"});
   const std::vector<CutoffPoint> points = withSceneContext(command.common, [&] {
     ProgressBar bar(Words::tr("states"), command.common.quiet);
     StateOptions options;
@@ -22,7 +21,7 @@ int runCutoff(const SheetCommand& command) {
     return frictionOverCutoff(scene, options);
   });
   const auto origin = [&] { return provenance("cutoff", scene); };
-  writeResult(command.common, command.outputs, settings,
+  writeResult(command, settings,
               {.csv = [&] { return provenanceComment(origin()) + cutoffCsv(points); },
                .json = [&] { return cutoffJson(scene, points); },
                .sheet = [&] { return cutoffSheet(scene, points); },

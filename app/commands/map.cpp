@@ -45,15 +45,14 @@ std::string summaryText(const ParameterMap& map) {
 int runMap(const MapCommand& command) {
   const Scene scene = loadScene(command.common);
   withSceneContext(command.common, [&] { requireSteadySliding(scene, "asperity map"); });
-  const PictureSettings settings = checkTableOutputs(command.common, scene, command.outputs,
-                                                     command.picture, {1200, 900, "print"});
+  const PictureSettings settings = checkTableOutputs(command, scene, {1200, 900, "print"});
   if (!isMapQuantity(command.quantity))
     throw InputError("", "--show", notOneOf(command.quantity, mapQuantities()));
   const ColumnChoice columns(command.columns, {"map"});
   const ParameterMap map =
       withSceneContext(command.common, [&] { return compute(scene, command); });
   const std::string& quantity = command.quantity;
-  writeResult(command.common, command.outputs, settings,
+  writeResult(command, settings,
               {.csv =
                    [&] {
                      return provenanceComment(mapProvenance(map, quantity)) +

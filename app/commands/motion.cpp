@@ -47,13 +47,12 @@ std::string summaryText(const MotionTable& table) {
 
 int runMotion(const MotionCommand& command) {
   const Scene scene = loadScene(command.common);
-  const PictureSettings settings = checkTableOutputs(command.common, scene, command.outputs,
-                                                     command.picture, {1200, 1000, "print"});
+  const PictureSettings settings = checkTableOutputs(command, scene, {1200, 1000, "print"});
   const ColumnChoice columns(command.columns, {"motion"});
   const MotionTable table = compute(scene, command);
   const auto origin = [&] { return motionProvenance("motion", scene, table); };
   writeResult(
-      command.common, command.outputs, settings,
+      command, settings,
       {.csv = [&] { return provenanceComment(origin()) + columns.select(motionCsv(table)); },
        .json = [&] { return withColumns(motionJson(scene, table), columns); },
        .sheet = [&] { return motionSheet(scene, table); },

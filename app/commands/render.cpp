@@ -40,13 +40,12 @@ enum class Kind { Picture, Film, Sequence };
 
 Kind outputKind(const std::string& output) {
   checkFolderName(output);
-  const std::string extension = fileExtension(output);
   if (isPictureFile(output)) {
     checkToolFor(output);
     return Kind::Picture;
   }
-  if (isFilm(extension)) return Kind::Film;
-  if (!extension.empty() && !fs::is_directory(output))
+  if (isFilmFile(output)) return Kind::Film;
+  if (!fileExtension(output).empty() && !fs::is_directory(output))
     throw InputError(
         output, "",
         "is neither a folder nor a .png, .svg, .pdf, .eps, .tif, .mp4, .webm, .gif or .webp file");
@@ -91,7 +90,7 @@ class Rendering {
       if (showsCurve()) computeCurves();
     });
     composer_.emplace(settings_, content());
-    composer_->checkCurveHeight(scene_);
+    composer_->fitHeight(scene_);
   }
 
   void run() {

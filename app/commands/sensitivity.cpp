@@ -10,11 +10,10 @@
 
 namespace asperity {
 
-int runSensitivity(const SheetCommand& command) {
+int runSensitivity(const TableCommand& command) {
   const Scene scene = loadScene(command.common);
   withSceneContext(command.common, [&] { requireSteadySliding(scene, "asperity sensitivity"); });
-  const PictureSettings settings = checkTableOutputs(command.common, scene, command.outputs,
-                                                     command.picture, {1200, 800, "print"});
+  const PictureSettings settings = checkTableOutputs(command, scene, {1200, 800, "print"});
   const std::vector<Exponent> exponents = withSceneContext(command.common, [&] {
     if (choosesAccuracy(scene))
       throw InputError("", "accuracy.target_relative_error",
@@ -27,7 +26,7 @@ int runSensitivity(const SheetCommand& command) {
     return sensitivityExponents(scene, sensitivities(scene, options));
   });
   const auto origin = [&] { return provenance("sensitivity", scene); };
-  writeResult(command.common, command.outputs, settings,
+  writeResult(command, settings,
               {.csv = [&] { return provenanceComment(origin()) + sensitivityCsv(exponents); },
                .json = [&] { return sensitivityJson(scene, exponents); },
                .sheet = [&] { return sensitivitySheet(scene, exponents); },

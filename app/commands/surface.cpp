@@ -172,7 +172,7 @@ void withFileContext(bool isFile, const std::string& file, const Work& work) {
 int runSurface(const SurfaceCommand& command) {
   const bool isFile = !command.common.remade && isSurfaceFile(command.common.scene);
   const Scene scene = isFile ? sceneFromFile(command.common) : loadScene(command.common);
-  checkTableOutputs(command.common, scene, command.outputs, command.picture, {1280, 800, "light"});
+  checkTableOutputs(command, scene, {1280, 800, "light"});
   checkTable(command);
   const auto run = [&] {
     // A line from a file is written with its elements alone: read as a profile it is the same line.

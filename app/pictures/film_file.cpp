@@ -169,7 +169,8 @@ void putLittleEndian(std::string& bytes, std::size_t at, std::size_t number) {
 
 }  // namespace
 
-bool isFilm(const std::string& extension) {
+bool isFilmFile(const std::string& file) {
+  const std::string extension = fileExtension(file);
   return extension == ".mp4" || extension == ".webm" || extension == ".gif" || extension == ".webp";
 }
 

@@ -31,8 +31,8 @@ std::vector<std::string> ffmpegArguments(const std::string& extension, const Fil
 /// write.
 std::string filmMetadata(const std::string& extension, const FilmOptions& options);
 
-/// Returns whether the extension is .mp4, .webm, .gif or .webp.
-bool isFilm(const std::string& extension);
+/// Returns whether a file is a film by its extension: .mp4, .webm, .gif or .webp.
+bool isFilmFile(const std::string& file);
 
 /// Throws where no ffmpeg can be run, and InputError where films of this kind cannot be
 /// transparent. Call it before long work.

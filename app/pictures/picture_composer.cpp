@@ -145,7 +145,7 @@ void PictureComposer::checkStrips(const Scene& scene) {
                            settings_.width, least));
 }
 
-void PictureComposer::checkCurveHeight(const Scene& scene) {
+void PictureComposer::fitHeight(const Scene& scene) {
   checkStrips(scene);
   const PictureLayout layout = content_.layout;
   if (layout != PictureLayout::Curve && layout != PictureLayout::Both) return;

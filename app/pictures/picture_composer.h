@@ -38,9 +38,9 @@ class PictureComposer {
  public:
   PictureComposer(const PictureSettings& settings, PictureContent content);
 
-  /// Throws InputError naming --size where a panel of the curve, or a strip over time of this
-  /// scene, would not fit; on paper the picture gets as high as they need.
-  void checkCurveHeight(const Scene& scene);
+  /// Makes a picture on paper as high as the panels of its curve, or the strips over time of this
+  /// scene, need. Throws InputError naming --size where they do not fit into a picture in pixels.
+  void fitHeight(const Scene& scene);
 
   DrawList compose(const Frame& frame);
 
