@@ -22,22 +22,6 @@ bool readFinite(std::string_view text, double& number) {
   return readNumber(text, number) && std::isfinite(number);
 }
 
-}  // namespace
-
-NumberRange rangeFrom(const std::string& option, const std::string& text, const std::string& unit) {
-  const std::string_view all = text;
-  const std::size_t colon = all.find(':');
-  NumberRange range;
-  if (colon == std::string_view::npos || !readFinite(all.substr(0, colon), range.from) ||
-      !readFinite(all.substr(colon + 1), range.to) || !(range.from < range.to))
-    throw InputError("", option,
-                     message("{} is not FROM:TO{} with FROM below TO", shortened(text),
-                             unit.empty() ? "" : " in " + unit));
-  return range;
-}
-
-namespace {
-
 template <class Number>
 void setRange(CLI::Option* option, Number least, Number most, const char* what,
               const std::string& allowed) {
@@ -115,6 +99,18 @@ InputError mismatch(const std::string& text) {
 
 }  // namespace
 
+NumberRange rangeFrom(const std::string& option, const std::string& text, const std::string& unit) {
+  const std::string_view all = text;
+  const std::size_t colon = all.find(':');
+  NumberRange range;
+  if (colon == std::string_view::npos || !readFinite(all.substr(0, colon), range.from) ||
+      !readFinite(all.substr(colon + 1), range.to) || !(range.from < range.to))
+    throw InputError("", option,
+                     message("{} is not FROM:TO{} with FROM below TO", shortened(text),
+                             unit.empty() ? "" : " in " + unit));
+  return range;
+}
+
 void setNumberRange(CLI::Option* option, double least, double most, std::string_view unit) {
   setRange(option, least, most, "number", rangeText(least, most, unit).english());
 }
@@ -136,20 +132,8 @@ void refuseEmptyWords(CLI::App& app) {
 
 bool shapesOutputs(std::string_view word) {
   // Measured friction and theories are part of the scene by then.
-  static constexpr std::array<std::string_view, 13> kNoOutputOptions{"output",
-                                                                     "set",
-                                                                     "threads",
-                                                                     "quiet",
-                                                                     "json",
-                                                                     "timing",
-                                                                     "resume",
-                                                                     "remake",
-                                                                     "from",
-                                                                     "data",
-                                                                     "theory",
-                                                                     "help",
-                                                                     "realizations-table"};
-  return std::ranges::find(kNoOutputOptions, word) == kNoOutputOptions.end();
+  return !isOneOf(word, {"output", "set", "threads", "quiet", "json", "timing", "resume", "remake",
+                         "from", "data", "theory", "help", "realizations-table"});
 }
 
 std::vector<GivenOption> givenOptions(const CLI::App& command) {

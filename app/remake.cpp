@@ -90,7 +90,7 @@ bool isFromMeasurements(const FoundScene& found) {
          origin["origin"].contains("file") && !origin.contains("scene");
 }
 
-/// Throws where a file of this origin cannot be made again.
+/// Returns the options that made the file. Throws where a file of this origin cannot be made again.
 Json optionsOf(const FoundScene& found, const std::string& file) {
   if (!found.isEmbedded) throw InputError(file, "", "is a scene, not a result that can be remade");
   if (!isOneOf(found.verb, {"accuracy", "batch", "curve", "cutoff", "figure", "fit", "map",

@@ -163,6 +163,15 @@ FilmBegin filmBegin(std::string_view extension) {
   return extension == ".gif" ? FilmBegin{0, "GIF89a"} : FilmBegin{8, "WEBP"};
 }
 
+/// Returns the options with the sides of the film. Those of an mp4 are even: where they are odd,
+/// the last column and row of a picture stand twice, so that its background goes on.
+FilmOptions withFilmSides(FilmOptions options, const std::string& extension) {
+  if (extension != ".mp4") return options;
+  options.width += options.width % 2;
+  options.height += options.height % 2;
+  return options;
+}
+
 void putLittleEndian(std::string& bytes, std::size_t at, std::size_t number) {
   for (std::size_t i = 0; i < 4; ++i) bytes[at + i] = static_cast<char>(number >> (8 * i) & 255U);
 }
@@ -182,19 +191,6 @@ void checkFilm(const std::string& file, bool transparent) {
         "films need the program ffmpeg (package ffmpeg), which is not in PATH; "
         "-o FOLDER writes the frames as PNG without it");
 }
-
-namespace {
-
-/// Returns the options with the sides of the film. Those of an mp4 are even: where they are odd,
-/// the last column and row of a picture stand twice, so that its background goes on.
-FilmOptions withFilmSides(FilmOptions options, const std::string& extension) {
-  if (extension != ".mp4") return options;
-  options.width += options.width % 2;
-  options.height += options.height % 2;
-  return options;
-}
-
-}  // namespace
 
 struct FilmFile::Body {
   Body(const std::string& file, const FilmOptions& given)
