@@ -3,9 +3,7 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "app/common_options.h"
@@ -14,8 +12,6 @@
 #include "app/picture_options.h"
 #include "app/pictures/frame_source.h"
 #include "app/result_files.h"
-#include "core/scene/provenance.h"
-#include "core/scene/scene.h"
 
 namespace asperity {
 
@@ -134,11 +130,6 @@ int runAccuracy(const FolderCommand& command);
 int runFigure(const FigureCommand& command);
 /// Opens the window; an empty scene means the default one.
 int runWindowCommand(const CommonOptions& command);
-/// Opens the window with this scene. Throws std::runtime_error where there is no display. `found`:
-/// a scene from inside the file options.scene; the window asks before it shows that scene.
-/// `lesson`: the file of a lesson that begins at once; empty: none.
-int showWindow(const std::optional<Scene>& scene, const CommonOptions& options,
-               const FoundScene* found = nullptr, const std::string& lesson = {});
 int runBatch(const BatchCommand& command);
 int runStudyRun(const StudyCommand& command);
 int runStudyMerge(const StudyCommand& command);
