@@ -22,8 +22,6 @@
 namespace asperity {
 namespace {
 
-constexpr PictureDefaults kPictures{1200, 900, "print"};
-
 std::string summaryText(const Fit& fit) {
   std::string text;
   for (const Message& line : describeFit(fit)) text += translated(line) + "\n";
@@ -34,7 +32,7 @@ std::string summaryText(const Fit& fit) {
 
 int runFit(const FitCommand& command) {
   checkFolderName(command.output);
-  const PictureSettings settings = pictureSettings(command.picture, kPictures);
+  const PictureSettings settings = pictureSettings(command.picture, {1200, 900, "print"});
   CurveArguments beside;
   beside.data = command.data;
   const ColumnChoice columns(command.columns, {"fit", "curve"});

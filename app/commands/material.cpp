@@ -22,8 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr PictureDefaults kPictures{1200, 800, "print"};
-
 /// Returns whether the file is a scene, or the name of a shipped one.
 bool isScene(const std::string& file) {
   if (file.ends_with(".json") && !fs::exists(file)) return true;
@@ -100,7 +98,7 @@ int showInScene(const MaterialCommand& command, const PictureSettings& style) {
 
 int runMaterial(const MaterialCommand& command) {
   checkFolderName(command.output);
-  const PictureSettings style = pictureSettings(command.picture, kPictures);
+  const PictureSettings style = pictureSettings(command.picture, {1200, 800, "print"});
   columnChoice(command);
   return command.common.remade || isScene(command.common.scene)
              ? showInScene(command, style)

@@ -31,7 +31,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr PictureDefaults kPictures{1400, 900, "print"};
 constexpr NamedChoices<TableShape, 2> kShapes{
     {{"wide", TableShape::Wide}, {"long", TableShape::Long}}};
 
@@ -352,7 +351,7 @@ int runStudyShow(const StudyCommand& command) {
 
 int runStudyAnalyse(const StudyCommand& command) {
   checkFolderName(command.output);
-  const PictureSettings settings = pictureSettings(command.picture, kPictures);
+  const PictureSettings settings = pictureSettings(command.picture, {1400, 900, "print"});
   const StudyStore store(command.study);
   const ParameterStudy& study = store.study();
   if (store.chunksDone() == 0)
