@@ -1,35 +1,26 @@
 #include "app/command_line.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <QtGlobal>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
-#include <csignal>
 #include <cstdio>
 #include <filesystem>
 
 #include "app/command_options.h"
+#include "app/command_reference.h"
 #include "app/command_table.h"
-#include "app/completions.h"
-#include "app/dictionary.h"
-#include "app/interruption.h"
 #include "app/output.h"
 #include "app/remake.h"
 #include "app/vector_target.h"
 #include "core/base/input_error.h"
 #include "core/base/text.h"
-#include "core/material/material_library.h"
 #include "core/scene/parameter_help.h"
-#include "core/scene/provenance.h"
-#include "core/scene/scene_file.h"
 #include "ui/language/language.h"
 #include "ui/language/words.h"
-#include "ui/window/main/scene_library.h"
 
 namespace asperity {
 namespace {
@@ -176,79 +167,17 @@ class CommandLine {
   CommandTable commands_;
 };
 
-/// Prints an error to stderr. Errors of stderr itself (closed, full) are ignored: nothing else can
-/// report them.
-int reportError(const std::string& sentence, int status) {
-  while (isInterrupted()) ::pause();  // the interruption was the reason, and has been reported
-  std::fputs(("asperity: " + printable(sentence) + "\n").c_str(), stderr);
-  return status;
-}
-
-/// Opens the closed standard streams, so that files opened later do not get their numbers.
-void fillClosedStreams() {
-  for (const int stream : {0, 1, 2})
-    if (::fcntl(stream, F_GETFD) == -1) ::open("/dev/null", O_RDONLY);
-}
-
-/// Returns what standard input holds. Throws InputError where it is more than a scene may be.
-std::string standardInput() {
-  std::string text;
-  char part[4096];
-  while (const std::size_t count = std::fread(part, 1, sizeof part, stdin)) {
-    text.append(part, count);
-    if (text.size() > kLargestScene)
-      throw InputError("standard input", "", "is larger than a scene may be");
-  }
-  return text;
-}
-
 }  // namespace
-
-Scene loadScene(const CommonOptions& options) {
-  if (options.remade)
-    return readScene(writeScene(options.remade->scene), options.scene, options.remade->scene.folder,
-                     options.assignments);
-  if (options.scene.empty()) return readScene("{}", "--set", {}, options.assignments);
-  if (options.scene == "-")
-    return readScene(standardInput(), "standard input", {}, options.assignments);
-  return readNamedScene(options.scene, {}, options.assignments);
-}
-
-std::vector<std::filesystem::path> inputFiles(const CommonOptions& options, const Scene& scene) {
-  std::vector<std::filesystem::path> inputs;
-  if (!options.remade) inputs.emplace_back(options.scene);  // a remade file may replace itself
-  for (const GivenOption& option : options.given)
-    if (option.isFile) inputs.insert(inputs.end(), option.values.begin(), option.values.end());
-  const std::vector<std::filesystem::path> named = filesReadBy(scene);
-  inputs.insert(inputs.end(), named.begin(), named.end());
-  return inputs;
-}
 
 int runCommandLine(int argc, char** argv) {
   const auto start = std::chrono::steady_clock::now();
-  fillClosedStreams();
-  // a file that reaches its size limit gives an error, like a full disk
-  std::signal(SIGXFSZ, SIG_IGN);
-  endCleanlyOnInterruption();
-  try {
-    chooseVectorTarget();
-    CommandLine commandLine;
-    commandLine.checkCommand(argc, argv);
-    const int status = commandLine.run(argc, argv);
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-    if (commandLine.timing())
-      std::fputs(fmt::format("time {:.3f} s\n", elapsed.count()).c_str(), stderr);
-    // A full disk may appear only when the last bytes are written.
-    if (std::fflush(stdout) != 0 || std::ferror(stdout))
-      return reportError("standard output cannot be written", kRunFailed);
-    return status;
-  } catch (const InputError& error) {
-    return reportError(error.what(), kBadInput);
-  } catch (const std::bad_alloc&) {
-    return reportError("the scene needs more memory than there is", kRunFailed);
-  } catch (const std::exception& error) {
-    return reportError(error.what(), kRunFailed);
-  }
+  CommandLine commandLine;
+  commandLine.checkCommand(argc, argv);
+  const int status = commandLine.run(argc, argv);
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  if (commandLine.timing())
+    std::fputs(fmt::format("time {:.3f} s\n", elapsed.count()).c_str(), stderr);
+  return status;
 }
 
 }  // namespace asperity

@@ -2,74 +2,36 @@
 // app/commands/. Main thread.
 #pragma once
 
-#include <filesystem>
-#include <optional>
+#include <cstdint>
 #include <string>
 #include <vector>
 
-#include "app/command_options.h"
-#include "app/curve_arguments.h"
-#include "app/frame_source.h"
+#include "app/common_options.h"
+#include "app/curve_options.h"
+#include "app/material_options.h"
 #include "app/picture_options.h"
-#include "core/base/input_error.h"
-#include "core/material/dma_file.h"
-#include "core/scene/provenance.h"
-#include "core/scene/scene.h"
+#include "app/pictures/frame_source.h"
+#include "app/result_files.h"
 
 namespace asperity {
 
-/// Exit statuses of the program.
-inline constexpr int kDone = 0, kRunFailed = 1, kBadInput = 2;
+/// Exit statuses of the program; after SIGINT and SIGTERM: 128 plus the number of the signal.
+inline constexpr int kDone = 0, kRunFailed = 1, kBadInput = 2, kInterrupted = 130,
+                     kTerminated = 143;
 
-/// The options that every command takes.
-struct CommonOptions {
-  std::string scene;
-  std::vector<std::string> assignments;  // --set KEY=VALUE
-  std::string language;                  // language of texts; empty: English, or the window's own
-  int threads = 0;                       // 0: as many as the machine has
-  bool quiet = false;
-  bool json = false;
-  bool timing = false;
-  std::vector<GivenOption> given;  // that shape outputs
-  // instead of the file `scene`, which names it in errors
-  std::optional<FoundScene> remade = {};
-  bool isPart = false;  // the output folder is temporary: one of its files is kept
-
-  bool hidesSummary() const { return quiet || isPart; }
-};
-
-struct CurveCommand {
-  CommonOptions common;
-  std::vector<std::string> outputs;
-  PictureArguments picture;
+struct CurveCommand : TableCommand {
   CurveArguments curves;
-  std::string columns;           // --columns; empty: all
   std::string realizationTable;  // file; empty: none
 };
 
-struct MapCommand {
-  CommonOptions common;
-  std::vector<std::string> outputs;
-  PictureArguments picture;
+struct MapCommand : TableCommand {
   std::string x, y;  // KEY=FROM:TO:N
   std::string quantity = "mu";
-  std::string columns;  // --columns; empty: all
 };
 
-/// The commands `sensitivity` and `cutoff`.
-struct SheetCommand {
-  CommonOptions common;
-  std::vector<std::string> outputs;
-  PictureArguments picture;
-};
-
-struct MotionCommand {
-  CommonOptions common;
-  std::vector<std::string> outputs;
-  PictureArguments picture;
+struct MotionCommand : TableCommand {
   std::int64_t every = 1;  // time steps between two rows
   std::int64_t lines = 1;  // realizations
-  std::string columns;     // --columns; empty: all
 };
 
 struct RenderCommand {
@@ -86,38 +48,19 @@ struct RenderCommand {
   std::string columns;  // --columns; empty: all
 };
 
-struct SurfaceCommand {
-  CommonOptions common;
-  std::vector<std::string> outputs;
-  PictureArguments picture;
+struct SurfaceCommand : TableCommand {
   std::string table = "line";  // of a CSV: line, spectrum or statistics
-  std::string columns;         // --columns; empty: all
 };
 
-struct FitCommand {
-  CommonOptions common;
+struct FitCommand : FolderCommand {
   std::vector<std::string> data;    // files, beside those that the scene names
   std::vector<std::string> varied;  // KEY or KEY=LOW:HIGH
-  std::string output;               // folder
   bool withoutProfiles = false;
-  PictureArguments picture;
-  std::string columns;  // --columns; empty: all
 };
 
-struct MaterialCommand {
-  CommonOptions common;  // its scene: a file of moduli, or a scene
-  std::string output;    // folder
-  PictureArguments picture;
-  DmaChoices columns;  // names and units
-  std::string temperature, referenceTemperature, equilibriumModulus, instantaneousModulus, strain;
-  std::vector<std::string> leftOut;
-  std::string modulus = "auto", shift = "auto", name, source;
-  double poissonRatio = 0.5, temperatureTolerance = kIsothermTolerance;
-  int terms = 0;
-  bool isVertical = false, isLiquid = false;
-  /// Options of the fit and their values, as they were written.
-  std::vector<std::pair<std::string, std::string>> written;
-  std::string tableColumns;  // --columns; empty: all
+/// Its scene is a table of moduli, or a scene.
+struct MaterialCommand : FolderCommand {
+  WrittenOptions options;  // of reading and fitting
 };
 
 /// The actions of `asperity study`; each uses some of the members.
@@ -133,13 +76,10 @@ struct StudyCommand {
   PictureArguments picture;
 };
 
-struct FigureCommand {
-  CommonOptions common;  // without a scene, it means the paper's parameters
+/// It has no scene; its assignments change the parameters of the paper.
+struct FigureCommand : FolderCommand {
   std::vector<std::string> names;
-  std::string output;  // folder
   std::int64_t realizations = 200;
-  PictureArguments picture;
-  std::string columns;  // --columns; empty: all
 };
 
 struct ExplainCommand {
@@ -167,44 +107,16 @@ struct CheckCommand {
   std::vector<std::string> scenes;
 };
 
-struct AccuracyCommand {
-  CommonOptions common;
-  std::string output;  // folder
-  PictureArguments picture;
-  std::string columns;  // --columns; empty: all
-};
-
-struct BatchCommand {
-  CommonOptions common;  // the scene is the batch's file
-  std::string output;    // folder
+/// Its scene is the file of the batch.
+struct BatchCommand : FolderCommand {
   bool contactSheet = false;
-  PictureArguments picture;
-  std::string columns;  // --columns; empty: all
 };
-
-/// Returns the scene of a command with its assignments. The scene comes from a file or, where no
-/// file has the name, from the shipped scenes. Throws InputError.
-Scene loadScene(const CommonOptions& options);
-
-/// Returns the files that were read for the scene; no output may replace them.
-std::vector<std::filesystem::path> inputFiles(const CommonOptions& options, const Scene& scene);
-
-/// Runs the work of a command. Where an InputError names neither a file nor an option, it gets the
-/// name of the scene's file.
-template <class Work>
-auto withSceneContext(const CommonOptions& options, const Work& work) {
-  try {
-    return work();
-  } catch (const InputError& error) {
-    throw error.file().empty() && !error.isOfOption() ? error.in(options.scene) : error;
-  }
-}
 
 int runCheck(const CheckCommand& command);
 int runCurve(const CurveCommand& command);
 int runMap(const MapCommand& command);
-int runSensitivity(const SheetCommand& command);
-int runCutoff(const SheetCommand& command);
+int runSensitivity(const TableCommand& command);
+int runCutoff(const TableCommand& command);
 int runMotion(const MotionCommand& command);
 int runColumns(const CommonOptions& command);
 int runFit(const FitCommand& command);
@@ -214,15 +126,10 @@ int runRender(const RenderCommand& command);
 int runContactTable(const RenderCommand& command);
 int runSurface(const SurfaceCommand& command);
 int runExplain(const ExplainCommand& command);
-int runAccuracy(const AccuracyCommand& command);
+int runAccuracy(const FolderCommand& command);
 int runFigure(const FigureCommand& command);
 /// Opens the window; an empty scene means the default one.
 int runWindowCommand(const CommonOptions& command);
-/// Opens the window with this scene. Throws std::runtime_error where there is no display. `found`:
-/// a scene from inside the file options.scene; the window asks before it shows that scene.
-/// `lesson`: the file of a lesson that begins at once; empty: none.
-int showWindow(const std::optional<Scene>& scene, const CommonOptions& options,
-               const FoundScene* found = nullptr, const std::string& lesson = {});
 int runBatch(const BatchCommand& command);
 int runStudyRun(const StudyCommand& command);
 int runStudyMerge(const StudyCommand& command);
@@ -232,7 +139,8 @@ int runStudyAnalyse(const StudyCommand& command);
 int runOpen(const OpenCommand& command);
 int runLesson(const LessonCommand& command);
 
-/// Parses and runs the command line. Returns the exit status; errors are one line on stderr.
+/// Parses and runs the command line. Returns the exit status. Throws InputError, or
+/// std::runtime_error where the run failed.
 int runCommandLine(int argc, char** argv);
 
 }  // namespace asperity

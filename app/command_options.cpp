@@ -22,25 +22,9 @@ bool readFinite(std::string_view text, double& number) {
   return readNumber(text, number) && std::isfinite(number);
 }
 
-}  // namespace
-
-NumberRange rangeFrom(const std::string& option, const std::string& text, const std::string& unit) {
-  const std::string_view all = text;
-  const std::size_t colon = all.find(':');
-  NumberRange range;
-  if (colon == std::string_view::npos || !readFinite(all.substr(0, colon), range.from) ||
-      !readFinite(all.substr(colon + 1), range.to) || !(range.from < range.to))
-    throw InputError("", option,
-                     message("{} is not FROM:TO{} with FROM below TO", shortened(text),
-                             unit.empty() ? "" : " in " + unit));
-  return range;
-}
-
-namespace {
-
 template <class Number>
-void setNumberRange(CLI::Option* option, Number least, Number most, const char* what,
-                    const std::string& allowed) {
+void setRange(CLI::Option* option, Number least, Number most, const char* what,
+              const std::string& allowed) {
   const CLI::Validator check(
       [=](const std::string& text) -> std::string {
         Number number{};
@@ -115,12 +99,24 @@ InputError mismatch(const std::string& text) {
 
 }  // namespace
 
-void limit(CLI::Option* option, double least, double most, std::string_view unit) {
-  setNumberRange(option, least, most, "number", rangeText(least, most, unit).english());
+NumberRange rangeFrom(const std::string& option, const std::string& text, const std::string& unit) {
+  const std::string_view all = text;
+  const std::size_t colon = all.find(':');
+  NumberRange range;
+  if (colon == std::string_view::npos || !readFinite(all.substr(0, colon), range.from) ||
+      !readFinite(all.substr(colon + 1), range.to) || !(range.from < range.to))
+    throw InputError("", option,
+                     message("{} is not FROM:TO{} with FROM below TO", shortened(text),
+                             unit.empty() ? "" : " in " + unit));
+  return range;
+}
+
+void setNumberRange(CLI::Option* option, double least, double most, std::string_view unit) {
+  setRange(option, least, most, "number", rangeText(least, most, unit).english());
 }
 
 void setIntegerRange(CLI::Option* option, std::int64_t least, std::int64_t most) {
-  setNumberRange(option, least, most, "whole number", fmt::format("{} to {}", least, most));
+  setRange(option, least, most, "whole number", fmt::format("{} to {}", least, most));
 }
 
 void refuseEmptyWords(CLI::App& app) {
@@ -136,20 +132,8 @@ void refuseEmptyWords(CLI::App& app) {
 
 bool shapesOutputs(std::string_view word) {
   // Measured friction and theories are part of the scene by then.
-  static constexpr std::array<std::string_view, 13> kNoOutputOptions{"output",
-                                                                     "set",
-                                                                     "threads",
-                                                                     "quiet",
-                                                                     "json",
-                                                                     "timing",
-                                                                     "resume",
-                                                                     "remake",
-                                                                     "from",
-                                                                     "data",
-                                                                     "theory",
-                                                                     "help",
-                                                                     "realizations-table"};
-  return std::ranges::find(kNoOutputOptions, word) == kNoOutputOptions.end();
+  return !isOneOf(word, {"output", "set", "threads", "quiet", "json", "timing", "resume", "remake",
+                         "from", "data", "theory", "help", "realizations-table"});
 }
 
 std::vector<GivenOption> givenOptions(const CLI::App& command) {
@@ -168,9 +152,8 @@ std::vector<GivenOption> givenOptions(const CLI::App& command) {
 nlohmann::ordered_json optionsFor(const std::vector<GivenOption>& given,
                                   const std::string& output) {
   // A bare ".png" would be the name of a hidden file.
-  const std::string extension = fileExtension("x" + output);
-  const bool isTable =
-      output == "-" || extension.empty() || extension == ".csv" || extension == ".json";
+  const std::string file = "x" + output;
+  const bool isTable = isTableFile(file) || fileExtension(file).empty();
   nlohmann::ordered_json options = nlohmann::ordered_json::object();
   for (const GivenOption& option : given) {
     if (option.group == (isTable ? kPictureGroup : kTableGroup)) continue;

@@ -1,20 +1,16 @@
-// Reading of option values: one of several named choices, a range FROM:TO, a number within limits.
-// An invalid value gives one sentence that names the option, the fault and the allowed values. Main
-// thread.
+// Options of the command line: ranges FROM:TO, numbers within limits, the options that shape a
+// file, and errors of the parser in the words of this program. An invalid value gives one sentence
+// that names the option, the fault and the allowed values. Main thread.
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <array>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "core/base/input_error.h"
-#include "core/base/named_choices.h"
-#include "core/base/text.h"
 
 namespace asperity {
 
@@ -28,7 +24,7 @@ NumberRange rangeFrom(const std::string& option, const std::string& text, const 
 
 /// Restricts the option to finite numbers, or integers, within limits. The help shows the limits
 /// with their unit.
-void limit(CLI::Option* option, double least, double most, std::string_view unit = {});
+void setNumberRange(CLI::Option* option, double least, double most, std::string_view unit = {});
 void setIntegerRange(CLI::Option* option, std::int64_t least, std::int64_t most);
 
 /// Forbids empty text for options and files, and values for flags; CLI11 would accept both

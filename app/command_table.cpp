@@ -6,7 +6,7 @@
 #include <functional>
 #include <utility>
 
-#include "app/batch_file.h"
+#include "app/batch/batch_file.h"
 #include "core/base/input_error.h"
 #include "core/lesson/lesson_file.h"
 #include "core/paper/figure.h"
@@ -221,26 +221,27 @@ void CommandTable::addRender() {
       command->add_option("--frames", time.frames,
                           "Number of frames (default: 60 per period, or 60 for a motion)"),
       1, 1000000);
-  limit(
+  setNumberRange(
       command->add_option("--fps", time.framesPerSecond, "Frames per second of film (default: 25)"),
       0.001, 1000);
-  limit(command->add_option("--duration", time.duration,
-                            "Length of the film in seconds, instead of --frames"),
-        0.001, 1e6, "s");
-  limit(command->add_option("--cycles", time.cycles,
-                            "Number of periods of the line that pass (default: 1)"),
-        1e-6, 1e6);
-  limit(
+  setNumberRange(command->add_option("--duration", time.duration,
+                                     "Length of the film in seconds, instead of --frames"),
+                 0.001, 1e6, "s");
+  setNumberRange(command->add_option("--cycles", time.cycles,
+                                     "Number of periods of the line that pass (default: 1)"),
+                 1e-6, 1e6);
+  setNumberRange(
       command->add_option("--slow-motion", time.slowMotion, "Seconds of film per simulated second"),
       1e-12, 1e15);
-  limit(command->add_option("--at", time.at,
-                            "One picture, after this time of sliding (default: the start of steady "
-                            "sliding, the end of a motion)"),
-        0, 1e12, "s");
-  limit(command->add_option(
-            "--slid", time.slid,
-            "One picture of steady sliding, after this sliding distance, instead of --at"),
-        0, 1e12, "m");
+  setNumberRange(
+      command->add_option("--at", time.at,
+                          "One picture, after this time of sliding (default: the start of steady "
+                          "sliding, the end of a motion)"),
+      0, 1e12, "s");
+  setNumberRange(command->add_option(
+                     "--slid", time.slid,
+                     "One picture of steady sliding, after this sliding distance, instead of --at"),
+                 0, 1e12, "m");
   command->add_flag("--resume", render_.resume,
                     "Keep the frames of an interrupted run and make the missing ones");
   command
@@ -311,74 +312,65 @@ void CommandTable::addMaterial() {
       ->required();
   command->add_option("-o,--output", material.output, "Folder for material.json, tables, pictures")
       ->required();
-  std::vector<CLI::Option*> fit;
-  const auto text = [&](const char* option, std::string& value, const char* sentence) {
-    fit.push_back(command->add_option(option, value, sentence));
-    return fit.back();
+  const auto add = [&](const char* option, const char* sentence) {
+    return command->add_option_function<std::string>(
+        option,
+        [&material, option](const std::string& value) {
+          material.options.emplace_back(option, value);
+        },
+        sentence);
   };
-  text("--reference-temperature", material.referenceTemperature,
-       "Temperature of the master curve, such as 20C (default: 25C where it was measured, else "
-       "the isotherm nearest to it)");
-  fit.push_back(command->add_option("--terms", material.terms,
-                                    "Number of relaxation times (default: as few as reach the "
-                                    "smallest residual)"));
-  setIntegerRange(fit.back(), 1, 64);
-  fit.push_back(command->add_flag("--vertical-shifts", material.isVertical,
-                                  "Shift the moduli as well, which a scene does not use"));
-  text("--shift", material.shift,
-       "Shift with temperature in material.json: auto, wlf, arrhenius or table")
-      ->capture_default_str();
-  text("--modulus", material.modulus, "What was measured: auto (by the columns), shear or tension")
-      ->capture_default_str();
-  fit.push_back(command
-                    ->add_option("--poisson-ratio", material.poissonRatio,
-                                 "Of moduli of tension: G = E / (2 (1 + nu))")
-                    ->capture_default_str());
-  limit(fit.back(), 0, 0.5);
-  text("--temperature", material.temperature,
-       "Temperature of a file that does not state one, such as 20C");
-  fit.push_back(command
-                    ->add_option("--temperature-tolerance", material.temperatureTolerance,
-                                 "Rows closer in temperature are one isotherm")
-                    ->capture_default_str());
-  limit(fit.back(), 0.001, 100, "K");
-  fit.push_back(command
-                    ->add_option("--leave-out", material.leftOut,
-                                 "Temperature of an isotherm that is not used; may be repeated")
-                    ->take_all()
-                    ->allow_extra_args(false));
-  text("--equilibrium-modulus", material.equilibriumModulus,
-       "Shear modulus in equilibrium, such as 2MPa, instead of the fitted one");
-  text("--instantaneous-modulus", material.instantaneousModulus,
-       "Shear modulus of a sudden deformation, of a series of relative moduli");
-  fit.push_back(command->add_flag("--liquid", material.isLiquid,
-                                  "Allow an equilibrium modulus of 0, with which nothing slides "
-                                  "steadily"));
-  DmaChoices& columns = material.columns;
-  text("--frequency-column", columns.frequencyColumn, "Name or number of the column");
-  text("--temperature-column", columns.temperatureColumn, "Name or number of the column");
-  text("--storage-column", columns.storageColumn, "Name or number of the column");
-  text("--loss-column", columns.lossColumn, "Name or number of the column");
-  text("--tan-delta-column", columns.lossTangentColumn, "Name or number of the column");
-  text("--magnitude-column", columns.magnitudeColumn, "Name or number of the column");
-  text("--phase-column", columns.phaseColumn, "Name or number of the column");
-  text("--strain-column", columns.strainColumn, "Name or number of the column");
-  text("--strain", material.strain, "Strain amplitude to read, such as 1%, of a file with several");
-  text("--frequency-unit", columns.frequencyUnit, "Hz or rad/s, instead of the file's");
-  text("--temperature-unit", columns.temperatureUnit, "C, K or F, instead of the file's");
-  text("--modulus-unit", columns.modulusUnit, "Pa, kPa, MPa or GPa, instead of the file's");
-  command->add_option("--name", material.name, "Name of the material (default: that of the file)");
-  command->add_option("--source", material.source,
-                      "Where the numbers come from, kept in material.json");
+  const auto addFlag = [&](const char* option, const char* sentence) {
+    command->add_flag_callback(
+        option, [&material, option] { material.options.emplace_back(option, "true"); }, sentence);
+  };
+  add("--reference-temperature",
+      "Temperature of the master curve, such as 20C (default: 25C where it was measured, else "
+      "the isotherm nearest to it)");
+  setIntegerRange(
+      add("--terms", "Number of relaxation times (default: as few as reach the smallest residual)"),
+      1, 64);
+  addFlag("--vertical-shifts", "Shift the moduli as well, which a scene does not use");
+  add("--shift", "Shift with temperature in material.json: auto, wlf, arrhenius or table")
+      ->default_str("auto");
+  add("--modulus", "What was measured: auto (by the columns), shear or tension")
+      ->default_str("auto");
+  setNumberRange(add("--poisson-ratio", "Of moduli of tension: G = E / (2 (1 + nu))")
+                     ->default_str(fmt::format("{}", MaterialChoices{}.columns.poissonRatio)),
+                 0, 0.5);
+  add("--temperature", "Temperature of a file that does not state one, such as 20C");
+  setNumberRange(add("--temperature-tolerance", "Rows closer in temperature are one isotherm")
+                     ->default_str(fmt::format("{}", MaterialChoices{}.temperatureTolerance)),
+                 0.001, 100, "K");
+  command
+      ->add_option_function<std::vector<std::string>>(
+          "--leave-out",
+          [&material](const std::vector<std::string>& values) {
+            for (const std::string& value : values)
+              material.options.emplace_back("--leave-out", value);
+          },
+          "Temperature of an isotherm that is not used; may be repeated")
+      ->take_all()
+      ->allow_extra_args(false);
+  add("--equilibrium-modulus",
+      "Shear modulus in equilibrium, such as 2MPa, instead of the fitted one");
+  add("--instantaneous-modulus",
+      "Shear modulus of a sudden deformation, of a series of relative moduli");
+  addFlag("--liquid", "Allow an equilibrium modulus of 0, with which nothing slides steadily");
+  for (const char* column :
+       {"--frequency-column", "--temperature-column", "--storage-column", "--loss-column",
+        "--tan-delta-column", "--magnitude-column", "--phase-column", "--strain-column"})
+    add(column, "Name or number of the column");
+  add("--strain", "Strain amplitude to read, such as 1%, of a file with several");
+  add("--frequency-unit", "Hz or rad/s, instead of the file's");
+  add("--temperature-unit", "C, K or F, instead of the file's");
+  add("--modulus-unit", "Pa, kPa, MPa or GPa, instead of the file's");
+  add("--name", "Name of the material (default: that of the file)");
+  add("--source", "Where the numbers come from, kept in material.json");
   addPictureOptions(*command, material.picture, "1200x800", "print", FigurePart::Chart);
-  addColumnChoice(command, material.tableColumns);
+  addColumnChoice(command, material.columns);
   addShared(*command, material.common);
-  command->callback([this, fit = std::move(fit)] {
-    for (const CLI::Option* option : fit)
-      for (const std::string& value : option->results())
-        material_.written.emplace_back(option->get_name(), value);
-    selected_ = [this] { return runMaterial(material_); };
-  });
+  command->callback([this] { selected_ = [this] { return runMaterial(material_); }; });
 }
 
 void CommandTable::addFigure() {

@@ -56,7 +56,7 @@ class CommandTable {
   LessonCommand lesson_;
   CurveCommand curve_;
   MapCommand map_;
-  SheetCommand sensitivity_, cutoff_;
+  TableCommand sensitivity_, cutoff_;
   MotionCommand motion_;
   RenderCommand render_;
   SurfaceCommand surface_;
@@ -66,7 +66,7 @@ class CommandTable {
   OpenCommand open_;
   BatchCommand batch_;
   StudyCommand studyRun_, studyMerge_, studyTable_, studyShow_, studyAnalyse_;
-  AccuracyCommand accuracy_;
+  FolderCommand accuracy_;
   ExplainCommand explain_;
   std::function<int()> selected_;  // runs the command that was parsed
 };

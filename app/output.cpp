@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <set>
 
-#include "app/eps_file.h"
+#include "app/pictures/eps_file.h"
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
 #include "core/base/text.h"
@@ -26,6 +26,11 @@ std::string fileExtension(const std::string& file) {
 
 bool isPictureFile(const std::string& file) {
   return std::ranges::find(kPictureExtensions, fileExtension(file)) != kPictureExtensions.end();
+}
+
+bool isTableFile(const std::string& file) {
+  const std::string extension = fileExtension(file);
+  return file == "-" || extension == ".csv" || extension == ".json";
 }
 
 void checkToolFor(const std::string& file) {

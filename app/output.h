@@ -22,6 +22,9 @@ inline const std::initializer_list<std::string_view> kOutputExtensions = {
 /// Returns whether a file is a picture by its extension.
 bool isPictureFile(const std::string& file);
 
+/// Returns whether an output is a table: .csv, .json, or `-`, standard output.
+bool isTableFile(const std::string& file);
+
 /// Throws InputError where this machine cannot write files of this kind: EPS and TIFF need tools.
 void checkToolFor(const std::string& file);
 

@@ -8,6 +8,7 @@
 #include "app/command_options.h"
 #include "app/output.h"
 #include "core/base/input_error.h"
+#include "core/base/named_choices.h"
 #include "core/base/number_text.h"
 #include "core/base/text.h"
 #include "ui/contact/contact_overlay.h"
@@ -134,9 +135,9 @@ void checkUseful(const PictureArguments& arguments, const std::vector<std::strin
   bool hasPicture = false, hasPixels = false;
   for (const std::string& file : files) {
     const std::string extension = fileExtension(file);
-    const bool isTable = file == "-" || extension == ".csv" || extension == ".json";
-    hasPicture |= !isTable;
-    hasPixels |= !isTable && extension != ".svg" && extension != ".pdf" && extension != ".eps";
+    hasPicture |= !isTableFile(file);
+    hasPixels |=
+        !isTableFile(file) && extension != ".svg" && extension != ".pdf" && extension != ".eps";
   }
   const auto refuse = [](const char* option, bool given, const char* why) {
     if (given) throw InputError("", option, why);
@@ -348,18 +349,19 @@ void addViewOptions(CLI::App& command, ViewArguments& arguments) {
       .add_option(kHeights, arguments.heights,
                   "Heights to show, in m above the undeformed surface (default: all that occur)")
       ->type_name("FROM:TO");
-  limit(
+  setNumberRange(
       command.add_option(kExaggeration, arguments.exaggeration,
                          "Draw heights this many times as large as lengths, instead of --heights"),
       1e-6, 1e12);
-  limit(command.add_option(
-            kColours, arguments.coloursTo,
-            "Value at the bright end of the colours, in N/m, s or W/m (default: automatic)"),
-        1e-300, 1e300);
-  limit(command.add_option(kProbe, arguments.probe,
-                           "Show a crosshair with readings at this position"),
-        -kFarthest, kFarthest, "m");
-  limit(
+  setNumberRange(
+      command.add_option(
+          kColours, arguments.coloursTo,
+          "Value at the bright end of the colours, in N/m, s or W/m (default: automatic)"),
+      1e-300, 1e300);
+  setNumberRange(command.add_option(kProbe, arguments.probe,
+                                    "Show a crosshair with readings at this position"),
+                 -kFarthest, kFarthest, "m");
+  setNumberRange(
       command.add_option(kMagnify, arguments.magnified, "Show a magnified inset of this position"),
       -kFarthest, kFarthest, "m");
 }

@@ -23,11 +23,6 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-bool isTable(const std::string& file) {
-  const std::string extension = fileExtension(file);
-  return file == "-" || extension == ".csv" || extension == ".json";
-}
-
 /// Options of pictures that tables do not have.
 bool isOfPictures(const std::string& word) {
   static const std::set<std::string_view> words = [] {
@@ -95,7 +90,7 @@ bool isFromMeasurements(const FoundScene& found) {
          origin["origin"].contains("file") && !origin.contains("scene");
 }
 
-/// Throws where a file of this origin cannot be made again.
+/// Returns the options that made the file. Throws where a file of this origin cannot be made again.
 Json optionsOf(const FoundScene& found, const std::string& file) {
   if (!found.isEmbedded) throw InputError(file, "", "is a scene, not a result that can be remade");
   if (!isOneOf(found.verb, {"accuracy", "batch", "curve", "cutoff", "figure", "fit", "map",
@@ -202,7 +197,8 @@ void checkOutput(const Remake& remake, const OpenCommand& command,
     checkWritable(remake.output);
   }
   for (const std::string& word : wordsOf(command.others))
-    if (isOfPictures(word) == isTable(remake.output) && (isOfPictures(word) || word == "columns"))
+    if (isOfPictures(word) == isTableFile(remake.output) &&
+        (isOfPictures(word) || word == "columns"))
       throw InputError("", "--" + word,
                        message("belongs to {}, and {} is none",
                                isOfPictures(word) ? "pictures" : "tables", remake.output));
@@ -247,7 +243,7 @@ void addOwnOptions(Remake& remake, const Json& options, const OpenCommand& comma
   const bool isFigure = remake.words.front() == "figure";
   std::set<std::string> given = wordsOf(command.others);
   if (!command.common.language.empty()) given.insert("language");
-  const bool dropsPictures = isTable(remake.output) && !isTable(file);
+  const bool dropsPictures = isTableFile(remake.output) && !isTableFile(file);
   const bool isVector = isOneOf(fileExtension(remake.output), {".svg", ".pdf", ".eps"});
   for (const auto& [key, value] : options.items()) {
     const std::string word = dashed(key);

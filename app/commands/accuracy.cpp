@@ -7,9 +7,10 @@
 #include <filesystem>
 
 #include "app/command_line.h"
-#include "app/headless_pictures.h"
 #include "app/output.h"
+#include "app/pictures/headless_pictures.h"
 #include "app/progress_bar.h"
+#include "app/result_files.h"
 #include "core/accuracy/work_precision_sheet.h"
 #include "core/base/atomic_file.h"
 #include "core/run/motion_accuracy.h"
@@ -47,7 +48,7 @@ WorkPrecision compute(const Scene& scene, const CommonOptions& common) {
   });
 }
 
-void writePictures(const AccuracyCommand& command, const WorkPrecision& comparison) {
+void writePictures(const FolderCommand& command, const WorkPrecision& comparison) {
   HeadlessPictures pictures;
   const auto write = [&](const DiagramSheet& sheet, const std::string& name) {
     const ProvenanceOptions given(optionsInFolder(command.common.given, name + ".png"));
@@ -120,7 +121,7 @@ std::string summaryText(const WorkPrecision& comparison, const std::string& fold
 
 }  // namespace
 
-int runAccuracy(const AccuracyCommand& command) {
+int runAccuracy(const FolderCommand& command) {
   const Scene scene = loadScene(command.common);
   withSceneContext(command.common, [&] {
     requireSteadySliding(scene, "asperity accuracy");

@@ -9,15 +9,15 @@
 #include <set>
 #include <utility>
 
-#include "app/batch_file.h"
-#include "app/batch_page.h"
-#include "app/batch_progress.h"
+#include "app/batch/batch_file.h"
+#include "app/batch/batch_page.h"
+#include "app/batch/batch_progress.h"
+#include "app/batch/contact_sheets.h"
 #include "app/command_line.h"
-#include "app/contact_sheets.h"
-#include "app/frame_source.h"
-#include "app/headless_pictures.h"
 #include "app/output.h"
-#include "app/picture_composer.h"
+#include "app/pictures/frame_source.h"
+#include "app/pictures/headless_pictures.h"
+#include "app/pictures/picture_composer.h"
 #include "app/progress_bar.h"
 #include "core/accuracy/compute_curve.h"
 #include "core/accuracy/target_curve.h"
@@ -89,10 +89,9 @@ class BatchRun {
     }
     finishPictures(pictures);
     // The small files with the results are written first: the sheets are large, and may fail.
-    const std::string made = provenanceLine(origin("results.csv"));
+    const std::string made = provenanceComment(origin("results.csv"));
     const std::vector<std::string> names = grid_ ? grid_->names() : std::vector<std::string>();
-    writeFileAtomically(fileIn("results.csv"),
-                        "# asperity: " + made + "\n" + columns_.select(batchTable(results_)));
+    writeFileAtomically(fileIn("results.csv"), made + columns_.select(batchTable(results_)));
     writeFileAtomically(fileIn("index.html"), batchPage(batch_, results_, names));
     // The provenance of the table has the scenes; a single contact sheet repeats them.
     const std::string ofSheets =
@@ -250,7 +249,7 @@ class BatchRun {
     // In the provenance of all files written below.
     std::optional<ProvenanceOptions> given(std::in_place, itemOptions(name + ".png"));
     PictureComposer composer(settings_, content);
-    composer.checkCurveHeight(scene);
+    composer.fitHeight(scene);
     pictures.write(fileIn(name + ".png"), composer.compose(frame),
                    settings_.properties(shown.title, pictureOrigin("batch", scene)));
     given.emplace(itemOptions(name + ".csv"));
@@ -266,9 +265,9 @@ class BatchRun {
       motion.mostRows = kMotionRows;
       motion.threads = command_.common.threads;
       const MotionTable table = marchMotion(scene, motion);
-      writeFileAtomically(fileIn(name + ".csv"),
-                          "# asperity: " + provenanceLine(motionProvenance("batch", scene, table)) +
-                              "\n" + motionCsv(table));
+      writeFileAtomically(
+          fileIn(name + ".csv"),
+          provenanceComment(motionProvenance("batch", scene, table)) + motionCsv(table));
       result.files.push_back(name + ".csv");
     }
     writeFileAtomically(fileIn(name + ".json"), writeScene(scene));

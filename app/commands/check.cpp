@@ -6,7 +6,6 @@
 
 #include "app/command_line.h"
 #include "app/output.h"
-#include "app/surface_progress.h"
 #include "core/base/input_error.h"
 #include "core/base/text.h"
 #include "core/contact/steady_sliding.h"

@@ -2,10 +2,11 @@
 #include <fmt/format.h>
 
 #include "app/command_line.h"
-#include "app/frame_source.h"
 #include "app/output.h"
+#include "app/pictures/frame_source.h"
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
+#include "core/base/named_choices.h"
 #include "core/run/contact_tables.h"
 #include "core/scene/data_table.h"
 #include "core/scene/provenance.h"
@@ -16,14 +17,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct ContactTable {
-  std::string_view name;
-  DataTable (*make)(const Frame& frame);
-};
-constexpr NamedChoices<ContactTable, 4> kTables{{{"shape", {"shape", shapeTable}},
-                                                 {"contacts", {"contacts", contactsTable}},
-                                                 {"gaps", {"gaps", gapsTable}},
-                                                 {"power", {"power", powerTable}}}};
+using MakeTable = DataTable (*)(const Frame& frame);
+constexpr NamedChoices<MakeTable, 4> kContactTables{{{"shape", shapeTable},
+                                                     {"contacts", contactsTable},
+                                                     {"gaps", gapsTable},
+                                                     {"power", powerTable}}};
+
+std::string tableName(const RenderCommand& command) {
+  return command.table.empty() ? "shape" : command.table;
+}
 
 /// Throws for options of pictures and films.
 void checkUsage(const RenderCommand& command) {
@@ -49,7 +51,7 @@ Json tableAnswer(const Scene& scene, const RenderCommand& command, const Frame& 
                  const DataTable& table, const ColumnChoice& columns) {
   const ProvenanceOptions given(optionsFor(command.common.given, ".json"));
   Json answer = provenance("render", scene);
-  answer["table"] = command.table.empty() ? "shape" : command.table;
+  answer["table"] = tableName(command);
   answer["time"] = frame.time;
   answer["derived"] = derivedNumbers(frame);
   answer["rows"] = columns.select(tableJson(table));
@@ -67,9 +69,9 @@ std::string csvText(const Scene& scene, const RenderCommand& command, const Data
 int runContactTable(const RenderCommand& command) {
   const Scene scene = loadScene(command.common);
   checkUsage(command);
-  const ContactTable& kind =
-      chosen(kTables, command.table.empty() ? "shape" : command.table, "--table");
-  const ColumnChoice columns(command.columns, {kind.name});
+  const std::string name = tableName(command);
+  const MakeTable makeTable = chosen(kContactTables, name, "--table");
+  const ColumnChoice columns(command.columns, {name});
   if (command.output != "-") {
     checkOutputs({command.output}, {".csv", ".json"});
     checkNoInput(command.output, inputFiles(command.common, scene));
@@ -77,7 +79,7 @@ int runContactTable(const RenderCommand& command) {
   const Frame frame = withSceneContext(command.common, [&] {
     return FrameSource(scene, command.time, true, fieldsForTables(), 0).frame(0);
   });
-  const DataTable table = kind.make(frame);
+  const DataTable table = makeTable(frame);
   const bool isCsv = fileExtension(command.output) != ".json";
   const std::string json = isCsv && !command.common.json
                                ? std::string()

@@ -1,14 +1,11 @@
 // asperity curve: friction over velocity or any other key, averaged over the scene's realizations.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "app/command_line.h"
-#include "app/headless_pictures.h"
 #include "app/output.h"
-#include "app/picture_composer.h"
-#include "app/surface_progress.h"
+#include "app/pictures/picture_composer.h"
+#include "app/result_files.h"
 #include "core/accuracy/compute_curve.h"
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
@@ -19,36 +16,12 @@
 #include "core/scene/provenance.h"
 #include "core/scene/scene_check.h"
 #include "core/scene/sweep.h"
-#include "ui/chart/diagram_picture.h"
 #include "ui/draw/ticks.h"
 #include "ui/language/translated.h"
 #include "ui/language/words.h"
 
 namespace asperity {
 namespace {
-
-void writePictures(const CurveCommand& command, const CurveSet& set,
-                   const PictureSettings& settings) {
-  const std::vector<std::string>& outputs = command.outputs;
-  const auto isPicture = [](const std::string& output) {
-    return output != "-" && fileExtension(output) != ".csv" && fileExtension(output) != ".json";
-  };
-  if (std::none_of(outputs.begin(), outputs.end(), isPicture)) return;
-  const DiagramSheet sheet = curveSheet(set);
-  checkPanels(styled(sheet, settings.style), settings, 0);
-  const DrawList list = drawSheet(sheet, settings);
-  HeadlessPictures pictures(settings.backend);
-  for (const std::string& output : outputs)
-    if (isPicture(output)) {
-      const ProvenanceOptions given(optionsFor(command.common.given, output));
-      nlohmann::ordered_json origin = provenance("curve", set.present.scene);
-      origin["picture"] = settings.json();
-      command.curves.addTo(origin["picture"]);
-      pictures.write(output, list,
-                     settings.properties(translated(sheet.title), provenanceLine(origin)));
-    }
-  pictures.finish();
-}
 
 std::string axisText(const Curve& curve, const Scene& scene) {
   const std::size_t points = curve.points.size();
@@ -61,8 +34,7 @@ std::string axisText(const Curve& curve, const Scene& scene) {
 }
 
 /// Returns the lines of the summary. `set`: the same curve with the comparisons beside it.
-std::string summaryText(const Curve& curve, const CurveSet& set,
-                        const std::vector<std::string>& outputs) {
+std::string summaryText(const Curve& curve, const CurveSet& set) {
   const Scene& scene = set.present.scene;
   const std::int64_t lines = curve.points.front().realizations;
   std::string text = axisText(curve, scene) + ", " +
@@ -93,43 +65,37 @@ std::string summaryText(const Curve& curve, const CurveSet& set,
   for (const std::string& assumption : surfaceAssumptions(scene)) text += assumption + "\n";
   NoteSet notes;
   for (const CurvePoint& point : curve.points) notes.add(point.notes);
-  for (const Note note : notes.list())
-    text += std::string(noteWord(note)) + ": " + translated(noteSentence(note)) + "\n";
+  text += noteLines(notes);
   if (unresolved > 0)
     text +=
         filled(Words::tr("at %1 velocities friction is below what the elements resolve, see the "
                          "column notes"),
                {std::to_string(unresolved)}) +
         "\n";
-  return text + wroteLines(outputs);
-}
-
-std::string provenanceHeader(const CurveSet& set, const CurveArguments& arguments) {
-  if (!arguments.hasMore(set.present.scene)) return provenanceComment("curve", set.present.scene);
-  nlohmann::ordered_json origin = provenance("curve", set.present.scene);
-  arguments.addTo(origin);
-  return "# asperity: " + provenanceLine(origin) + "\n";
+  return text;
 }
 
 /// Returns the table of the curve, or of all curves where there are more, after a comment with its
 /// provenance.
-std::string csvText(const CurveSet& set, const CurveCommand& command, const ColumnChoice& columns) {
-  const ProvenanceOptions options(optionsFor(command.common.given, ".csv"));
-  const bool hasMore = command.curves.hasMore(set.present.scene);
-  return provenanceHeader(set, command.curves) +
-         columns.select(hasMore ? curveSetCsv(set)
-                                : curveCsv(set.present.points,
-                                           columnsFor(set.present.scene, showsForces(set))));
+std::string csvText(const CurveSet& set, const CurveArguments& arguments,
+                    const ColumnChoice& columns) {
+  const Scene& scene = set.present.scene;
+  nlohmann::ordered_json origin = provenance("curve", scene);
+  if (!arguments.hasMore(scene))
+    return provenanceComment(origin) +
+           columns.select(curveCsv(set.present.points, columnsFor(scene, showsForces(set))));
+  arguments.addTo(origin);
+  return provenanceComment(origin) + columns.select(curveSetCsv(set));
 }
 
-std::string jsonText(const CurveSet& set, const CurveCommand& command,
+std::string jsonText(const CurveSet& set, const CurveArguments& arguments,
                      const ColumnChoice& columns) {
-  const ProvenanceOptions options(optionsFor(command.common.given, ".json"));
-  auto answer = nlohmann::ordered_json::parse(
-      curveJson(set.present.points, set.present.scene, showsForces(set)));
-  if (command.curves.hasMore(set.present.scene)) addCurvesTo(answer, set);
-  answer["points"] = columns.select(answer["points"]);
-  return answer.dump(2) + "\n";
+  const Scene& scene = set.present.scene;
+  const std::string own = curveJson(set.present.points, scene, showsForces(set));
+  if (!arguments.hasMore(scene)) return withColumns(own, columns);
+  auto answer = nlohmann::ordered_json::parse(own);
+  addCurvesTo(answer, set);
+  return withColumns(answer.dump(2) + "\n", columns);
 }
 
 void writeRealizations(const CurveCommand& command, const Scene& scene,
@@ -171,14 +137,10 @@ int runCurve(const CurveCommand& command) {
   const ComparedScene compared = withCurveOptions(loadScene(command.common), command.curves);
   const Scene& scene = compared.scene;
   withSceneContext(command.common, [&] { requireSteadySliding(scene, "asperity curve"); });
-  checkOutputs(command.outputs, kOutputExtensions, DefaultOutput::PrintsTable);
-  for (const std::string& output : command.outputs) {
-    checkNoInput(output, inputFiles(command.common, scene));
+  const PictureSettings settings = checkTableOutputs(command, scene, {1200, 800, "print"});
+  for (const std::string& output : command.outputs)
     checkNoInput(output, filesReadBeside(command.curves, scene));
-  }
-  checkUseful(command.picture, command.outputs);
   checkUseful(command.curves, command.outputs);
-  const PictureSettings settings = pictureSettings(command.picture, {1200, 800, "print"});
   const ColumnChoice columns(command.columns, {"curve", "curves"});
   checkRealizations(command, scene);
   checkCurves(command.curves, scene);
@@ -191,24 +153,22 @@ int runCurve(const CurveCommand& command) {
   const CurveSet set = withSceneContext(command.common, [&] {
     return makeCurveSet(command.curves, compared, curve.points, command.common);
   });
-  for (const std::string& output : command.outputs) {
-    const std::string extension = fileExtension(output);
-    if (extension == ".csv") writeFileAtomically(output, csvText(set, command, columns));
-    if (extension == ".json") writeFileAtomically(output, jsonText(set, command, columns));
+  TableResult result{.csv = [&] { return csvText(set, command.curves, columns); },
+                     .json = [&] { return jsonText(set, command.curves, columns); },
+                     .sheet =
+                         [&] {
+                           DiagramSheet sheet = curveSheet(set);
+                           checkPanels(styled(sheet, settings.style), settings, 0);
+                           return sheet;
+                         },
+                     .origin = [&] { return provenance("curve", scene); },
+                     .summary = summaryText(curve, set)};
+  command.curves.addTo(result.picture);
+  if (keepsLines) {
+    writeRealizations(command, scene, lines);
+    result.otherFiles = {command.realizationTable};
   }
-  if (keepsLines) writeRealizations(command, scene, lines);
-  writePictures(command, set, settings);
-  const bool tableOnStdout =
-      (command.outputs.empty() && !keepsLines) || hasStandardOutput(command.outputs);
-  if (command.common.json)
-    fmt::print("{}", jsonText(set, command, columns));
-  else if (tableOnStdout)
-    fmt::print("{}", csvText(set, command, columns));
-  std::vector<std::string> files = command.outputs;
-  if (keepsLines) files.push_back(command.realizationTable);
-  if (!files.empty())
-    printSummary(command.common.json || tableOnStdout, command.common.quiet,
-                 summaryText(curve, set, files));
+  writeResult(command, settings, result);
   requireTarget(curve);
   return kDone;
 }

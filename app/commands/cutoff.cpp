@@ -1,6 +1,7 @@
 // asperity cutoff: friction against the short-wave cut-off of the line.
-#include "app/commands/sheet_command.h"
+#include "app/command_line.h"
 #include "app/progress_bar.h"
+#include "app/result_files.h"
 #include "core/chart/cutoff_sheet.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_check.h"
@@ -8,10 +9,10 @@
 
 namespace asperity {
 
-int runCutoff(const SheetCommand& command) {
+int runCutoff(const TableCommand& command) {
   const Scene scene = loadScene(command.common);
   withSceneContext(command.common, [&] { requireSteadySliding(scene, "asperity cutoff"); });
-  const PictureSettings settings = checkSheetOutputs(command, scene, {1200, 1000, "print"});
+  const PictureSettings settings = checkTableOutputs(command, scene, {1200, 1000, "print"});
   const std::vector<CutoffPoint> points = withSceneContext(command.common, [&] {
     ProgressBar bar(Words::tr("states"), command.common.quiet);
     StateOptions options;
@@ -19,13 +20,12 @@ int runCutoff(const SheetCommand& command) {
     options.progress = [&bar](double part) { bar.showPart(part); };
     return frictionOverCutoff(scene, options);
   });
-  const ProvenanceOptions given(optionsFor(command.common.given, ".csv"));
-  writeAnswer(command, settings,
-              {provenance("cutoff", scene),
-               cutoffCsv(points),
-               cutoffJson(scene, points),
-               {},
-               cutoffSheet(scene, points)});
+  const auto origin = [&] { return provenance("cutoff", scene); };
+  writeResult(command, settings,
+              {.csv = [&] { return provenanceComment(origin()) + cutoffCsv(points); },
+               .json = [&] { return cutoffJson(scene, points); },
+               .sheet = [&] { return cutoffSheet(scene, points); },
+               .origin = origin});
   return kDone;
 }
 

@@ -131,8 +131,7 @@ std::string explanationText(const Explanation& explanation) {
     text += translated(message("{}: {}", Message(theoryEntry(theory).name),
                                Message(theoryEntry(theory).range))) +
             "\n";
-  for (const Note note : explanation.notes.list())
-    text += std::string(noteWord(note)) + ": " + translated(noteSentence(note)) + "\n";
+  text += noteLines(explanation.notes);
   if (const auto& predicted = explanation.predicted)
     text += Words::tr("predicted") + "\n" +
             costLines(filled(Words::tr("%1 on %2 (%3)"),

@@ -8,8 +8,8 @@
 #include <filesystem>
 
 #include "app/command_line.h"
-#include "app/headless_pictures.h"
 #include "app/output.h"
+#include "app/pictures/headless_pictures.h"
 #include "app/progress_bar.h"
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"

@@ -5,10 +5,9 @@
 #include <filesystem>
 
 #include "app/command_line.h"
-#include "app/command_options.h"
 #include "app/output.h"
-#include "app/output_folder.h"
 #include "app/progress_bar.h"
+#include "app/result_files.h"
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/chart/comparison.h"
@@ -23,8 +22,6 @@
 namespace asperity {
 namespace {
 
-constexpr PictureDefaults kPictures{1200, 900, "print"};
-
 std::string summaryText(const Fit& fit) {
   std::string text;
   for (const Message& line : describeFit(fit)) text += translated(line) + "\n";
@@ -35,7 +32,7 @@ std::string summaryText(const Fit& fit) {
 
 int runFit(const FitCommand& command) {
   checkFolderName(command.output);
-  const PictureSettings settings = pictureSettings(command.picture, kPictures);
+  const PictureSettings settings = pictureSettings(command.picture, {1200, 900, "print"});
   CurveArguments beside;
   beside.data = command.data;
   const ColumnChoice columns(command.columns, {"fit", "curve"});

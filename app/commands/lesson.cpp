@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "app/command_line.h"
-#include "app/headless_pictures.h"
 #include "app/output.h"
+#include "app/pictures/headless_pictures.h"
 #include "core/base/input_error.h"
 #include "core/base/json_text.h"
 #include "core/base/text.h"

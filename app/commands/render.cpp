@@ -7,14 +7,14 @@
 #include <thread>
 
 #include "app/command_line.h"
-#include "app/film_file.h"
-#include "app/frame_pipeline.h"
-#include "app/frame_source.h"
-#include "app/headless_pictures.h"
 #include "app/output.h"
-#include "app/picture_composer.h"
+#include "app/pictures/film_file.h"
+#include "app/pictures/frame_pipeline.h"
+#include "app/pictures/frame_source.h"
+#include "app/pictures/headless_pictures.h"
+#include "app/pictures/picture_composer.h"
+#include "app/pictures/sequence_files.h"
 #include "app/progress_bar.h"
-#include "app/sequence_files.h"
 #include "core/accuracy/compute_curve.h"
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
@@ -39,13 +39,12 @@ enum class Kind { Picture, Film, Sequence };
 
 Kind outputKind(const std::string& output) {
   checkFolderName(output);
-  const std::string extension = fileExtension(output);
   if (isPictureFile(output)) {
     checkToolFor(output);
     return Kind::Picture;
   }
-  if (isFilm(extension)) return Kind::Film;
-  if (!extension.empty() && !fs::is_directory(output))
+  if (isFilmFile(output)) return Kind::Film;
+  if (!fileExtension(output).empty() && !fs::is_directory(output))
     throw InputError(
         output, "",
         "is neither a folder nor a .png, .svg, .pdf, .eps, .tif, .mp4, .webm, .gif or .webp file");
@@ -90,7 +89,7 @@ class Rendering {
       if (showsCurve()) computeCurves();
     });
     composer_.emplace(settings_, content());
-    composer_->checkCurveHeight(scene_);
+    composer_->fitHeight(scene_);
   }
 
   void run() {
@@ -382,9 +381,7 @@ class Rendering {
 }  // namespace
 
 int runRender(const RenderCommand& command) {
-  const std::string extension = fileExtension(command.output);
-  if (command.output == "-" || extension == ".csv" || extension == ".json")
-    return runContactTable(command);
+  if (isTableFile(command.output)) return runContactTable(command);
   for (const auto& [option, given] :
        {std::pair{"--table", !command.table.empty()}, {"--columns", !command.columns.empty()}})
     if (given) throw InputError("", option, "belongs to tables, and the output is none");

@@ -1,6 +1,7 @@
 // asperity sensitivity: how much friction changes with each parameter at the scene's own state.
-#include "app/commands/sheet_command.h"
+#include "app/command_line.h"
 #include "app/progress_bar.h"
+#include "app/result_files.h"
 #include "core/base/input_error.h"
 #include "core/chart/sensitivity_sheet.h"
 #include "core/scene/provenance.h"
@@ -9,10 +10,10 @@
 
 namespace asperity {
 
-int runSensitivity(const SheetCommand& command) {
+int runSensitivity(const TableCommand& command) {
   const Scene scene = loadScene(command.common);
   withSceneContext(command.common, [&] { requireSteadySliding(scene, "asperity sensitivity"); });
-  const PictureSettings settings = checkSheetOutputs(command, scene, {1200, 800, "print"});
+  const PictureSettings settings = checkTableOutputs(command, scene, {1200, 800, "print"});
   const std::vector<Exponent> exponents = withSceneContext(command.common, [&] {
     if (choosesAccuracy(scene))
       throw InputError("", "accuracy.target_relative_error",
@@ -24,13 +25,14 @@ int runSensitivity(const SheetCommand& command) {
     options.progress = [&bar](double part) { bar.showPart(part); };
     return sensitivityExponents(scene, sensitivities(scene, options));
   });
-  const ProvenanceOptions given(optionsFor(command.common.given, ".csv"));
-  writeAnswer(command, settings,
-              {provenance("sensitivity", scene), sensitivityCsv(exponents),
-               sensitivityJson(scene, exponents),
-               sensitivityText(exponents, {Words::tr("parameter"), Words::tr("value"),
-                                           Words::tr("exponent"), Words::tr("error")}),
-               sensitivitySheet(scene, exponents)});
+  const auto origin = [&] { return provenance("sensitivity", scene); };
+  writeResult(command, settings,
+              {.csv = [&] { return provenanceComment(origin()) + sensitivityCsv(exponents); },
+               .json = [&] { return sensitivityJson(scene, exponents); },
+               .sheet = [&] { return sensitivitySheet(scene, exponents); },
+               .origin = origin,
+               .printed = sensitivityText(exponents, {Words::tr("parameter"), Words::tr("value"),
+                                                      Words::tr("exponent"), Words::tr("error")})});
   return kDone;
 }
 

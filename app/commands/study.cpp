@@ -8,12 +8,12 @@
 #include <map>
 
 #include "app/command_line.h"
-#include "app/command_options.h"
 #include "app/output.h"
-#include "app/output_folder.h"
 #include "app/progress_bar.h"
+#include "app/result_files.h"
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
+#include "core/base/named_choices.h"
 #include "core/base/number_text.h"
 #include "core/scene/provenance.h"
 #include "core/study/study_merge.h"
@@ -30,7 +30,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr PictureDefaults kPictures{1400, 900, "print"};
 constexpr NamedChoices<TableShape, 2> kShapes{
     {{"wide", TableShape::Wide}, {"long", TableShape::Long}}};
 
@@ -44,10 +43,6 @@ std::string durationText(double seconds) {
     if (seconds >= 2 * unit.seconds)
       return shortNumber(seconds / unit.seconds, 2) + " " + unit.name;
   return shortNumber(std::max(seconds, 0.1), 2) + " s";
-}
-
-std::string countText(std::int64_t count) {
-  return std::to_string(count);
 }
 
 ParameterStudy loadStudy(const StudyCommand& command) {
@@ -86,20 +81,20 @@ class StudyProgress {
 std::string planText(const StudyBudget& budget) {
   std::string text =
       filled(Words::tr("%1 simulations of %2 states on %3 lines each, in chunks of %4"),
-             {countText(budget.simulations),
-              countText(budget.states / std::max<std::int64_t>(1, budget.simulations)),
-              countText(budget.lines), countText(budget.chunk)}) +
+             {std::to_string(budget.simulations),
+              std::to_string(budget.states / std::max<std::int64_t>(1, budget.simulations)),
+              std::to_string(budget.lines), std::to_string(budget.chunk)}) +
       "\n";
   if (budget.done > 0)
-    text += filled(Words::tr("%1 of them are done"), {countText(budget.done)}) + "\n";
+    text += filled(Words::tr("%1 of them are done"), {std::to_string(budget.done)}) + "\n";
   text += filled(Words::tr("about %1 on %2 threads, by a trial of %3 simulations"),
                  {durationText(budget.seconds), std::to_string(budget.threads),
-                  countText(budget.trial)}) +
+                  std::to_string(budget.trial)}) +
           "\n";
   if (budget.trialFailures > 0)
-    text +=
-        filled(Words::tr("%1 of the trial cannot be computed"), {countText(budget.trialFailures)}) +
-        "\n";
+    text += filled(Words::tr("%1 of the trial cannot be computed"),
+                   {std::to_string(budget.trialFailures)}) +
+            "\n";
   text +=
       filled(Words::tr("about %1 MB in the store"), {shortNumber(budget.bytes / 1e6, 2)}) + "\n";
   return text;
@@ -152,7 +147,7 @@ void checkReadable(const StudyStore& store) {
 std::string stateText(const StudyStore& store, std::int64_t added, std::int64_t total) {
   const std::int64_t done = store.simulationsDone();
   std::string text = filled(Words::tr("%1 of %2 simulations done, %3 of them now"),
-                            {countText(done), countText(total), countText(added)}) +
+                            {std::to_string(done), std::to_string(total), std::to_string(added)}) +
                      "\n";
   if (done < total) text += Words::tr("other processes work on the rest") + "\n";
   if (store.hasFailures())
@@ -257,8 +252,8 @@ int runStudyMerge(const StudyCommand& command) {
   if (!merged.isWhole())
     throw TextError(Message::name(missingText(merged, store.study())), {command.output});
   printSummary(command.common.json, command.common.quiet,
-               filled(Words::tr("%1 simulations"), {countText(store.simulationsDone())}) + "\n" +
-                   wroteLine(command.output));
+               filled(Words::tr("%1 simulations"), {std::to_string(store.simulationsDone())}) +
+                   "\n" + wroteLine(command.output));
   return kDone;
 }
 
@@ -296,7 +291,7 @@ int runStudyTable(const StudyCommand& command) {
                stderr);
   if (!isStdout) {
     printSummary(command.common.json || hasStandardOutput(command.outputs), command.common.quiet,
-                 filled(Words::tr("%1 simulations"), {countText(rows)}) + "\n" +
+                 filled(Words::tr("%1 simulations"), {std::to_string(rows)}) + "\n" +
                      wroteLines(command.outputs));
   }
   return kDone;
@@ -331,8 +326,9 @@ int runStudyShow(const StudyCommand& command) {
     text += filled(Words::tr("shard %1 of %2"),
                    {std::to_string(store.shard().number), std::to_string(store.shard().count)}) +
             "\n";
-  text +=
-      filled(Words::tr("%1 of %2 simulations done"), {countText(done), countText(total)}) + "\n";
+  text += filled(Words::tr("%1 of %2 simulations done"),
+                 {std::to_string(done), std::to_string(total)}) +
+          "\n";
   if (done > 0 && seconds > 0)
     text += filled(Words::tr("%1 simulations a second on one thread"),
                    {shortNumber(static_cast<double>(done) / seconds, 3)}) +
@@ -342,10 +338,11 @@ int runStudyShow(const StudyCommand& command) {
                    {durationText(seconds / static_cast<double>(done) *
                                  static_cast<double>(total - done))}) +
             "\n";
-  if (failed > 0) text += filled(Words::tr("%1 simulations failed:"), {countText(failed)}) + "\n";
+  if (failed > 0)
+    text += filled(Words::tr("%1 simulations failed:"), {std::to_string(failed)}) + "\n";
   for (const auto& [why, count] : failures)
     text += filled(Words::tr("  %1 times, first %2: %3"),
-                   {countText(count.count), countText(count.first), why}) +
+                   {std::to_string(count.count), std::to_string(count.first), why}) +
             "\n";
   printSummary(command.common.json, command.common.quiet, text);
   return kDone;
@@ -353,7 +350,7 @@ int runStudyShow(const StudyCommand& command) {
 
 int runStudyAnalyse(const StudyCommand& command) {
   checkFolderName(command.output);
-  const PictureSettings settings = pictureSettings(command.picture, kPictures);
+  const PictureSettings settings = pictureSettings(command.picture, {1400, 900, "print"});
   const StudyStore store(command.study);
   const ParameterStudy& study = store.study();
   if (store.chunksDone() == 0)
@@ -369,7 +366,7 @@ int runStudyAnalyse(const StudyCommand& command) {
   OutputFolder output(command.output, {command.study}, settings);
   output.addText("analysis.json", answer.dump(2) + "\n");
   const auto addTable = [&](const char* name, const std::string& csv) {
-    output.addText(name, "# asperity: " + provenanceLine(fileOrigin(name)) + "\n" + csv);
+    output.addText(name, provenanceComment(fileOrigin(name)) + csv);
   };
   if (!analysis.outputs.empty()) {
     addTable("sensitivity.csv", indicesCsv(study, analysis));
@@ -379,9 +376,10 @@ int runStudyAnalyse(const StudyCommand& command) {
   for (NamedSheet& sheet : studySheets(study, analysis))
     output.addSheet(sheet.name, std::move(sheet.sheet));
   output.write(command.common.given, origin);
-  std::string text = filled(Words::tr("%1 of %2 simulations"),
-                            {countText(analysis.simulations), countText(study.simulations())}) +
-                     "\n";
+  std::string text =
+      filled(Words::tr("%1 of %2 simulations"),
+             {std::to_string(analysis.simulations), std::to_string(study.simulations())}) +
+      "\n";
   for (const OutputAnalysis& one : analysis.outputs) {
     for (const SobolIndex& index : one.indices)
       text += filled(Words::tr("%1, %2: first order %3, total %4"),
@@ -390,7 +388,7 @@ int runStudyAnalyse(const StudyCommand& command) {
               "\n";
     if (one.failed > 0)
       text += filled(Words::tr("%1: %2 simulations without a number are left out"),
-                     {one.name, countText(one.failed)}) +
+                     {one.name, std::to_string(one.failed)}) +
               "\n";
   }
   if (study.space.sampling() != Sampling::Saltelli)

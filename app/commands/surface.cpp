@@ -7,12 +7,13 @@
 #include <nlohmann/json.hpp>
 
 #include "app/command_line.h"
-#include "app/headless_pictures.h"
 #include "app/output.h"
-#include "app/surface_progress.h"
+#include "app/pictures/headless_pictures.h"
+#include "app/result_files.h"
 #include "core/base/atomic_file.h"
 #include "core/base/embedded_provenance.h"
 #include "core/base/input_error.h"
+#include "core/base/named_choices.h"
 #include "core/base/regular_file.h"
 #include "core/base/text.h"
 #include "core/measured/measured_file.h"
@@ -70,13 +71,6 @@ std::string measuredText(const MeasuredSummary& summary) {
   return text;
 }
 
-std::string notesText(const NoteSet& notes) {
-  std::string text;
-  for (const Note note : notes.list())
-    text += std::string(noteWord(note)) + ": " + translated(noteSentence(note)) + "\n";
-  return text;
-}
-
 /// Returns whether the table is a line that this command wrote.
 bool isWrittenLine(const std::filesystem::path& file) {
   constexpr std::size_t kBeginning = std::size_t{1} << 20;  // bytes; the record is its first line
@@ -121,9 +115,9 @@ void writePicture(const std::string& output, const SurfaceCommand& command, cons
 }
 
 enum class SurfaceTable { Line, Spectrum, Statistics };
-constexpr NamedChoices<SurfaceTable, 3> kTables{{{"line", SurfaceTable::Line},
-                                                 {"spectrum", SurfaceTable::Spectrum},
-                                                 {"statistics", SurfaceTable::Statistics}}};
+constexpr NamedChoices<SurfaceTable, 3> kSurfaceTables{{{"line", SurfaceTable::Line},
+                                                        {"spectrum", SurfaceTable::Spectrum},
+                                                        {"statistics", SurfaceTable::Statistics}}};
 
 std::string csvText(SurfaceTable table, const Scene& scene, const LineSource& source,
                     const Line& line) {
@@ -134,7 +128,7 @@ std::string csvText(SurfaceTable table, const Scene& scene, const LineSource& so
 
 void writeSurface(const std::string& output, const SurfaceCommand& command, const Scene& scene,
                   const LineSource& source, const Line& line) {
-  const SurfaceTable table = chosen(kTables, command.table, "--table");
+  const SurfaceTable table = chosen(kSurfaceTables, command.table, "--table");
   const std::string columnTable = table == SurfaceTable::Line ? "surface" : command.table;
   const ProvenanceOptions given(optionsFor(command.common.given, output));
   const std::string extension = fileExtension(output);
@@ -148,7 +142,7 @@ void writeSurface(const std::string& output, const SurfaceCommand& command, cons
 
 /// Throws for unknown options of tables, and for any of them where no output is a table.
 void checkTable(const SurfaceCommand& command) {
-  const SurfaceTable table = chosen(kTables, command.table, "--table");
+  const SurfaceTable table = chosen(kSurfaceTables, command.table, "--table");
   const std::string columnTable = table == SurfaceTable::Line ? "surface" : command.table;
   ColumnChoice(command.columns, {columnTable});
   const bool hasTable = std::ranges::any_of(command.outputs, [](const std::string& output) {
@@ -178,12 +172,8 @@ void withFileContext(bool isFile, const std::string& file, const Work& work) {
 int runSurface(const SurfaceCommand& command) {
   const bool isFile = !command.common.remade && isSurfaceFile(command.common.scene);
   const Scene scene = isFile ? sceneFromFile(command.common) : loadScene(command.common);
-  checkOutputs(command.outputs, kOutputExtensions, DefaultOutput::PrintsTable);
+  checkTableOutputs(command, scene, {1280, 800, "light"});
   checkTable(command);
-  checkUseful(command.picture, command.outputs);
-  surfaceSettings(command, false);
-  for (const std::string& output : command.outputs)
-    checkNoInput(output, inputFiles(command.common, scene));
   const auto run = [&] {
     // A line from a file is written with its elements alone: read as a profile it is the same line.
     const SurfaceKind kind = scene.surface.kind;
@@ -193,7 +183,7 @@ int runSurface(const SurfaceCommand& command) {
     const Line line = source.make(0);
     const std::string text = (source.measured() ? measuredText(measuredSummary(scene, source))
                                                 : factsText(source.spectrumFacts())) +
-                             notesText(lineNotes(source)) + summaryText(line, command.outputs);
+                             noteLines(lineNotes(source)) + summaryText(line, command.outputs);
     for (const std::string& output : command.outputs)
       if (output != "-" || !command.common.json) writeSurface(output, command, scene, source, line);
     const bool machineReads = command.common.json || hasStandardOutput(command.outputs);

@@ -144,11 +144,11 @@ struct SurfaceOfScene {
   Line line;
   bool isFirst = true;           // of the realizations, as the program writes it
   std::vector<double> position;  // m
+  std::string json;
+  Texts facts;
 
   /// The options of its tables; none where the program does not make them.
   Json options() const { return isFirst ? Json::object() : Json(); }
-  std::string json;
-  Texts facts;
 };
 
 std::shared_ptr<SurfaceOfScene> surfaceOf(const Scene& scene, std::int64_t realization) {
@@ -196,8 +196,7 @@ void addContact(py::module_& module) {
       .def("csv",
            [](const MotionOfScene& found) {
              const ProvenanceOptions own(Json::object());  // which has them all
-             return "# asperity: " +
-                    provenanceLine(motionProvenance("motion", found.scene, found.table)) + "\n" +
+             return provenanceComment(motionProvenance("motion", found.scene, found.table)) +
                     motionCsv(found.table);
            })
       .def("json",

@@ -156,7 +156,7 @@ constexpr const char* kShown = "mu";  // the default of the program
 
 std::string mapText(const ParameterMap& map) {
   const ProvenanceOptions none(Json::object());
-  return "# asperity: " + provenanceLine(mapProvenance(map, kShown)) + "\n" + mapCsv(map, kShown);
+  return provenanceComment(mapProvenance(map, kShown)) + mapCsv(map, kShown);
 }
 
 // ---- sensitivity

@@ -214,8 +214,12 @@ std::string provenanceLine(const Json& provenance) {
   return withoutMarkup(provenance.dump(-1, ' ', true));
 }
 
+std::string provenanceComment(const Json& provenance) {
+  return "# asperity: " + provenanceLine(provenance) + "\n";
+}
+
 std::string provenanceComment(const std::string& verb, const Scene& scene) {
-  return "# asperity: " + provenanceLine(provenance(verb, scene)) + "\n";
+  return provenanceComment(provenance(verb, scene));
 }
 
 std::vector<InputFile> inputsOf(const FoundScene& found) {

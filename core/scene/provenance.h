@@ -49,6 +49,7 @@ void addCurveOversampling(nlohmann::ordered_json& provenance, const Scene& scene
 std::string provenanceLine(const nlohmann::ordered_json& provenance);
 
 /// Returns the first line of a table in a file: "# asperity: {...}" with a line break.
+std::string provenanceComment(const nlohmann::ordered_json& provenance);
 std::string provenanceComment(const std::string& verb, const Scene& scene);
 
 /// A scene that was read from a file.

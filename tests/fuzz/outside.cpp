@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "app/batch_file.h"
-#include "app/picture_composer.h"
+#include "app/batch/batch_file.h"
+#include "app/pictures/picture_composer.h"
 #include "core/base/input_error.h"
 #include "core/scene/scene_file.h"
 #include "ui/window/main/scene_library.h"

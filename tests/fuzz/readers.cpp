@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/batch_file.h"
+#include "app/batch/batch_file.h"
 #include "core/base/input_error.h"
 #include "core/lesson/lesson_file.h"
 #include "core/material/dma_file.h"

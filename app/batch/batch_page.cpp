@@ -1,0 +1,179 @@
+#include "app/batch/batch_page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/number_text.h"
+#include "core/chart/curve_words.h"
+#include "core/friction/curve_file.h"
+#include "core/scene/columns.h"
+#include "core/scene/data_table.h"
+#include "core/scene/parameters.h"
+#include "ui/draw/svg_file.h"
+#include "ui/draw/ticks.h"
+#include "ui/language/language.h"
+#include "ui/language/translated.h"
+#include "ui/language/words.h"
+
+namespace asperity {
+namespace {
+
+constexpr const char* kHead = R"(<!DOCTYPE html>
+<html lang="%1">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<style>
+  body { font: 16px/1.45 "DejaVu Sans", system-ui, sans-serif; margin: 2rem auto; max-width: 90rem;
+         padding: 0 1.5rem; color: #18212b; background: #fff; }
+  main { display: grid; grid-template-columns: repeat(auto-fill, minmax(24rem, 1fr)); gap: 1.5rem; }
+  article { border: 1px solid #d5dde5; border-radius: 8px; padding: 1rem; }
+  article.bad { border-color: #b83a06; }
+  h2 { font-size: 1.05rem; margin: 0 0 .5rem; overflow-wrap: anywhere; }
+  img { width: 100%; height: auto; }
+  table { border-collapse: collapse; margin: .5rem 0; width: 100%; }
+  td { padding: .15rem 0; border-top: 1px solid #eef2f5; overflow-wrap: anywhere; }
+  td + td { text-align: right; font-variant-numeric: tabular-nums; }
+  .bad p { color: #b83a06; }
+  .quiet { color: #5a6876; font-size: .85rem; }
+</style>
+)";
+
+std::string row(const std::string& name, const std::string& value, const std::string& tip = {}) {
+  const std::string title = tip.empty() ? "" : fmt::format(" title=\"{}\"", xmlText(tip));
+  return fmt::format("<tr><td{}>{}</td><td>{}</td></tr>", title, xmlText(name), xmlText(value));
+}
+
+bool isNumber(const std::string& text) {
+  double number = 0;
+  return readNumber(text, number);
+}
+
+/// Returns a row with a swept parameter, under the name that the window shows for it.
+std::string variedRow(const std::string& key, const std::string& value) {
+  const Parameter* parameter = findParameter(key);
+  if (!parameter) return row(key, value);
+  std::string shown = value;
+  if (isNumber(value)) {
+    shown = inLanguage(value);
+    if (!parameter->unit.empty()) shown += " " + std::string(parameter->unit);
+  } else if (std::holds_alternative<ChoiceField>(parameter->field)) {
+    std::ranges::replace(shown, '_', '-');
+    shown = translated(shown);
+  }
+  return row(translated(parameter->label), shown, key);
+}
+
+/// Returns a value with its error: "0.0239 ± 0.0003".
+std::string withError(double value, double standardError) {
+  const std::string text = shortNumber(value, 4);
+  return std::isfinite(standardError) ? text + " \u00B1 " + shortNumber(standardError, 2) : text;
+}
+
+std::string percent(double fraction) {
+  return shortNumber(100 * fraction) + " %";
+}
+
+/// Returns the means, each with its standard error where it has one, and beside them the results of
+/// the line that is shown. A scene of one line has only the latter.
+std::string readings(const BatchResult& result) {
+  const std::string mu = shortNumber(result.lineMu, 4);
+  const std::string contact = percent(result.lineContactFraction);
+  const std::string indentation = quantity(result.lineIndentation, "m", 4);
+  const auto& mean = result.mean;
+  if (!mean || mean->realizations <= 1)
+    return row(mean ? Words::tr("coefficient of friction")
+                    : Words::tr("coefficient of friction at the end, of the line shown"),
+               mu) +
+           row(Words::tr("in contact"), contact) + row(Words::tr("indentation"), indentation);
+  const auto both = [](const std::string& all, const std::string& own) {
+    return filled(Words::tr("%1 (line shown: %2)"), {all, own});
+  };
+  return row(filled(Words::tr("coefficient of friction, mean of %1 lines"),
+                    {std::to_string(mean->realizations)}),
+             both(withError(mean->mu, mean->muStandardError), mu)) +
+         row(Words::tr("in contact"), both(percent(mean->contactFraction), contact)) +
+         row(Words::tr("indentation"), both(quantity(mean->indentation, "m", 4), indentation));
+}
+
+std::string article(const BatchResult& result) {
+  const BatchItem& item = result.item;
+  if (!item.error.empty())
+    return fmt::format("<article class=\"bad\"><h2>{}</h2><p>{}</p></article>\n",
+                       xmlText(item.name), xmlText(translated(item.error)));
+  std::string html = fmt::format(
+      "<article><h2>{0}</h2><a href=\"{1}\"><img src=\"{1}\" alt=\"{0}\" loading=\"lazy\"></a>"
+      "<table>",
+      xmlText(translated(item.title)), result.files.front());
+  for (const auto& [key, value] : item.varied) html += variedRow(key, value);
+  html += readings(result);
+  html += "</table><p class=\"quiet\">" + xmlText(translated(describeParameters(item.scene))) +
+          "</p><p>";
+  for (const std::string& file : result.files)
+    html += fmt::format("<a href=\"{0}\">{0}</a> ", file);
+  return html + "</p></article>\n";
+}
+
+std::string countText(std::size_t all, std::size_t bad) {
+  if (all == 1) return bad > 0 ? Words::tr("One scene, and it failed.") : Words::tr("One scene.");
+  const std::string count = std::to_string(all);
+  return bad > 0 ? filled(Words::tr("%1 scenes, %2 of them failed."), {count, std::to_string(bad)})
+                 : filled(Words::tr("%1 scenes."), {count});
+}
+
+}  // namespace
+
+std::string batchPage(const Batch& batch, const std::vector<BatchResult>& results,
+                      const std::vector<std::string>& sheets) {
+  const auto bad = std::count_if(results.begin(), results.end(),
+                                 [](const BatchResult& r) { return !r.item.error.empty(); });
+  std::string html =
+      filled(kHead, {std::string(presentLanguage())}) +
+      fmt::format("<title>{0}</title>\n</head>\n<body>\n<h1>{0}</h1>\n", xmlText(batch.title));
+  html += "<p>" + countText(results.size(), static_cast<std::size_t>(bad)) + " ";
+  for (std::size_t i = 0; i < sheets.size(); ++i)
+    html +=
+        fmt::format("<a href=\"{}\">{}</a>, ", sheets[i],
+                    sheets.size() == 1 ? Words::tr("All on one sheet")
+                                       : filled(Words::tr("Sheet %1"), {std::to_string(i + 1)}));
+  html += "<a href=\"results.csv\">" + Words::tr("all results as a table") + "</a>.</p>\n<main>\n";
+  for (const BatchResult& result : results) html += article(result);
+  return html + "</main>\n<p class=\"quiet\">" +
+         filled(Words::tr("Made by Asperity %1."), {ASPERITY_VERSION}) + "</p>\n</body>\n</html>\n";
+}
+
+std::string batchTable(const std::vector<BatchResult>& results) {
+  std::vector<std::string> keys;
+  for (const BatchResult& result : results)
+    for (const auto& [key, value] : result.item.varied)
+      if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
+  std::string text = joinedColumns({"name"}) + ",";
+  for (const std::string& key : keys) text += csvCell(key) + ",";
+  text +=
+      joinedColumns({"mu", "indentation", "contact_fraction", "mu_standard_error", "realizations",
+                     "line_mu", "line_indentation", "line_contact_fraction", "error"}) +
+      "\n";
+  for (const BatchResult& result : results) {
+    text += result.item.name + ",";
+    for (const std::string& key : keys) {
+      for (const auto& [own, value] : result.item.varied)
+        if (own == key) text += csvCell(value);
+      text += ",";
+    }
+    const auto& mean = result.mean;
+    const auto ofMean = [&](double CurvePoint::*member) {
+      return mean ? csvNumber((*mean).*member) : std::string();
+    };
+    text += fmt::format("{},{},{},{},{},{},{},{},{}\n", ofMean(&CurvePoint::mu),
+                        ofMean(&CurvePoint::indentation), ofMean(&CurvePoint::contactFraction),
+                        ofMean(&CurvePoint::muStandardError),
+                        mean ? std::to_string(mean->realizations) : "", csvNumber(result.lineMu),
+                        csvNumber(result.lineIndentation), csvNumber(result.lineContactFraction),
+                        csvCell(result.item.error.english()));
+  }
+  return text;
+}
+
+}  // namespace asperity

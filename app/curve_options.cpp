@@ -1,0 +1,412 @@
+#include "app/curve_options.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <sstream>
+#include <utility>
+
+#include "app/common_options.h"
+#include "app/output.h"
+#include "app/progress_bar.h"
+#include "core/accuracy/compute_curve.h"
+#include "core/accuracy/target_curve.h"
+#include "core/base/input_error.h"
+#include "core/base/json_text.h"
+#include "core/base/named_choices.h"
+#include "core/base/number_text.h"
+#include "core/base/text.h"
+#include "core/chart/comparison.h"
+#include "core/chart/curve_words.h"
+#include "core/fit/friction_data.h"
+#include "core/friction/curve_file.h"
+#include "core/scene/list_text.h"
+#include "core/scene/parameters.h"
+#include "core/scene/provenance.h"
+#include "core/scene/scene_check.h"
+#include "core/scene/scene_file.h"
+#include "core/scene/sweep.h"
+#include "ui/language/words.h"
+
+namespace asperity {
+namespace {
+
+constexpr const char *kAxes = "--axes", *kCompare = "--compare", *kWith = "--with",
+                     *kData = "--data", *kTheory = "--theory";
+constexpr const char *kXRange = "--x-range", *kYRange = "--y-range";
+constexpr const char *kOver = "--over", *kY = "--y", *kXScale = "--x-scale", *kYScale = "--y-scale",
+                     *kFamily = "--family";
+constexpr std::int64_t kMaxFamily = 100;
+constexpr std::int64_t kMaxOversampling = 64;
+constexpr NamedChoices<CurveAxes, 2> kAxesNames{
+    {{"physical", CurveAxes::Physical}, {"dimensionless", CurveAxes::Dimensionless}}};
+
+[[noreturn]] void refuseComparison(const std::string& text) {
+  throw InputError("", kCompare,
+                   message("{} is not SCHEME[:OVERSAMPLING[:LINES]] with nodal, linear or cubic, "
+                           "1 to {} (nodal: 1) and 1 line or more",
+                           shortened(text), kMaxOversampling));
+}
+
+std::int64_t wholeFrom(std::string_view part, const std::string& all, std::int64_t most) {
+  std::int64_t number = 0;
+  if (!readNumber(part, number) || number < 1 || number > most) refuseComparison(all);
+  return number;
+}
+
+CurveSetting settingFrom(const std::string& text, const Scene& scene) {
+  const std::vector<std::string_view> parts = splitText(text, ":");
+  const auto& schemes = std::get<ChoiceField>(findParameter("accuracy.scheme")->field).choices;
+  const auto& lines = std::get<IntegerField>(findParameter("ensemble.realizations")->field);
+  CurveSetting setting;
+  const auto found = std::find(schemes.begin(), schemes.end(), parts[0]);
+  if (found == schemes.end() || parts.size() > 3) refuseComparison(text);
+  setting.scheme = static_cast<Scheme>(found - schemes.begin());
+  const bool isNodal = setting.scheme == Scheme::Nodal;
+  if (isNodal) setting.oversampling = 1;
+  if (parts.size() > 1)
+    setting.oversampling = wholeFrom(parts[1], text, isNodal ? 1 : kMaxOversampling);
+  setting.realizations = mayHaveManyLines(scene.surface) ? scene.ensemble.realizations : 1;
+  if (parts.size() > 2) setting.realizations = wholeFrom(parts[2], text, lines.maximum);
+  return setting;
+}
+
+CurveAxes axesFrom(const std::string& name) {
+  return chosen(kAxesNames, name, kAxes);
+}
+
+/// Reads a range of an axis. Throws InputError where the axis cannot show an end.
+NumberRange axisRange(const char* option, const std::string& text, AxisScale scale) {
+  const NumberRange range = rangeFrom(option, text, "");
+  if (scale == AxisScale::Logarithmic && !(range.from > 0))
+    throw InputError("", option, shortened(text) + " is not above 0 on a logarithmic axis");
+  return range;
+}
+
+CurveQuantity quantityFrom(const std::string& word) {
+  if (const auto quantity = findQuantity(word)) return *quantity;
+  throw InputError("", kY, notOneOf(word, quantityWords()));
+}
+
+/// Sets axes, quantity, scales and ranges. Throws InputError naming the option.
+void setAxes(CurveSet& set, const CurveArguments& arguments) {
+  set.axes = axesFrom(arguments.axes);
+  set.y = quantityFrom(arguments.y);
+  if (set.axes == CurveAxes::Dimensionless && set.y != CurveQuantity::Mu)
+    throw InputError("", kY, "belongs to physical axes; dimensionless ones show mu over the slope");
+  if (set.axes == CurveAxes::Dimensionless && !set.isOfVelocity())
+    throw InputError(
+        "", kAxes,
+        message("dimensionless goes over velocities, not over {}", set.present.scene.sweep.key));
+  if (!arguments.xScale.empty()) set.xScale = chosen(kAxisScales, arguments.xScale, kXScale);
+  if (!arguments.yScale.empty()) set.yScale = chosen(kAxisScales, arguments.yScale, kYScale);
+  if (!arguments.xRange.empty()) {
+    const NumberRange range = axisRange(kXRange, arguments.xRange, set.scaleOfX());
+    set.xFrom = range.from;
+    set.xTo = range.to;
+  }
+  if (!arguments.yRange.empty()) {
+    const NumberRange range = axisRange(kYRange, arguments.yRange, set.scaleOfY());
+    set.yFrom = range.from;
+    set.yTo = range.to;
+  }
+}
+
+/// Returns the scene with the assignments applied.
+Scene sceneWith(const Scene& scene, const std::string& assignments) {
+  const std::vector<std::string> each = separatedAssignments(assignments);
+  for (const std::string& assignment : each)
+    if (each.size() > 1 && assignment.find('=') == std::string::npos)
+      throw InputError("", kWith,
+                       message("'{}' between two ; is not KEY=VALUE; a ; that belongs to a "
+                               "value is written \\;",
+                               shortened(assignment)));
+  try {
+    Scene other = readScene(writeScene(scene), kWith, scene.folder, each);
+    if (other.sliding.kind != scene.sliding.kind) requireSteadySliding(other, "a curve");
+    if (other.sweep.key != scene.sweep.key)
+      throw InputError("", "sweep.key", "all curves of a chart go over the same key");
+    return other;
+  } catch (const InputError& error) {
+    throw InputError(kWith, error.key(), error.message());
+  }
+}
+
+/// Returns the range of a family. Throws InputError naming the option or the key.
+ParameterRange familyRange(const CurveArguments& arguments, const Scene& scene) {
+  const ParameterRange range = parseRangeOption(kFamily, arguments.family);
+  if (range.key() == scene.sweep.key)
+    throw InputError("", kFamily, message("{} is the axis of the curves already", range.key()));
+  const Sweep& sweep = scene.sweep;
+  const ParameterRange axis{&sweptParameter(scene),
+                            sweep.isOfVelocity() ? sweep.velocityFrom : sweep.from,
+                            sweep.isOfVelocity() ? sweep.velocityTo : sweep.to};
+  if (Message reason = whyNotBeside(*range.row, scene, axis); !reason.empty())
+    throw InputError("", kFamily, std::move(reason));
+  checkRange(range, scene);
+  if (range.points > kMaxFamily)
+    throw InputError("", kFamily, message("{} curves are more than {}", range.points, kMaxFamily));
+  return range;
+}
+
+/// A curve of a family, not yet computed.
+struct FamilyMember {
+  double value;
+  Scene scene;
+};
+
+std::vector<FamilyMember> familyOf(const CurveArguments& arguments, const Scene& scene) {
+  std::vector<FamilyMember> members;
+  if (arguments.family.empty()) return members;
+  const ParameterRange range = familyRange(arguments, scene);
+  for (const double value : rangeValues(range)) try {
+      members.push_back(
+          {value, sceneWith(scene, std::string(range.key()) + "=" + fmt::format("{}", value))});
+    } catch (const InputError& error) {
+      throw InputError(kFamily, error.key(), error.message());
+    }
+  return members;
+}
+
+}  // namespace
+
+const char* CurveArguments::firstOption() const {
+  if (!over.empty()) return kOver;
+  if (axes != "physical") return kAxes;
+  if (y != "mu") return kY;
+  if (!xScale.empty()) return kXScale;
+  if (!yScale.empty()) return kYScale;
+  if (!family.empty()) return kFamily;
+  if (!xRange.empty()) return kXRange;
+  if (!yRange.empty()) return kYRange;
+  if (!compare.empty()) return kCompare;
+  if (!data.empty()) return kData;
+  if (!theory.empty()) return kTheory;
+  return with.empty() ? nullptr : kWith;
+}
+
+bool CurveArguments::hasMore(const Scene& scene) const {
+  const Comparisons none;
+  return !compare.empty() || !with.empty() || !family.empty() || !(scene.comparison == none);
+}
+
+void CurveArguments::addTo(nlohmann::ordered_json& picture) const {
+  if (axes != "physical") picture["axes"] = axes;
+  if (y != "mu") picture["y"] = y;
+  if (!xScale.empty()) picture["x_scale"] = xScale;
+  if (!yScale.empty()) picture["y_scale"] = yScale;
+  if (!xRange.empty()) picture["x_range"] = xRange;
+  if (!yRange.empty()) picture["y_range"] = yRange;
+  if (!compare.empty()) picture["compared_with"] = compare;
+  if (!family.empty()) picture["family"] = family;
+  if (!with.empty()) picture["with"] = with;
+}
+
+void addCurveOptions(CLI::App& command, CurveArguments& arguments) {
+  command
+      .add_option(kOver, arguments.over,
+                  "Go over another key than velocity: any number that changes friction, such as "
+                  "load.normal_force=1mN:10N:41; logarithmic where the key's slider is, unless "
+                  ":log or :linear says otherwise")
+      ->type_name("KEY=FROM:TO:N");
+  command
+      .add_option(kFamily, arguments.family,
+                  "Add one curve for each value of a second key, such as "
+                  "elastomer.temperature=280:320:5")
+      ->type_name("KEY=FROM:TO:N");
+  command
+      .add_option(kY, arguments.y,
+                  "What the vertical axis shows: mu, normalized_mu, contact_fraction, "
+                  "rms_slope_contact, indentation, tangential_force, power or mean_pressure")
+      ->type_name("QUANTITY")
+      ->capture_default_str();
+  command
+      .add_option(
+          kCompare, arguments.compare,
+          "Compute the curve in a second way on the same lines and show the difference below "
+          "it and in tables: nodal, linear or cubic, points per element, lines")
+      ->type_name("SCHEME[:OVERSAMPLING[:LINES]]");
+  command
+      .add_option(
+          kWith, arguments.with,
+          "Add the curve of the scene with these keys set; write a ; inside a value as \\;; may be "
+          "repeated")
+      ->type_name("KEY=VALUE[;KEY=VALUE...]")
+      ->take_all()
+      ->allow_extra_args(false);
+  command
+      .add_option(kData, arguments.data,
+                  "Show measured friction: a table of velocity and mu, where known with mu_error, "
+                  "normal_force or nominal_pressure, temperature, label; may be repeated")
+      ->type_name("FILE")
+      ->take_all()
+      ->allow_extra_args(false);
+  command
+      .add_option(kTheory, arguments.theory,
+                  "Theories beside the curve, separated by commas: eq_11, gaussian_foundation, "
+                  "complete_contact, persson_half_space; or none")
+      ->type_name("WORDS");
+  command
+      .add_option(kAxes, arguments.axes,
+                  "physical, or dimensionless: Eq. (13), and mu over the rms slope")
+      ->capture_default_str()
+      ->group(kPictureGroup);
+  command
+      .add_option(kXScale, arguments.xScale, "log or linear (default: as the values are spaced)")
+      ->type_name("SCALE")
+      ->group(kPictureGroup);
+  command.add_option(kYScale, arguments.yScale, "log or linear (default: log)")
+      ->type_name("SCALE")
+      ->group(kPictureGroup);
+  command
+      .add_option(kXRange, arguments.xRange,
+                  "Limits of the x-axis, in its unit (default: automatic)")
+      ->type_name("FROM:TO")
+      ->group(kPictureGroup);
+  command.add_option(kYRange, arguments.yRange, "Limits of the vertical axis (default: automatic)")
+      ->type_name("FROM:TO")
+      ->group(kPictureGroup);
+}
+
+ComparedScene withCurveOptions(Scene scene, const CurveArguments& arguments) {
+  if (!arguments.over.empty()) try {
+      const Scene over = sceneOver(parseRangeOption(kOver, arguments.over), scene);
+      scene = readScene(writeScene(over), "", scene.folder);
+    } catch (const InputError& error) {
+      throw error.key() == kOver ? error : InputError(kOver, error.key(), error.message());
+    }
+  std::vector<FrictionData> given = addComparisonData(scene, arguments.data);
+  if (arguments.theory.empty()) return {std::move(scene), std::move(given)};
+  nlohmann::json words = nlohmann::json::array();
+  std::istringstream list(arguments.theory);
+  for (std::string word; std::getline(list, word, ',');)
+    if (word != "none") words.push_back(word);
+  scene.comparison.theory = parseTheories(words.dump(), kTheory);
+  return {std::move(scene), std::move(given)};
+}
+
+void checkCurves(const CurveArguments& arguments, const Scene& scene) {
+  CurveSet set;
+  set.present.scene = scene;
+  setAxes(set, arguments);
+  if (!arguments.compare.empty()) {
+    settingFrom(arguments.compare, scene);
+    requireVelocityAxis(scene, kCompare);
+  }
+  if (!arguments.compare.empty() && choosesAccuracy(scene))
+    throw InputError("", "accuracy.target_relative_error",
+                     "--compare needs the same resolution at every velocity, not a target");
+  familyOf(arguments, scene);
+  for (const std::string& assignments : arguments.with) sceneWith(scene, assignments);
+}
+
+std::vector<std::filesystem::path> filesReadBeside(const CurveArguments& arguments,
+                                                   const Scene& scene) {
+  std::vector<std::filesystem::path> files;
+  for (const std::string& assignments : arguments.with)
+    for (const std::filesystem::path& file : filesReadBy(sceneWith(scene, assignments)))
+      files.push_back(file);
+  return files;
+}
+
+void checkUseful(const CurveArguments& arguments, const std::vector<std::string>& files) {
+  if (!std::ranges::all_of(files, isTableFile)) return;
+  for (const auto& [option, given] : {std::pair{kAxes, arguments.axes != "physical"},
+                                      {kXScale, !arguments.xScale.empty()},
+                                      {kYScale, !arguments.yScale.empty()},
+                                      {kXRange, !arguments.xRange.empty()},
+                                      {kYRange, !arguments.yRange.empty()}})
+    if (given) throw InputError("", option, "belongs to pictures, and no output is one");
+}
+
+Curve computeCurve(const Scene& scene, const CommonOptions& common, RealizationTable* lines) {
+  ProgressBar bar(Words::tr("realizations"), common.quiet);
+  CurveOptions options;
+  options.threads = common.threads;
+  options.progress = [&bar](const CurveProgress& progress) {
+    bar.show(progress.realizationsDone, progress.realizationsTotal);
+  };
+  if (lines)
+    options.eachLine = [lines](std::int64_t realization, std::span<const SteadyResult> results) {
+      lines->add(realization, results);
+    };
+  return computeCurve(scene, options);
+}
+
+CurveSet makeCurveSet(const CurveArguments& arguments, const ComparedScene& compared,
+                      std::vector<CurvePoint> own, const CommonOptions& common) {
+  const Scene& scene = compared.scene;
+  CurveSet set;
+  set.present = {{}, scene, std::move(own), 0};
+  setAxes(set, arguments);
+  for (const FamilyMember& member : familyOf(arguments, scene)) {
+    set.familyKey = parseRangeOption(kFamily, arguments.family).key();
+    Curve curve = computeCurve(member.scene, common);
+    requireTarget(curve);
+    set.pinned.push_back({describeParameter(set.familyKey, member.scene), member.scene,
+                          std::move(curve.points), static_cast<int>(set.pinned.size()),
+                          static_cast<int>(set.pinned.size()) + 1, member.value});
+  }
+  for (const std::string& assignments : arguments.with) {
+    const Scene other = sceneWith(scene, assignments);
+    const Message words = describeDifferences(other, scene);
+    Curve curve = computeCurve(other, common);
+    requireTarget(curve);
+    set.pinned.push_back({words.empty() ? Message("same parameters") : words, other,
+                          std::move(curve.points), static_cast<int>(set.pinned.size()),
+                          static_cast<int>(set.pinned.size()) + 1});
+  }
+  if (hasComparisons(set)) {
+    StateOptions options;
+    options.threads = common.threads;
+    addComparisons(set, readComparisonData(scene, compared.given), options);
+  }
+  if (arguments.compare.empty()) return set;
+  ProgressBar bar(Words::tr("lines compared"), common.quiet);
+  DifferenceOptions options;
+  options.threads = common.threads;
+  options.progress = [&bar](const CurveDifference& part) { bar.show(part.done, part.total); };
+  set.difference = curveDifference(scene, settingFrom(arguments.compare, scene), options);
+  return set;
+}
+
+void addCurvesTo(nlohmann::ordered_json& answer, const CurveSet& set) {
+  for (const NamedCurve& curve : set.pinned) {
+    const std::vector<CurvePoint>* const curves[] = {&curve.points};
+    const CurveTable table(curves, columnsFor(curve.scene, showsForces(set)));
+    auto points = nlohmann::ordered_json::array();
+    for (const CurvePoint& point : curve.points) points.push_back(table.json(point));
+    nlohmann::ordered_json other{{"name", curve.name.english()}};
+    if (std::isfinite(curve.familyValue)) other[set.familyKey] = curve.familyValue;
+    other["points"] = std::move(points);
+    answer[std::isfinite(curve.familyValue) ? "family" : "with"].push_back(std::move(other));
+  }
+  for (const TheoryCurve& theory : set.theories) {
+    const TheoryEntry& entry = theoryEntry(theory.theory);
+    auto points = nlohmann::ordered_json::array();
+    for (const TheoryPoint& point : theory.points)
+      points.push_back({{"velocity", point.velocity},
+                        {"mu", numberOrNull(point.mu)},
+                        {"contact_fraction", numberOrNull(point.contactFraction)},
+                        {"in_range", point.isInRange}});
+    answer["theories"].push_back({{"theory", theoryWords()[static_cast<std::size_t>(entry.theory)]},
+                                  {"name", entry.name},
+                                  {"range", entry.range},
+                                  {"points", std::move(points)}});
+  }
+  if (!set.difference) return;
+  auto points = nlohmann::ordered_json::array();
+  for (const DifferencePoint& point : set.difference->points)
+    points.push_back({{"velocity", point.velocity},
+                      {"mu", numberOrNull(point.mu)},
+                      {"mu_standard_error", numberOrNull(point.muStandardError)},
+                      {"relative_difference", numberOrNull(point.relative)},
+                      {"relative_difference_standard_error", numberOrNull(point.standardError)}});
+  answer["compared"] = {{"setting", settingName(set.difference->setting).english()},
+                        {"points", std::move(points)}};
+}
+
+}  // namespace asperity

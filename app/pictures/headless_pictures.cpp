@@ -1,0 +1,85 @@
+#include "app/pictures/headless_pictures.h"
+
+#include <QGuiApplication>
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "app/output.h"
+#include "app/pictures/eps_file.h"
+#include "core/base/input_error.h"
+#include "ui/draw/fonts.h"
+#include "ui/draw/pdf_file.h"
+#include "ui/draw/svg_file.h"
+#include "ui/draw/tiff_file.h"
+
+namespace asperity {
+namespace {
+
+/// Qt's warnings about desktops do not concern a program without a window; the program reports
+/// errors itself.
+void printOnlyFatal(QtMsgType type, const QMessageLogContext&, const QString& message) {
+  if (type == QtFatalMsg) std::fprintf(stderr, "asperity: %s\n", qPrintable(message));
+}
+
+/// Makes an application that needs no display: text needs only fonts.
+std::unique_ptr<QGuiApplication> offscreenApplication() {
+  qInstallMessageHandler(printOnlyFatal);
+  // Qt removes the words that it knows from the list, so every application needs a new list.
+  static int count;
+  static char name[] = "asperity", option[] = "-platform", platform[] = "offscreen";
+  static char* arguments[4];
+  count = 3;
+  std::ranges::copy(std::array<char*, 4>{name, option, platform, nullptr}, arguments);
+  return std::make_unique<QGuiApplication>(count, arguments);
+}
+
+}  // namespace
+
+HeadlessPictures::HeadlessPictures(PixelBackend backend)
+    : application_(offscreenApplication()), context_(makePixelContext(backend)) {
+  loadFonts();
+}
+
+HeadlessPictures::~HeadlessPictures() {
+  if (writing_.valid()) writing_.wait();
+}
+
+void HeadlessPictures::write(const std::string& file, const DrawList& list,
+                             const PictureProperties& properties) {
+  const std::string extension = fileExtension(file);
+  if (extension == ".png")
+    writePng(file, list, properties);
+  else if (extension == ".svg")
+    writeSvg(file, list,
+             {.title = properties.title,
+              .metadata = properties.metadata,
+              .millimetres = properties.isOnPaper ? 25.4 / (96 * properties.scale) : 0});
+  else if (extension == ".pdf")
+    writePdf(file, list, {properties.title, properties.metadata, 0.75 / properties.scale});
+  else if (extension == ".eps")
+    writeEps(file, list, {properties.title, properties.metadata, 0.75 / properties.scale});
+  else if (extension == ".tif" || extension == ".tiff")
+    writeTiff(file, draw(list), {properties.title, properties.metadata, 96 * properties.scale});
+  else
+    throw unknownExtension(file, extension, kPictureExtensions);
+}
+
+void HeadlessPictures::writePng(const std::string& file, const DrawList& list,
+                                const PictureProperties& properties) {
+  QImage image = draw(list);
+  finish();
+  writing_ = std::async(std::launch::async, [file, properties, image = std::move(image)] {
+    asperity::writePng(file, image, {properties.title, properties.metadata, 96 * properties.scale});
+  });
+}
+
+QImage HeadlessPictures::draw(const DrawList& list) {
+  return renderImage(*context_, list);
+}
+
+void HeadlessPictures::finish() {
+  if (writing_.valid()) writing_.get();
+}
+
+}  // namespace asperity

@@ -1,0 +1,68 @@
+// Composes a frame in the requested layout: the contact, the friction curve, both, or the contact
+// above strips over time. Immutable once made, except for the view, which is kept steady from frame
+// to frame; one thread at a time.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app/picture_options.h"
+#include "core/chart/curve_set.h"
+#include "core/chart/diagram.h"
+#include "core/run/frame.h"
+#include "ui/chart/diagram_picture.h"
+#include "ui/contact/contact_picture.h"
+
+namespace asperity {
+
+enum class PictureLayout { Contact, Curve, Both, Transient };
+
+/// Returns the layout of this name. Throws InputError naming the key or the option.
+PictureLayout layoutFrom(const std::string& name, const char* key = "--layout");
+
+/// Returns the overlay of this name. Throws InputError naming --overlay.
+ContactOverlay overlayFrom(const std::string& name);
+
+/// Throws InputError naming --size where several diagrams on a sheet would not fit below `above`
+/// pixels of other content; those pixels grow with the picture.
+void checkPanels(const DiagramSheet& sheet, const PictureSettings& settings, int above);
+
+struct PictureContent {
+  PictureLayout layout = PictureLayout::Contact;
+  CurveSet curves{};  // the scene's own curve and others, for layouts that show them
+  ContactOverlay overlay = ContactOverlay::Pressure;
+  ViewArguments view{};
+};
+
+class PictureComposer {
+ public:
+  PictureComposer(const PictureSettings& settings, PictureContent content);
+
+  /// Makes a picture on paper as high as the panels of its curve, or the strips over time of this
+  /// scene, need. Throws InputError naming --size where they do not fit into a picture in pixels.
+  void fitHeight(const Scene& scene);
+
+  DrawList compose(const Frame& frame);
+
+ private:
+  DrawList composeParts(const Frame& frame);
+  int contactHeight() const;  // pixels, where a diagram is below it
+  DrawList contact(const Frame& frame, int height);
+  ContactPictureOptions contactOptions(int height) const;
+  DiagramOptions optionsFor(int height, float minTextSize) const;
+  float stripText(const DiagramSheet& strips, int height) const;
+  void checkStrips(const Scene& scene);
+  /// Makes a picture on paper as high as the sheet of its chart needs. In a picture in pixels the
+  /// contact leaves the chart more of the height.
+  void growFor(const DiagramSheet& sheet);
+  DiagramSheet curveWithMarker(const Frame& frame) const;
+
+  PictureSettings settings_;
+  PictureContent content_;
+  std::optional<ContactView> view_;
+  ContactPictureOptions contact_;  // options of the last frame
+  std::optional<int> above_;       // height of the contact, where its chart has grown
+  std::optional<DrawList> below_;  // the curve, which does not change in steady sliding
+};
+
+}  // namespace asperity

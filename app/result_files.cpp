@@ -1,0 +1,136 @@
+#include "app/result_files.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "app/output.h"
+#include "app/pictures/headless_pictures.h"
+#include "core/base/atomic_file.h"
+#include "core/scene/provenance.h"
+#include "ui/language/translated.h"
+
+namespace asperity {
+namespace {
+
+using Form = std::function<std::string()>;
+
+constexpr const char* kFolderPictures[]{".png", ".svg", ".pdf"};
+
+void writePictures(const TableCommand& command, const PictureSettings& settings,
+                   const TableResult& result) {
+  const std::vector<std::string>& outputs = command.outputs;
+  if (std::ranges::all_of(outputs, isTableFile)) return;
+  const DiagramSheet sheet = result.sheet();
+  const DrawList list = drawSheet(sheet, settings, result.minTextSize);
+  HeadlessPictures pictures(settings.backend);
+  for (const std::string& output : outputs) {
+    if (isTableFile(output)) continue;
+    const ProvenanceOptions given(optionsFor(command.common.given, output));
+    nlohmann::ordered_json origin = result.origin();
+    origin["picture"] = settings.json();
+    origin["picture"].update(result.picture);
+    pictures.write(output, list,
+                   settings.properties(translated(sheet.title), provenanceLine(origin)));
+  }
+  pictures.finish();
+}
+
+}  // namespace
+
+std::string withColumns(const std::string& json, const ColumnChoice& columns) {
+  if (columns.isAll()) return json;
+  auto answer = nlohmann::ordered_json::parse(json);
+  answer["points"] = columns.select(answer["points"]);
+  return answer.dump(2) + "\n";
+}
+
+PictureSettings checkTableOutputs(const TableCommand& command, const Scene& scene,
+                                  const PictureDefaults& defaults) {
+  checkOutputs(command.outputs, kOutputExtensions, DefaultOutput::PrintsTable);
+  for (const std::string& output : command.outputs)
+    checkNoInput(output, inputFiles(command.common, scene));
+  checkUseful(command.picture, command.outputs);
+  return pictureSettings(command.picture, defaults);
+}
+
+void writeResult(const TableCommand& command, const PictureSettings& settings,
+                 const TableResult& result) {
+  const CommonOptions& common = command.common;
+  const std::vector<std::string>& outputs = command.outputs;
+  const auto tableText = [&](const Form& form, const std::string& output) {
+    const ProvenanceOptions given(optionsFor(common.given, output));
+    return form();
+  };
+  for (const std::string& output : outputs) {
+    const std::string extension = fileExtension(output);
+    if (extension == ".csv") writeFileAtomically(output, tableText(result.csv, output));
+    if (extension == ".json") writeFileAtomically(output, tableText(result.json, output));
+  }
+  writePictures(command, settings, result);
+  std::vector<std::string> files = outputs;
+  files.insert(files.end(), result.otherFiles.begin(), result.otherFiles.end());
+  const bool printsTable = files.empty() || hasStandardOutput(outputs);
+  if (common.json)
+    fmt::print("{}", tableText(result.json, ".json"));
+  else if (files.empty() && !result.printed.empty())
+    fmt::print("{}", result.printed);
+  else if (printsTable)
+    fmt::print("{}", tableText(result.csv, ".csv"));
+  if (!files.empty())
+    printSummary(common.json || printsTable, common.quiet, result.summary + wroteLines(files));
+}
+
+OutputFolder::OutputFolder(std::string folder, std::vector<std::filesystem::path> inputs,
+                           const PictureSettings& settings)
+    : folder_(std::move(folder)), inputs_(std::move(inputs)), settings_(settings) {}
+
+void OutputFolder::addText(const std::string& name, std::string bytes) {
+  texts_.push_back({filePath(name), std::move(bytes)});
+}
+
+void OutputFolder::addSheet(const std::string& name, DiagramSheet sheet) {
+  sheets_.push_back({name, std::move(sheet)});
+}
+
+void OutputFolder::write(const std::vector<GivenOption>& given,
+                         const std::function<nlohmann::ordered_json()>& origin) const {
+  makeFolder(folder_);
+  for (const Text& text : texts_) checkName(text.file);
+  for (const Sheet& sheet : sheets_)
+    for (const char* extension : kFolderPictures) checkName(filePath(sheet.name + extension));
+  HeadlessPictures pictures(settings_.backend);
+  for (const Sheet& sheet : sheets_) {
+    const ProvenanceOptions options(optionsInFolder(given, sheet.name + kFolderPictures[0]));
+    nlohmann::ordered_json made = origin();
+    made["picture"] = settings_.json();
+    const PictureProperties properties =
+        settings_.properties(translated(sheet.sheet.title), provenanceLine(made));
+    const DrawList picture = drawSheet(sheet.sheet, settings_);
+    for (const char* extension : kFolderPictures)
+      pictures.write(filePath(sheet.name + extension), picture, properties);
+  }
+  pictures.finish();
+  for (auto text = texts_.rbegin(); text != texts_.rend(); ++text)
+    writeFileAtomically(text->file, text->bytes);
+}
+
+std::string OutputFolder::summary() const {
+  std::string lines;
+  for (const Text& text : texts_) lines += wroteLine(text.file);
+  for (const Sheet& sheet : sheets_)
+    lines += wroteLine(filePath(sheet.name + ".png") + " (.svg, .pdf)");
+  return lines;
+}
+
+std::string OutputFolder::filePath(const std::string& name) const {
+  return (std::filesystem::path(folder_) / name).string();
+}
+
+void OutputFolder::checkName(const std::string& name) const {
+  checkWritable(name);
+  checkNoInput(name, inputs_);
+}
+
+}  // namespace asperity

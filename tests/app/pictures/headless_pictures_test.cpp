@@ -1,0 +1,63 @@
+#include "app/pictures/headless_pictures.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "core/base/input_error.h"
+
+namespace asperity {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+DrawList picture() {
+  DrawList list;
+  list.width = 60;
+  list.height = 40;
+  list.background = {1, 1, 1, 1};
+  DrawText text;
+  text.utf8 = "words";
+  text.x = 5;
+  text.y = 20;
+  list.texts.push_back(text);
+  return list;
+}
+
+std::string contents(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+/// One program, one Qt application: everything in one test.
+TEST(HeadlessPictures, WriteWhatTheExtensionSays) {
+  const fs::path folder = fs::temp_directory_path() / ("asperity_app_" + std::to_string(getpid()));
+  fs::create_directories(folder);
+  {
+    HeadlessPictures pictures;
+    for (const char* name : {"a.png", "a.SVG", "a.pdf"})
+      pictures.write((folder / name).string(), picture(), {"A title", "made by a test"});
+    EXPECT_THROW(pictures.write((folder / "a.gif").string(), picture()), InputError);
+    EXPECT_THROW(pictures.write((folder / "nowhere" / "a.svg").string(), picture()), InputError);
+    pictures.finish();
+  }
+  EXPECT_THAT(contents(folder / "a.png"), StartsWith("\x89PNG"));
+  const std::string svg = contents(folder / "a.SVG"), pdf = contents(folder / "a.pdf");
+  EXPECT_THAT(svg, HasSubstr("<title>A title</title>"));
+  EXPECT_THAT(svg, HasSubstr(">words</text>"));
+  EXPECT_THAT(pdf, StartsWith("%PDF-"));
+  for (const std::string& file : {svg, pdf}) EXPECT_THAT(file, HasSubstr("made by a test"));
+  EXPECT_FALSE(fs::exists(folder / "a.gif"));
+  fs::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace asperity
