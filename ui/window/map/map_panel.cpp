@@ -32,13 +32,6 @@ constexpr int kDigits = 3;                        // of a value that the cross s
 constexpr int kShorterName = 3, kLongerName = 4;  // shares of the row for the lists
 constexpr int kWidestList = 360;                  // pixels
 
-/// A value as a person would choose it.
-double rounded(double value) {
-  if (value == 0 || !std::isfinite(value)) return value;
-  const double step = std::pow(10, std::floor(std::log10(std::abs(value))) + 1 - kDigits);
-  return std::round(value / step) * step;
-}
-
 /// Returns whether two scenes are the same except for these two parameters.
 bool differOnlyIn(const Scene& a, const Scene& b, const Parameter& x, const Parameter& y) {
   Scene same = a;
@@ -304,7 +297,7 @@ void MapPanel::showMap() {
 void MapPanel::moveTo(double x, double y) {
   if (!map_) return;
   try {
-    emit sceneEdited(sceneAt(*map_, rounded(x), rounded(y)));
+    emit sceneEdited(sceneAt(*map_, roundedToDigits(x, kDigits), roundedToDigits(y, kDigits)));
   } catch (const InputError&) {
     // Rounding exceeded a limit; the cross continues from the next position.
   }
