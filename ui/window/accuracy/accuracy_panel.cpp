@@ -18,8 +18,8 @@
 #include "ui/language/explained.h"
 #include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
-#include "ui/window/curve/comparison_box.h"
-#include "ui/window/curve/region_pictures.h"
+#include "ui/window/accuracy/comparison_box.h"
+#include "ui/window/accuracy/region_pictures.h"
 
 namespace asperity {
 

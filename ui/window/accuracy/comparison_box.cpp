@@ -1,4 +1,4 @@
-#include "ui/window/curve/comparison_box.h"
+#include "ui/window/accuracy/comparison_box.h"
 
 #include <QCheckBox>
 #include <QComboBox>
