@@ -340,9 +340,12 @@ nlohmann::ordered_json curveOrigin(const CurveSet& set) {
 /// do.
 void writeCurves(const std::filesystem::path& file, const CurveSet& set) {
   nlohmann::ordered_json origin = curveOrigin(set);
-  if (file.extension() == ".csv")
+  const std::string extension = file.extension().string();
+  if (extension == ".csv")
     return writeFileAtomically(file,
                                "# asperity: " + provenanceLine(origin) + "\n" + curveSetCsv(set));
+  if (extension != ".png" && extension != ".svg" && extension != ".pdf")
+    throw unknownExtension(file.string(), extension, {".png", ".svg", ".pdf", ".csv"});
   nameLanguage(origin);
   constexpr int kDifferenceHeight = 500;  // pixels, as the other sizes
   DiagramOptions options;
@@ -351,13 +354,8 @@ void writeCurves(const std::filesystem::path& file, const CurveSet& set) {
   options.scale = 2;
   options.theme = printTheme();
   const DiagramSheet sheet = curveSheet(set);
-  try {
-    writePicture(file, composeDiagrams(sheet, options),
-                 {translated(sheet.title), provenanceLine(origin), options.scale});
-  } catch (const InputError&) {
-    throw unknownExtension(file.string(), file.extension().string(),
-                           {".png", ".svg", ".pdf", ".csv"});
-  }
+  writePicture(file, composeDiagrams(sheet, options),
+               {translated(sheet.title), provenanceLine(origin), options.scale});
 }
 
 /// Draws an image of this size in pixels; scale: device pixels per logical pixel. Any thread, as
