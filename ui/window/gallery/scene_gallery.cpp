@@ -12,7 +12,6 @@
 #include "ui/language/translated.h"
 #include "ui/window/gallery/card_list.h"
 #include "ui/window/gallery/scene_cards.h"
-#include "ui/window/gallery/scene_picture.h"
 #include "ui/window/gallery/scene_thumbnails.h"
 #include "ui/window/main/appearance.h"
 #include "ui/window/main/scene_library.h"
