@@ -27,7 +27,6 @@
 #include "ui/window/figures/gallery_page.h"
 #include "ui/window/main/appearance.h"
 #include "ui/window/main/session.h"
-#include "ui/window/main/window_style.h"
 
 namespace asperity {
 namespace {
