@@ -25,8 +25,7 @@
 #include "ui/panels/number_text.h"
 #include "ui/panels/parameter_row.h"
 #include "ui/window/figures/diagram_view.h"
-#include "ui/window/fit/fit_files.h"
-#include "ui/window/fit/fit_text.h"
+#include "ui/window/fit/fit_results.h"
 #include "ui/window/main/window_keys.h"
 #include "ui/window/main/window_layout.h"
 
