@@ -495,6 +495,13 @@ void MainWindow::step(bool finely) {
 // ---- The friction curve
 
 void MainWindow::connectCurve() {
+  // Error messages stay in the bar until their source succeeds again.
+  const auto fails = [this](MessageBar::Failure source) {
+    return [this, source](const QString& reason) { messages_->showFailure(source, reason); };
+  };
+  const auto succeeds = [this](MessageBar::Failure source) {
+    return [this, source] { messages_->end(source); };
+  };
   connect(curveCommands_, &CurveCommands::exported, this, [this](const QString& file) {
     status_->showMessage(file.isEmpty() ? tr("The curve's picture is on the clipboard")
                                         : tr("Saved %1").arg(QFileInfo(file).fileName()));
@@ -505,9 +512,7 @@ void MainWindow::connectCurve() {
     status_->showMessage(file.isEmpty() ? tr("The picture is on the clipboard")
                                         : tr("Saved %1").arg(QFileInfo(file).fileName()));
   });
-  connect(tabs_, &SceneTabs::failed, this, [this](const QString& reason) {
-    messages_->showFailure(MessageBar::Failure::Export, reason);
-  });
+  connect(tabs_, &SceneTabs::failed, this, fails(MessageBar::Failure::Export));
   auto* display = new CurveDisplay(*session_, tabs_->plot(), this);
   connect(display, &CurveDisplay::sceneEdited, this, [this](const Scene& scene) {
     const bool isVelocity = scene.sweep.isOfVelocity();
@@ -518,23 +523,15 @@ void MainWindow::connectCurve() {
     document_->edit(scene, QT_TRANSLATE_NOOP("asperity::SceneDocument", "Axis of the curve"));
   });
   connect(curveCommands_, &CurveCommands::guideRequested, this, &MainWindow::openGuide);
-  connect(curveCommands_, &CurveCommands::failed, this, [this](const QString& reason) {
-    messages_->showFailure(MessageBar::Failure::Comparison, reason);
-  });
+  connect(curveCommands_, &CurveCommands::failed, this, fails(MessageBar::Failure::Comparison));
   auto* comparison = new CurveComparison(*session_, this);
   connect(&tabs_->accuracy(), &AccuracyPanel::comparisonChanged, this,
           [this, comparison] { comparison->setSetting(tabs_->accuracy().comparison()); });
-  connect(comparison, &CurveComparison::failed, this, [this](const QString& reason) {
-    messages_->showFailure(MessageBar::Failure::Comparison, reason);
-  });
-  connect(comparison, &CurveComparison::shown, this,
-          [this] { messages_->end(MessageBar::Failure::Comparison); });
+  connect(comparison, &CurveComparison::failed, this, fails(MessageBar::Failure::Comparison));
+  connect(comparison, &CurveComparison::shown, this, succeeds(MessageBar::Failure::Comparison));
   auto* beside = new SceneComparisons(*session_, this);
-  connect(beside, &SceneComparisons::failed, this, [this](const QString& reason) {
-    messages_->showFailure(MessageBar::Failure::Files, reason);
-  });
-  connect(beside, &SceneComparisons::shown, this,
-          [this] { messages_->end(MessageBar::Failure::Files); });
+  connect(beside, &SceneComparisons::failed, this, fails(MessageBar::Failure::Files));
+  connect(beside, &SceneComparisons::shown, this, succeeds(MessageBar::Failure::Files));
 }
 
 // ---- Language, dropped files, closing
