@@ -207,7 +207,7 @@ TEST(LanguageSwitch, KeepsComplaintsComparisonsAndFigures) {
   window->setLanguage("de");
   EXPECT_TRUE(window->figures().isShowingFigures());
   EXPECT_EQ(&window->figures().gallery().gallery(), figures);
-  window->figures().closeFigures();
+  window->figures().showViews();
   EXPECT_TRUE(window->findChild<QCheckBox*>("comparisonWanted")->isChecked());
 
   Scene empty = smallScene();

@@ -136,7 +136,8 @@ CardList::CardList(std::function<QPixmap(const QString&)> picture, QWidget* pare
   verticalScrollBar()->setSingleStep(40);
   setSelectionMode(SingleSelection);
   connect(this, &QListWidget::itemClicked, this, [this](QListWidgetItem* item) {
-    if (const QString name = item->data(kNameRole).toString(); !name.isEmpty()) emit wanted(name);
+    if (const QString name = item->data(kNameRole).toString(); !name.isEmpty())
+      emit cardActivated(name);
   });
 }
 
@@ -144,7 +145,7 @@ CardList::CardList(std::function<QPixmap(const QString&)> picture, QWidget* pare
 /// already.
 void CardList::keyPressEvent(QKeyEvent* event) {
   const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-  if (isEnter && !chosen().isEmpty()) return emit wanted(chosen());
+  if (isEnter && !chosen().isEmpty()) return emit cardActivated(chosen());
   // Typed letters belong to the filter.
   if (!event->text().isEmpty() && event->text().front().isPrint() &&
       !(event->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)))

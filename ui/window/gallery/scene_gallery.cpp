@@ -55,7 +55,7 @@ SceneGallery::SceneGallery(QWidget* parent)
   column->addWidget(none_, 1);
 
   connect(thumbnails_, &SceneThumbnails::changed, cards_, &CardList::showPicture);
-  connect(cards_, &CardList::wanted, this, &SceneGallery::chosen);
+  connect(cards_, &CardList::cardActivated, this, &SceneGallery::chosen);
   connect(cards_, &CardList::typed, this, [this](const QString& text) {
     focusFilter();
     if (text != QStringLiteral("/")) filter_->insert(text);

@@ -246,7 +246,7 @@ void MainWindow::buildCommands() {
   imports_ =
       new ImportCommands({*this, *document_, *documents_, *panel_, *appearance_, *messages_});
   imports_->addTo(*commands_);
-  connect(imports_, &ImportCommands::imported, figures_, &FigurePages::closeFigures);
+  connect(imports_, &ImportCommands::imported, figures_, &FigurePages::showViews);
   comparisons_ = new ComparisonCommands(
       {*this, *document_, *appearance_, *tabs_, [this] { return imports_->askFriction(); }});
   comparisons_->addTo(*commands_);
@@ -306,7 +306,7 @@ void MainWindow::connectScene() {
             if (isOpened) panel_->showNotes({});
             if (isOpened) panel_->clearFilter();
             // An opened scene is shown at once, so the gallery closes.
-            if (isOpened && figures_->isShowingScenes()) figures_->closeFigures();
+            if (isOpened && figures_->isShowingScenes()) figures_->showViews();
             // A scene that comes from the panel must not replace what is being typed there.
             if (isOpened || !(panel_->scene() == scene)) panel_->setScene(scene);
             session_->setScene(scene,
@@ -316,7 +316,7 @@ void MainWindow::connectScene() {
             showScene(scene);
           });
   connect(document_, &SceneDocument::historyChanged, this, &MainWindow::showTitle);
-  connect(tour_, &Tour::starting, figures_, &FigurePages::closeFigures);
+  connect(tour_, &Tour::starting, figures_, &FigurePages::showViews);
   connect(tour_, &Tour::stepShown, description_, &QWidget::hide);
   keepTranslated(*this, [this] {
     for (const QDockWidget* dock : findChildren<QDockWidget*>()) translateButtons(*dock);

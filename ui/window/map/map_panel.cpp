@@ -208,7 +208,7 @@ void MapPanel::hideEvent(QHideEvent* event) {
   QWidget::hideEvent(event);
   if (map_ && map_->isFinal) return;
   work_.cancel();
-  wanted_.reset();
+  requested_.reset();
 }
 
 /// Returns whether a map belongs to the present scene, except for the position of the cross.
@@ -225,8 +225,8 @@ void MapPanel::compute() {
   fillChoosers();
   const auto key = [](const QComboBox* box) { return box->currentData().toString().toStdString(); };
   if (x_->count() < 2) return;
-  if (wanted_ && isCoveredBy(*wanted_)) {
-    wanted_->scene = scene_;
+  if (requested_ && isCoveredBy(*requested_)) {
+    requested_->scene = scene_;
     if (map_ && isCoveredBy(*map_)) {
       ParameterMap moved = *map_;
       moved.scene = scene_;
@@ -245,11 +245,11 @@ void MapPanel::compute() {
                        "different keys");
   } catch (const InputError& error) {
     work_.cancel();
-    wanted_.reset();
+    requested_.reset();
     showError(translatedError(error));
     return;
   }
-  wanted_ = ParameterMap{scene_, x, y, {}, 0, 0, false, false};
+  requested_ = ParameterMap{scene_, x, y, {}, 0, 0, false, false};
   showError({});
   work_.request(
       [this, scene = scene_, x, y](const BackgroundWork::Run& run) {
@@ -266,14 +266,14 @@ void MapPanel::compute() {
       },
       [this](ParameterMap map) { take(std::move(map)); },
       [this](const QString& reason) {
-        wanted_.reset();
+        requested_.reset();
         showError(reason);
       });
 }
 
 /// Shows a stage; the cross may have moved since it was requested.
 void MapPanel::take(ParameterMap map) {
-  if (wanted_) map.scene = wanted_->scene;
+  if (requested_) map.scene = requested_->scene;
   map_ = std::make_shared<const ParameterMap>(std::move(map));
   showMap();
 }
