@@ -256,7 +256,9 @@ QModelIndex CardList::moveCursor(CursorAction action, Qt::KeyboardModifiers modi
       const int down = sign * away.y();
       if (down <= card_.height() / 2) continue;
       const double cost = 1000.0 * std::abs(down - distance) + std::abs(away.x());
-      if (cost < least) least = cost, best = row;
+      if (cost >= least) continue;
+      least = cost;
+      best = row;
     }
     return indexFromItem(item(best));
   };
