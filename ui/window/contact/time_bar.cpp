@@ -18,7 +18,6 @@
 #include "ui/language/explained.h"
 #include "ui/language/language.h"
 #include "ui/panels/number_text.h"
-#include "ui/window/main/commands.h"
 #include "ui/window/main/fitted_labels.h"
 
 namespace asperity {

@@ -21,7 +21,6 @@
 #include "ui/panels/number_text.h"
 #include "ui/window/contact/contact_canvas.h"
 #include "ui/window/curve/curve_reading.h"
-#include "ui/window/main/commands.h"
 #include "ui/window/main/session.h"
 
 namespace asperity {
