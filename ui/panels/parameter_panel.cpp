@@ -18,10 +18,9 @@
 #include "ui/panels/arms_editor.h"
 #include "ui/panels/choice_box.h"
 #include "ui/panels/number_text.h"
-#include "ui/panels/panel_bar.h"
+#include "ui/panels/panel_headers.h"
 #include "ui/panels/parameter_row.h"
 #include "ui/panels/scene_files.h"
-#include "ui/panels/section_header.h"
 
 namespace asperity {
 

@@ -1,8 +1,44 @@
 #include "ui/panels/scene_files.h"
 
+#include "core/material/material_library.h"
 #include "core/scene/scene_file.h"
 
 namespace asperity {
+
+namespace {
+
+/// Gives every file that the scene reads another name; shipped materials are no files.
+template <class Rename>
+void renameFiles(Scene& scene, const Rename& rename) {
+  const auto renameOne = [&rename](std::string& name) {
+    if (!name.empty()) name = rename(name);
+  };
+  renameOne(scene.surface.file);
+  std::string& material = scene.elastomer.material;
+  if (!material.empty() && !materialFile(material, scene.folder).empty()) renameOne(material);
+  for (DataFile& table : scene.comparison.data) renameOne(table.file);
+}
+
+}  // namespace
+
+Scene withAbsoluteFiles(Scene scene) {
+  renameFiles(scene, [folder = scene.folder](const std::string& name) {
+    return std::filesystem::absolute(folder / name).lexically_normal().string();
+  });
+  return scene;
+}
+
+Scene withFilesRelativeTo(const std::filesystem::path& folder, Scene scene) {
+  const std::filesystem::path target = std::filesystem::absolute(folder).lexically_normal();
+  renameFiles(scene, [&target, folder = scene.folder](const std::string& name) {
+    if (std::filesystem::path(name).is_absolute()) return name;
+    return std::filesystem::absolute(folder / name)
+        .lexically_normal()
+        .lexically_proximate(target)
+        .string();
+  });
+  return scene;
+}
 
 std::string nameInScene(const Scene& scene, const std::filesystem::path& file) {
   if (scene.folder.empty()) return file.string();

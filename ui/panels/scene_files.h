@@ -1,5 +1,5 @@
-// Files that a scene names, and what naming one means for the scene. Pure but for reading the file
-// of a material; any thread.
+// Files that a scene names: how they are named, and what naming one means for the scene. Pure but
+// for reading the file of a material; any thread.
 #pragma once
 
 #include <filesystem>
@@ -12,6 +12,13 @@ namespace asperity {
 /// Returns the file's name in the scene: relative where the file lies in the scene's folder or
 /// below.
 std::string nameInScene(const Scene& scene, const std::filesystem::path& file);
+
+/// Returns the scene with absolute names of its files, which are found from any folder.
+Scene withAbsoluteFiles(Scene scene);
+
+/// Returns the scene with its files named relative to a folder, into which it is to be written.
+/// Absolute names stay.
+Scene withFilesRelativeTo(const std::filesystem::path& folder, Scene scene);
 
 /// Makes a shipped material, or one of a file, that of the scene: its elastomer then has all values
 /// of the material, at the scene's temperature. An empty name forgets the name and keeps the

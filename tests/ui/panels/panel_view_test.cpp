@@ -13,8 +13,7 @@
 #include "core/scene/parameters.h"
 #include "tests/ui/panels/parameter_panel_fixture.h"
 #include "tests/ui/window/qt_application.h"
-#include "ui/panels/panel_bar.h"
-#include "ui/panels/section_header.h"
+#include "ui/panels/panel_headers.h"
 
 namespace asperity {
 namespace {

@@ -13,7 +13,7 @@
 #include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
 #include "ui/window/figures/gallery_page.h"
-#include "ui/window/main/menu_keys.h"
+#include "ui/window/main/window_keys.h"
 
 namespace asperity {
 namespace {

@@ -144,6 +144,10 @@ TEST_F(AccuracyPanelTest, TheComparisonIsShownRegionByRegion) {
   const auto& picture = control<FigurePicture>("figurePicture");
   EXPECT_TRUE(picture.accessibleName().endsWith(second.text()));
   EXPECT_TRUE(picture.toolTip().contains("median"));
+  // The diagram goes with its scene.
+  scene.load.normalForce *= 2;
+  panel_.showScene(scene);
+  EXPECT_FALSE(second.isVisibleTo(&panel_));
 }
 
 TEST_F(AccuracyPanelTest, MeasuredNumbersGoWithTheirScene) {

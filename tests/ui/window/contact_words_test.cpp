@@ -93,7 +93,7 @@ TEST_F(ContactWordsTest, ConcealsWhatTheChartConceals) {
 TEST_F(ContactWordsTest, RestsBehindThePagesWithoutAContact) {
   window_.figures().openFigures();
   EXPECT_FALSE(action("describe").isEnabled());
-  window_.figures().closeFigures();
+  window_.figures().showViews();
   EXPECT_TRUE(action("describe").isEnabled());
 }
 

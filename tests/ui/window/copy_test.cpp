@@ -25,7 +25,6 @@
 #include "ui/window/contact/contact_canvas.h"
 #include "ui/window/main/exports.h"
 #include "ui/window/main/message_bar.h"
-#include "ui/window/main/picture_files.h"
 #include "ui/window/main/scene_library.h"
 
 namespace asperity {

@@ -256,6 +256,15 @@ TEST_F(CurveCommandsTest, AnUnknownFormatIsRefusedInTheBar) {
   EXPECT_FALSE(QFile::exists(folder.filePath("curve.xyz")));
 }
 
+TEST_F(CurveCommandsTest, AFolderThatDoesNotExistIsNamedInTheBar) {
+  ASSERT_TRUE(waitForCurve());
+  const QTemporaryDir folder;
+  window_.curveCommands().save(folder.filePath("no_such_folder/curve.png"));
+  ASSERT_TRUE(waitFor([this] { return window_.messages().isVisible(); }));
+  EXPECT_TRUE(window_.messages().text().contains("does not exist"))
+      << window_.messages().text().toStdString();
+}
+
 TEST_F(CurveCommandsTest, ThePictureGoesToTheClipboard) {
   ASSERT_TRUE(waitForCurve());
   QGuiApplication::clipboard()->clear();

@@ -532,7 +532,7 @@ class Visitor {
         in<QPushButton>(page, "saveData").click();
       }
     }
-    window_.figures().closeFigures();
+    window_.figures().showViews();
   }
 
   // ---- Other dialogs

@@ -24,9 +24,9 @@
 #include "ui/window/import/import_commands.h"
 #include "ui/window/import/material_import.h"
 #include "ui/window/import/surface_import.h"
-#include "ui/window/main/menu_keys.h"
 #include "ui/window/main/message_bar.h"
 #include "ui/window/main/scene_library.h"
+#include "ui/window/main/window_keys.h"
 
 namespace asperity {
 namespace {

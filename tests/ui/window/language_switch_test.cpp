@@ -19,7 +19,7 @@
 #include "tests/ui/window/window_in.h"
 #include "ui/chart/chart_view.h"
 #include "ui/panels/arms_editor.h"
-#include "ui/window/accuracy/accuracy_panel.h"
+#include "ui/window/accuracy/region_pictures.h"
 #include "ui/window/contact/contact_canvas.h"
 #include "ui/window/figures/claims_table.h"
 #include "ui/window/figures/gallery_page.h"
@@ -207,7 +207,7 @@ TEST(LanguageSwitch, KeepsComplaintsComparisonsAndFigures) {
   window->setLanguage("de");
   EXPECT_TRUE(window->figures().isShowingFigures());
   EXPECT_EQ(&window->figures().gallery().gallery(), figures);
-  window->figures().closeFigures();
+  window->figures().showViews();
   EXPECT_TRUE(window->findChild<QCheckBox*>("comparisonWanted")->isChecked());
 
   Scene empty = smallScene();
@@ -237,22 +237,16 @@ TEST(LanguageSwitch, KeepsAMessageThatIsNotAboutTheScene) {
 
 TEST(LanguageSwitch, KeepsTheMeasuredComparisonOfMethods) {
   WindowIn window("en");
-  auto* panel = window->findChild<AccuracyPanel*>("accuracyPanel");
+  auto* pictures = window->findChild<RegionPictures*>("regionPictures");
+  ASSERT_TRUE(pictures);
   auto made = std::make_shared<ComputedFigure>();
   made->figure.sheet.diagrams.resize(2);
   made->figure.sheet.diagrams[0].title = "region I: here";
   made->figure.sheet.diagrams[1].title = "region II: there";
-  panel->showComparedMethods({window->session().scene(), made});
-  ASSERT_TRUE(panel->comparedMethods());
+  pictures->showFigure(made);
   window->setLanguage("de");
-  panel = window->findChild<AccuracyPanel*>("accuracyPanel");
-  ASSERT_TRUE(panel->comparedMethods());
-  EXPECT_EQ(panel->comparedMethods()->figure, made);
-  EXPECT_TRUE(panel->findChild<QToolButton*>("region:1"));
-  Scene other = window->session().scene();
-  other.load.normalForce *= 2;
-  window->document().edit(other);
-  EXPECT_FALSE(panel->comparedMethods());
+  EXPECT_EQ(pictures->figure(), made);
+  EXPECT_TRUE(pictures->findChild<QToolButton*>("region:1"));
 }
 
 TEST(WindowLanguageMenu, TheChoiceCountsAtOnceAndIsRemembered) {

@@ -27,7 +27,6 @@
 #include "ui/window/figures/gallery_page.h"
 #include "ui/window/main/appearance.h"
 #include "ui/window/main/session.h"
-#include "ui/window/main/window_style.h"
 
 namespace asperity {
 namespace {
@@ -300,7 +299,7 @@ TEST_F(LayoutTest, APresentationGivesBackSizesToThePixel) {
     if (window_.figures().gallery().isVisible()) {
       EXPECT_FALSE(dock().isVisible());
       EXPECT_FALSE(window_.statusBar()->isVisible());
-      window_.figures().closeFigures();
+      window_.figures().showViews();
     }
     EXPECT_TRUE(QTest::qWaitFor([&] { return sizes() == before; }, 2000)) << opened;
     EXPECT_EQ(sizes(), before) << opened;

@@ -114,7 +114,7 @@ TEST_F(FiguresInTheWindowTest, PicturesAreOfTheFigureThatIsShown) {
   });
   action("savePicture").trigger();
   EXPECT_EQ(proposed, "figure_1.png");
-  window_->figures().closeFigures();
+  window_->figures().showViews();
   for (const char* name : {"savePicture", "copyPicture", "copyCommand", "copyCurveCommand"})
     EXPECT_TRUE(action(name).isEnabled()) << name;
 }
@@ -124,7 +124,7 @@ TEST_F(FiguresInTheWindowTest, TheContactGoesOnWhileAFigureIsComputed) {
   action("figure:6").trigger();
   const auto part = [&] { return page().gallery().status(FigureName::Plateau).part; };
   ASSERT_TRUE(waitFor([&] { return part() > 0; }));
-  window_->figures().closeFigures();  // behind its page the contact rests
+  window_->figures().showViews();  // behind its page the contact rests
   QSignalSpy frames(&window_->session(), &Session::frameArrived);
   EXPECT_TRUE(waitFor([&] { return frames.count() >= 5; }));
   EXPECT_EQ(page().gallery().computing(), FigureName::Plateau);

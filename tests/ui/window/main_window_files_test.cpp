@@ -198,7 +198,7 @@ TEST_F(MainWindowTest, AForeignSceneThatWantsMuchIsAskedAbout) {
   EXPECT_EQ(asked_, 0);
 }
 
-TEST_F(MainWindowTest, AProfileIsFoundFromWhereverItsSceneIsSaved) {
+TEST_F(MainWindowTest, FilesAreFoundFromWhereverTheirSceneIsSaved) {
   const QTemporaryDir folder;
   ASSERT_TRUE(QDir(folder.path()).mkpath("a/b"));
   QFile profile(folder.filePath("line.csv"));
@@ -207,10 +207,12 @@ TEST_F(MainWindowTest, AProfileIsFoundFromWhereverItsSceneIsSaved) {
   for (int i = 0; i < 64; ++i)
     profile.write(QStringLiteral("%1,%2\n").arg(i * 1e-4).arg(1e-6 * ((i * 7) % 13)).toUtf8());
   profile.close();
+  std::ofstream(folder.filePath("friction.csv").toStdString()) << "velocity,mu\n0.1,0.2\n1,0.3\n";
   Scene scene = smallScene();
   scene.folder = folder.path().toStdString();
   scene.surface.kind = SurfaceKind::Profile;
   scene.surface.file = "line.csv";
+  scene.comparison.data = {{"friction.csv", {}}};
   scene.surface.length = 0;
   scene.surface.elements = 0;
   window_.document().open(scene);
@@ -220,6 +222,7 @@ TEST_F(MainWindowTest, AProfileIsFoundFromWhereverItsSceneIsSaved) {
   ASSERT_TRUE(window_.documentCommands().saveTo(folder.filePath("a/b/scene.json")));
   ASSERT_TRUE(open(folder.filePath("a/b/scene.json")));
   EXPECT_EQ(window_.panel().scene().surface.file, "../../line.csv");
+  EXPECT_EQ(window_.panel().scene().comparison.data.front().file, "../../friction.csv");
   ASSERT_TRUE(waitForFrame());
 }
 

@@ -1,5 +1,5 @@
 // Letters of menu entries: of lists of texts, and of every menu of the window in each language.
-#include "ui/window/main/menu_keys.h"
+#include "ui/window/main/window_keys.h"
 
 #include <gtest/gtest.h>
 

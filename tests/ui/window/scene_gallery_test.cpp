@@ -14,7 +14,6 @@
 #include "tests/ui/window/qt_application.h"
 #include "ui/window/gallery/card_list.h"
 #include "ui/window/gallery/scene_cards.h"
-#include "ui/window/gallery/scene_picture.h"
 #include "ui/window/gallery/scene_thumbnails.h"
 #include "ui/window/main/scene_library.h"
 

@@ -268,7 +268,7 @@ void leaveState(MainWindow& window, const WindowState& state) {
   state.leave(window);
   closeDialogs();
   endTour(window);
-  window.figures().closeFigures();
+  window.figures().showViews();
   window.findChild<QLineEdit*>("parameterFilter")->clear();
   window.panel().setView(ParameterPanel::defaultView());
   window.panel().clearErrors();

@@ -18,8 +18,9 @@
 #include "ui/language/explained.h"
 #include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
-#include "ui/window/curve/comparison_box.h"
-#include "ui/window/curve/region_pictures.h"
+#include "ui/window/accuracy/comparison_box.h"
+#include "ui/window/accuracy/region_pictures.h"
+#include "ui/window/figures/computed_figure.h"
 
 namespace asperity {
 
@@ -82,14 +83,14 @@ QString comparingText() {
 /// Returns a maker of this scene's diagram, which is shown where a figure of the paper would be.
 FigureMaker comparisonOf(const Scene& scene) {
   return [scene](FigureName, const FigureOptions& options) {
-    WorkPrecisionOptions wanted;
-    wanted.lines = 3;
-    wanted.repeats = 3;
-    wanted.stop = options.stop;
-    wanted.progress = options.progress;
+    WorkPrecisionOptions measured;
+    measured.lines = 3;
+    measured.repeats = 3;
+    measured.stop = options.stop;
+    measured.progress = options.progress;
     Figure figure;
     figure.scene = scene;
-    figure.sheet = workPrecisionSheet(workPrecision(scene, wanted));
+    figure.sheet = workPrecisionSheet(workPrecision(scene, measured));
     return figure;
   };
 }
@@ -212,18 +213,6 @@ void AccuracyPanel::showMeasured(double time, double standardError, double inter
 
 std::optional<CurveSetting> AccuracyPanel::comparison() const {
   return comparisonBox_->setting();
-}
-
-std::optional<ComparedMethods> AccuracyPanel::comparedMethods() const {
-  if (!pictured_ || isComparing_ || !picture_->figure()) return std::nullopt;
-  return ComparedMethods{*pictured_, picture_->figure(), picture_->chosen()};
-}
-
-void AccuracyPanel::showComparedMethods(const ComparedMethods& compared) {
-  pictured_ = compared.scene;
-  picture_->showFigure(compared.figure);
-  picture_->choose(compared.diagram);
-  dropOldPicture();
 }
 
 void AccuracyPanel::setTheme(const Theme& theme) {

@@ -6,14 +6,12 @@
 #pragma once
 
 #include <QWidget>
-#include <memory>
 #include <optional>
 
 #include "core/accuracy/prediction.h"
 #include "core/friction/curve_difference.h"
 #include "core/scene/scene.h"
 #include "ui/contact/contact_picture.h"
-#include "ui/window/figures/computed_figure.h"
 #include "ui/window/tasks/background_work.h"
 
 class QLabel;
@@ -31,13 +29,6 @@ double targetAt(int position);
 /// Returns the slider position nearest to a target (> 0).
 int sliderPosition(double target);
 
-/// The error versus run time of every method on the lines of a scene.
-struct ComparedMethods {
-  Scene scene;
-  std::shared_ptr<const ComputedFigure> figure;
-  int diagram = 0;  // index of the visible diagram
-};
-
 class AccuracyPanel : public QWidget {
   Q_OBJECT
 
@@ -53,11 +44,6 @@ class AccuracyPanel : public QWidget {
 
   /// Returns the setting with which the curve is compared; none: no comparison.
   std::optional<CurveSetting> comparison() const;
-
-  /// Returns the result that is shown, if there is one; the other function shows such a result if
-  /// it belongs to this scene.
-  std::optional<ComparedMethods> comparedMethods() const;
-  void showComparedMethods(const ComparedMethods& compared);
 
  signals:
   /// Emitted with the scene that has another target.

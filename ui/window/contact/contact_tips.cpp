@@ -7,7 +7,6 @@
 #include "ui/language/translated.h"
 #include "ui/panels/parameter_row.h"
 #include "ui/window/contact/contact_canvas.h"
-#include "ui/window/main/commands.h"
 
 namespace asperity {
 

@@ -18,7 +18,7 @@
 #include "ui/language/explained.h"
 #include "ui/language/language.h"
 #include "ui/panels/number_text.h"
-#include "ui/window/main/commands.h"
+#include "ui/window/main/fitted_labels.h"
 
 namespace asperity {
 
@@ -167,17 +167,12 @@ void TimeBar::showTexts() {
 }
 
 void TimeBar::setWidths() {
-  const auto textWidth = [this](const QString& text) {
-    return fontMetrics().horizontalAdvance(text);
-  };
   // A longer pace, which is rare, widens the entry.
-  const QString widest = QStringLiteral("000,000");
-  factor_->setFixedWidth(
-      std::max({textWidth(slowerText(widest)), textWidth(fasterText(widest)), textWidth(shown_)}) +
-      kEntryMargin);
-  // The numbers change without moving what is beside them.
+  const QString usual = QStringLiteral("000,000");
+  factor_->setFixedWidth(widestText(*this, {slowerText(usual), fasterText(usual), shown_}) +
+                         kEntryMargin);
   momentText_->setMinimumWidth(
-      textWidth(momentText(QStringLiteral("000.0 ms"), quantityText(duration_))));
+      widestText(*this, {momentText(QStringLiteral("000.0 ms"), quantityText(duration_))}));
 }
 
 void TimeBar::changeEvent(QEvent* event) {

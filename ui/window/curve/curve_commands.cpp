@@ -4,18 +4,27 @@
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QMenu>
+#include <filesystem>
 #include <memory>
 #include <utility>
 
 #include "core/accuracy/compute_curve.h"
+#include "core/base/atomic_file.h"
+#include "core/base/input_error.h"
 #include "core/base/stop.h"
+#include "core/chart/curve_diagram.h"
 #include "core/chart/curve_words.h"
+#include "core/scene/provenance.h"
+#include "core/scene/scene_file.h"
 #include "core/scene/sweep.h"
 #include "ui/chart/chart_view.h"
+#include "ui/chart/diagram_picture.h"
+#include "ui/draw/fonts.h"
+#include "ui/draw/pixel_context.h"
+#include "ui/draw/png_file.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/choice_box.h"
-#include "ui/window/curve/curve_files.h"
 #include "ui/window/main/picture_files.h"
 #include "ui/window/main/session.h"
 
@@ -23,7 +32,7 @@ namespace asperity {
 
 namespace {
 
-constexpr double kZoom = 1.5;
+constexpr double kZoom = 1.5;  // factor of one command
 
 }  // namespace
 
@@ -310,6 +319,58 @@ void CurveCommands::pinFamily(const Parameter& parameter) {
       [this](const QString& reason) { emit failed(reason); });
 }
 
+// ---- Files and pictures
+
+namespace {
+
+/// Returns the provenance of the present scene, as `asperity curve` writes it, with the other
+/// curves.
+nlohmann::ordered_json curveOrigin(const CurveSet& set) {
+  nlohmann::ordered_json origin = provenance("curve", set.present.scene);
+  if (set.axes == CurveAxes::Dimensionless) origin["axes"] = "dimensionless";
+  for (const NamedCurve& curve : set.pinned)
+    origin["pinned"].push_back(provenance("curve", curve.scene)["scene"]);
+  if (set.difference) origin["compared_with"] = settingName(set.difference->setting).english();
+  return origin;
+}
+
+/// Writes PNG, SVG, PDF or CSV, by the extension: the picture that `asperity curve` would draw with
+/// everything that is shown, or all plotted numbers as one table. Any thread on which no OpenGL
+/// context of the window is current, one at a time. Throws as writePicture and writeFileAtomically
+/// do.
+void writeCurves(const std::filesystem::path& file, const CurveSet& set) {
+  nlohmann::ordered_json origin = curveOrigin(set);
+  const std::string extension = file.extension().string();
+  if (extension == ".csv")
+    return writeFileAtomically(file,
+                               "# asperity: " + provenanceLine(origin) + "\n" + curveSetCsv(set));
+  if (extension != ".png" && extension != ".svg" && extension != ".pdf")
+    throw unknownExtension(file.string(), extension, {".png", ".svg", ".pdf", ".csv"});
+  nameLanguage(origin);
+  constexpr int kDifferenceHeight = 500;  // pixels, as the other sizes
+  DiagramOptions options;
+  options.width = 2400;
+  options.height = 1600 + (set.difference ? kDifferenceHeight : 0);
+  options.scale = 2;
+  options.theme = printTheme();
+  const DiagramSheet sheet = curveSheet(set);
+  writePicture(file, composeDiagrams(sheet, options),
+               {translated(sheet.title), provenanceLine(origin), options.scale});
+}
+
+/// Draws an image of this size in pixels; scale: device pixels per logical pixel. Any thread, as
+/// for writeCurves.
+QImage renderCurves(const CurveSet& set, const QSize& size, double scale, const Theme& theme) {
+  DiagramOptions options;
+  options.width = size.width();
+  options.height = size.height();
+  options.scale = static_cast<float>(scale);
+  options.theme = theme;
+  return renderImage(contextOfThread(), composeDiagrams(curveSheet(set), options));
+}
+
+}  // namespace
+
 std::optional<CurveSet> CurveCommands::shown() const {
   return session_.friction().shown(view_.isZoomed() ? std::optional(view_.visibleRange())
                                                     : std::nullopt);
@@ -336,8 +397,7 @@ void CurveCommands::copyPicture() {
   const double scale = view_.devicePixelRatioF();
   const QSize size = view_.size().expandedTo({900, 600}) * scale;
   const Theme& theme = isDark(view_.palette()) ? darkTheme() : lightTheme();
-  run_([set = *set, image, size, scale,
-        &theme] { *image = renderCurves(set, size.width(), size.height(), scale, theme); },
+  run_([set = *set, image, size, scale, &theme] { *image = renderCurves(set, size, scale, theme); },
        [this, image] {
          QGuiApplication::clipboard()->setImage(*image);
          emit exported({});

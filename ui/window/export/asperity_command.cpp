@@ -5,14 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
-#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/base/number_text.h"
 #include "core/chart/curve_diagram.h"
-#include "core/material/material_library.h"
 #include "core/scene/parameters.h"
 #include "core/scene/scene_file.h"
 #include "ui/chart/diagram_picture.h"
@@ -20,27 +18,16 @@
 #include "ui/contact/contact_picture.h"
 #include "ui/language/language.h"
 #include "ui/panels/number_text.h"
+#include "ui/panels/scene_files.h"
 #include "ui/window/main/scene_library.h"
 
 namespace asperity {
 
 namespace {
 
-/// Returns the scene with absolute paths to its files, which are found from any folder.
-Scene withAbsoluteProfile(Scene scene) {
-  const auto absolute = [&](const std::string& name) {
-    return std::filesystem::absolute(scene.folder / name).lexically_normal().string();
-  };
-  if (hasSurfaceFile(scene.surface)) scene.surface.file = absolute(scene.surface.file);
-  if (!scene.elastomer.material.empty() &&
-      !materialFile(scene.elastomer.material, scene.folder).empty())
-    scene.elastomer.material = absolute(scene.elastomer.material);
-  return scene;
-}
-
 std::vector<std::string> assignmentsOver(const SceneOrigin& origin, const Scene& scene) {
   const bool sameFolder = !origin.file.isEmpty() && origin.scene.folder == scene.folder;
-  return differingAssignments(origin.scene, sameFolder ? scene : withAbsoluteProfile(scene));
+  return differingAssignments(origin.scene, sameFolder ? scene : withAbsoluteFiles(scene));
 }
 
 /// Returns the shipped scene from which the fewest assignments lead to this one.
@@ -156,7 +143,7 @@ QString settingText(const CurveSetting& setting) {
 
 /// Returns the scene of a pinned curve as assignments to the present one.
 QString pinnedText(Scene pinned, const Scene& scene) {
-  if (pinned.folder != scene.folder) pinned = withAbsoluteProfile(pinned);
+  if (pinned.folder != scene.folder) pinned = withAbsoluteFiles(pinned);
   pinned.title = scene.title;
   pinned.description = scene.description;
   pinned.chapter = scene.chapter;

@@ -79,7 +79,6 @@ class DiagramView : public QWidget {
   void paintEvent(QPaintEvent* event) override;
   void contextMenuEvent(QContextMenuEvent* event) override;
 
- protected:
   const Theme& theme() const { return theme_; }
 
  private:

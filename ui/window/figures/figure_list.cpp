@@ -116,7 +116,7 @@ FigureList::FigureList(QWidget* parent) : QListWidget(parent) {
   setCurrentRow(0);
   connect(this, &QListWidget::currentRowChanged, this,
           [this](int row) { emit chosenChanged(nameAt(row)); });
-  connect(this, &QListWidget::itemActivated, this, [this] { emit wanted(chosen()); });
+  connect(this, &QListWidget::itemActivated, this, [this] { emit computeRequested(chosen()); });
 }
 
 FigureName FigureList::chosen() const {

@@ -25,7 +25,7 @@ class FigureList : public QListWidget {
  signals:
   void chosenChanged(asperity::FigureName name);
   /// Emitted by Enter or a double click.
-  void wanted(asperity::FigureName name);
+  void computeRequested(asperity::FigureName name);
 
  protected:
   void resizeEvent(QResizeEvent* event) override;

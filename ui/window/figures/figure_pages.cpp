@@ -27,7 +27,7 @@ FigurePages::FigurePages(QWidget* views, QWidget* parent) : QStackedWidget(paren
 void FigurePages::addTo(Commands& commands) {
   commands_ = &commands;
   const auto run = [this] {
-    if (isShowingFigures()) return closeFigures();
+    if (isShowingFigures()) return showViews();
     openFigures();
     gallery().choose(gallery().chosen(), true);
   };
@@ -43,7 +43,7 @@ void FigurePages::addTo(Commands& commands) {
       .add({"gallery",
             [] { return tr("Gallery…"); },
             [this] {
-              if (isShowingScenes()) return closeFigures();
+              if (isShowingScenes()) return showViews();
               emit galleryRequested();
             },
             {Qt::CTRL | Qt::Key_N}})
@@ -79,10 +79,10 @@ GalleryPage& FigurePages::gallery() {
   gallery_->setTheme(theme_);
   gallery_->setSizePolicy(kNoSize, kNoSize);
   addWidget(gallery_);
-  connect(gallery_, &GalleryPage::closed, this, &FigurePages::closeFigures);
+  connect(gallery_, &GalleryPage::closed, this, &FigurePages::showViews);
   connect(gallery_, &GalleryPage::figureShown, this, &FigurePages::figureShown);
   connect(gallery_, &GalleryPage::sceneRequested, this, [this](const Scene& scene) {
-    closeFigures();
+    showViews();
     emit sceneRequested(scene);
   });
   return *gallery_;
@@ -94,9 +94,9 @@ SceneGallery& FigurePages::scenes() {
   scenes_->setTheme(theme_);
   scenes_->setSizePolicy(kNoSize, kNoSize);
   addWidget(scenes_);
-  connect(scenes_, &SceneGallery::closed, this, &FigurePages::closeFigures);
+  connect(scenes_, &SceneGallery::closed, this, &FigurePages::showViews);
   connect(scenes_, &SceneGallery::chosen, this, [this](const QString& scene) {
-    closeFigures();
+    showViews();
     emit shippedSceneRequested(scene);
   });
   return *scenes_;
@@ -112,7 +112,7 @@ bool FigurePages::isShowingScenes() const {
 
 /// Brings a page to the front that covers the views.
 void FigurePages::show(QWidget& page) {
-  closeFigures();
+  showViews();
   commands_->get("figures")->setChecked(&page == gallery_);
   commands_->get("gallery")->setChecked(&page == scenes_);
   page.setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
@@ -135,7 +135,7 @@ void FigurePages::openScenes(const QString& scene) {
   scenes().choose(scene);
 }
 
-void FigurePages::closeFigures() {
+void FigurePages::showViews() {
   for (const char* name : {"figures", "gallery"}) commands_->get(name)->setChecked(false);
   if (isShowingViews()) return;
   currentWidget()->setSizePolicy(kNoSize, kNoSize);

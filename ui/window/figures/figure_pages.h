@@ -29,8 +29,8 @@ class FigurePages : public QStackedWidget {
   void openFigures();
   /// Shows the gallery with the card of this shipped scene as the current one.
   void openScenes(const QString& scene);
-  /// Shows the views.
-  void closeFigures();
+  /// Shows the views in place of another page.
+  void showViews();
   bool isShowingFigures() const;
   bool isShowingScenes() const;
   bool isShowingViews() const { return currentIndex() == 0; }

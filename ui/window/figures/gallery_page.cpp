@@ -88,7 +88,7 @@ GalleryPage::GalleryPage(FigureMaker maker, QWidget* parent)
   column->addWidget(splitter, 1);
 
   connect(list_, &FigureList::chosenChanged, this, &GalleryPage::showChosen);
-  connect(list_, &FigureList::wanted, this, &GalleryPage::compute);
+  connect(list_, &FigureList::computeRequested, this, &GalleryPage::compute);
   connect(gallery_, &FigureGallery::changed, this, &GalleryPage::take);
   connect(picture_, &FigurePicture::failed, messages_, &MessageBar::showMessage);
   auto* escape =

@@ -1,7 +1,7 @@
 // The choices for a fit, as tables with check boxes: the varied numbers of the scene with their
 // limits, the measured tables to compare with, and the number of lines. A refused limit stays as it
 // was typed, in red with its reason. Object names: "fitKeys", "fitTables", "fitLines",
-// "fitProfiles". GUI thread; owned by its parent. Cannot fail, except for varied().
+// "fitProfiles". GUI thread; owned by its parent. Cannot fail.
 #pragma once
 
 #include <QWidget>

@@ -4,7 +4,6 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QMessageBox>
 #include <QProgressBar>
@@ -26,8 +25,8 @@
 #include "ui/panels/number_text.h"
 #include "ui/panels/parameter_row.h"
 #include "ui/window/figures/diagram_view.h"
-#include "ui/window/fit/fit_files.h"
-#include "ui/window/fit/fit_text.h"
+#include "ui/window/fit/fit_results.h"
+#include "ui/window/main/window_keys.h"
 #include "ui/window/main/window_layout.h"
 
 namespace asperity {
@@ -332,12 +331,8 @@ void FitPage::saveReport() {
       });
 }
 
-/// Return presses the button that has the focus; in an entry it ends the entry, not the page.
 void FitPage::keyPressEvent(QKeyEvent* event) {
-  if (event->key() != Qt::Key_Return && event->key() != Qt::Key_Enter)
-    return QDialog::keyPressEvent(event);
-  event->accept();
-  if (auto* button = qobject_cast<QAbstractButton*>(focusWidget())) button->click();
+  if (!pressByReturn(*this, *event)) QDialog::keyPressEvent(event);
 }
 
 }  // namespace asperity

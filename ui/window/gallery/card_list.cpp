@@ -13,7 +13,7 @@ namespace asperity {
 
 namespace {
 
-enum Role { kName = Qt::UserRole, kTitle, kSentence };
+enum Role { kNameRole = Qt::UserRole, kTitleRole, kSentenceRole };
 
 constexpr int kGap = 10;                       // pixels between cards
 constexpr int kInside = 10;                    // between the edge of a card and its texts
@@ -41,7 +41,7 @@ class CardList::Painter : public QStyledItemDelegate {
   explicit Painter(CardList& list) : QStyledItemDelegate(&list), list_(list) {}
 
   QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
-    if (!index.data(kName).toString().isEmpty()) return list_.card_;
+    if (!index.data(kNameRole).toString().isEmpty()) return list_.card_;
     return {std::max(1, list_.viewport()->width() - 2 * kGap),
             QFontMetrics(option.font).height() + 12};
   }
@@ -51,7 +51,7 @@ class CardList::Painter : public QStyledItemDelegate {
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
     painter->setRenderHint(QPainter::SmoothPixmapTransform);
-    if (index.data(kName).toString().isEmpty())
+    if (index.data(kNameRole).toString().isEmpty())
       paintHeading(*painter, option, index);
     else
       paintCard(*painter, option, index);
@@ -76,7 +76,7 @@ class CardList::Painter : public QStyledItemDelegate {
     QPainterPath outline;
     outline.addRoundedRect(card, kCorner, kCorner);
     painter.fillPath(outline, palette.color(QPalette::Base));
-    paintPicture(painter, card, outline, palette, index.data(kName).toString());
+    paintPicture(painter, card, outline, palette, index.data(kNameRole).toString());
     paintTexts(painter, option, index, card);
     QColor edge = palette.color(isCurrent || isUnderMouse ? QPalette::Highlight : QPalette::Mid);
     if (isUnderMouse && !isCurrent) edge.setAlphaF(0.6F);
@@ -104,12 +104,12 @@ class CardList::Painter : public QStyledItemDelegate {
     const QRectF texts = card.adjusted(kInside, kShape * card.width() + 7, -kInside, -4);
     painter.setFont(boldOf(option.font));
     painter.setPen(option.palette.color(QPalette::Text));
-    painter.drawText(texts, Qt::AlignLeft | Qt::TextWordWrap, index.data(kTitle).toString());
+    painter.drawText(texts, Qt::AlignLeft | Qt::TextWordWrap, index.data(kTitleRole).toString());
     painter.setFont(option.font);
-    const int title = heightOf(boldOf(option.font), index.data(kTitle).toString(),
+    const int title = heightOf(boldOf(option.font), index.data(kTitleRole).toString(),
                                static_cast<int>(texts.width()));
     painter.drawText(texts.adjusted(0, title + 3, 0, 0), Qt::AlignLeft | Qt::TextWordWrap,
-                     index.data(kSentence).toString());
+                     index.data(kSentenceRole).toString());
   }
 
   CardList& list_;
@@ -136,7 +136,8 @@ CardList::CardList(std::function<QPixmap(const QString&)> picture, QWidget* pare
   verticalScrollBar()->setSingleStep(40);
   setSelectionMode(SingleSelection);
   connect(this, &QListWidget::itemClicked, this, [this](QListWidgetItem* item) {
-    if (const QString name = item->data(kName).toString(); !name.isEmpty()) emit wanted(name);
+    if (const QString name = item->data(kNameRole).toString(); !name.isEmpty())
+      emit cardActivated(name);
   });
 }
 
@@ -144,7 +145,7 @@ CardList::CardList(std::function<QPixmap(const QString&)> picture, QWidget* pare
 /// already.
 void CardList::keyPressEvent(QKeyEvent* event) {
   const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-  if (isEnter && !chosen().isEmpty()) return emit wanted(chosen());
+  if (isEnter && !chosen().isEmpty()) return emit cardActivated(chosen());
   // Typed letters belong to the filter.
   if (!event->text().isEmpty() && event->text().front().isPrint() &&
       !(event->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)))
@@ -163,9 +164,9 @@ void CardList::setCards(const std::vector<Card>& cards) {
       heading->setFlags(Qt::NoItemFlags);
     }
     auto* item = new QListWidgetItem(this);
-    item->setData(kName, card.name);
-    item->setData(kTitle, card.title);
-    item->setData(kSentence, card.sentence);
+    item->setData(kNameRole, card.name);
+    item->setData(kTitleRole, card.title);
+    item->setData(kSentenceRole, card.sentence);
     item->setData(Qt::AccessibleTextRole,
                   QStringLiteral("%1. %2 (%3)").arg(card.title, card.sentence, card.chapter));
     item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
@@ -177,13 +178,13 @@ void CardList::setCards(const std::vector<Card>& cards) {
 
 QString CardList::chosen() const {
   const QListWidgetItem* item = currentItem();
-  return item ? item->data(kName).toString() : QString();
+  return item ? item->data(kNameRole).toString() : QString();
 }
 
 void CardList::choose(const QString& name) {
   if (name.isEmpty()) return;
   for (const int row : cardRows())
-    if (item(row)->data(kName).toString() == name) {
+    if (item(row)->data(kNameRole).toString() == name) {
       setCurrentRow(row);
       scrollToItem(item(row));
     }
@@ -196,13 +197,13 @@ int CardList::cardCount() const {
 QList<int> CardList::cardRows() const {
   QList<int> rows;
   for (int row = 0; row < count(); ++row)
-    if (!item(row)->data(kName).toString().isEmpty()) rows += row;
+    if (!item(row)->data(kNameRole).toString().isEmpty()) rows += row;
   return rows;
 }
 
 void CardList::showPicture(const QString& name) {
   for (const int row : cardRows())
-    if (item(row)->data(kName).toString() == name) update(indexFromItem(item(row)));
+    if (item(row)->data(kNameRole).toString() == name) update(indexFromItem(item(row)));
 }
 
 /// Sets the size of all cards: as many columns as fit, and as high as the longest texts need.
@@ -217,8 +218,9 @@ void CardList::layOut() {
   int texts = 0;
   const int inside = width - 2 * kInside - 3;
   for (const int row : cardRows())
-    texts = std::max(texts, heightOf(boldOf(font()), item(row)->data(kTitle).toString(), inside) +
-                                heightOf(font(), item(row)->data(kSentence).toString(), inside));
+    texts =
+        std::max(texts, heightOf(boldOf(font()), item(row)->data(kTitleRole).toString(), inside) +
+                            heightOf(font(), item(row)->data(kSentenceRole).toString(), inside));
   const QSize size(width, static_cast<int>(std::lround(kShape * width)) + texts + 20);
   card_ = size;
   scheduleDelayedItemsLayout();
@@ -254,7 +256,9 @@ QModelIndex CardList::moveCursor(CursorAction action, Qt::KeyboardModifiers modi
       const int down = sign * away.y();
       if (down <= card_.height() / 2) continue;
       const double cost = 1000.0 * std::abs(down - distance) + std::abs(away.x());
-      if (cost < least) least = cost, best = row;
+      if (cost >= least) continue;
+      least = cost;
+      best = row;
     }
     return indexFromItem(item(best));
   };

@@ -33,7 +33,7 @@ class CardList : public QListWidget {
 
  signals:
   /// Emitted by Enter or a click.
-  void wanted(const QString& name);
+  void cardActivated(const QString& name);
   /// Emitted by a letter, which belongs to a filter.
   void typed(const QString& text);
 

@@ -12,7 +12,6 @@
 #include "ui/language/translated.h"
 #include "ui/window/gallery/card_list.h"
 #include "ui/window/gallery/scene_cards.h"
-#include "ui/window/gallery/scene_picture.h"
 #include "ui/window/gallery/scene_thumbnails.h"
 #include "ui/window/main/appearance.h"
 #include "ui/window/main/scene_library.h"
@@ -56,7 +55,7 @@ SceneGallery::SceneGallery(QWidget* parent)
   column->addWidget(none_, 1);
 
   connect(thumbnails_, &SceneThumbnails::changed, cards_, &CardList::showPicture);
-  connect(cards_, &CardList::wanted, this, &SceneGallery::chosen);
+  connect(cards_, &CardList::cardActivated, this, &SceneGallery::chosen);
   connect(cards_, &CardList::typed, this, [this](const QString& text) {
     focusFilter();
     if (text != QStringLiteral("/")) filter_->insert(text);

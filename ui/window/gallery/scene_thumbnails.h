@@ -1,14 +1,17 @@
-// The pictures of the gallery: drawn in the background, one at a time, and kept as PNG files in the
-// user's cache, named by the content of the scene, the theme and the program. Owned by the gallery;
-// GUI thread. Failure: a scene without a picture; a cache that cannot be read or written is passed
-// over.
+// The small pictures of scenes in the gallery: contact, curve or motion without texts and margins,
+// drawn in the same way as all other pictures. They are drawn in the background, one at a time, and
+// kept as PNG files in the user's cache, named by the content of the scene, the theme and the
+// program. Owned by the gallery; GUI thread. Failure: a scene without a picture; a cache that
+// cannot be read or written is passed over.
 #pragma once
 
 #include <QHash>
+#include <QImage>
 #include <QObject>
 #include <QPixmap>
 #include <deque>
 #include <functional>
+#include <stop_token>
 
 #include "core/scene/scene.h"
 #include "ui/draw/theme.h"
@@ -16,6 +19,15 @@
 #include "ui/window/tasks/background_work.h"
 
 namespace asperity {
+
+/// Pixels of every picture of a scene; a card shows it smaller.
+inline constexpr QSize kScenePicture{480, 288};
+
+/// Draws the picture. A friction curve is the mean of a few lines only, a motion is that of the
+/// scene. Any thread on which no OpenGL context of Qt is current. Throws StopRequested where it is
+/// stopped, another std::exception where the scene cannot run or no backend can draw.
+QImage drawScenePicture(const Scene& scene, SceneView view, const Theme& theme,
+                        const std::stop_token& stop = {});
 
 class SceneThumbnails : public QObject {
   Q_OBJECT
@@ -52,7 +64,7 @@ class SceneThumbnails : public QObject {
   Theme theme_ = lightTheme();
   QHash<QString, QPixmap> pictures_;
   QSet<QString> requested_;      // in this theme
-  std::deque<QString> waiting_;  // the newest first
+  std::deque<QString> waiting_;  // in the order of the requests
   bool isDrawing_ = false;
   BackgroundWork work_;  // last: its thread ends before other members are destroyed
 };

@@ -4,7 +4,6 @@
 #include <QFileInfo>
 #include <QFontDatabase>
 #include <QHBoxLayout>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QProgressBar>
@@ -18,6 +17,7 @@
 #include "core/base/text_encoding.h"
 #include "ui/language/translated.h"
 #include "ui/panels/choice_box.h"
+#include "ui/window/main/window_keys.h"
 #include "ui/window/main/window_layout.h"
 
 namespace asperity {
@@ -183,12 +183,8 @@ void ImportPage::deleteWhenFinished() {
   work().request([](const BackgroundWork::Run&) {}, [this] { deleteLater(); });
 }
 
-/// Return presses the button that has the focus; in an entry it ends the entry, not the page.
 void ImportPage::keyPressEvent(QKeyEvent* event) {
-  if (event->key() != Qt::Key_Return && event->key() != Qt::Key_Enter)
-    return QDialog::keyPressEvent(event);
-  event->accept();
-  if (auto* button = qobject_cast<QAbstractButton*>(focusWidget())) button->click();
+  if (!pressByReturn(*this, *event)) QDialog::keyPressEvent(event);
 }
 
 }  // namespace asperity

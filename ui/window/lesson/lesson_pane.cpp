@@ -19,6 +19,7 @@
 #include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
 #include "ui/window/lesson/lesson_text.h"
+#include "ui/window/main/fitted_labels.h"
 
 namespace asperity {
 
@@ -423,11 +424,7 @@ void LessonPane::showButtons() {
   show_->setEnabled(!isWaiting_);
   next_->setText(isAsking_ ? tr("Check") : isLast_ ? tr("Finish") : tr("Next"));
   next_->setEnabled(isAnswered && !isWaiting_);
-  const QFontMetrics metrics(font());
-  int width = 0;
-  for (const QString& text : {tr("Check"), tr("Finish"), tr("Next")})
-    width = std::max(width, metrics.horizontalAdvance(text));
-  next_->setMinimumWidth(width + 26);
+  next_->setMinimumWidth(widestText(*this, {tr("Check"), tr("Finish"), tr("Next")}) + 26);
 }
 
 void LessonPane::focusStep() {

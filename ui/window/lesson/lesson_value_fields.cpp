@@ -20,9 +20,9 @@ namespace asperity {
 
 namespace {
 
-enum Kind { kStateValue, kRatio, kPeak, kExponent };  // as in the list
+enum ValueKind { kStateValue, kRatio, kPeak, kExponent };  // as in the list
 
-Kind valueKind(const LessonValue& value) {
+ValueKind valueKind(const LessonValue& value) {
   if (value.kind == LessonValue::Kind::Peak) return kPeak;
   if (value.kind == LessonValue::Kind::Exponent) return kExponent;
   return value.over.empty() ? kStateValue : kRatio;

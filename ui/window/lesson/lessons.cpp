@@ -9,11 +9,9 @@
 #include <QTimer>
 #include <QToolButton>
 #include <algorithm>
-#include <filesystem>
 #include <utility>
 
 #include "core/base/input_error.h"
-#include "core/material/material_library.h"
 #include "core/scene/parameters.h"
 #include "core/scene/sweep.h"
 #include "ui/chart/chart_view.h"
@@ -21,6 +19,7 @@
 #include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/parameter_panel.h"
+#include "ui/panels/scene_files.h"
 #include "ui/window/curve/curve_commands.h"
 #include "ui/window/lesson/lesson_editor.h"
 #include "ui/window/lesson/lesson_list.h"
@@ -50,19 +49,6 @@ constexpr int kMinHeight = 260;  // of the pane
 Scene titledByStep(Scene scene, const LessonStep& step) {
   scene.title = shown(step.title);
   scene.description.clear();
-  return scene;
-}
-
-/// Returns the scene with the absolute paths of its files, which a lesson in any folder can find.
-Scene withAbsolutePaths(Scene scene) {
-  const auto makeAbsolute = [&scene](std::string& name) {
-    if (!name.empty()) name = std::filesystem::absolute(scene.folder / name).string();
-  };
-  makeAbsolute(scene.surface.file);
-  if (!materialFile(scene.elastomer.material, scene.folder).empty())
-    makeAbsolute(scene.elastomer.material);
-  for (DataFile& data : scene.comparison.data) makeAbsolute(data.file);
-  scene.folder.clear();
   return scene;
 }
 
@@ -210,7 +196,9 @@ LessonEditor& Lessons::showEditor(const Lesson& lesson, const QString& file) {
   }
   const auto shownNow = [this] {
     LessonStep step;
-    step.scene = step.revealedScene = withAbsolutePaths(parts_.document.scene());
+    step.scene = withAbsoluteFiles(parts_.document.scene());
+    step.scene.folder.clear();  // a lesson in any folder finds them
+    step.revealedScene = step.scene;
     const auto tab = static_cast<std::size_t>(std::max(0, parts_.tabs.currentIndex()));
     if (tab < std::size(kLessonTabs)) step.show.tab = kLessonTabs[tab];
     const FrictionChartModel& chart = parts_.session.friction();

@@ -1,11 +1,12 @@
-// The window's colours. Everything is derived from the picture's Theme, so that contact view, chart
-// and controls match. The user chooses the theme: light, dark or the system's. GUI thread. Cannot
-// fail.
+// The look of the window: its colours, style sheet and style. All colours are derived from the
+// picture's Theme, so that contact view, chart and controls match. The user chooses the theme:
+// light, dark or the system's. GUI thread. Cannot fail.
 #pragma once
 
 #include <QColor>
 #include <QObject>
 #include <QPalette>
+#include <QProxyStyle>
 #include <QSizeF>
 #include <QString>
 
@@ -55,6 +56,22 @@ class Appearance : public QObject {
   QList<QAction*> choices_;  // one for each value of Colours
   Colours colours_ = Colours::System;
   bool isDark_ = false;
+};
+
+/// Qt's Fusion style with visible check boxes, sliders and borders of entries in the dark theme,
+/// where Fusion draws them black on black.
+class WindowStyle : public QProxyStyle {
+ public:
+  WindowStyle();
+
+  void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                     const QWidget* widget) const override;
+  int pixelMetric(PixelMetric metric, const QStyleOption* option,
+                  const QWidget* widget) const override;
+  QRect subControlRect(ComplexControl control, const QStyleOptionComplex* option, SubControl part,
+                       const QWidget* widget) const override;
+  void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option,
+                          QPainter* painter, const QWidget* widget) const override;
 };
 
 /// Returns whether the desktop's own colours are dark, read at the first call, before setPalette().

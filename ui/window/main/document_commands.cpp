@@ -14,12 +14,12 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
-#include "core/material/material_library.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_file.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/parameter_panel.h"
+#include "ui/panels/scene_files.h"
 #include "ui/window/main/commands.h"
 #include "ui/window/main/message_bar.h"
 #include "ui/window/main/picture_files.h"
@@ -29,24 +29,6 @@ namespace asperity {
 namespace {
 
 const QString kRecentFiles = QStringLiteral("recentFiles");
-
-/// Returns the name by which a file of the scene is found from another folder.
-std::string relativeName(const std::filesystem::path& folder, const Scene& scene,
-                         const std::string& name) {
-  if (name.empty() || std::filesystem::path(name).is_absolute()) return name;
-  return std::filesystem::absolute(scene.folder / name)
-      .lexically_normal()
-      .lexically_proximate(std::filesystem::absolute(folder).lexically_normal())
-      .string();
-}
-
-/// Returns the scene with its files named relative to `folder`, into which it is to be written.
-Scene withRelativeFiles(const std::filesystem::path& folder, Scene scene) {
-  scene.surface.file = relativeName(folder, scene, scene.surface.file);
-  if (!materialFile(scene.elastomer.material, scene.folder).empty())
-    scene.elastomer.material = relativeName(folder, scene, scene.elastomer.material);
-  return scene;
-}
 
 }  // namespace
 
@@ -189,7 +171,7 @@ bool DocumentCommands::write(const QString& file, const Scene& scene) {
   try {
     const std::filesystem::path path = std::filesystem::absolute(file.toStdString());
     checkWritable(path);
-    writeFileAtomically(path, writeScene(withRelativeFiles(path.parent_path(), scene)));
+    writeFileAtomically(path, writeScene(withFilesRelativeTo(path.parent_path(), scene)));
   } catch (const std::exception& error) {
     messages_.showFailure(MessageBar::Failure::Files, translatedError(error));
     return false;

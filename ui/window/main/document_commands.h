@@ -1,8 +1,7 @@
-// The commands of the document: opening, saving, undo and redo; and the question before the end of
-// the program where changes of a file would be lost. Another scene
-// is a step of the history, so it asks nothing. It keeps the list of recent files. Owned by
-// the main window; GUI thread. Failure: the reason appears in the message bar, and the document
-// stays as it is.
+// The commands of the document: opening, saving, undo and redo; the list of recent files; and the
+// question before the end of the program where changes of a file would be lost. Opening another
+// scene is a step of the history, so it asks nothing. Owned by the main window; GUI thread.
+// Failure: the reason appears in the message bar, and the document stays as it is.
 #pragma once
 
 #include <QObject>

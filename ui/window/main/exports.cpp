@@ -10,6 +10,10 @@
 
 #include "ui/chart/chart_view.h"
 #include "ui/contact/contact_overlay.h"
+#include "ui/draw/fonts.h"
+#include "ui/draw/pixel_context.h"
+#include "ui/draw/png_file.h"
+#include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
 #include "ui/window/accuracy/accuracy_panel.h"
 #include "ui/window/contact/contact_canvas.h"
@@ -36,7 +40,24 @@ QSize devicePixels(const QWidget& widget) {
   return widget.size() * widget.devicePixelRatioF();
 }
 
+QImage renderContact(const ContactShot& shot) {
+  return renderImage(contextOfThread(), composeContact(*shot.frame, shot.options));
+}
+
+void writeContact(const QString& file, const ContactShot& shot) {
+  const Scene& scene = *shot.frame->scene;
+  writePicture(
+      file.toStdString(), composeContact(*shot.frame, shot.options),
+      {sceneText(scene.title).toStdString(), pictureOrigin("render", scene), shot.options.scale});
+}
+
 }  // namespace
+
+std::shared_ptr<const Frame> stillCopy(const Frame& frame) {
+  const auto still = std::make_shared<Frame>(frame);
+  still->timeScale = 0;
+  return still;
+}
 
 Exports::Exports(const ExportParts& parts) : QObject(&parts.window), parts_(parts) {}
 
@@ -138,7 +159,7 @@ void Exports::askPicture() {
 void Exports::savePicture(const QString& file) {
   const std::optional<ContactShot> present = shot();
   if (!present) return;
-  run([shot = *present, file] { writeContact(file.toStdString(), shot); },
+  run([shot = *present, file] { writeContact(file, shot); },
       [this, file] {
         parts_.status.showMessage(tr("Saved %1").arg(QFileInfo(file).fileName()));
         emit exported(file);

@@ -28,7 +28,16 @@ class MessageBar;
 class SceneTabs;
 class Session;
 class StatusLine;
-struct ContactShot;
+
+/// A picture of the contact as it is on the screen, with its title.
+struct ContactShot {
+  std::shared_ptr<const Frame> frame;  // never null
+  ContactPictureOptions options;
+};
+
+/// Returns the frame without the texts of a moving picture: the slow motion, and in steady sliding
+/// the readings of the last steps.
+std::shared_ptr<const Frame> stillCopy(const Frame& frame);
 
 /// Parts of the window that are exported, or that show messages about exports.
 struct ExportParts {

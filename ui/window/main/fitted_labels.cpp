@@ -49,4 +49,11 @@ void WrappedLabel::resizeEvent(QResizeEvent* event) {
   if (event->oldSize().width() != event->size().width()) updateGeometry();
 }
 
+int widestText(const QWidget& widget, const QStringList& texts) {
+  int widest = 0;
+  for (const QString& text : texts)
+    widest = std::max(widest, widget.fontMetrics().horizontalAdvance(text));
+  return widest;
+}
+
 }  // namespace asperity

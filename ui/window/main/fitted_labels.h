@@ -1,8 +1,9 @@
-// Labels of text that fit into the width which a layout gives them. GUI thread; owned by their
-// parent. Cannot fail.
+// Texts and their widths: labels that fit into the width which a layout gives them, and the width
+// that a place needs whose text changes. GUI thread; labels are owned by their parent. Cannot fail.
 #pragma once
 
 #include <QLabel>
+#include <QStringList>
 
 namespace asperity {
 
@@ -34,5 +35,9 @@ class WrappedLabel : public QLabel {
  protected:
   void resizeEvent(QResizeEvent* event) override;
 };
+
+/// Returns the width of the widest text in the font of the widget, in pixels. A place that reserves
+/// it stays as wide as it is when its text changes, so that nothing beside it moves.
+int widestText(const QWidget& widget, const QStringList& texts);
 
 }  // namespace asperity

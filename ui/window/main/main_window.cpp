@@ -32,10 +32,9 @@
 #include "ui/window/curve/axis_choosers.h"
 #include "ui/window/curve/comparison_commands.h"
 #include "ui/window/curve/curve_commands.h"
-#include "ui/window/curve/curve_comparison.h"
+#include "ui/window/curve/curve_comparisons.h"
 #include "ui/window/curve/curve_display.h"
 #include "ui/window/curve/curve_reading.h"
-#include "ui/window/curve/scene_comparisons.h"
 #include "ui/window/figures/diagram_view.h"
 #include "ui/window/figures/figure_pages.h"
 #include "ui/window/figures/gallery_page.h"
@@ -46,7 +45,6 @@
 #include "ui/window/main/commands.h"
 #include "ui/window/main/document_commands.h"
 #include "ui/window/main/exports.h"
-#include "ui/window/main/focus_keys.h"
 #include "ui/window/main/last_session.h"
 #include "ui/window/main/message_bar.h"
 #include "ui/window/main/scene_document.h"
@@ -55,6 +53,7 @@
 #include "ui/window/main/session.h"
 #include "ui/window/main/status_line.h"
 #include "ui/window/main/tour.h"
+#include "ui/window/main/window_keys.h"
 #include "ui/window/main/window_layout.h"
 #include "ui/window/main/window_visibility.h"
 #include "ui/window/map/map_panel.h"
@@ -247,7 +246,7 @@ void MainWindow::buildCommands() {
   imports_ =
       new ImportCommands({*this, *document_, *documents_, *panel_, *appearance_, *messages_});
   imports_->addTo(*commands_);
-  connect(imports_, &ImportCommands::imported, figures_, &FigurePages::closeFigures);
+  connect(imports_, &ImportCommands::imported, figures_, &FigurePages::showViews);
   comparisons_ = new ComparisonCommands(
       {*this, *document_, *appearance_, *tabs_, [this] { return imports_->askFriction(); }});
   comparisons_->addTo(*commands_);
@@ -307,7 +306,7 @@ void MainWindow::connectScene() {
             if (isOpened) panel_->showNotes({});
             if (isOpened) panel_->clearFilter();
             // An opened scene is shown at once, so the gallery closes.
-            if (isOpened && figures_->isShowingScenes()) figures_->closeFigures();
+            if (isOpened && figures_->isShowingScenes()) figures_->showViews();
             // A scene that comes from the panel must not replace what is being typed there.
             if (isOpened || !(panel_->scene() == scene)) panel_->setScene(scene);
             session_->setScene(scene,
@@ -317,7 +316,7 @@ void MainWindow::connectScene() {
             showScene(scene);
           });
   connect(document_, &SceneDocument::historyChanged, this, &MainWindow::showTitle);
-  connect(tour_, &Tour::starting, figures_, &FigurePages::closeFigures);
+  connect(tour_, &Tour::starting, figures_, &FigurePages::showViews);
   connect(tour_, &Tour::stepShown, description_, &QWidget::hide);
   keepTranslated(*this, [this] {
     for (const QDockWidget* dock : findChildren<QDockWidget*>()) translateButtons(*dock);
@@ -496,6 +495,13 @@ void MainWindow::step(bool finely) {
 // ---- The friction curve
 
 void MainWindow::connectCurve() {
+  // Error messages stay in the bar until their source succeeds again.
+  const auto fails = [this](MessageBar::Failure source) {
+    return [this, source](const QString& reason) { messages_->showFailure(source, reason); };
+  };
+  const auto succeeds = [this](MessageBar::Failure source) {
+    return [this, source] { messages_->end(source); };
+  };
   connect(curveCommands_, &CurveCommands::exported, this, [this](const QString& file) {
     status_->showMessage(file.isEmpty() ? tr("The curve's picture is on the clipboard")
                                         : tr("Saved %1").arg(QFileInfo(file).fileName()));
@@ -506,9 +512,7 @@ void MainWindow::connectCurve() {
     status_->showMessage(file.isEmpty() ? tr("The picture is on the clipboard")
                                         : tr("Saved %1").arg(QFileInfo(file).fileName()));
   });
-  connect(tabs_, &SceneTabs::failed, this, [this](const QString& reason) {
-    messages_->showFailure(MessageBar::Failure::Export, reason);
-  });
+  connect(tabs_, &SceneTabs::failed, this, fails(MessageBar::Failure::Export));
   auto* display = new CurveDisplay(*session_, tabs_->plot(), this);
   connect(display, &CurveDisplay::sceneEdited, this, [this](const Scene& scene) {
     const bool isVelocity = scene.sweep.isOfVelocity();
@@ -519,23 +523,15 @@ void MainWindow::connectCurve() {
     document_->edit(scene, QT_TRANSLATE_NOOP("asperity::SceneDocument", "Axis of the curve"));
   });
   connect(curveCommands_, &CurveCommands::guideRequested, this, &MainWindow::openGuide);
-  connect(curveCommands_, &CurveCommands::failed, this, [this](const QString& reason) {
-    messages_->showFailure(MessageBar::Failure::Comparison, reason);
-  });
+  connect(curveCommands_, &CurveCommands::failed, this, fails(MessageBar::Failure::Comparison));
   auto* comparison = new CurveComparison(*session_, this);
   connect(&tabs_->accuracy(), &AccuracyPanel::comparisonChanged, this,
           [this, comparison] { comparison->setSetting(tabs_->accuracy().comparison()); });
-  connect(comparison, &CurveComparison::failed, this, [this](const QString& reason) {
-    messages_->showFailure(MessageBar::Failure::Comparison, reason);
-  });
-  connect(comparison, &CurveComparison::shown, this,
-          [this] { messages_->end(MessageBar::Failure::Comparison); });
+  connect(comparison, &CurveComparison::failed, this, fails(MessageBar::Failure::Comparison));
+  connect(comparison, &CurveComparison::shown, this, succeeds(MessageBar::Failure::Comparison));
   auto* beside = new SceneComparisons(*session_, this);
-  connect(beside, &SceneComparisons::failed, this, [this](const QString& reason) {
-    messages_->showFailure(MessageBar::Failure::Files, reason);
-  });
-  connect(beside, &SceneComparisons::shown, this,
-          [this] { messages_->end(MessageBar::Failure::Files); });
+  connect(beside, &SceneComparisons::failed, this, fails(MessageBar::Failure::Files));
+  connect(beside, &SceneComparisons::shown, this, succeeds(MessageBar::Failure::Files));
 }
 
 // ---- Language, dropped files, closing

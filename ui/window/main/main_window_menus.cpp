@@ -30,10 +30,10 @@
 #include "ui/window/main/document_commands.h"
 #include "ui/window/main/guide.h"
 #include "ui/window/main/main_window.h"
-#include "ui/window/main/menu_keys.h"
 #include "ui/window/main/message_bar.h"
 #include "ui/window/main/run_window.h"
 #include "ui/window/main/scene_library.h"
+#include "ui/window/main/window_keys.h"
 #include "ui/window/main/window_layout.h"
 
 namespace asperity {

@@ -8,11 +8,11 @@
 #include <optional>
 #include <utility>
 
+#include "core/base/message.h"
+
 class QLabel;
 class QPushButton;
 class QToolButton;
-
-#include "core/base/message.h"
 
 namespace asperity {
 

@@ -12,7 +12,6 @@
 #include "ui/draw/pdf_file.h"
 #include "ui/draw/pixel_context.h"
 #include "ui/draw/svg_file.h"
-#include "ui/language/translated.h"
 
 namespace asperity {
 
@@ -49,16 +48,6 @@ QString askSaveFile(QWidget* parent, const QString& title, const QString& name,
   return file;
 }
 
-std::shared_ptr<const Frame> stillCopy(const Frame& frame) {
-  const auto still = std::make_shared<Frame>(frame);
-  still->timeScale = 0;
-  return still;
-}
-
-QImage renderContact(const ContactShot& shot) {
-  return renderImage(contextOfThread(), composeContact(*shot.frame, shot.options));
-}
-
 void writePicture(const std::filesystem::path& file, const DrawList& picture,
                   const PictureProperties& properties) {
   const std::string extension = file.extension().string();
@@ -73,13 +62,6 @@ void writePicture(const std::filesystem::path& file, const DrawList& picture,
   } else {
     throw unknownExtension(file.string(), extension, {".png", ".svg", ".pdf"});
   }
-}
-
-void writeContact(const std::filesystem::path& file, const ContactShot& shot) {
-  const Scene& scene = *shot.frame->scene;
-  writePicture(
-      file, composeContact(*shot.frame, shot.options),
-      {sceneText(scene.title).toStdString(), pictureOrigin("render", scene), shot.options.scale});
 }
 
 }  // namespace asperity

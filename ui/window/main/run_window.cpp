@@ -33,7 +33,6 @@
 #include "ui/window/main/session.h"
 #include "ui/window/main/tour.h"
 #include "ui/window/main/window_layout.h"
-#include "ui/window/main/window_style.h"
 
 namespace asperity {
 

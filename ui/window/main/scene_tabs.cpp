@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
+#include <type_traits>
 
 #include "core/chart/material_sheets.h"
 #include "core/run/line_diagrams.h"
@@ -118,16 +119,15 @@ SceneTabs::SceneTabs(Session& session, QWidget* parent)
   }
   keepTranslated(*this, [this] { showTexts(); });
   connect(accuracy_, &AccuracyPanel::comparisonChanged, this, &SceneTabs::updatePlotHeight);
-  for (DiagramView* view : {spectrum_, statistics_, material_}) {
-    connect(view, &DiagramView::saved, this, &SceneTabs::saved);
-    connect(view, &DiagramView::failed, this, &SceneTabs::failed);
-  }
-  connect(motion_, &MotionView::saved, this, &SceneTabs::saved);
-  connect(motion_, &MotionView::failed, this, &SceneTabs::failed);
-  connect(map_, &MapPanel::saved, this, &SceneTabs::saved);
-  connect(map_, &MapPanel::failed, this, &SceneTabs::failed);
-  connect(influences_, &InfluencePage::saved, this, &SceneTabs::saved);
-  connect(influences_, &InfluencePage::failed, this, &SceneTabs::failed);
+  const auto passOn = [this](auto* page) {
+    using Page = std::remove_pointer_t<decltype(page)>;
+    connect(page, &Page::saved, this, &SceneTabs::saved);
+    connect(page, &Page::failed, this, &SceneTabs::failed);
+  };
+  for (DiagramView* view : {spectrum_, statistics_, material_}) passOn(view);
+  passOn(motion_);
+  passOn(map_);
+  passOn(influences_);
   connect(statistics_, &DiagramView::visibilityChanged, this, &SceneTabs::fieldsChanged);
   connect(&session_, &Session::plotChanged, this, &SceneTabs::showMeasuredCurve);
 }

@@ -8,6 +8,7 @@
 #include <QToolButton>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "core/base/number_text.h"
@@ -19,7 +20,6 @@
 #include "ui/panels/number_text.h"
 #include "ui/window/contact/contact_canvas.h"
 #include "ui/window/curve/curve_reading.h"
-#include "ui/window/main/commands.h"
 #include "ui/window/main/session.h"
 
 namespace asperity {
@@ -186,23 +186,20 @@ void StatusLine::showTips() {
 /// Reserves the width of readings that appear only during work, so that the others do not move when
 /// work begins or ends.
 void StatusLine::reserveWidths() {
-  const auto textWidth = [this](const QString& text) {
-    return fontMetrics().horizontalAdvance(text);
-  };
   const QString number = QStringLiteral("0.00888");
-  mu_->setMinimumWidth(textWidth(
-      tr("friction μ = %1%2")
-          .arg(number, tr(" (mean %1 ± %2 %)").arg(QStringLiteral("0.0008888"), "0.08"))));
-  force_->setMinimumWidth(textWidth(tr("force F̄ = %1").arg(number)));
-  velocity_->setMinimumWidth(textWidth(tr("velocity v̄ = %1").arg(number)));
-  simulations_->setMinimumWidth(textWidth(tr("%1 simulations/s").arg(rateText(8800000))));
-  rate_->setMinimumWidth(textWidth(tr("%1 frames/s").arg(888)));
+  const QString mean = tr(" (mean %1 ± %2 %)").arg(QStringLiteral("0.0008888"), "0.08");
+  QStringList regions;
+  for (const char* name : {"I", "II", "III", "IV"}) regions += regionText(name);
+  for (const auto& [reading, texts] : std::initializer_list<std::pair<QLabel*, QStringList>>{
+           {mu_, {tr("friction μ = %1%2").arg(number, mean)}},
+           {regime_, regions},
+           {force_, {tr("force F̄ = %1").arg(number)}},
+           {velocity_, {tr("velocity v̄ = %1").arg(number)}},
+           {simulations_, {tr("%1 simulations/s").arg(rateText(8800000))}},
+           {rate_, {tr("%1 frames/s").arg(888)}}})
+    reading->setMinimumWidth(widestText(*this, texts));
   for (QLabel* reading : {simulations_, rate_})
     reading->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  int widest = 0;
-  for (const char* name : {"I", "II", "III", "IV"})
-    widest = std::max(widest, textWidth(regionText(name)));
-  regime_->setMinimumWidth(widest);
   for (QWidget* widget : std::initializer_list<QWidget*>{progress_, stop_}) {
     QSizePolicy policy = widget->sizePolicy();
     policy.setRetainSizeWhenHidden(true);

@@ -135,7 +135,7 @@ void WindowLayout::hideDocksForFigures(bool areShown) {
 void WindowLayout::setPresenting(bool presenting) {
   if (presenting == isPresenting()) return showScreenMode();
   const bool hadFigures = parts_.figures.isShowingFigures();
-  parts_.figures.closeFigures();
+  parts_.figures.showViews();
   if (presenting)
     beginPresentation();
   else
@@ -250,7 +250,7 @@ void WindowLayout::save() {
   if (!remembers_) return;
   const std::optional<Presentation> before = presentation_;
   setPresenting(false);
-  parts_.figures.closeFigures();
+  parts_.figures.showViews();
   QSettings settings;
   settings.beginGroup("window");
   settings.setValue("geometry", before ? before->geometry : parts_.window.saveGeometry());

@@ -32,13 +32,6 @@ constexpr int kDigits = 3;                        // of a value that the cross s
 constexpr int kShorterName = 3, kLongerName = 4;  // shares of the row for the lists
 constexpr int kWidestList = 360;                  // pixels
 
-/// A value as a person would choose it.
-double rounded(double value) {
-  if (value == 0 || !std::isfinite(value)) return value;
-  const double step = std::pow(10, std::floor(std::log10(std::abs(value))) + 1 - kDigits);
-  return std::round(value / step) * step;
-}
-
 /// Returns whether two scenes are the same except for these two parameters.
 bool differOnlyIn(const Scene& a, const Scene& b, const Parameter& x, const Parameter& y) {
   Scene same = a;
@@ -215,7 +208,7 @@ void MapPanel::hideEvent(QHideEvent* event) {
   QWidget::hideEvent(event);
   if (map_ && map_->isFinal) return;
   work_.cancel();
-  wanted_.reset();
+  requested_.reset();
 }
 
 /// Returns whether a map belongs to the present scene, except for the position of the cross.
@@ -232,8 +225,8 @@ void MapPanel::compute() {
   fillChoosers();
   const auto key = [](const QComboBox* box) { return box->currentData().toString().toStdString(); };
   if (x_->count() < 2) return;
-  if (wanted_ && isCoveredBy(*wanted_)) {
-    wanted_->scene = scene_;
+  if (requested_ && isCoveredBy(*requested_)) {
+    requested_->scene = scene_;
     if (map_ && isCoveredBy(*map_)) {
       ParameterMap moved = *map_;
       moved.scene = scene_;
@@ -252,11 +245,11 @@ void MapPanel::compute() {
                        "different keys");
   } catch (const InputError& error) {
     work_.cancel();
-    wanted_.reset();
+    requested_.reset();
     showError(translatedError(error));
     return;
   }
-  wanted_ = ParameterMap{scene_, x, y, {}, 0, 0, false, false};
+  requested_ = ParameterMap{scene_, x, y, {}, 0, 0, false, false};
   showError({});
   work_.request(
       [this, scene = scene_, x, y](const BackgroundWork::Run& run) {
@@ -273,14 +266,14 @@ void MapPanel::compute() {
       },
       [this](ParameterMap map) { take(std::move(map)); },
       [this](const QString& reason) {
-        wanted_.reset();
+        requested_.reset();
         showError(reason);
       });
 }
 
 /// Shows a stage; the cross may have moved since it was requested.
 void MapPanel::take(ParameterMap map) {
-  if (wanted_) map.scene = wanted_->scene;
+  if (requested_) map.scene = requested_->scene;
   map_ = std::make_shared<const ParameterMap>(std::move(map));
   showMap();
 }
@@ -304,7 +297,7 @@ void MapPanel::showMap() {
 void MapPanel::moveTo(double x, double y) {
   if (!map_) return;
   try {
-    emit sceneEdited(sceneAt(*map_, rounded(x), rounded(y)));
+    emit sceneEdited(sceneAt(*map_, roundedToDigits(x, kDigits), roundedToDigits(y, kDigits)));
   } catch (const InputError&) {
     // Rounding exceeded a limit; the cross continues from the next position.
   }

@@ -64,8 +64,8 @@ class MapPanel : public QWidget {
   QPushButton* save_;
   MapView* view_;
   std::shared_ptr<const ParameterMap> map_;
-  std::optional<ParameterMap> wanted_;  // without points: axes and scene of the newest request
-  BackgroundWork work_;                 // last: its thread ends before other members are destroyed
+  std::optional<ParameterMap> requested_;  // without points: axes and scene of the newest request
+  BackgroundWork work_;  // last: its thread ends before other members are destroyed
 };
 
 }  // namespace asperity

@@ -1,4 +1,4 @@
-#include "ui/window/curve/comparison_box.h"
+#include "ui/window/accuracy/comparison_box.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -35,9 +35,9 @@ const auto& schemes() {
 }  // namespace
 
 ComparisonBox::ComparisonBox(QWidget* parent)
-    : QWidget(parent), wanted_(new QCheckBox), scheme_(new ChoiceBox) {
+    : QWidget(parent), compare_(new QCheckBox), scheme_(new ChoiceBox) {
   setObjectName("comparisonBox");
-  wanted_->setObjectName("comparisonWanted");
+  compare_->setObjectName("comparisonWanted");
   scheme_->setObjectName("comparisonScheme");
   for (const auto& word : schemes()) scheme_->addItem(wordText(word));
   scheme_->setCurrentIndex(static_cast<int>(Scheme::Cubic));
@@ -61,14 +61,14 @@ ComparisonBox::ComparisonBox(QWidget* parent)
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(4);
-  column->addWidget(wanted_);
+  column->addWidget(compare_);
   column->addLayout(choice);
 
   const auto changed = [this] {
     oversampling_->setEnabled(scheme_->currentIndex() != static_cast<int>(Scheme::Nodal));
     emit settingChanged();
   };
-  connect(wanted_, &QCheckBox::toggled, this, changed);
+  connect(compare_, &QCheckBox::toggled, this, changed);
   connect(scheme_, &QComboBox::currentIndexChanged, this, changed);
   connect(oversampling_, &QSpinBox::valueChanged, this, changed);
   connect(lines_, &QSpinBox::valueChanged, this, changed);
@@ -76,12 +76,12 @@ ComparisonBox::ComparisonBox(QWidget* parent)
 }
 
 void ComparisonBox::showTexts() {
-  wanted_->setText(isEnabled() ? tr("Compare the curve with")
-                               : tr("Compare the curve (only without a target accuracy)"));
-  wanted_->setToolTip(
+  compare_->setText(isEnabled() ? tr("Compare the curve with")
+                                : tr("Compare the curve (only without a target accuracy)"));
+  compare_->setToolTip(
       tr("Computes the curve in this way, too, on the same lines, and plots the "
          "difference below it"));
-  wanted_->setAccessibleName(tr("Compare the curve with"));
+  compare_->setAccessibleName(tr("Compare the curve with"));
   scheme_->setAccessibleName(tr("scheme to compare with"));
   for (int i = 0; i < scheme_->count(); ++i)
     scheme_->setItemText(i, wordText(schemes()[static_cast<std::size_t>(i)]));
@@ -99,7 +99,7 @@ void ComparisonBox::showLines() {
 }
 
 std::optional<CurveSetting> ComparisonBox::setting() const {
-  if (!wanted_->isChecked() || !isEnabled()) return std::nullopt;
+  if (!compare_->isChecked() || !isEnabled()) return std::nullopt;
   CurveSetting setting;
   setting.scheme = static_cast<Scheme>(scheme_->currentIndex());
   setting.oversampling = setting.scheme == Scheme::Nodal ? 1 : oversampling_->value();

@@ -34,7 +34,7 @@ class ComparisonBox : public QWidget {
   void showTexts();
   void showLines();
 
-  QCheckBox* wanted_;
+  QCheckBox* compare_;
   QComboBox* scheme_;
   QSpinBox* oversampling_;
   QSpinBox* lines_;

@@ -3,15 +3,19 @@
 // language and in menus whose entries change; an entry whose letters are all used by others has
 // none. (2) A list of all shortcuts, read from the window's present actions: first by menu, then
 // actions in no menu by their property "group", then the gestures of wheel, pointer, fingers and
-// arrow keys in the views. GUI thread. Cannot fail.
+// arrow keys in the views. (3) Keys that a control with the focus handles, although they are
+// shortcuts of the window or press the default button of a dialog elsewhere. GUI thread. Cannot
+// fail.
 #pragma once
 
 #include <QCoreApplication>
 #include <QDialog>
 #include <QList>
+#include <QObject>
 #include <QString>
 #include <QStringList>
 
+class QKeyEvent;
 class QMainWindow;
 class QMenu;
 
@@ -53,5 +57,23 @@ class ShortcutSheet : public QDialog {
 
   QWidget* content_;
 };
+
+/// Leaves keys to the control of the window that has the focus: the space bar presses a button and
+/// does not pause the run, Home goes to the end of a slider and does not fit the picture. Return
+/// presses a button, too. Owned by its window.
+class FocusKeys : public QObject {
+ public:
+  explicit FocusKeys(QWidget& window);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  QWidget& window_;
+};
+
+/// Presses the button of a dialog that has the focus where the key is Return; in an entry Return
+/// ends the entry, not the dialog. Returns whether the key is Return.
+bool pressByReturn(const QDialog& dialog, QKeyEvent& event);
 
 }  // namespace asperity

@@ -1,4 +1,4 @@
-#include "ui/window/curve/region_pictures.h"
+#include "ui/window/accuracy/region_pictures.h"
 
 #include <QButtonGroup>
 #include <QHBoxLayout>
