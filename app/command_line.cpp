@@ -20,7 +20,6 @@
 #include "core/base/text.h"
 #include "core/scene/parameter_help.h"
 #include "ui/language/language.h"
-#include "ui/language/words.h"
 
 namespace asperity {
 namespace {

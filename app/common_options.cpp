@@ -5,8 +5,8 @@
 #include "app/progress_bar.h"
 #include "core/scene/scene_file.h"
 #include "core/surface/measured_lines.h"
+#include "ui/language/language.h"
 #include "ui/language/translated.h"
-#include "ui/language/words.h"
 #include "ui/window/main/scene_library.h"
 
 namespace asperity {

@@ -29,7 +29,7 @@
 #include "core/scene/scene_check.h"
 #include "core/scene/scene_file.h"
 #include "core/scene/sweep.h"
-#include "ui/language/words.h"
+#include "ui/language/language.h"
 
 namespace asperity {
 namespace {

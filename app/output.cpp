@@ -13,7 +13,7 @@
 #include "core/base/input_error.h"
 #include "core/base/text.h"
 #include "ui/draw/tiff_file.h"
-#include "ui/language/words.h"
+#include "ui/language/language.h"
 
 namespace asperity {
 

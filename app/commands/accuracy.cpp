@@ -21,8 +21,8 @@
 #include "ui/chart/diagram_picture.h"
 #include "ui/draw/png_file.h"
 #include "ui/draw/ticks.h"
+#include "ui/language/language.h"
 #include "ui/language/translated.h"
-#include "ui/language/words.h"
 
 namespace asperity {
 namespace {

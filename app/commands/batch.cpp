@@ -34,8 +34,8 @@
 #include "core/scene/scene_file.h"
 #include "ui/draw/png_file.h"
 #include "ui/draw/shapes.h"
+#include "ui/language/language.h"
 #include "ui/language/translated.h"
-#include "ui/language/words.h"
 
 namespace asperity {
 namespace {

@@ -19,7 +19,6 @@
 #include "ui/draw/ticks.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
-#include "ui/language/words.h"
 #include "ui/window/main/scene_library.h"
 
 namespace asperity {

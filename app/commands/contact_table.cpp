@@ -10,7 +10,7 @@
 #include "core/run/contact_tables.h"
 #include "core/scene/data_table.h"
 #include "core/scene/provenance.h"
-#include "ui/language/words.h"
+#include "ui/language/language.h"
 
 namespace asperity {
 namespace {

@@ -19,8 +19,8 @@
 #include "ui/chart/diagram_picture.h"
 #include "ui/chart/figure_drawing.h"
 #include "ui/draw/png_file.h"
+#include "ui/language/language.h"
 #include "ui/language/translated.h"
-#include "ui/language/words.h"
 #include "ui/window/figures/claim_text.h"
 
 namespace asperity {

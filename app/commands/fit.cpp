@@ -16,8 +16,8 @@
 #include "core/scene/provenance.h"
 #include "core/scene/sweep.h"
 #include "ui/draw/ticks.h"
+#include "ui/language/language.h"
 #include "ui/language/translated.h"
-#include "ui/language/words.h"
 
 namespace asperity {
 namespace {

@@ -13,7 +13,6 @@
 #include "core/lesson/lesson_answers.h"
 #include "core/lesson/lesson_file.h"
 #include "ui/language/language.h"
-#include "ui/language/words.h"
 #include "ui/window/lesson/handout.h"
 #include "ui/window/lesson/lesson_text.h"
 #include "ui/window/main/scene_library.h"

@@ -8,7 +8,7 @@
 #include "core/scene/data_table.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_check.h"
-#include "ui/language/words.h"
+#include "ui/language/language.h"
 
 namespace asperity {
 namespace {

@@ -11,7 +11,7 @@
 #include "core/scene/data_table.h"
 #include "core/scene/provenance.h"
 #include "ui/draw/ticks.h"
-#include "ui/language/words.h"
+#include "ui/language/language.h"
 
 namespace asperity {
 namespace {

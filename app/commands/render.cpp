@@ -27,7 +27,6 @@
 #include "ui/draw/ticks.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
-#include "ui/language/words.h"
 
 namespace asperity {
 namespace {

@@ -6,7 +6,7 @@
 #include "core/chart/sensitivity_sheet.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_check.h"
-#include "ui/language/words.h"
+#include "ui/language/language.h"
 
 namespace asperity {
 

@@ -16,6 +16,7 @@
 #include "core/base/named_choices.h"
 #include "core/base/regular_file.h"
 #include "core/base/text.h"
+#include "core/base/text_encoding.h"
 #include "core/measured/measured_file.h"
 #include "core/run/line_diagrams.h"
 #include "core/run/measured_sheet.h"
@@ -28,8 +29,8 @@
 #include "ui/chart/diagram_picture.h"
 #include "ui/draw/png_file.h"
 #include "ui/draw/ticks.h"
+#include "ui/language/language.h"
 #include "ui/language/translated.h"
-#include "ui/language/words.h"
 
 namespace asperity {
 namespace {
@@ -60,7 +61,7 @@ std::string measuredText(const MeasuredSummary& summary) {
   constexpr int kColumn = 14;
   const auto cell = [](std::string word) {
     // Columns are aligned by code points, not bytes.
-    const auto letters = std::ranges::count_if(word, [](char c) { return (c & 0xC0) != 0x80; });
+    const auto letters = std::ranges::count_if(word, beginsCharacter);
     word.append(static_cast<std::size_t>(std::max<std::ptrdiff_t>(kColumn - letters, 1)), ' ');
     return word;
   };

@@ -13,7 +13,7 @@
 #include "ui/contact/contact_overlay.h"
 #include "ui/contact/contact_picture.h"
 #include "ui/draw/shapes.h"
-#include "ui/language/words.h"
+#include "ui/language/language.h"
 
 namespace asperity {
 namespace {

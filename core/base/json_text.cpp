@@ -29,13 +29,10 @@ Message parserMessage(const std::exception& error) {
   std::string text = error.what();
   const std::size_t bracket = text.find("] ");
   if (bracket != std::string::npos) text.erase(0, bracket + 2);
-  const auto isInside = [&text](std::size_t i) {
-    return (text[i] & 0xC0) == 0x80;
-  };  // of a UTF-8 character
   if (text.size() > kMost) {
     std::size_t from = kKept, to = text.size() - kKept;
-    while (isInside(from)) --from;
-    while (isInside(to)) ++to;
+    while (!beginsCharacter(text[from])) --from;
+    while (!beginsCharacter(text[to])) ++to;
     text.replace(from, to - from, " ... ");
   }
   return message("is not valid JSON: {}", text);

@@ -7,32 +7,10 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/base/text_encoding.h"
+
 namespace asperity {
 namespace {
-
-struct Character {
-  std::uint32_t code = 0;
-  std::size_t bytes = 0;  // 0: the first byte does not begin a UTF-8 character
-};
-
-/// Returns the first character of the text. Only the shortest encoding is UTF-8, and half of a
-/// UTF-16 surrogate pair is not a character.
-Character firstCharacter(std::string_view text) {
-  constexpr std::array<std::uint32_t, 5> kLeast{0, 0, 0x80, 0x800, 0x10000};
-  const auto byte = [&text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char first = byte(0);
-  if (first < 0x80) return {first, 1};
-  const std::size_t bytes = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
-  if (first < 0xC0 || first >= 0xF8 || text.size() < bytes) return {};
-  std::uint32_t code = first & (0xFFU >> (bytes + 1));
-  for (std::size_t i = 1; i < bytes; ++i) {
-    if ((byte(i) & 0xC0U) != 0x80) return {};
-    code = code << 6 | (byte(i) & 0x3FU);
-  }
-  const bool isCharacter =
-      code >= kLeast[bytes] && code <= 0x10FFFF && !(code >= 0xD800 && code <= 0xDFFF);
-  return isCharacter ? Character{code, bytes} : Character{};
-}
 
 struct Range {
   std::uint32_t first, last;
@@ -80,7 +58,7 @@ std::string escaped(std::uint32_t code) {
 std::string printable(std::string_view text) {
   std::string shown;
   while (!text.empty()) {
-    const Character next = firstCharacter(text);
+    const Utf8Character next = firstCharacter(text);
     const std::size_t bytes = std::max<std::size_t>(next.bytes, 1);
     if (next.bytes == 0)
       shown += fmt::format("\\x{:02x}", static_cast<unsigned char>(text.front()));
@@ -114,12 +92,9 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
 
 std::string shortened(std::string_view text) {
   constexpr std::size_t kMost = 60;
-  const auto isInside = [&text](std::size_t i) {
-    return (text[i] & 0xC0) == 0x80;
-  };  // of a UTF-8 character
   if (text.size() <= kMost) return std::string(text);
   std::size_t end = kMost;
-  while (end > 0 && isInside(end)) --end;
+  while (end > 0 && !beginsCharacter(text[end])) --end;
   return std::string(text.substr(0, end)) + "...";
 }
 

@@ -140,6 +140,22 @@ std::string_view detectNonText(std::string_view bytes) {
   return looksLikeUtf16(beginning) ? "text in UTF-16"sv : "a binary file"sv;
 }
 
+Utf8Character firstCharacter(std::string_view text) {
+  constexpr std::array<std::uint32_t, 5> kLeast{0, 0, 0x80, 0x800, 0x10000};
+  const unsigned char first = byteAt(text, 0);
+  if (first < 0x80) return {first, 1};
+  const std::size_t bytes = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
+  if (first < 0xC0 || first >= 0xF8 || text.size() < bytes) return {};
+  std::uint32_t code = first & (0xFFU >> (bytes + 1));
+  for (std::size_t i = 1; i < bytes; ++i) {
+    if (beginsCharacter(text[i])) return {};
+    code = code << 6 | (byteAt(text, i) & 0x3FU);
+  }
+  const bool isCharacter =
+      code >= kLeast[bytes] && code <= 0x10FFFF && !(code >= 0xD800 && code <= 0xDFFF);
+  return isCharacter ? Utf8Character{code, bytes} : Utf8Character{};
+}
+
 bool isUtf8(std::string_view text) {
   for (std::size_t i = 0; i < text.size();) {
     // This tests eight letters of ASCII at once.
@@ -150,15 +166,8 @@ bool isUtf8(std::string_view text) {
       i += 8;
     }
     if (i == text.size()) break;
-    const unsigned char first = byteAt(text, i);
-    if (first < 0x80) {
-      ++i;
-      continue;
-    }
-    const std::size_t bytes = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
-    if (first < 0xC2 || first > 0xF4 || text.size() - i < bytes) return false;
-    for (std::size_t k = 1; k < bytes; ++k)
-      if ((byteAt(text, i + k) & 0xC0U) != 0x80) return false;
+    const std::size_t bytes = firstCharacter(text.substr(i)).bytes;
+    if (bytes == 0) return false;
     i += bytes;
   }
   return true;

@@ -2,6 +2,8 @@
 // UTF-8 with plain line ends, whatever program wrote it. Pure; any thread.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -24,6 +26,20 @@ struct DecodedText {
   DecodedText(const DecodedText&) = delete;  // the text may be its own
   DecodedText& operator=(const DecodedText&) = delete;
 };
+
+struct Utf8Character {
+  std::uint32_t code = 0;
+  std::size_t bytes = 0;  // 0: the first byte does not begin a UTF-8 character
+};
+
+/// Returns the first character of a text that is not empty. Only the shortest encoding is UTF-8,
+/// and half of a UTF-16 surrogate pair is not a character.
+Utf8Character firstCharacter(std::string_view text);
+
+/// Returns whether a byte of UTF-8 begins a character, and does not continue one.
+constexpr bool beginsCharacter(char byte) {
+  return (byte & 0xC0) != 0x80;
+}
 
 /// Returns whether the whole text is UTF-8.
 bool isUtf8(std::string_view text);

@@ -9,6 +9,7 @@
 
 #include "core/base/input_error.h"
 #include "core/base/json_text.h"
+#include "core/base/named_choices.h"
 #include "core/base/number_text.h"
 #include "core/base/regular_file.h"
 #include "core/base/text.h"
@@ -21,12 +22,9 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kLargestStyle = std::size_t{1} << 20;  // bytes
 
-template <class Value, std::size_t N>
-using NamedValues = std::array<std::pair<std::string_view, Value>, N>;
-
 /// Sets one of several named values; returns why the word is refused.
 template <class Value, class Target, std::size_t N>
-Message choose(const NamedValues<Value, N>& words, const std::string& word, Target& target) {
+Message choose(const NamedChoices<Value, N>& words, const std::string& word, Target& target) {
   std::array<std::string_view, N> known;
   for (std::size_t i = 0; i < N; ++i) {
     known[i] = words[i].first;
@@ -37,40 +35,40 @@ Message choose(const NamedValues<Value, N>& words, const std::string& word, Targ
   return notOneOf(word, known);
 }
 
-constexpr NamedValues<bool, 2> kOnOff{{{"on", true}, {"off", false}}};
-constexpr NamedValues<LegendMode, 4> kLegends{{{"auto", LegendMode::Automatic},
-                                               {"none", LegendMode::None},
-                                               {"inside", LegendMode::Inside},
-                                               {"below", LegendMode::Below}}};
-constexpr NamedValues<TickSide, 3> kTicks{
+constexpr NamedChoices<bool, 2> kOnOff{{{"on", true}, {"off", false}}};
+constexpr NamedChoices<LegendMode, 4> kLegends{{{"auto", LegendMode::Automatic},
+                                                {"none", LegendMode::None},
+                                                {"inside", LegendMode::Inside},
+                                                {"below", LegendMode::Below}}};
+constexpr NamedChoices<TickSide, 3> kTicks{
     {{"inside", TickSide::Inside}, {"outside", TickSide::Outside}, {"none", TickSide::None}}};
-constexpr NamedValues<PanelLetters, 4> kLetters{{{"none", PanelLetters::None},
-                                                 {"a", PanelLetters::Small},
-                                                 {"A", PanelLetters::Capital},
-                                                 {"(a)", PanelLetters::Bracketed}}};
-constexpr NamedValues<SeriesMark, 6> kMarks{{{"circle", SeriesMark::Circle},
-                                             {"square", SeriesMark::Square},
-                                             {"triangle", SeriesMark::Triangle},
-                                             {"diamond", SeriesMark::Diamond},
-                                             {"ring", SeriesMark::Ring},
-                                             {"no-marker", SeriesMark::None}}};
-constexpr NamedValues<SeriesStroke, 4> kStrokes{{{"solid", SeriesStroke::Solid},
-                                                 {"dashed", SeriesStroke::Dashed},
-                                                 {"dotted", SeriesStroke::Dotted},
-                                                 {"no-line", SeriesStroke::None}}};
+constexpr NamedChoices<PanelLetters, 4> kLetters{{{"none", PanelLetters::None},
+                                                  {"a", PanelLetters::Small},
+                                                  {"A", PanelLetters::Capital},
+                                                  {"(a)", PanelLetters::Bracketed}}};
+constexpr NamedChoices<SeriesMark, 6> kMarks{{{"circle", SeriesMark::Circle},
+                                              {"square", SeriesMark::Square},
+                                              {"triangle", SeriesMark::Triangle},
+                                              {"diamond", SeriesMark::Diamond},
+                                              {"ring", SeriesMark::Ring},
+                                              {"no-marker", SeriesMark::None}}};
+constexpr NamedChoices<SeriesStroke, 4> kStrokes{{{"solid", SeriesStroke::Solid},
+                                                  {"dashed", SeriesStroke::Dashed},
+                                                  {"dotted", SeriesStroke::Dotted},
+                                                  {"no-line", SeriesStroke::None}}};
 // Okabe and Ito (2008), and greys.
-constexpr NamedValues<std::uint32_t, 12> kColours{{{"black", 0x000000},
-                                                   {"grey", 0x808080},
-                                                   {"gray", 0x808080},
-                                                   {"orange", 0xE69F00},
-                                                   {"skyblue", 0x56B4E9},
-                                                   {"green", 0x009E73},
-                                                   {"yellow", 0xF0E442},
-                                                   {"blue", 0x0072B2},
-                                                   {"vermilion", 0xD55E00},
-                                                   {"red", 0xD55E00},
-                                                   {"purple", 0xCC79A7},
-                                                   {"white", 0xFFFFFF}}};
+constexpr NamedChoices<std::uint32_t, 12> kColours{{{"black", 0x000000},
+                                                    {"grey", 0x808080},
+                                                    {"gray", 0x808080},
+                                                    {"orange", 0xE69F00},
+                                                    {"skyblue", 0x56B4E9},
+                                                    {"green", 0x009E73},
+                                                    {"yellow", 0xF0E442},
+                                                    {"blue", 0x0072B2},
+                                                    {"vermilion", 0xD55E00},
+                                                    {"red", 0xD55E00},
+                                                    {"purple", 0xCC79A7},
+                                                    {"white", 0xFFFFFF}}};
 
 Message setNumber(double& target, const std::string& text, double least, double most,
                   const char* unit) {
@@ -270,12 +268,18 @@ std::vector<std::string> curveNames(const DiagramSheet& sheet) {
   return names;
 }
 
-/// Calls the function with every series of this name.
+/// Calls the function with every series of this name, and with those without a name that are parts
+/// of it: values beyond an axis have marks of their own.
 template <class Use>
 void forEachNamed(DiagramSheet& sheet, const std::string& name, const Use& use) {
   for (Diagram& diagram : sheet.diagrams)
-    for (DiagramSeries& series : diagram.series)
-      if (series.name.english() == name) use(series);
+    for (DiagramSeries& series : diagram.series) {
+      const bool isPart = series.name.empty() && series.id != -1 &&
+                          std::ranges::any_of(diagram.series, [&](const DiagramSeries& other) {
+                            return other.id == series.id && other.name.english() == name;
+                          });
+      if (isPart || series.name.english() == name) use(series);
+    }
 }
 
 /// Returns the axis "x", "y", "x2", "y2", ...; null where there is none.
@@ -303,7 +307,9 @@ void setLabel(DiagramSheet& sheet, const std::vector<std::string>& names, const 
                      message("'{}' is neither an axis (x, y) nor a curve of this figure, which has "
                              "{} with a name",
                              shortened(key), names.size()));
-  forEachNamed(sheet, name, [&](DiagramSeries& series) { series.name = Message::name(text); });
+  forEachNamed(sheet, name, [&](DiagramSeries& series) {
+    if (!series.name.empty()) series.name = Message::name(text);
+  });
 }
 
 void setLetters(DiagramSheet& sheet, PanelLetters form) {
@@ -465,6 +471,8 @@ DiagramSheet styled(DiagramSheet sheet, const FigureStyle& style) {
           message("there is no curve {} in the legend, which has {}", number, names.size()));
     forEachNamed(sheet, names[number - 1], [&curve = curve](DiagramSeries& series) {
       if (curve.paint) series.paint = curve.paint;
+      // A series without a name belongs to the named one, by its own marks.
+      if (series.name.empty()) return;
       if (curve.mark) series.mark = *curve.mark;
       if (curve.stroke) series.stroke = *curve.stroke;
     });

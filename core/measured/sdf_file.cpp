@@ -251,7 +251,7 @@ bool hasStandardName(std::string_view bytes, char kind) {
 
 bool isSdf(const SurfaceSource& source) {
   const std::string_view bytes = withoutByteOrderMark(source.bytes);
-  return hasStandardName(bytes, 'a') || hasStandardName(bytes, 'b') || isText(bytes) ||
+  return hasStandardName(bytes, 'a') || hasStandardName(source.bytes, 'b') || isText(bytes) ||
          isBinary(source);
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string_view>
 
+#include "core/base/text_encoding.h"
 #include "ui/draw/fonts.h"
 #include "ui/draw/theme.h"
 #include "ui/draw/ticks.h"
@@ -208,10 +209,11 @@ FittedTitle fittedTitle(const std::string& title, float size, float pixels) {
   const std::size_t at = title.rfind(" (");
   if (at == title.npos) return {elided(title, least, false, pixels), least};
   const std::string unit = title.substr(at);
-  constexpr std::size_t kWorthReading = 6;  // minimum number of letters of a shortened name
+  constexpr std::ptrdiff_t kWorthReading = 6;  // minimum number of letters of a shortened name
   const std::string cut =
       elided(title.substr(0, at), least, false, pixels - textWidth(unit, least));
-  if (cut.size() > kWorthReading) return {cut + unit, least};
+  const auto letters = std::ranges::count_if(cut, beginsCharacter);
+  if (letters > kWorthReading) return {cut + unit, least};
   const std::string alone = unit.substr(1);
   return {alone, fittingSize(alone, size, kSmallestFont, false, pixels)};
 }

@@ -5,7 +5,7 @@
 
 #include "ui/draw/fonts.h"
 #include "ui/draw/theme.h"
-#include "ui/language/words.h"
+#include "ui/language/language.h"
 
 namespace asperity {
 namespace {

@@ -3,7 +3,7 @@
 #include "ui/contact/contact_parts.h"
 #include "ui/draw/fonts.h"
 #include "ui/draw/theme.h"
-#include "ui/language/words.h"
+#include "ui/language/language.h"
 
 namespace asperity {
 namespace {

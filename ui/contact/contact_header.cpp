@@ -5,8 +5,8 @@
 #include "ui/contact/contact_forces.h"
 #include "ui/contact/contact_parts.h"
 #include "ui/draw/fonts.h"
+#include "ui/language/language.h"
 #include "ui/language/translated.h"
-#include "ui/language/words.h"
 
 namespace asperity {
 namespace {

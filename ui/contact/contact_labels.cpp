@@ -13,7 +13,7 @@
 #include "ui/contact/narrow_contact.h"
 #include "ui/draw/fonts.h"
 #include "ui/draw/theme.h"
-#include "ui/language/words.h"
+#include "ui/language/language.h"
 
 namespace asperity {
 namespace {

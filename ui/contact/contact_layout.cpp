@@ -6,7 +6,7 @@
 #include "ui/contact/narrow_contact.h"
 #include "ui/draw/fonts.h"
 #include "ui/draw/ticks.h"
-#include "ui/language/words.h"
+#include "ui/language/language.h"
 
 namespace asperity {
 namespace {

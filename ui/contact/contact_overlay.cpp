@@ -12,7 +12,7 @@
 #include "ui/contact/narrow_contact.h"
 #include "ui/draw/theme.h"
 #include "ui/draw/ticks.h"
-#include "ui/language/words.h"
+#include "ui/language/language.h"
 
 namespace asperity {
 namespace {

@@ -10,7 +10,7 @@
 #include "ui/contact/decimate.h"
 #include "ui/draw/fonts.h"
 #include "ui/draw/theme.h"
-#include "ui/language/words.h"
+#include "ui/language/language.h"
 
 namespace asperity {
 namespace {

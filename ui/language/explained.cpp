@@ -4,8 +4,8 @@
 #include <QRegularExpression>
 #include <algorithm>
 
+#include "ui/language/language.h"
 #include "ui/language/translated.h"
-#include "ui/language/words.h"
 
 namespace asperity {
 

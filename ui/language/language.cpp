@@ -130,6 +130,13 @@ std::optional<QString> translationIn(const char* context, const char* english) {
   return found.isEmpty() ? std::nullopt : std::optional(found);
 }
 
+std::string Words::tr(const char* english) {
+  // Qt's tool finds the namespace in most places, but not in all.
+  for (const char* context : {"asperity::Words", "Words"})
+    if (const auto found = translationIn(context, english)) return found->toStdString();
+  return english;
+}
+
 std::string inLanguage(std::string number) {
   if (present().hasComma) std::ranges::replace(number, '.', ',');
   return number;

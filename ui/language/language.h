@@ -47,6 +47,13 @@ std::string_view presentLanguage();
 /// nothing in English, or where there is none.
 std::optional<QString> translationIn(const char* context, const char* english);
 
+/// The texts of pictures and commands.
+class Words {
+ public:
+  /// Returns the translation in UTF-8. Qt's tool for translators finds its calls like any tr().
+  static std::string tr(const char* english);
+};
+
 /// Returns "0.5" as the language writes it: "0,5". The text may have points only in numbers.
 std::string inLanguage(std::string number);
 QString inLanguage(QString number);

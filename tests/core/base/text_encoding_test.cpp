@@ -45,5 +45,15 @@ TEST(DetectNonText, ZerosBehindATextAreNoneOfIt) {
   EXPECT_EQ(detectNonText("x,z\n0,1\n1,2\n\0\0\0x"s), "a binary file");
 }
 
+TEST(IsUtf8, OnlyTheShortestEncodingOfACharacterIs) {
+  for (const char* text : {"", "ASCII alone, long", "Größe", "\xE2\x82\xAC", "\xF0\x9F\x98\x80"})
+    EXPECT_TRUE(isUtf8(text)) << text;
+  for (const char* text : {"\xC0\x80", "\xE0\x80\x80", "\xF0\x80\x80\x80",  // longer than needed
+                           "\xED\xA0\x80",                                  // a surrogate
+                           "\xF4\x90\x80\x80",  // beyond the last character of Unicode
+                           "eight..\xE4", "\x80"})
+    EXPECT_FALSE(isUtf8(text)) << text;
+}
+
 }  // namespace
 }  // namespace asperity

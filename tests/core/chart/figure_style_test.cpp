@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "core/base/input_error.h"
+#include "core/chart/curve_diagram.h"
 #include "tests/core/error_from.h"
 
 namespace asperity {
@@ -136,6 +137,20 @@ TEST(StyledSheet, CurvesAreNumberedAsInTheLegend) {
   FigureStyle label;
   label.labels = {{"three", "?"}};
   EXPECT_THROW(styled(twoCurves(), label), InputError);
+}
+
+TEST(StyledSheet, PartsWithoutANameTakeTheColourOfTheirCurve) {
+  DiagramSheet sheet = twoCurves();
+  std::vector<DiagramSeries>& series = sheet.diagrams.front().series;
+  series[2].id = kDifferenceCurve;
+  DiagramSeries beyond{.mark = SeriesMark::Triangle, .id = kDifferenceCurve};
+  series.push_back(beyond);
+  FigureStyle style = with("curve-style", "2=#d55e00,diamond");
+  style.labels = {{"2", "renamed"}};
+  const DiagramSeries& part = styled(sheet, style).diagrams.front().series.back();
+  EXPECT_EQ(part.paint, 0xD55E00U);
+  EXPECT_EQ(part.mark, SeriesMark::Triangle);
+  EXPECT_TRUE(part.name.empty());
 }
 
 TEST(StyledSheet, WithoutOptionsIsTheSame) {

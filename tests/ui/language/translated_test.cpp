@@ -7,7 +7,6 @@
 #include "core/base/number_text.h"
 #include "ui/language/explained.h"
 #include "ui/language/language.h"
-#include "ui/language/words.h"
 
 namespace asperity {
 namespace {

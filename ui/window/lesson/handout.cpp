@@ -36,7 +36,6 @@
 #include "ui/draw/png_file.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
-#include "ui/language/words.h"
 #include "ui/window/lesson/lesson_text.h"
 
 namespace asperity {
