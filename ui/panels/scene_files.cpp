@@ -19,6 +19,13 @@ void renameFiles(Scene& scene, const Rename& rename) {
   for (DataFile& table : scene.comparison.data) renameOne(table.file);
 }
 
+/// Returns the name of the file relative to the folder if it lies there or below; else empty.
+std::string nameBelow(const std::filesystem::path& folder, const std::filesystem::path& file) {
+  const auto name = std::filesystem::absolute(file).lexically_normal().lexically_relative(
+      std::filesystem::absolute(folder).lexically_normal());
+  return name.empty() || *name.begin() == ".." ? std::string() : name.string();
+}
+
 }  // namespace
 
 Scene withAbsoluteFiles(Scene scene) {
@@ -31,7 +38,10 @@ Scene withAbsoluteFiles(Scene scene) {
 Scene withFilesRelativeTo(const std::filesystem::path& folder, Scene scene) {
   const std::filesystem::path target = std::filesystem::absolute(folder).lexically_normal();
   renameFiles(scene, [&target, folder = scene.folder](const std::string& name) {
-    if (std::filesystem::path(name).is_absolute()) return name;
+    if (std::filesystem::path(name).is_absolute()) {
+      const std::string below = nameBelow(target, name);
+      return below.empty() ? name : below;
+    }
     return std::filesystem::absolute(folder / name)
         .lexically_normal()
         .lexically_proximate(target)
@@ -42,10 +52,8 @@ Scene withFilesRelativeTo(const std::filesystem::path& folder, Scene scene) {
 
 std::string nameInScene(const Scene& scene, const std::filesystem::path& file) {
   if (scene.folder.empty()) return file.string();
-  const auto folder = std::filesystem::absolute(scene.folder).lexically_normal();
-  const auto name = std::filesystem::absolute(file).lexically_normal().lexically_relative(folder);
-  const bool isBelow = !name.empty() && *name.begin() != "..";
-  return isBelow ? name.string() : file.string();
+  const std::string below = nameBelow(scene.folder, file);
+  return below.empty() ? file.string() : below;
 }
 
 void useMaterial(Scene& scene, const std::string& name) {

@@ -17,7 +17,8 @@ std::string nameInScene(const Scene& scene, const std::filesystem::path& file);
 Scene withAbsoluteFiles(Scene scene);
 
 /// Returns the scene with its files named relative to a folder, into which it is to be written.
-/// Absolute names stay.
+/// Absolute names stay where the file lies outside of the folder; a scene beside its files can be
+/// moved together with them.
 Scene withFilesRelativeTo(const std::filesystem::path& folder, Scene scene);
 
 /// Makes a shipped material, or one of a file, that of the scene: its elastomer then has all values
