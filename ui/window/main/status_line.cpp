@@ -14,6 +14,7 @@
 #include "core/base/number_text.h"
 #include "core/material/element_law.h"
 #include "ui/chart/friction_chart_model.h"
+#include "ui/draw/ticks.h"
 #include "ui/language/explained.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
