@@ -84,7 +84,7 @@ Lesson readNamedLesson(const std::string& name, const SceneReader& readNamed) {
   for (const ShippedLesson& lesson : shippedLessons()) {
     names.push_back(lesson.name);
     if (name == lesson.name || name == std::string(lesson.name) + ".json")
-      return readLesson(lesson.json, std::string(lesson.name) + ".json", {}, readNamed);
+      return readLesson(lesson.json, std::string(lesson.name) + ".json", kShippedFolder, readNamed);
   }
   throw InputError(name, "",
                    message("is neither a file nor a shipped lesson; those are {}",

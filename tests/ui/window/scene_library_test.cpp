@@ -3,12 +3,17 @@
 
 #include <gtest/gtest.h>
 
+#include <QDir>
 #include <QMenu>
+#include <QTemporaryDir>
 #include <QTest>
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <set>
 
+#include "core/base/input_error.h"
+#include "core/lesson/lesson_file.h"
 #include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
 #include "ui/window/main/message_bar.h"
@@ -34,6 +39,18 @@ TEST(SceneLibrary, EveryFileOfTheFolderIsInTheProgram) {
     if (file.path().extension() == ".json") files.insert(file.path().stem().string());
   for (const LibraryScene& entry : libraryScenes()) shipped.insert(entry.name.toStdString());
   EXPECT_EQ(shipped, files);
+}
+
+// A user's file wins among scenes that are named on the command line, but not in a shipped lesson.
+TEST(SceneLibrary, AShippedLessonHasShippedScenesWhateverTheCurrentFolderHolds) {
+  const QTemporaryDir folder;
+  const QString before = QDir::currentPath();
+  ASSERT_TRUE(QDir::setCurrent(folder.path()));
+  std::ofstream(folder.filePath("region_1.json").toStdString()) << "{\"schema\": \"another\"}";
+  EXPECT_THROW(readNamedScene("region_1.json", {}, {}), InputError);
+  EXPECT_NO_THROW(readNamedScene("region_1.json", kShippedFolder, {}));
+  EXPECT_NO_THROW(readNamedLesson("rubber_is_not_coulomb", readNamedScene));
+  QDir::setCurrent(before);
 }
 
 TEST_F(MainWindowTest, EveryChapterIsASubmenuWithEverySceneExplained) {

@@ -67,7 +67,7 @@ Scene readNamedScene(const std::string& name, const std::filesystem::path& folde
                      const std::vector<std::string>& assignments) {
   const std::filesystem::path file = folder / name;
   std::error_code ignored;
-  if (!std::filesystem::exists(file, ignored))
+  if (folder == kShippedFolder || !std::filesystem::exists(file, ignored))
     if (const auto shipped = libraryFile(name)) return readScene(*shipped, name, {}, assignments);
   return readSceneFile(file, assignments);
 }
