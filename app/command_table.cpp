@@ -338,7 +338,9 @@ void CommandTable::addMaterial() {
   setNumberRange(add("--poisson-ratio", "Of moduli of tension: G = E / (2 (1 + nu))")
                      ->default_str(fmt::format("{}", MaterialChoices{}.columns.poissonRatio)),
                  0, 0.5);
-  add("--temperature", "Temperature of a file that does not state one, such as 20C");
+  add("--temperature",
+      "Temperature of a file that does not state one, such as 20C; of a series stated at several, "
+      "the one to read");
   setNumberRange(add("--temperature-tolerance", "Rows closer in temperature are one isotherm")
                      ->default_str(fmt::format("{}", MaterialChoices{}.temperatureTolerance)),
                  0.001, 100, "K");

@@ -8,6 +8,7 @@
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
+#include "core/base/statistics.h"
 #include "core/base/stop.h"
 #include "core/material/temperature_shift.h"
 
@@ -27,6 +28,7 @@ constexpr int kHighestDegree = 4;
 // vertical shifts are expected to deviate from it by about this much.
 constexpr double kUsualVertical = 0.01;    // decades
 constexpr double kSimpleDifference = 0.1;  // decades, see isThermorheologicallySimple
+constexpr double kSignificant = 3;         // standard errors of such a difference
 constexpr double kWrongWay = 0.3;          // decades against the order of temperatures
 
 /// The moduli from which a shift is determined.
@@ -131,6 +133,10 @@ Window windowAt(const LogSweep& colder, const LogSweep& warmer, double shift) {
 
 struct Estimate {
   double value = 0, error = kNaN;
+  // The error is the deviation of one modulus, estimated from the residuals, times sensitivity.
+  double sensitivity = 0;
+  double squares = 0;  // of the residuals, decades^2
+  int freedom = 0;     // number of residuals beyond that of the unknowns
 };
 
 struct ShiftEstimate {
@@ -253,6 +259,10 @@ class WindowFit {
         (squares / left);
     const auto errorOf = [&](Eigen::Index i) { return std::sqrt(std::max(0.0, covariance(i, i))); };
     found.horizontal.error = errorOf(system_.cols() - 1);
+    found.horizontal.squares = squares;
+    found.horizontal.freedom = static_cast<int>(left);
+    if (squares > 0)
+      found.horizontal.sensitivity = found.horizontal.error / std::sqrt(squares / left);
     if (isVertical_) found.vertical.error = errorOf(system_.cols() - 2);
     return found;
   }
@@ -315,11 +325,11 @@ NeighbourShifts neighbourShifts(const Isotherm& cold, const Isotherm& warm, bool
   const auto fitted = fittedShift(colder, warmer, *start, expected, ShiftModuli::Both);
   NeighbourShifts found;
   Overlap& both = found.both;
-  const ShiftEstimate shift = fitted.value_or(ShiftEstimate{{*start, kNaN}, {0, kNaN}});
-  both.log10Shift = shift.horizontal.value;
-  both.standardError = shift.horizontal.error;
-  both.log10Vertical = shift.vertical.value;
-  both.verticalError = shift.vertical.error;
+  const ShiftEstimate common = fitted.value_or(ShiftEstimate{{*start, kNaN}, {0, kNaN}});
+  both.log10Shift = common.horizontal.value;
+  both.standardError = common.horizontal.error;
+  both.log10Vertical = common.vertical.value;
+  both.verticalError = common.vertical.error;
   both.decades = commonRange(colder, warmer, both.log10Shift).width();
   if (both.decades > 0)
     both.mismatch = mismatchAt(colder, warmer, both.log10Shift, both.log10Vertical);
@@ -386,6 +396,23 @@ class Accumulated {
   double reference_;
 };
 
+/// Widens errors that are too small by chance, because a step left few residuals: one modulus
+/// scatters at least as much in each step as in all of them together. kSignificant of the errors
+/// are then as rare as of a known one.
+void widenErrors(std::vector<Estimate>& steps) {
+  double squares = 0;
+  int freedom = 0;
+  for (const Estimate& step : steps) {
+    squares += step.squares;
+    freedom += step.freedom;
+  }
+  if (freedom == 0) return;
+  const double common = std::sqrt(squares / freedom);
+  const double rarity = studentDeviations(kSignificant, freedom) / kSignificant;
+  for (Estimate& step : steps)
+    if (step.freedom > 0) step.error = rarity * std::max(step.error, step.sensitivity * common);
+}
+
 /// Moves the reference of the sums to the reference temperature. Between two isotherms the sums are
 /// linear in T, which is exact at an isotherm. Where a formula fits all shifts, the reference is
 /// moved to its value, which is exact for a formula that holds.
@@ -418,13 +445,23 @@ void addPoints(std::span<const Isotherm> isotherms, MasterCurve& curve) {
                            [](const MasterPoint& point) { return point.modulus.frequency; });
 }
 
+double differenceOf(const IsothermShift& shift) {
+  return std::abs(shift.fromStorage - shift.fromLoss);
+}
+
+/// Returns whether the moduli ask for different shifts of an isotherm.
+bool isDifferent(const IsothermShift& shift) {
+  const double difference = differenceOf(shift);
+  return std::isfinite(difference) && std::isfinite(shift.differenceError) &&
+         difference > kSimpleDifference && difference > kSignificant * shift.differenceError;
+}
+
 void compareModuli(MasterCurve& curve) {
   for (const IsothermShift& shift : curve.shifts) {
-    const double difference = std::abs(shift.fromStorage - shift.fromLoss);
+    const double difference = differenceOf(shift);
     if (!std::isfinite(difference) || !std::isfinite(shift.differenceError)) continue;
     curve.largestDifference = std::max(curve.largestDifference, difference);
-    if (difference > kSimpleDifference && difference > 3 * shift.differenceError)
-      curve.isThermorheologicallySimple = false;
+    if (isDifferent(shift)) curve.isThermorheologicallySimple = false;
   }
 }
 
@@ -456,6 +493,8 @@ MasterCurve masterCurve(std::span<const Isotherm> isotherms, double referenceTem
     const double difference = std::abs(step.storage.value - step.loss.value);
     if (std::isfinite(difference)) curve.largestStep = std::max(curve.largestStep, difference);
   }
+  widenErrors(storage);
+  widenErrors(loss);
   const Accumulated sums(isotherms, referenceTemperature);
   auto horizontal = sums.from(both), ofStorage = sums.from(storage), ofLoss = sums.from(loss);
   const auto up = sums.from(vertical);
@@ -467,6 +506,17 @@ MasterCurve masterCurve(std::span<const Isotherm> isotherms, double referenceTem
   addPoints(isotherms, curve);
   compareModuli(curve);
   return curve;
+}
+
+bool explainsDifferences(const MasterCurve& vertical, const MasterCurve& plain) {
+  if (!vertical.isThermorheologicallySimple) return false;
+  for (std::size_t i = 0; i < plain.shifts.size(); ++i) {
+    const IsothermShift& shift = plain.shifts[i];
+    if (!isDifferent(shift)) continue;
+    const double explained = differenceOf(shift) - differenceOf(vertical.shifts[i]);
+    if (!(explained > kSignificant * shift.differenceError)) return false;
+  }
+  return true;
 }
 
 double usualReference(std::span<const Isotherm> isotherms) {

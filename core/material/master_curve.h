@@ -52,7 +52,7 @@ struct MasterCurve {
   std::vector<Overlap> overlaps;      // of every isotherm with the next warmer one
   std::vector<MasterPoint> points;    // rising reduced frequency
   /// Whether one shift serves both moduli: the shifts from G' and from G'' alone nowhere differ by
-  /// more than a tenth of a decade and three standard errors.
+  /// more than a tenth of a decade and three standard errors, which count the scatter of all steps.
   bool isThermorheologicallySimple = true;
   double largestDifference = 0;  // decades, between the two tables
   double largestStep = 0;        // decades, the same from one isotherm to the next
@@ -69,6 +69,10 @@ struct MasterCurve {
 /// `stop`.
 MasterCurve masterCurve(std::span<const Isotherm> isotherms, double referenceTemperature,
                         bool isVertical = false, const std::stop_token& stop = {});
+
+/// Returns whether vertical shifts explain the differences between the moduli of `plain`, the curve
+/// without them: they leave none that is significant, and remove a significant part of each.
+bool explainsDifferences(const MasterCurve& vertical, const MasterCurve& plain);
 
 /// Returns the default reference temperature (K): 25 °C, the default temperature of a scene, where
 /// it was measured (within kIsothermTolerance), else the nearest isotherm.

@@ -37,6 +37,13 @@ std::optional<TextTable> readTable(std::string_view bytes, const std::string& na
   }
 }
 
+/// Returns the temperature that the user states for a ready series: both options mean the same.
+std::optional<double> chosenTemperature(const MaterialChoices& choices) {
+  if (choices.columns.temperature) return choices.columns.temperature;
+  if (std::isfinite(choices.referenceTemperature)) return choices.referenceTemperature;
+  return {};
+}
+
 std::optional<PronyFile> readReadySeries(std::string_view bytes, const TextTable* table,
                                          const std::string& name, const MaterialChoices& choices) {
   if (bytes.size() > kLargestSeries) return {};
@@ -49,6 +56,8 @@ std::optional<PronyFile> readReadySeries(std::string_view bytes, const TextTable
   series.poissonRatio = choices.columns.poissonRatio;
   series.isLiquid = choices.series.isLiquid;
   series.temperatureUnit = choices.columns.temperatureUnit;
+  series.temperature = chosenTemperature(choices);
+  series.temperatureTolerance = choices.temperatureTolerance;
   return readPronyFile(decoded.text, table, name, series);
 }
 
@@ -69,19 +78,22 @@ Material readySeries(const PronyFile& file, const std::string& name,
   material.series.arms = file.arms;
   material.notes = file.notes;
   material.series.terms = static_cast<int>(file.arms.size());
-  const double chosen = choices.columns.temperature.value_or(choices.referenceTemperature);
+  const std::optional<double> chosen = chosenTemperature(choices);
   if (file.shift) {
     material.shift = *file.shift;
-    if (std::isfinite(chosen) && chosen != file.shift->referenceTemperature)
-      throw InputError(name, "temperature",
-                       message("is {} K in the file's shift; leave --temperature out",
-                               file.shift->referenceTemperature));
+    if (chosen && *chosen != file.shift->referenceTemperature)
+      throw InputError(
+          name, "temperature",
+          message("is {} K in the file's shift; leave {} out", file.shift->referenceTemperature,
+                  Message::name(choices.columns.temperature ? "--temperature"
+                                                            : "--reference-temperature")));
   } else {
-    if (!std::isfinite(chosen))
+    const std::optional<double> known = chosen ? chosen : file.temperature;
+    if (!known)
       throw InputError(name, "temperature",
                        "is stated nowhere; say at which the series holds with --temperature, such "
                        "as --temperature 20C");
-    material.shift = shiftAt(chosen);
+    material.shift = shiftAt(*known);
   }
   material.referenceTemperature = material.shift.referenceTemperature;
   return material;
@@ -197,10 +209,10 @@ void addOneTemperature(const Material& material, std::vector<Message>& lines) {
 }
 
 /// Returns whether vertical shifts would let one horizontal shift serve both moduli.
-bool isSimpleWithVertical(std::span<const Isotherm> isotherms, double reference,
-                          const std::stop_token& stop) {
+bool isSimpleWithVertical(const Material& material, const std::stop_token& stop) {
   try {
-    return masterCurve(isotherms, reference, true, stop).isThermorheologicallySimple;
+    return explainsDifferences(
+        masterCurve(material.isotherms, material.referenceTemperature, true, stop), material.curve);
   } catch (const InputError&) {
     return false;
   }
@@ -220,8 +232,7 @@ Material fitMaterial(std::vector<Isotherm> isotherms, const MaterialChoices& cho
   material.curve = masterCurve(material.isotherms, material.referenceTemperature,
                                choices.isVertical, choices.stop);
   if (!material.curve.isThermorheologicallySimple && !choices.isVertical)
-    material.isSimpleWithVertical =
-        isSimpleWithVertical(material.isotherms, material.referenceTemperature, choices.stop);
+    material.isSimpleWithVertical = isSimpleWithVertical(material, choices.stop);
   std::vector<DynamicModulus> points;
   for (const MasterPoint& point : material.curve.points) points.push_back(point.modulus);
   PronyOptions series = choices.series;

@@ -166,7 +166,7 @@ PronyFile finished(const RawSeries& series, const std::string& name, const Prony
   }
   if (std::isfinite(choices.equilibriumModulus)) equilibrium = choices.equilibriumModulus;
   if (series.isRelative && !std::isfinite(instantaneous) && !std::isfinite(equilibrium))
-    throw InputError(name, "",
+    throw InputError(name, series.material.empty() ? "" : "material " + series.material,
                      "has parts of a modulus and not the modulus itself; give the instantaneous "
                      "shear modulus with --instantaneous-modulus, or --equilibrium-modulus");
   const double rest = std::max(0.0, 1 - sum);
@@ -180,6 +180,7 @@ PronyFile finished(const RawSeries& series, const std::string& name, const Prony
   PronyFile file;
   file.format = series.format;
   file.shift = series.shift;
+  file.temperature = series.temperature;
   file.notes = series.notes;
   for (const RawSeries::Term& term : series.terms)
     if (term.weight > 0)

@@ -1,6 +1,6 @@
 // Reads ready Prony series as people and finite-element programs write them: a table of relaxation
 // times and moduli; the keywords *ELASTIC or *HYPERELASTIC with *VISCOELASTIC, TIME=PRONY and *TRS
-// of Abaqus; the commands TB,PRONY with TBDATA, MP,EX and TB,SHIFT of Ansys.
+// of Abaqus; the commands TB,PRONY with TBDATA, MP,EX or TB,HYPER, and TB,SHIFT of Ansys.
 // Pure; any thread. Failure: InputError that names the file and the line or column.
 #pragma once
 
@@ -14,6 +14,7 @@
 #include "core/base/text_table.h"
 #include "core/material/dma_columns.h"
 #include "core/material/elastomer.h"
+#include "core/material/isotherms.h"
 
 namespace asperity {
 
@@ -26,14 +27,19 @@ struct PronyChoices {
   ModulusKind modulus = ModulusKind::Unknown;
   double poissonRatio = 0.5;
   bool isLiquid = false;  // whether there may be no equilibrium modulus
+  /// K, at which the series is wanted; it chooses among the values at several temperatures, which
+  /// may lie apart from it by the tolerance (K).
+  std::optional<double> temperature{};
+  double temperatureTolerance = kIsothermTolerance;
 };
 
 struct PronyFile {
   double equilibriumModulus = 0;  // Pa, of shear
   std::vector<Arm> arms;          // of shear, strictly falling relaxation times
   std::optional<TemperatureShift> shift{};
-  Message format;                // "keywords of Abaqus"
-  std::vector<Message> notes{};  // what was assumed, and what was left out
+  std::optional<double> temperature{};  // K, at which the file states its values
+  Message format;                       // "keywords of Abaqus"
+  std::vector<Message> notes{};         // what was assumed, and what was left out
 };
 
 /// Reads a Prony series; returns nothing where the text is none of these, and throws where it is a

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <functional>
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
@@ -17,19 +16,14 @@
 namespace asperity {
 namespace {
 
-struct Line {
-  std::vector<std::string> words;  // separated by commas, in lower case, without blanks
-  std::size_t number = 0;
-};
-
-std::vector<Line> splitIntoLines(std::string_view text) {
-  std::vector<Line> lines;
+std::vector<KeywordLine> splitIntoLines(std::string_view text) {
+  std::vector<KeywordLine> lines;
   for (std::size_t number = 1; !text.empty(); ++number) {
-    const std::string_view line = takeLine(text);
-    Line next;
+    KeywordLine next;
+    next.text = takeLine(text);
     next.number = number;
     std::string word;
-    for (const char letter : lowerCase(line)) {
+    for (const char letter : lowerCase(next.text)) {
       if (letter == ',') {
         next.words.push_back(word);
         word.clear();
@@ -43,32 +37,123 @@ std::vector<Line> splitIntoLines(std::string_view text) {
   return lines;
 }
 
-double numberAt(const Line& line, std::size_t index, const std::string& name) {
+/// Throws InputError for values that no scene accepts.
+void checkRange(const char* what, double value, double least, double most, const char* key,
+                const std::string& name) {
+  if (!(value >= least && value <= most))
+    throw InputError(name, key,
+                     message("{} is {}, outside {} to {}", Message::name(what), plain(value),
+                             plain(least), plain(most)));
+}
+
+constexpr double kColdest = 1, kHottest = 2000;  // K
+
+void checkShift(const TemperatureShift& shift, const std::string& name) {
+  checkRange("T_r", shift.referenceTemperature, kColdest, kHottest, "shift", name);
+  if (shift.kind == ShiftKind::Arrhenius) {
+    checkRange("E_a", shift.activationEnergy, 0, kMostActivationEnergy, "shift", name);
+  } else {
+    checkRange("C1", shift.c1, 0, kMostC1, "shift", name);
+    checkRange("C2", shift.c2, kLeastC2, kMostC2, "shift", name);
+  }
+}
+
+// ---- LS-DYNA -----------------------------------------------------------------------------------
+
+void refuseDyna(const std::vector<KeywordLine>& lines, const std::string& name) {
+  for (const KeywordLine& line : lines)
+    if (line.words.front().starts_with("*mat_"))
+      throw InputError(name, line.key(),
+                       "is a keyword of LS-DYNA, which is not read; write the Prony series as a "
+                       "table with columns tau (s) and G (MPa), whose tau is 1/beta, and the "
+                       "equilibrium modulus in a row with tau = inf");
+}
+
+// ---- Temperatures ------------------------------------------------------------------------------
+
+/// The unit of a file's temperatures.
+struct TemperatureScale {
+  std::optional<double> absoluteZero;  // in this unit, where the file states it
+  Unit unit{};                         // elsewhere
+  const char* assumed = nullptr;       // its name, where neither the file nor the user states it
+
+  double kelvin(double number) const {
+    return absoluteZero ? number - *absoluteZero : unit.toSi(number);
+  }
+};
+
+constexpr double kKelvinFrom = 200, kDoubtFrom = 100, kDoubtTo = 250;
+
+/// The files of finite-element programs do not state a unit. The temperatures are taken for kelvins
+/// where even the lowest one is at least 200: no rubber is used above 200 degrees Celsius.
+TemperatureScale temperatureScale(double lowest, std::optional<double> absoluteZero,
+                                  const PronyChoices& choices) {
+  if (const auto unit = temperatureUnit(choices.temperatureUnit)) return {{}, *unit, nullptr};
+  if (absoluteZero) return {absoluteZero, {}, nullptr};
+  const char* taken = lowest < kKelvinFrom ? "\u00B0C" : "K";
+  return {{}, *temperatureUnit(taken), taken};
+}
+
+/// Returns whether a table states at which temperatures its rows hold.
+bool statesTemperatures(const TemperatureRows& table) {
+  return table.temperatures.size() > 1 ||
+         (table.temperatures.size() == 1 && table.temperatures.front().value_or(0) != 0);
+}
+
+std::vector<double> kelvins(const TemperatureRows& table, const TemperatureScale& scale) {
+  std::vector<double> temperatures;
+  for (const auto& temperature : table.temperatures)
+    temperatures.push_back(scale.kelvin(temperature.value_or(0)));
+  return temperatures;
+}
+
+/// Returns "0.0 °C, 50.0 °C", each once.
+Message listTemperatures(std::vector<double> kelvins) {
+  std::ranges::sort(kelvins);
+  std::vector<Message> list;
+  for (const double kelvin : kelvins) {
+    Message next = celsius(kelvin);
+    if (list.empty() || !(list.back() == next)) list.push_back(std::move(next));
+  }
+  return listed(list);
+}
+
+std::size_t nearestRow(const std::vector<double>& kelvins, double wanted) {
+  const auto nearest = std::ranges::min_element(
+      kelvins, {}, [&](double kelvin) { return std::abs(kelvin - wanted); });
+  return static_cast<std::size_t>(nearest - kelvins.begin());
+}
+
+}  // namespace
+
+// ---- What both readers share -------------------------------------------------------------------
+
+std::string KeywordLine::word(std::size_t index) const {
+  return index < words.size() ? words[index] : std::string();
+}
+
+std::string KeywordLine::key() const {
+  return fmt::format("line {}", number);
+}
+
+double numberAt(const KeywordLine& line, std::size_t index, const std::string& name) {
   double value = 0;
   if (index >= line.words.size() || !readTextNumber(line.words[index], '.', value))
-    throw InputError(name, fmt::format("line {}", line.number),
-                     message("needs a number in place {}", index + 1));
+    throw InputError(name, line.key(), message("needs a number in place {}", index + 1));
   return value;
 }
 
-bool has(const Line& line, std::string_view word) {
-  return std::ranges::find(line.words, word) != line.words.end();
-}
-
-/// Returns the reference temperature of a shift in K. The files of finite-element programs do not
-/// state its unit: below 200 it is taken for °C, as no rubber has a reference above 200 °C.
-double readReference(double number, const PronyChoices& choices, RawSeries& series) {
-  constexpr double kKelvinFrom = 200, kDoubtFrom = 100, kDoubtTo = 250;
-  if (const auto unit = temperatureUnit(choices.temperatureUnit)) return unit->toSi(number);
-  const char* taken = number < kKelvinFrom ? "\u00B0C" : "K";
-  if (number >= kDoubtFrom && number <= kDoubtTo)
+double readReference(double number, std::optional<double> absoluteZero, const PronyChoices& choices,
+                     RawSeries& series) {
+  const TemperatureScale scale = temperatureScale(number, absoluteZero, choices);
+  if (scale.assumed && number >= kDoubtFrom && number <= kDoubtTo)
     series.notes.push_back(message(
         "the reference temperature {} of the file is taken in {}; --temperature-unit says another",
-        plain(number), taken));
-  return temperatureUnit(taken)->toSi(number);
+        plain(number), scale.assumed));
+  return scale.kelvin(number);
 }
 
-Message leftOut(std::string keyword) {
+Message shiftLeftOut(std::string keyword) {
   std::ranges::transform(keyword, keyword.begin(), [](unsigned char letter) {
     return static_cast<char>(std::toupper(letter));
   });
@@ -78,205 +163,102 @@ Message leftOut(std::string keyword) {
       keyword);
 }
 
-/// Throws InputError for values that no scene accepts.
-void checkShift(const TemperatureShift& shift, const std::string& name) {
-  const auto check = [&](const char* what, double value, double least, double most) {
-    if (!(value >= least && value <= most))
-      throw InputError(name, "shift",
-                       message("{} is {}, outside {} to {}", Message::name(what), plain(value),
-                               plain(least), plain(most)));
-  };
-  check("T_r", shift.referenceTemperature, 1, 2000);
-  if (shift.kind == ShiftKind::Arrhenius) {
-    check("E_a", shift.activationEnergy, 0, kMostActivationEnergy);
-  } else {
-    check("C1", shift.c1, 0, kMostC1);
-    check("C2", shift.c2, kLeastC2, kMostC2);
-  }
+void addMaterialNote(const std::string& material, std::size_t materials, RawSeries& series) {
+  if (materials > 1)
+    series.notes.push_back(
+        message("material {} is read: of the {} materials in the file, it has the series",
+                Message::name(material), materials));
 }
 
-// ---- Abaqus ------------------------------------------------------------------------------------
-
-/// Returns the number behind "absolutezero=" among the words of a keyword; nothing where there is
-/// none.
-std::optional<double> keywordParameter(const Line& keyword, std::string_view parameter) {
-  for (const std::string_view word : keyword.words) {
-    double value = 0;
-    if (word.starts_with(parameter) && readTextNumber(word.substr(parameter.size()), '.', value))
-      return value;
-  }
-  return {};
-}
-
-/// Reads *TRS (Abaqus Keywords Reference): the reference temperature, then C1 and C2 of Williams,
-/// Landel and Ferry, or the activation energy of Arrhenius. *PHYSICAL CONSTANTS has the gas
-/// constant in the unit of energy of the model.
-TemperatureShift trsShift(const Line& data, bool isArrhenius, const std::vector<Line>& lines,
-                          const std::string& name, const PronyChoices& choices, RawSeries& series) {
-  double gasConstant = kGasConstant;
-  std::optional<double> zero;
-  for (const Line& line : lines) {
-    if (line.words.front() != "*physicalconstants") continue;
-    gasConstant = keywordParameter(line, "universalgasconstant=").value_or(gasConstant);
-    zero = keywordParameter(line, "absolutezero=");
-  }
-  TemperatureShift shift;
-  const double reference = numberAt(data, 0, name);
-  shift.referenceTemperature = zero && choices.temperatureUnit.empty()
-                                   ? reference - *zero
-                                   : readReference(reference, choices, series);
-  if (isArrhenius) {
-    shift.kind = ShiftKind::Arrhenius;
-    shift.activationEnergy = numberAt(data, 1, name) * kGasConstant / gasConstant;
-  } else {
-    shift.c1 = numberAt(data, 1, name);
-    shift.c2 = numberAt(data, 2, name);
-  }
-  return shift;
-}
-
-std::optional<RawSeries> abaqusSeries(const std::vector<Line>& lines, const std::string& name,
-                                      const PronyChoices& choices) {
-  const auto isKeyword = [](const Line& line, std::string_view word) {
-    return line.words.front() == word;
-  };
-  if (std::ranges::none_of(lines,
-                           [&](const Line& line) { return isKeyword(line, "*viscoelastic"); }))
-    return {};
-  RawSeries series;
-  series.format = "keywords of Abaqus";
-  std::size_t viscoelastics = 0;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    const Line& keyword = lines[i];
-    // Data lines follow until the next keyword; ** begins a comment.
-    const auto forEachData = [&](const std::function<void(const Line&)>& use) {
-      for (std::size_t k = i + 1; k < lines.size(); ++k) {
-        const std::string& first = lines[k].words.front();
-        if (first.starts_with("**") || (first.empty() && lines[k].words.size() == 1)) continue;
-        if (first.starts_with("*")) break;
-        use(lines[k]);
+std::vector<std::size_t> chooseRows(const std::vector<TemperatureRows>& tables,
+                                    std::optional<double> absoluteZero, const KeywordFile& file,
+                                    RawSeries& series) {
+  std::vector<std::size_t> rows(tables.size(), 0);
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const TemperatureRows& table : tables)
+    if (statesTemperatures(table))
+      for (const auto& temperature : table.temperatures)
+        lowest = std::min(lowest, temperature.value_or(0));
+  const std::optional<double> chosen =
+      series.shift ? series.shift->referenceTemperature : file.choices.temperature;
+  if (std::isfinite(lowest)) {
+    const TemperatureScale scale = temperatureScale(lowest, absoluteZero, file.choices);
+    std::vector<double> all;
+    for (const TemperatureRows& table : tables)
+      if (statesTemperatures(table)) {
+        const std::vector<double> own = kelvins(table, scale);
+        all.insert(all.end(), own.begin(), own.end());
       }
-    };
-    const bool isInstantaneous = has(keyword, "moduli=instantaneous");
-    const auto setModulus = [&](double shear) {
-      (isInstantaneous ? series.instantaneous : series.equilibrium) = shear;
-    };
-    if (isKeyword(keyword, "*elastic")) {
-      forEachData([&](const Line& data) {
-        setModulus(shearFromYoungs(numberAt(data, 0, name), numberAt(data, 1, name)));
-      });
-    } else if (isKeyword(keyword, "*hyperelastic")) {
-      const bool isMooney = has(keyword, "mooney-rivlin");
-      if (!isMooney && !has(keyword, "neohooke") && !has(keyword, "yeoh"))
-        throw InputError(name, fmt::format("line {}", keyword.number),
-                         "has a hyperelastic form whose shear modulus is not read; NEO HOOKE, "
-                         "MOONEY-RIVLIN and YEOH are, or give --equilibrium-modulus");
-      forEachData([&](const Line& data) {
-        setModulus(2 * (numberAt(data, 0, name) + (isMooney ? numberAt(data, 1, name) : 0)));
-      });
-    } else if (isKeyword(keyword, "*viscoelastic")) {
-      if (!has(keyword, "time=prony"))
-        throw InputError(name, fmt::format("line {}", keyword.number),
-                         "is not TIME=PRONY; a table of frequencies and moduli is read as such");
-      if (++viscoelastics > 1)
-        throw InputError(name, fmt::format("line {}", keyword.number),
-                         "is a second *VISCOELASTIC; keep the material that is meant alone");
-      forEachData([&](const Line& data) {
-        series.terms.push_back({numberAt(data, 0, name), numberAt(data, 2, name), data.number});
-      });
-    } else if (isKeyword(keyword, "*trs")) {
-      const bool isArrhenius = has(keyword, "definition=arrhenius");
-      if (keyword.words.size() > 1 && !isArrhenius && !has(keyword, "definition=wlf")) {
-        series.notes.push_back(leftOut("*trs, " + keyword.words[1]));
-        continue;
-      }
-      forEachData([&](const Line& data) {
-        series.shift = trsShift(data, isArrhenius, lines, name, choices, series);
-      });
+    const double tolerance = file.choices.temperatureTolerance;
+    const auto [coldest, warmest] = std::ranges::minmax(all);
+    if (!chosen && warmest - coldest > tolerance)
+      throw InputError(file.name, "temperature",
+                       message("has several values in the file, {}; choose one with --temperature",
+                               listTemperatures(all)));
+    const double wanted = chosen.value_or(all.front());
+    std::optional<double> used;
+    for (std::size_t i = 0; i < tables.size(); ++i) {
+      if (!statesTemperatures(tables[i])) continue;
+      const std::vector<double> own = kelvins(tables[i], scale);
+      rows[i] = nearestRow(own, wanted);
+      const double nearest = own[rows[i]];
+      if (std::abs(nearest - wanted) > tolerance)
+        throw InputError(
+            file.name, tables[i].key,
+            series.shift
+                ? message("has values at {} and none within {} K of the reference of the shift, "
+                          "{}; --temperature-tolerance allows more, or give "
+                          "--equilibrium-modulus",
+                          listTemperatures(own), tolerance, celsius(wanted))
+                : message("has values at {} and none within {} K of {}; choose one of these with "
+                          "--temperature, or allow more with --temperature-tolerance",
+                          listTemperatures(own), tolerance, celsius(wanted)));
+      if (std::ranges::count(own, nearest) > 1)
+        throw InputError(file.name, tables[i].key,
+                         message("has more than one row at {}; keep the one that is meant alone",
+                                 celsius(nearest)));
+      if (!used) used = nearest;
     }
+    series.temperature = used;
+    series.notes.push_back(
+        scale.assumed ? message("the values at {} are read, with the temperatures of the file in "
+                                "{}; --temperature-unit says another",
+                                celsius(*used), scale.assumed)
+                      : message("the values at {} are read", celsius(*used)));
   }
-  return series;
+  const bool hasLoneZero = std::ranges::any_of(tables, [](const TemperatureRows& table) {
+    return !statesTemperatures(table) && !table.temperatures.empty() && table.temperatures.front();
+  });
+  if (hasLoneZero && chosen &&
+      std::abs(temperatureScale(0, absoluteZero, file.choices).kelvin(0) - *chosen) >
+          file.choices.temperatureTolerance)
+    series.notes.push_back(
+        "a single row at temperature 0 is read as one for every temperature: programs write 0 "
+        "where none was chosen");
+  return rows;
 }
-
-// ---- Ansys -------------------------------------------------------------------------------------
-
-std::optional<RawSeries> ansysSeries(const std::vector<Line>& lines, const std::string& name,
-                                     const PronyChoices& choices) {
-  enum class Table { Other, Shear, Shift } table = Table::Other;
-  RawSeries series;
-  series.format = "commands of Ansys";
-  bool isFound = false;
-  double youngs = RawSeries::kNotStated, poisson = RawSeries::kNotStated;
-  std::vector<double> shearData, shiftData;
-  std::size_t lineOfData = 0;
-  for (const Line& line : lines) {
-    const std::string& command = line.words.front();
-    const auto word = [&](std::size_t i) {
-      return i < line.words.size() ? line.words[i] : std::string();
-    };
-    if (command == "tb") {
-      isFound = isFound || word(1) == "prony";
-      table = word(1) == "prony" && word(5) != "bulk"  ? Table::Shear
-              : word(1) == "shift" && word(5) == "wlf" ? Table::Shift
-                                                       : Table::Other;
-      if (word(1) == "shift" && table == Table::Other)
-        series.notes.push_back(leftOut("tb,shift," + word(5)));
-    } else if (command == "tbdata" && table != Table::Other) {
-      std::vector<double>& data = table == Table::Shear ? shearData : shiftData;
-      const double start = numberAt(line, 1, name);
-      if (!(start >= 1 && start <= 200))
-        throw InputError(name, fmt::format("line {}", line.number),
-                         "begins at a place that is outside 1 to 200");
-      lineOfData = line.number;
-      auto index = static_cast<std::size_t>(start) - 1;
-      for (std::size_t i = 2; i < line.words.size(); ++i, ++index) {
-        if (line.words[i].empty()) continue;
-        data.resize(std::max(data.size(), index + 1), RawSeries::kNotStated);
-        data[index] = numberAt(line, i, name);
-      }
-    } else if (command == "mp" && word(1) == "ex") {
-      youngs = numberAt(line, 3, name);
-    } else if (command == "mp" && (word(1) == "nuxy" || word(1) == "prxy")) {
-      poisson = numberAt(line, 3, name);
-    } else if (command == "mp" && word(1) == "gxy") {
-      series.instantaneous = numberAt(line, 3, name);
-    }
-  }
-  if (!isFound) return {};
-  for (std::size_t i = 0; i + 1 < shearData.size(); i += 2)
-    series.terms.push_back({shearData[i], shearData[i + 1], lineOfData});
-  if (std::isfinite(youngs))
-    series.instantaneous = shearFromYoungs(youngs, std::isfinite(poisson) ? poisson : 0.5);
-  if (shiftData.size() >= 3) {
-    TemperatureShift shift;
-    shift.referenceTemperature = readReference(shiftData[0], choices, series);
-    shift.c1 = shiftData[1];
-    shift.c2 = shiftData[2];
-    series.shift = shift;
-  }
-  return series;
-}
-
-// ---- LS-DYNA -----------------------------------------------------------------------------------
-
-void refuseDyna(const std::vector<Line>& lines, const std::string& name) {
-  for (const Line& line : lines)
-    if (line.words.front().starts_with("*mat_"))
-      throw InputError(name, fmt::format("line {}", line.number),
-                       "is a keyword of LS-DYNA, which is not read; write the Prony series as a "
-                       "table with columns tau (s) and G (MPa), whose tau is 1/beta, and the "
-                       "equilibrium modulus in a row with tau = inf");
-}
-
-}  // namespace
 
 std::optional<RawSeries> keywordSeries(std::string_view text, const std::string& name,
                                        const PronyChoices& choices) {
-  const std::vector<Line> lines = splitIntoLines(text);
-  std::optional<RawSeries> series = abaqusSeries(lines, name, choices);
-  if (!series) series = ansysSeries(lines, name, choices);
+  const std::vector<KeywordLine> lines = splitIntoLines(text);
+  const auto read = [&](bool hasModulus) {
+    const KeywordFile file{lines, name, choices, hasModulus};
+    std::optional<RawSeries> series = abaqusSeries(file);
+    return series ? series : ansysSeries(file);
+  };
+  std::optional<RawSeries> series;
+  try {
+    series = read(true);
+  } catch (const InputError&) {
+    // A modulus that the user gives replaces one that cannot be read.
+    if (!std::isfinite(choices.instantaneousModulus) && !std::isfinite(choices.equilibriumModulus))
+      throw;
+    series = read(false);
+  }
   if (!series) refuseDyna(lines, name);
   if (series && series->shift) checkShift(*series->shift, name);
+  if (series && series->temperature)
+    checkRange("T", *series->temperature, kColdest, kHottest, "temperature", name);
   return series;
 }
 

@@ -1,4 +1,6 @@
 // A Prony series before its modulus is known, and its readers in files of finite-element programs.
+// Such a file often has several materials, and values at several temperatures: the modulus is that
+// of the material with the series, and all values are those of one temperature.
 // Pure; any thread.
 #pragma once
 
@@ -29,6 +31,8 @@ struct RawSeries {
   double unit = 1;                    // Pa
   bool isUnitKnown = false;
   std::optional<TemperatureShift> shift{};
+  std::optional<double> temperature{};  // K, at which the file states its values
+  std::string material{};               // "TREAD"; empty where the file names none
   Message format{};
   std::vector<Message> notes{};
 };
@@ -37,5 +41,61 @@ struct RawSeries {
 /// Throws InputError (`name`), also for the keywords of LS-DYNA, which are not read.
 std::optional<RawSeries> keywordSeries(std::string_view text, const std::string& name,
                                        const PronyChoices& choices);
+
+// ---- What both readers share
+
+struct KeywordLine {
+  std::vector<std::string> words;  // separated by commas, in lower case, without blanks
+  std::string_view text;           // as it was written
+  std::size_t number = 0;
+
+  /// Returns a word; empty beyond the last one.
+  std::string word(std::size_t index) const;
+  /// Returns "line 4", by which errors name it.
+  std::string key() const;
+};
+
+/// The file that is read.
+struct KeywordFile {
+  const std::vector<KeywordLine>& lines;
+  const std::string& name;
+  const PronyChoices& choices;
+  bool hasModulus = true;  // whether its modulus is read, or left to the choices
+};
+
+/// Returns the number in a place of a line, counted from 0. Throws InputError where there is none.
+double numberAt(const KeywordLine& line, std::size_t index, const std::string& name);
+
+/// Returns the reference temperature of a shift in K. absoluteZero: in the file's unit, where the
+/// file states it.
+double readReference(double number, std::optional<double> absoluteZero, const PronyChoices& choices,
+                     RawSeries& series);
+
+/// Returns the note on a shift that is not read.
+Message shiftLeftOut(std::string keyword);
+
+/// Adds the note on a file with several materials, of which `material` has the series.
+void addMaterialNote(const std::string& material, std::size_t materials, RawSeries& series);
+
+/// A table whose rows hold at one temperature each.
+struct TemperatureRows {
+  std::string key{};  // "line 4", by which errors name it
+  /// In the unit of the file; nothing where a row states none, which finite-element programs read
+  /// as 0. A single row at 0 states no temperature either: programs write 0 where none was chosen.
+  std::vector<std::optional<double>> temperatures{};
+};
+
+/// Returns the row to read of each table, all of one temperature: that of the shift, or the chosen
+/// one, or the only one of the file. Sets the temperature of the series and adds notes on what was
+/// assumed. Throws InputError where a table has no row within the tolerance, or where there are
+/// several temperatures and none is chosen.
+std::vector<std::size_t> chooseRows(const std::vector<TemperatureRows>& tables,
+                                    std::optional<double> absoluteZero, const KeywordFile& file,
+                                    RawSeries& series);
+
+// ---- The readers; nothing where the lines hold no series of the program
+
+std::optional<RawSeries> abaqusSeries(const KeywordFile& file);
+std::optional<RawSeries> ansysSeries(const KeywordFile& file);
 
 }  // namespace asperity

@@ -3991,8 +3991,8 @@
         <translation>Schlüsselwörter von Abaqus</translation>
     </message>
     <message>
-        <source>has a hyperelastic form whose shear modulus is not read; NEO HOOKE, MOONEY-RIVLIN and YEOH are, or give --equilibrium-modulus</source>
-        <translation>hat eine hyperelastische Form, deren Schubmodul nicht gelesen wird; NEO HOOKE, MOONEY-RIVLIN und YEOH werden es, oder --equilibrium-modulus angeben</translation>
+        <source>has a hyperelastic form whose shear modulus is not read; NEO HOOKE, MOONEY-RIVLIN and YEOH with their constants are, or give --equilibrium-modulus</source>
+        <translation>hat eine hyperelastische Form, deren Schubmodul nicht gelesen wird; NEO HOOKE, MOONEY-RIVLIN und YEOH mit ihren Konstanten werden es, oder --equilibrium-modulus angeben</translation>
     </message>
     <message>
         <source>is not TIME=PRONY; a table of frequencies and moduli is read as such</source>
@@ -4107,8 +4107,8 @@
         <translation>die Temperatur in K</translation>
     </message>
     <message>
-        <source>is %1 K in the file's shift; leave --temperature out</source>
-        <translation>ist %1 K in der Verschiebung der Datei; --temperature weglassen</translation>
+        <source>is %1 K in the file's shift; leave %2 out</source>
+        <translation>ist %1 K in der Verschiebung der Datei; %2 weglassen</translation>
     </message>
     <message>
         <source>is stated nowhere; say at which the series holds with --temperature, such as --temperature 20C</source>
@@ -4213,6 +4213,90 @@
     <message>
         <source>%1 arms</source>
         <translation>%1 Arme</translation>
+    </message>
+    <message>
+        <source>material %1 is read: of the %2 materials in the file, it has the series</source>
+        <translation>Material %1 wird gelesen: von den %2 Materialien der Datei hat es die Reihe</translation>
+    </message>
+    <message>
+        <source>has several values in the file, %1; choose one with --temperature</source>
+        <translation>hat mehrere Werte in der Datei, %1; einen mit --temperature wählen</translation>
+    </message>
+    <message>
+        <source>has values at %1 and none within %2 K of the reference of the shift, %3; --temperature-tolerance allows more, or give --equilibrium-modulus</source>
+        <translation>hat Werte bei %1 und keinen innerhalb von %2 K um den Bezug der Verschiebung, %3; --temperature-tolerance erlaubt mehr, oder --equilibrium-modulus angeben</translation>
+    </message>
+    <message>
+        <source>has values at %1 and none within %2 K of %3; choose one of these with --temperature, or allow more with --temperature-tolerance</source>
+        <translation>hat Werte bei %1 und keinen innerhalb von %2 K um %3; eine dieser Temperaturen mit --temperature wählen, oder mit --temperature-tolerance mehr erlauben</translation>
+    </message>
+    <message>
+        <source>has more than one row at %1; keep the one that is meant alone</source>
+        <translation>hat mehr als eine Zeile bei %1; nur die gemeinte stehen lassen</translation>
+    </message>
+    <message>
+        <source>the values at %1 are read, with the temperatures of the file in %2; --temperature-unit says another</source>
+        <translation>die Werte bei %1 werden gelesen, mit den Temperaturen der Datei in %2; --temperature-unit sagt eine andere Einheit</translation>
+    </message>
+    <message>
+        <source>the values at %1 are read</source>
+        <translation>die Werte bei %1 werden gelesen</translation>
+    </message>
+    <message>
+        <source>a single row at temperature 0 is read as one for every temperature: programs write 0 where none was chosen</source>
+        <translation>eine einzige Zeile bei der Temperatur 0 wird als eine für jede Temperatur gelesen: Programme schreiben 0, wo keine gewählt wurde</translation>
+    </message>
+    <message>
+        <source>has moduli that depend on field variables, which are not read; give --equilibrium-modulus</source>
+        <translation>hat Moduln, die von Feldvariablen abhängen und nicht gelesen werden; --equilibrium-modulus angeben</translation>
+    </message>
+    <message>
+        <source>has moduli that differ with direction, which are not read; give --equilibrium-modulus</source>
+        <translation>hat Moduln, die von der Richtung abhängen und nicht gelesen werden; --equilibrium-modulus angeben</translation>
+    </message>
+    <message>
+        <source>is a second modulus of the same material; keep the one that is meant</source>
+        <translation>ist ein zweiter Modul desselben Materials; nur den gemeinten stehen lassen</translation>
+    </message>
+    <message>
+        <source>has no modulus</source>
+        <translation>hat keinen Modul</translation>
+    </message>
+    <message>
+        <source>is a second TB,PRONY; keep the material that is meant alone</source>
+        <translation>ist ein zweites TB,PRONY; nur das gemeinte Material stehen lassen</translation>
+    </message>
+    <message>
+        <source>is a second TBTEMP of the same temperature; keep the one that is meant</source>
+        <translation>ist ein zweites TBTEMP derselben Temperatur; nur das gemeinte stehen lassen</translation>
+    </message>
+    <message>
+        <source>changes with temperature as a polynomial, which is not read; write MPTEMP and MPDATA, or give --instantaneous-modulus</source>
+        <translation>ändert sich mit der Temperatur als Polynom, das nicht gelesen wird; MPTEMP und MPDATA schreiben, oder --instantaneous-modulus angeben</translation>
+    </message>
+    <message>
+        <source>has a value in place %1 for which MPTEMP has no temperature</source>
+        <translation>hat einen Wert an der Stelle %1, für die MPTEMP keine Temperatur hat</translation>
+    </message>
+    <message>
+        <source>begins at a place that is outside 1 to %1</source>
+        <translation>beginnt an einer Stelle außerhalb von 1 bis %1</translation>
+    </message>
+    <message>
+        <source>states a property of the same material again; keep the one that is meant</source>
+        <translation>nennt eine Eigenschaft desselben Materials noch einmal; nur die gemeinte stehen lassen</translation>
+    </message>
+    <message>
+        <source>has no constant %1</source>
+        <translation>hat keine Konstante %1</translation>
+    </message>
+    <message>
+        <source>has a hyperelastic form whose shear modulus is not read; NEO, MOONEY and YEOH are, or give --instantaneous-modulus</source>
+        <translation>hat eine hyperelastische Form, deren Schubmodul nicht gelesen wird; NEO, MOONEY und YEOH werden es, oder --instantaneous-modulus angeben</translation>
+    </message>
+    <message>
+        <source>has a shift for more than one temperature; keep the one that is meant</source>
+        <translation>hat eine Verschiebung für mehr als eine Temperatur; nur die gemeinte stehen lassen</translation>
     </message>
     <message>
         <source>the reference temperature %1 of the file is taken in %2; --temperature-unit says another</source>

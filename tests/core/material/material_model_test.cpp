@@ -12,6 +12,7 @@
 #include "core/material/material_library.h"
 #include "core/material/temperature_shift.h"
 #include "core/scene/material_tables.h"
+#include "tests/core/error_from.h"
 #include "tests/core/material/synthetic_rubber.h"
 
 namespace asperity {
@@ -129,6 +130,31 @@ TEST(MaterialModel, AReadySeriesHasItsOneTemperature) {
   EXPECT_EQ(material.series.equilibriumModulus, 1e6);
   EXPECT_EQ(material.shift.table, (std::vector<ShiftPoint>{{296.15, 0}}));
   EXPECT_EQ(material.measured, MeasuredRange{});
+}
+
+TEST(MaterialModel, ASeriesHoldsAtTheTemperatureOfItsFile) {
+  const std::string text =
+      "*ELASTIC\n3e6, 0.5, 23.\n*VISCOELASTIC, TIME=PRONY\n0.5, 0., 0.1\n0.25, 0., 10.\n";
+  EXPECT_DOUBLE_EQ(makeMaterial(text, "series.inp", {}).referenceTemperature, 296.15);
+  MaterialChoices choices;
+  choices.referenceTemperature = 293.15;
+  EXPECT_THAT(errorFrom([&] { makeMaterial(text, "series.inp", choices); }),
+              HasSubstr("has values at 23.0 \u00B0C"));
+  choices.temperatureTolerance = 4;
+  EXPECT_EQ(makeMaterial(text, "series.inp", choices).referenceTemperature, 293.15);
+}
+
+/// The message names the option that was given.
+TEST(MaterialModel, ATemperatureBesideTheShiftOfTheFileIsRefused) {
+  const std::string text =
+      "*ELASTIC\n3e6, 0.5\n*VISCOELASTIC, TIME=PRONY\n0.5, 0., 0.1\n*TRS\n293.15, 8.86, 101.6\n";
+  MaterialChoices reference, temperature;
+  reference.referenceTemperature = 333.15;
+  temperature.columns.temperature = 333.15;
+  EXPECT_THAT(errorFrom([&] { makeMaterial(text, "series.inp", reference); }),
+              HasSubstr("is 293.15 K in the file's shift; leave --reference-temperature out"));
+  EXPECT_THAT(errorFrom([&] { makeMaterial(text, "series.inp", temperature); }),
+              HasSubstr("is 293.15 K in the file's shift; leave --temperature out"));
 }
 
 /// A scene at its default temperature cannot use such a material.

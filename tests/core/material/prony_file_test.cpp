@@ -171,6 +171,182 @@ TEST(PronyFile, ATableOfFrequenciesIsNone) {
   EXPECT_FALSE(read("f (Hz),T (C),G' (Pa),G'' (Pa)\n1,20,2e6,2e5\n").has_value());
 }
 
+// ---- Several materials
+
+const std::string kSteel = "*MATERIAL, NAME=Steel\n*ELASTIC\n2.1e11, 0.3\n";
+const std::string kRim = "*MATERIAL, NAME=RIM\n*ELASTIC\n7e10, 0.3\n";
+const std::string kTread = "*Material, name=Tread 2\n*HYPERELASTIC, NEO HOOKE\n5e5, 1e-9\n";
+const std::string kSeries = "*VISCOELASTIC, TIME=PRONY\n0.5, 0., 0.1\n0.25, 0., 10.\n";
+
+TEST(PronyFile, AModulusCountsForItsOwnMaterialOfAbaqus) {
+  for (const std::string& text :
+       {kTread + kSeries, kSteel + kTread + kSeries, kTread + kSeries + kRim,
+        kSteel + kTread + kSeries + kRim,
+        kTread + kSeries + "*MATERIAL, NAME=CORD\n*HYPERELASTIC, NEO HOOKE\n2e5, 1e-9\n",
+        kTread + kSeries + "*MATERIAL, NAME=FOAM\n*HYPERELASTIC, OGDEN\n2e5, 1, 1e-9\n"}) {
+    SCOPED_TRACE(text);
+    expectSeries(read(text));
+  }
+  const auto file = read(kSteel + kTread + kSeries + kRim);
+  ASSERT_EQ(file->notes.size(), 1U);
+  EXPECT_EQ(file->notes[0].english(),
+            "material Tread 2 is read: of the 3 materials in the file, it has the series");
+  EXPECT_TRUE(read(kTread + kSeries)->notes.empty());
+}
+
+TEST(PronyFile, AModulusCountsForItsOwnMaterialOfAnsys) {
+  const std::string rubber =
+      "MP,EX,2,12e6 ! Pa, of a sudden strain\nMP,NUXY,2,0.5\n"
+      "TB,PRONY,2,,2,SHEAR\nTBDATA,1,0.5,0.1,0.25,10\n";
+  const std::string steel = "MP,EX,1,2.1e11\nMP,PRXY,1,0.3\n";
+  const std::string rim = "MPTEMP,1,20\nMPDATA,EX,3,1,7e10\nTB,PRONY,3,1,1,BULK\nTBDATA,1,0.1,1\n";
+  for (const std::string& text : {rubber, steel + rubber, rubber + steel, rim + rubber + steel}) {
+    SCOPED_TRACE(text);
+    expectSeries(read(text));
+  }
+  EXPECT_THAT(read(steel + rubber)->notes.at(0).english(),
+              HasSubstr("material 2 is read: of the 2"));
+  // MAT sets the material of MP; TB has 1 where it names none.
+  expectSeries(
+      read("MAT,2\nMP,EX,,2.1e11\nMAT,1\nMP,EX,,12e6\nTB,PRONY,,1,2\nTBDATA,1,0.5,0.1,0.25,10\n"));
+}
+
+TEST(PronyFile, TheModulusOfAnotherMaterialIsNone) {
+  EXPECT_THAT(errorOf(kSteel + "*MATERIAL, NAME=TREAD\n" + kSeries),
+              HasSubstr("prony.txt: material TREAD: has parts of a modulus and not the modulus"));
+  EXPECT_THAT(errorOf("MP,EX,1,2.1e11\nTB,PRONY,2,,1,SHEAR\nTBDATA,1,0.5,0.1\n"),
+              HasSubstr("material 2: has parts of a modulus and not the modulus"));
+  PronyChoices choices;
+  choices.equilibriumModulus = 1e6;
+  expectSeries(read(kSteel + "*MATERIAL, NAME=TREAD\n" + kSeries, choices));
+  EXPECT_THAT(errorOf(kTread + kSeries + "*MATERIAL, NAME=SIDE\n" + kSeries),
+              HasSubstr("is a second *VISCOELASTIC"));
+  EXPECT_THAT(errorOf("MP,EX,1,12e6\nTB,PRONY,1\nTBDATA,1,0.5,0.1\nTB,PRONY,2\nTBDATA,1,0.5,1\n"),
+              HasSubstr("line 4: is a second TB,PRONY"));
+  EXPECT_THAT(errorOf(kTread + "*ELASTIC\n3e6, 0.5\n" + kSeries),
+              HasSubstr("line 4: is a second modulus of the same material"));
+  EXPECT_THAT(errorOf("MP,EX,1,12e6\nMP,EX,1,6e6\nTB,PRONY,1\nTBDATA,1,0.5,0.1\n"),
+              HasSubstr("line 2: states a property of the same material again"));
+}
+
+/// The constants of TB,HYPER are those of a sudden deformation: mu for NEO, 2 (C10 + C01) else.
+TEST(PronyFile, HyperelasticMaterialsOfAnsys) {
+  const std::string series = "TB,PRONY,1,1,2,SHEAR\nTBDATA,1,0.5,0.1,0.25,10\n";
+  expectSeries(read("TB,HYPER,1,1,2,NEO\nTBDATA,1,4e6,1e-9\n" + series));
+  expectSeries(read("TB,HYPER,1,1,2,MOONEY\nTBDATA,1,1.5e6,0.5e6,1e-9\n" + series));
+  expectSeries(read("TB,HYPER,1,1,2,YEOH\nTBDATA,1,2e6,1e5,1e-9\n" + series));
+  expectSeries(read("TB,ELASTIC,1,1,2,ISOT\nTBDATA,1,12e6,0.5\n" + series));
+  EXPECT_THAT(errorOf("TB,HYPER,1,1,2,OGDEN\nTBDATA,1,4e6,2,1e-9\n" + series),
+              HasSubstr("line 1: has a hyperelastic form whose shear modulus is not read"));
+}
+
+/// The refusal names these options, and then they must help.
+TEST(PronyFile, AChosenModulusReplacesOneThatIsNotRead) {
+  PronyChoices choices;
+  choices.equilibriumModulus = 1e6;
+  expectSeries(read("*HYPERELASTIC, OGDEN\n4e5, 2., 1e-9\n" + kSeries, choices));
+  expectSeries(read("*ELASTIC, DEPENDENCIES=1\n4e5, 0.5, , 1.\n" + kSeries, choices));
+  EXPECT_THAT(errorOf("*HYPERELASTIC, NEO HOOKE, TEST DATA INPUT\n1e5, 0.1\n" + kSeries),
+              HasSubstr("with their constants are, or give --equilibrium-modulus"));
+}
+
+// ---- Values at several temperatures
+
+PronyChoices atKelvin(double temperature) {
+  PronyChoices choices;
+  choices.temperature = temperature;
+  return choices;
+}
+
+TEST(PronyFile, ModuliAreThoseOfTheTemperatureAskedFor) {
+  const std::string elastic = "*ELASTIC\n3e6, 0.5, 0.\n1.5e6, 0.5, 100.\n" + kSeries;
+  const std::string neo = "*HYPERELASTIC, NEO HOOKE\n5e5, 1e-9, 0.\n2.5e5, 1e-9, 100.\n" + kSeries;
+  const std::string yeoh =
+      "*HYPERELASTIC, YEOH\n5e5,1,1,1e-9,0,0,0.\n2.5e5,1,1,1e-9,0,0,100.\n" + kSeries;
+  const std::string ansys =
+      "MPTEMP,1,0,100\nMPDATA,EX,1,1,12e6,6e6\nTB,PRONY,1\nTBDATA,1,0.5,0.1,0.25,10\n";
+  for (const std::string& text : {elastic, neo, yeoh, ansys}) {
+    SCOPED_TRACE(text);
+    const auto cold = read(text, atKelvin(273.15));
+    expectSeries(cold);
+    EXPECT_THAT(cold->notes.at(0).english(), HasSubstr("the values at 0.0 \u00B0C are read"));
+    EXPECT_NEAR(read(text, atKelvin(373.15))->equilibriumModulus, 0.5e6, 1e-3);
+    EXPECT_NEAR(read(text, atKelvin(373.55))->equilibriumModulus, 0.5e6, 1e-3);
+    EXPECT_THAT(
+        errorOf(text, atKelvin(293.15)),
+        HasSubstr("has values at 0.0 \u00B0C, 100.0 \u00B0C and none within 0.6 K of 20.0"));
+    EXPECT_THAT(errorOf(text), HasSubstr("temperature: has several values in the file, 0.0"));
+    PronyChoices wide = atKelvin(293.15);
+    wide.temperatureTolerance = 25;
+    expectSeries(read(text, wide));
+  }
+}
+
+TEST(PronyFile, SeriesAreThoseOfTheTemperatureAskedFor) {
+  const std::string text =
+      "MP,EX,1,12e6\nTB,PRONY,1,2,2,SHEAR\nTBTEMP,0\nTBDATA,1,0.5,0.1,0.25,10\n"
+      "TBTEMP,50\nTBDATA,1,0.25,1e-5,0.1,1e-3\n";
+  expectSeries(read(text, atKelvin(273.15)));
+  EXPECT_NEAR(read(text, atKelvin(323.15))->equilibriumModulus, 0.65 * 4e6, 1e-3);
+  EXPECT_THAT(errorOf(text, atKelvin(293.15)), HasSubstr("line 2: has values at 0.0"));
+  EXPECT_THAT(errorOf(text),
+              HasSubstr("has several values in the file, 0.0 \u00B0C, 50.0 \u00B0C"));
+  PronyChoices modulus;
+  modulus.instantaneousModulus = 4e6;
+  EXPECT_THAT(errorOf(text, modulus), HasSubstr("has several values in the file"));
+}
+
+/// A shift holds from its reference on, so the values are those of that temperature.
+TEST(PronyFile, WithAShiftTheValuesAreThoseOfItsReference) {
+  const std::string rows = "*ELASTIC\n3e6, 0.5, 25.\n1.5e6, 0.5, 60.\n" + kSeries;
+  expectSeries(read(rows + "*TRS\n25., 8.86, 101.6\n"));
+  EXPECT_NEAR(read(rows + "*TRS\n60., 8.86, 101.6\n")->equilibriumModulus, 0.5e6, 1e-3);
+  EXPECT_THAT(errorOf(rows + "*TRS\n40., 8.86, 101.6\n"),
+              HasSubstr("none within 0.6 K of the reference of the shift, 40.0"));
+}
+
+TEST(PronyFile, TheOnlyTemperatureOfAFileIsThatOfItsSeries) {
+  const std::string row = "*HYPERELASTIC, NEO HOOKE\n5e5, 1e-9, 23.\n" + kSeries;
+  const auto file = read(row);
+  expectSeries(file);
+  ASSERT_TRUE(file->temperature.has_value());
+  EXPECT_DOUBLE_EQ(*file->temperature, 296.15);
+  EXPECT_EQ(file->notes.at(0).english(),
+            "the values at 23.0 \u00B0C are read, with the temperatures of the file in \u00B0C; "
+            "--temperature-unit says another");
+  EXPECT_THAT(errorOf(row, atKelvin(333.15)), HasSubstr("has values at 23.0 \u00B0C and none"));
+  EXPECT_DOUBLE_EQ(
+      *read("MP,EX,1,12e6\nTB,PRONY,1\nTBTEMP,296.15\nTBDATA,1,0.5,0.1,0.25,10\n")->temperature,
+      296.15);
+  EXPECT_THAT(errorOf("*ELASTIC\n3e6, 0.5, -300.\n" + kSeries),
+              HasSubstr("temperature: T is -26.85"));
+  PronyChoices kelvin;
+  kelvin.temperatureUnit = "K";
+  EXPECT_DOUBLE_EQ(*read("*ELASTIC\n3e6, 0.5, 150.\n" + kSeries, kelvin)->temperature, 150);
+}
+
+/// Programs write a temperature of 0 where none was chosen, as Ansys in the files that it makes.
+TEST(PronyFile, ASingleRowAtZeroStatesNoTemperature) {
+  const std::string text =
+      "MPTEMP,R5.0, 1, 1,  0.0\nMPDATA,R5.0, 1,EX  ,  1, 1,  12000000.\n"
+      "TB,PRON,   1,   1,   2,SHEA\nTBTEM,  0.000E+00,   1\nTBDAT,  1,  0.5,  0.1,  0.25, 10.\n";
+  EXPECT_FALSE(read(text)->temperature.has_value());
+  expectSeries(read(text));
+  const auto warm = read(text, atKelvin(293.15));
+  expectSeries(warm);
+  EXPECT_THAT(warm->notes.at(0).english(), HasSubstr("a single row at temperature 0"));
+  EXPECT_TRUE(read(text, atKelvin(273.15))->notes.empty());
+}
+
+TEST(PronyFile, RowsThatCannotBeToldApartAreRefused) {
+  EXPECT_THAT(errorOf("*ELASTIC\n3e6, 0.5\n1.5e6, 0.5\n" + kSeries),
+              HasSubstr("line 1: has more than one row at 0.0"));
+  EXPECT_THAT(errorOf("MP,EX,1,12e6,-1e3\nTB,PRONY,1\nTBDATA,1,0.5,0.1\n"),
+              HasSubstr("line 1: changes with temperature as a polynomial"));
+  EXPECT_THAT(errorOf("MPTEMP,1,0\nMPDATA,EX,1,1,12e6,6e6\nTB,PRONY,1\nTBDATA,1,0.5,0.1\n"),
+              HasSubstr("line 2: has a value in place 2 for which MPTEMP has no temperature"));
+}
+
 TEST(PronyFile, WhatIsWrongIsSaidInOneLine) {
   const std::string head = "*ELASTIC\n3e6, 0.5\n*VISCOELASTIC, TIME=PRONY\n";
   EXPECT_THAT(errorOf(head + "0.5, 0.\n"), HasSubstr("line 4: needs a number in place 3"));
