@@ -4289,6 +4289,10 @@
         <translation> (Mittel %1 ± %2 %)</translation>
     </message>
     <message>
+        <source> (mean ≈ %1 ± %2 %)</source>
+        <translation> (Mittel ≈ %1 ± %2 %)</translation>
+    </message>
+    <message>
         <source>elastic</source>
         <translation>elastisch</translation>
     </message>
@@ -4321,8 +4325,8 @@
         <translation>Wo die Geschwindigkeit auf der Reibungskurve liegt: Bereiche I bis IV der Arbeit, gefunden auf der vollständigen Kurve</translation>
     </message>
     <message>
-        <source>Coefficient of friction of this line, of a motion at this moment; in brackets the mean of all lines at this velocity with its standard error</source>
-        <translation>Reibungszahl dieser Linie, bei einer Bewegung in diesem Augenblick; in Klammern das Mittel aller Linien bei dieser Geschwindigkeit mit seinem Standardfehler</translation>
+        <source>Coefficient of friction of this line, of a motion at this moment; in brackets the mean of all lines at this velocity with its standard error. After ≈ it is interpolated between two points of the curve.</source>
+        <translation>Reibungszahl dieser Linie, bei einer Bewegung in diesem Augenblick; in Klammern das Mittel aller Linien bei dieser Geschwindigkeit mit seinem Standardfehler. Nach ≈ ist es zwischen zwei Punkten der Kurve interpoliert.</translation>
     </message>
     <message>
         <source>Eq. (14) of the paper: normal force / (shear modulus × rms height × length)</source>

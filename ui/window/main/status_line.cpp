@@ -41,14 +41,15 @@ double presentFriction(const Frame& frame) {
   return frame.transient ? orMissing(frame.tangentialForce / frame.normalForce) : frame.muSteady;
 }
 
-/// Returns " (mean 0.001198 ± 0.4 %)", with the digits that the error allows; empty where all lines
-/// agree except for rounding.
+/// Returns " (mean ≈ 0.001198 ± 0.4 %)", with the digits that the error allows; empty where all
+/// lines agree except for rounding. At a point of the curve it is without the sign.
 QString meanText(const CurveReading& reading) {
   constexpr double kRounding = 1e-5;
   const double share = std::abs(reading.error / reading.mu);
   if (!(share > kRounding)) return {};
   const double digits = std::clamp(std::ceil(-std::log10(share)) + 1, 2.0, 5.0);
-  return StatusLine::tr(" (mean %1 ± %2 %)")
+  return (reading.isInterpolated ? StatusLine::tr(" (mean ≈ %1 ± %2 %)")
+                                 : StatusLine::tr(" (mean %1 ± %2 %)"))
       .arg(readingLabel(reading.mu, static_cast<int>(digits)),
            shownNumber(roundedToDigits(100 * share, 1)));
 }
@@ -170,7 +171,8 @@ void StatusLine::showTips() {
                     "paper, found on the complete curve")));
   mu_->setToolTip(wrappedTip(
       tr("Coefficient of friction of this line, of a motion at this moment; in brackets the mean "
-         "of all lines at this velocity with its standard error")));
+         "of all lines at this velocity with its standard error. After ≈ it is interpolated "
+         "between two points of the curve.")));
   force_->setToolTip(wrappedTip(
       tr("Eq. (14) of the paper: normal force / (shear modulus × rms height × length)")));
   velocity_->setToolTip(wrappedTip(velocityTip()));
@@ -187,7 +189,7 @@ void StatusLine::showTips() {
 /// work begins or ends.
 void StatusLine::reserveWidths() {
   const QString number = QStringLiteral("0.00888");
-  const QString mean = tr(" (mean %1 ± %2 %)").arg(QStringLiteral("0.0008888"), "0.08");
+  const QString mean = tr(" (mean ≈ %1 ± %2 %)").arg(QStringLiteral("0.0008888"), "0.08");
   QStringList regions;
   for (const char* name : {"I", "II", "III", "IV"}) regions += regionText(name);
   for (const auto& [reading, texts] : std::initializer_list<std::pair<QLabel*, QStringList>>{
