@@ -4293,30 +4293,6 @@
         <translation> (Mittel ≈ %1 ± %2 %)</translation>
     </message>
     <message>
-        <source>elastic</source>
-        <translation>elastisch</translation>
-    </message>
-    <message>
-        <source>None here: an elastic body has no relaxation time.</source>
-        <translation>Hier keine: Ein elastischer Körper hat keine Relaxationszeit.</translation>
-    </message>
-    <message>
-        <source>arms</source>
-        <translation>Arme</translation>
-    </message>
-    <message>
-        <source>None here: arms have relaxation times of their own, and Eq. (13) is made with the only one of the paper&apos;s elastomer.</source>
-        <translation>Hier keine: Arme haben eigene Relaxationszeiten, und Gl. (13) ist mit der einzigen des Elastomers der Arbeit gebildet.</translation>
-    </message>
-    <message>
-        <source>flat</source>
-        <translation>eben</translation>
-    </message>
-    <message>
-        <source>None here: the line has no roughness.</source>
-        <translation>Hier keine: Die Linie hat keine Rauheit.</translation>
-    </message>
-    <message>
         <source>Eq. (13) of the paper: relaxation time × velocity × rms slope / (√2 × rms height); of a motion at this moment</source>
         <translation>Gl. (13) der Arbeit: Relaxationszeit × Geschwindigkeit × RMS-Steigung / (√2 × RMS-Höhe); bei einer Bewegung in diesem Augenblick</translation>
     </message>
@@ -4383,10 +4359,6 @@
     <message>
         <source>velocity v̄ = %1</source>
         <translation>Geschwindigkeit v̄ = %1</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>1 frame/s</source>

@@ -140,6 +140,8 @@ TEST_F(TimeBarTest, ARefusedPaceIsSaid) {
   EXPECT_TRUE(said[2][0].toString().contains("it is 100× slower now"))
       << said[2][0].toString().toStdString();
   bar_.show();
+  bar_.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&bar_));
   type("5");
   ASSERT_EQ(said.count(), 4);
   EXPECT_TRUE(QTest::qWaitFor([] { return QToolTip::text().contains("100× slower to"); }))

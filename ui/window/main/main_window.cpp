@@ -264,6 +264,11 @@ void MainWindow::buildCommands() {
   lessons_ = new Lessons(
       {*this, *document_, *session_, *panel_, *dock_, *tabs_, *messages_, *appearance_});
   lessons_->addTo(*commands_);
+  // The offer of the tour is nothing for those who are in a lesson, nor for an audience.
+  connect(lessons_, &Lessons::stepShown, hint_, &QWidget::hide);
+  connect(commands_->get("present"), &QAction::toggled, hint_, [this](bool isOn) {
+    if (isOn) hint_->hide();
+  });
   connect(lessons_, &Lessons::stepShown, this, [this] {
     if (session_->frame()) showFrame();  // a picture that stands still brings no new readings
   });

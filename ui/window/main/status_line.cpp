@@ -14,6 +14,7 @@
 #include "core/base/number_text.h"
 #include "core/material/element_law.h"
 #include "ui/chart/friction_chart_model.h"
+#include "ui/draw/ticks.h"
 #include "ui/language/explained.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
@@ -58,26 +59,6 @@ QString meanText(const CurveReading& reading) {
 QString rateText(double rate) {
   const QLocale locale(fromUtf8(presentLanguage()));
   return locale.toString(static_cast<qlonglong>(roundedToDigits(rate, 2)));
-}
-
-/// The reason why there is no dimensionless velocity: a short text and a sentence; empty where
-/// there is one.
-struct Reason {
-  QString brief, sentence;
-};
-
-Reason missingVelocityReason(const Frame& frame) {
-  const ElementKind kind = elementLaw(frame.scene->elastomer).kind();
-  if (kind == ElementKind::Elastic)
-    return {StatusLine::tr("elastic"),
-            StatusLine::tr("None here: an elastic body has no relaxation time.")};
-  if (kind == ElementKind::Arms)
-    return {StatusLine::tr("arms"),
-            StatusLine::tr("None here: arms have relaxation times of their own, and Eq. (13) is "
-                           "made with the only one of the paper's elastomer.")};
-  if (!(frame.rmsHeight > 0) || !(frame.rmsSlope > 0))
-    return {StatusLine::tr("flat"), StatusLine::tr("None here: the line has no roughness.")};
-  return {};
 }
 
 QString velocityTip() {
@@ -324,8 +305,17 @@ void StatusLine::fitReadings() {
   constexpr int kExtraSpace = 40;  // pixels
   const QMargins margins = layout()->contentsMargins();
   int available = width() - margins.left() - margins.right();
-  for (const QWidget* work : std::initializer_list<const QWidget*>{progress_, stop_})
-    available -= work->width() + layout()->spacing();
+  // A message takes the place of work that does not run, and of the less important readings.
+  const bool hasMessage = messageTimer_->isActive();
+  const bool keepsWork = !hasMessage || work_.state != Work::State::Idle;
+  for (QWidget* work : std::initializer_list<QWidget*>{progress_, stop_}) {
+    QSizePolicy policy = work->sizePolicy();
+    policy.setRetainSizeWhenHidden(keepsWork);
+    work->setSizePolicy(policy);
+    if (keepsWork) available -= work->width() + layout()->spacing();
+  }
+  if (hasMessage)
+    available -= fontMetrics().horizontalAdvance(message_->text()) + 2 * layout()->spacing();
   // Friction and the notes stay even in the narrowest window.
   notes_->setVisible(!shownNotes_.empty());
   if (!shownNotes_.empty()) available -= notes_->sizeHint().width() + layout()->spacing();
@@ -360,22 +350,12 @@ void StatusLine::resizeEvent(QResizeEvent* event) {
   fitReadings();
 }
 
-/// Shows the dimensionless velocity. Where there is none, the reason is shown beside it if there is
-/// enough space.
+/// Shows the dimensionless velocity, and nothing where there is none: an elastic body has no
+/// relaxation time, arms have several, and a flat line has no roughness.
 void StatusLine::showVelocity(const Frame& frame) {
-  constexpr int kMinLeft = 4, kExtraSpace = 16;  // pixels; different, to avoid flicker
-  const QString plain = tr("velocity v̄ = %1").arg(readingLabel(dimensionlessVelocity(frame)));
-  const Reason reason = missingVelocityReason(frame);
-  velocity_->setToolTip(reason.sentence.isEmpty()
-                            ? wrappedTip(velocityTip())
-                            : wrappedTip(velocityTip() + QStringLiteral(". ") + reason.sentence));
-  if (reason.brief.isEmpty()) return velocity_->setText(plain);
-  const QString whole = tr("%1 (%2)").arg(plain, reason.brief);
-  const int extra = fontMetrics().horizontalAdvance(whole) - fontMetrics().horizontalAdvance(plain);
-  const bool isWhole = velocity_->text() == whole;
-  const bool fits =
-      isWhole ? message_->width() >= kMinLeft : message_->width() >= extra + kExtraSpace;
-  velocity_->setText(fits && !velocity_->isHidden() ? whole : plain);
+  const double velocity = dimensionlessVelocity(frame);
+  velocity_->setText(std::isfinite(velocity) ? tr("velocity v̄ = %1").arg(readingLabel(velocity))
+                                             : QString());
 }
 
 void StatusLine::showMessage(const QString& text) {
