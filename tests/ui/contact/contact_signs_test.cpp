@@ -229,6 +229,7 @@ TEST(ContactHandles, StayInTheirPlaceWhileTheLineSlides) {
     options.width = 720;
     options.height = height;
     SampleOptions sample;
+    sample.points = 400;
     const auto first = sampleFrame(sample);
     const double space = labelSpace(*first, options);
     std::optional<ContactView> view;
