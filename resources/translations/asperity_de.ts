@@ -4289,28 +4289,8 @@
         <translation> (Mittel %1 ± %2 %)</translation>
     </message>
     <message>
-        <source>elastic</source>
-        <translation>elastisch</translation>
-    </message>
-    <message>
-        <source>None here: an elastic body has no relaxation time.</source>
-        <translation>Hier keine: Ein elastischer Körper hat keine Relaxationszeit.</translation>
-    </message>
-    <message>
-        <source>arms</source>
-        <translation>Arme</translation>
-    </message>
-    <message>
-        <source>None here: arms have relaxation times of their own, and Eq. (13) is made with the only one of the paper&apos;s elastomer.</source>
-        <translation>Hier keine: Arme haben eigene Relaxationszeiten, und Gl. (13) ist mit der einzigen des Elastomers der Arbeit gebildet.</translation>
-    </message>
-    <message>
-        <source>flat</source>
-        <translation>eben</translation>
-    </message>
-    <message>
-        <source>None here: the line has no roughness.</source>
-        <translation>Hier keine: Die Linie hat keine Rauheit.</translation>
+        <source> (mean ≈ %1 ± %2 %)</source>
+        <translation> (Mittel ≈ %1 ± %2 %)</translation>
     </message>
     <message>
         <source>Eq. (13) of the paper: relaxation time × velocity × rms slope / (√2 × rms height); of a motion at this moment</source>
@@ -4321,8 +4301,8 @@
         <translation>Wo die Geschwindigkeit auf der Reibungskurve liegt: Bereiche I bis IV der Arbeit, gefunden auf der vollständigen Kurve</translation>
     </message>
     <message>
-        <source>Coefficient of friction of this line, of a motion at this moment; in brackets the mean of all lines at this velocity with its standard error</source>
-        <translation>Reibungszahl dieser Linie, bei einer Bewegung in diesem Augenblick; in Klammern das Mittel aller Linien bei dieser Geschwindigkeit mit seinem Standardfehler</translation>
+        <source>Coefficient of friction of this line, of a motion at this moment; in brackets the mean of all lines at this velocity with its standard error. After ≈ it is interpolated between two points of the curve.</source>
+        <translation>Reibungszahl dieser Linie, bei einer Bewegung in diesem Augenblick; in Klammern das Mittel aller Linien bei dieser Geschwindigkeit mit seinem Standardfehler. Nach ≈ ist es zwischen zwei Punkten der Kurve interpoliert.</translation>
     </message>
     <message>
         <source>Eq. (14) of the paper: normal force / (shear modulus × rms height × length)</source>
@@ -4379,10 +4359,6 @@
     <message>
         <source>velocity v̄ = %1</source>
         <translation>Geschwindigkeit v̄ = %1</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>1 frame/s</source>

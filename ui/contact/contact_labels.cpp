@@ -274,6 +274,10 @@ void nameElastomer(TagPainter& painter, const Frame& frame, const ContactLayout&
 
 }  // namespace
 
+float labelRowBottom(const ContactLayout& layout) {
+  return layout.plot.y + std::round(9 * layout.sizes.unit) + layout.sizes.labelHeight();
+}
+
 Notes addLabels(DrawList& list, const Frame& frame, const ContactLayout& layout,
                 std::vector<ContactSign>* signs) {
   Notes notes = notesFor(frame, layout);

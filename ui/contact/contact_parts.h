@@ -49,6 +49,9 @@ float glowDepth(const ContactLayout& layout);
 Notes addLabels(DrawList& list, const Frame& frame, const ContactLayout& layout,
                 std::vector<ContactSign>* signs = nullptr);
 
+/// Returns the lower end of the row of labels at the top of the plot, a pixel row.
+float labelRowBottom(const ContactLayout& layout);
+
 /// Returns the notes that fit into the footer.
 Notes shownNotes(const ContactLayout& layout, const Notes& notes);
 

@@ -23,6 +23,9 @@ ContactPictureOptions tidy(ContactPictureOptions options) {
 // Space above and below the rough interface, relative to its height range, for the bodies and their
 // labels.
 constexpr double kSpaceAbove = 0.24, kSpaceBelow = 0.30;
+// Largest part of the plot's height above the line that labels are given, and a part beyond what
+// they need, so that a line that moves up a little changes nothing.
+constexpr double kMostLabelSpace = 0.3, kSpareSpace = 0.03;
 constexpr double kMaxPeriods = 50;
 
 struct Extent {
@@ -50,24 +53,33 @@ Extent withMinimumHeight(Extent extent) {
   return {std::min(extent.low, 0.0) - 0.2 * farthest, std::max(extent.high, 0.0) + 0.2 * farthest};
 }
 
-bool stillFits(const ContactView& view, const Extent& extent) {
+/// Returns the space above the interface relative to its height range.
+double spaceAbove(double labelSpace) {
+  const double part = labelSpace > 0 ? labelSpace + kSpareSpace : 0;  // of the view's heights
+  return std::max(kSpaceAbove, (1 + kSpaceBelow) * part / (1 - part));
+}
+
+bool stillFits(const ContactView& view, const Extent& extent, double labelSpace) {
   const double size = view.top - view.bottom;
   const double fill = extent.size() / size;
-  return size > 0 && fill > 0.48 && extent.high < view.top - 0.10 * size &&
-         extent.low > view.bottom + 0.09 * size;
+  const double usual = (1 + kSpaceAbove + kSpaceBelow) / (1 + spaceAbove(labelSpace) + kSpaceBelow);
+  return size > 0 && fill > 0.48 * usual &&
+         extent.high < view.top - std::max(0.10, labelSpace) * size &&
+         extent.low > view.bottom + 0.09 * usual * size;
 }
 
 }  // namespace
 
-ContactView fittedView(const Frame& frame, const std::optional<ContactView>& last) {
+ContactView fittedView(const Frame& frame, const std::optional<ContactView>& last,
+                       double labelSpace) {
   ContactView view = last.value_or(ContactView{});
   const Extent extent = withMinimumHeight(interfaceExtent(frame));
-  if (!stillFits(view, extent)) {
+  if (!stillFits(view, extent, labelSpace)) {
     // The ends are rounded outwards, so that small changes do not move the axis even without
     // `last`.
     const double grid = roundUp125(extent.size() / 20);
     view.bottom = std::floor((extent.low - kSpaceBelow * extent.size()) / grid) * grid;
-    view.top = std::ceil((extent.high + kSpaceAbove * extent.size()) / grid) * grid;
+    view.top = std::ceil((extent.high + spaceAbove(labelSpace) * extent.size()) / grid) * grid;
   }
   view.pressure = scaleMaximum(frame, ContactOverlay::Pressure, view.pressure);
   view.age = scaleMaximum(frame, ContactOverlay::Relaxation, view.age);
@@ -107,6 +119,13 @@ PreparedPicture prepareContact(const Frame& frame, const ContactPictureOptions& 
 
 Box contactPlotArea(const Frame& frame, const ContactPictureOptions& asked) {
   return prepareContact(frame, asked).layout.plot;
+}
+
+double labelSpace(const Frame& frame, const ContactPictureOptions& asked) {
+  const ContactLayout layout = prepareContact(frame, asked).layout;
+  const double needed = labelRowBottom(layout) - layout.plot.y + 1;
+  const double part = needed / layout.plot.height;
+  return part < kMostLabelSpace ? part : 0;
 }
 
 float contactUnit(const ContactPictureOptions& options) {

@@ -59,7 +59,13 @@ struct ContactPictureOptions {
 /// Returns a view that fits the frame and changes only when it must (pass the last view to avoid
 /// jitter). Heights and colours are fitted to the whole period, so they stay fixed while the line
 /// slides by; left and width are those of `last` (0 and 0 without one: the whole period).
-ContactView fittedView(const Frame& frame, const std::optional<ContactView>& last = {});
+/// labelSpace: at least this part of the plot's height is above the line, whatever passes by.
+ContactView fittedView(const Frame& frame, const std::optional<ContactView>& last = {},
+                       double labelSpace = 0);
+
+/// Returns the part of the plot's height that the row of labels needs above the line, so that none
+/// of them has to give way to a summit; 0 where the plot is so low that it would take too much.
+double labelSpace(const Frame& frame, const ContactPictureOptions& options);
 
 /// Returns the view with every 0 for a default replaced by its value. A maximum of a colour scale
 /// stays 0 where it is unknown: the frame has no such values and the view gives none.

@@ -31,9 +31,22 @@ void ContactViewer::setFrame(std::shared_ptr<const Frame> frame) {
   if (last && last->length != frame_->length) fit();
   if (fitted_ && last && !showsTheSame(*last, *frame_))
     fitted_->pressure = fitted_->age = fitted_->power = 0;
-  fitted_ = fittedView(*frame_, fitted_);
-  fitted_->left = fitted_->width = 0;
+  fitHeightsToFrame();
   if (magnifies_) followPeak(last.get());
+}
+
+void ContactViewer::fitHeightsToFrame() {
+  fitted_ = fittedView(*frame_, fitted_, labelSpace_);
+  fitted_->left = fitted_->width = 0;
+}
+
+void ContactViewer::setLabelSpace(double part) {
+  constexpr double kSame = 0.01;  // of the height: the header's texts change it by less
+  if (std::abs(part - labelSpace_) < kSame) return;
+  labelSpace_ = part;
+  if (!frame_ || !fitted_) return;
+  fitted_->bottom = fitted_->top = 0;
+  fitHeightsToFrame();
 }
 
 /// Finds the greatest pressure, but keeps the previous position while its pressure is still

@@ -20,6 +20,9 @@ class ContactViewer {
   void setFrame(std::shared_ptr<const Frame> frame);
   const std::shared_ptr<const Frame>& frame() const { return frame_; }
 
+  /// Keeps at least this part of the plot above the line free for labels, from labelSpace().
+  void setLabelSpace(double part);
+
   /// Returns the options of the frame's picture without size, scale and theme; there must be a
   /// frame.
   ContactPictureOptions options() const;
@@ -59,6 +62,7 @@ class ContactViewer {
  private:
   ContactView view() const;
   double finest() const;
+  void fitHeightsToFrame();
   void followPeak(const Frame* last);
 
   std::shared_ptr<const Frame> frame_;
@@ -69,6 +73,7 @@ class ContactViewer {
   double peak_ = 0;                     // m, the asperity with the greatest pressure at last
   bool magnifies_ = false;
   ContactOverlay overlay_ = ContactOverlay::Pressure;
+  double labelSpace_ = 0;  // part of the plot's height
 };
 
 }  // namespace asperity

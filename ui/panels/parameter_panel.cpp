@@ -163,25 +163,23 @@ void ParameterPanel::setScene(const Scene& scene) {
   scene_ = scene;
   passedOn_ = scene;
   sizes_ = RememberedSizes(scene.surface);
-  errorKeys_.clear();
+  runErrors_.clear();
   updateAxisRow();
   for (ParameterRow* row : std::as_const(rows_)) row->showScene(scene_, line_, true);
-  showNotes(notes_);
+  showRemarks();
   showMissing();
 }
 
 void ParameterPanel::showError(const QString& key, const QString& text) {
   const QString whole = key.section('[', 0, 0);  // row of the list
-  ParameterRow* row = rows_.value(whole);
-  if (!row) return;
-  row->showError(text);
-  errorKeys_.insert(whole);
-  arrange();
+  if (!rows_.contains(whole)) return;
+  runErrors_[whole] = text;
+  updateRemarks();
 }
 
 void ParameterPanel::clearErrors() {
-  for (const QString& key : std::exchange(errorKeys_, {})) rows_.value(key)->showError({});
-  arrange();
+  for (QString& text : runErrors_) text.clear();
+  updateRemarks();
 }
 
 void ParameterPanel::showLine(const LineSize& line) {
@@ -231,6 +229,9 @@ ParameterRow& ParameterPanel::addRow(QVBoxLayout& column, const Parameter& param
           [this, row](const QString& text) { takeText(*row, text); });
   connect(row, &ParameterRow::fileRequested, this, [this, row] { chooseFile(*row); });
   connect(row, &ParameterRow::guideRequested, this, &ParameterPanel::guideRequested);
+  connect(row, &ParameterRow::released, this, [this] {
+    if (areRemarksWaiting_) updateRemarks();
+  });
   return *row;
 }
 
@@ -242,8 +243,9 @@ void ParameterPanel::showTexts() {
     if (section.label) section.label->setText(section.group.title());
   for (ParameterRow* row : std::as_const(rows_)) row->showTexts();
   showRows(nullptr);
-  showNotes(notes_);
+  showRemarks();
   showMissing();
+  updateWidth();
 }
 
 // ---- Which rows are visible
@@ -292,6 +294,36 @@ bool ParameterPanel::isNamed(std::string_view key) const {
   return found != access_.end() && found->second != RowAccess::Hidden;
 }
 
+/// Returns the row that the user works with: the one that is held, that has the focus, or that is
+/// under the pointer; null without one.
+ParameterRow* ParameterPanel::rowInUse() const {
+  const auto find = [this](auto has) {
+    const auto row = std::ranges::find_if(rows_, has);
+    return row == rows_.end() ? nullptr : *row;
+  };
+  if (ParameterRow* held = find([](const ParameterRow* row) { return row->isHeld(); })) return held;
+  const QWidget* focus = scroll_->widget()->focusWidget();
+  if (focus && focus->hasFocus())
+    if (ParameterRow* row =
+            find([&](const ParameterRow* each) { return each->isAncestorOf(focus); }))
+      return row;
+  return find([](const ParameterRow* row) { return row->isVisible() && row->underMouse(); });
+}
+
+/// Makes a change that may move rows. The row in use keeps its place as far as scrolling can.
+template <class Change>
+void ParameterPanel::keepInPlace(Change&& change) {
+  ParameterRow* row = isVisible() ? rowInUse() : nullptr;
+  const auto place = [&] { return row->mapTo(scroll_->viewport(), QPoint()).y(); };
+  const int before = row ? place() : 0;
+  change();
+  if (!row || !row->isVisible()) return;
+  scroll_->widget()->layout()->activate();
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+  QScrollBar& bar = *scroll_->verticalScrollBar();
+  bar.setValue(bar.value() + place() - before);
+}
+
 /// Shows and hides rows and headings.
 void ParameterPanel::arrange() {
   const QStringList words = bar_ ? bar_->words() : QStringList();
@@ -337,17 +369,29 @@ void ParameterPanel::arrange() {
 
 void ParameterPanel::showNotes(const NoteSet& notes) {
   notes_ = notes;
+  updateRemarks();
+}
+
+/// Shows the present remarks or, while a slider is held, lets them wait for its release.
+void ParameterPanel::updateRemarks() {
+  areRemarksWaiting_ = std::ranges::any_of(rows_, [](const auto* row) { return row->isHeld(); });
+  if (!areRemarksWaiting_) showRemarks();
+}
+
+void ParameterPanel::showRemarks() {
   QMap<ParameterRow*, QStringList> warnings;
-  for (const Note note : notes.list())
+  for (const Note note : notes_.list())
     if (ParameterRow* row = rows_.value(fromUtf8(noteKey(note, scene_))))
       warnings[row] += QStringLiteral("⚠ ") + translatedText(noteSentence(note));
-  bool isChanged = false;
-  for (ParameterRow* row : std::as_const(rows_)) {
-    const bool had = row->hasRemark();
-    row->showWarning(warnings.value(row).join('\n'));
-    isChanged |= had != row->hasRemark();
-  }
-  if (isChanged) arrange();
+  keepInPlace([&] {
+    for (ParameterRow* row : std::as_const(rows_)) {
+      row->showWarning(warnings.value(row).join('\n'));
+      const auto error = runErrors_.constFind(fromUtf8(row->parameter().key));
+      if (error != runErrors_.cend()) row->showError(*error);
+    }
+    arrange();
+  });
+  runErrors_.removeIf([](const auto& error) { return error.value().isEmpty(); });
 }
 
 void ParameterPanel::reveal(const QString& key) {
@@ -401,17 +445,21 @@ void ParameterPanel::edit(ParameterRow& row, Change&& change, const QString& ref
   try {
     change(next);
   } catch (const InputError& error) {
-    row.showError(refusal.isEmpty() ? translatedText(error.message()) : refusal);
-    return arrange();
+    return keepInPlace([&] {
+      row.showError(refusal.isEmpty() ? translatedText(error.message()) : refusal);
+      arrange();
+    });
   }
-  errorKeys_.remove(fromUtf8(row.parameter().key));
+  runErrors_.remove(fromUtf8(row.parameter().key));
   sizes_.update(scene_.surface, next.surface);
   updateRealizations(scene_, next);
   if (!haveSameFile(scene_, next)) line_ = {};
   scene_ = std::move(next);
-  updateAxisRow();
-  showRows(&row);
-  showMissing();
+  keepInPlace([&] {
+    updateAxisRow();
+    showRows(&row);
+    showMissing();
+  });
   if (!missingValue(scene_).text.isEmpty() || scene_ == passedOn_) return;
   passedOn_ = scene_;
   emit sceneEdited(scene_);
@@ -446,13 +494,21 @@ void ParameterPanel::changeEvent(QEvent* event) {
   if (event->type() == QEvent::LanguageChange) showTexts();
 }
 
-/// Keeps the panel wide enough that rows are never cut at the side, also with a large font.
+/// Keeps the panel wide enough that rows are never cut at the side, also with a large font. The
+/// width does not depend on which rows are visible.
+void ParameterPanel::updateWidth() {
+  const QMargins margins = scroll_->widget()->layout()->contentsMargins();
+  int row = 0;
+  for (const ParameterRow* each : std::as_const(rows_))
+    row = std::max(row, each->minimumSizeHint().width());
+  setMinimumWidth(std::max(
+      {kMinWidth,
+       row + margins.left() + margins.right() + scroll_->verticalScrollBar()->sizeHint().width(),
+       bar_ ? bar_->minimumSizeHint().width() : 0}));
+}
+
 bool ParameterPanel::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::LayoutRequest)
-    setMinimumWidth(std::max({kMinWidth,
-                              scroll_->widget()->layout()->minimumSize().width() +
-                                  scroll_->verticalScrollBar()->sizeHint().width(),
-                              bar_ ? bar_->minimumSizeHint().width() : 0}));
+  if (event->type() == QEvent::LayoutRequest) updateWidth();
   return QWidget::eventFilter(watched, event);
 }
 

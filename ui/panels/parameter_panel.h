@@ -3,11 +3,11 @@
 // and filters them. It owns the scene that its controls show; every accepted change makes a new
 // scene. A refused text changes nothing, and the reason is shown where it was typed; an incomplete
 // scene is kept with a note, but not passed on. A row with something to read below it is visible in
-// any case. GUI thread.
+// any case. Such remarks come and go below other rows, too: while a slider is held they wait, and
+// otherwise the row that the user works with keeps its place on the screen. GUI thread.
 #pragma once
 
 #include <QMap>
-#include <QSet>
 #include <QStringList>
 #include <QWidget>
 #include <functional>
@@ -147,7 +147,13 @@ class ParameterPanel : public QWidget {
   void takeText(ParameterRow& row, const QString& text);
   void showRows(const ParameterRow* edited);
   void updateAxisRow();
+  template <class Change>
+  void keepInPlace(Change&& change);
   void arrange();
+  void updateRemarks();
+  void showRemarks();
+  ParameterRow* rowInUse() const;
+  void updateWidth();
   bool showsAll() const;
   RowAccess rowAccess(std::string_view key) const;
   bool isNamed(std::string_view key) const;
@@ -162,7 +168,8 @@ class ParameterPanel : public QWidget {
   RememberedSizes sizes_;
   LineSize line_;  // of the present line, if it belongs to the scene
   FileChooser chooser_;
-  QSet<QString> errorKeys_;            // keys of showError()
+  QMap<QString, QString> runErrors_;   // texts of showError(), by key
+  bool areRemarksWaiting_ = false;     // until the slider that is held is released
   QMap<QString, ParameterRow*> rows_;  // by key
   std::vector<Section> sections_;
   std::map<std::string, RowAccess> access_;

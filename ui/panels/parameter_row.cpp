@@ -342,6 +342,10 @@ bool ParameterRow::hasRemark() const {
                              [](const QLabel* remark) { return !remark->text().isEmpty(); });
 }
 
+bool ParameterRow::isHeld() const {
+  return slider_ && slider_->isSliderDown();
+}
+
 void ParameterRow::setLocked(bool locked) {
   isLocked_ = locked;
   showEnabled();
@@ -448,6 +452,7 @@ void ParameterRow::addNumber(QHBoxLayout& line, QVBoxLayout& column) {
   name(*slider_, "slider");
   connect(slider_, &ValueSlider::valuePicked, this,
           [this](double value) { emit valueGiven(sliderValue(parameter_, value)); });
+  connect(slider_, &QSlider::sliderReleased, this, &ParameterRow::released);
   connect(entry_, &ValueEntry::stepped, slider_, [this](int key, Qt::KeyboardModifiers modifiers) {
     QKeyEvent step(QEvent::KeyPress, key, modifiers);
     QCoreApplication::sendEvent(slider_, &step);

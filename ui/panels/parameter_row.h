@@ -61,6 +61,9 @@ class ParameterRow : public QWidget {
   /// Returns whether there is something to read below the controls.
   bool hasRemark() const;
 
+  /// Returns whether the user drags its slider. released() follows.
+  bool isHeld() const;
+
   /// Locks the row: it shows its value and cannot be changed.
   void setLocked(bool locked);
 
@@ -77,6 +80,8 @@ class ParameterRow : public QWidget {
   void valueGiven(const asperity::ParameterValue& value);
   void textGiven(const QString& text);
   void fileRequested();
+  /// Emitted when the user no longer drags its slider.
+  void released();
   /// Emitted when the user requests the guide about the row, at this anchor.
   void guideRequested(const QString& anchor);
 

@@ -1,7 +1,14 @@
 #include "ui/panels/value_entry.h"
 
+#include <QHelpEvent>
 #include <QKeyEvent>
+#include <QPainter>
 #include <QStyle>
+#include <QStyleOptionFrame>
+#include <QToolTip>
+
+#include "core/base/number_text.h"
+#include "ui/panels/number_text.h"
 
 namespace asperity {
 
@@ -66,7 +73,49 @@ bool ValueEntry::event(QEvent* event) {
     event->ignore();
     return false;
   }
+  if (const QString shown = shownText(); event->type() == QEvent::ToolTip && shown != text()) {
+    const QString whole = QStringLiteral("<p>%1</p>").arg((text() + ' ' + unit_).toHtmlEscaped());
+    QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), whole + toolTip(), this);
+    return true;
+  }
   return QLineEdit::event(event);
+}
+
+/// Returns where the text is drawn, inside of the frame and of Qt's own margin of 2 pixels.
+QRect ValueEntry::textRect() const {
+  QStyleOptionFrame option;
+  initStyleOption(&option);
+  return style()
+      ->subElementRect(QStyle::SE_LineEditContents, &option, this)
+      .marginsRemoved(textMargins())
+      .adjusted(2, 0, -2, 0);
+}
+
+QString ValueEntry::shownText() const {
+  constexpr int kDigits = 6;  // significant ones of a rounded number
+  const int width = textRect().width();
+  const auto fits = [&](const QString& shown) {
+    return fontMetrics().horizontalAdvance(shown) <= width;
+  };
+  if (hasFocus() || hasError() || isModified() || fits(text())) return text();
+  bool isNumber = false;
+  const double value = withPoint(text()).toDouble(&isNumber);
+  if (!isNumber) return text();
+  for (int digits = kDigits; digits > 1; --digits)
+    if (const QString shown = shownNumber(roundedToDigits(value, digits)); fits(shown))
+      return shown;
+  return text();
+}
+
+void ValueEntry::paintEvent(QPaintEvent* event) {
+  const QString shown = shownText();
+  if (shown == text()) return QLineEdit::paintEvent(event);
+  QStyleOptionFrame option;
+  initStyleOption(&option);
+  QPainter painter(this);
+  style()->drawPrimitive(QStyle::PE_PanelLineEdit, &option, &painter, this);
+  style()->drawItemText(&painter, textRect(), static_cast<int>(alignment() | Qt::AlignVCenter),
+                        palette(), isEnabled(), shown, QPalette::Text);
 }
 
 void ValueEntry::keyPressEvent(QKeyEvent* event) {

@@ -1,6 +1,7 @@
 // A line for exact entry. The text is accepted when Enter is pressed or the focus leaves; Escape
 // discards it. A refused text stays, framed in red; after an accepted one Enter also returns the
-// keys to the window. Undo and redo belong to the window unless the user is typing. GUI thread.
+// keys to the window. A number with more digits than fit is shown rounded, and whole with the focus
+// and in the tooltip. Undo and redo belong to the window unless the user is typing. GUI thread.
 #pragma once
 
 #include <QLineEdit>
@@ -30,6 +31,9 @@ class ValueEntry : public QLineEdit {
   void showError(const QString& reason);
   bool hasError() const { return !reason_.isEmpty(); }
 
+  /// Returns the text as it is shown: without the focus, a number that does not fit is rounded.
+  QString shownText() const;
+
  signals:
   void textCommitted(const QString& text);
   void unitShown(const QString& unit);
@@ -43,8 +47,10 @@ class ValueEntry : public QLineEdit {
   void changeEvent(QEvent* event) override;
   bool event(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
 
  private:
+  QRect textRect() const;
   void showUnit(const QString& unit);
   void correctText();
   void commit();

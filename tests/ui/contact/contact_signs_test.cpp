@@ -6,10 +6,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
+#include <vector>
 
 #include "core/chart/explanations.h"
 #include "tests/ui/contact/sample_frame.h"
+#include "ui/contact/contact_picture.h"
 #include "ui/draw/ticks.h"
 
 namespace asperity {
@@ -215,6 +218,39 @@ TEST(ContactHandles, LabelsAndArrowsAreWhereTheyAreDrawn) {
     EXPECT_EQ(handleAt(*frame, options, place.box.x + place.box.width / 2,
                        place.box.y + place.box.height / 2),
               place.handle);
+  }
+}
+
+/// However low the picture of the window: no summit that passes moves or hides what is dragged.
+TEST(ContactHandles, StayInTheirPlaceWhileTheLineSlides) {
+  constexpr float kDigits = 12;  // pixels, by which the width of a changing number may differ
+  for (const int height : {280, 340, 480}) {
+    ContactPictureOptions options;
+    options.width = 720;
+    options.height = height;
+    SampleOptions sample;
+    sample.points = 400;
+    const auto first = sampleFrame(sample);
+    const double space = labelSpace(*first, options);
+    std::optional<ContactView> view;
+    std::vector<ContactSign> before;
+    for (int i = 0; i < 12; ++i) {
+      sample.distance = 0.0017 * i;
+      const auto now = sampleFrame(sample);
+      view = fittedView(*now, view, space);
+      options.view = *view;
+      const std::vector<ContactSign> handles = contactHandles(*now, options);
+      const auto isForce = [](const ContactSign& sign) {
+        return sign.handle == ContactHandle::Force;
+      };
+      EXPECT_TRUE(std::ranges::any_of(handles, isForce)) << height << ' ' << i;
+      if (i > 0) {
+        ASSERT_EQ(handles.size(), before.size()) << height << ' ' << i;
+        for (std::size_t k = 0; k < handles.size(); ++k)
+          EXPECT_NEAR(handles[k].box.x, before[k].box.x, kDigits) << height << ' ' << i;
+      }
+      before = handles;
+    }
   }
 }
 

@@ -198,6 +198,65 @@ TEST_F(PanelViewTest, NotesAreWarningsAtTheirRows) {
   EXPECT_FALSE(isShown("warning:load.normal_force"));
 }
 
+/// A slider that is dragged stays under the pointer.
+TEST_F(PanelViewTest, RemarksWaitWhileASliderIsHeld) {
+  QTest::qWait(1);  // the layout is made with the first events
+  ValueSlider& held = slider("elastomer.shear_modulus");
+  const QPoint middle = held.rect().center();
+  QTest::mousePress(&held, Qt::LeftButton, {}, middle);
+  ASSERT_TRUE(held.isSliderDown());
+  const QPoint before = held.mapTo(&panel_, QPoint());
+  NoteSet notes;
+  notes.add(Note::FewContacts);
+  panel_.showNotes(notes);
+  panel_.showError("sliding.velocity", "too fast for this line, which has too few elements");
+  QTest::qWait(1);
+  EXPECT_EQ(held.mapTo(&panel_, QPoint()), before);
+  EXPECT_FALSE(isShown("warning:load.normal_force"));
+  QTest::mouseRelease(&held, Qt::LeftButton, {}, middle);
+  EXPECT_TRUE(isShown("warning:load.normal_force"));
+  EXPECT_TRUE(isShown("error:sliding.velocity"));
+  QTest::mousePress(&held, Qt::LeftButton, {}, held.rect().center());
+  panel_.showNotes({});
+  panel_.clearErrors();
+  EXPECT_TRUE(isShown("warning:load.normal_force"));
+  QTest::mouseRelease(&held, Qt::LeftButton, {}, held.rect().center());
+  EXPECT_FALSE(isShown("warning:load.normal_force"));
+  EXPECT_FALSE(isShown("error:sliding.velocity"));
+}
+
+/// Where the rows can be scrolled, the one with the focus does not move.
+TEST_F(PanelViewTest, RemarksAboveDoNotMoveTheRowInUse) {
+  panel_.setView({true, {}});
+  panel_.activateWindow();
+  auto* row = control<QWidget>("row:surface.hurst");
+  panel_.reveal("surface.hurst");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return slider("surface.hurst").hasFocus(); }));
+  const auto place = [&] {
+    QTest::qWait(1);
+    return row->mapTo(&panel_, QPoint()).y();
+  };
+  const int before = place();
+  NoteSet notes;
+  notes.add(Note::FewContacts);
+  panel_.showNotes(notes);
+  ASSERT_TRUE(isShown("warning:load.normal_force"));
+  EXPECT_EQ(place(), before);
+  panel_.showError("sliding.velocity", "too fast for this line, which has too few elements");
+  EXPECT_EQ(place(), before);
+  panel_.showNotes({});
+  panel_.clearErrors();
+  EXPECT_EQ(place(), before);
+}
+
+TEST_F(PanelViewTest, ItsWidthDoesNotDependOnTheVisibleRows) {
+  QTest::qWait(1);
+  const int few = panel_.minimumWidth();
+  panel_.setView({true, {}});
+  QTest::qWait(1);
+  EXPECT_EQ(panel_.minimumWidth(), few);
+}
+
 TEST_F(PanelViewTest, ARowIsRevealedWhereverItIs) {
   panel_.reveal("accuracy.scheme");
   EXPECT_TRUE(hasRow("accuracy.scheme"));

@@ -23,6 +23,24 @@ TEST_F(ParameterPanelTest, ARefusalGoesWhenThePresentTextIsBack) {
   }
 }
 
+/// The digits of an import are whole where they are edited.
+TEST_F(ParameterPanelTest, ANumberThatDoesNotFitIsShownRounded) {
+  panel_.activateWindow();
+  Scene scene;
+  scene.load.normalForce = 6.323258545019e-3;
+  panel_.setScene(scene);
+  ValueEntry& force = entry("load.normal_force");
+  EXPECT_EQ(force.text(), "6.323258545019");
+  EXPECT_EQ(force.shownText(), "6.32326");
+  force.setFocus();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return force.hasFocus(); }));
+  EXPECT_EQ(force.shownText(), "6.323258545019");
+  QTest::keyClick(&force, Qt::Key_Return);
+  EXPECT_EQ(spy_.count(), 0) << "nothing was typed";
+  EXPECT_EQ(panel_.scene(), scene);
+  EXPECT_EQ(entry("surface.hurst").shownText(), entry("surface.hurst").text());
+}
+
 TEST_F(ParameterPanelTest, ASliderMendsARefusedText) {
   type("surface.hurst", "abc");
   QTest::keyClick(&slider("surface.hurst"), Qt::Key_Left);

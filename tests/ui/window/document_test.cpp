@@ -94,6 +94,10 @@ TEST(SceneDocument, ANewFileIsNamedAfterTheSceneThatItHolds) {
   }
   document.open({"figure_1", {}, scene});
   EXPECT_EQ(document.proposedFile(), "figure_1.json");
+  Scene other = scene;
+  other.title = "asphalt";
+  document.edit(other);  // as the import of a surface does
+  EXPECT_EQ(document.proposedFile(), "asphalt.json");
   scene.title = std::string(300, 'x');
   document.open({{}, {}, scene});
   EXPECT_LE(document.proposedFile().size(), 65);

@@ -91,6 +91,32 @@ TEST_F(LastSessionTest, DiscardedChangesOfAFileDoNotReturn) {
   EXPECT_EQ(next.scene.load.normalForce, smallScene().load.normalForce);
 }
 
+/// A crash asks nothing: what was changed until some seconds before returns, marked as not saved.
+TEST_F(LastSessionTest, ARunningSessionIsKeptWithUnsavedChanges) {
+  const QTemporaryDir folder;
+  const QString file = folder.filePath("mine.json");
+  keepLastSession(window_);
+  ASSERT_TRUE(window_.documentCommands().saveTo(file));
+  type("load.normal_force", "12 mN");
+  const Scene left = session().scene();
+  const auto isKept = [] { return QSettings().value("lastSession/isChanged").toBool(); };
+  EXPECT_FALSE(isKept());
+  ASSERT_TRUE(waitFor(isKept));
+  const SceneState next = restored();
+  EXPECT_EQ(next.scene.load.normalForce, left.load.normalForce);
+  EXPECT_EQ(next.origin.file, file);
+  EXPECT_TRUE(next.isUnsavedFile());
+}
+
+/// The steps of a tour or a lesson are not the user's scene.
+TEST_F(LastSessionTest, ATrialIsNotKept) {
+  type("load.normal_force", "12 mN");
+  const Scene left = session().scene();
+  window_.document().openTrial({"region_2", {}, libraryScenes().back().scene});
+  saveLastSession(window_, SessionMoment::Running);
+  EXPECT_EQ(writeScene(restored().scene), writeScene(left));
+}
+
 TEST_F(LastSessionTest, TabZoomAndColoursReturn) {
   ASSERT_TRUE(waitForFrame());
   action("go:spectrumView").trigger();

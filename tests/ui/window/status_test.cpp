@@ -205,31 +205,50 @@ TEST(StatusLine, TheDimensionlessVelocityOfAMotionIsThatOfTheMoment) {
   EXPECT_EQ(dimensionlessVelocity(steady), 0);
 }
 
-/// Beside it where there is room, and always in the tooltip.
-TEST(StatusLine, ADimensionlessVelocityThatIsMissingHasItsReason) {
-  Frame frame = movingFrame(1);
-  Scene scene = *frame.scene;
-  scene.elastomer.rheology = Rheology::Prony;
-  frame.scene = std::make_shared<const Scene>(scene);
+TEST(StatusLine, ADimensionlessVelocityThatIsMissingIsLeftOut) {
   StatusLine line;
-  auto& velocity = *line.findChild<QLabel*>("factVelocity");
-  line.showFrame(movingFrame(1), {});
-  EXPECT_FALSE(velocity.toolTip().contains("None here"));
-  line.showDrawing(60, "software");
-  for (const int width : {1440, 300, 1440}) {
-    line.setFixedWidth(width);
-    line.show();
-    for (int i = 0; i < 4; ++i) {
-      QTest::qWait(1);  // the layout is made with the first events
-      line.showFrame(frame, {});
-    }
-    EXPECT_EQ(velocity.text(), width > 1000 ? "velocity v̄ = – (arms)" : "velocity v̄ = –");
-    EXPECT_TRUE(velocity.toolTip().contains("arms have relaxation times of their own"));
-  }
-  scene.elastomer.rheology = Rheology::Elastic;
-  frame.scene = std::make_shared<const Scene>(scene);
+  line.setFixedWidth(1440);
+  line.show();
+  const auto& velocity = *line.findChild<QLabel*>("factVelocity");
+  Frame frame = movingFrame(1);
   line.showFrame(frame, {});
-  EXPECT_TRUE(velocity.toolTip().contains("an elastic body has no relaxation time"));
+  EXPECT_TRUE(velocity.isVisible());
+  Scene scene = *frame.scene;
+  for (const Rheology rheology : {Rheology::Prony, Rheology::Elastic}) {
+    scene.elastomer.rheology = rheology;
+    frame.scene = std::make_shared<const Scene>(scene);
+    line.showFrame(frame, {});
+    EXPECT_FALSE(velocity.isVisible());
+  }
+}
+
+/// Between two points of the curve the mean is no computed one.
+TEST(StatusLine, AnInterpolatedMeanIsMarked) {
+  StatusLine line;
+  CurveReading reading;
+  reading.mu = 0.2757;
+  reading.error = 0.008;
+  line.showFrame(movingFrame(1), reading);
+  const auto& mu = *line.findChild<QLabel*>("factMu");
+  EXPECT_TRUE(mu.text().contains("(mean 0.276")) << mu.text().toStdString();
+  reading.isInterpolated = true;
+  line.showFrame(movingFrame(1), reading);
+  EXPECT_TRUE(mu.text().contains(QStringLiteral("(mean ≈ 0.276"))) << mu.text().toStdString();
+}
+
+/// A long hint in a small window: nothing is computed, and the place of the progress is free.
+TEST(StatusLine, AMessageHasThePlaceOfLesserReadings) {
+  StatusLine line;
+  line.setFixedWidth(1024);
+  line.show();
+  CurveReading reading;
+  reading.regime = "region II, transition";
+  line.showFrame(movingFrame(1), reading);
+  line.showMessage("Drag down to press harder, up to press less; sideways moves the view.");
+  QTest::qWait(1);
+  const auto& said = *line.findChild<ElidedLabel*>("statusMessage");
+  EXPECT_EQ(said.shownText(), said.text());
+  EXPECT_TRUE(line.findChild<QLabel*>("factMu")->isVisible());
 }
 
 TEST(StatusLine, FactsAreWholeOrLeftOutHoweverNarrowTheWindow) {

@@ -126,6 +126,26 @@ TEST_F(SurfaceImportTest, ClosesTheGalleryAndTakesTheNameOfTheFile) {
   EXPECT_NE(scene().title.find("profile"), std::string::npos) << scene().title;
 }
 
+/// A title that came from a surface goes with it; one that the user wrote stays.
+TEST_F(SurfaceImportTest, TheTitleFollowsTheSurfaceUnlessItWasWritten) {
+  window_.document().open(libraryScenes().front().scene);
+  const auto take = [&](const QString& file) {
+    openPage(file);
+    EXPECT_TRUE(waitForPage());
+    click("importAccept");
+    EXPECT_TRUE(waitFor([&] { return page_.isNull(); }));
+    return scene().title;
+  };
+  const QString file = sineFile(), other = folder_.filePath("other.csv");
+  ASSERT_TRUE(QFile::copy(file, other));
+  EXPECT_EQ(take(file), "profile");
+  EXPECT_EQ(take(other), "other");
+  Scene mine = scene();
+  mine.title = "my road";
+  window_.document().edit(mine);
+  EXPECT_EQ(take(file), "my road");
+}
+
 TEST_F(SurfaceImportTest, CancelLeavesEverything) {
   const Scene before = scene();
   openPage(sineFile());

@@ -72,6 +72,39 @@ TEST_F(TimeBarTest, ThePaceStaysWhileTheVelocityChangesOrTheSlowMotionDoes) {
   EXPECT_DOUBLE_EQ(paces[0][0].toDouble(), 24);
 }
 
+/// A pace that only followed the velocity is not that of another scene, nor a constant one.
+TEST_F(TimeBarTest, AnotherSceneAndAConstantPaceBringBackTheChosenOne) {
+  auto& keeps = part<QCheckBox>("keepPace");
+  type("300");
+  ASSERT_DOUBLE_EQ(bar_.pace(), 6);
+  keeps.setChecked(false);
+  scene_.sliding.velocity = 0.003;
+  show();
+  ASSERT_DOUBLE_EQ(bar_.pace(), 600) << "as slow as it gets";
+  Scene other = scene_;
+  other.sliding.velocity = 0.02;
+  bar_.showOtherScene(other);
+  EXPECT_DOUBLE_EQ(bar_.pace(), 6);
+  EXPECT_FALSE(keeps.isChecked());
+  show();  // and follows from there
+  EXPECT_DOUBLE_EQ(bar_.pace(), 6 * 0.02 / 0.003);
+  keeps.setChecked(true);
+  EXPECT_DOUBLE_EQ(bar_.pace(), 6);
+}
+
+/// Even where the user let the line before stand nearly still.
+TEST_F(TimeBarTest, AnotherSceneMovesVisibly) {
+  auto& slider = part<QSlider>("paceSlider");
+  slider.setValue(slider.minimum());
+  ASSERT_DOUBLE_EQ(bar_.pace(), 600);
+  bar_.showOtherScene(scene_);
+  EXPECT_LE(bar_.pace(), 60);
+  slider.setValue(slider.maximum());
+  const double fast = bar_.pace();
+  bar_.showOtherScene(scene_);
+  EXPECT_DOUBLE_EQ(bar_.pace(), fast);
+}
+
 TEST_F(TimeBarTest, AFactorIsTypedOrChosen) {
   QSignalSpy paces(&bar_, &TimeBar::paceChanged);
   type("300×");
@@ -106,11 +139,18 @@ TEST_F(TimeBarTest, ARefusedPaceIsSaid) {
   EXPECT_DOUBLE_EQ(bar_.slowMotion(), 100);
   EXPECT_TRUE(said[2][0].toString().contains("it is 100× slower now"))
       << said[2][0].toString().toStdString();
+  bar_.show();
+  bar_.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&bar_));
+  type("5");
+  ASSERT_EQ(said.count(), 4);
+  EXPECT_TRUE(QTest::qWaitFor([] { return QToolTip::text().contains("100× slower to"); }))
+      << "where it was typed, too";
   type("2,000");
   EXPECT_DOUBLE_EQ(bar_.slowMotion(), 2000);
   type("2,500x slower");
   EXPECT_DOUBLE_EQ(bar_.slowMotion(), 2500);
-  EXPECT_EQ(said.count(), 3);
+  EXPECT_EQ(said.count(), 4);
 }
 
 /// A line of very many elements moves more slowly than was asked for; header and bar agree.

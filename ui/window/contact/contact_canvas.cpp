@@ -70,7 +70,15 @@ ContactCanvas::ContactCanvas(QWidget* parent)
 
 void ContactCanvas::setFrame(std::shared_ptr<const Frame> frame) {
   viewer_.setFrame(std::move(frame));
+  giveLabelsSpace();
   refresh();
+}
+
+/// Keeps the place of the labels free in a low picture, too.
+void ContactCanvas::giveLabelsSpace() {
+  if (!viewer_.frame()) return;
+  const PictureRequest shown = request();
+  viewer_.setLabelSpace(labelSpace(*shown.frame, sizedOptions(shown)));
 }
 
 void ContactCanvas::setTheme(const Theme& theme) {
@@ -95,10 +103,12 @@ void ContactCanvas::paintVeil() {
 void ContactCanvas::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   veil_->setGeometry(rect());
+  giveLabelsSpace();
 }
 
 void ContactCanvas::setTextScale(double scale) {
   textScale_ = scale;
+  giveLabelsSpace();
   refresh();
 }
 

@@ -113,6 +113,7 @@ class ContactCanvas : public QWidget {
   void countPicture();
   void refresh();
   void paintVeil();
+  void giveLabelsSpace();
   PictureRequest request() const;
 
   std::optional<ViewPosition> viewPositionAt(const QPointF& position) const;

@@ -32,10 +32,14 @@ namespace {
 /// Returns the explanation of a sign for the elements of the scene, or its text where it has none.
 ContactTip signTip(const ContactSign& sign, Rheology rheology) {
   const QString sentence = keptTogether(QString::fromStdString(sign.tip));
+  // The words beside the arrow of the velocity say what the line does, not what the arrow is.
+  const Parameter* parameter =
+      sign.handle == ContactHandle::Velocity ? findParameter(sign.id) : nullptr;
+  const QString title =
+      parameter ? ParameterRow::labelText(*parameter) : QString::fromStdString(sign.name);
   const auto explanation = findExplanation(sign.id);
   if (!explanation) return {wrappedTip(sentence), {}};
-  return {explanationHtml(withFormulaFor(*explanation, rheology), QString::fromStdString(sign.name),
-                          sentence),
+  return {explanationHtml(withFormulaFor(*explanation, rheology), title, sentence),
           anchorText(*explanation)};
 }
 

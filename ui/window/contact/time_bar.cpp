@@ -9,6 +9,8 @@
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QStyle>
+#include <QTimer>
+#include <QToolTip>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -25,10 +27,12 @@ namespace asperity {
 namespace {
 
 constexpr double kFastest = 2, kSlowest = 600;  // s on the screen for a period
+constexpr double kSlowestStart = 60;            // s, the same for a scene that was just opened
 constexpr int kPositions = 240;                 // of the slider of the pace
 constexpr int kMoments = 1000;                  // of the slider of the moment
 constexpr int kLongestQuote = 60;               // letters of what was typed, in a message
 constexpr int kEntryMargin = 16;                // pixels around the text of an entry
+constexpr int kTipTime = 8000;                  // ms, how long a refusal stays at the entry
 
 constexpr double kBehind = 0.7, kAgainOnTime = 0.9;  // of the requested pace
 constexpr int kFramesBehind = 5;  // in a row, before the bar reports that the picture is too slow
@@ -79,6 +83,7 @@ QString momentText(const QString& time, const QString& duration) {
 TimeBar::TimeBar(QWidget* parent)
     : QWidget(parent),
       pace_(RunnerOptions{}.secondsPerPeriod),
+      chosen_(pace_),
       moment_(new QSlider(Qt::Horizontal)),
       slider_(new QSlider(Qt::Horizontal)),
       momentText_(new QLabel),
@@ -117,7 +122,10 @@ TimeBar::TimeBar(QWidget* parent)
   name_->setBuddy(slider_);
 
   connect(slider_, &QSlider::valueChanged, this,
-          [this](int position) { setPace(paceAt(position)); });
+          [this](int position) { choosePace(paceAt(position)); });
+  connect(keep_, &QCheckBox::toggled, this, [this](bool keeps) {
+    if (keeps) setLimitedPace(chosen_);
+  });
   connect(factor_, &QLineEdit::editingFinished, this, &TimeBar::readFactor);
   connect(moment_, &QSlider::valueChanged, this, [this](int position) {
     if (duration_ > 0) emit seekRequested(duration_ * position / kMoments);
@@ -203,10 +211,20 @@ void TimeBar::showScene(const Scene& scene) {
   for (QWidget* part : std::initializer_list<QWidget*>{moment_, momentText_})
     part->setVisible(duration_ > 0);
   setWidths();
-  if (!keepsPace() && before > 0)
-    setSlowMotion(before);
+  if (!keepsPace() && before > 0 && simulatedTime() > 0)
+    setLimitedPace(before * simulatedTime());
   else
     showPace();
+}
+
+void TimeBar::showOtherScene(const Scene& scene) {
+  chosen_ = std::min(chosen_, kSlowestStart);
+  setLimitedPace(chosen_);
+  const bool keeps = keepsPace();
+  const QSignalBlocker blocker(keep_);
+  keep_->setChecked(true);  // its slow motion has nothing to do with that of the previous scene
+  showScene(scene);
+  keep_->setChecked(keeps);
 }
 
 void TimeBar::showFrame(const Frame& frame) {
@@ -235,7 +253,7 @@ void TimeBar::showDelay(const Frame& frame) {
   if (reachedScale_ != before) showPace();
 }
 
-void TimeBar::setPace(double pace) {
+void TimeBar::setLimitedPace(double pace) {
   pace = std::clamp(pace, kFastest, kSlowest);
   if (pace != pace_) {
     pace_ = pace;
@@ -246,8 +264,13 @@ void TimeBar::setPace(double pace) {
   showPace();
 }
 
+void TimeBar::choosePace(double pace) {
+  setLimitedPace(pace);
+  chosen_ = pace_;
+}
+
 void TimeBar::setSlowMotion(double factor) {
-  if (factor > 0 && simulatedTime() > 0) setPace(factor * simulatedTime());
+  if (factor > 0 && simulatedTime() > 0) choosePace(factor * simulatedTime());
 }
 
 void TimeBar::showPace() {
@@ -263,6 +286,17 @@ void TimeBar::showPace() {
   if (factor_->text() == shown_) return;
   factor_->setText(shown_);
   factor_->setCursorPosition(0);
+}
+
+/// Shows a sentence where the pace was typed, after the events that may end the typing, which hide
+/// tooltips.
+void TimeBar::say(const QString& sentence) {
+  QTimer::singleShot(0, factor_, [this, sentence] {
+    if (factor_->isVisible())
+      QToolTip::showText(factor_->mapToGlobal(QPoint(0, 0)), wrappedTip(sentence), factor_, {},
+                         kTipTime);
+  });
+  emit statusMessage(sentence);
 }
 
 /// Reads the typed pace, "600", "1e3 x slower" or "20× faster". Any other text leaves the pace, and
@@ -287,12 +321,11 @@ void TimeBar::readFactor() {
   if (isNumber && isKnown && std::isfinite(factor) && factor > 0) {
     setSlowMotion(factor);
     if (paceText(factor) != paceText(slowMotion()))
-      emit statusMessage(tr("“%1” is beyond what the picture can show, %2 to %3; it is %4 now")
-                             .arg(text.left(kLongestQuote), paceText(kFastest / simulatedTime()),
-                                  paceText(kSlowest / simulatedTime()), paceText(slowMotion())));
+      say(tr("“%1” is beyond what the picture can show, %2 to %3; it is %4 now")
+              .arg(text.left(kLongestQuote), paceText(kFastest / simulatedTime()),
+                   paceText(kSlowest / simulatedTime()), paceText(slowMotion())));
   } else {
-    emit statusMessage(
-        tr("“%1” is no pace; type 600, 600× slower or 20× faster").arg(text.left(kLongestQuote)));
+    say(tr("“%1” is no pace; type 600, 600× slower or 20× faster").arg(text.left(kLongestQuote)));
   }
   showPace();
 }

@@ -2,8 +2,9 @@
 // is the time on the screen in which the line moves by one period, or a motion takes place; slow
 // motion is this time over the simulated one. When the velocity changes, either the pace stays, so
 // that the picture moves as before, or the slow motion, so that twice the velocity looks twice as
-// fast. GUI thread; owned by its parent. Cannot fail: a pace too fast or too slow becomes the
-// nearest possible one.
+// fast. Where that made the pace too slow or too fast to be seen, another scene, and keeping the
+// pace, bring back the one that the user chose. GUI thread; owned by its parent. Cannot fail: a
+// pace too fast or too slow becomes the nearest possible one.
 #pragma once
 
 #include <QWidget>
@@ -24,7 +25,9 @@ class TimeBar : public QWidget {
  public:
   explicit TimeBar(QWidget* parent = nullptr);
 
+  /// Shows a changed scene, or another one, which was opened.
   void showScene(const Scene& scene);
+  void showOtherScene(const Scene& scene);
   /// Shows the moment of a motion, and the length of the line, on which slow motion depends.
   void showFrame(const Frame& frame);
 
@@ -42,7 +45,8 @@ class TimeBar : public QWidget {
   void seekRequested(double time);
   /// Emitted at the beginning and the end of a drag of the moment.
   void scrubbing(bool isOn);
-  /// Emitted with a sentence for the user: a typed pace was refused or changed.
+  /// Emitted with a sentence for the user: a typed pace was refused or changed. A tooltip at the
+  /// entry shows it, too.
   void statusMessage(const QString& sentence);
 
  protected:
@@ -53,8 +57,10 @@ class TimeBar : public QWidget {
  private:
   void showTexts();
   void setWidths();
-  void setPace(double pace);
+  void setLimitedPace(double pace);
+  void choosePace(double pace);
   void showPace();
+  void say(const QString& sentence);
   void showDelay(const Frame& frame);
   void readFactor();
   double simulatedTime() const;
@@ -62,6 +68,7 @@ class TimeBar : public QWidget {
   Scene scene_;
   double length_ = 0;  // m, period of the line; 0: not known yet
   double pace_;
+  double chosen_;  // pace that the user set last, s; pace_ may follow the velocity instead
   double time_ = 0, duration_ = 0;  // s, of a motion; duration 0: steady sliding
   QSlider *moment_, *slider_;
   QLabel *momentText_, *behindText_, *name_;

@@ -65,6 +65,7 @@ void readMean(const CurveUpdate& curve, double position, CurveReading& reading) 
     reading.error = above->muStandardError;
     return;
   }
+  reading.isInterpolated = true;
   const double share =
       from > 0 ? std::log(position / from) / std::log(to / from) : (position - from) / (to - from);
   reading.mu = below->mu * std::pow(above->mu / below->mu, share);

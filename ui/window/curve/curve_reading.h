@@ -14,6 +14,7 @@ namespace asperity {
 struct CurveReading {
   double mu = kNotApplicable;     // mean over the lines, interpolated on the curve
   double error = kNotApplicable;  // standard error of mu
+  bool isInterpolated = false;    // mu lies between two points of the curve
   std::int64_t lines = 0;         // over which mu is a mean
   std::string region{};           // "III"; empty: not known
   QString regime;                 // "region III, plateau", "at rest"; empty: not known

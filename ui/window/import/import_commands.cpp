@@ -88,13 +88,26 @@ SurfaceImport& ImportCommands::showSurface(const Scene& scene, const QString& fi
   return *page;
 }
 
-/// A title and a description that belong to a shipped scene do not fit another surface.
+namespace {
+
+/// Returns the title of a scene that has none of its own: the name of its surface's file.
+std::string titleFromFile(const QString& file) {
+  return printable(QFileInfo(file).completeBaseName().toStdString());
+}
+
+}  // namespace
+
+/// A title and a description that belong to a shipped scene, or a title that was taken from the
+/// previous surface, do not fit another surface.
 void ImportCommands::takeSurface(Scene scene, const QString& file) {
+  const Surface& previous = parts_.document.scene().surface;
+  const bool isOfPrevious = hasSurfaceFile(previous) &&
+                            scene.title == titleFromFile(QString::fromStdString(previous.file));
   const bool isShipped = std::ranges::any_of(libraryScenes(), [&](const LibraryScene& shipped) {
     return shipped.scene.title == scene.title;
   });
-  if (scene.title.empty() || isShipped) {
-    scene.title = printable(QFileInfo(file).completeBaseName().toStdString());
+  if (scene.title.empty() || isShipped || isOfPrevious) {
+    scene.title = titleFromFile(file);
     scene.description.clear();
     scene.chapter.clear();
   }

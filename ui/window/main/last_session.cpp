@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QFileInfo>
 #include <QSettings>
+#include <QTimer>
 #include <algorithm>
 #include <exception>
 #include <filesystem>
@@ -74,11 +75,11 @@ void restoreView(ContactCanvas& canvas, const QSettings& settings) {
 
 }  // namespace
 
-void saveLastSession(MainWindow& window) {
-  const SceneDocument& document = window.document();
-  const SceneOrigin& origin = document.origin();
-  const bool isDiscarded = SceneState{origin, document.scene()}.isUnsavedFile();
-  const Scene& scene = isDiscarded ? origin.scene : document.scene();
+void saveLastSession(MainWindow& window, SessionMoment moment) {
+  const SceneState state = window.document().lastingState();
+  const SceneOrigin& origin = state.origin;
+  const bool isDiscarded = moment == SessionMoment::End && state.isUnsavedFile();
+  const Scene& scene = isDiscarded ? origin.scene : state.scene;
   QSettings settings;
   settings.beginGroup(kGroup);
   settings.setValue("scene", QString::fromStdString(writeScene(scene)));
@@ -92,6 +93,22 @@ void saveLastSession(MainWindow& window) {
   settings.setValue("view", QString::fromStdString(viewer.navigation().toText()));
   settings.setValue("overlay", QString::fromUtf8(wordFor(viewer.overlay()).data()));
   settings.setValue("tab", window.tabs().currentWidget()->objectName());
+  settings.sync();
+}
+
+void keepLastSession(MainWindow& window) {
+  auto* timer = new QTimer(&window);
+  timer->setSingleShot(true);
+  timer->setInterval(kSessionDelay);
+  QObject::connect(timer, &QTimer::timeout, &window,
+                   [&window] { saveLastSession(window, SessionMoment::Running); });
+  // Changes that follow each other do not put the writing off.
+  const auto start = [timer] {
+    if (!timer->isActive()) timer->start();
+  };
+  const SceneDocument& document = window.document();
+  QObject::connect(&document, &SceneDocument::sceneChanged, timer, start);
+  QObject::connect(&document, &SceneDocument::historyChanged, timer, start);
 }
 
 LastSession restoreLastSession(MainWindow& window, bool hasScene) {

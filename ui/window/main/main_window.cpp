@@ -141,7 +141,7 @@ MainWindow::MainWindow(const Scene& scene, RunnerOptions options, QWidget* paren
   connectCurve();
   new FocusKeys(*this);
   appearance_->announceTheme();
-  showScene(scene);
+  showScene(scene, true);
   setMinimumSize(kMinWindowSize);
   resize(1280, 800);
   windowLayout_->keepAsDefault();
@@ -264,6 +264,11 @@ void MainWindow::buildCommands() {
   lessons_ = new Lessons(
       {*this, *document_, *session_, *panel_, *dock_, *tabs_, *messages_, *appearance_});
   lessons_->addTo(*commands_);
+  // The offer of the tour is nothing for those who are in a lesson, nor for an audience.
+  connect(lessons_, &Lessons::stepShown, hint_, &QWidget::hide);
+  connect(commands_->get("present"), &QAction::toggled, hint_, [this](bool isOn) {
+    if (isOn) hint_->hide();
+  });
   connect(lessons_, &Lessons::stepShown, this, [this] {
     if (session_->frame()) showFrame();  // a picture that stands still brings no new readings
   });
@@ -313,7 +318,7 @@ void MainWindow::connectScene() {
                                isOpened ? Session::Begin::Restart : Session::Begin::Continue);
             // A scene with a motion plays at once.
             if (isOpened && scene.sliding.kind != SlidingKind::Steady) session_->setPlaying(true);
-            showScene(scene);
+            showScene(scene, isOpened);
           });
   connect(document_, &SceneDocument::historyChanged, this, &MainWindow::showTitle);
   connect(tour_, &Tour::starting, figures_, &FigurePages::showViews);
@@ -337,9 +342,12 @@ void MainWindow::openGallery() {
   figures_->openScenes(document_->origin().shipped);
 }
 
-void MainWindow::showScene(const Scene& scene) {
+void MainWindow::showScene(const Scene& scene, bool isOpened) {
   canvas_->setScene(scene);
-  timeBar_->showScene(scene);
+  if (isOpened)
+    timeBar_->showOtherScene(scene);
+  else
+    timeBar_->showScene(scene);
   tabs_->showScene(scene);
   showDescription();
   showTitle();

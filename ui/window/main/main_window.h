@@ -106,7 +106,7 @@ class MainWindow : public QMainWindow {
   void updateVisibility();
   void updatePollInterval();
   void requestFields();
-  void showScene(const Scene& scene);
+  void showScene(const Scene& scene, bool isOpened);
   void showDescription();
   void showTitle();
   void showFrame();

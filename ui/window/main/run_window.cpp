@@ -115,6 +115,7 @@ int runWindow(QApplication& application, const std::optional<Scene>& scene, Runn
   const bool isRequested = scene.has_value() || start.found;
   if (restoreLastSession(*window, isRequested) == LastSession::None && !isRequested)
     window->openGallery();
+  keepLastSession(*window);
   window->tour().offer();
   if (start.timing) new StartTimes(*window);
   // Otherwise the first button would have the focus, which the space bar then presses.

@@ -196,7 +196,7 @@ std::vector<SceneState> SceneDocument::unsavedFiles() const {
     named += file;
     if (state.isUnsavedFile()) unsaved.push_back(state);
   };
-  add(beforeTrial_ ? *beforeTrial_ : SceneState{origin_, scene_});
+  add(lastingState());
   for (int i = history_.index(); i-- > 0;)
     if (const SceneStep& step = stepAt(history_, i); step.isOpening()) add(step.before());
   for (const auto& [file, state] : leftUnsaved_) add(state);  // the history may have lost them
@@ -254,7 +254,8 @@ QString SceneDocument::name() const {
 }
 
 QString SceneDocument::proposedFile() const {
-  if (!origin_.shipped.isEmpty()) return origin_.shipped + QStringLiteral(".json");
+  if (!origin_.shipped.isEmpty() && scene_.title == origin_.scene.title)
+    return origin_.shipped + QStringLiteral(".json");
   // Letters lose their accents; other characters between words become one underscore.
   static const QRegularExpression mark(QStringLiteral("\\p{M}"));
   static const QRegularExpression between(QStringLiteral("[^A-Za-z0-9]+"));

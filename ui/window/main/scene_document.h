@@ -65,6 +65,11 @@ class SceneDocument : public QObject {
   void endTrial();
   bool isTrial() const { return beforeTrial_.has_value(); }
 
+  /// Returns the present scene or, during a trial, the one to which its end returns.
+  SceneState lastingState() const {
+    return beforeTrial_ ? *beforeTrial_ : SceneState{origin_, scene_};
+  }
+
   /// Makes the next step, within the present gesture of the user. `what` names it in the menu, a
   /// source text of this class; null: it is named after the parameters that differ. Nothing happens
   /// where the scene is the present one.
@@ -95,8 +100,8 @@ class SceneDocument : public QObject {
   /// Returns the file to which saving writes; empty: a name is needed.
   QString file() const { return origin_.file; }
 
-  /// Returns a name such as "figure_1.json" for a scene without a file, from the shipped scene that
-  /// it came from, or from its title.
+  /// Returns a name such as "figure_1.json" for a scene without a file, from the shipped scene
+  /// whose title it has, or from its title.
   QString proposedFile() const;
   QString fileOrProposal() const { return file().isEmpty() ? proposedFile() : file(); }
 

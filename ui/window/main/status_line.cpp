@@ -42,14 +42,15 @@ double presentFriction(const Frame& frame) {
   return frame.transient ? orMissing(frame.tangentialForce / frame.normalForce) : frame.muSteady;
 }
 
-/// Returns " (mean 0.001198 ± 0.4 %)", with the digits that the error allows; empty where all lines
-/// agree except for rounding.
+/// Returns " (mean ≈ 0.001198 ± 0.4 %)", with the digits that the error allows; empty where all
+/// lines agree except for rounding. At a point of the curve it is without the sign.
 QString meanText(const CurveReading& reading) {
   constexpr double kRounding = 1e-5;
   const double share = std::abs(reading.error / reading.mu);
   if (!(share > kRounding)) return {};
   const double digits = std::clamp(std::ceil(-std::log10(share)) + 1, 2.0, 5.0);
-  return StatusLine::tr(" (mean %1 ± %2 %)")
+  return (reading.isInterpolated ? StatusLine::tr(" (mean ≈ %1 ± %2 %)")
+                                 : StatusLine::tr(" (mean %1 ± %2 %)"))
       .arg(readingLabel(reading.mu, static_cast<int>(digits)),
            shownNumber(roundedToDigits(100 * share, 1)));
 }
@@ -58,26 +59,6 @@ QString meanText(const CurveReading& reading) {
 QString rateText(double rate) {
   const QLocale locale(fromUtf8(presentLanguage()));
   return locale.toString(static_cast<qlonglong>(roundedToDigits(rate, 2)));
-}
-
-/// The reason why there is no dimensionless velocity: a short text and a sentence; empty where
-/// there is one.
-struct Reason {
-  QString brief, sentence;
-};
-
-Reason missingVelocityReason(const Frame& frame) {
-  const ElementKind kind = elementLaw(frame.scene->elastomer).kind();
-  if (kind == ElementKind::Elastic)
-    return {StatusLine::tr("elastic"),
-            StatusLine::tr("None here: an elastic body has no relaxation time.")};
-  if (kind == ElementKind::Arms)
-    return {StatusLine::tr("arms"),
-            StatusLine::tr("None here: arms have relaxation times of their own, and Eq. (13) is "
-                           "made with the only one of the paper's elastomer.")};
-  if (!(frame.rmsHeight > 0) || !(frame.rmsSlope > 0))
-    return {StatusLine::tr("flat"), StatusLine::tr("None here: the line has no roughness.")};
-  return {};
 }
 
 QString velocityTip() {
@@ -171,7 +152,8 @@ void StatusLine::showTips() {
                     "paper, found on the complete curve")));
   mu_->setToolTip(wrappedTip(
       tr("Coefficient of friction of this line, of a motion at this moment; in brackets the mean "
-         "of all lines at this velocity with its standard error")));
+         "of all lines at this velocity with its standard error. After ≈ it is interpolated "
+         "between two points of the curve.")));
   force_->setToolTip(wrappedTip(
       tr("Eq. (14) of the paper: normal force / (shear modulus × rms height × length)")));
   velocity_->setToolTip(wrappedTip(velocityTip()));
@@ -188,7 +170,7 @@ void StatusLine::showTips() {
 /// work begins or ends.
 void StatusLine::reserveWidths() {
   const QString number = QStringLiteral("0.00888");
-  const QString mean = tr(" (mean %1 ± %2 %)").arg(QStringLiteral("0.0008888"), "0.08");
+  const QString mean = tr(" (mean ≈ %1 ± %2 %)").arg(QStringLiteral("0.0008888"), "0.08");
   QStringList regions;
   for (const char* name : {"I", "II", "III", "IV"}) regions += regionText(name);
   for (const auto& [reading, texts] : std::initializer_list<std::pair<QLabel*, QStringList>>{
@@ -323,8 +305,17 @@ void StatusLine::fitReadings() {
   constexpr int kExtraSpace = 40;  // pixels
   const QMargins margins = layout()->contentsMargins();
   int available = width() - margins.left() - margins.right();
-  for (const QWidget* work : std::initializer_list<const QWidget*>{progress_, stop_})
-    available -= work->width() + layout()->spacing();
+  // A message takes the place of work that does not run, and of the less important readings.
+  const bool hasMessage = messageTimer_->isActive();
+  const bool keepsWork = !hasMessage || work_.state != Work::State::Idle;
+  for (QWidget* work : std::initializer_list<QWidget*>{progress_, stop_}) {
+    QSizePolicy policy = work->sizePolicy();
+    policy.setRetainSizeWhenHidden(keepsWork);
+    work->setSizePolicy(policy);
+    if (keepsWork) available -= work->width() + layout()->spacing();
+  }
+  if (hasMessage)
+    available -= fontMetrics().horizontalAdvance(message_->text()) + 2 * layout()->spacing();
   // Friction and the notes stay even in the narrowest window.
   notes_->setVisible(!shownNotes_.empty());
   if (!shownNotes_.empty()) available -= notes_->sizeHint().width() + layout()->spacing();
@@ -359,22 +350,12 @@ void StatusLine::resizeEvent(QResizeEvent* event) {
   fitReadings();
 }
 
-/// Shows the dimensionless velocity. Where there is none, the reason is shown beside it if there is
-/// enough space.
+/// Shows the dimensionless velocity, and nothing where there is none: an elastic body has no
+/// relaxation time, arms have several, and a flat line has no roughness.
 void StatusLine::showVelocity(const Frame& frame) {
-  constexpr int kMinLeft = 4, kExtraSpace = 16;  // pixels; different, to avoid flicker
-  const QString plain = tr("velocity v̄ = %1").arg(readingLabel(dimensionlessVelocity(frame)));
-  const Reason reason = missingVelocityReason(frame);
-  velocity_->setToolTip(reason.sentence.isEmpty()
-                            ? wrappedTip(velocityTip())
-                            : wrappedTip(velocityTip() + QStringLiteral(". ") + reason.sentence));
-  if (reason.brief.isEmpty()) return velocity_->setText(plain);
-  const QString whole = tr("%1 (%2)").arg(plain, reason.brief);
-  const int extra = fontMetrics().horizontalAdvance(whole) - fontMetrics().horizontalAdvance(plain);
-  const bool isWhole = velocity_->text() == whole;
-  const bool fits =
-      isWhole ? message_->width() >= kMinLeft : message_->width() >= extra + kExtraSpace;
-  velocity_->setText(fits && !velocity_->isHidden() ? whole : plain);
+  const double velocity = dimensionlessVelocity(frame);
+  velocity_->setText(std::isfinite(velocity) ? tr("velocity v̄ = %1").arg(readingLabel(velocity))
+                                             : QString());
 }
 
 void StatusLine::showMessage(const QString& text) {
