@@ -1146,6 +1146,10 @@
         <translation>Exportieren</translation>
     </message>
     <message>
+        <source>The picture is %1 pixels high, because its diagrams need that.</source>
+        <translation>Das Bild ist %1 Pixel hoch, weil seine Diagramme das brauchen.</translation>
+    </message>
+    <message>
         <source>No preview.</source>
         <translation>Keine Vorschau.</translation>
     </message>
@@ -1516,6 +1520,10 @@
         <source>The picture is too small for its diagrams; make it higher or wider.</source>
         <translation>Das Bild ist zu klein für seine Diagramme; machen Sie es höher oder breiter.</translation>
     </message>
+    <message>
+        <source>The picture is too small for its diagrams; %1 × %2 %3 are enough.</source>
+        <translation>Das Bild ist zu klein für seine Diagramme; %1 × %2 %3 genügen.</translation>
+    </message>
 </context>
 <context>
     <name>asperity::ExportPreview</name>
@@ -1839,6 +1847,10 @@
     <message>
         <source>in contact %1 %</source>
         <translation>in Kontakt %1 %</translation>
+    </message>
+    <message>
+        <source>with local friction: %1</source>
+        <translation>mit lokaler Reibung: %1</translation>
     </message>
     <message>
         <source>Eq. (11): %1</source>
