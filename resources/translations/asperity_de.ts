@@ -3081,6 +3081,18 @@
 <context>
     <name>asperity::MapPanel</name>
     <message>
+        <source>%1 of %2 lines, %3 %</source>
+        <translation>%1 von %2 Linien, %3 %</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 % of the map over all lines are computed. It can be saved then: what is shown until then is a mean of fewer lines.</source>
+        <translation>%1 % der Karte über alle Linien sind berechnet. Erst dann lässt sie sich speichern: Was bis dahin zu sehen ist, ist ein Mittel über weniger Linien.</translation>
+    </message>
+    <message>
         <source>Show:</source>
         <translation>Anzeige:</translation>
     </message>

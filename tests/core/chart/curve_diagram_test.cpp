@@ -358,7 +358,8 @@ TEST(CurveDiagram, AMeasuredTableKeepsItsColourAndTellsItsTemperaturesApart) {
   placeMeasured(set);
   const auto measuredSeries = [&] {
     std::vector<DiagramSeries> found;
-    for (const DiagramSeries& series : curveSheet(set).diagrams.front().series)
+    const DiagramSheet sheet = curveSheet(set);
+    for (const DiagramSeries& series : sheet.diagrams.front().series)
       if (series.id == kMeasuredCurves) found.push_back(series);
     return found;
   };
@@ -397,7 +398,8 @@ TEST(CurveDiagram, BesideMeasuredFrictionLocalFrictionIsShown) {
   for (std::size_t i = 0; i < total->points.size(); ++i)
     EXPECT_NEAR(total->points[i].y - set.present.points[i].mu, 0.3, 1e-12);
   set.y = CurveQuantity::MuTotal;
-  for (const DiagramSeries& series : curveSheet(set).diagrams.front().series)
+  const DiagramSheet together = curveSheet(set);
+  for (const DiagramSeries& series : together.diagrams.front().series)
     if (series.id == kPresentCurve) {
       EXPECT_EQ(series.points[0].y, total->points[0].y);
     }

@@ -411,14 +411,14 @@ TEST(FrictionChartModelTest, AShiftedPointSaysItsTemperature) {
   measured.data.points.resize(1);
   measured.data.points[0].velocity = 1e-3;
   measured.data.points[0].mu = 0.5;
-  measured.data.points[0].temperature = 278.15;
+  measured.data.points[0].temperature = 280;
   measured.abscissas = {9e-3};
   CurveSet comparisons;
   comparisons.measured = {measured};
   comparisons.isReduced = true;
   diagram.showComparisons(scene, comparisons);
   const std::string text = diagram.describe(kMeasuredCurves, 0).toStdString();
-  for (const char* part : {"v = 1 mm/s", "a\u1D1B v = 9 mm/s", "T = 278.2 K"})
+  for (const char* part : {"v = 1 mm/s", "a\u1D1B v = 9 mm/s", "T = 280 K"})
     EXPECT_NE(text.find(part), std::string::npos) << text << " has no " << part;
 }
 
