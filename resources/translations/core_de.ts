@@ -5007,6 +5007,10 @@
         <translation>%1 sagt, wie die Kurve entsteht, und kann nicht ihre Achse sein</translation>
     </message>
     <message>
+        <source>%1 says how the file is read, which cannot be an axis</source>
+        <translation>%1 sagt, wie die Datei gelesen wird, und kann keine Achse sein</translation>
+    </message>
+    <message>
         <source>%1 changes nothing in this scene</source>
         <translation>%1 ändert in dieser Szene nichts</translation>
     </message>

@@ -447,7 +447,8 @@ QStringList FrictionChartModel::reducedReading(double velocity, double reduced,
                                                double temperature) const {
   QStringList lines;
   if (axes_ == CurveAxes::Physical && reduced != velocity)
-    lines += QStringLiteral("a\u1D1B v = ") + QString::fromStdString(quantity(reduced, "m/s"));
+    lines +=
+        QStringLiteral("a\u1D1B v = ") + QString::fromStdString(asperity::quantity(reduced, "m/s"));
   if (std::isfinite(temperature))
     lines += QStringLiteral("T = ") + QString::fromStdString(printedQuantity(temperature, "K", 4));
   return lines;
