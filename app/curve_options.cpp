@@ -218,9 +218,11 @@ void addCurveOptions(CLI::App& command, CurveArguments& arguments) {
                   "elastomer.temperature=280:320:5")
       ->type_name("KEY=FROM:TO:N");
   command
-      .add_option(kY, arguments.y,
-                  "What the vertical axis shows: mu, normalized_mu, contact_fraction, "
-                  "rms_slope_contact, indentation, tangential_force, power or mean_pressure")
+      .add_option(
+          kY, arguments.y,
+          "What the vertical axis shows: mu, mu_total (with local friction), normalized_mu, "
+          "contact_fraction, rms_slope_contact, indentation, tangential_force, power or "
+          "mean_pressure")
       ->type_name("QUANTITY")
       ->capture_default_str();
   command

@@ -138,28 +138,34 @@ bool hasComparisons(const CurveSet& set) {
   return !(comparison == Comparisons{}) || (!comparison.theory.empty() && !set.hasLawInPoints());
 }
 
+void placeMeasured(CurveSet& set) {
+  const Scene& scene = set.present.scene;
+  set.isReduced = false;
+  for (MeasuredCurve& measured : set.measured) {
+    measured.abscissas.clear();
+    for (const MeasuredPoint& point : measured.data.points) {
+      measured.abscissas.push_back(measuredAbscissa(point, scene));
+      set.isReduced |=
+          set.isOfVelocity() && temperatureAt(point, scene) != scene.elastomer.temperature;
+    }
+  }
+}
+
 void addComparisons(CurveSet& set, std::vector<FrictionData> data, const StateOptions& options) {
   const Scene& scene = set.present.scene;
   set.theories = theoryCurves(set, options.stop);
-  if (!set.isOfVelocity())
-    for (FrictionData& table : data) table = onAxis(std::move(table), set);
-  else
-    for (const FrictionData& table : data)
-      for (const MeasuredPoint& point : table.points)
-        set.isReduced |= temperatureAt(point, scene) != scene.elastomer.temperature;
   for (FrictionData& table : data) {
+    if (!set.isOfVelocity()) table = onAxis(std::move(table), set);
     if (table.points.empty()) continue;
     MeasuredCurve curve;
     std::vector<Scene> states;
-    for (const MeasuredPoint& point : table.points) {
-      curve.abscissas.push_back(measuredAbscissa(point, scene));
-      states.push_back(sceneAtPoint(point, scene));
-    }
+    for (const MeasuredPoint& point : table.points) states.push_back(sceneAtPoint(point, scene));
     SteadyStates found = slideStates(states, options);
     if (found.isComplete) curve.computed = std::move(found.points);
     curve.data = std::move(table);
     set.measured.push_back(std::move(curve));
   }
+  placeMeasured(set);
 }
 
 }  // namespace asperity

@@ -26,6 +26,11 @@ std::vector<FrictionData> addComparisonData(Scene& scene, const std::vector<std:
 /// which Eq. (11) is not part of the curve's points.
 bool hasComparisons(const CurveSet& set);
 
+/// Places measured points on the horizontal axis of the present scene, and finds whether it is that
+/// of the reduced velocity. Throws InputError where its elastomer has no shift at a measured
+/// temperature.
+void placeMeasured(CurveSet& set);
+
 /// Adds the theories and the measured friction to a set whose present curve is that of its scene;
 /// Eq. (11) is part of the curve where the axes are velocity and friction. Over another key than
 /// velocity, a table is shown where it has a column of that key (force, nominal pressure,

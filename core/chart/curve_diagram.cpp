@@ -22,11 +22,11 @@ constexpr double kLowestPercent = -100, kHighestPercent = 200;  // of the axis o
 constexpr double kLeastPercent = 0.1;
 constexpr int kLawPoints = 160;
 
-/// Returns the name of the mean. Curves show the friction of the deformation, also where there is
-/// local friction.
-Message meanName(const NamedCurve& curve) {
+/// Returns the name of the mean. But for the axis of mu_total, curves show the friction of the
+/// deformation, also where there is local friction.
+Message meanName(const NamedCurve& curve, const CurveSet& set) {
   const std::vector<CurvePoint>& points = curve.points;
-  const bool isPart = hasLocalFriction(curve.scene);
+  const bool isPart = hasLocalFriction(curve.scene) && set.quantity() != CurveQuantity::MuTotal;
   if (points.empty() || points.front().realizations <= 1)
     return isPart ? "this line, deformation alone" : "this line";
   const std::int64_t lines = points.front().realizations;
@@ -43,15 +43,16 @@ Message presentName(const CurveSet& set) {
     if (!difference.empty() && std::ranges::find(words, difference) == words.end())
       words.push_back(std::move(difference));
   }
-  return words.empty() || words.size() > 3 ? meanName(set.present) : listed(words);
+  return words.empty() || words.size() > 3 ? meanName(set.present, set) : listed(words);
 }
 
 /// Returns a point on the axes. It has its own factors: lines with different slopes have different
 /// factors at each velocity.
-DiagramPoint diagramPoint(const CurvePoint& point, const CurveSet& set, int row) {
+DiagramPoint diagramPoint(const CurvePoint& point, const Scene& scene, const CurveSet& set,
+                          int row) {
   const double value = ordinate(point, set);
   const double error = point.muStandardError * perFriction(set.quantity(), point);
-  return {abscissa(point, set), value, value - error, value + error, row};
+  return {abscissa(point, scene, set), value, value - error, value + error, row};
 }
 
 /// Returns the known points with error bars.
@@ -59,7 +60,25 @@ DiagramSeries meanSeries(const NamedCurve& curve, const CurveSet& set) {
   DiagramSeries series;
   for (std::size_t i = 0; i < curve.points.size(); ++i)
     if (curve.points[i].realizations > 0)
-      series.points.push_back(diagramPoint(curve.points[i], set, static_cast<int>(i)));
+      series.points.push_back(diagramPoint(curve.points[i], curve.scene, set, static_cast<int>(i)));
+  return series;
+}
+
+/// Returns what is measured: friction with local friction, beside that of the deformation.
+DiagramSeries totalSeries(const CurveSet& set) {
+  DiagramSeries series;
+  series.name = "with local friction";
+  series.colour = 0;
+  series.stroke = SeriesStroke::Dashed;
+  series.mark = SeriesMark::Diamond;
+  series.id = kTotalCurve;
+  for (std::size_t i = 0; i < set.present.points.size(); ++i) {
+    const CurvePoint& point = set.present.points[i];
+    const double factor = perFriction(set.quantity(), point);
+    if (point.realizations > 0)
+      series.points.push_back({abscissa(point, set.present.scene, set), totalMu(point) * factor,
+                               kNotApplicable, kNotApplicable, static_cast<int>(i)});
+  }
   return series;
 }
 
@@ -163,18 +182,20 @@ void addRegions(Diagram& diagram, const NamedCurve& curve, CurveAxes axes) {
 /// Tints the part of the axis in which friction rests on frequencies that were not measured.
 void addExtrapolated(Diagram& diagram, const CurveSet& set) {
   const std::vector<CurvePoint>& points = set.present.points;
+  const auto place = [&](const CurvePoint& point) {
+    return abscissa(point, set.present.scene, set);
+  };
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (points[i].extrapolated != 1) continue;
     std::size_t last = i;
     while (last + 1 < points.size() && points[last + 1].extrapolated == 1) ++last;
     // The tint extends to the middle between the points at which it begins and ends.
     const auto border = [&](std::size_t inside, std::size_t outside) {
-      const double a = abscissa(points[inside], set), b = abscissa(points[outside], set);
+      const double a = place(points[inside]), b = place(points[outside]);
       return set.scaleOfX() == AxisScale::Linear ? (a + b) / 2 : std::sqrt(a * b);
     };
-    const double from = i > 0 ? border(i, i - 1) : abscissa(points[i], set);
-    const double to =
-        last + 1 < points.size() ? border(last, last + 1) : abscissa(points[last], set);
+    const double from = i > 0 ? border(i, i - 1) : place(points[i]);
+    const double to = last + 1 < points.size() ? border(last, last + 1) : place(points[last]);
     if (std::isfinite(from) && std::isfinite(to))
       diagram.shades.push_back(
           {std::min(from, to), std::max(from, to), "beyond the measured frequencies", {}, {}});
@@ -250,34 +271,82 @@ void addTheories(Diagram& diagram, const CurveSet& set) {
   }
 }
 
-constexpr std::array kMeasuredMarks{SeriesMark::Square, SeriesMark::Diamond, SeriesMark::Triangle};
+constexpr std::array kMeasuredMarks{SeriesMark::Square, SeriesMark::Diamond, SeriesMark::Triangle,
+                                    SeriesMark::Circle};
 
-/// Returns a series for measured points, with a mark and a colour that no curve of the set has.
-DiagramSeries measuredSeries(const CurveSet& set, std::size_t k) {
-  DiagramSeries series;
-  series.name = set.measured[k].data.name;
-  series.stroke = SeriesStroke::None;
-  series.mark = kMeasuredMarks[k % kMeasuredMarks.size()];
-  series.colour = pinColour(static_cast<int>(set.pinned.size() + k));
-  return series;
+/// Returns the temperatures of a table, rising, if there are several but no more than marks.
+std::vector<double> fewTemperatures(const MeasuredCurve& measured) {
+  std::vector<double> all;
+  for (const MeasuredPoint& point : measured.data.points)
+    if (!std::isnan(point.temperature)) all.push_back(point.temperature);
+  if (all.size() < measured.data.points.size()) return {};
+  std::ranges::sort(all);
+  const auto repeated = std::ranges::unique(all);
+  all.erase(repeated.begin(), repeated.end());
+  return all.size() > 1 && all.size() <= kMeasuredMarks.size() ? all : std::vector<double>{};
+}
+
+/// Makes the series of the measured points: one for each table, or for each temperature of a table,
+/// all in the colour of the table, which no pinned curve changes. place(k, i): of point i of table
+/// k, with its row.
+template <class Place>
+void addMeasuredSeries(Diagram& diagram, const CurveSet& set, const Place& place) {
+  for (std::size_t k = 0; k < set.measured.size(); ++k) {
+    const MeasuredCurve& measured = set.measured[k];
+    const std::vector<double> temperatures = fewTemperatures(measured);
+    for (std::size_t part = 0; part < std::max<std::size_t>(temperatures.size(), 1); ++part) {
+      DiagramSeries series;
+      series.name = measured.data.name;
+      if (!temperatures.empty())
+        series.name = message("{}, {:.4g} K", series.name, temperatures[part]);
+      series.stroke = SeriesStroke::None;
+      series.mark = kMeasuredMarks[(k + part) % kMeasuredMarks.size()];
+      series.colour = measuredColour(static_cast<int>(k));
+      for (std::size_t i = 0; i < measured.abscissas.size(); ++i)
+        if (temperatures.empty() || measured.data.points[i].temperature == temperatures[part])
+          series.points.push_back(place(k, i));
+      series.id = kMeasuredCurves - static_cast<int>(k);
+      diagram.series.push_back(std::move(series));
+    }
+  }
 }
 
 /// Adds the measured points with error bars.
 void addMeasured(Diagram& diagram, const CurveSet& set) {
   const AxesFactors factors = axesFactors(set.present.points, set.axes);
-  for (std::size_t k = 0; k < set.measured.size(); ++k) {
+  addMeasuredSeries(diagram, set, [&](std::size_t k, std::size_t i) {
     const MeasuredCurve& measured = set.measured[k];
-    DiagramSeries series = measuredSeries(set, k);
-    series.id = kMeasuredCurves - static_cast<int>(k);
-    for (std::size_t i = 0; i < measured.abscissas.size(); ++i) {
-      const MeasuredPoint& point = measured.data.points[i];
-      const double friction = measuredFactor(measured, i, set, factors);
-      series.points.push_back({measured.abscissas[i] * factors.velocity, point.mu * friction,
-                               (point.mu - point.muError) * friction,
-                               (point.mu + point.muError) * friction, static_cast<int>(i)});
+    const MeasuredPoint& point = measured.data.points[i];
+    const double friction = measuredFactor(measured, i, set, factors);
+    return DiagramPoint{measured.abscissas[i] * factors.velocity, point.mu * friction,
+                        (point.mu - point.muError) * friction,
+                        (point.mu + point.muError) * friction, static_cast<int>(i)};
+  });
+}
+
+/// Returns ends around all ratios and 1, so that no mark is cut: on a logarithmic axis whole
+/// decades, which have numbers.
+void fixRatioAxis(DiagramAxis& axis, const std::vector<DiagramSeries>& series) {
+  double least = 1, most = 1, low = 1, high = 1;
+  const auto add = [](double value, double& from, double& to) {
+    if (std::isfinite(value)) from = std::min(from, value), to = std::max(to, value);
+  };
+  for (const DiagramSeries& one : series)
+    for (const DiagramPoint& point : one.points) {
+      add(point.y, least, most);
+      for (const double value : {point.y, point.low, point.high}) add(value, low, high);
     }
-    diagram.series.push_back(std::move(series));
+  // On a linear axis all ratios but the largest would lie on the line of 1.
+  constexpr double kDecade = 10, kMargin = 0.08;
+  if (least > 0 && most >= kDecade * least) {
+    axis.scale = AxisScale::Logarithmic;
+    axis.from = std::pow(kDecade, std::floor(std::log10(least / kAir)));
+    axis.to = std::pow(kDecade, std::ceil(std::log10(most * kAir)));
+    return;
   }
+  const double margin = kMargin * std::max(high - low, kMargin);
+  axis.from = low - margin;
+  axis.to = high + margin;
 }
 
 /// Makes the diagram of measured over computed friction at each measured point, over the axis of
@@ -288,31 +357,24 @@ Diagram residualDiagram(const CurveSet& set, const DiagramAxis& x) {
   diagram.x = x;
   diagram.y = {"measured / computed", "", AxisScale::Linear};
   const double factor = axesFactors(set.present.points, set.axes).velocity;
+  addMeasuredSeries(diagram, set, [&](std::size_t k, std::size_t i) {
+    const MeasuredCurve& measured = set.measured[k];
+    const MeasuredPoint& point = measured.data.points[i];
+    const double whole =
+        i < measured.computed.size() ? totalMu(measured.computed[i]) : kNotApplicable;
+    return DiagramPoint{measured.abscissas[i] * factor, point.mu / whole,
+                        (point.mu - point.muError) / whole, (point.mu + point.muError) / whole,
+                        static_cast<int>(i)};
+  });
+  for (DiagramSeries& series : diagram.series) {
+    series.name = {};
+    series.id = -1;
+  }
+  fixRatioAxis(diagram.y, diagram.series);
   DiagramSeries one;
   one.isTheory = true;
   one.points = {{x.from, 1}, {x.to, 1}};
-  diagram.series.push_back(std::move(one));
-  double least = 1, most = 1;
-  for (std::size_t k = 0; k < set.measured.size(); ++k) {
-    const MeasuredCurve& measured = set.measured[k];
-    DiagramSeries series = measuredSeries(set, k);
-    series.name = {};
-    for (std::size_t i = 0; i < measured.computed.size(); ++i) {
-      const double whole = totalMu(measured.computed[i]);
-      const MeasuredPoint& point = measured.data.points[i];
-      if (std::isfinite(point.mu / whole)) {
-        least = std::min(least, point.mu / whole);
-        most = std::max(most, point.mu / whole);
-      }
-      series.points.push_back({measured.abscissas[i] * factor, point.mu / whole,
-                               (point.mu - point.muError) / whole,
-                               (point.mu + point.muError) / whole, static_cast<int>(i)});
-    }
-    diagram.series.push_back(std::move(series));
-  }
-  // On a linear axis all ratios but the largest would lie on the line of 1.
-  constexpr double kDecade = 10;
-  if (least > 0 && most >= kDecade * least) diagram.y.scale = AxisScale::Logarithmic;
+  diagram.series.insert(diagram.series.begin(), std::move(one));
   return diagram;
 }
 
@@ -363,6 +425,7 @@ Diagram curvesDiagram(const CurveSet& set) {
     mean.colour = 0;
     mean.id = kPresentCurve;
     diagram.series.push_back(std::move(mean));
+    if (showsTotal(set)) diagram.series.push_back(totalSeries(set));
   }
   addMeasured(diagram, set);
   // The regions belong to the present curve of friction over velocity.
@@ -484,6 +547,10 @@ DiagramSheet curveSheet(const CurveSet& set) {
       notes.push_back(std::move(reason));
     else if (theory.theory != Theory::Eq11)
       notes.emplace_back(theoryEntry(theory.theory).range);
+  for (const NamedCurve& curve : set.pinned)
+    if (std::isnan(reduction(curve.scene, set)))
+      notes.push_back(message("{} is not shown: its rubber has no shift at {:.4g} K.", curve.name,
+                              scene.elastomer.temperature));
   for (const Message& note : set.notes) notes.push_back(message("{}.", note));
   sheet.note = sentences(notes);
   const bool hasResiduals = std::ranges::any_of(

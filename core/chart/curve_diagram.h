@@ -14,7 +14,7 @@ namespace asperity {
 
 /// Values of DiagramSeries::id for a friction curve. Pinned curves have their own numbers, all
 /// above 0.
-inline constexpr int kPresentCurve = 0, kLawCurve = -2, kDifferenceCurve = -3;
+inline constexpr int kPresentCurve = 0, kLawCurve = -2, kDifferenceCurve = -3, kTotalCurve = -4;
 /// The first of the theories and of the measured tables; the others count down from it.
 inline constexpr int kTheoryCurves = -100, kMeasuredCurves = -200;
 

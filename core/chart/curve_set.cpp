@@ -6,8 +6,10 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/friction/curve_file.h"
+#include "core/material/temperature_shift.h"
 #include "core/scene/columns.h"
 #include "core/scene/data_table.h"
 #include "core/scene/sweep.h"
@@ -28,7 +30,7 @@ AxesFactors axesFactors(std::span<const CurvePoint> points, CurveAxes axes) {
 
 double measuredFactor(const MeasuredCurve& measured, std::size_t point, const CurveSet& set,
                       const AxesFactors& factors) {
-  if (set.isOfMu()) return factors.friction;
+  if (set.isOfMu() || isCoefficient(set.y)) return factors.friction;
   return point < measured.computed.size() ? perFriction(set.y, measured.computed[point])
                                           : kNotApplicable;
 }
@@ -37,10 +39,19 @@ bool showsLaw(const Scene& scene) {
   return std::ranges::find(scene.comparison.theory, Theory::Eq11) != scene.comparison.theory.end();
 }
 
+namespace {
+
+// The first two colours belong to the present curve and its marker, so they come last.
+constexpr std::array<int, kPinColours> kColourOrder{2, 3, 6, 5, 4, 7, 8, 1};
+
+}  // namespace
+
 int pinColour(int index) {
-  // The first two colours belong to the present curve and its marker, so they come last.
-  constexpr std::array<int, kPinColours> order{2, 3, 6, 5, 4, 7, 8, 1};
-  return order[static_cast<std::size_t>(index % kPinColours)];
+  return kColourOrder[static_cast<std::size_t>(index % kPinColours)];
+}
+
+int measuredColour(int index) {
+  return pinColour(2 * kPinColours - 2 - index % kPinColours);
 }
 
 AxisScale CurveSet::scaleOfX() const {
@@ -49,9 +60,33 @@ AxisScale CurveSet::scaleOfX() const {
   return xScale.value_or(isLinear ? AxisScale::Linear : AxisScale::Logarithmic);
 }
 
-double abscissa(const CurvePoint& point, const CurveSet& set) {
+namespace {
+
+/// Returns a_T of an elastomer over that at another temperature; NaN where it has none there.
+double shiftTo(double temperature, const Elastomer& elastomer) {
+  Elastomer there = elastomer;
+  there.temperature = temperature;
+  try {
+    return temperatureShift(elastomer) / temperatureShift(there);
+  } catch (const InputError&) {
+    return kNotApplicable;
+  }
+}
+
+}  // namespace
+
+double reduction(const Scene& scene, const CurveSet& set) {
+  return set.hasReducedAxis() ? shiftTo(set.present.scene.elastomer.temperature, scene.elastomer)
+                              : 1;
+}
+
+double abscissa(const CurvePoint& point, const Scene& scene, const CurveSet& set) {
   if (set.axes == CurveAxes::Dimensionless) return point.dimensionlessVelocity;
-  return set.isOfVelocity() ? point.velocity : point.swept;
+  return set.isOfVelocity() ? point.velocity * reduction(scene, set) : point.swept;
+}
+
+bool showsTotal(const CurveSet& set) {
+  return set.isOfMu() && !set.measured.empty() && hasLocalFriction(set.present.scene);
 }
 
 double ordinate(const CurvePoint& point, const CurveSet& set) {
@@ -81,33 +116,49 @@ std::string curveSetCsv(const CurveSet& set) {
   const CurveTable table(curves, columnsFor(set.present.scene, showsForces(set)));
   std::string text = joinedColumns({"series"}) + ",";
   const std::string family = familyColumn(set, table.header());
+  const bool isOfTemperature = family == "temperature";
+  const bool isReduced = set.isReduced && set.isOfVelocity();
   if (!family.empty()) text += family + ",";
   text += table.header();
+  if (isReduced) text += "," + joinedColumns({"reduced_velocity"});
+  if (isReduced && !isOfTemperature) text += "," + joinedColumns({"temperature"});
   if (set.difference)
     text += "," + joinedColumns({"relative_difference", "relative_difference_standard_error"});
   text += "\n";
-  const double presentFamilyValue =
-      family.empty() ? kNotApplicable
-                     : parameterNumber(*findParameter(set.familyKey), set.present.scene);
-  double familyValue = presentFamilyValue;  // of the curve whose rows are added
-  const auto addRow = [&](const std::string& series, const CurvePoint& point,
+  /// What the points of a series share.
+  struct Shared {
+    double familyValue = kNotApplicable, temperature = kNotApplicable;
+    double reduction = 1;  // from velocities to those of the reduced axis
+  };
+  const auto sharedBy = [&](const Scene& scene, double familyValue) {
+    return Shared{familyValue, scene.elastomer.temperature,
+                  shiftTo(set.present.scene.elastomer.temperature, scene.elastomer)};
+  };
+  const Shared present =
+      sharedBy(set.present.scene,
+               family.empty() ? kNotApplicable
+                              : parameterNumber(*findParameter(set.familyKey), set.present.scene));
+  const auto addRow = [&](const std::string& series, const CurvePoint& point, const Shared& shared,
                           const DifferencePoint* difference = nullptr) {
     if (!std::isfinite(point.mu)) return;
     text += csvCell(series) + ",";
-    if (!family.empty()) text += csvNumber(familyValue) + ",";
+    if (!family.empty()) text += csvNumber(shared.familyValue) + ",";
     text += table.row(point);
+    if (isReduced) text += "," + csvNumber(point.velocity * shared.reduction);
+    if (isReduced && !isOfTemperature) text += "," + csvNumber(shared.temperature);
     if (set.difference)
       text += difference ? fmt::format(",{},{}", csvNumber(difference->relative),
                                        csvNumber(difference->standardError))
                          : ",,";
     text += "\n";
   };
-  const auto addCurve = [&](const std::string& series, const NamedCurve& curve) {
+  const auto addCurve = [&](const std::string& series, const NamedCurve& curve,
+                            const Shared& shared) {
     for (const CurvePoint& point : curve.points)
-      if (point.realizations > 0) addRow(series, point);
+      if (point.realizations > 0) addRow(series, point, shared);
   };
   const std::string& title = set.present.scene.title;
-  addCurve(title.empty() ? "this scene" : title, set.present);
+  addCurve(title.empty() ? "this scene" : title, set.present, present);
   const AxesFactors factors = axesFactors(set.present.points, CurveAxes::Dimensionless);
   // x: in the unit of the horizontal axis.
   const auto pointAt = [&](double x, double mu) {
@@ -126,7 +177,7 @@ std::string curveSetCsv(const CurveSet& set) {
   };
   if (showsLaw(set.present.scene))
     for (const CurvePoint& point : set.present.points)
-      addRow("Eq. (11)", pointAt(sweptBy(point), point.muLaw));
+      addRow("Eq. (11)", pointAt(sweptBy(point), point.muLaw), present);
   for (const TheoryCurve& theory : set.theories)
     for (const TheoryPoint& point : theory.points) {
       if (!point.isInRange || theory.theory == Theory::Eq11) continue;
@@ -136,25 +187,30 @@ std::string curveSetCsv(const CurveSet& set) {
         row.normalizedMu = point.value(CurveQuantity::NormalizedMu);
         row.dimensionlessVelocity = kNotApplicable;
       }
-      addRow(theoryEntry(theory.theory).name, row);
+      addRow(theoryEntry(theory.theory).name, row, present);
     }
   for (const MeasuredCurve& measured : set.measured)
     for (std::size_t i = 0; i < measured.abscissas.size(); ++i) {
-      CurvePoint point = pointAt(measured.abscissas[i], measured.data.points[i].mu);
-      point.muStandardError = measured.data.points[i].muError;
-      addRow(measured.data.name, point);
+      const MeasuredPoint& seen = measured.data.points[i];
+      CurvePoint point = pointAt(measured.abscissas[i], seen.mu);
+      point.velocity = seen.velocity;
+      point.muStandardError = seen.muError;
+      Shared shared = present;
+      shared.reduction = measured.abscissas[i] / seen.velocity;
+      if (!std::isnan(seen.temperature)) shared.temperature = seen.temperature;
+      if (isOfTemperature) shared.familyValue = shared.temperature;
+      addRow(measured.data.name, point, shared);
     }
-  for (const NamedCurve& curve : set.pinned) {
-    familyValue = std::isnan(curve.familyValue) ? presentFamilyValue : curve.familyValue;
-    addCurve(curve.name.english(), curve);
-  }
-  familyValue = presentFamilyValue;
+  for (const NamedCurve& curve : set.pinned)
+    addCurve(curve.name.english(), curve,
+             sharedBy(curve.scene,
+                      std::isnan(curve.familyValue) ? present.familyValue : curve.familyValue));
   if (!set.difference) return text;
   for (const DifferencePoint& difference : set.difference->points) {
     CurvePoint point = pointAt(difference.velocity, difference.mu);
     point.muStandardError = difference.muStandardError;
     point.realizations = set.difference->setting.realizations;
-    addRow(settingName(set.difference->setting).english(), point, &difference);
+    addRow(settingName(set.difference->setting).english(), point, present, &difference);
   }
   return text;
 }

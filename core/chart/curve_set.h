@@ -55,7 +55,8 @@ struct MeasuredCurve {
   std::vector<CurvePoint> computed;
   /// Positions of the points on the horizontal axis. Velocities (m/s) are shifted to the scene's
   /// temperature, v a_T(T) / a_T(T_scene), where temperatures differ (Grosch, Proc. R. Soc. A 274,
-  /// 21 (1963)). Over another key they are the table's own values of it.
+  /// 21 (1963)), as are those of curves: reduction(). Over another key they are the table's own
+  /// values of it.
   std::vector<double> abscissas;
 };
 
@@ -66,8 +67,10 @@ struct CurveSet {
   /// other quantities than friction; else the points of the curve have it.
   std::vector<TheoryCurve> theories;
   std::vector<MeasuredCurve> measured;  // the tables that the scene names
-  bool isReduced = false;               // whether measured velocities are shifted
-  std::vector<Message> notes;           // on the measured friction
+  /// Whether the axis is that of the reduced velocity at the temperature of the present scene,
+  /// because a table was measured at another one. Every curve is then shifted by its own a_T.
+  bool isReduced = false;
+  std::vector<Message> notes;  // on the measured friction
   CurveAxes axes = CurveAxes::Physical;
   CurveQuantity y = CurveQuantity::Mu;        // of physical axes
   std::optional<AxisScale> xScale, yScale;    // none: as the sweep's values are spaced; logarithmic
@@ -83,6 +86,8 @@ struct CurveSet {
   }
   /// Returns whether this is mu or, on dimensionless axes, mu over the rms slope.
   bool isOfMu() const { return axes == CurveAxes::Dimensionless || y == CurveQuantity::Mu; }
+  /// Returns whether velocities on the axis are shifted.
+  bool hasReducedAxis() const { return isReduced && isOfVelocity() && axes == CurveAxes::Physical; }
   /// Returns whether the points of the curve have Eq. (11) as these axes show it.
   bool hasLawInPoints() const { return isOfVelocity() && isOfMu(); }
   AxisScale scaleOfX() const;
@@ -95,9 +100,20 @@ struct CurveSet {
 double measuredFactor(const MeasuredCurve& measured, std::size_t point, const CurveSet& set,
                       const AxesFactors& factors);
 
-/// Return the position of a point on the horizontal axis, and its value on the vertical axis.
-double abscissa(const CurvePoint& point, const CurveSet& set);
+/// Returns the factor from the velocities of a scene's curve to those of the axis: on the axis of
+/// the reduced velocity a_T of its elastomer over that at the temperature of the axis, so that
+/// curves of one rubber at different temperatures coincide; else 1. NaN where the elastomer has no
+/// shift at that temperature.
+double reduction(const Scene& scene, const CurveSet& set);
+
+/// Return the position of a point of the scene's curve on the horizontal axis, and its value on the
+/// vertical axis.
+double abscissa(const CurvePoint& point, const Scene& scene, const CurveSet& set);
 double ordinate(const CurvePoint& point, const CurveSet& set);
+
+/// Returns whether friction with local friction is drawn beside that of the deformation: measured
+/// friction is of both.
+bool showsTotal(const CurveSet& set);
 
 /// Returns whether the chart shows forces, which its table then has, too.
 bool showsForces(const CurveSet& set);
@@ -108,12 +124,16 @@ bool showsLaw(const Scene& scene);
 /// Number of pinned curves that have different colours.
 inline constexpr int kPinColours = 8;
 
-/// Returns the index in the palette of the colour of a pinned curve.
+/// Return the index in the palette of the colour of a pinned curve, and of a measured table, which
+/// keeps its own whatever is pinned: both begin at opposite ends.
 int pinColour(int index);
+int measuredColour(int index);
 
 /// Returns one row for each point of each curve: the series, all columns of a curve (curve_file.h),
-/// and with a comparison its difference in two more columns. Names of series: the scene's title,
-/// the differences of a pinned scene, the setting of the comparison, "Eq. (11)".
+/// on the axis of the reduced velocity this velocity and the temperature of each point, and with a
+/// comparison its difference in two more columns. `velocity` is always that of sliding. Names of
+/// series: the scene's title, the differences of a pinned scene, the setting of the comparison,
+/// "Eq. (11)".
 std::string curveSetCsv(const CurveSet& set);
 
 }  // namespace asperity

@@ -14,9 +14,12 @@ namespace {
 /// Returns the table's symbol in printed letters.
 std::string printed(std::string_view symbol) {
   constexpr std::pair<std::string_view, std::string_view> letters[] = {
-      {"tau", "\u03C4"},    {"eta", "\u03B7"},  {"kappa", "\u03BA"}, {"lambda_r", "\u03BB\u1D63"},
-      {"G_inf", "G\u221E"}, {"F_N", "F\u2099"}, {"C_1", "C\u2081"},  {"C_2", "C\u2082"},
-      {"T_r", "T\u1D63"},   {"p_0", "p\u2080"}};
+      {"tau", "\u03C4"},           {"eta", "\u03B7"},
+      {"kappa", "\u03BA"},         {"lambda_r", "\u03BB\u1D63"},
+      {"G_inf", "G\u221E"},        {"F_N", "F\u2099"},
+      {"C_1", "C\u2081"},          {"C_2", "C\u2082"},
+      {"T_r", "T\u1D63"},          {"p_0", "p\u2080"},
+      {"lambda_s", "\u03BB\u209B"}};
   for (const auto& [word, letter] : letters)
     if (symbol == word) return std::string(letter);
   return std::string(symbol);

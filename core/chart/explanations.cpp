@@ -70,6 +70,10 @@ constexpr std::array kTable{
                      "Coefficient of friction: what deforming the elastomer costs, over the normal "
                      "force.",
                      "eq-4"},
+    HoverExplanation{"mu_total", "μ_total = μ + μ_interface",
+                     "Coefficient of friction as it is measured: what deforming the elastomer "
+                     "costs and local friction together.",
+                     "local-friction"},
     HoverExplanation{"normalized_mu", "μ/∇z",
                      "Coefficient of friction over the rms slope of the line.", "eq-9"},
     HoverExplanation{"contact_fraction", "L_c/L",

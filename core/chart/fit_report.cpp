@@ -221,6 +221,8 @@ std::vector<Message> describeFit(const Fit& fit) {
 
 DiagramSheet fitSheet(const Fit& fit, const CurveSet& set) {
   CurveSet shown = set;
+  // What was fitted is friction as it is measured.
+  if (set.isOfMu() && hasLocalFriction(set.present.scene)) shown.y = CurveQuantity::MuTotal;
   shown.measured = partedByLoad(set.measured);
   DiagramSheet sheet = curveSheet(shown);
   std::vector<Message> values;
@@ -232,9 +234,8 @@ DiagramSheet fitSheet(const Fit& fit, const CurveSet& set) {
   band.colour = 0;
   const std::vector<RelativeError> errors = relativeErrors(fit, set);
   for (const CurvePoint& point : set.present.points) {
-    const double error = point.mu * errorAt(errors, point.velocity);
-    if (std::isfinite(error))
-      band.points.push_back({point.velocity, point.mu, point.mu - error, point.mu + error});
+    const double mu = totalMu(point), error = mu * errorAt(errors, point.velocity);
+    if (std::isfinite(error)) band.points.push_back({point.velocity, mu, mu - error, mu + error});
   }
   Diagram& curves = sheet.diagrams.front();
   curves.series.insert(curves.series.begin(), std::move(band));

@@ -118,10 +118,6 @@ std::vector<VariedParameter> activeParameters(const Scene& scene) {
   return active;
 }
 
-double totalMu(const CurvePoint& point) {
-  return std::isnan(point.muInterface) ? point.mu : point.mu + point.muInterface;
-}
-
 FrictionWithDerivatives frictionWithDerivatives(std::span<const Scene> states,
                                                 std::span<const VariedParameter> parameters,
                                                 const StateOptions& options) {

@@ -57,9 +57,6 @@ std::vector<VariedParameter> parseVariedParameters(const std::vector<std::string
 /// parameter that is 0 is an effect that is switched off, and left out.
 std::vector<VariedParameter> activeParameters(const Scene& scene);
 
-/// Returns friction as it is measured: of deformation and interface together.
-double totalMu(const CurvePoint& point);
-
 /// The friction of states on each of their lines (deformation and interface together), and its
 /// derivative with respect to the coordinate of each parameter.
 struct FrictionWithDerivatives {

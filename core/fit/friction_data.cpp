@@ -66,10 +66,30 @@ std::string plainWord(std::string_view text) {
 /// Returns the rest of a word without the part that marks an error; nothing where there is no such
 /// part.
 std::optional<std::string> withoutError(std::string word) {
-  for (const std::string_view sign :
-       {"standarderror", "standarddeviation", "uncertainty", "error", "stdev", "stddev", "sigma",
-        "unsicherheit", "abweichung", "fehler", "err", "std", "dev", "sd", "se", "\u00B1", "\u03C3",
-        "delta", "\u0394"}) {
+  for (const std::string_view sign : {"standarderror",
+                                      "standarddeviation",
+                                      "standarduncertainty",
+                                      "standardabweichung",
+                                      "standardunsicherheit",
+                                      "standardfehler",
+                                      "messunsicherheit",
+                                      "uncertainty",
+                                      "error",
+                                      "stdev",
+                                      "stddev",
+                                      "sigma",
+                                      "unsicherheit",
+                                      "abweichung",
+                                      "fehler",
+                                      "err",
+                                      "std",
+                                      "dev",
+                                      "sd",
+                                      "se",
+                                      "\u00B1",
+                                      "\u03C3",
+                                      "delta",
+                                      "\u0394"}) {
     const std::size_t index = word.find(sign);
     // Two letters mark an error only at the beginning or end of a word: "sets" has no error.
     if (index == std::string::npos) continue;
@@ -83,6 +103,14 @@ std::optional<std::string> withoutError(std::string word) {
   return {};
 }
 
+/// Returns the rest of a word without the letter of an uncertainty in front of it, as in "u(mu)",
+/// "dmu" and "s_mu"; nothing where there is no such letter.
+std::optional<std::string> withoutErrorLetter(const std::string& word) {
+  constexpr std::string_view kLetters = "uds";
+  if (word.size() < 2 || kLetters.find(word.front()) == std::string_view::npos) return {};
+  return word.substr(1);
+}
+
 /// Returns whether a letter has several meanings, such as t for temperature and time, so that it
 /// needs a unit.
 bool isAmbiguous(const std::string& word) {
@@ -94,7 +122,8 @@ std::optional<Quantity> findMeaning(const std::string& name, const std::string& 
   if (unit.empty() && isAmbiguous(word)) return {};
   for (const QuantityNames& known : knownNames())
     if (std::ranges::find(known.names, word) != known.names.end()) return known.quantity;
-  const std::optional<std::string> subject = withoutError(word);
+  std::optional<std::string> subject = withoutError(word);
+  if (!subject) subject = withoutErrorLetter(word);
   if (!subject) return {};
   if (subject->empty()) return Quantity::MuError;
   for (const QuantityNames& known : knownNames()) {

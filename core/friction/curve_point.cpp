@@ -42,6 +42,10 @@ CurvePoint CurveAverages::point(double velocity) const {
   return point;
 }
 
+double totalMu(const CurvePoint& point) {
+  return std::isnan(point.muInterface) ? point.mu : point.mu + point.muInterface;
+}
+
 bool areContactsFew(double contactSpots, double contactFraction) {
   constexpr double kGrownTogether = 0.5;
   return std::isgreater(contactSpots, 0) && std::isless(contactSpots, kFewContacts) &&

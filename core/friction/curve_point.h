@@ -69,6 +69,9 @@ struct CurvePoint {
   NoteSet notes{};  // of the line and the scene; more in core/friction/curve_file.h
 };
 
+/// Returns friction as it is measured: of deformation and interface together.
+double totalMu(const CurvePoint& point);
+
 /// Returns whether so few separate stretches bear the load that friction is that of single summits:
 /// fewer than kFewContacts in a period that is less than half in contact. Beyond half of it
 /// stretches are few because they have grown together. With four of them friction scatters by about

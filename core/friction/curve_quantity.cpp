@@ -6,21 +6,28 @@
 namespace asperity {
 namespace {
 
-constexpr std::array<QuantityEntry, 8> kEntries{{
-    {CurveQuantity::Mu, "mu", "coefficient of friction \u03BC", "", &CurvePoint::mu, true},
+template <double CurvePoint::*kMember>
+double member(const CurvePoint& point) {
+  return point.*kMember;
+}
+
+constexpr std::array<QuantityEntry, 9> kEntries{{
+    {CurveQuantity::Mu, "mu", "coefficient of friction \u03BC", "", member<&CurvePoint::mu>, true},
+    {CurveQuantity::MuTotal, "mu_total", "coefficient of friction \u03BC with local friction", "",
+     totalMu, true},
     {CurveQuantity::NormalizedMu, "normalized_mu", "normalized friction \u03BC / \u2207z", "",
-     &CurvePoint::normalizedMu, true},
+     member<&CurvePoint::normalizedMu>, true},
     {CurveQuantity::ContactFraction, "contact_fraction", "contact fraction", "",
-     &CurvePoint::contactFraction, false},
+     member<&CurvePoint::contactFraction>, false},
     {CurveQuantity::RmsSlopeContact, "rms_slope_contact", "rms slope in contact", "",
-     &CurvePoint::rmsSlopeContact, false},
-    {CurveQuantity::Indentation, "indentation", "indentation d", "m", &CurvePoint::indentation,
-     false},
+     member<&CurvePoint::rmsSlopeContact>, false},
+    {CurveQuantity::Indentation, "indentation", "indentation d", "m",
+     member<&CurvePoint::indentation>, false},
     {CurveQuantity::TangentialForce, "tangential_force", "tangential force", "N",
-     &CurvePoint::tangentialForce, true},
-    {CurveQuantity::Power, "power", "power", "W", &CurvePoint::power, true},
+     member<&CurvePoint::tangentialForce>, true},
+    {CurveQuantity::Power, "power", "power", "W", member<&CurvePoint::power>, true},
     {CurveQuantity::MeanPressure, "mean_pressure", "mean pressure in contact", "Pa",
-     &CurvePoint::contactPressure, false},
+     member<&CurvePoint::contactPressure>, false},
 }};
 
 }  // namespace

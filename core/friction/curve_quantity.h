@@ -16,6 +16,7 @@ namespace asperity {
 
 enum class CurveQuantity {
   Mu,
+  MuTotal,
   NormalizedMu,
   ContactFraction,
   RmsSlopeContact,
@@ -30,7 +31,7 @@ struct QuantityEntry {
   ColumnName word;         // in tables and on the command line
   std::string_view title;  // of an axis
   std::string_view unit;   // SI; empty for a pure number
-  double CurvePoint::*value;
+  double (*value)(const CurvePoint& point);
   bool isFriction;  // proportional to mu at one state: it has error bars, and Eq. (11) gives it
 };
 
@@ -42,15 +43,21 @@ const QuantityEntry& quantityEntry(CurveQuantity quantity);
 std::optional<CurveQuantity> findQuantity(std::string_view word);
 std::vector<std::string_view> quantityWords();
 
+/// Returns whether this is mu, of the deformation alone or with local friction: what is measured is
+/// then shown as it is.
+inline bool isCoefficient(CurveQuantity quantity) {
+  return quantity == CurveQuantity::Mu || quantity == CurveQuantity::MuTotal;
+}
+
 /// Returns the quantity of a point.
 inline double quantityValue(CurveQuantity quantity, const CurvePoint& point) {
-  return point.*quantityEntry(quantity).value;
+  return quantityEntry(quantity).value(point);
 }
 
 /// Returns the factor from the friction of a point to the quantity; NaN where they are not
 /// proportional, or the point has no friction.
 inline double perFriction(CurveQuantity quantity, const CurvePoint& point) {
-  if (quantity == CurveQuantity::Mu) return 1;
+  if (isCoefficient(quantity)) return 1;
   if (!quantityEntry(quantity).isFriction || std::isnan(point.mu) || point.mu == 0)
     return kNotApplicable;
   return quantityValue(quantity, point) / point.mu;

@@ -227,7 +227,9 @@ ParameterMap parameterMap(const Scene& scene, const MapAxis& x, const MapAxis& y
   const bool isLarge = fewX.values.size() < x.values.size() || fewY.values.size() < y.values.size();
   if (isLarge) show(fewX, fewY, 1);
   if (hasManyLines) show(x, y, 1);
-  if (hasManyLines && scene.ensemble.realizations > 2 * kFewLines) show(x, y, kFewLines);
+  // Every row of a measured surface (0) is usually hundreds.
+  const std::int64_t all = scene.ensemble.realizations;
+  if (hasManyLines && (all == 0 || all > 2 * kFewLines)) show(x, y, kFewLines);
   work.progress = options.progress;
   ParameterMap map = computeStage(scene, x, y, 0, work);
   map.isFinal = map.isComplete;

@@ -190,6 +190,10 @@ double quantityOf(const Frame& frame, CurveQuantity quantity, double mu) {
   switch (quantity) {
     case CurveQuantity::Mu:
       return mu;
+    case CurveQuantity::MuTotal:
+      return mu + (frame.transient && !frame.transient->empty()
+                       ? frame.transient->back().muInterface
+                       : frame.muInterface);
     case CurveQuantity::NormalizedMu:
       return mu / frame.rmsSlope;
     case CurveQuantity::ContactFraction:

@@ -67,6 +67,12 @@ inline constexpr auto kColumns = std::to_array<Column>({
      "Coefficient of local friction in contact, beside that of the deformation; only in scenes "
      "that have some.",
      "friction_coefficient, or shear_stress L_c/F_N", "curve, curves, map, cutoff"},
+    {"reduced_velocity", "m/s",
+     "Velocity at which the rubber is as fast at the temperature of the scene; only where measured "
+     "friction is of another temperature.",
+     "v a_T(T)/a_T(T_scene)", "curves"},
+    {"temperature", "K", "Temperature of the curve, or of the measured point; likewise.", "T",
+     "curves"},
     {"mu_total", "", "Friction of deformation and interface together.", "mu + mu_interface",
      "curve, curves, map, cutoff"},
     {"mu_mean_of_ratios", "",

@@ -1146,6 +1146,10 @@
         <translation>Exportieren</translation>
     </message>
     <message>
+        <source>The picture is %1 pixels high, because its diagrams need that.</source>
+        <translation>Das Bild ist %1 Pixel hoch, weil seine Diagramme das brauchen.</translation>
+    </message>
+    <message>
         <source>No preview.</source>
         <translation>Keine Vorschau.</translation>
     </message>
@@ -1516,6 +1520,10 @@
         <source>The picture is too small for its diagrams; make it higher or wider.</source>
         <translation>Das Bild ist zu klein für seine Diagramme; machen Sie es höher oder breiter.</translation>
     </message>
+    <message>
+        <source>The picture is too small for its diagrams; %1 × %2 %3 are enough.</source>
+        <translation>Das Bild ist zu klein für seine Diagramme; %1 × %2 %3 genügen.</translation>
+    </message>
 </context>
 <context>
     <name>asperity::ExportPreview</name>
@@ -1839,6 +1847,10 @@
     <message>
         <source>in contact %1 %</source>
         <translation>in Kontakt %1 %</translation>
+    </message>
+    <message>
+        <source>with local friction: %1</source>
+        <translation>mit lokaler Reibung: %1</translation>
     </message>
     <message>
         <source>Eq. (11): %1</source>
@@ -3068,6 +3080,18 @@
 </context>
 <context>
     <name>asperity::MapPanel</name>
+    <message>
+        <source>%1 of %2 lines, %3 %</source>
+        <translation>%1 von %2 Linien, %3 %</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 % of the map over all lines are computed. It can be saved then: what is shown until then is a mean of fewer lines.</source>
+        <translation>%1 % der Karte über alle Linien sind berechnet. Erst dann lässt sie sich speichern: Was bis dahin zu sehen ist, ist ein Mittel über weniger Linien.</translation>
+    </message>
     <message>
         <source>Show:</source>
         <translation>Anzeige:</translation>

@@ -183,6 +183,18 @@
         <translation>reduzierte Gleitgeschwindigkeit aᴛ v bei %1 K</translation>
     </message>
     <message>
+        <source>%1, %2 K</source>
+        <translation>%1; %2 K</translation>
+    </message>
+    <message>
+        <source>%1 is not shown: its rubber has no shift at %2 K.</source>
+        <translation>%1 wird nicht gezeigt: Das Elastomer hat bei %2 K keine Verschiebung.</translation>
+    </message>
+    <message>
+        <source>with local friction</source>
+        <translation>mit lokaler Reibung</translation>
+    </message>
+    <message>
         <source>%1 = %2, %3 to %4</source>
         <translation>%1 = %2, %3 bis %4</translation>
     </message>
@@ -2465,6 +2477,10 @@
     <message>
         <source>coefficient of friction μ</source>
         <translation>Reibungszahl μ</translation>
+    </message>
+    <message>
+        <source>coefficient of friction μ with local friction</source>
+        <translation>Reibungszahl μ mit lokaler Reibung</translation>
     </message>
     <message>
         <source>cubic ×1 to ×16</source>
@@ -5075,6 +5091,10 @@
         <translation>%1 sagt, wie die Kurve entsteht, und kann nicht ihre Achse sein</translation>
     </message>
     <message>
+        <source>%1 says how the file is read, which cannot be an axis</source>
+        <translation>%1 sagt, wie die Datei gelesen wird, und kann keine Achse sein</translation>
+    </message>
+    <message>
         <source>%1 changes nothing in this scene</source>
         <translation>%1 ändert in dieser Szene nichts</translation>
     </message>
@@ -6568,6 +6588,10 @@
     <message>
         <source>Coefficient of friction over the rms slope of the line.</source>
         <translation>Reibungszahl durch die RMS-Steigung der Linie.</translation>
+    </message>
+    <message>
+        <source>Coefficient of friction as it is measured: what deforming the elastomer costs and local friction together.</source>
+        <translation>Reibungszahl, wie sie gemessen wird: Verformungsanteil und lokale Reibung zusammen.</translation>
     </message>
     <message>
         <source>Share of the line&apos;s length that touches the elastomer.</source>

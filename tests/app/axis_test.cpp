@@ -117,7 +117,7 @@ TEST_F(AxisTest, EachMisuseIsOneLine) {
   expectRefused("--over load.normal_force=1:2:3 --axes dimensionless -o a.png",
                 "goes over velocities");
   expectRefused("--over load.normal_force=1:2:3 --compare nodal", "goes over velocities");
-  expectRefused("--y friction", "mu, normalized_mu, contact_fraction");
+  expectRefused("--y friction", "mu, mu_total, normalized_mu, contact_fraction");
   expectRefused("--family surface.hurst=0:1:1000", "1000 curves are more than 100");
   expectRefused("--x-scale log", "belongs to pictures");
   expectRefused("--over load.normal_force=1:2:3 --set sliding.velocity=0", "sliding.velocity");

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/input_error.h"
 #include "core/base/number_text.h"
+#include "core/chart/comparison.h"
 #include "core/chart/curve_words.h"
 #include "core/fit/derivatives.h"
 #include "core/run/transient_diagram.h"
@@ -62,12 +64,12 @@ struct Extent {
 
 void addCurve(const CurveUpdate& curve, const CurveSet& view, Extent& along, Extent& up) {
   for (const CurvePoint& point : curve.points) {
-    along.add(abscissa(point, view));
+    along.add(abscissa(point, *curve.scene, view));
     if (!isKnown(point)) continue;
     const double value = ordinate(point, view);
     up.add(value);
-    const double error = point.muStandardError * value / point.mu;
-    if (view.y == CurveQuantity::Mu && point.mu > 0) up.add(value + error);
+    const double error = point.muStandardError * perFriction(view.quantity(), point);
+    if (isCoefficient(view.y) && point.mu > 0) up.add(value + error);
   }
 }
 
@@ -207,7 +209,7 @@ void FrictionChartModel::setAxes(CurveAxes axes) {
 void FrictionChartModel::setQuantity(CurveQuantity quantity) {
   if (quantity == quantity_) return;
   quantity_ = quantity;
-  comparisons_ = {};  // those of the new quantity follow, and the marker
+  comparisons_.theories.clear();  // those of the new quantity follow, and the marker
   marker_.reset();
   fitVerticalAxis();
 }
@@ -295,13 +297,31 @@ CurveSet FrictionChartModel::curves(const Scene& present) const {
     if (isOnThisAxis(*pinned.curve->scene))
       set.pinned.push_back({englishName(pinned, present), *pinned.curve->scene,
                             pinned.curve->points, pinned.colourIndex, pinned.id});
-  if (compared_ && haveSameCurve(*compared_, *curve_->scene)) {
-    set.theories = comparisons_.theories;
-    set.measured = comparisons_.measured;
-    set.isReduced = comparisons_.isReduced;
-    set.notes = comparisons_.notes;
-  }
+  if (isOnThisAxis(*curve_->scene)) addComparisons(set);
   return set;
+}
+
+bool FrictionChartModel::areComparisonsStale() const {
+  return compared_ && curve_ && !haveSameCurve(*compared_, *curve_->scene);
+}
+
+void FrictionChartModel::addComparisons(CurveSet& set) const {
+  const Comparisons& named = set.present.scene.comparison;
+  if (!compared_ || !isOnThisAxis(*compared_) || compared_->comparison.data != named.data) return;
+  set.theories = comparisons_.theories;
+  std::erase_if(set.theories, [&](const TheoryCurve& theory) {
+    return std::ranges::find(named.theory, theory.theory) == named.theory.end();
+  });
+  set.measured = comparisons_.measured;
+  set.isReduced = comparisons_.isReduced;
+  set.notes = comparisons_.notes;
+  if (!areComparisonsStale()) return;
+  try {
+    placeMeasured(set);
+  } catch (const InputError&) {  // no shift at a measured temperature: the work will say so
+    set.measured.clear();
+    set.isReduced = false;
+  }
 }
 
 DiagramSheet FrictionChartModel::sheet() const {
@@ -312,7 +332,7 @@ DiagramSheet FrictionChartModel::sheet() const {
   const bool isUsual = set.isOfVelocity() && diagram.x.scale == AxisScale::Logarithmic &&
                        diagram.y.scale == AxisScale::Logarithmic;
   setRange(diagram.x, velocities_.isEmpty() && isUsual ? kEmptyVelocities : velocities_);
-  setRange(diagram.y, coefficients_.isEmpty() && isUsual && set.y == CurveQuantity::Mu
+  setRange(diagram.y, coefficients_.isEmpty() && isUsual && isCoefficient(set.y)
                           ? kEmptyCoefficients
                           : coefficients_);
   if (reach_ && diagram.y.from < diagram.y.to) {
@@ -323,9 +343,16 @@ DiagramSheet FrictionChartModel::sheet() const {
   if (!curve_) diagram.series.clear();
   if (isStale()) {
     diagram.blank = {};
-    for (DiagramSeries& series : diagram.series) series.isFaded = series.id <= kPresentCurve;
+    for (DiagramSeries& series : diagram.series)
+      series.isFaded = series.id <= kPresentCurve && series.id > kMeasuredCurves;
     for (auto* spans : {&diagram.spans, &diagram.shades})
       for (DiagramSpan& span : *spans) span.isFaded = true;
+  }
+  if (areComparisonsStale()) {
+    for (DiagramSeries& series : diagram.series)
+      if (series.id <= kTheoryCurves && series.id > kMeasuredCurves) series.isFaded = true;
+    if (sheet.diagrams.size() > (set.difference ? 2U : 1U))
+      for (DiagramSeries& series : sheet.diagrams[1].series) series.isFaded = !series.isTheory;
   }
   if (set.difference)
     for (DiagramSeries& series : sheet.diagrams.back().series) {
@@ -377,7 +404,7 @@ std::optional<DiagramMarker> FrictionChartModel::marker() const {
 }
 
 const CurveUpdate* FrictionChartModel::find(int id) const {
-  if (id == kPresentCurve) return curve_.get();
+  if (id == kPresentCurve || id == kTotalCurve) return curve_.get();
   for (const PinnedCurve& pinned : pinned_)
     if (pinned.id == id) return pinned.curve.get();
   return nullptr;
@@ -389,12 +416,14 @@ QString FrictionChartModel::describe(int id, int row) const {
     return difference_ && index < difference_->points.size() ? reading(difference_->points[index])
                                                              : QString();
   const auto table = static_cast<std::size_t>(kMeasuredCurves - id);
-  if (id <= kMeasuredCurves && table < comparisons_.measured.size())
-    return describeMeasured(comparisons_.measured[table], index);
+  if (id <= kMeasuredCurves) {
+    const CurveSet set = curves(present());
+    return table < set.measured.size() ? describeMeasured(set.measured[table], index) : QString();
+  }
   const CurveUpdate* curve = find(id);
   if (!curve || index >= curve->points.size()) return {};
   const QString text = reading(curve->points[index], *curve->scene);
-  if (id == kPresentCurve) return text;
+  if (id == kPresentCurve || id == kTotalCurve) return text;
   const auto pinned = std::ranges::find(pinned_, id, &PinnedCurve::id);
   return pinnedName(*pinned) + '\n' + text;
 }
@@ -406,10 +435,23 @@ QString FrictionChartModel::describeMeasured(const MeasuredCurve& measured,
   const QString name = QString::fromStdString(measured.data.name);
   QStringList lines{point.label.empty() ? name : name + ", " + QString::fromStdString(point.label)};
   lines += velocityText(point.velocity);
+  if (index < measured.abscissas.size() && present().sweep.isOfVelocity())
+    lines += reducedReading(point.velocity, measured.abscissas[index], point.temperature);
   lines += withError(QStringLiteral("μ"), point.mu, point.muError);
-  if (index < measured.computed.size())
+  if (index < measured.computed.size() && !areComparisonsStale())
     lines += tr("computed: %1").arg(readingLabel(totalMu(measured.computed[index])));
   return lines.join('\n');
+}
+
+QStringList FrictionChartModel::reducedReading(double velocity, double reduced,
+                                               double temperature) const {
+  QStringList lines;
+  if (axes_ == CurveAxes::Physical && reduced != velocity)
+    lines +=
+        QStringLiteral("a\u1D1B v = ") + QString::fromStdString(asperity::quantity(reduced, "m/s"));
+  if (std::isfinite(temperature))
+    lines += QStringLiteral("T = ") + QString::fromStdString(printedQuantity(temperature, "K", 4));
+  return lines;
 }
 
 QString FrictionChartModel::reading(const CurvePoint& point, const Scene& scene) const {
@@ -417,12 +459,22 @@ QString FrictionChartModel::reading(const CurvePoint& point, const Scene& scene)
   if (!scene.sweep.isOfVelocity())
     lines += translatedText(describeParameter(scene.sweep.key, withSweptValue(scene, point.swept)));
   lines += velocityText(point.velocity);
+  CurveSet set = view();
+  if (curve_ && isOnThisAxis(*curve_->scene)) {
+    set.present.scene = *curve_->scene;
+    addComparisons(set);
+  }
+  if (set.hasReducedAxis())
+    lines +=
+        reducedReading(point.velocity, abscissa(point, scene, set), scene.elastomer.temperature);
   if (axes_ == CurveAxes::Physical && quantity_ != CurveQuantity::Mu) {
     const QuantityEntry& entry = quantityEntry(quantity_);
     lines += translatedText(entry.title) + " = " +
              QString::fromStdString(printedQuantity(quantityValue(quantity_, point), entry.unit));
   }
   lines += withError(QStringLiteral("μ"), point.mu, point.muStandardError);
+  if (std::isfinite(point.muInterface) && quantity_ != CurveQuantity::MuTotal)
+    lines += tr("with local friction: %1").arg(readingLabel(totalMu(point)));
   if (axes_ == CurveAxes::Dimensionless) {
     lines.prepend(QStringLiteral("v̄ = ") + readingLabel(point.dimensionlessVelocity));
     lines += withError(QStringLiteral("μ / ∇z"), point.normalizedMu,
@@ -482,7 +534,12 @@ Message FrictionChartModel::status() const {
 }
 
 void FrictionChartModel::fitRanges(bool newCurve) {
-  const CurveSet set = view();
+  CurveSet set = view();
+  // The axis is that of the curve: its temperature is that of the reduced velocity.
+  if (curve_ && isOnThisAxis(*curve_->scene)) {
+    set.present.scene = *curve_->scene;
+    addComparisons(set);
+  }
   Extent along{set.scaleOfX()}, up{set.scaleOfY()};
   if (expected_ && axes_ == CurveAxes::Physical) {
     const Sweep& sweep = expected_->sweep;
@@ -494,15 +551,15 @@ void FrictionChartModel::fitRanges(bool newCurve) {
     const double friction = asperity::axesFactors(curve_->points, axes_).friction;
     if (set.y == CurveQuantity::Mu)
       for (const CurvePoint& point : curve_->points) up.add(point.muLaw * friction);
+    if (showsTotal(set))
+      for (const CurvePoint& point : curve_->points)
+        if (isKnown(point)) up.add(totalMu(point) * perFriction(set.quantity(), point));
   }
   for (const PinnedCurve& pinned : pinned_)
     if (isOnThisAxis(*pinned.curve->scene)) addCurve(*pinned.curve, set, along, up);
-  // Measured friction does not depend on the scene: while a new curve is computed, that of the last
-  // one holds the axes.
-  if (compared_ && curve_ && isOnThisAxis(*compared_) && isOnThisAxis(*curve_->scene) &&
-      compared_->comparison.data == curve_->scene->comparison.data) {
+  if (!set.measured.empty()) {
     const AxesFactors factors = asperity::axesFactors(curve_->points, axes_);
-    for (const MeasuredCurve& measured : comparisons_.measured)
+    for (const MeasuredCurve& measured : set.measured)
       for (std::size_t i = 0; i < measured.abscissas.size(); ++i) {
         along.add(measured.abscissas[i] * factors.velocity);
         up.add(measured.data.points[i].mu * measuredFactor(measured, i, set, factors));

@@ -89,8 +89,9 @@ class FrictionChartModel {
   /// Sets the difference of two settings, shown below while it belongs to this curve; none: no
   /// strip.
   void showDifference(std::optional<CurveDifference> difference);
-  /// Sets the theories and the measured friction of this scene; they are shown while the curve
-  /// belongs to it.
+  /// Sets the theories and the measured friction of this scene. While those of another scene with
+  /// the same tables are computed, measured points stay, placed on its axis; ratios to what was
+  /// computed and theories are then faded.
   void showComparisons(const Scene& scene, CurveSet comparisons);
   const std::optional<CurveDifference>& difference() const { return difference_; }
   /// Returns whether the difference belongs to another curve than the present scene's.
@@ -119,10 +120,16 @@ class FrictionChartModel {
   const CurveUpdate* find(int id) const;
   QString describeMeasured(const MeasuredCurve& measured, std::size_t index) const;
   QString reading(const CurvePoint& point, const Scene& scene) const;
+  /// Returns the position on the axis of the reduced velocity, and the temperature; empty where the
+  /// axis is another one.
+  QStringList reducedReading(double velocity, double reduced, double temperature) const;
   QString reading(const DifferencePoint& point) const;
   Message englishName(const PinnedCurve& pinned, const Scene& present) const;
   const Scene& present() const { return expected_ ? *expected_ : *curve_->scene; }
   CurveSet curves(const Scene& present) const;
+  /// Adds the theories and the measured friction as they belong to the set's present curve.
+  void addComparisons(CurveSet& set) const;
+  bool areComparisonsStale() const;
   /// Returns the axes without curves.
   CurveSet view() const;
   bool isOnThisAxis(const Scene& scene) const;

@@ -3,12 +3,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
 #include "core/chart/comparison.h"
 #include "core/friction/ensemble.h"
 #include "core/friction/steady_states.h"
+#include "core/material/temperature_shift.h"
 #include "core/surface/line_source.h"
 #include "tests/core/small_scene.h"
 
@@ -209,7 +211,7 @@ TEST(CurveDiagram, EachQuantityStandsOnTheVerticalAxis) {
     const DiagramSeries& mean = diagram.series.back();
     for (std::size_t i = 0; i < mean.points.size(); ++i) {
       const CurvePoint& point = set.present.points[i];
-      EXPECT_EQ(mean.points[i].y, point.*entry.value);
+      EXPECT_EQ(mean.points[i].y, entry.value(point));
       // Error bars are those of friction, in the quantity's unit.
       EXPECT_EQ(std::isfinite(mean.points[i].low), entry.isFriction) << entry.word.text();
     }
@@ -285,6 +287,149 @@ TEST(CurveDiagram, ShiftedVelocitiesAreCalledReduced) {
   set.isReduced = true;
   EXPECT_THAT(curveSheet(set).diagrams.front().x.title.english(),
               testing::StartsWith("reduced sliding velocity a\u1D1B v at "));
+}
+
+/// A rubber whose times are shifted by WLF, at a temperature (K).
+Scene shiftedScene(double temperature) {
+  Scene scene = smallScene();
+  scene.elastomer.shift.kind = ShiftKind::Wlf;
+  scene.elastomer.shift.c1 = 6.3;
+  scene.elastomer.shift.c2 = 140;
+  scene.elastomer.shift.referenceTemperature = 293.15;
+  scene.elastomer.temperature = temperature;
+  return scene;
+}
+
+/// One rubber at two temperatures, each over the velocities at which it is as fast: on the axis of
+/// the reduced velocity both curves and the measured points are one (superposition).
+TEST(CurveDiagram, OnTheReducedAxisEveryCurveIsShiftedByItsOwnFactor) {
+  const Scene cold = shiftedScene(278.15), warm = shiftedScene(298.15);
+  const double factor = temperatureShift(warm.elastomer) / temperatureShift(cold.elastomer);
+  ASSERT_LT(factor, 0.5);
+  CurveSet set;
+  set.present = curveOf(cold);
+  set.pinned = {{"warm", warm, set.present.points}};
+  for (CurvePoint& point : set.pinned[0].points) point.velocity /= factor;
+  MeasuredCurve measured;
+  for (const CurvePoint& point : set.pinned[0].points) {
+    MeasuredPoint seen;
+    seen.velocity = point.velocity;
+    seen.mu = point.mu;
+    seen.temperature = 298.15;
+    measured.data.points.push_back(seen);
+  }
+  set.measured = {measured};
+  placeMeasured(set);
+  EXPECT_TRUE(set.isReduced);
+  const Diagram diagram = curveSheet(set).diagrams.front();
+  const auto seriesOf = [&](int id) {
+    return std::ranges::find(diagram.series, id, &DiagramSeries::id)->points;
+  };
+  const std::vector<DiagramPoint> present = seriesOf(kPresentCurve);
+  ASSERT_EQ(present.size(), set.present.points.size());
+  for (const int id : {1, kMeasuredCurves})
+    for (std::size_t i = 0; i < present.size(); ++i) {
+      EXPECT_NEAR(seriesOf(id)[i].x / present[i].x, 1, 1e-12);
+      EXPECT_EQ(seriesOf(id)[i].y, present[i].y);
+    }
+  // Without another measured temperature the axis is that of the velocity itself.
+  set.measured.clear();
+  placeMeasured(set);
+  EXPECT_FALSE(set.isReduced);
+  EXPECT_EQ(abscissa(set.pinned[0].points[0], warm, set), set.pinned[0].points[0].velocity);
+}
+
+/// Each temperature of a table has a mark of its own, in the colour of the table, which stays
+/// whatever is pinned.
+TEST(CurveDiagram, AMeasuredTableKeepsItsColourAndTellsItsTemperaturesApart) {
+  CurveSet set;
+  set.present = curveOf(shiftedScene(293.15));
+  MeasuredCurve measured;
+  measured.data.name = "friction";
+  for (const double temperature : {278.15, 293.15, 318.15})
+    for (const double velocity : {0.1, 1.0}) {
+      MeasuredPoint seen;
+      seen.velocity = velocity;
+      seen.mu = 0.5;
+      seen.temperature = temperature;
+      measured.data.points.push_back(seen);
+    }
+  set.measured = {measured};
+  placeMeasured(set);
+  const auto measuredSeries = [&] {
+    std::vector<DiagramSeries> found;
+    const DiagramSheet sheet = curveSheet(set);
+    for (const DiagramSeries& series : sheet.diagrams.front().series)
+      if (series.id == kMeasuredCurves) found.push_back(series);
+    return found;
+  };
+  const std::vector<DiagramSeries> before = measuredSeries();
+  ASSERT_EQ(before.size(), 3U);
+  EXPECT_THAT(before[0].name.english(), testing::HasSubstr("278"));
+  EXPECT_NE(before[0].mark, before[1].mark);
+  EXPECT_NE(before[1].mark, before[2].mark);
+  std::vector<int> rows;
+  for (const DiagramSeries& series : before)
+    for (const DiagramPoint& point : series.points) rows.push_back(point.row);
+  EXPECT_EQ(rows, (std::vector<int>{0, 1, 2, 3, 4, 5}));
+  set.pinned = {curveOf(shiftedScene(293.15), "another")};
+  const std::vector<DiagramSeries> after = measuredSeries();
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    EXPECT_EQ(after[i].colour, before[0].colour);
+    EXPECT_EQ(after[i].mark, before[i].mark);
+    EXPECT_NE(after[i].colour, pinColour(0));
+  }
+}
+
+/// Measured friction is of deformation and interface together: so is a curve beside it.
+TEST(CurveDiagram, BesideMeasuredFrictionLocalFrictionIsShown) {
+  Scene scene = smallScene();
+  scene.interface.frictionCoefficient = 0.3;
+  CurveSet set;
+  set.present = curveOf(scene);
+  const auto isTotal = [](const DiagramSeries& series) { return series.id == kTotalCurve; };
+  EXPECT_TRUE(std::ranges::none_of(curveSheet(set).diagrams.front().series, isTotal));
+  FrictionData table{"a table", {{0.1, 0.4}, {1, 0.5}}};
+  addComparisons(set, {table});
+  const DiagramSheet sheet = curveSheet(set);
+  const Diagram& diagram = sheet.diagrams.front();
+  const auto total = std::ranges::find_if(diagram.series, isTotal);
+  ASSERT_NE(total, diagram.series.end());
+  for (std::size_t i = 0; i < total->points.size(); ++i)
+    EXPECT_NEAR(total->points[i].y - set.present.points[i].mu, 0.3, 1e-12);
+  set.y = CurveQuantity::MuTotal;
+  const DiagramSheet together = curveSheet(set);
+  for (const DiagramSeries& series : together.diagrams.front().series)
+    if (series.id == kPresentCurve) {
+      EXPECT_EQ(series.points[0].y, total->points[0].y);
+    }
+}
+
+/// No mark is cut, and the ratio of 1 is within the axis.
+TEST(CurveDiagram, RatiosAreWithinTheirAxis) {
+  for (const double ratio : {0.5, 2.75, 40.0}) {
+    CurveSet set;
+    set.present = curveOf(smallScene());
+    MeasuredCurve measured;
+    for (const double velocity : {0.1, 1.0}) {
+      MeasuredPoint seen;
+      seen.velocity = velocity;
+      CurvePoint computed;
+      computed.mu = 0.01;
+      seen.mu = velocity < 1 ? computed.mu : ratio * computed.mu;
+      measured.data.points.push_back(seen);
+      measured.computed.push_back(computed);
+    }
+    set.measured = {measured};
+    placeMeasured(set);
+    const DiagramAxis axis = curveSheet(set).diagrams.back().y;
+    EXPECT_LT(axis.from, std::min(1.0, ratio));
+    EXPECT_GT(axis.to, std::max(1.0, ratio));
+    if (axis.scale == AxisScale::Logarithmic) {
+      EXPECT_NEAR(std::log10(axis.from), std::round(std::log10(axis.from)), 1e-12);
+      EXPECT_NEAR(std::log10(axis.to), std::round(std::log10(axis.to)), 1e-12);
+    }
+  }
 }
 
 /// The name of a scene, such as "friction over velocity", may be wrong of another axis.

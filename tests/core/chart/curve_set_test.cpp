@@ -4,6 +4,10 @@
 
 #include <cmath>
 #include <sstream>
+#include <tuple>
+
+#include "core/chart/comparison.h"
+#include "core/material/temperature_shift.h"
 
 namespace asperity {
 namespace {
@@ -68,6 +72,45 @@ TEST(CurveSet, FurtherColumnsAreThoseOfAllCurves) {
   EXPECT_THAT(lines.back(), testing::EndsWith(",3,0.125,2.125"));
 }
 
+/// `velocity` is that at which something slid; where it lies on the axis of the reduced velocity,
+/// and at which temperature it slid, are columns of their own.
+TEST(CurveSet, TheTableHasTheVelocityAsMeasuredAndTheReducedOne) {
+  CurveSet set;
+  set.present = {"", {}, {point(1, 0.5)}};
+  set.present.scene.elastomer.temperature = 300;
+  set.pinned = {{"warm", set.present.scene, {point(1, 2)}}};
+  set.pinned[0].scene.elastomer.temperature = 350;
+  for (Scene* scene : {&set.present.scene, &set.pinned[0].scene}) {
+    scene->elastomer.shift.kind = ShiftKind::Table;
+    scene->elastomer.shift.referenceTemperature = 300;
+    scene->elastomer.shift.table = {{300, 0}, {350, -2}};
+  }
+  MeasuredCurve measured;
+  measured.data.name = "a table";
+  measured.data.points = {{2, 0.25}, {4, 0.75}};
+  measured.data.points[0].temperature = 350;
+  set.measured = {measured};
+  placeMeasured(set);
+  const std::vector<std::string> lines = linesOf(curveSetCsv(set));
+  EXPECT_THAT(lines[0], testing::EndsWith(",realizations,reduced_velocity,temperature"));
+  ASSERT_EQ(lines.size(), 5U);
+  // Names, velocity, reduced velocity (a hundredth at 350 K) and temperature of each row.
+  const std::vector<std::tuple<std::string, double, double, double>> rows{{"this scene", 1, 1, 300},
+                                                                          {"a table", 2, 0.02, 350},
+                                                                          {"a table", 4, 4, 300},
+                                                                          {"warm", 1, 0.01, 350}};
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto& [name, velocity, reduced, temperature] = rows[i];
+    std::vector<std::string> cells;
+    std::istringstream in(lines[i + 1]);
+    for (std::string cell; std::getline(in, cell, ',');) cells.push_back(cell);
+    EXPECT_EQ(cells[0], name);
+    EXPECT_EQ(std::stod(cells[1]), velocity);
+    EXPECT_NEAR(std::stod(cells[cells.size() - 2]) / reduced, 1, 1e-12);
+    EXPECT_EQ(std::stod(cells.back()), temperature);
+  }
+}
+
 TEST(CurveSet, ADifferenceHasColumnsOfItsOwn) {
   CurveSet set;
   set.present = {"", {}, {point(1, 0.5)}};
@@ -79,6 +122,14 @@ TEST(CurveSet, ADifferenceHasColumnsOfItsOwn) {
           testing::EndsWith("realizations,relative_difference,relative_difference_standard_error"),
           "this scene,1,0.5,0.0625,,0,,0,1,4,,3,,",
           "\"linear x2, 3 lines\",1,0.75,0.125,,,,,1.5,4,,3,0.5,0.25"));
+}
+
+TEST(CurveSet, MeasuredTablesHaveOtherColoursThanTheFirstPins) {
+  for (int table = 0; table < kPinColours; ++table)
+    for (int other = 0; other < table; ++other)
+      EXPECT_NE(measuredColour(table), measuredColour(other));
+  for (int table = 0; table < 2; ++table)
+    for (int pin = 0; pin < 4; ++pin) EXPECT_NE(measuredColour(table), pinColour(pin));
 }
 
 TEST(CurveSet, PinsOfDifferentPlacesHaveDifferentColours) {

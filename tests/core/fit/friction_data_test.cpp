@@ -57,6 +57,27 @@ TEST(FrictionData, ReadsWhatElseTheTableHas) {
   EXPECT_THAT(data.notes[0].english(), HasSubstr("column 6: normal force (mN)"));
 }
 
+/// The error of friction under the names that people give it; the guide of uncertainties (GUM)
+/// writes u(x).
+TEST(FrictionData, TheErrorOfFrictionHasManyNames) {
+  for (const char* name :
+       {"u(mu)", "u_mu", "dmu", "s(mu)", "\u0394\u03BC", "Standardabweichung", "std", "Std", "SD",
+        "sigma", "std(mu)", "Unsicherheit", "Standardunsicherheit", "mu_error", "uncertainty of mu",
+        "Messunsicherheit"}) {
+    const FrictionData data =
+        parsed("v [mm/s];mu;" + std::string(name) + "\n1;0,2;0,01\n10;0,35;0,02\n");
+    ASSERT_TRUE(data.hasErrors()) << name;
+    EXPECT_DOUBLE_EQ(data.points[1].muError, 0.02) << name;
+    EXPECT_EQ(data.notes.size(), 1U) << name;
+  }
+  // No error of friction or velocity: of another quantity, or a word that begins with such a
+  // letter.
+  for (const char* name : {"u(T)", "distance", "sample number", "slip"})
+    EXPECT_FALSE(
+        parsed("v [mm/s];mu;" + std::string(name) + "\n1;0,2;0,01\n10;0,35;0,02\n").hasErrors())
+        << name;
+}
+
 /// A letter that may be a number, a load or a time is taken with its unit alone; what is left out
 /// is said.
 TEST(FrictionData, SaysWhatItDoesNotUse) {

@@ -31,6 +31,15 @@ std::string errorOf(const std::string& json, const std::vector<std::string>& ass
   return errorFrom([&] { readScene(json, "s.json", {}, assignments); });
 }
 
+/// Which column of a file has the heights is no property of a surface.
+TEST(AnotherAxis, IsNotHowAFileIsRead) {
+  Scene scene;
+  scene.surface.kind = SurfaceKind::Measured;
+  for (const char* key : {"surface.position_column", "surface.height_column"})
+    EXPECT_THAT(whyNotSwept(*findParameter(key), scene).english(),
+                HasSubstr("how the file is read"));
+}
+
 TEST(AnotherAxis, EndsAreTypedInTheUnitOfTheirKey) {
   const Scene forces = sceneOver("load.normal_force", "1mN", "20 N");
   EXPECT_EQ(forces.sweep.from, 1e-3);

@@ -354,6 +354,74 @@ TEST(FrictionChartModelTest, MeasuredFrictionIsWithinTheAxes) {
   EXPECT_EQ(sheet.diagrams[1].y.scale, AxisScale::Logarithmic);
 }
 
+/// While a new curve is computed, measured points, their ratios and the axes stay; what belongs to
+/// the scene before is faded.
+TEST(FrictionChartModelTest, MeasuredFrictionStaysWhileANewCurveIsComputed) {
+  Scene scene;
+  scene.comparison.data = {{"table.csv", {}}};
+  FrictionChartModel diagram;
+  diagram.take(update(scene, {point(1e-3, 1e-5), point(1, 2e-3)}, 200));
+  MeasuredCurve measured;
+  measured.data.name = "table";
+  for (const double velocity : {1e-6, 1e5}) {
+    MeasuredPoint seen;
+    seen.velocity = velocity;
+    seen.mu = 0.8;
+    measured.data.points.push_back(seen);
+    measured.abscissas.push_back(velocity);
+    measured.computed.push_back(point(velocity, 0.5));
+  }
+  CurveSet comparisons;
+  comparisons.measured = {measured};
+  diagram.showComparisons(scene, comparisons);
+  const AxisRange x = xRange(diagram), y = yRange(diagram);
+  const auto expectKept = [&](bool areRatiosOld) {
+    EXPECT_EQ(xRange(diagram), x);
+    EXPECT_EQ(yRange(diagram), y);
+    ASSERT_EQ(diagram.sheet().diagrams.size(), 2U);
+    EXPECT_EQ(seriesOf(diagram, kMeasuredCurves).points.size(), 2U);
+    EXPECT_FALSE(seriesOf(diagram, kMeasuredCurves).isFaded);
+    EXPECT_EQ(diagram.sheet().diagrams[1].series.back().isFaded, areRatiosOld);
+  };
+  expectKept(false);
+  Scene softer = scene;
+  softer.elastomer.shearModulus /= 2;
+  diagram.expect(softer);
+  expectKept(false);  // of the curve that is still there
+  EXPECT_TRUE(seriesOf(diagram, kPresentCurve).isFaded);
+  diagram.take(update(softer, {point(1e-3, 2e-5), point(1, 3e-3)}));
+  expectKept(true);
+  // Another table is another matter.
+  Scene other = softer;
+  other.comparison.data = {{"other.csv", {}}};
+  diagram.expect(other);
+  diagram.take(update(other, {point(1e-3, 2e-5), point(1, 3e-3)}));
+  EXPECT_EQ(diagram.sheet().diagrams.size(), 1U);
+}
+
+/// A measured point under the pointer says at which velocity and temperature it was measured, and
+/// where it stands on the axis.
+TEST(FrictionChartModelTest, AShiftedPointSaysItsTemperature) {
+  Scene scene;
+  scene.comparison.data = {{"table.csv", {}}};
+  FrictionChartModel diagram;
+  diagram.take(update(scene, {point(1e-3, 1e-2), point(1, 2e-1)}, 200));
+  MeasuredCurve measured;
+  measured.data.name = "table";
+  measured.data.points.resize(1);
+  measured.data.points[0].velocity = 1e-3;
+  measured.data.points[0].mu = 0.5;
+  measured.data.points[0].temperature = 280;
+  measured.abscissas = {9e-3};
+  CurveSet comparisons;
+  comparisons.measured = {measured};
+  comparisons.isReduced = true;
+  diagram.showComparisons(scene, comparisons);
+  const std::string text = diagram.describe(kMeasuredCurves, 0).toStdString();
+  for (const char* part : {"v = 1 mm/s", "a\u1D1B v = 9 mm/s", "T = 280 K"})
+    EXPECT_NE(text.find(part), std::string::npos) << text << " has no " << part;
+}
+
 TEST(FrictionChartModelTest, OneLineIsNoMean) {
   FrictionChartModel diagram;
   Scene sine;

@@ -12,6 +12,7 @@
 #include <QPlainTextEdit>
 #include <QProcess>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QScrollArea>
 #include <QSettings>
 #include <QTemporaryDir>
@@ -299,6 +300,32 @@ TEST_F(ExportDialogTest, TheUsualSizeHasRoomForTheDifference) {
   EXPECT_FALSE(waitForPreview());
   EXPECT_FALSE(reason().contains("--")) << reason().toStdString();
   EXPECT_TRUE(reason().contains("too small")) << reason().toStdString();
+}
+
+/// A refusal names the size that is enough; with it there is a preview.
+TEST_F(ExportDialogTest, ARefusedSizeIsAnsweredByOneThatIsEnough) {
+  ASSERT_TRUE(waitFor([&] { return session().averaging() == Session::Averaging::Done; }));
+  control<QCheckBox>("comparisonWanted").setChecked(true);
+  ASSERT_TRUE(waitFor([&] { return session().averaging() == Session::Averaging::Done; }));
+  openDialog(ExportKind::Picture);
+  choose("exportContent", "both");
+  enter("exportHeight", "300");
+  EXPECT_FALSE(waitForPreview());
+  const QRegularExpression size("\\d+ × (\\d+) ");
+  const auto match = size.match(reason());
+  ASSERT_TRUE(match.hasMatch()) << reason().toStdString();
+  enter("exportHeight", match.captured(1));
+  EXPECT_TRUE(waitForPreview()) << reason().toStdString();
+}
+
+/// The ending of a typed name is the format; the name is not changed.
+TEST_F(ExportDialogTest, ATypedEndingChoosesTheFormat) {
+  openDialog(ExportKind::Picture);
+  for (const char* ending : {".pdf", ".svg", ".png"}) {
+    enter("exportFile", folder_.filePath("curve") + ending);
+    EXPECT_EQ(in<QComboBox>("exportFormat").currentData().toString(), ending);
+    EXPECT_EQ(in<QLineEdit>("exportFile").text(), folder_.filePath("curve") + ending);
+  }
 }
 
 TEST_F(ExportDialogTest, ReturnPressesTheButtonWithTheFocus) {

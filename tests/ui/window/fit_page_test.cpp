@@ -122,6 +122,13 @@ TEST_F(FitPageTest, TheNamesOfTheParametersAreNotCut) {
   EXPECT_GE(keys.columnWidth(0), view.sizeHintForColumn(0));
 }
 
+/// Measured friction always has local friction, so it is offered where the scene has none yet.
+TEST_F(FitPageTest, LocalFrictionIsOfferedFromNone) {
+  FitPage& page = openPage(withData());
+  EXPECT_GE(rowOf(keysOf(page), "interface.friction_coefficient"), 0);
+  EXPECT_LT(rowOf(keysOf(page), "interface.shear_stress"), 0) << "has no value to begin from";
+}
+
 TEST_F(FitPageTest, TheReportIsThatOfTheCommand) {
   FitPage& page = openPage(withData());
   tick(page, "surface.rms_height");

@@ -94,8 +94,7 @@ ExportDialog::ExportDialog(Subject subject, ExportKind kind, const QString& prog
   connect(form_, &ExportForm::changed, this, &ExportDialog::requestChanged);
   connect(file_, &QLineEdit::textEdited, this, &ExportDialog::fileChanged);
   connect(previews_, &CommandRun::done, this, &ExportDialog::takePreview);
-  connect(previews_, &CommandRun::failed, this,
-          [this](const QString& reason) { refuse(form_->inWords(reason)); });
+  connect(previews_, &CommandRun::failed, this, &ExportDialog::previewFailed);
   connect(writing_, &CommandRun::progressed, this, [this](double part, const QString& of) {
     progress_->setFormat(of + QStringLiteral(": %p %"));
     progress_->setRange(0, kSteps);
@@ -195,6 +194,9 @@ void ExportDialog::setFile(const QString& file) {
 
 /// Another file may be writable where the last one was not. What is wrong with the preview stays.
 void ExportDialog::fileChanged() {
+  // A typed ending chooses the format.
+  const QString ending = '.' + QFileInfo(file()).suffix().toLower();
+  if (ending != form_->extension()) form_->chooseExtension(ending);
   showCommand();
   if (hasWriteFailed_) showFailure({});
 }
@@ -241,6 +243,7 @@ void ExportDialog::renameFile() {
 
 /// Shows the command at once; the preview waits until the user pauses.
 void ExportDialog::requestChanged() {
+  raised_.clear();
   renameFile();
   showCommand();
   previews_->cancel();
@@ -307,6 +310,7 @@ void ExportDialog::requestPreview() {
                  .arg(kLines)
                  .arg(subject_.scene.ensemble.realizations);
   }
+  if (!raised_.isEmpty()) notes.prepend(raised_);
   previewNote_ = notes.join(' ');
   previewFile_ = folder_.filePath(QStringLiteral("preview_%1%2").arg(++number_).arg(extension));
   previewFigure_ = request.kind == ExportKind::Figure ? request.content : QString();
@@ -314,6 +318,15 @@ void ExportDialog::requestPreview() {
       exportWords(subject_.origin, subject_.scene, request, subject_.shown, previewFile_) +
           QStringList{"--threads", "1"},
       folder_.path());
+}
+
+/// Makes the usual size as high as its diagrams need, and says so; other refusals are shown.
+void ExportDialog::previewFailed(const QString& reason) {
+  const std::optional<double> height = form_->heightEnough(reason);
+  if (!height || !form_->raiseHeight(*height)) return refuse(form_->inWords(reason));
+  raised_ = tr("The picture is %1 pixels high, because its diagrams need that.").arg(*height);
+  showCommand();
+  requestPreview();
 }
 
 /// Shows why there is no preview, and so nothing to export.

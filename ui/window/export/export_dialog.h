@@ -73,6 +73,7 @@ class ExportDialog : public QDialog {
   ExportRequest previewOfFigure(ExportRequest request, QStringList& notes) const;
   void requestPreview();
   void takePreview();
+  void previewFailed(const QString& reason);
   void refuse(const QString& reason);
   void showFailure(const QString& reason);
   void showRunning(bool isRunning);
@@ -89,6 +90,7 @@ class ExportDialog : public QDialog {
   QTemporaryDir folder_;  // of previews; also where commands run
   CommandRun *previews_, *writing_;
   QString previewFile_, previewNote_;
+  QString raised_;         // that the picture was made higher than the window's; empty: it was not
   QString previewFigure_;  // word of the figure in the folder of that name; empty: a single file
   QString chosenFile_;     // in the file dialog, which asked about replacing it
   QString extension_;      // of the format that was chosen last; empty: a folder

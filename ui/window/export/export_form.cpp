@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QProcess>
+#include <QRegularExpression>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -449,6 +450,32 @@ QString ExportForm::extension() const {
   return chosen(*format_);
 }
 
+bool ExportForm::chooseExtension(const QString& extension) {
+  const int index = extension.isEmpty() ? -1 : format_->findData(extension);
+  if (index >= 0) format_->setCurrentIndex(index);
+  return index >= 0;
+}
+
+/// The command names the size that it was given and one that is enough, "640x444" and "640x530",
+/// in pixels of the preview.
+std::optional<double> ExportForm::heightEnough(const QString& reason) const {
+  static const QRegularExpression size(QStringLiteral("\\b(\\d+)x(\\d+)\\b"));
+  std::vector<double> heights;
+  for (auto match = size.globalMatch(reason); match.hasNext();)
+    heights.push_back(match.next().captured(2).toDouble());
+  const bool isTyped = further_->text().contains("--size");
+  if (isTyped || !reason.startsWith("--size") || heights.size() != 2) return std::nullopt;
+  const double height = machineNumber(*height_).toDouble();
+  if (!(heights[0] > 0 && heights[1] > heights[0] && height > 0)) return std::nullopt;
+  return std::ceil(height * heights[1] / heights[0]);
+}
+
+bool ExportForm::raiseHeight(double height) {
+  if (chosen(*preset_) != kDefault || hasOwnSize()) return false;
+  height_->setText(QString::number(height));  // textEdited is not emitted: the size stays the usual
+  return true;
+}
+
 QString ExportForm::errorText() const {
   for (const QLineEdit* entry : numbers())
     if (!(machineNumber(*entry).toDouble() > 0))
@@ -487,8 +514,12 @@ QString ExportForm::inWords(const QString& reason) const {
   const QString option = reason.section(':', 0, 0);
   for (const QString& typed : request().further)
     if (typed.section('=', 0, 0) == option) return reason;
-  if (option == "--size")
+  if (option == "--size") {
+    if (const auto height = heightEnough(reason))
+      return tr("The picture is too small for its diagrams; %1 × %2 %3 are enough.")
+          .arg(width_->text(), QString::number(*height), unit_->currentText());
     return tr("The picture is too small for its diagrams; make it higher or wider.");
+  }
   for (const auto& [name, entry] :
        {std::pair("--scale", density_), std::pair("--fps", rate_),
         std::pair("--duration", duration_), std::pair("--cycles", speedValue_),

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <QWidget>
+#include <optional>
 #include <vector>
 
 #include "ui/window/export/asperity_command.h"
@@ -33,12 +34,22 @@ class ExportForm : public QWidget {
   /// Returns the extension of the file: ".png"; empty: files in a folder.
   QString extension() const;
 
+  /// Chooses the format of files with this extension; returns whether the kind has one.
+  bool chooseExtension(const QString& extension);
+
+  /// Returns the least height that holds the picture's diagrams, in the unit of the form, where the
+  /// reason of a command names one.
+  std::optional<double> heightEnough(const QString& reason) const;
+  /// Sets this height where the size is the usual one, which the user did not choose. Returns
+  /// whether it is.
+  bool raiseHeight(double height);
+
   /// Returns what is wrong with the size of the picture or another number; empty where nothing is.
   QString errorText() const;
 
   /// Returns the reason that a command gave, with the label of a control in place of its option.
-  /// Options that the user typed keep their names. The numbers of a size are those of the preview,
-  /// so a size that is too small is described without them.
+  /// Options that the user typed keep their names. The numbers of a size are those of the preview;
+  /// they are told as those of the form.
   QString inWords(const QString& reason) const;
 
   /// Returns the width and height in pixels as far as they are known; empty where the style or the

@@ -37,11 +37,27 @@ QString shortQuantity(double value, const Parameter& row) {
   return quantity(roundedToDigits(value, kDigits), row);
 }
 
-/// The numbers that can be varied: the tables give the velocities.
+/// Returns whether a fit can begin from 0, which a logarithmic scale cannot.
+bool canBeginFromNone(const Parameter& row) {
+  const auto* field = std::get_if<RealField>(&row.field);
+  return field && field->scale == Scale::Linear;
+}
+
+/// The numbers that can be varied. The tables give the velocities, and how a measured surface is
+/// read is no property of the bodies. Local friction, which measured friction always has, is among
+/// them also where the scene has none yet.
 std::vector<VariedParameter> fittable(const Scene& scene) {
   std::vector<VariedParameter> all = activeParameters(scene);
   const Parameter* velocity = findParameter("sliding.velocity");
-  std::erase_if(all, [&](const VariedParameter& each) { return &each.row() == velocity; });
+  const Parameter* outliers = findParameter("surface.outliers");
+  std::erase_if(all, [&](const VariedParameter& each) {
+    return &each.row() == velocity || &each.row() == outliers;
+  });
+  if (hasLocalFriction(scene)) return all;
+  for (const Parameter& row : parameters())
+    if (row.key.starts_with("interface.") && canBeginFromNone(row) &&
+        std::ranges::none_of(all, [&](const auto& each) { return &each.row() == &row; }))
+      all.emplace_back(row.key, scene);
   return all;
 }
 
@@ -93,7 +109,10 @@ FitChoices::FitChoices(const Scene& scene, const FitSelection& before, QWidget* 
   lines_->setRange(2, 1000000);
   lines_->setValue(choosesAccuracy(scene) ? kDefaultLines
                                           : static_cast<int>(scene.ensemble.realizations));
+  // The lines of a measured surface are its rows.
   lines_->setEnabled(hasRandomPhases(scene.surface));
+  for (QWidget* part : std::initializer_list<QWidget*>{lines_, form->labelForField(lines_)})
+    part->setVisible(hasRandomPhases(scene.surface));
   lines_->setToolTip(
       tr("Every trial uses the same random lines; their scatter is part of the errors"));
   profiles_->setObjectName("fitProfiles");

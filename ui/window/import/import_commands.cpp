@@ -156,8 +156,11 @@ bool ImportCommands::askFriction() {
 bool ImportCommands::takeFriction(const QString& file) {
   Scene scene = parts_.document.scene();
   const std::string path = QFileInfo(file).absoluteFilePath().toStdString();
+  QStringList remarks;  // on what is not used; the first note is how the columns were understood
   try {
-    readFrictionData(path);
+    const FrictionData data = readFrictionData(path);
+    for (std::size_t i = 1; i < data.notes.size(); ++i)
+      remarks += QString::fromStdString(data.name) + ": " + translatedText(data.notes[i]);
   } catch (const std::exception& error) {
     parts_.messages.showFailure(MessageBar::Failure::Files, translatedError(error));
     return false;
@@ -169,6 +172,7 @@ bool ImportCommands::takeFriction(const QString& file) {
   parts_.messages.end(MessageBar::Failure::Files);
   parts_.document.edit(scene,
                        QT_TRANSLATE_NOOP("asperity::SceneDocument", "Add measured friction"));
+  if (!remarks.isEmpty()) parts_.messages.showMessage(remarks.join('\n'));
   emit imported();
   return true;
 }

@@ -15,6 +15,7 @@
 #include "core/chart/map_sheet.h"
 #include "core/friction/curve_point.h"
 #include "core/scene/provenance.h"
+#include "core/surface/line_source.h"
 #include "ui/draw/ticks.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
@@ -94,6 +95,7 @@ MapPanel::MapPanel(QWidget* parent)
       yLabel_(new QLabel),
       quantityLabel_(new QLabel),
       errorLabel_(new QLabel),
+      progressLabel_(new QLabel),
       save_(new QPushButton),
       view_(new MapView) {
   setObjectName("mapPanel");
@@ -125,6 +127,9 @@ MapPanel::MapPanel(QWidget* parent)
   errorLabel_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   errorLabel_->hide();  // the lists use its space while there is no error
   row->addWidget(errorLabel_, kShorterName);
+  progressLabel_->setObjectName("mapProgress");
+  progressLabel_->hide();
+  row->addWidget(progressLabel_);
   row->addWidget(save_);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
@@ -152,7 +157,6 @@ void MapPanel::showTexts() {
   y_->setAccessibleName(tr("parameter along y"));
   quantityLabel_->setText(tr("Show:"));
   save_->setText(tr("Save…"));
-  save_->setToolTip(tr("Save the map as a picture or a table, once it is computed"));
   view_->setAccessibleName(tr("friction over two parameters"));
   for (int i = 0; i < quantity_->count(); ++i)
     quantity_->setItemText(
@@ -162,6 +166,7 @@ void MapPanel::showTexts() {
       if (const Parameter* row = findParameter(box->itemData(i).toString().toStdString()))
         box->setItemText(i, translatedText(row->label));
   showTips();
+  showProgress();
 }
 
 QString MapPanel::quantity() const {
@@ -246,11 +251,15 @@ void MapPanel::compute() {
   } catch (const InputError& error) {
     work_.cancel();
     requested_.reset();
+    showProgress();
     showError(translatedError(error));
     return;
   }
+  lines_ = 0;
+  percent_ = 0;
   requested_ = ParameterMap{scene_, x, y, {}, 0, 0, false, false};
   showError({});
+  showProgress();
   work_.request(
       [this, scene = scene_, x, y](const BackgroundWork::Run& run) {
         MapOptions options;
@@ -260,6 +269,19 @@ void MapPanel::compute() {
             take(std::move(*stage));
           });
         };
+        options.progress = [this, &run, shown = 0](double part) mutable {
+          const int percent = static_cast<int>(100 * part);
+          if (percent == std::exchange(shown, percent)) return;
+          run.post([this, percent] {
+            percent_ = percent;
+            showProgress();
+          });
+        };
+        constexpr std::int64_t kCoarsest = 1;  // nodes in an element: the lines are only counted
+        run.post([this, lines = LineSource(scene, kCoarsest).lines()] {
+          lines_ = lines;
+          showProgress();
+        });
         ParameterMap map = parameterMap(scene, x, y, options);
         if (!map.isComplete) throw StopRequested{};
         return map;
@@ -267,6 +289,7 @@ void MapPanel::compute() {
       [this](ParameterMap map) { take(std::move(map)); },
       [this](const QString& reason) {
         requested_.reset();
+        showProgress();
         showError(reason);
       });
 }
@@ -280,6 +303,7 @@ void MapPanel::take(ParameterMap map) {
 
 void MapPanel::showMap() {
   showTips();
+  showProgress();
   if (!map_) return;
   save_->setEnabled(map_->isFinal);  // a stage has fewer lines than a file of it would state
   const std::string shown = quantity().toStdString();
@@ -308,6 +332,26 @@ void MapPanel::showError(const QString& text) {
   errorLabel_->setText(text);
   errorLabel_->setToolTip(text);
   errorLabel_->setVisible(!text.isEmpty());
+}
+
+/// Says of how many lines the shown values are the mean and how much of the map over all lines is
+/// computed, and why it cannot be saved before.
+void MapPanel::showProgress() {
+  const bool isWaiting = requested_ && !(map_ && map_->isFinal && isCoveredBy(*map_));
+  progressLabel_->setVisible(isWaiting);
+  if (!isWaiting)
+    return save_->setToolTip(tr("Save the map as a picture or a table, once it is computed"));
+  const bool isStage = map_ && !map_->isFinal && !map_->points.empty() && isCoveredBy(*map_);
+  const std::int64_t shown = isStage ? map_->points.front().realizations : 0;
+  progressLabel_->setText(lines_ > 1
+                              ? tr("%1 of %2 lines, %3 %").arg(shown).arg(lines_).arg(percent_)
+                              : tr("%1 %").arg(percent_));
+  const QString reason =
+      tr("%1 % of the map over all lines are computed. It can be saved then: what is shown until "
+         "then is a mean of fewer lines.")
+          .arg(percent_);
+  progressLabel_->setToolTip(reason);
+  save_->setToolTip(reason);
 }
 
 /// The boxes may shorten their texts.

@@ -53,6 +53,7 @@ class MapPanel : public QWidget {
   void moveTo(double x, double y);
   void read(double x, double y);
   void showError(const QString& text);
+  void showProgress();
   void showTips();
   QString quantity() const;
 
@@ -60,11 +61,13 @@ class MapPanel : public QWidget {
   bool hasScene_ = false;
   QComboBox *x_, *y_, *quantity_;
   QLabel *xLabel_, *yLabel_, *quantityLabel_;
-  QLabel* errorLabel_;
+  QLabel *errorLabel_, *progressLabel_;
   QPushButton* save_;
   MapView* view_;
   std::shared_ptr<const ParameterMap> map_;
   std::optional<ParameterMap> requested_;  // without points: axes and scene of the newest request
+  std::int64_t lines_ = 0;                 // of the means of the newest request; 0: not known yet
+  int percent_ = 0;                        // of these means that is computed
   BackgroundWork work_;  // last: its thread ends before other members are destroyed
 };
 
