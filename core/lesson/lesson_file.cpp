@@ -29,6 +29,10 @@ const char* const kLessonFormat =
         "answer": {"quantity": "mu", "set": {"sliding.velocity": 0.1}, "over": {"quantity": "mu"}}},
       "after": {"sliding.velocity": 0.1}, "reveal": "It is {answer} times as large."}]}
 A prediction is a choice, a number or a point on the chart. What is right is computed.
+
+RESULTS.json is the file in which a student saved the answers. The table of a class (-o FILE.csv)
+has a row for each file, and for each step N the columns step_N (right, wrong or shown) and
+step_N_given (the number of a choice, or a number in SI).
 )";
 
 namespace {
