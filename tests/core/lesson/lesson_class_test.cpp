@@ -46,10 +46,10 @@ class LessonClass : public testing::Test {
 TEST_F(LessonClass, EachStudentIsARow) {
   EXPECT_EQ(classCsv(readClass({path("ada.json"), path("Bo, 2.json")})),
             "file,date,right,wrong,shown,step_1,step_1_given,step_2,step_2_given\n"
-            "ada.json,2026-11-27T10:00:00,1,1,0,right,2,wrong,2e-07\n"
+            "ada.json,2026-11-27T10:00:00,1,1,0,right,2,wrong,2e-7\n"
             "\"Bo, 2.json\",,0,0,1,shown,,,\n");
   const std::string text = classText(readClass({path("ada.json"), path("Bo, 2.json")}));
-  EXPECT_THAT(text, testing::HasSubstr("right (2)  wrong (2e-07)"));
+  EXPECT_THAT(text, testing::HasSubstr("right (2)  wrong (2e-7)"));
   EXPECT_THAT(text, testing::HasSubstr("shown      -\n"));
 }
 
