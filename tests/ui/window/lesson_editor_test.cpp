@@ -269,7 +269,7 @@ TEST_F(LessonEditorTest, ATranslatorSeesTheOriginalAndWhatIsMissing) {
   EXPECT_EQ(field<QPlainTextEdit>("editorQuestion").placeholderText(), "Twice as fast?");
   EXPECT_EQ(field<QLineEdit>("editorStepTitle").placeholderText(), "First");
   EXPECT_EQ(field<QLineEdit>("editorStepTitle").text(), "");
-  const int before = language.tabToolTip(1).count("step ");
+  const qsizetype before = language.tabToolTip(1).count("step ");
   type("editorStepTitle", "Erstens");
   EXPECT_EQ(language.tabToolTip(1).count("step "), before - 1);
 }
