@@ -97,7 +97,9 @@ struct OpenCommand {
 };
 
 struct LessonCommand {
-  CommonOptions common;  // its scene: the name or file of a lesson; empty: lists all
+  CommonOptions common;  // its scene is not used
+  /// The name or file of a lesson, or files and folders of results; empty: lists all lessons.
+  std::vector<std::string> lessons;
   std::vector<std::string> outputs;
   bool forTeacher = false;
 };

@@ -545,12 +545,15 @@ void CommandTable::addColumns() {
 
 void CommandTable::addLesson() {
   CLI::App* command = app_->add_subcommand(
-      "lesson", "Lessons: what they ask, and handouts of them for students and teachers");
-  command->add_option("LESSON", lesson_.common.scene,
-                      "Name of a shipped lesson, or a file (default: lists the shipped ones)");
+      "lesson",
+      "Lessons: what they ask, handouts for students and teachers, and the results of a class");
+  command->add_option("LESSON", lesson_.lessons,
+                      "Name of a shipped lesson, or a file (default: lists the shipped ones); or "
+                      "files and folders of results, of which it prints a table");
   addShared(*command, lesson_.common);
   command->remove_option(command->get_option("--set"));  // its scenes are the lesson's own
-  addOutputs(command, lesson_.outputs, "Handout FILE.html or FILE.pdf; may be repeated");
+  addOutputs(command, lesson_.outputs,
+             "Handout FILE.html or FILE.pdf, table of results FILE.csv; may be repeated");
   command->add_flag("--teacher", lesson_.forTeacher,
                     "The handout has the answers, as computed, and the teacher's notes");
   command->footer(kLessonFormat);

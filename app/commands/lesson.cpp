@@ -1,8 +1,10 @@
 // asperity lesson: lists the lessons, prints the questions and answers of one, and writes its
-// handout.
+// handout; prints the results of a class.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "app/command_line.h"
 #include "app/output.h"
@@ -11,6 +13,7 @@
 #include "core/base/json_text.h"
 #include "core/base/text.h"
 #include "core/lesson/lesson_answers.h"
+#include "core/lesson/lesson_class.h"
 #include "core/lesson/lesson_file.h"
 #include "ui/language/language.h"
 #include "ui/window/lesson/handout.h"
@@ -81,24 +84,72 @@ int listAll(const LessonCommand& command) {
   return kDone;
 }
 
+/// Returns whether the results of students are given, not a lesson. A folder may have the name of a
+/// shipped lesson, which then is meant.
+bool areResults(const std::vector<std::string>& given) {
+  const auto isShipped = [](const std::string& name) {
+    return std::ranges::find(shippedLessons(), name, &ShippedLesson::name) !=
+           shippedLessons().end();
+  };
+  std::error_code ignored;
+  return given.size() > 1 || isResultsFile(given.front()) ||
+         (std::filesystem::is_directory(given.front(), ignored) && !isShipped(given.front()));
+}
+
+int showClass(const LessonCommand& command) {
+  const CommonOptions& common = command.common;
+  checkOutputs(command.outputs, {".csv"});
+  if (command.forTeacher) throw InputError("", "--teacher", "is of a handout, not of results");
+  for (const std::string& output : command.outputs)
+    checkNoInput(output, {command.lessons.begin(), command.lessons.end()});
+  const std::vector<StudentResults> students = readClass(command.lessons);
+  const LessonResults& first = students.front().results;
+  std::string summary = printable(first.title) + "\n" + classText(students);
+  for (const std::string& output : command.outputs) {
+    writeTable(output, classCsv(students));
+    summary += wroteLine(output);
+  }
+  printSummary(common.json, common.quiet, summary);
+  if (common.json) {
+    Json answer = {{"schema", "asperity-lesson-class/1"},
+                   {"version", ASPERITY_VERSION},
+                   {"lesson", first.lesson},
+                   {"title", first.title},
+                   {"sha256", first.digest},
+                   {"students", Json::array()}};
+    for (const StudentResults& student : students) {
+      Json one = {{"file", student.file}};
+      const Json results = Json::parse(resultsJson(student.results));
+      for (const char* member : {"date", "right", "shown", "steps"})
+        if (results.contains(member)) one[member] = results[member];
+      one["wrong"] = student.results.wrong();
+      answer["students"].push_back(std::move(one));
+    }
+    fmt::print("{}\n", answer.dump(2));
+  }
+  return kDone;
+}
+
 }  // namespace
 
 int runLesson(const LessonCommand& command) {
   const CommonOptions& common = command.common;
-  if (common.scene.empty()) {
+  if (command.lessons.empty()) {
     if (!command.outputs.empty() || command.forTeacher)
       throw InputError("", command.forTeacher ? "--teacher" : "-o",
                        "needs a lesson; without one the shipped lessons are listed");
     return listAll(command);
   }
+  if (areResults(command.lessons)) return showClass(command);
+  const std::string& name = command.lessons.front();
   checkOutputs(command.outputs, {".html", ".pdf"});
   if (command.forTeacher && command.outputs.empty())
     throw InputError("", "--teacher", "is of a handout; give -o as well");
-  for (const std::string& output : command.outputs) checkNoInput(output, {common.scene});
-  const Lesson lesson = readNamedLesson(common.scene, readNamedScene);
+  for (const std::string& output : command.outputs) checkNoInput(output, {name});
+  const Lesson lesson = readNamedLesson(name, readNamedScene);
   CurveOptions computing;
   computing.threads = common.threads;
-  checkChoices(lesson, common.scene, computing);
+  checkChoices(lesson, name, computing);
   std::string summary = summaryText(lesson);
   if (!command.outputs.empty()) {
     HeadlessPictures pictures;

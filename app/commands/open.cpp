@@ -10,6 +10,7 @@
 
 #include "app/command_line.h"
 #include "core/lesson/lesson_file.h"
+#include "core/lesson/lesson_results.h"
 #include "core/run/runner.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_file.h"
@@ -61,6 +62,10 @@ int showWindow(const std::optional<Scene>& scene, const CommonOptions& options,
 int runWindowCommand(const CommonOptions& command) {
   if (command.assignments.empty() && isLessonFile(command.scene)) {
     readLessonFile(command.scene, readNamedScene);  // errors are reported before the window opens
+    return showWindow(std::nullopt, command, nullptr, command.scene);
+  }
+  if (command.assignments.empty() && isResultsFile(command.scene)) {
+    readResultsFile(command.scene);
     return showWindow(std::nullopt, command, nullptr, command.scene);
   }
   const bool isDefault = command.scene.empty() && command.assignments.empty();

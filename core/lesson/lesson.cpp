@@ -15,6 +15,24 @@ ControlState LessonControls::state(std::string_view key) const {
   return others;
 }
 
+Lesson withWholeQuestions(Lesson lesson) {
+  for (LessonStep& step : lesson.steps) {
+    if (!step.prediction) continue;
+    std::vector<LessonText*> texts = {&step.prediction->question, &step.prediction->right,
+                                      &step.prediction->wrong};
+    for (LessonChoice& choice : step.prediction->choices) texts.push_back(&choice.text);
+    const auto lacks = [&](std::string LessonText::*language) {
+      return std::ranges::any_of(texts, [&](const LessonText* text) {
+        return !text->empty() && (text->*language).empty();
+      });
+    };
+    const bool lacksEnglish = lacks(&LessonText::english), lacksGerman = lacks(&LessonText::german);
+    if (lacksEnglish == lacksGerman) continue;  // whole, or in no language
+    for (LessonText* text : texts) (lacksEnglish ? text->english : text->german).clear();
+  }
+  return lesson;
+}
+
 int predictionCount(const Lesson& lesson) {
   return static_cast<int>(std::ranges::count_if(
       lesson.steps, [](const LessonStep& step) { return step.prediction.has_value(); }));

@@ -18,7 +18,8 @@ namespace asperity {
 /// A text in English and German. Paragraphs are separated by an empty line; "*word*" is emphasized,
 /// "**word**" is strong, and a line that begins with "- " is an item of a list; every other line
 /// ends where it ends in the text. In texts that are shown after the answer, "{name}" is replaced
-/// by a value of the step, "{answer}" and "{given}" by the expected and the given answer.
+/// by a value of the step, "{answer}" and "{given}" by the expected and the given answer: a number,
+/// or the words of a choice, which "{answer}" is only where no number decides.
 struct LessonText {
   std::string english{}, german{};
 
@@ -153,6 +154,10 @@ struct Lesson {
 
   bool operator==(const Lesson&) const = default;
 };
+
+/// Returns the lesson as students read it: a question that is translated only in part, with its
+/// choices and the texts after its answer, loses that language, so that it stands in one language.
+Lesson withWholeQuestions(Lesson lesson);
 
 /// Returns how many steps ask for a prediction.
 int predictionCount(const Lesson& lesson);

@@ -245,6 +245,8 @@ std::string withValues(const std::string& text, const LessonPrediction& predicti
       if (prediction.kind == PredictionKind::Choice) return choiceText(given.choice);
       return said({given.number, answer.number.unit}, inPercent);
     }
+    if (name == "answer" && prediction.kind == PredictionKind::Choice && !prediction.answer)
+      return choiceText(answer.choice);
     if (name == "answer") return said(answer.number, inPercent);
     for (const auto& [known, number] : answer.values)
       if (known == name) return said(number, inPercent);

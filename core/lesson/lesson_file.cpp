@@ -29,22 +29,45 @@ const char* const kLessonFormat =
         "answer": {"quantity": "mu", "set": {"sliding.velocity": 0.1}, "over": {"quantity": "mu"}}},
       "after": {"sliding.velocity": 0.1}, "reveal": "It is {answer} times as large."}]}
 A prediction is a choice, a number or a point on the chart. What is right is computed.
+
+RESULTS.json is the file in which a student saved the answers. The table of a class (-o FILE.csv)
+has a row for each file, and for each step N the columns step_N (right, wrong or shown) and
+step_N_given (the number of a choice, or a number in SI).
 )";
 
-Lesson readLesson(std::string_view text, const std::string& file,
-                  const std::filesystem::path& folder, const SceneReader& readNamed) {
+namespace {
+
+Lesson readAs(LessonReading reading, std::string_view text, const std::string& file,
+              const std::filesystem::path& folder, const SceneReader& readNamed) {
   try {
     if (text.size() > kLargestLesson)
       refuseMember(
           "", message("is larger than {} bytes, the most that a lesson may have", kLargestLesson));
     const Json root = parseJson(text, kDeepestLesson, "a lesson is JSON in UTF-8");
-    Lesson lesson = parseLesson(root, folder, readNamed);
+    Lesson lesson = parseLesson(root, folder, readNamed, reading);
     lesson.name = std::filesystem::path(file).stem().string();
     lesson.digest = sha256(writeLesson(lesson));
     return lesson;
   } catch (const InputError& error) {
     throw error.file().empty() ? error.in(file) : error;
   }
+}
+
+}  // namespace
+
+Lesson readLesson(std::string_view text, const std::string& file,
+                  const std::filesystem::path& folder, const SceneReader& readNamed) {
+  return readAs(LessonReading::Complete, text, file, folder, readNamed);
+}
+
+Lesson readDraft(std::string_view text, const std::string& file,
+                 const std::filesystem::path& folder, const SceneReader& readNamed) {
+  return readAs(LessonReading::Draft, text, file, folder, readNamed);
+}
+
+Lesson readDraftFile(const std::filesystem::path& file, const SceneReader& readNamed) {
+  return readDraft(readRegularFile(file, kLargestLesson), file.string(), file.parent_path(),
+                   readNamed);
 }
 
 Lesson readLessonFile(const std::filesystem::path& file, const SceneReader& readNamed) {

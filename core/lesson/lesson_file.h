@@ -1,6 +1,7 @@
 // Lessons as files (JSON, "schema": "asperity-lesson/1"). The reader checks everything that can be
 // checked without a simulation: every scene of every step, every key, every choice.
-// Pure except for reading the scenes that a lesson names. Failure: InputError with the file, the
+// A draft may lack what a lesson needs to be played. Pure except for reading the scenes that a
+// lesson names. Failure: InputError with the file, the
 // path ("steps[2].prediction.answer"), what is wrong and what is allowed.
 #pragma once
 
@@ -28,6 +29,13 @@ Lesson readLessonFile(const std::filesystem::path& file, const SceneReader& read
 /// Reads the same from a text; `file` is named in errors.
 Lesson readLesson(std::string_view json, const std::string& file,
                   const std::filesystem::path& folder = {}, const SceneReader& readNamed = {});
+
+/// Reads a lesson on which somebody still writes: what it lacks and what of it cannot run is left
+/// as it is, and the scene of a step with an impossible change is that without the change. Throws
+/// InputError for what is no lesson, and where a scene cannot be read.
+Lesson readDraft(std::string_view json, const std::string& file,
+                 const std::filesystem::path& folder = {}, const SceneReader& readNamed = {});
+Lesson readDraftFile(const std::filesystem::path& file, const SceneReader& readNamed = {});
 
 /// Returns the canonical text, which reads back to the same lesson.
 std::string writeLesson(const Lesson& lesson);

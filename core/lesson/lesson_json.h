@@ -30,9 +30,12 @@ inline constexpr NamedChoices<LessonValue::Kind, 3> kLessonValueKinds{
      {"peak", LessonValue::Kind::Peak},
      {"exponent", LessonValue::Kind::Exponent}}};
 
+/// Whether a lesson is read to be played, or to be written on.
+enum class LessonReading { Complete, Draft };
+
 /// Reads and checks a lesson. Throws InputError with the path ("steps[2].prediction.answer").
 Lesson parseLesson(const nlohmann::ordered_json& root, const std::filesystem::path& folder,
-                   const SceneReader& readNamed);
+                   const SceneReader& readNamed, LessonReading reading);
 
 /// Returns the JSON that parseLesson reads back as the same lesson.
 nlohmann::ordered_json lessonJson(const Lesson& lesson);

@@ -113,8 +113,18 @@ std::string readColumn(const std::string& name, const std::string& path) {
                                                shortened(name), nearest));
 }
 
+/// Checks what a lesson needs to be played, and a draft may lack.
+template <class Check>
+void require(LessonReading reading, const Check& check) {
+  try {
+    check();
+  } catch (const InputError&) {
+    if (reading == LessonReading::Complete) throw;
+  }
+}
+
 LessonValue readValue(const Json& json, const std::string& path, const Scene& scene,
-                      bool mayHaveOver = true) {
+                      LessonReading reading, bool mayHaveOver = true) {
   checkMembers(json, path, {"quantity", "peak", "exponent", "key", "from", "to", "set", "over"});
   LessonValue value;
   int kinds = 0;
@@ -129,8 +139,11 @@ LessonValue readValue(const Json& json, const std::string& path, const Scene& sc
   }
   if (kinds != 1) refuseMember(path, "needs one of quantity, peak, exponent");
   value.set = readAssignments(json, "set", path);
-  const Scene changed = withKeysAt(scene, value.set, path + ".set");
-  at(path, [&] { checkEffects(changed); });
+  Scene changed = scene;
+  require(reading, [&] {
+    changed = withKeysAt(scene, value.set, path + ".set");
+    at(path, [&] { checkEffects(changed); });
+  });
   const bool isExponent = value.kind == LessonValue::Kind::Exponent;
   for (const char* member : {"key", "from", "to"})
     if (json.contains(member) != isExponent)
@@ -142,14 +155,16 @@ LessonValue readValue(const Json& json, const std::string& path, const Scene& sc
     value.from = numberMember(json, path, "from");
     value.to = numberMember(json, path, "to");
     at(path + ".key", [&] { numberRow(value.key); });
-    if (!(value.from > 0 && value.to > 0) || value.from == value.to)
-      refuseMember(path, "needs two different values above 0 in from and to");
-    for (const double end : {value.from, value.to})
-      withKeysAt(changed, {value.key + "=" + plainNumber(end)}, path);
+    require(reading, [&] {
+      if (!(value.from > 0 && value.to > 0) || value.from == value.to)
+        refuseMember(path, "needs two different values above 0 in from and to");
+      for (const double end : {value.from, value.to})
+        withKeysAt(changed, {value.key + "=" + plainNumber(end)}, path);
+    });
   }
   if (const auto over = json.find("over"); over != json.end()) {
     if (!mayHaveOver) refuseMember(path + ".over", "stands only in the outer value");
-    value.over.push_back(readValue(*over, path + ".over", scene, false));
+    value.over.push_back(readValue(*over, path + ".over", scene, reading, false));
   }
   return value;
 }
@@ -178,19 +193,21 @@ void checkPlaceholders(const LessonText& text, const std::set<std::string>& know
 class StepReader {
  public:
   StepReader(const Json& json, std::string path, const Scene* before,
-             const std::filesystem::path& folder, const SceneReader& readNamed)
+             const std::filesystem::path& folder, const SceneReader& readNamed,
+             LessonReading reading)
       : json_(json),
         path_(std::move(path)),
         before_(before),
         folder_(folder),
-        readNamed_(readNamed) {}
+        readNamed_(readNamed),
+        reading_(reading) {}
 
   LessonStep read() {
     checkMembers(json_, path_,
                  {"title", "text", "scene", "set", "after", "show", "controls", "prediction",
                   "reveal", "values"});
     step_.title = readText(json_, "title", path_);
-    step_.text = readText(json_, "text", path_, true);
+    step_.text = readText(json_, "text", path_, isComplete());
     step_.reveal = readText(json_, "reveal", path_);
     readScenes();
     readView();
@@ -201,11 +218,13 @@ class StepReader {
       for (const char* member : {"after", "reveal", "values"})
         if (json_.contains(member))
           refuseMember(path_ + "." + member, "has no meaning without a prediction");
-    checkTexts();
+    require(reading_, [&] { checkTexts(); });
     return std::move(step_);
   }
 
  private:
+  bool isComplete() const { return reading_ == LessonReading::Complete; }
+
   void readScenes() {
     const auto scene = json_.find("scene");
     if (scene == json_.end()) {
@@ -224,11 +243,14 @@ class StepReader {
       refuseMember(path_ + ".scene", "needs the name of a scene, or a scene");
     }
     step_.set = readAssignments(json_, "set", path_);
-    step_.scene = withKeysAt(step_.scene, step_.set, path_ + ".set");
+    require(reading_, [&] { step_.scene = withKeysAt(step_.scene, step_.set, path_ + ".set"); });
     step_.after = readAssignments(json_, "after", path_);
-    step_.revealedScene = withKeysAt(step_.scene, step_.after, path_ + ".after");
-    for (const Scene* one : {&step_.scene, &step_.revealedScene})
-      at(path_, [&] { checkEffects(*one); });
+    step_.revealedScene = step_.scene;
+    require(reading_, [&] {
+      step_.revealedScene = withKeysAt(step_.scene, step_.after, path_ + ".after");
+      for (const Scene* one : {&step_.scene, &step_.revealedScene})
+        at(path_, [&] { checkEffects(*one); });
+    });
   }
 
   void readView() {
@@ -268,9 +290,11 @@ class StepReader {
       for (std::size_t i = 0; i < beside->size(); ++i) {
         const std::string where = fmt::format("{}.beside[{}]", path, i);
         view.beside.push_back(readAssignments((*beside)[i], where));
-        const Scene other = withKeysAt(step_.scene, view.beside.back(), where);
-        if (other.sweep.key != step_.scene.sweep.key)
-          refuseMember(where, "has another axis than the curve beside which it stands");
+        require(reading_, [&] {
+          const Scene other = withKeysAt(step_.scene, view.beside.back(), where);
+          if (other.sweep.key != step_.scene.sweep.key)
+            refuseMember(where, "has another axis than the curve beside which it stands");
+        });
       }
     }
   }
@@ -298,9 +322,11 @@ class StepReader {
     list("free", read.free);
     list("locked", read.locked);
     list("hidden", read.hidden);
-    for (const std::string& key : read.free)
-      if (!isApplicable(*findParameter(key), step_.revealedScene))
-        refuseMember(path + ".free", message("{} has no meaning in this scene", key));
+    require(reading_, [&] {
+      for (const std::string& key : read.free)
+        if (!isApplicable(*findParameter(key), step_.revealedScene))
+          refuseMember(path + ".free", message("{} has no meaning in this scene", key));
+    });
     read.others =
         chosen(kControlStates, textMember(*controls, "others", "hidden", path), path + ".others");
   }
@@ -315,7 +341,7 @@ class StepReader {
       if (!isPlaceName(name) || name == "answer" || name == "given")
         refuseMember(path + "." + shortened(name),
                      "needs a name of small letters, digits and _, which is not answer or given");
-      step_.values.push_back({name, readValue(value, path + "." + name, step_.scene)});
+      step_.values.push_back({name, readValue(value, path + "." + name, step_.scene, reading_)});
     }
   }
 
@@ -325,7 +351,7 @@ class StepReader {
                   "right", "wrong"});
     LessonPrediction& prediction = step_.prediction.emplace();
     prediction.kind = chosen(kPredictionKinds, textMember(json, "kind", "", path), path + ".kind");
-    prediction.question = readText(json, "question", path, true);
+    prediction.question = readText(json, "question", path, isComplete());
     prediction.right = readText(json, "right", path);
     prediction.wrong = readText(json, "wrong", path);
     const bool isChoice = prediction.kind == PredictionKind::Choice;
@@ -342,8 +368,8 @@ class StepReader {
     belongs("x", isPoint, "a point");
     belongs("place_tolerance", isPoint && !json.contains("x"), "a point without x");
     if (json.contains("answer"))
-      prediction.answer = readValue(json["answer"], path + ".answer", step_.scene);
-    if (isNumber && !prediction.answer)
+      prediction.answer = readValue(json["answer"], path + ".answer", step_.scene, reading_);
+    if (isNumber && !prediction.answer && isComplete())
       refuseMember(path + ".answer", "is missing; a number is computed");
     prediction.tolerance = tolerance(json, path, "tolerance", prediction.tolerance);
     prediction.xTolerance = tolerance(json, path, "place_tolerance", 1);
@@ -351,11 +377,11 @@ class StepReader {
     if (isPoint) readPoint(json, path, prediction);
   }
 
-  static double tolerance(const Json& json, const std::string& path, const char* member,
-                          double otherwise) {
+  double tolerance(const Json& json, const std::string& path, const char* member,
+                   double otherwise) const {
     if (!json.contains(member)) return otherwise;
     const double value = numberMember(json, path, member);
-    if (!(value > 0 && value <= kLargestTolerance))
+    if (!(value > 0 && value <= kLargestTolerance) && isComplete())
       refuseMember(path + "." + member,
                    message("{} is outside {}", plain(value),
                            message("above 0 to {}", plain(kLargestTolerance))));
@@ -365,7 +391,9 @@ class StepReader {
   void readChoices(const Json& json, const std::string& path, LessonPrediction& prediction) {
     const auto choices = json.find("choices");
     const std::string all = path + ".choices";
-    if (choices == json.end() || !choices->is_array() || choices->size() < kFewestChoices ||
+    if (choices == json.end() && !isComplete()) return;
+    const std::size_t fewest = isComplete() ? kFewestChoices : 0;
+    if (choices == json.end() || !choices->is_array() || choices->size() < fewest ||
         choices->size() > kMostChoices)
       refuseMember(all, message("needs a list of {} to {} choices", kFewestChoices, kMostChoices));
     for (std::size_t i = 0; i < choices->size(); ++i) {
@@ -373,50 +401,53 @@ class StepReader {
       const std::string where = fmt::format("{}[{}]", all, i);
       checkMembers(one, where, {"text", "right", "above", "below"});
       LessonChoice choice;
-      choice.text = readText(one, "text", where, true);
+      choice.text = readText(one, "text", where, isComplete());
       if (one.contains("right")) {
         if (!one["right"].is_boolean()) refuseMember(where + ".right", "needs true or false");
         choice.isRight = one["right"].get<bool>();
       }
       choice.above = optionalNumberMember(one, where, "above").value_or(choice.above);
       choice.below = optionalNumberMember(one, where, "below").value_or(choice.below);
-      if (choice.isRange() && !prediction.answer)
-        refuseMember(where, "has above or below, which need a computed answer");
-      if (one.contains("right") && prediction.answer)
-        refuseMember(where + ".right", "follows from the computed answer; give above or below");
-      if (!choice.isRange() && prediction.answer)
-        refuseMember(where, "needs above or below, where the answer is computed");
-      if (!(choice.above < choice.below)) refuseMember(where, "needs above to be less than below");
-      for (std::size_t j = 0; j < i && prediction.answer; ++j)
-        if (choice.above < prediction.choices[j].below &&
-            prediction.choices[j].above < choice.below)
-          refuseMember(where, message("overlaps choices[{}]; one answer would make both right", j));
+      require(reading_, [&] { checkChoice(one, choice, prediction, where); });
       prediction.choices.push_back(std::move(choice));
     }
     const auto right = std::ranges::count_if(prediction.choices, &LessonChoice::isRight);
-    if (!prediction.answer && right != 1)
+    if (!prediction.answer && right != 1 && isComplete())
       refuseMember(all, message("has {} right choices; it needs one, or a computed answer", right));
   }
 
+  /// Checks a choice together with those before it, which the prediction has.
+  static void checkChoice(const Json& json, const LessonChoice& choice,
+                          const LessonPrediction& prediction, const std::string& where) {
+    if (choice.isRange() && !prediction.answer)
+      refuseMember(where, "has above or below, which need a computed answer");
+    if (json.contains("right") && prediction.answer)
+      refuseMember(where + ".right", "follows from the computed answer; give above or below");
+    if (!choice.isRange() && prediction.answer)
+      refuseMember(where, "needs above or below, where the answer is computed");
+    if (!(choice.above < choice.below)) refuseMember(where, "needs above to be less than below");
+    for (std::size_t j = 0; j < prediction.choices.size() && prediction.answer; ++j)
+      if (choice.above < prediction.choices[j].below && prediction.choices[j].above < choice.below)
+        refuseMember(where, message("overlaps choices[{}]; one answer would make both right", j));
+  }
+
   void readPoint(const Json& json, const std::string& path, LessonPrediction& prediction) {
-    if (step_.show.tab != "curve")
+    if (step_.show.tab != "curve" && isComplete())
       refuseMember(path, "needs show.tab curve, on which the point stands");
     step_.show.hidesCurve = true;
     prediction.x = optionalNumberMember(json, path, "x");
-    const ParameterRange axis = at(path, [&] { return sweepRange(step_.scene); });
-    const auto [low, high] = std::minmax(axis.from, axis.to);
-    if (prediction.x && !(*prediction.x >= low && *prediction.x <= high))
-      refuseMember(path + ".x", message("{} is outside {}, the axis of the curve",
-                                        plain(*prediction.x), rangeText(low, high)));
+    require(reading_, [&] {
+      const ParameterRange axis = at(path, [&] { return sweepRange(step_.scene); });
+      const auto [low, high] = std::minmax(axis.from, axis.to);
+      if (prediction.x && !(*prediction.x >= low && *prediction.x <= high))
+        refuseMember(path + ".x", message("{} is outside {}, the axis of the curve",
+                                          plain(*prediction.x), rangeText(low, high)));
+    });
   }
 
   void checkTexts() const {
     std::set<std::string> known;
-    if (step_.prediction) {
-      known = {"given"};
-      if (step_.prediction->answer || step_.prediction->kind == PredictionKind::Point)
-        known.insert("answer");
-    }
+    if (step_.prediction) known = {"answer", "given"};
     for (const NamedLessonValue& value : step_.values) known.insert(value.name);
     checkPlaceholders(step_.reveal, known, path_ + ".reveal");
     if (!step_.prediction) return;
@@ -429,13 +460,15 @@ class StepReader {
   const Scene* before_;
   const std::filesystem::path& folder_;
   const SceneReader& readNamed_;
+  const LessonReading reading_;
   LessonStep step_;
 };
 
 }  // namespace
 
 Lesson parseLesson(const Json& root, const std::filesystem::path& folder,
-                   const SceneReader& readNamed) {
+                   const SceneReader& readNamed, LessonReading reading) {
+  const bool isComplete = reading == LessonReading::Complete;
   if (!root.is_object()) refuseMember("", "a lesson is one JSON object");
   const std::string schema = textMember(root, "schema");
   if (schema.starts_with("asperity-lesson-results/"))
@@ -443,19 +476,20 @@ Lesson parseLesson(const Json& root, const std::filesystem::path& folder,
   if (schema != kLessonSchema) refuseMember("schema", message("is not {}", kLessonSchema));
   checkMembers(root, "", {"schema", "title", "goal", "minutes", "notes", "steps"});
   Lesson lesson;
-  lesson.title = readText(root, "title", "", true);
+  lesson.title = readText(root, "title", "", isComplete);
   lesson.goal = readText(root, "goal", "");
   lesson.notes = readText(root, "notes", "");
   if (root.contains("minutes"))
     lesson.minutes = static_cast<int>(integerMember(root, "minutes", 1, 600));
   const auto steps = root.find("steps");
-  if (steps == root.end() || !steps->is_array() || steps->empty() ||
+  if (steps == root.end() || !steps->is_array() || (steps->empty() && isComplete) ||
       steps->size() > kMostLessonSteps)
     refuseMember("steps", message("needs a list of 1 to {} steps", kMostLessonSteps));
   for (std::size_t i = 0; i < steps->size(); ++i) {
     const Scene* before = lesson.steps.empty() ? nullptr : &lesson.steps.back().revealedScene;
     lesson.steps.push_back(
-        StepReader((*steps)[i], fmt::format("steps[{}]", i), before, folder, readNamed).read());
+        StepReader((*steps)[i], fmt::format("steps[{}]", i), before, folder, readNamed, reading)
+            .read());
   }
   return lesson;
 }

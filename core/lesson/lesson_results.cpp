@@ -86,19 +86,24 @@ int LessonResults::right() const {
   return static_cast<int>(std::ranges::count_if(results, &LessonResult::isRight));
 }
 
+int LessonResults::wrong() const {
+  return static_cast<int>(results.size()) - right() - shown();
+}
+
 int LessonResults::shown() const {
   return static_cast<int>(
       std::ranges::count_if(results, [](const LessonResult& one) { return !one.given.isGiven(); }));
 }
 
 LessonResults emptyResults(const Lesson& lesson) {
-  return {lesson.name, lesson.title.english, lesson.digest, {}};
+  return {lesson.name, lesson.title.in("en"), lesson.digest, {}};
 }
 
 std::string resultsJson(const LessonResults& results) {
   Json json = {{"schema", kSchema},        {"lesson", results.lesson}, {"title", results.title},
                {"sha256", results.digest}, {"right", results.right()}, {"shown", results.shown()},
                {"steps", Json::array()}};
+  if (!results.date.empty()) json["date"] = results.date;
   for (const LessonResult& one : results.results) {
     Json step = {{"step", one.step + 1},
                  {"kind", choiceWord(kPredictionKinds, one.kind)},
@@ -117,11 +122,13 @@ std::string resultsJson(const LessonResults& results) {
 LessonResults parseResults(std::string_view text, const std::string& file) {
   try {
     const Json json = parseJson(text, kDeepestResults, "results of a lesson are JSON in UTF-8");
-    checkMembers(json, "", {"schema", "lesson", "title", "sha256", "right", "shown", "steps"});
+    checkMembers(json, "",
+                 {"schema", "lesson", "title", "sha256", "right", "shown", "steps", "date"});
     if (textMember(json, "schema") != kSchema)
       refuseMember("schema", message("is not {}", kSchema));
     LessonResults results{
         textMember(json, "lesson"), textMember(json, "title"), textMember(json, "sha256"), {}};
+    results.date = textMember(json, "date", "");
     const auto steps = json.find("steps");
     if (steps == json.end() || !steps->is_array()) refuseMember("steps", "needs a list");
     for (std::size_t i = 0; i < steps->size(); ++i)
@@ -132,10 +139,26 @@ LessonResults parseResults(std::string_view text, const std::string& file) {
   }
 }
 
+bool isResultsFile(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored)) return false;
+  try {
+    const Json beginning =
+        membersUpTo(readRegularFile(file, kLargestResults), "schema", kDeepestResults);
+    return textMember(beginning, "schema").starts_with("asperity-lesson-results/");
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+LessonResults readResultsFile(const std::filesystem::path& file) {
+  return parseResults(readRegularFile(file, kLargestResults), file.string());
+}
+
 LessonResults readResults(const std::filesystem::path& file, const Lesson& lesson) {
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored)) return emptyResults(lesson);
-  LessonResults results = parseResults(readRegularFile(file, kLargestResults), file.string());
+  LessonResults results = readResultsFile(file);
   if (results.digest != lesson.digest)
     throw InputError(file.string(), "sha256",
                      message("belongs to another lesson, or to another version of it ({}); its "

@@ -2174,10 +2174,6 @@
         <translation>Schritt &amp;probieren</translation>
     </message>
     <message>
-        <source>&amp;Save…</source>
-        <translation>&amp;Speichern…</translation>
-    </message>
-    <message>
         <source>&amp;Close</source>
         <translation>S&amp;chließen</translation>
     </message>
@@ -2362,7 +2358,7 @@
         <translation>Das Programm findet %1.</translation>
     </message>
     <message>
-        <source>Computed answers are means over the scene's %1 lines; the picture shows one.</source>
+        <source>Computed answers are means over the scene&apos;s %1 lines; the picture shows one.</source>
         <translation>Berechnete Antworten sind Mittelwerte über die %1 Linien der Szene; das Bild zeigt eine.</translation>
     </message>
     <message>
@@ -2420,6 +2416,54 @@
     <message>
         <source>a point needs the tab “Friction curve” in front, on which it lies</source>
         <translation>ein Punkt braucht vorn den Reiter „Reibungskurve“, auf dem er liegt</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>Also saves a lesson that is not complete yet (Ctrl+S)</source>
+        <translation>Speichert auch eine Lektion, die noch nicht fertig ist (Strg+S)</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve as…</source>
+        <translation>Speichern &amp;unter…</translation>
+    </message>
+    <message>
+        <source>%1 (%2 missing)</source>
+        <translation>%1 (%2 fehlen)</translation>
+    </message>
+    <message>
+        <source>Not translated: %1. A question that lacks a translation stands in the other language as a whole.</source>
+        <translation>Nicht übersetzt: %1. Eine Frage, der eine Übersetzung fehlt, steht als Ganzes in der anderen Sprache.</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 bei %2</translation>
+    </message>
+    <message>
+        <source>The program finds no answer.</source>
+        <translation>Das Programm findet keine Antwort.</translation>
+    </message>
+    <message>
+        <source>The program computes the answer…</source>
+        <translation>Das Programm berechnet die Antwort…</translation>
+    </message>
+    <message>
+        <source>The program computes the answer when the lesson is complete.</source>
+        <translation>Das Programm berechnet die Antwort, wenn die Lektion vollständig ist.</translation>
+    </message>
+    <message>
+        <source>The picture stays as it is when the answer is shown: “Changed with the answer” does not have the changes of the computed answer.</source>
+        <translation>Das Bild bleibt, wie es ist, wenn die Antwort gezeigt wird: „Mit der Antwort geändert“ hat die Änderungen der berechneten Antwort nicht.</translation>
+    </message>
+    <message>
+        <source>The main window shows the gallery. Open a scene in it, then add the step.</source>
+        <translation>Das Hauptfenster zeigt die Galerie. Öffnen Sie darin eine Szene, und fügen Sie dann den Schritt hinzu.</translation>
+    </message>
+    <message>
+        <source>Saved %1 as a draft. Before it can be played: %2</source>
+        <translation>%1 als Entwurf gespeichert. Bevor er gespielt werden kann: %2</translation>
     </message>
 </context>
 <context>
@@ -2585,6 +2629,53 @@
     <message>
         <source>Next</source>
         <translation>Weiter</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::LessonResultsPage</name>
+    <message>
+        <source>shown</source>
+        <translation>gezeigt</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>richtig</translation>
+    </message>
+    <message>
+        <source>wrong</source>
+        <translation>falsch</translation>
+    </message>
+    <message>
+        <source>choice %1</source>
+        <translation>Antwort %1</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 bei %2</translation>
+    </message>
+    <message>
+        <source>%1 right, %2 wrong, %3 shown</source>
+        <translation>%1 richtig, %2 falsch, %3 gezeigt</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>Antwort</translation>
+    </message>
+    <message>
+        <source>Right answer</source>
+        <translation>Richtige Antwort</translation>
+    </message>
+    <message>
+        <source>Results of a lesson</source>
+        <translation>Ergebnisse einer Lektion</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;chließen</translation>
     </message>
 </context>
 <context>
@@ -2904,10 +2995,6 @@
         <translation>Erst rate; dann kannst du es probieren.</translation>
     </message>
     <message>
-        <source>%1 results.json</source>
-        <translation>%1 Ergebnisse.json</translation>
-    </message>
-    <message>
         <source>File of your results</source>
         <translation>Datei deiner Ergebnisse</translation>
     </message>
@@ -2918,6 +3005,14 @@
     <message>
         <source>Your answers are kept in %1.</source>
         <translation>Deine Antworten werden in %1 aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>This lesson cannot be played yet; Help &gt; Lesson editor &gt; Open completes it. %1</source>
+        <translation>Diese Lektion kann noch nicht gespielt werden; Hilfe &gt; Lektion schreiben &gt; Öffnen vervollständigt sie. %1</translation>
+    </message>
+    <message>
+        <source>%1, results %2.json</source>
+        <translation>%1, Ergebnisse %2.json</translation>
     </message>
 </context>
 <context>
@@ -3739,14 +3834,6 @@
         <translation>Wie weit eine richtige Antwort von der berechneten entfernt sein darf; bei einem Punkt heißen 50 % ein Faktor 1,5 im Diagramm</translation>
     </message>
     <message>
-        <source>Write {answer} where the computed answer belongs, and {given} where the student&apos;s does</source>
-        <translation>Schreiben Sie {answer}, wo die berechnete Antwort stehen soll, und {given}, wo die der Lernenden stehen soll</translation>
-    </message>
-    <message>
-        <source>{answer}: the computed answer; {given}: that of the student</source>
-        <translation>{answer}: die berechnete Antwort; {given}: die der Lernenden</translation>
-    </message>
-    <message>
         <source>The curve is</source>
         <translation>Die Kurve ist</translation>
     </message>
@@ -3773,6 +3860,14 @@
     <message>
         <source>Said with the answer</source>
         <translation>Mit der Antwort gesagt</translation>
+    </message>
+    <message>
+        <source>Write {answer} where the computed answer or the right choice belongs, and {given} where the student&apos;s does</source>
+        <translation>Schreiben Sie {answer}, wo die berechnete oder die richtige Antwort stehen soll, und {given}, wo die der Lernenden stehen soll</translation>
+    </message>
+    <message>
+        <source>{answer}: the computed answer, or the right choice; {given}: that of the student</source>
+        <translation>{answer}: die berechnete oder die richtige Antwort; {given}: die der Lernenden</translation>
     </message>
 </context>
 <context>
@@ -5227,10 +5322,6 @@
     <message>
         <source>Turn the page when you have answered.</source>
         <translation>Blättere erst um, wenn du geantwortet hast.</translation>
-    </message>
-    <message>
-        <source>After your answer to step %1</source>
-        <translation>Nach deiner Antwort zu Schritt %1</translation>
     </message>
     <message>
         <source>a factor of %1</source>

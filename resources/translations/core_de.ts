@@ -5779,6 +5779,18 @@
         <translation>braucht eine Lektion; ohne eine werden die mitgelieferten aufgezählt</translation>
     </message>
     <message>
+        <source>is of a handout, not of results</source>
+        <translation>gehört zu einem Arbeitsblatt, nicht zu Ergebnissen</translation>
+    </message>
+    <message>
+        <source>has no results of a lesson</source>
+        <translation>hat keine Ergebnisse einer Lektion</translation>
+    </message>
+    <message>
+        <source>is of another lesson than %1, or of another version of it: %2</source>
+        <translation>gehört zu einer anderen Lektion als %1 oder zu einer anderen Fassung davon: %2</translation>
+    </message>
+    <message>
         <source>is of a handout; give -o as well</source>
         <translation>gehört zu einem Arbeitsblatt; es braucht auch -o</translation>
     </message>

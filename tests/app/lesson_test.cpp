@@ -87,5 +87,38 @@ TEST_F(LessonProgramTest, RefusesChoicesThatDoNotCoverTheAnswer) {
   }
 }
 
+/// A teacher collects the files of a class.
+TEST_F(LessonProgramTest, PrintsTheResultsOfAClass) {
+  const std::string head =
+      R"({"schema": "asperity-lesson-results/1", "lesson": "x", "title": "Loads", "sha256": "1", )";
+  const std::string step = R"("steps": [{"step": 2, "kind": "choice", "expected": 1, )";
+  program.folder.write("ada.json", head + step + R"("given": 1, "right": true}]})");
+  program.folder.write("bo.json", head + R"("date": "2026-11-27T10:00:00", )" + step +
+                                      R"("given": "shown", "right": false}]})");
+  const Said said = program.run("lesson ada.json bo.json -o class.csv");
+  ASSERT_EQ(said.status, 0) << said.err;
+  EXPECT_THAT(said.out, HasSubstr("Loads"));
+  EXPECT_THAT(said.out, HasSubstr("right (1)"));
+  EXPECT_EQ(read("class.csv"),
+            "file,date,right,wrong,shown,step_2,step_2_given\n"
+            "ada.json,,1,0,0,right,1\nbo.json,2026-11-27T10:00:00,0,0,1,shown,\n");
+  const auto json = nlohmann::json::parse(program.run("lesson bo.json --json").out);
+  EXPECT_EQ(json["schema"], "asperity-lesson-class/1");
+  EXPECT_EQ(json["students"][0]["shown"], 1);
+  expectRefused("lesson ada.json lesson.json", 2, "lesson.json: ");
+  expectRefused("lesson ada.json -o class.pdf", 2, ".csv");
+  expectRefused("lesson ada.json -o ada.json", 2, ".csv");
+  expectRefused("lesson ada.json --teacher -o class.csv", 2, "--teacher");
+}
+
+/// A draft is refused with what is missing in which step.
+TEST_F(LessonProgramTest, SaysWhatADraftLacks) {
+  auto json = sampleLesson();
+  json["steps"][1]["prediction"].erase("question");
+  program.folder.write("draft.json", json.dump());
+  for (const char* command : {"check draft.json", "lesson draft.json"})
+    expectRefused(command, 2, "draft.json: steps[1].prediction.question: is missing");
+}
+
 }  // namespace
 }  // namespace asperity

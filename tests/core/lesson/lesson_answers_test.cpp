@@ -185,5 +185,21 @@ TEST(LessonAnswers, ChoicesThatMayLeaveOutTheAnswerAreComputed) {
   EXPECT_TRUE(leavesOutNumbers(*lessonOf(json).steps[0].prediction));  // in any order
 }
 
+/// Where no number decides, the answer is a choice, and its text stands for it.
+TEST(LessonAnswers, TheAnswerOfATickedChoiceIsItsText) {
+  auto json = sampleLesson();
+  auto& prediction = json["steps"][0]["prediction"];
+  prediction.erase("answer");
+  prediction["choices"] = {{{"text", {{"en", "the front"}, {"de", "vorn"}}}, {"right", true}},
+                           {{"text", {{"en", "the back"}, {"de", "hinten"}}}}};
+  const LessonStep step = lessonOf(json).steps[0];
+  GivenAnswer given;
+  given.choice = 1;
+  const auto number = [](const LessonNumber&) { return std::string("a number"); };
+  EXPECT_EQ(withValues("{answer}, not {given}", *step.prediction, lessonAnswer(step), given, "de",
+                       number),
+            "vorn, not hinten");
+}
+
 }  // namespace
 }  // namespace asperity

@@ -260,5 +260,60 @@ TEST(LessonFile, AnythingIsReadOrRefused) {
   EXPECT_GT(refused, 1000);
 }
 
+/// Whatever a lesson lacks, it can be written and read again to be completed.
+TEST(LessonDrafts, WhatALessonLacksDoesNotKeepItFromBeingReadAgain) {
+  const auto whole = sampleLesson();
+  const auto pointer = [](const char* path) { return nlohmann::ordered_json::json_pointer(path); };
+  for (const char* path :
+       {"/title", "/steps/0/text", "/steps/0/prediction/question", "/steps/0/prediction/choices",
+        "/steps/0/prediction/choices/0/text", "/steps/0/prediction/choices/1/above",
+        "/steps/0/prediction/answer", "/steps/1/prediction/answer"}) {
+    auto json = whole;
+    const auto place = pointer(path);
+    json[place.parent_pointer()].erase(place.back());
+    if (place.back() == "above") json[place.parent_pointer()].erase("below");
+    EXPECT_THROW(readLesson(json.dump(), "draft.json"), InputError) << path;
+    const Lesson draft = readDraft(json.dump(), "draft.json");
+    ASSERT_EQ(draft.steps.size(), 2U) << path;
+    EXPECT_EQ(draft.steps[1].scene, lessonOf(whole).steps[1].scene) << path;
+    EXPECT_EQ(writeLesson(readDraft(writeLesson(draft), "draft.json")), writeLesson(draft)) << path;
+  }
+  EXPECT_EQ(readDraft(writeLesson(Lesson{}), "draft.json"),
+            readDraft(writeLesson(Lesson{}), "draft.json"));
+  EXPECT_EQ(writeLesson(readDraft(whole.dump(), "a")), writeLesson(lessonOf(whole)));
+}
+
+/// A change that is impossible is kept; the scene is that without it.
+TEST(LessonDrafts, AnImpossibleChangeIsKept) {
+  auto json = sampleLesson();
+  json["steps"][1]["set"]["load.normal_force"] = "much";
+  const Lesson draft = readDraft(json.dump(), "draft.json");
+  EXPECT_EQ(draft.steps[1].set, std::vector<std::string>{"load.normal_force=much"});
+  EXPECT_EQ(draft.steps[1].scene, draft.steps[0].revealedScene);
+  for (const char* wrong : {"{}", "[1]", R"({"schema": "asperity-scene/1"})",
+                            R"({"schema": "asperity-lesson/1", "stps": []})"})
+    EXPECT_THROW(readDraft(wrong, "draft.json"), InputError) << wrong;
+}
+
+/// Students read a question in one language, also where a teacher translated a part of it.
+TEST(LessonTranslations, AQuestionThatIsTranslatedInPartFallsBackAsAWhole) {
+  auto json = sampleLesson();
+  auto& prediction = json["steps"][0]["prediction"];
+  prediction["choices"][0]["text"] = {{"en", "same"}, {"de", "gleich"}};
+  const Lesson written = lessonOf(json);
+  const Lesson read = withWholeQuestions(written);
+  EXPECT_EQ(read.steps[0].prediction->choices[0].text.in("de"), "same");
+  EXPECT_EQ(read.title, written.title);
+  prediction["question"] = {{"en", "Twice as fast?"}, {"de", "Doppelt so schnell?"}};
+  prediction["choices"][1]["text"] = {{"en", "twice"}, {"de", "doppelt"}};
+  prediction["choices"][2]["text"] = {{"en", "more"}, {"de", "mehr"}};
+  prediction["right"] = {{"en", "Yes, {answer}."}, {"de", "Ja, {answer}."}};
+  prediction["wrong"] = {{"en", "No."}, {"de", "Nein."}};
+  EXPECT_EQ(withWholeQuestions(lessonOf(json)), lessonOf(json));
+  prediction["question"] = {{"de", "Doppelt so schnell?"}};  // now English lacks a part
+  EXPECT_EQ(withWholeQuestions(lessonOf(json)).steps[0].prediction->choices[1].text.in("en"),
+            "doppelt");
+}
+
 }  // namespace
 }  // namespace asperity

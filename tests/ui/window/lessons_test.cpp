@@ -580,7 +580,7 @@ TEST_F(LessonsTest, ATeacherAddsAStepFromWhatIsShown) {
   LessonEditor& editor = lessons().showEditor({}, {});
   EXPECT_FALSE(editor.errorText().isEmpty());  // there is no step yet
   EXPECT_EQ(editor.focusWidget()->objectName(), "editorTitle");
-  EXPECT_FALSE(editor.findChild<QPushButton*>("editorSave")->isEnabled());
+  EXPECT_FALSE(editor.findChild<QPushButton*>("editorTry")->isEnabled());
   auto& title = *editor.findChild<QLineEdit*>("editorTitle");
   QTest::keyClicks(&title, "Mine");
   editor.addShownStep();
@@ -651,7 +651,6 @@ TEST_F(LessonsTest, ATeacherWritesALessonOfThreeStepsAndTriesIt) {
   choose("editorKind", 2);
   choose("editorValue", 1);
   change("editorValueSet", "load.normal_force", "10 mN");
-  change("editorAfter", "load.normal_force", "10 mN");
   write("editorQuestion", "How many times as large is friction?");
   EXPECT_EQ(editor.errorText(), QString());
 
@@ -711,16 +710,60 @@ TEST_F(LessonsTest, TheWindowAsksAboutTheLessonInTheEditorBeforeItCloses) {
   EXPECT_EQ(lessons().editor(), nullptr);
 }
 
-/// The pages of the window are made anew in another language.
+/// The editor is made anew in another language, with the lesson, its edits and what it shows.
 TEST_F(LessonsTest, AnotherLanguageDoesNotLoseTheLessonInTheEditor) {
   LessonEditor& editor = lessons().showEditor(lessonOf(sampleLesson()), {});
-  QTest::keyClicks(editor.findChild<QLineEdit*>("editorTitle"), "Mine");
-  answer(QMessageBox::Cancel);
+  auto& title = *editor.findChild<QLineEdit*>("editorTitle");
+  title.selectAll();
+  QTest::keyClicks(&title, "Mine");
+  editor.findChild<QListWidget*>("editorSteps")->setCurrentRow(2);
   action("language:de").trigger();
-  EXPECT_EQ(asked_, 1);
-  EXPECT_EQ(presentLanguage(), "en");
-  EXPECT_FALSE(action("language:de").isChecked());
-  EXPECT_EQ(lessons().editor(), &editor);
+  EXPECT_EQ(presentLanguage(), "de");
+  LessonEditor* again = lessons().editor();
+  ASSERT_NE(again, nullptr);
+  EXPECT_TRUE(again->isVisible());
+  EXPECT_EQ(again->lesson().title.english, "Mine");
+  EXPECT_EQ(again->findChild<QListWidget*>("editorSteps")->currentRow(), 2);
+  EXPECT_TRUE(again->findChild<QPushButton*>("editorClose")->text().contains("chließen"));
+  again->undo();
+  EXPECT_EQ(again->lesson().title.english, "Sample");
+  EXPECT_TRUE(again->canClose());  // it knows what was saved
+  action("language:en").trigger();
+  delete lessons().editor();
+}
+
+/// A teacher opens the file of a student like any other file.
+TEST_F(LessonsTest, AStudentsResultsAreShownInWords) {
+  TemporaryFolder folder;
+  const Lesson lesson = readNamedLesson("load_and_friction", readNamedScene);
+  LessonResults results = emptyResults(lesson);
+  results.date = "2026-11-27T10:00:00";
+  LessonResult one;
+  one.step = 1;
+  one.given.choice = 0;
+  one.expected.choice = 1;
+  results.set(one);
+  writeResults(folder / "ada.json", results, lesson);
+  const QString file = QString::fromStdString((folder / "ada.json").string());
+  window_.documentCommands().openFile(file);
+  const auto* box = window_.findChild<QMessageBox*>("lessonResults");
+  ASSERT_NE(box, nullptr);
+  const LessonPrediction& asked = *lesson.steps[1].prediction;
+  for (const QString& part :
+       {plainText(lesson.title), plainText(asked.question), plainText(asked.choices[0].text),
+        plainText(asked.choices[1].text), QStringLiteral("0 right, 1 wrong, 0 shown"),
+        QStringLiteral("2026-11-27 10:00:00"), QStringLiteral("ada.json")})
+    EXPECT_TRUE(box->text().contains(part.toHtmlEscaped())) << part.toStdString();
+  EXPECT_FALSE(window_.messages().isVisible());
+}
+
+/// The scene behind the gallery is not what the teacher sees.
+TEST_F(LessonsTest, NoStepIsTakenFromTheGallery) {
+  window_.openGallery();
+  LessonEditor& editor = lessons().showEditor({}, {});
+  editor.addShownStep();
+  EXPECT_TRUE(editor.lesson().steps.empty());
+  EXPECT_TRUE(editor.findChild<QLabel*>("editorComplaint")->text().contains("gallery"));
 }
 
 TEST_F(LessonsTest, TheWindowAsksAboutAnEditorThatATrialHides) {

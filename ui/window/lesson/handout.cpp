@@ -76,7 +76,7 @@ Scene untitled(Scene scene) {
 class HandoutMaker {
  public:
   HandoutMaker(const Lesson& lesson, const HandoutOptions& options)
-      : lesson_(lesson), options_(options) {}
+      : lesson_(withWholeQuestions(lesson)), options_(options) {}
 
   std::vector<Block> make() {
     addHead();
@@ -108,11 +108,16 @@ class HandoutMaker {
 
   void addStep(int number) {
     const LessonStep& step = lesson_.steps[static_cast<std::size_t>(number)];
-    if (number > 0 && !options_.forTeacher) separateFromQuestion(number - 1);
+    const bool tells = number > 0 && !options_.forTeacher && mayTellAnswer(number);
+    if (tells) {
+      blocks_.back().withNext = KeepWithNext::Always;
+      add("<p><i>" + fromUtf8(Words::tr("Turn the page when you have answered.")) + "</i></p>");
+    }
     add(QStringLiteral("<h2>%1. %2</h2>")
             .arg(number + 1)
             .arg(plainText(step.title).toHtmlEscaped()),
         KeepWithNext::Always);
+    blocks_.back().beginsPage = tells;
     add(richText(shown(step.text)));
     const std::size_t text = blocks_.size() - 1;
     addContact(step.scene);
@@ -130,14 +135,14 @@ class HandoutMaker {
     revealedQuantity_ = step.show.quantity;
   }
 
-  /// Begins a new page below the question of a step: what follows may tell its answer.
-  void separateFromQuestion(int asked) {
-    if (!lesson_.steps[static_cast<std::size_t>(asked)].prediction) return;
-    blocks_.back().withNext = KeepWithNext::Always;
-    add("<p><i>" + fromUtf8(Words::tr("Turn the page when you have answered.")) + "</i></p>");
-    add("<h3>" + fromUtf8(Words::tr("After your answer to step %1")).arg(asked + 1) + "</h3>",
-        KeepWithNext::Always);
-    blocks_.back().beginsPage = true;
+  /// Returns whether a step may tell the answer to the question of the step before: on the screen
+  /// that answer changed the picture or showed the curve, or the step asks nothing but explains.
+  bool mayTellAnswer(int number) const {
+    const LessonStep& step = lesson_.steps[static_cast<std::size_t>(number)];
+    const LessonStep& before = lesson_.steps[static_cast<std::size_t>(number) - 1];
+    if (!before.prediction) return false;
+    const bool showsCurve = before.show.hidesCurve && !before.show.hidesCurveAfter;
+    return !before.after.empty() || showsCurve || !step.prediction;
   }
 
   /// Returns whether the students draw their answer into an empty chart.
@@ -311,7 +316,7 @@ class HandoutMaker {
       blocks_[i].withNext = i == text ? KeepWithNext::Always : KeepWithNext::IfShort;
   }
 
-  const Lesson& lesson_;
+  const Lesson lesson_;
   const HandoutOptions& options_;
   std::vector<Block> blocks_;
   std::unique_ptr<PixelContext> context_;

@@ -46,6 +46,26 @@ constexpr QSize kDefault(960, 660);  // pixels
 constexpr int kListWidth = 250;      // pixels, at least
 constexpr int kScreenMargin = 60;    // pixels of the screen that stay free
 
+/// Returns whether the program computes what a step asks for.
+bool asksForNumber(const LessonStep& step) {
+  return step.prediction &&
+         (step.prediction->answer || step.prediction->kind == PredictionKind::Point);
+}
+
+/// Returns a step that asks for the number alone: what its texts and choices are has no influence.
+LessonStep numberAsked(const LessonStep& step) {
+  LessonStep asked;
+  asked.scene = step.scene;
+  LessonPrediction& prediction = asked.prediction.emplace();
+  prediction.answer = step.prediction->answer;
+  prediction.kind = PredictionKind::Number;
+  if (step.prediction->kind != PredictionKind::Point) return asked;
+  prediction.kind = PredictionKind::Point;
+  prediction.x = step.prediction->x;
+  asked.show.quantity = step.show.quantity;
+  return asked;
+}
+
 /// Returns the name of the editor's row for a member of a lesson's file; empty where it has no row.
 QString rowName(const QString& member) {
   const std::pair<const char*, QString> rows[] = {
@@ -125,8 +145,8 @@ QPushButton* makeEditorButton(const char* name, const QString& text) {
 
 }  // namespace
 
-LessonEditor::LessonEditor(const Lesson& lesson, const QString& file,
-                           std::function<LessonStep()> shownNow, QWidget* parent)
+LessonEditor::LessonEditor(const Lesson& lesson, const QString& file, ShownNow shownNow,
+                           QWidget* parent)
     : QDialog(parent),
       lesson_(lesson),
       saved_(lesson),
@@ -184,6 +204,10 @@ LessonEditor::LessonEditor(const Lesson& lesson, const QString& file,
   for (const auto& [keys, slot] : {std::pair(QKeySequence::Undo, &LessonEditor::undo),
                                    {QKeySequence::Redo, &LessonEditor::redo}})
     connect(new QShortcut(keys, this), &QShortcut::activated, this, slot);
+  connect(new QShortcut(QKeySequence::Save, this), &QShortcut::activated, this,
+          &LessonEditor::save);
+  connect(new QShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_S, this), &QShortcut::activated, this,
+          &LessonEditor::askAndSave);
   qApp->installEventFilter(this);
   showList();
   steps_->setCurrentRow(0);
@@ -234,7 +258,9 @@ QLayout* LessonEditor::buildFoot() {
   });
   connect(saver_, &HandoutSaver::statusChanged, messageLabel_, &QLabel::setText);
   connect(saver_, &HandoutSaver::savingChanged, this, &LessonEditor::showButtons);
-  save_ = makeEditorButton("editorSave", tr("&Save…"));
+  save_ = makeEditorButton("editorSave", tr("&Save"));
+  save_->setToolTip(tr("Also saves a lesson that is not complete yet (Ctrl+S)"));
+  saveAs_ = makeEditorButton("editorSaveAs", tr("Sa&ve as…"));
   close_ = makeEditorButton("editorClose", tr("&Close"));
   connect(try_, &QPushButton::clicked, this, [this] {
     try {
@@ -243,7 +269,8 @@ QLayout* LessonEditor::buildFoot() {
       check();
     }
   });
-  connect(save_, &QPushButton::clicked, this, &LessonEditor::askAndSave);
+  connect(save_, &QPushButton::clicked, this, &LessonEditor::save);
+  connect(saveAs_, &QPushButton::clicked, this, &LessonEditor::askAndSave);
   undo_ = makeEditorButton("editorUndo", tr("U&ndo"));
   redo_ = makeEditorButton("editorRedo", tr("R&edo"));
   connect(undo_, &QPushButton::clicked, this, &LessonEditor::undo);
@@ -252,7 +279,7 @@ QLayout* LessonEditor::buildFoot() {
   auto* foot = new QHBoxLayout;
   for (QPushButton* one : {open_, handout_, undo_, redo_}) foot->addWidget(one);
   foot->addStretch(1);
-  for (QPushButton* one : {close_, try_, save_}) foot->addWidget(one);
+  for (QPushButton* one : {close_, try_, saveAs_, save_}) foot->addWidget(one);
   return foot;
 }
 
@@ -339,6 +366,31 @@ void LessonEditor::showError(const InputError& error) {
   if (!key.isEmpty()) errorText_ = key.replace(0, 1, key[0].toUpper()) + ": " + errorText_;
 }
 
+/// Gives the steps the scenes that they have in the lesson as read.
+void LessonEditor::takeScenes(const Lesson& read) {
+  for (std::size_t i = 0; i < read.steps.size(); ++i) {
+    lesson_.steps[i].scene = read.steps[i].scene;
+    lesson_.steps[i].revealedScene = read.steps[i].revealedScene;
+  }
+}
+
+/// Says in the tabs of the languages how many texts each of them lacks, where it has some.
+void LessonEditor::showMissing() {
+  const QString names[] = {QStringLiteral("English"), QStringLiteral("Deutsch")};
+  const QStringList missing[] = {missingTexts(lesson_, false), missingTexts(lesson_, true)};
+  for (int i = 0; i < 2; ++i) {
+    language_->setTabText(i, missing[i].isEmpty()
+                                 ? names[i]
+                                 : tr("%1 (%2 missing)").arg(names[i]).arg(missing[i].size()));
+    language_->setTabToolTip(
+        i, missing[i].isEmpty()
+               ? QString()
+               : tr("Not translated: %1. A question that lacks a translation stands in the other "
+                    "language as a whole.")
+                     .arg(missing[i].join(QStringLiteral("; "))));
+  }
+}
+
 /// Reads the lesson as if it came from a file, which finds every mistake, and the steps' scenes.
 void LessonEditor::check() {
   const int row = steps_->currentRow() - 1;
@@ -347,16 +399,20 @@ void LessonEditor::check() {
   if (!errorText_.isEmpty()) errorText_ = tr("Step %1: %2").arg(row + 1).arg(errorText_);
   if (errorText_.isEmpty()) errorText_ = findMistake(lesson_);
   try {
-    const Lesson read = checked();
-    for (std::size_t i = 0; i < read.steps.size(); ++i) {
-      lesson_.steps[i].scene = read.steps[i].scene;
-      lesson_.steps[i].revealedScene = read.steps[i].revealedScene;
-    }
+    takeScenes(checked());
     if (errorText_.isEmpty()) checkAnswers();
   } catch (const InputError& error) {
     if (errorText_.isEmpty()) showError(error);
+    try {
+      takeScenes(readDraft(writeLesson(lesson_), lesson_.name,
+                           std::filesystem::path(file_.toStdString()).parent_path(),
+                           readNamedScene));
+    } catch (const InputError&) {
+      // The scenes stay as they are.
+    }
   }
   step_->showComputed(computedText());
+  showMissing();
   messageLabel_->setText(
       isComputing_ ? tr("The program computes an answer that no choice may cover…") : errorText_);
   remember();
@@ -368,19 +424,17 @@ void LessonEditor::check() {
 // ---- Computed answers
 
 const LessonEditor::Computed* LessonEditor::computed(const LessonStep& step) const {
-  if (!step.prediction || !step.prediction->answer) return nullptr;
-  const auto found = std::ranges::find_if(computed_, [&](const Computed& one) {
-    return one.scene == step.scene && one.value == *step.prediction->answer;
-  });
+  if (!asksForNumber(step)) return nullptr;
+  const auto found = std::ranges::find(computed_, numberAsked(step), &Computed::asked);
   return found == computed_.end() ? nullptr : &*found;
 }
 
 /// Computes the answer of a step in the background unless it is known. Returns whether it is being
 /// computed.
 bool LessonEditor::compute(const LessonStep& step) {
-  if (!step.prediction || !step.prediction->answer || computed(step)) return false;
-  Computed one{step.scene, *step.prediction->answer};
-  if (pending_ && pending_->scene == one.scene && pending_->value == one.value) return true;
+  if (!asksForNumber(step) || computed(step)) return false;
+  Computed one{numberAsked(step)};
+  if (pending_ && pending_->asked == one.asked) return true;
   pending_ = one;
   const auto keep = [this](const Computed& known) {
     pending_.reset();
@@ -391,11 +445,11 @@ bool LessonEditor::compute(const LessonStep& step) {
       [one](const BackgroundWork::Run& run) {
         CurveOptions options;
         options.stop = run.stop();
-        return computeLessonValue(one.scene, one.value, options);
+        return lessonAnswer(one.asked, options);
       },
-      [one, keep](const LessonNumber& number) {
+      [one, keep](const LessonAnswer& answer) {
         Computed known = one;
-        known.number = number;
+        known.answer = answer;
         keep(known);
       },
       [one, keep](const QString& reason) {
@@ -423,7 +477,7 @@ void LessonEditor::checkAnswers() {
       return;
     }
     try {
-      rightChoice(*step.prediction, known->number);
+      rightChoice(*step.prediction, known->answer.number);
     } catch (const InputError& error) {
       return showError(InputError("", "steps[" + std::to_string(i) + "].prediction." + error.key(),
                                   error.message()));
@@ -437,13 +491,26 @@ QString LessonEditor::computedText() const {
   const int row = steps_->currentRow() - 1;
   if (row < 0 || row >= static_cast<int>(lesson_.steps.size())) return {};
   const LessonStep& step = lesson_.steps[static_cast<std::size_t>(row)];
-  if (!step.prediction || !step.prediction->answer) return {};
+  if (!asksForNumber(step)) return {};
   QStringList sentences;
-  if (const Computed* known = computed(step); known && known->failure.isEmpty())
-    sentences += tr("The program finds %1.").arg(fromUtf8(numberInWords(known->number)));
+  // There is always a first sentence: what is below would move when it comes.
+  const Computed* known = computed(step);
+  const bool isComputed = known && known->failure.isEmpty();
+  QString found = isComputed ? fromUtf8(numberInWords(known->answer.number)) : QString();
+  if (isComputed && step.prediction->kind == PredictionKind::Point)
+    found = tr("%1 at %2").arg(found, fromUtf8(numberInWords(known->answer.x)));
+  sentences += isComputed ? tr("The program finds %1.").arg(found)
+               : known    ? tr("The program finds no answer.")
+               : errorText_.isEmpty()
+                   ? tr("The program computes the answer…")
+                   : tr("The program computes the answer when the lesson is complete.");
   if (step.scene.ensemble.realizations > 1)
     sentences += tr("Computed answers are means over the scene's %1 lines; the picture shows one.")
                      .arg(step.scene.ensemble.realizations);
+  if (keepsPicture(step))
+    sentences +=
+        tr("The picture stays as it is when the answer is shown: “Changed with the answer” "
+           "does not have the changes of the computed answer.");
   if (showsAnswer(step)) sentences += tr("The curve, which is in sight, may show this answer.");
   return sentences.join('\n');
 }
@@ -487,7 +554,7 @@ bool LessonEditor::eventFilter(QObject* watched, QEvent* event) {
 
 /// Enables the buttons that the state of the lesson allows.
 void LessonEditor::showButtons() {
-  for (QPushButton* button : {save_, try_, handout_})
+  for (QPushButton* button : {try_, handout_})
     button->setEnabled(errorText_.isEmpty() && !isComputing_ &&
                        !(button == handout_ && saver_->isSaving()));
   undo_->setEnabled(state_ > 0);
@@ -500,7 +567,9 @@ void LessonEditor::showButtons() {
 /// of keys can express it, and has a scene of its own otherwise.
 void LessonEditor::addShownStep() {
   const int row = std::max(0, steps_->currentRow());
-  LessonStep step = shownNow_();
+  const std::optional<LessonStep> taken = takenStep();
+  if (!taken) return;
+  LessonStep step = *taken;
   Scene scene = step.scene;
   if (row > 0) {
     const Scene before = lesson_.steps[static_cast<std::size_t>(row - 1)].revealedScene;
@@ -528,6 +597,15 @@ void LessonEditor::addShownStep() {
   check();
   showStep();
   step_->beginText();
+}
+
+/// Returns the step that the window shows; else says why there is none.
+std::optional<LessonStep> LessonEditor::takenStep() {
+  std::optional<LessonStep> taken = shownNow_();
+  if (!taken)
+    messageLabel_->setText(
+        tr("The main window shows the gallery. Open a scene in it, then add the step."));
+  return taken;
 }
 
 /// Gives a step that goes on from the one before a scene of its own, so that it stays the same
@@ -577,9 +655,11 @@ void LessonEditor::removeStep() {
 void LessonEditor::takeShownScene() {
   LessonStep* step = present();
   if (!step) return;
+  const std::optional<LessonStep> taken = takenStep();
+  if (!taken) return;
   keepOwnScene(static_cast<std::size_t>(steps_->currentRow()));
   step->sceneName.clear();
-  step->sceneJson = writeScene(shownNow_().scene);
+  step->sceneJson = writeScene(taken->scene);
   step->set.clear();
   typedIn_.clear();
   check();
@@ -608,7 +688,7 @@ void LessonEditor::openOther() {
                                                     tr("Lessons (*.json);;All files (*)"));
   if (file.isEmpty()) return;
   try {
-    lesson_ = saved_ = readLessonFile(file.toStdString(), readNamedScene);
+    lesson_ = saved_ = readDraftFile(file.toStdString(), readNamedScene);
     file_ = file;
   } catch (const std::exception& error) {
     messageLabel_->setText(translatedError(error));
@@ -622,11 +702,10 @@ void LessonEditor::openOther() {
 }
 
 bool LessonEditor::saveTo(const QString& file) {
-  if (!errorText_.isEmpty() || isComputing_) return false;  // a line in the window shows why
   try {
     const std::filesystem::path path = std::filesystem::absolute(file.toStdString());
     const std::string text = writeLesson(lesson_);
-    readLesson(text, path.string(), path.parent_path(), readNamedScene);
+    readDraft(text, path.string(), path.parent_path(), readNamedScene);
     writeFileAtomically(path, text);
   } catch (const std::exception& error) {
     messageLabel_->setText(translatedError(error));
@@ -634,8 +713,16 @@ bool LessonEditor::saveTo(const QString& file) {
   }
   file_ = file;
   saved_ = lesson_;
-  messageLabel_->setText(tr("Saved %1").arg(QFileInfo(file).fileName()));
+  const QString name = QFileInfo(file).fileName();
+  messageLabel_->setText(
+      errorText_.isEmpty()
+          ? tr("Saved %1").arg(name)
+          : tr("Saved %1 as a draft. Before it can be played: %2").arg(name, errorText_));
   return true;
+}
+
+bool LessonEditor::save() {
+  return file_.isEmpty() ? askAndSave() : saveTo(file_);
 }
 
 bool LessonEditor::askAndSave() {
@@ -655,7 +742,31 @@ bool LessonEditor::canClose() {
   const SaveAnswer answer = askSaveChanges(questionParent(), "editorUnsaved", tr("Lesson editor"),
                                            tr("The lesson was changed and not saved."));
   if (answer != SaveAnswer::Save) return answer == SaveAnswer::Discard;
-  return file_.isEmpty() ? askAndSave() : saveTo(file_);
+  return save();
+}
+
+LessonEditor::Session LessonEditor::session() const {
+  return {lesson_,
+          saved_,
+          file_,
+          states_,
+          state_,
+          steps_->currentRow(),
+          language_->currentIndex(),
+          saveGeometry()};
+}
+
+void LessonEditor::goOn(const Session& session) {
+  lesson_ = session.lesson;
+  saved_ = session.saved;
+  file_ = session.file;
+  states_ = session.states;
+  state_ = session.state;
+  language_->setCurrentIndex(session.language);
+  restoreGeometry(session.geometry);
+  showList();
+  steps_->setCurrentRow(std::clamp(session.row, 0, steps_->count() - 1));
+  showStep();
 }
 
 void LessonEditor::reject() {

@@ -2,7 +2,7 @@
 // ordered, and written on their pages (lesson_pages.h). Each change is checked as a file would be;
 // answers that no choice may cover are computed in the background. Every edit can be undone, and
 // the lesson can be tried at once. GUI thread. Failure: one line shows the error and its position;
-// the lesson cannot be saved until it is corrected.
+// until it is corrected the lesson is saved as a draft, which the editor opens again.
 #pragma once
 
 #include <QDialog>
@@ -32,16 +32,36 @@ class LessonEditor : public QDialog {
   Q_OBJECT
 
  public:
-  /// file: the file of the lesson; empty: a dialog asks for it. shownNow: returns a step with the
-  /// scene of the window.
-  LessonEditor(const Lesson& lesson, const QString& file, std::function<LessonStep()> shownNow,
-               QWidget* parent);
+  /// The step that the window shows; none where it shows no scene, but the gallery.
+  using ShownNow = std::function<std::optional<LessonStep>()>;
+  /// The lesson after an edit of the step in a row of the list.
+  struct State {
+    Lesson lesson;
+    int row = 0;
+    QString field{};  // name of the field in which it was typed; empty: a button, a list or a table
+  };
+  /// What another editor needs to go on: the lesson, its file and its edits, and what is shown.
+  struct Session {
+    Lesson lesson, saved;
+    QString file;
+    std::vector<State> states;
+    std::size_t state = 0;
+    int row = 0;
+    int language = 0;
+    QByteArray geometry;
+  };
+
+  /// file: the file of the lesson; empty: a dialog asks for it.
+  LessonEditor(const Lesson& lesson, const QString& file, ShownNow shownNow, QWidget* parent);
+
+  Session session() const;
+  void goOn(const Session& session);
 
   /// Returns the lesson as it is on the page, which may still have errors.
   const Lesson& lesson() const { return lesson_; }
   /// Returns the error message; empty without an error.
   QString errorText() const { return errorText_; }
-  /// Returns whether an answer has to be computed before the lesson can be saved.
+  /// Returns whether an answer has to be computed before the lesson can be played.
   bool isComputing() const { return isComputing_; }
 
   void addShownStep();
@@ -51,8 +71,10 @@ class LessonEditor : public QDialog {
   void takeShownScene();
   void undo() { restore(-1); }
   void redo() { restore(1); }
-  /// Returns whether the file was written.
+  /// Saves the lesson, which may be a draft. Returns whether the file was written.
   bool saveTo(const QString& file);
+  /// Saves to the file of the lesson, or asks for it where it has none.
+  bool save();
   /// Asks whether unsaved changes are to be saved, and saves them. Returns whether it may close.
   bool canClose();
 
@@ -64,17 +86,10 @@ class LessonEditor : public QDialog {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  /// The lesson after an edit of the step in a row of the list.
-  struct State {
-    Lesson lesson;
-    int row = 0;
-    QString field{};  // name of the field in which it was typed; empty: a button, a list or a table
-  };
-  /// A number that a step asks for.
+  /// A number or a point that a step asks for.
   struct Computed {
-    Scene scene{};
-    LessonValue value{};
-    LessonNumber number{};
+    LessonStep asked{};  // of the step, what the answer depends on
+    LessonAnswer answer{};
     QString failure{};  // why there is none
   };
 
@@ -88,6 +103,9 @@ class LessonEditor : public QDialog {
   void restore(int by);
   void keepOwnScene(std::size_t step);
   void showError(const InputError& error);
+  void takeScenes(const Lesson& read);
+  std::optional<LessonStep> takenStep();
+  void showMissing();
   const Computed* computed(const LessonStep& step) const;
   bool compute(const LessonStep& step);
   void checkAnswers();
@@ -105,9 +123,9 @@ class LessonEditor : public QDialog {
   Lesson lesson_;
   Lesson saved_;
   QString file_, errorText_;
-  std::function<LessonStep()> shownNow_;
+  ShownNow shownNow_;
   bool isShowing_ = false;     // the list is being filled
-  bool isComputing_ = false;   // an answer is being computed that the lesson needs to be saved
+  bool isComputing_ = false;   // an answer is being computed that the lesson needs to be played
   std::vector<State> states_;  // of the lesson, for undo and redo
   std::size_t state_ = 0;      // the present one
   QString typedIn_;            // name of the field in which the user types; empty: none
@@ -120,8 +138,8 @@ class LessonEditor : public QDialog {
   LessonHeadPage* head_;
   LessonStepPage* step_;
   QLabel* messageLabel_;
-  QPushButton *add_, *remove_, *up_, *down_, *try_, *open_, *handout_, *save_, *close_, *undo_,
-      *redo_;
+  QPushButton *add_, *remove_, *up_, *down_, *try_, *open_, *handout_, *save_, *saveAs_, *close_,
+      *undo_, *redo_;
   HandoutSaver* saver_;
   BackgroundWork computing_;  // last: its thread ends before other members are destroyed
 };

@@ -83,9 +83,20 @@ QString LessonForm::localText(const LessonText& text) const {
   return QString::fromStdString(isGerman_ ? text.german : text.english);
 }
 
-void LessonForm::showText(QLineEdit& line, const QString& text) {
-  line.setText(text);
+QString LessonForm::placeholder(const LessonText& text, const QString& hint) const {
+  const std::string& other = isGerman_ ? text.english : text.german;
+  return other.empty() ? hint : QString::fromStdString(other);
+}
+
+void LessonForm::showText(QLineEdit& line, const LessonText& text, const QString& hint) const {
+  line.setText(localText(text));
+  line.setPlaceholderText(placeholder(text, hint));
   line.setCursorPosition(0);
+}
+
+void LessonForm::showText(QPlainTextEdit& box, const LessonText& text, const QString& hint) const {
+  box.setPlainText(localText(text));
+  box.setPlaceholderText(placeholder(text, hint));
 }
 
 QString LessonForm::plainText(const QPlainTextEdit& box) {
@@ -97,6 +108,12 @@ QString LessonForm::plainText(const QPlainTextEdit& box) {
 
 void LessonForm::write(LessonText& text, const QString& written) const {
   (isGerman_ ? text.german : text.english) = written.trimmed().toStdString();
+}
+
+void LessonForm::write(LessonText& text, const QString& written,
+                       const QString& inOtherLanguage) const {
+  write(text, written);
+  (isGerman_ ? text.english : text.german) = inOtherLanguage.toStdString();
 }
 
 void fillParameterMenu(QMenu& menu, const Scene& scene,

@@ -53,12 +53,17 @@ class LessonForm : public QWidget {
   void notifyEdited();
 
   QString localText(const LessonText& text) const;
-  /// Shows a text from its beginning.
-  static void showText(QLineEdit& line, const QString& text);
+  /// Shows a text from its beginning. Where it lacks the language of the page, the other one is the
+  /// placeholder; `hint` is that of a field without any text.
+  void showText(QLineEdit& line, const LessonText& text, const QString& hint = {}) const;
+  void showText(QPlainTextEdit& box, const LessonText& text, const QString& hint = {}) const;
+  /// Returns that placeholder.
+  QString placeholder(const LessonText& text, const QString& hint = {}) const;
   /// Returns the text of a box with its no-break spaces, which QPlainTextEdit::toPlainText()
   /// replaces by spaces.
   static QString plainText(const QPlainTextEdit& box);
   void write(LessonText& text, const QString& written) const;
+  void write(LessonText& text, const QString& written, const QString& inOtherLanguage) const;
 
  signals:
   void edited();

@@ -71,6 +71,40 @@ bool isOnCurve(const LessonValue& value, const LessonStep& step) {
 
 }  // namespace
 
+bool keepsPicture(const LessonStep& step) {
+  return step.prediction && step.prediction->answer && !step.prediction->answer->set.empty() &&
+         step.after.empty();
+}
+
+QStringList missingTexts(const Lesson& lesson, bool inGerman) {
+  QStringList missing;
+  bool hasAny = false;
+  const auto look = [&](const LessonText& text, const QString& name) {
+    hasAny = hasAny || !(inGerman ? text.german : text.english).empty();
+    if (!text.empty() && (inGerman ? text.german : text.english).empty()) missing += name;
+  };
+  look(lesson.title, LessonEditor::tr("title"));
+  look(lesson.goal, LessonEditor::tr("goal"));
+  look(lesson.notes, LessonEditor::tr("notes for teachers"));
+  for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+    const LessonStep& step = lesson.steps[i];
+    const auto lookInStep = [&](const LessonText& text, const QString& name) {
+      look(text, LessonEditor::tr("step %1").arg(i + 1) + QStringLiteral(", ") + name);
+    };
+    lookInStep(step.title, LessonEditor::tr("title"));
+    lookInStep(step.text, LessonEditor::tr("text"));
+    if (!step.prediction) continue;
+    const LessonPrediction& prediction = *step.prediction;
+    lookInStep(prediction.question, LessonEditor::tr("question"));
+    for (std::size_t j = 0; j < prediction.choices.size(); ++j)
+      lookInStep(prediction.choices[j].text, LessonEditor::tr("choice %1").arg(j + 1));
+    lookInStep(prediction.right, LessonEditor::tr("if right"));
+    lookInStep(prediction.wrong, LessonEditor::tr("if wrong"));
+    lookInStep(step.reveal, LessonEditor::tr("said with the answer"));
+  }
+  return hasAny ? missing : QStringList();
+}
+
 bool showsAnswer(const LessonStep& step) {
   return step.show.tab == "curve" && !step.show.hidesCurve && step.prediction &&
          step.prediction->answer && isOnCurve(*step.prediction->answer, step);

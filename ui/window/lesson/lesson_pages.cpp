@@ -28,6 +28,12 @@
 
 namespace asperity {
 
+namespace {
+
+constexpr double kPointTolerance = 1;  // a factor of 2 on a logarithmic axis
+
+}  // namespace
+
 // ---- The lesson
 
 LessonHeadPage::LessonHeadPage(QWidget* parent) : LessonForm(parent) {
@@ -50,9 +56,9 @@ void LessonHeadPage::beginTitle() {
 
 void LessonHeadPage::showLesson(const Lesson& lesson) {
   fill([&] {
-    title_->setText(localText(lesson.title));
-    goal_->setPlainText(localText(lesson.goal));
-    notes_->setPlainText(localText(lesson.notes));
+    showText(*title_, lesson.title);
+    showText(*goal_, lesson.goal);
+    showText(*notes_, lesson.notes);
     minutes_->setValue(lesson.minutes);
   });
 }
@@ -144,10 +150,23 @@ void LessonStepPage::addPredictionRows() {
   addRowBelow(findChild<QWidget*>("editorValueSet")->parentWidget(), QString(), computed_);
   setShown(computed_, false);
   connect(kind_, &QComboBox::activated, this, [this] {
+    proposeTolerance();
     showRowsOfPoint();
     notifyEdited();
   });
   connect(x_, &QLineEdit::textEdited, this, &LessonStepPage::showRowsOfPoint);
+}
+
+/// Where a point is asked for from now on, its usual tolerance is a factor: on a logarithmic axis
+/// of several decades a tenth of a value is one pixel. A number gets the usual one back.
+void LessonStepPage::proposeTolerance() {
+  const bool isPoint = kind_->currentIndex() == 1 + static_cast<int>(PredictionKind::Point);
+  const auto text = [](double tolerance) {
+    return shownNumber(roundedToDigits(100 * tolerance, 12));
+  };
+  const QString usual = text(LessonPrediction{}.tolerance), factor = text(kPointTolerance);
+  if (isPoint && !isLinearY_ && tolerance_->text() == usual) tolerance_->setText(factor);
+  if (!isPoint && tolerance_->text() == factor) tolerance_->setText(usual);
 }
 
 /// Shows the tolerance of the place where the place is asked for. The curve of a point is never
@@ -164,11 +183,12 @@ void LessonStepPage::showStep(const LessonStep& step, const QString& sceneText) 
   chosen_ = step.controls;
   scene_ = step.revealedScene;
   axis_ = step.scene.sweep.key;
+  isLinearY_ = step.show.isLinearY;
   sceneText_->setText(sceneText);
   sceneText_->setToolTip(sceneText);
   fill([&] {
-    title_->setText(localText(step.title));
-    text_->setPlainText(localText(step.text));
+    showText(*title_, step.title);
+    showText(*text_, step.text);
     set_->show(step.set, step.scene);
     tab_->setCurrentIndex(tab_->findData(QString::fromStdString(step.show.tab)));
     quantity_->setCurrentIndex(quantity_->findData(QString::fromStdString(step.show.quantity)));

@@ -56,6 +56,7 @@ class LessonStepPage : public LessonForm {
  private:
   void addScene();
   void addPredictionRows();
+  void proposeTolerance();
   void showRowsOfPoint();
   QString unreadableIn(const QLineEdit& line, bool mayBeEmpty) const;
   QString unreadableChoice() const;
@@ -77,7 +78,8 @@ class LessonStepPage : public LessonForm {
   QTableWidget* choices_;
   LessonControls chosen_;  // of the step that is shown
   std::string axis_;       // the key of its curve's axis
-  Scene scene_;            // after its reveal
+  bool isLinearY_ = false;
+  Scene scene_;  // after its reveal
 };
 
 }  // namespace asperity

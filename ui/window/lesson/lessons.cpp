@@ -1,11 +1,13 @@
 #include "ui/window/lesson/lessons.h"
 
 #include <QAction>
+#include <QDateTime>
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMainWindow>
+#include <QRegularExpression>
 #include <QTimer>
 #include <QToolButton>
 #include <algorithm>
@@ -21,9 +23,11 @@
 #include "ui/panels/parameter_panel.h"
 #include "ui/panels/scene_files.h"
 #include "ui/window/curve/curve_commands.h"
+#include "ui/window/figures/figure_pages.h"
 #include "ui/window/lesson/lesson_editor.h"
 #include "ui/window/lesson/lesson_list.h"
 #include "ui/window/lesson/lesson_pane.h"
+#include "ui/window/lesson/lesson_results_page.h"
 #include "ui/window/lesson/lesson_text.h"
 #include "ui/window/lesson/prediction_point.h"
 #include "ui/window/main/appearance.h"
@@ -43,7 +47,8 @@ namespace {
 // The heights in pixels of the pane and of the parameters below it: a step frees only a few of
 // them.
 constexpr int kDefaultHeight = 430, kParametersHeight = 230;
-constexpr int kMinHeight = 260;  // of the pane
+constexpr int kMinHeight = 260;    // of the pane
+constexpr int kLongestTitle = 60;  // letters, in the name of a file
 
 /// Returns the scene with the title of the step: its own title may reveal the answer.
 Scene titledByStep(Scene scene, const LessonStep& step) {
@@ -68,7 +73,7 @@ Lessons::Lessons(const Parts& parts)
     : QObject(&parts.window),
       parts_(parts),
       dock_(new QDockWidget),
-      title_(new ElidedLabel),
+      title_(new WrappedLabel),
       keep_(new QToolButton),
       close_(new QToolButton),
       pane_(new LessonPane),
@@ -154,7 +159,7 @@ void Lessons::addTo(Commands& commands) {
                   if (LessonEditor* open = editor())
                     bringToFront(*open);
                   else
-                    showEditor(lesson_ ? *lesson_ : Lesson{}, lesson_ ? file_ : QString());
+                    showEditor(lesson_ ? written_ : Lesson{}, lesson_ ? file_ : QString());
                 }});
   for (QAction* action : commands.get({"lessonBackStep", "lessonNextStep", "lessonEnd"}))
     action->setEnabled(false);
@@ -194,7 +199,15 @@ LessonEditor& Lessons::showEditor(const Lesson& lesson, const QString& file) {
     }
     delete open;
   }
-  const auto shownNow = [this] {
+  LessonEditor& made = makeEditor(lesson, file);
+  made.show();
+  return made;
+}
+
+LessonEditor& Lessons::makeEditor(const Lesson& lesson, const QString& file) {
+  const auto shownNow = [this]() -> std::optional<LessonStep> {
+    const auto* pages = parts_.window.findChild<FigurePages*>();
+    if (pages && pages->isShowingScenes()) return std::nullopt;
     LessonStep step;
     step.scene = withAbsoluteFiles(parts_.document.scene());
     step.scene.folder.clear();  // a lesson in any folder finds them
@@ -213,17 +226,54 @@ LessonEditor& Lessons::showEditor(const Lesson& lesson, const QString& file) {
             // The editor is hidden during the lesson, and shown again when that ends.
             start(edited, step);
             isTrial_ = true;
-            editor->hide();
-            connect(
-                this, &Lessons::ended, editor, [editor] { bringToFront(*editor); },
-                Qt::SingleShotConnection);
+            hideDuringLesson(*editor);
           });
-  editor->show();
   return *editor;
+}
+
+void Lessons::hideDuringLesson(LessonEditor& editor) {
+  editor.hide();
+  connect(
+      this, &Lessons::ended, &editor, [&editor] { bringToFront(editor); },
+      Qt::SingleShotConnection);
+}
+
+std::function<void()> Lessons::takeEditor() {
+  LessonEditor* open = editor();
+  if (!open) return [] {};
+  const LessonEditor::Session session = open->session();
+  const bool isVisible = open->isVisible();
+  delete open;
+  return [this, session, isVisible] {
+    LessonEditor& again = makeEditor(session.saved, session.file);
+    again.goOn(session);
+    if (isVisible)
+      again.show();
+    else
+      hideDuringLesson(again);
+  };
+}
+
+/// Returns why a lesson cannot be opened, and for a draft how it can be completed.
+QString Lessons::failureText(const QString& file, const std::exception& error) const {
+  const QString reason = translatedError(error);
+  if (!isLessonFile(file.toStdString())) return reason;
+  try {
+    readDraftFile(file.toStdString(), readNamedScene);
+  } catch (const std::exception&) {
+    return reason;
+  }
+  return tr("This lesson cannot be played yet; Help > Lesson editor > Open completes it. %1")
+      .arg(reason);
 }
 
 bool Lessons::open(const QString& nameOrFile) {
   try {
+    if (isResultsFile(nameOrFile.toStdString())) {
+      showLessonResults(parts_.window, nameOrFile);
+      parts_.messages.end(MessageBar::Failure::Files);
+      return true;
+    }
     const Lesson lesson = readNamedLesson(nameOrFile.toStdString(), readNamedScene);
     if (!mayLeave()) return false;
     start(lesson);
@@ -231,7 +281,7 @@ bool Lessons::open(const QString& nameOrFile) {
     parts_.messages.end(MessageBar::Failure::Files);
     return true;
   } catch (const std::exception& error) {
-    parts_.messages.showFailure(MessageBar::Failure::Files, translatedError(error));
+    parts_.messages.showFailure(MessageBar::Failure::Files, failureText(nameOrFile, error));
     return false;
   }
 }
@@ -248,7 +298,8 @@ void Lessons::start(const Lesson& lesson, int step) {
     axes->setChecked(false);
   }
   before_ = std::move(before);
-  lesson_ = std::make_unique<Lesson>(lesson);
+  written_ = lesson;
+  lesson_ = std::make_unique<Lesson>(withWholeQuestions(written_));
   answers_.clear();
   results_ = emptyResults(*lesson_);
   const auto left = left_.extract(lesson_->digest);
@@ -468,6 +519,7 @@ void Lessons::settle(const GivenAnswer& given) {
   results_.set(
       {step_, prediction.kind, given, expected, asperity::isRight(prediction, expected, given)});
   isSaved_ = false;
+  results_.date = QDateTime::currentDateTime().toString(Qt::ISODate).toStdString();
   writeResultsFile();
   showScene();
   showChart();
@@ -525,12 +577,19 @@ void Lessons::leave() {
   if (isRunning() && mayLeave()) end();
 }
 
+/// Returns the name that is proposed for the results: with the title in the language of the window
+/// and with the time, so that the files of a class can be collected in one folder.
+QString Lessons::resultsName() const {
+  QString title = plainText(lesson_->title);
+  static const QRegularExpression forbidden(QStringLiteral(R"([/\\:*?"<>|\x00-\x1f])"));
+  title = title.remove(forbidden).simplified().left(kLongestTitle);
+  const QString now = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd HH.mm.ss"));
+  return tr("%1, results %2.json").arg(title, now);
+}
+
 void Lessons::askResultsFile() {
   if (!isRunning()) return;
-  const QString name =
-      resultsFile_.isEmpty()
-          ? tr("%1 results.json").arg(QString::fromStdString(lesson_->name).replace('_', ' '))
-          : resultsFile_;
+  const QString name = resultsFile_.isEmpty() ? resultsName() : resultsFile_;
   constexpr bool kAsksToReplace = false;  // answers in it are kept
   const QString file = askSaveFile(&parts_.window, tr("File of your results"), name,
                                    tr("Results (*.json)"), kAsksToReplace);
@@ -542,6 +601,7 @@ bool Lessons::keepResults(const QString& file) {
   try {
     LessonResults kept = readResults(file.toStdString(), *lesson_);
     for (const LessonResult& one : results_.results) kept.set(one);
+    kept.date = std::max(kept.date, results_.date);  // the later one
     std::erase_if(kept.results, [&](const LessonResult& one) {
       return one.step >= static_cast<int>(lesson_->steps.size()) ||
              !lesson_->steps[static_cast<std::size_t>(one.step)].prediction;

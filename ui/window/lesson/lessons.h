@@ -7,6 +7,7 @@
 
 #include <QObject>
 #include <QString>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -64,7 +65,11 @@ class Lessons : public QObject {
   LessonEditor& showEditor(const Lesson& lesson, const QString& file);
   /// Begins a lesson at a step; it replaces the present one.
   void start(const Lesson& lesson, int step = 0);
-  /// Reads a lesson's file, or a shipped one by its name, and begins it; returns whether it did.
+  /// Closes the editor, and returns what opens it again as it was, to be called in another
+  /// language.
+  std::function<void()> takeEditor();
+  /// Reads a lesson's file, or a shipped one by its name, and begins it; returns whether it did. Of
+  /// a student's results it shows a summary.
   bool open(const QString& nameOrFile);
   /// Ends the lesson and brings the user's scene back.
   void end();
@@ -109,7 +114,11 @@ class Lessons : public QObject {
   void next();
   void leave();
   bool hasUnsavedAnswers() const;
+  LessonEditor& makeEditor(const Lesson& lesson, const QString& file);
+  void hideDuringLesson(LessonEditor& editor);
+  QString failureText(const QString& file, const std::exception& error) const;
   void askResultsFile();
+  QString resultsName() const;
   void writeResultsFile();
   void lockControls(const Scene& scene);
   void restore();
@@ -123,7 +132,8 @@ class Lessons : public QObject {
   LessonPane* pane_;
   PredictionPoint* point_;
   Commands* commands_ = nullptr;
-  std::unique_ptr<Lesson> lesson_;
+  std::unique_ptr<Lesson> lesson_;  // with whole questions
+  Lesson written_;                  // the same as it was written
   int step_ = 0;
   std::map<int, LessonAnswer> answers_;
   std::optional<GivenAnswer> waiting_;  // given, while the right answer is computed

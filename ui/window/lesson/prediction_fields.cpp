@@ -4,6 +4,8 @@
 #include <QHeaderView>
 #include <QLineEdit>
 #include <QPlainTextEdit>
+#include <QShortcut>
+#include <QStyledItemDelegate>
 #include <QTableWidget>
 #include <cmath>
 #include <utility>
@@ -23,6 +25,23 @@ constexpr int kMaxChoices = 6;
 
 enum Kind { kNone, kChoice, kNumber, kPoint };                               // as in the list
 enum CurveVisibility { kVisible, kHiddenUntilAnswered, kHiddenThroughout };  // as in the list
+
+constexpr int kPlaceholderRole = Qt::UserRole + 1;
+
+/// Shows the placeholder of an empty cell.
+class PlaceholderDelegate : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+ protected:
+  void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
+    QStyledItemDelegate::initStyleOption(option, index);
+    if (!option->text.isEmpty()) return;
+    option->text = index.data(kPlaceholderRole).toString();
+    option->features |= QStyleOptionViewItem::HasDisplay;
+    option->palette.setColor(QPalette::Text, option->palette.color(QPalette::PlaceholderText));
+  }
+};
 
 QString endText(double end) {
   return std::isfinite(end) ? shownNumber(end) : QString();
@@ -50,12 +69,10 @@ PredictionFields::PredictionFields(LessonForm& page) : QObject(&page), page_(pag
   after_ = page.addAssignments(tr("Changed with the answer"), "editorAfter");
   after_->setToolTip(tr("What the program changes in the scene when the answer is shown"));
   reveal_ = page.addText(tr("Said with the answer"), "editorReveal", 4);
-  const QString places = tr("{answer}: the computed answer; {given}: that of the student");
-  for (QLineEdit* line : {right_, wrong_}) line->setPlaceholderText(places);
-  reveal_->setPlaceholderText(places);
   for (QWidget* text : std::initializer_list<QWidget*>{right_, wrong_, reveal_})
     text->setToolTip(tr(
-        "Write {answer} where the computed answer belongs, and {given} where the student's does"));
+        "Write {answer} where the computed answer or the right choice belongs, and {given} where "
+        "the student's does"));
 }
 
 void PredictionFields::addChoices() {
@@ -75,6 +92,16 @@ void PredictionFields::addChoices() {
   choices_->setFixedHeight(choices_->horizontalHeader()->sizeHint().height() + kMaxChoices * row +
                            2 * choices_->frameWidth());
   choices_->setTabKeyNavigation(false);
+  choices_->setItemDelegateForColumn(0, new PlaceholderDelegate(choices_));
+  for (const Qt::Key key : {Qt::Key_Delete, Qt::Key_Backspace}) {
+    // Only of the table itself: in a cell that is being edited the keys delete letters.
+    auto* shortcut = new QShortcut(QKeySequence(key), choices_);
+    shortcut->setContext(Qt::WidgetShortcut);
+    connect(shortcut, &QShortcut::activated, this, [this] {
+      for (QTableWidgetItem* item : choices_->selectedItems())
+        if (item->column() != 1) item->setText({});
+    });
+  }
   page_.addRow(tr("Choices"), choices_);
   connect(choices_, &QTableWidget::itemChanged, &page_, &LessonForm::notifyEdited);
 }
@@ -84,9 +111,11 @@ void PredictionFields::addChoices() {
 void PredictionFields::show(const LessonStep& step) {
   const LessonPrediction prediction = step.prediction.value_or(LessonPrediction{});
   kind_->setCurrentIndex(step.prediction ? 1 + static_cast<int>(prediction.kind) : kNone);
-  question_->setPlainText(page_.localText(prediction.question));
-  LessonForm::showText(*right_, page_.localText(prediction.right));
-  LessonForm::showText(*wrong_, page_.localText(prediction.wrong));
+  page_.showText(*question_, prediction.question);
+  const QString places =
+      tr("{answer}: the computed answer, or the right choice; {given}: that of the student");
+  page_.showText(*right_, prediction.right, places);
+  page_.showText(*wrong_, prediction.wrong, places);
   tolerance_->setText(shownNumber(roundedToDigits(100 * prediction.tolerance, 12)));
   x_->setText(prediction.x ? keyValueText(step.scene.sweep.key, *prediction.x) : QString());
   value_->show(prediction.answer.value_or(LessonValue{}), step.scene);
@@ -94,7 +123,7 @@ void PredictionFields::show(const LessonStep& step) {
                           : step.show.hidesCurveAfter ? kHiddenThroughout
                                                       : kHiddenUntilAnswered);
   after_->show(step.after, step.revealedScene);
-  reveal_->setPlainText(page_.localText(step.reveal));
+  page_.showText(*reveal_, step.reveal, places);
   showChoices(prediction);
   showRows();
 }
@@ -107,7 +136,9 @@ void PredictionFields::showChoices(const LessonPrediction& prediction) {
     auto* tick = new QTableWidgetItem;
     tick->setFlags(Qt::ItemIsUserCheckable | Qt::ItemIsEnabled | Qt::ItemIsSelectable);
     tick->setCheckState(choice.isRight ? Qt::Checked : Qt::Unchecked);
-    choices_->setItem(i, 0, new QTableWidgetItem(page_.localText(choice.text)));
+    auto* text = new QTableWidgetItem(page_.localText(choice.text));
+    text->setData(kPlaceholderRole, page_.placeholder(choice.text));
+    choices_->setItem(i, 0, text);
     choices_->setItem(i, 1, tick);
     choices_->setItem(i, 2, new QTableWidgetItem(endText(choice.above)));
     choices_->setItem(i, 3, new QTableWidgetItem(endText(choice.below)));
@@ -130,12 +161,13 @@ void PredictionFields::showRows() {
 
 /// Writes the choices into the prediction. Returns whether they have ranges of a computed answer.
 bool PredictionFields::takeChoices(LessonPrediction& prediction) const {
-  const std::vector<LessonChoice> before = std::exchange(prediction.choices, {});
+  prediction.choices.clear();
   bool hasRanges = false;
   for (int i = 0; i < kMaxChoices; ++i) {
-    LessonChoice choice =
-        i < static_cast<int>(before.size()) ? before[static_cast<std::size_t>(i)] : LessonChoice{};
-    page_.write(choice.text, choices_->item(i, 0)->text());
+    LessonChoice choice;
+    const QTableWidgetItem& text = *choices_->item(i, 0);
+    // The text in the other language stays with its row, also where a row above is empty.
+    page_.write(choice.text, text.text(), text.data(kPlaceholderRole).toString());
     choice.isRight = choices_->item(i, 1)->checkState() == Qt::Checked;
     choice.above = numberIn(choices_->item(i, 2)->text()).value_or(LessonChoice{}.above);
     choice.below = numberIn(choices_->item(i, 3)->text()).value_or(LessonChoice{}.below);
@@ -153,6 +185,8 @@ void PredictionFields::take(LessonStep& step) const {
   step.show.hidesCurveAfter = hides_->currentIndex() == kHiddenThroughout;
   const int kind = kind_->currentIndex();
   const bool wasComputed = step.prediction && step.prediction->answer;
+  const std::vector<std::string> changesBefore =
+      wasComputed ? step.prediction->answer->set : std::vector<std::string>();
   if (kind == kNone) {
     step.prediction.reset();
     step.reveal = {};
@@ -187,6 +221,13 @@ void PredictionFields::take(LessonStep& step) const {
     hides_->setCurrentIndex(kHiddenUntilAnswered);
   }
   step.after = after_->assignments();
+  // The picture follows the changes of the answer, until it is given other ones.
+  const std::vector<std::string> changes =
+      prediction.answer ? prediction.answer->set : std::vector<std::string>();
+  if (changes != changesBefore && step.after == changesBefore) {
+    step.after = changes;
+    after_->show(step.after, step.scene);
+  }
   page_.write(step.reveal, LessonForm::plainText(*reveal_));
 }
 

@@ -14,6 +14,8 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
+#include "core/lesson/lesson_file.h"
+#include "core/lesson/lesson_results.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_file.h"
 #include "ui/language/language.h"
@@ -106,6 +108,10 @@ void DocumentCommands::askOpen() {
 }
 
 void DocumentCommands::openFile(const QString& file) {
+  if (isLessonFile(file.toStdString()) || isResultsFile(file.toStdString())) {
+    emit lessonFound(file);
+    return;
+  }
   reading_.request([file](const BackgroundWork::Run&) { return findScene(file.toStdString()); },
                    [this, file](const FoundScene& found) { showFound(file, found); },
                    [this, file](const QString& reason) {

@@ -49,6 +49,8 @@ class DocumentCommands : public QObject {
   bool canClose();
 
  signals:
+  /// Emitted instead of opening a file that is a lesson, or a student's results of one.
+  void lessonFound(const QString& file);
   /// Emitted when a requested file has been read, and its scene is shown or not.
   void sceneRead(const QString& file, bool isShown);
 

@@ -269,6 +269,7 @@ void MainWindow::buildCommands() {
   connect(commands_->get("present"), &QAction::toggled, hint_, [this](bool isOn) {
     if (isOn) hint_->hide();
   });
+  connect(documents_, &DocumentCommands::lessonFound, lessons_, &Lessons::open);
   connect(lessons_, &Lessons::stepShown, this, [this] {
     if (session_->frame()) showFrame();  // a picture that stands still brings no new readings
   });
@@ -548,9 +549,11 @@ void MainWindow::connectCurve() {
 void MainWindow::setLanguage(std::string_view code) {
   const std::string_view known = languageFor(code);
   if (known.empty() || known == presentLanguage()) return;
+  const std::function<void()> openEditor = lessons_->takeEditor();
   for (QDialog* dialog : findChildren<QDialog*>(Qt::FindDirectChildrenOnly)) delete dialog;
   useLanguage(known);
   QCoreApplication::sendPostedEvents(nullptr, QEvent::LanguageChange);
+  openEditor();
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
@@ -563,7 +566,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
   if (urls.size() != 1 || !urls.front().isLocalFile()) return;
   event->acceptProposedAction();
   const QString file = urls.front().toLocalFile();
-  if (isLessonFile(file.toStdString()))
+  if (isLessonFile(file.toStdString()) || isResultsFile(file.toStdString()))
     lessons_->open(file);
   else
     imports_->openDropped(file);

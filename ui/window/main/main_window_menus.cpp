@@ -184,13 +184,7 @@ void MainWindow::fillLanguages(QMenu& menu) {
     action->setCheckable(true);
     action->setChecked(code == fromUtf8(chosenLanguage()));
     group->addAction(action);
-    connect(action, &QAction::triggered, this, [this, code, group] {
-      // The pages are closed, so a lesson in the editor is saved or discarded first.
-      if (LessonEditor* editor = lessons_->editor(); editor && !editor->canClose()) {
-        for (QAction* one : group->actions())
-          one->setChecked(one->objectName() == "language:" + fromUtf8(chosenLanguage()));
-        return;
-      }
+    connect(action, &QAction::triggered, this, [this, code] {
       chooseLanguage(code);
       setLanguage(windowLanguage());
     });

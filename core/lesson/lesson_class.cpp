@@ -1,0 +1,133 @@
+#include "core/lesson/lesson_class.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "core/base/input_error.h"
+#include "core/base/number_text.h"
+#include "core/base/text.h"
+#include "core/scene/data_table.h"
+
+namespace asperity {
+namespace {
+
+using Row = std::vector<std::string>;
+
+/// Returns the files of results in a folder, by name.
+std::vector<std::filesystem::path> resultsIn(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored))
+    if (entry.path().extension() == ".json" && isResultsFile(entry.path()))
+      files.push_back(entry.path());
+  if (files.empty()) throw InputError(folder.string(), "", "has no results of a lesson");
+  std::ranges::sort(files);
+  return files;
+}
+
+/// Returns the steps that somebody answered, in their order.
+std::set<int> answeredSteps(const std::vector<StudentResults>& students) {
+  std::set<int> steps;
+  for (const StudentResults& student : students)
+    for (const LessonResult& one : student.results.results) steps.insert(one.step);
+  return steps;
+}
+
+Row summaryCells(const LessonResults& results) {
+  return {std::to_string(results.right()), std::to_string(results.wrong()),
+          std::to_string(results.shown())};
+}
+
+}  // namespace
+
+std::vector<StudentResults> readClass(const std::vector<std::string>& filesAndFolders) {
+  std::vector<std::filesystem::path> files;
+  std::error_code ignored;
+  for (const std::string& one : filesAndFolders) {
+    if (!std::filesystem::is_directory(one, ignored)) {
+      files.emplace_back(one);
+      continue;
+    }
+    const std::vector<std::filesystem::path> found = resultsIn(one);
+    files.insert(files.end(), found.begin(), found.end());
+  }
+  std::vector<StudentResults> students;
+  for (const std::filesystem::path& file : files) {
+    students.push_back({file.filename().string(), readResultsFile(file)});
+    const LessonResults &first = students.front().results, &results = students.back().results;
+    if (results.digest != first.digest)
+      throw InputError(file.string(), "sha256",
+                       message("is of another lesson than {}, or of another version of it: {}",
+                               files.front().filename().string(), results.title));
+  }
+  return students;
+}
+
+std::string givenText(const LessonResult& result) {
+  const GivenAnswer& given = result.given;
+  if (!given.isGiven()) return {};
+  if (result.kind == PredictionKind::Choice) return std::to_string(given.choice + 1);
+  if (result.kind == PredictionKind::Number) return plainNumber(given.number);
+  return plainNumber(given.number) + " at " + plainNumber(given.x);
+}
+
+std::string verdictWord(const LessonResult& result) {
+  return !result.given.isGiven() ? "shown" : result.isRight ? "right" : "wrong";
+}
+
+std::string classCsv(const std::vector<StudentResults>& students) {
+  const std::set<int> steps = answeredSteps(students);
+  std::vector<Row> rows = {{"file", "date", "right", "wrong", "shown"}};
+  for (const int step : steps) {
+    rows.front().push_back(fmt::format("step_{}", step + 1));
+    rows.front().push_back(fmt::format("step_{}_given", step + 1));
+  }
+  for (const StudentResults& student : students) {
+    Row row = {student.file, student.results.date};
+    for (const std::string& cell : summaryCells(student.results)) row.push_back(cell);
+    for (const int step : steps) {
+      const LessonResult* one = student.results.find(step);
+      row.push_back(one ? verdictWord(*one) : std::string());
+      row.push_back(one ? givenText(*one) : std::string());
+    }
+    rows.push_back(row);
+  }
+  std::string text;
+  for (const Row& row : rows)
+    for (std::size_t i = 0; i < row.size(); ++i)
+      text += csvCell(row[i]) + (i + 1 < row.size() ? "," : "\n");
+  return text;
+}
+
+std::string classText(const std::vector<StudentResults>& students) {
+  const std::set<int> steps = answeredSteps(students);
+  std::vector<Row> rows = {{"file", "right", "wrong", "shown"}};
+  for (const int step : steps) rows.front().push_back(fmt::format("step {}", step + 1));
+  for (const StudentResults& student : students) {
+    Row row = {printable(student.file)};
+    for (const std::string& cell : summaryCells(student.results)) row.push_back(cell);
+    for (const int step : steps) {
+      const LessonResult* one = student.results.find(step);
+      std::string cell = "-";
+      if (one) cell = verdictWord(*one);
+      if (one && one->given.isGiven()) cell += " (" + givenText(*one) + ")";
+      row.push_back(cell);
+    }
+    rows.push_back(row);
+  }
+  std::string text;
+  std::vector<std::size_t> widths(rows.front().size());
+  for (const Row& row : rows)
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+  for (const Row& row : rows) {
+    std::string line;
+    for (std::size_t i = 0; i < row.size(); ++i) line += fmt::format("{:<{}}  ", row[i], widths[i]);
+    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  }
+  return text;
+}
+
+}  // namespace asperity
