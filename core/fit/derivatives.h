@@ -65,6 +65,7 @@ double totalMu(const CurvePoint& point);
 struct FrictionWithDerivatives {
   std::vector<CurvePoint> points;                               // [state]
   std::vector<std::vector<double>> muOfLines;                   // [state][line]
+  std::vector<std::int64_t> orderedRows;                        // LineSource::orderedRows()
   std::vector<std::vector<std::vector<double>>> slopesOfLines;  // [parameter][state][line]
 };
 
