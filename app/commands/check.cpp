@@ -16,6 +16,7 @@
 #include "core/material/element_law.h"
 #include "core/scene/provenance.h"
 #include "core/surface/line_source.h"
+#include "core/surface/measured_summary.h"
 #include "ui/draw/ticks.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
@@ -53,6 +54,8 @@ std::string summaryText(const Scene& scene, const LineSource& source, const LawI
     add(filled(Words::tr("dimensionless velocity tau v slope / (sqrt(2) h) = %1 (Eq. 13)"),
                {number(dimensionlessVelocity(in))}));
   for (const std::string& assumption : surfaceAssumptions(scene)) add(assumption);
+  const std::int64_t spikes = source.measured() ? source.measured()->spikes() : 0;
+  if (spikes > 0) add(translated(spikesFact(spikes)));
   return text + "\n";
 }
 

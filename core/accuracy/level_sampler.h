@@ -26,6 +26,9 @@ struct VelocityState {
   /// Minimum numbers of lines in the next plan, because the error of the last one was too large; of
   /// each half, as in the plan.
   std::array<std::vector<std::int64_t>, 2> least;
+  /// The error of the mean over all rows of a topography as that of its surface, relative to it: no
+  /// number of rows drawn makes it smaller. 0 for random lines.
+  MeanError ofRows{0, 1};
   int known = 0;  // number of sampled levels
   bool isPlanned = false;
   bool isExhausted = false;  // no finer line, or no more lines, are allowed

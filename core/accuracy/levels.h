@@ -86,8 +86,4 @@ LevelEstimate estimateMean(const Halves& halves, const LevelPlan& plan);
 /// `relative` of mu after the resolution's part: above 1 more lines are needed.
 double excessVariance(const Halves& halves, const LevelPlan& plan, double relative);
 
-/// Returns quantile 0.975 of Student's distribution (Abramowitz and Stegun, 26.7.5); freedom of 3
-/// or more.
-double studentQuantile(double freedom);
-
 }  // namespace asperity

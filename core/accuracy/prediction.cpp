@@ -14,6 +14,7 @@
 #include "core/contact/steady_solver.h"
 #include "core/friction/curve_point.h"
 #include "core/friction/ensemble.h"
+#include "core/friction/line_mean.h"
 #include "core/surface/line_source.h"
 
 namespace asperity {
@@ -37,6 +38,8 @@ class Pilot {
         sliding_(scene),
         velocities_(std::move(velocities)),
         row_(velocities_.size()) {}
+
+  const LineSource& source() const { return source_; }
 
   /// Slides one line; returns mu at each velocity.
   std::vector<double> slide(std::int64_t realization) {
@@ -100,11 +103,53 @@ double rms(const std::vector<double>& values) {
   return std::sqrt(squares / static_cast<double>(values.size()));
 }
 
-/// Returns means of mu at each velocity over the first `lines` lines.
-std::vector<RunningMean> meansOver(Pilot& pilot, std::size_t velocities, std::int64_t lines,
+/// Returns the numbers of `count` of a scene's lines: the first ones, or where these are rows of a
+/// topography pairs of neighbours that are spread over all of it.
+std::vector<std::int64_t> sampledLines(const LineSource& source, std::int64_t count) {
+  const std::int64_t rows = source.orderedRows();
+  std::vector<std::int64_t> lines;
+  for (std::int64_t i = 0; i < count; ++i)
+    lines.push_back(rows <= count ? i : i / 2 * 2 * rows / count + i % 2);
+  return lines;
+}
+
+/// Returns the variance of the mean over all rows of a topography from pairs of neighbours
+/// (sampledLines). The rows are taken for a process whose correlation falls by the same factor r
+/// from row to row; their mean has (1 + r) / (1 - r) times the variance of that of independent
+/// rows (Priestley, Spectral Analysis and Time Series, 1981, Section 5.3.2), at most that of one
+/// row.
+double varianceOfRows(const std::vector<double>& pairs, std::int64_t rows) {
+  RunningMean all;
+  for (const double value : pairs) all.add(value);
+  double square = 0;
+  for (std::size_t i = 1; i < pairs.size(); i += 2)
+    square += (pairs[i] - pairs[i - 1]) * (pairs[i] - pairs[i - 1]);
+  const double ofDifference = square / static_cast<double>(pairs.size() / 2);
+  const double variance = all.variance();
+  if (!(variance > 0)) return 0;
+  const double correlation = std::clamp(1 - ofDifference / (2 * variance), 0.0, 1.0);
+  const double alike = (1 + correlation) / static_cast<double>(rows);
+  return variance * (alike < 1 - correlation ? alike / (1 - correlation) : 1);
+}
+
+/// Returns the variance of the mean over `lines` lines, judged by some of them (sampledLines).
+double varianceOfMean(const std::vector<double>& sample, const LineSource& source, double lines) {
+  const std::int64_t rows = source.orderedRows();
+  const auto count = static_cast<std::int64_t>(sample.size());
+  if (rows > count && count >= 4) return varianceOfRows(sample, rows);
+  RunningMean all;
+  for (const double value : sample) all.add(value);
+  if (rows == 0) return all.variance() / lines;
+  const double error = meanErrorInOrder(sample).standardError;
+  return error * error;
+}
+
+/// Returns means of mu at each velocity over these lines.
+std::vector<RunningMean> meansOver(Pilot& pilot, std::size_t velocities,
+                                   const std::vector<std::int64_t>& lines,
                                    const std::stop_token& stop) {
   std::vector<RunningMean> means(velocities);
-  for (std::int64_t r = 0; r < lines; ++r) {
+  for (const std::int64_t r : lines) {
     throwIfStopped(stop);
     const std::vector<double> mu = pilot.slide(r);
     for (std::size_t i = 0; i < velocities; ++i) means[i].add(mu[i]);
@@ -127,8 +172,9 @@ double differenceOf(const std::vector<RunningMean>& low, const std::vector<Runni
 double resolutionDifference(const Scene& scene, const std::vector<double>& velocities,
                             std::int64_t lines, std::int64_t factor, const std::stop_token& stop) {
   Pilot coarse(scene, nullptr, velocities), fine(refined(scene, factor), nullptr, velocities);
-  const auto low = meansOver(coarse, velocities.size(), lines, stop);
-  const auto high = meansOver(fine, velocities.size(), lines, stop);
+  const std::vector<std::int64_t> sampled = sampledLines(coarse.source(), lines);
+  const auto low = meansOver(coarse, velocities.size(), sampled, stop);
+  const auto high = meansOver(fine, velocities.size(), sampled, stop);
   return differenceOf(low, high, remainder(scene, factor));
 }
 
@@ -145,25 +191,32 @@ ErrorBudget errorOf(const PilotPlan& plan, const Profile* profile, Pilot& pilot,
   const Scene& scene = plan.sample.scene;
   const std::size_t velocities = plan.velocities.size();
   ErrorBudget error;
+  const std::vector<std::int64_t> sampled = sampledLines(pilot.source(), plan.lines);
+  const std::vector<std::int64_t> refinedLines(sampled.begin(),
+                                               sampled.begin() + plan.refinedLines);
+  std::vector<std::vector<double>> ofLines(velocities);
   std::vector<RunningMean> means(velocities), coarse(velocities);
-  for (std::int64_t r = 0; r < plan.lines; ++r) {
+  for (const std::int64_t r : sampled) {
     throwIfStopped(stop);
     const std::vector<double> mu = pilot.slide(r);
     for (std::size_t i = 0; i < velocities; ++i) {
       means[i].add(mu[i]);
-      if (r < plan.refinedLines) coarse[i].add(mu[i]);
+      ofLines[i].push_back(mu[i]);
+      if (means[i].count() <= plan.refinedLines) coarse[i].add(mu[i]);
     }
   }
   error.forceBalance = pilot.largestResidual();
   if (isFrictionless(scene)) return error;
   if (lines > 1) {
     std::vector<double> errors;
-    for (const RunningMean& mean : means)
-      if (mean.mean() != 0) errors.push_back(std::sqrt(mean.variance() / lines) / mean.mean());
+    for (std::size_t i = 0; i < velocities; ++i)
+      if (means[i].mean() != 0)
+        errors.push_back(std::sqrt(varianceOfMean(ofLines[i], pilot.source(), lines)) /
+                         means[i].mean());
     if (!errors.empty()) error.standardError = rms(errors);
   }
   Pilot finer(refined(scene, 2), profile, plan.velocities);
-  const auto fine = meansOver(finer, velocities, plan.refinedLines, stop);
+  const auto fine = meansOver(finer, velocities, refinedLines, stop);
   const double difference = differenceOf(coarse, fine, remainder(scene, 2));
   (scene.accuracy.scheme == Scheme::Nodal ? error.modelDifference : error.resolution) = difference;
   return error;

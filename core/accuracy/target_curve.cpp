@@ -11,6 +11,8 @@
 #include "core/base/processor_time.h"
 #include "core/base/stop.h"
 #include "core/contact/steady_sliding.h"
+#include "core/friction/line_mean.h"
+#include "core/friction/realizations.h"
 #include "core/material/element_law.h"
 
 namespace asperity {
@@ -71,7 +73,9 @@ class Targeting {
       if (isFrictionless_) continue;
       const double relative = state.plan.resolutionError / std::abs(sampledValue(state));
       resolution += relative * relative;
-      standard += isRandom_ ? std::max(0.0, target() * target() - relative * relative) : 0;
+      const double drawn = drawnError(state), ofRows = state.ofRows.standardError;
+      standard +=
+          isRandom_ ? std::max(0.0, drawn * drawn - relative * relative) + ofRows * ofRows : 0;
     }
     const auto count = static_cast<double>(states_.size());
     if (isRandom_ && !isFrictionless_) plan.standardError = std::sqrt(standard / count);
@@ -88,6 +92,16 @@ class Targeting {
   bool stopped() const { return options_.stop.stop_requested(); }
   double target() const { return scene_.accuracy.targetRelativeError; }
 
+  /// Returns the relative error that is left for the lines drawn and their resolution. Where the
+  /// rows of a topography are too few for the target, more lines hardly help.
+  double drawnError(const VelocityState& state) const {
+    constexpr double kLeastShare = 0.5;
+    const double ofRows = state.ofRows.standardError;
+    if (ofRows == 0) return target();
+    return std::sqrt(std::max(target() * target() - ofRows * ofRows,
+                              kLeastShare * kLeastShare * target() * target()));
+  }
+
   States allStates() {
     States all;
     for (VelocityState& state : states_) all.push_back(&state);
@@ -101,7 +115,32 @@ class Targeting {
            sampler_.sample({level, isDirect, 1}, states, linesOfEach);
   }
 
+  /// Finds the error of the mean over all rows of a topography, on its coarsest lines: rows are
+  /// drawn with replacement, so that their draws are independent, but the surface has only these.
+  bool findErrorOfRows() {
+    if (!sampler_.source(0).hasRows()) return true;
+    Scene rows = scene_;
+    rows.accuracy = {Scheme::Cubic, 1, 0};
+    rows.ensemble.realizations = 0;  // every row
+    const LineSource source(rows, 1);
+    LoadCase sweep{rows.load, {}};
+    for (const VelocityState& state : states_) sweep.velocities.push_back(state.velocity);
+    std::vector<LineMean> means(states_.size(), LineMean(source.rows()));
+    const RealizationTask task{rows, source, {&sweep, 1}, 0};
+    const auto take = [&](std::span<const SteadyResult> results) {
+      for (std::size_t i = 0; i < results.size(); ++i) means[i].add(results[i].mu);
+    };
+    if (!slideRealizations(task, source.rows(), options_.threads, options_.stop, take))
+      return false;
+    for (std::size_t i = 0; i < states_.size(); ++i) {
+      states_[i].ofRows = means[i].error();
+      states_[i].ofRows.standardError /= std::abs(means[i].mean());
+    }
+    return true;
+  }
+
   bool runPilot() {
+    if (!findErrorOfRows()) return false;
     States all = allStates();
     if (!sampleBoth(0, true, all, kFewestDirect)) return false;
     if (!sampleBoth(1, false, all, kFewestCorrections)) return false;
@@ -131,7 +170,8 @@ class Targeting {
       int level = kMostLevels;
       for (VelocityState& state : states_) {
         if (state.isExhausted) continue;
-        const std::optional<LevelPlan> plan = planLevels(state.halves, state.known, target());
+        const std::optional<LevelPlan> plan =
+            planLevels(state.halves, state.known, drawnError(state));
         if (plan) {
           adopt(state, *plan);
         } else if (state.known < sampler_.levelsAllowed()) {
@@ -160,7 +200,8 @@ class Targeting {
     state.plan = plan;
     state.isPlanned = true;
     addLeast(state);
-    const double excess = isComplete(state) ? excessVariance(state.halves, plan, target()) : 1;
+    const double excess =
+        isComplete(state) ? excessVariance(state.halves, plan, drawnError(state)) : 1;
     if (excess > 1) {
       for (const std::size_t half : {0U, 1U})
         for (int level = plan.first; level <= plan.last; ++level) {
@@ -297,6 +338,17 @@ class Targeting {
 
   // ---- The result -------------------------------------------------------------------------------
 
+  /// Adds the error of the rows to that of the draws (Welch and Satterthwaite).
+  static LevelEstimate withErrorOfRows(LevelEstimate estimate, const VelocityState& state) {
+    const double ofRows = state.ofRows.standardError * estimate.mean;
+    if (ofRows == 0) return estimate;
+    const double drawn = estimate.standardError * estimate.standardError, rows = ofRows * ofRows;
+    estimate.standardError = std::sqrt(drawn + rows);
+    estimate.freedom = (drawn + rows) * (drawn + rows) /
+                       (drawn * drawn / estimate.freedom + rows * rows / state.ofRows.freedom);
+    return estimate;
+  }
+
   AchievedAccuracy achievedBy(const VelocityState& state) const {
     const LevelPlan& plan = state.plan;
     AchievedAccuracy achieved;
@@ -305,7 +357,7 @@ class Targeting {
     achieved.resolutionError = plan.resolutionError;
     double mean = 0, random = 0;
     if (isRandom_) {
-      const LevelEstimate estimate = estimateMean(state.halves, plan);
+      const LevelEstimate estimate = withErrorOfRows(estimateMean(state.halves, plan), state);
       mean = estimate.mean;
       achieved.standardError = estimate.standardError;
       random = studentQuantile(estimate.freedom) * estimate.standardError;
@@ -331,6 +383,8 @@ class Targeting {
     point.muHigh = achieved.high;
     point.realizations = achieved.lines;
     columns_.addTo(point, state.facts);
+    point.notes.add(Note::FewIndependentRows,
+                    state.ofRows.standardError > 0 && state.ofRows.freedom < kFewFreedom);
     return point;
   }
 

@@ -159,6 +159,8 @@ FrictionWithDerivatives frictionWithDerivatives(std::span<const Scene> states,
   }
   found.muOfLines.resize(n);
   result.muOfLines = std::move(found.muOfLines);
+  found.orderedRows.resize(n);
+  result.orderedRows = std::move(found.orderedRows);
   return result;
 }
 
@@ -182,7 +184,7 @@ std::vector<Sensitivity> sensitivities(const Scene& scene, const StateOptions& o
       return slope / friction;
     };
     all.push_back({parameters[k].key(), parameters[k].isLogarithmic(),
-                   jackknife(static_cast<int>(mu.size()), read)});
+                   jackknife(static_cast<int>(mu.size()), read, found.orderedRows.front())});
   }
   return all;
 }

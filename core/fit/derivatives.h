@@ -62,6 +62,7 @@ std::vector<VariedParameter> activeParameters(const Scene& scene);
 struct FrictionWithDerivatives {
   std::vector<CurvePoint> points;                               // [state]
   std::vector<std::vector<double>> muOfLines;                   // [state][line]
+  std::vector<std::int64_t> orderedRows;                        // LineSource::orderedRows()
   std::vector<std::vector<std::vector<double>>> slopesOfLines;  // [parameter][state][line]
 };
 

@@ -19,7 +19,8 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// Returns a square root of the covariance of the mean over the lines, which all points share,
-/// [point][line]: the covariance is the root times its transpose.
+/// [point][line]: the covariance is the root times its transpose. Rows of a topography have the
+/// correlation between points that lines have, and for each point the error of rows in order.
 MatrixXd scatterOfLines(const FrictionWithDerivatives& found) {
   const auto n = static_cast<Eigen::Index>(found.muOfLines.size());
   std::size_t lines = found.muOfLines.front().size();
@@ -32,7 +33,16 @@ MatrixXd scatterOfLines(const FrictionWithDerivatives& found) {
     for (std::size_t line = 0; line < lines; ++line)
       about(i, static_cast<Eigen::Index>(line)) = mu[line] - average;
   }
-  return about / std::sqrt(static_cast<double>(lines) * static_cast<double>(lines - 1));
+  about /= std::sqrt(static_cast<double>(lines) * static_cast<double>(lines - 1));
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const auto point = static_cast<std::size_t>(i);
+    const double independent = about.row(i).norm();
+    if (found.orderedRows[point] > 0 && independent > 0)
+      about.row(i) *=
+          lineMeanError(found.muOfLines[point], found.orderedRows[point]).standardError /
+          independent;
+  }
+  return about;
 }
 
 /// The Fisher information of the points about the parameters, a symmetric matrix, by its principal

@@ -27,6 +27,7 @@ class Side {
         total_(source_.lines()) {}
 
   std::int64_t total() const { return total_; }
+  std::int64_t orderedRows() const { return source_.orderedRows(); }
   std::int64_t done() const { return done_; }
 
   /// Appends mu of lines up to this number, line by line; returns false where stop was requested.
@@ -65,6 +66,18 @@ void PairedMeans::addPair(double a, double b) {
   a_.add(a);
   b_.add(b);
   products_ += before * (b - b_.mean());
+  if (orderedRowsOfA_ > 0) rowsOfA_.push_back(a);
+  if (orderedRowsOfB_ > 0) rowsOfB_.push_back(b);
+}
+
+/// Returns the standard error of mean_b - R mean_a over rows in order.
+double PairedMeans::errorOfRows(double ratio) const {
+  if (orderedRowsOfA_ != orderedRowsOfB_ || rowsOfA_.size() != rowsOfB_.size())
+    return std::hypot(lineMeanError(rowsOfB_, orderedRowsOfB_).standardError,
+                      ratio * lineMeanError(rowsOfA_, orderedRowsOfA_).standardError);
+  std::vector<double> differences(rowsOfB_);
+  for (std::size_t i = 0; i < differences.size(); ++i) differences[i] -= ratio * rowsOfA_[i];
+  return lineMeanError(differences, orderedRowsOfA_).standardError;
 }
 
 /// With n pairs, N_a and N_b lines of each and ratio R, mean_b - R mean_a is a sum of independent
@@ -74,6 +87,10 @@ PairedMeans::Ratio PairedMeans::ratio() const {
   const auto count = [](const RunningMean& mean) { return static_cast<double>(mean.count()); };
   const double n = count(a_), onlyA = count(onlyA_), onlyB = count(onlyB_);
   if (n < 2 || !std::isfinite(ratio.value)) return ratio;
+  if (orderedRowsOfA_ > 0 && orderedRowsOfB_ > 0) {
+    ratio.standardError = errorOfRows(ratio.value) / std::abs(meanA());
+    return ratio;
+  }
   const double wa = ratio.value / (n + onlyA), wb = 1 / (n + onlyB);
   const double covariance = products_ / (n - 1);
   const double ofPairs =
@@ -112,7 +129,8 @@ CurveDifference curveDifference(const Scene& scene, const CurveSetting& setting,
   Side own(scene, velocities), other(withSetting(scene, setting), velocities);
   CurveDifference difference{
       std::make_shared<const Scene>(scene), setting, {}, 0, own.total() + other.total()};
-  std::vector<PairedMeans> means(velocities.size());
+  std::vector<PairedMeans> means(velocities.size(),
+                                 PairedMeans(own.orderedRows(), other.orderedRows()));
   std::vector<std::vector<double>> a, b;
   const std::int64_t most = std::max(own.total(), other.total());
   for (std::int64_t part = 1, upTo = 1; difference.done < difference.total;

@@ -62,9 +62,22 @@ CurveDifference curveDifference(const Scene& scene, const CurveSetting& setting,
 /// for any two numbers of lines; to first order in the errors (delta method).
 class PairedMeans {
  public:
+  PairedMeans() = default;
+  /// orderedRows: LineSource::orderedRows() of each side's lines. Rows are pairs only where both
+  /// sides have as many; otherwise lines of one number are different rows, and the errors of both
+  /// means are added as if they were independent, which is an upper estimate.
+  PairedMeans(std::int64_t orderedRowsOfA, std::int64_t orderedRowsOfB)
+      : orderedRowsOfA_(orderedRowsOfA), orderedRowsOfB_(orderedRowsOfB) {}
+
   void addPair(double a, double b);
-  void addOnlyA(double a) { onlyA_.add(a); }
-  void addOnlyB(double b) { onlyB_.add(b); }
+  void addOnlyA(double a) {
+    onlyA_.add(a);
+    if (orderedRowsOfA_ > 0) rowsOfA_.push_back(a);
+  }
+  void addOnlyB(double b) {
+    onlyB_.add(b);
+    if (orderedRowsOfB_ > 0) rowsOfB_.push_back(b);
+  }
 
   struct Ratio {
     double value = kNotApplicable;          // mean b / mean a
@@ -73,7 +86,10 @@ class PairedMeans {
   Ratio ratio() const;
   double meanA() const { return both(a_, onlyA_).mean(); }
   double meanB() const { return both(b_, onlyB_).mean(); }
-  double standardErrorB() const { return both(b_, onlyB_).standardError(); }
+  double standardErrorB() const {
+    return orderedRowsOfB_ > 0 ? lineMeanError(rowsOfB_, orderedRowsOfB_).standardError
+                               : both(b_, onlyB_).standardError();
+  }
 
  private:
   static RunningMean both(RunningMean some, const RunningMean& others) {
@@ -81,6 +97,10 @@ class PairedMeans {
     return some;
   }
 
+  double errorOfRows(double ratio) const;
+
+  std::int64_t orderedRowsOfA_ = 0, orderedRowsOfB_ = 0;
+  std::vector<double> rowsOfA_, rowsOfB_;  // friction, of ordered rows alone
   RunningMean a_, b_, onlyA_, onlyB_;
   double products_ = 0;  // sum of the products of the deviations in pairs
 };

@@ -30,7 +30,7 @@ CurvePoint CurveAverages::point(double velocity) const {
   CurvePoint point;
   point.velocity = velocity;
   point.mu = mu.mean();
-  point.muStandardError = mu.standardError();
+  point.muStandardError = mu.error().standardError;
   point.muInterface = muInterface.mean();
   if (normalForce.mean() != 0) point.muRatioOfMeans = tangentialForce.mean() / normalForce.mean();
   point.contactFraction = contactFraction.mean();
@@ -64,6 +64,7 @@ LineProperties lineProperties(const LineSource& source, const Elastomer& elastom
   lines.rmsSlope = source.statistics().rmsSlope;
   lines.length = source.length();
   lines.slopesDiffer = source.slopesDiffer();
+  lines.hasRows = source.hasRows();
   lines.notes = lineNotes(source);
   if (measuredFrequencies(elastomer)) lines.waves = excitedWaves(source);
   return lines;
@@ -95,6 +96,7 @@ LawColumns::LawColumns(const Scene& scene, const LineProperties& lines)
       hasArms_(needsStage(scene, Purpose::Curve, Stage::Arms)),
       hasInterface_(needsStage(scene, Purpose::Curve, Stage::Interface)),
       slopesDiffer_(lines.slopesDiffer),
+      hasRows_(lines.hasRows),
       isRough_(scene.surface.kind == SurfaceKind::SelfAffine || hasSurfaceFile(scene.surface)),
       notes_(lines.notes) {
   notes_.add(elastomerNotes(scene.elastomer, lines.rmsSlope, kNotApplicable));
@@ -134,6 +136,8 @@ void LawColumns::addTo(CurvePoint& point, const CurveAverages& averages) const {
   point.listsContacts = listsContacts(scene_);
   point.notes.add(Note::FewContacts,
                   isRough_ && areContactsFew(point.contactSpots, point.contactFraction));
+  point.notes.add(Note::FewIndependentRows,
+                  hasRows_ && averages.mu.count() > 1 && averages.mu.error().freedom < kFewFreedom);
   addForces(point, averages);
   if (scene_.load.kind == LoadKind::Pressure) {
     point.normalForce = loadOn(scene_.load, length_).normalForce;

@@ -9,6 +9,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/friction/line_mean.h"
 #include "core/scene/notes.h"
 #include "core/scene/scene.h"
 
@@ -83,42 +84,14 @@ bool areContactsFew(double contactSpots, double contactFraction);
 /// Returns whether tables of the scene's curves have a column `contact_spots`.
 bool listsContacts(const Scene& scene);
 
-/// Mean and variance of a stream of numbers (Welford's recurrence).
-class RunningMean {
- public:
-  void add(double value) {
-    ++count_;
-    const double step = value - mean_;
-    mean_ += step / static_cast<double>(count_);
-    squares_ += step * (value - mean_);
-  }
-  /// Adds all numbers of another stream (Chan, Golub and LeVeque 1983).
-  void add(const RunningMean& other) {
-    if (other.count_ == 0) return;
-    const std::int64_t all = count_ + other.count_;
-    const double part = static_cast<double>(other.count_) / static_cast<double>(all);
-    const double step = other.mean_ - mean_;
-    squares_ += other.squares_ + step * step * part * static_cast<double>(count_);
-    mean_ += step * part;
-    count_ = all;
-  }
-  double mean() const { return count_ > 0 ? mean_ : kNotApplicable; }
-  /// Returns the variance of one number, with n - 1; needs two.
-  double variance() const {
-    return count_ > 1 ? squares_ / static_cast<double>(count_ - 1) : kNotApplicable;
-  }
-  /// Returns the standard error of the mean; needs two numbers.
-  double standardError() const { return std::sqrt(variance() / static_cast<double>(count_)); }
-  std::int64_t count() const { return count_; }
-
- private:
-  std::int64_t count_ = 0;
-  double mean_ = 0, squares_ = 0;
-};
-
 /// Averages of all columns of a row except for mu's standard error.
 struct CurveAverages {
-  RunningMean mu, muInterface, contactFraction, rmsSlopeContact, indentation, normalForce,
+  CurveAverages() = default;
+  /// orderedRows: LineSource::orderedRows() of the lines that are added, in their order.
+  explicit CurveAverages(std::int64_t orderedRows) : mu(orderedRows) {}
+
+  LineMean mu;
+  RunningMean muInterface, contactFraction, rmsSlopeContact, indentation, normalForce,
       tangentialForce, marginalShare, contactSpots;
   RunningMean rmsSlope, normalizedMu;  // of the whole line, and mu over that of the same line
 
@@ -134,6 +107,7 @@ struct LineProperties {
   double rmsHeight = 0, rmsSlope = 0;  // m, of the lines
   double length = 0;                   // m
   bool slopesDiffer = false;           // from line to line
+  bool hasRows = false;                // lines are rows of a topography
   NoteSet notes{};                     // of the lines
   /// Empty where it is not known at which frequencies the elastomer was measured.
   std::shared_ptr<const std::vector<WaveBand>> waves{};
@@ -166,6 +140,7 @@ class LawColumns {
   double rmsSlope_;
   bool hasLaw_, hasArms_, hasInterface_;
   bool slopesDiffer_;  // from line to line
+  bool hasRows_;       // lines are rows of a topography
   bool isRough_;       // has many summits, of which few may carry the load
   NoteSet notes_;      // of the lines
 };

@@ -20,7 +20,7 @@ class Averaging {
         velocities_(velocitiesOfCurve(scene.sweep, options)),
         total_(source_.lines()),
         columns_(scene, source_),
-        averages_(velocities_.size()) {}
+        averages_(velocities_.size(), CurveAverages(source_.orderedRows())) {}
 
   Curve run() {
     countStage(Stage::Line);

@@ -31,7 +31,9 @@ GroupedMeans::GroupedMeans(const Scene& scene, std::vector<LoadCase> cases,
   slopesDiffer_ = source.slopesDiffer();
   length_ = source.length();
   realizations_ = source.lines();
-  groups_ = static_cast<int>(std::min<std::int64_t>(kGroups, realizations_));
+  orderedRows_ = source.orderedRows();
+  groups_ = static_cast<int>(
+      std::min<std::int64_t>(kGroups, orderedRows_ > 0 ? orderedRows_ : realizations_));
   groupSizes_.assign(static_cast<std::size_t>(groups_), 0);
   sums_.assign(groupSizes_.size() * cellOf(cases_.size(), 0), Sums{});
   std::int64_t taken = 0;
@@ -46,7 +48,10 @@ GroupedMeans::GroupedMeans(const Scene& scene, std::vector<LoadCase> cases,
 }
 
 void GroupedMeans::add(std::int64_t realization, std::span<const SteadyResult> results) {
-  const auto group = static_cast<std::size_t>(realization % groups_);
+  // Rows of a topography are alike where they are neighbours, so a group has neighbouring rows.
+  const auto group = static_cast<std::size_t>(orderedRows_ > 0 ? realization % orderedRows_ *
+                                                                     groups_ / orderedRows_
+                                                               : realization % groups_);
   ++groupSizes_[group];
   Sums* const sums = sums_.data() + group * results.size();
   if (firstMu_.empty())
@@ -100,6 +105,8 @@ double GroupedMeans::rmsSlopeContact(std::size_t j, std::size_t i, int leftOut) 
 
 double GroupedMeans::muStandardError(std::size_t j, std::size_t i) const {
   if (realizations_ < 2) return kNotApplicable;
+  if (orderedRows_ > 0)
+    return jackknife(groups_, [&](int leftOut) { return mu(j, i, leftOut); }).standardError;
   const double above = mean(Mu, j, i, kAll);
   const double variance = std::max(0.0, mean(MuSquared, j, i, kAll) - above * above);
   return std::sqrt(variance / static_cast<double>(realizations_ - 1));
@@ -132,13 +139,21 @@ CurvePoint GroupedMeans::point(std::size_t j, std::size_t i) const {
   return point;
 }
 
-Estimate jackknife(int groups, const std::function<double(int leftOut)>& read) {
+Estimate jackknife(int groups, const std::function<double(int leftOut)>& read,
+                   std::int64_t orderedRows) {
   Estimate estimate;
   estimate.value = read(GroupedMeans::kAll);
   if (groups < 2) return estimate;
   std::vector<double> without;
   double sum = 0;
   for (int group = 0; group < groups; ++group) sum += without.emplace_back(read(group));
+  if (orderedRows > 0) {
+    std::vector<double> pseudo;
+    for (const double value : without)
+      pseudo.push_back(groups * estimate.value - (groups - 1) * value);
+    estimate.standardError = lineMeanError(pseudo, orderedRows).standardError;
+    return estimate;
+  }
   double squares = 0;
   for (const double value : without) squares += (value - sum / groups) * (value - sum / groups);
   estimate.standardError = std::sqrt(squares * (groups - 1) / groups);

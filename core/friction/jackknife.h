@@ -101,6 +101,7 @@ class GroupedMeans {
   bool slopesDiffer_ = false;  // from line to line; line_ has the values of the first one
   double length_ = 0;          // m
   std::int64_t realizations_ = 0;
+  std::int64_t orderedRows_ = 0;  // LineSource::orderedRows()
   int groups_ = 1;
   std::vector<std::int64_t> groupSizes_;
   std::vector<Sums> sums_;       // [group][force][velocity]
@@ -110,7 +111,10 @@ class GroupedMeans {
 
 /// Returns a number derived from one or more GroupedMeans of the same realizations, with its
 /// standard error. groups: GroupedMeans::groups(). `read` gets the group to leave out, or
-/// GroupedMeans::kAll.
-Estimate jackknife(int groups, const std::function<double(int leftOut)>& read);
+/// GroupedMeans::kAll. orderedRows: where each group is one line, LineSource::orderedRows(); the
+/// error of rows is that of the mean of their pseudo-values, groups * value of all - (groups - 1) *
+/// value without one (Miller, Biometrika 61, 1, 1974).
+Estimate jackknife(int groups, const std::function<double(int leftOut)>& read,
+                   std::int64_t orderedRows = 0);
 
 }  // namespace asperity

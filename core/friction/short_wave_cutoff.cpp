@@ -45,10 +45,11 @@ Scene cutAt(const Scene& scene, std::size_t modes, double wavelength) {
 }
 
 /// Returns the mean of b - a over the lines, times a factor.
-Estimate meanDifference(const std::vector<double>& a, const std::vector<double>& b, double factor) {
-  RunningMean mean;
+Estimate meanDifference(const std::vector<double>& a, const std::vector<double>& b, double factor,
+                        std::int64_t orderedRows) {
+  LineMean mean(orderedRows);
   for (std::size_t line = 0; line < a.size(); ++line) mean.add(factor * (b[line] - a[line]));
-  return {mean.mean(), mean.standardError()};
+  return {mean.mean(), mean.error().standardError};
 }
 
 }  // namespace
@@ -100,8 +101,8 @@ std::vector<CutoffPoint> frictionOverCutoff(const Scene& scene, const StateOptio
     const double full = found.points.back().mu;
     if (i == 0 || !(full > 0)) continue;
     const double decades = std::log10(points[i - 1].wavelength / points[i].wavelength);
-    points[i].shareOfDecade =
-        meanDifference(found.muOfLines[i - 1], found.muOfLines[i], 1 / (full * decades));
+    points[i].shareOfDecade = meanDifference(found.muOfLines[i - 1], found.muOfLines[i],
+                                             1 / (full * decades), found.orderedRows[i]);
   }
   return points;
 }

@@ -189,6 +189,7 @@ class States {
   SteadyStates slide() {
     SteadyStates found;
     found.points.resize(states_.size());
+    found.orderedRows.resize(states_.size());
     if (options_.keepsLines) found.muOfLines.resize(states_.size());
     if (options_.partial)
       for (const Lines& lines : lines_)
@@ -287,9 +288,12 @@ class States {
     found.computed += results;
     const Pieces pieces(lines.groups);
     const std::int64_t total = source.lines();
-    std::vector<CurveAverages> averages(lines.members);
+    std::vector<CurveAverages> averages(lines.members, CurveAverages(source.orderedRows()));
     const RealizationWork work{source, lines.groups.front().scene.accuracy.scheme, pieces.parts(),
                                0};
+    for (const Group& group : lines.groups)
+      for (const Member& member : group.members)
+        found.orderedRows[member.state] = source.orderedRows();
     const auto take = [&](std::span<const SteadyResult> all) {
       for (const SteadyResult& result : all) {
         found.largestResidual = std::max(found.largestResidual, result.residual);

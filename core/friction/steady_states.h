@@ -43,7 +43,8 @@ struct SteadyStates {
   /// Friction of each line including that of the interface, [state][realization]; states whose
   /// lines do not differ have one.
   std::vector<std::vector<double>> muOfLines;
-  bool isComplete = true;       // false: stopped, and the other members have no meaning
+  std::vector<std::int64_t> orderedRows;  // LineSource::orderedRows() of each state's lines
+  bool isComplete = true;                 // false: stopped, and the other members have no meaning
   std::size_t computed = 0;     // states that had to be slid; the others are equal to one of them
   double largestResidual = 0;   // of all force balances
   double marginalFraction = 0;  // nodal: part of the balances with a partly loaded element

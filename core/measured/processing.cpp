@@ -62,6 +62,37 @@ Eigen::Vector3d fitForm(std::span<const double> heights, int terms) {
   return fit.solve();
 }
 
+/// How far heights lie from the form of the kept ones: the deviation of each height, and median and
+/// median deviation of those of the kept ones.
+struct Deviations {
+  std::vector<double> each;
+  double middle = 0, spread = 0;
+};
+
+Deviations deviationsFromForm(std::span<const double> heights, std::span<const double> kept,
+                              int terms) {
+  const Eigen::Vector3d form = fitForm(kept, terms);
+  Deviations deviations{std::vector<double>(heights.size(), kGap)};
+  std::vector<double> known;
+  for (std::size_t i = 0; i < heights.size(); ++i) {
+    if (std::isnan(heights[i])) continue;
+    deviations.each[i] = heights[i] - powers(scaledPosition(i, heights.size()), terms).dot(form);
+    if (!std::isnan(kept[i])) known.push_back(deviations.each[i]);
+  }
+  deviations.middle = upperMedian(known);
+  for (double& value : known) value = std::abs(value - deviations.middle);
+  deviations.spread = upperMedian(std::move(known));
+  return deviations;
+}
+
+/// Returns the indices of the measured points.
+std::vector<std::size_t> measuredPoints(std::span<const double> heights) {
+  std::vector<std::size_t> points;
+  for (std::size_t i = 0; i < heights.size(); ++i)
+    if (!std::isnan(heights[i])) points.push_back(i);
+  return points;
+}
+
 }  // namespace
 
 std::int64_t gapCount(std::span<const double> heights) {
@@ -78,16 +109,7 @@ std::int64_t markOutliers(std::span<double> heights, double multiples, FormRemov
   // Outliers distort the fit that detects them, so the fit is repeated without them until the set
   // of outliers no longer changes.
   for (int round = 0; round < kRounds; ++round) {
-    const Eigen::Vector3d form3 = fitForm(kept, terms);
-    std::vector<double> deviation(heights.size(), kGap), known;
-    for (std::size_t i = 0; i < heights.size(); ++i) {
-      if (std::isnan(heights[i])) continue;
-      deviation[i] = heights[i] - powers(scaledPosition(i, heights.size()), terms).dot(form3);
-      if (!std::isnan(kept[i])) known.push_back(deviation[i]);
-    }
-    const double middle = upperMedian(known);
-    for (double& value : known) value = std::abs(value - middle);
-    const double spread = upperMedian(std::move(known));
+    const auto [deviation, middle, spread] = deviationsFromForm(heights, kept, terms);
     if (!(spread > 0)) break;
     bool hasChanged = false;
     for (std::size_t i = 0; i < heights.size(); ++i) {
@@ -103,6 +125,38 @@ std::int64_t markOutliers(std::span<double> heights, double multiples, FormRemov
   if (marked + gaps == static_cast<std::int64_t>(heights.size())) return 0;
   std::ranges::copy(kept, heights.begin());
   return marked;
+}
+
+std::int64_t spikeCount(std::span<const double> heights, FormRemoval form) {
+  constexpr double kOfSteps = 10;
+  constexpr std::size_t kWidest = 3;
+  const std::vector<std::size_t> points = measuredPoints(heights);
+  if (points.size() <= kWidest) return 0;
+  std::vector<double> steps;
+  for (std::size_t k = 1; k < points.size(); ++k)
+    steps.push_back(std::abs(heights[points[k]] - heights[points[k - 1]]));
+  const double largest = *std::ranges::max_element(steps);
+  const double largeStep = kOfSteps * upperMedian(std::move(steps));
+  // Most rows have no such step, and are not fitted.
+  if (!(largest > largeStep)) return 0;
+  std::vector<double> kept(heights.begin(), heights.end());
+  if (markOutliers(kept, kUsualOutliers, form) == 0) return 0;
+  const double spread = deviationsFromForm(heights, kept, termCount(form)).spread;
+  const double limit = std::max(kUsualOutliers * spread, largeStep);
+  std::int64_t spikes = 0;
+  for (std::size_t first = 0, end = 0; first < points.size(); first = end) {
+    end = first + 1;
+    if (!std::isnan(kept[points[first]])) continue;
+    while (end < points.size() && std::isnan(kept[points[end]])) ++end;
+    if (end - first > kWidest) continue;
+    const bool isAtBegin = first == 0, isAtEnd = end == points.size();
+    const double rise = isAtBegin ? 0 : heights[points[first]] - heights[points[first - 1]];
+    const double fall = isAtEnd ? 0 : heights[points[end - 1]] - heights[points[end]];
+    const double up = isAtBegin ? fall : isAtEnd ? rise : std::min(rise, fall);
+    const double down = isAtBegin ? fall : isAtEnd ? rise : std::max(rise, fall);
+    if (up > limit || down < -limit) spikes += static_cast<std::int64_t>(end - first);
+  }
+  return spikes;
 }
 
 void interpolateGaps(std::span<double> heights) {

@@ -20,6 +20,16 @@ std::int64_t gapCount(std::span<const double> heights);
 /// The function marks nothing where more than half of all heights lie on the form exactly.
 std::int64_t markOutliers(std::span<double> heights, double multiples, FormRemoval form);
 
+/// The usual limit of outliers, in median deviations: `surface.outliers=6`.
+inline constexpr double kUsualOutliers = 6;
+
+/// Returns how many points of a row are spikes, as measuring instruments make them: groups of at
+/// most three outliers at the usual limit whose steps from both measured neighbours, in the same
+/// direction, are larger than that limit and than ten median steps of the row. Rough surfaces reach
+/// beyond the limit as well, but by steps of the usual size; heights without any correlation do not
+/// make steps as large as ten median ones if they are Gaussian.
+std::int64_t spikeCount(std::span<const double> heights, FormRemoval form);
+
 /// Fills gaps by straight lines between their neighbours; before the first and after the last
 /// measured point the height is constant. At least one point must have been measured.
 void interpolateGaps(std::span<double> heights);

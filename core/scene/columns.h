@@ -30,8 +30,10 @@ inline constexpr auto kColumns = std::to_array<Column>({
     {"mu", "", "Coefficient of friction of the deformation: mean over the realizations.",
      "mu = |F_x|/F_N, F_x = -integral p z' dx",
      "curve, curves, map, cutoff, figure 2, figure 3, figure 4, figure master, figure spacing"},
-    {"mu_standard_error", "", "Standard error of that mean; empty for one realization.",
-     "s/sqrt(realizations)",
+    {"mu_standard_error", "",
+     "Standard error of that mean, for rows of a topography with their correlation; empty for one "
+     "realization.",
+     "s/sqrt(realizations) of independent lines",
      "curve, curves, map, cutoff, figure 2, figure 3, figure 4, figure master, figure spacing, "
      "batch"},
     {"mu_law", "",
@@ -100,7 +102,10 @@ inline constexpr auto kColumns = std::to_array<Column>({
      "What to know before the row is used, separated by blanks; only where there is something. "
      "unresolved_friction: the elements are too few in contact for the tangential force; "
      "slope_above_0.3: the model takes slopes for small; few_contacts: single summits carry the "
-     "load; seam_jump: the period repeats with a step; extrapolated_material, "
+     "load; seam_jump: the period repeats with a step; spikes: single points of the measured "
+     "surface "
+     "stand far out of their neighbours; few_independent_rows: its rows count as fewer than about "
+     "ten independent lines, and the standard error is only roughly known; extrapolated_material, "
      "extrapolated_temperature, strain_beyond_measured: the elastomer was not measured at the "
      "frequencies that friction rests on, at this temperature, at strains as large as the slopes.",
      "", "curve, curves, map, cutoff"},

@@ -88,6 +88,10 @@ std::string_view noteKey(Note note, const Scene& scene) {
       return firstOf(std::array<std::string_view, 1>{"elastomer.temperature"}, scene);
     case Note::SeamJump:
       return firstOf(std::array<std::string_view, 2>{"surface.seam", "surface.file"}, scene);
+    case Note::FewIndependentRows:
+      return firstOf(std::array<std::string_view, 1>{"surface.file"}, scene);
+    case Note::Spikes:
+      return firstOf(std::array<std::string_view, 2>{"surface.outliers", "surface.file"}, scene);
     case Note::ExtrapolatedMaterial:
     case Note::FastEnoughToHeat:
       break;

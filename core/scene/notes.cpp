@@ -26,6 +26,13 @@ constexpr std::array<NoteText, kNotes> kTexts{{
     {"seam_jump",
      "the end of the profile does not meet its beginning: the period repeats with a step, which "
      "carries load like a sharp edge; surface.seam mirror or blend make none"},
+    {"spikes",
+     "single points of the measured surface stand far out of their neighbours, like spikes, and "
+     "carry load: where they are errors of the measurement, surface.outliers=6 replaces them"},
+    {"few_independent_rows",
+     "the rows of the surface are so much alike that they count as fewer than about ten "
+     "independent "
+     "lines: the standard error of the mean is only roughly known"},
     {"fast_enough_to_heat",
      "so much power is dissipated that the elastomer would become warmer, which is not computed"},
     {"unresolved_friction",

@@ -308,7 +308,9 @@ NoteSet lineNotes(const LineSource& source) {
   NoteSet notes;
   notes.add(Note::SlopeAbove, source.statistics().rmsSlope > kSmallSlope);
   const MeasuredLines* measured = source.measured();
-  if (!measured || !measured->mayHaveSeamJump()) return notes;
+  if (!measured) return notes;
+  notes.add(Note::Spikes, measured->spikes() > 0);
+  if (!measured->mayHaveSeamJump()) return notes;
   // A few rows suffice, because most of them have such a step.
   constexpr std::int64_t kRows = 16;
   const std::int64_t count = std::min(measured->rows(), kRows);

@@ -4,6 +4,7 @@
 // Failure: InputError (unreadable file, more waves than the elements can represent).
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -58,6 +59,15 @@ class LineSource {
   bool slopesDiffer() const {
     return isRandom_ && (summits_ || (measured_ && !hasRandomPhases(surface_)));
   }
+  /// Returns whether realizations are rows of a topography.
+  bool hasRows() const { return measured_ && isRandom_ && !hasRandomPhases(surface_); }
+  /// Returns the number of rows of a topography that can be lines; 0 for other lines.
+  std::int64_t rows() const { return hasRows() ? measured_->rows() : 0; }
+  /// Returns how many different rows of a topography the first realizations are, in their order on
+  /// the surface; 0 for independent lines. Neighbouring rows are nearly the same line.
+  std::int64_t orderedRows() const {
+    return hasRows() && !drawsRows_ ? std::min(lines_, measured_->rows()) : 0;
+  }
   /// Returns the lines of a measured surface; else null.
   const MeasuredLines* measured() const { return measured_.get(); }
   /// Returns how the table of a spectrum was understood, one sentence each; empty for other
@@ -105,8 +115,8 @@ class LineSource {
 /// Returns the modes of the first line; those of a line given by a formula follow from its nodes.
 FourierLine modesOf(const LineSource& source);
 
-/// Returns the notes on the lines of a source: on the rms slope, and on steps at the seam of
-/// measured rows.
+/// Returns the notes on the lines of a source: on the rms slope, and on spikes and steps at the
+/// seam of measured rows.
 NoteSet lineNotes(const LineSource& source);
 
 }  // namespace asperity

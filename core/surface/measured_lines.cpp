@@ -253,6 +253,18 @@ std::vector<double> MeasuredLines::stretch(std::int64_t row) const {
   return {heights.begin(), heights.end()};
 }
 
+std::int64_t MeasuredLines::spikes() const {
+  std::call_once(areSpikesCounted_, [this] {
+    const ProcessingChoices& processing = surface_.processing;
+    for (std::int64_t row = 0; row < rows(); ++row) {
+      std::vector<double> heights = stretch(row);
+      markOutliers(heights, processing.outliers, processing.form);
+      spikes_ += spikeCount(heights, processing.form);
+    }
+  });
+  return spikes_;
+}
+
 ProcessedProfile MeasuredLines::profile(std::int64_t row) const {
   const ProcessingChoices& processing = surface_.processing;
   ProcessedProfile profile;

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <stop_token>
 #include <vector>
@@ -54,6 +55,9 @@ class MeasuredLines {
 
   /// Returns row 0 ... rows() - 1 of the used ones before and after processing, without the seam.
   ProcessedProfile profile(std::int64_t row) const;
+  /// Returns how many points of all rows are spikes (spikeCount) that the processing leaves in the
+  /// line. They are counted when this is asked for the first time.
+  std::int64_t spikes() const;
   /// Returns the number of that row in the file, counted from 1.
   std::int64_t numberInFile(std::int64_t row) const {
     return rows_[static_cast<std::size_t>(row)] + 1;
@@ -98,6 +102,8 @@ class MeasuredLines {
   SpectralDensity density_;
   double densitySlopeRatio_ = 1;
   std::optional<FourierTransform> transform_;
+  mutable std::once_flag areSpikesCounted_;
+  mutable std::int64_t spikes_ = 0;
 };
 
 /// Returns the row of a realization out of `rows`: the rows are spread evenly, because neighbouring

@@ -35,6 +35,7 @@ MeasuredSummary measuredSummary(const Scene& scene, const LineSource& source) {
   summary.rowInFile = lines.numberInFile(source.rowOf(0));
   summary.rowsUsed = lines.rows();
   summary.rowsLeftOut = lines.rowsLeftOut();
+  summary.spikes = lines.spikes();
   summary.profile = lines.profile(source.rowOf(0));
   const ProcessedProfile& profile = summary.profile;
   summary.isRoughness = processing.longWaveCut > 0;
@@ -58,6 +59,13 @@ MeasuredSummary measuredSummary(const Scene& scene, const LineSource& source) {
   return summary;
 }
 
+Message spikesFact(std::int64_t spikes) {
+  return message(
+      "{} points of all rows stand far out of their neighbours, like spikes: where they are errors "
+      "of the measurement, surface.outliers={} replaces them",
+      spikes, PrintedNumber{printedNumber(kUsualOutliers, 2)});
+}
+
 std::vector<Message> factsOf(const MeasuredSummary& summary) {
   const ReadingFacts& facts = summary.facts;
   std::vector<Message> list;
@@ -72,6 +80,7 @@ std::vector<Message> factsOf(const MeasuredSummary& summary) {
   if (summary.profile.gaps + summary.profile.outliers > 0)
     list.push_back(message("{} gaps and {} outliers are interpolated", summary.profile.gaps,
                            summary.profile.outliers));
+  if (summary.spikes > 0) list.push_back(spikesFact(summary.spikes));
   list.push_back(
       summary.isEquivalent
           ? message(

@@ -29,11 +29,15 @@ struct MeasuredSummary {
   double lineSlope = 0;   // rms, of the line that slides
   double slopeRatio = 1;  // of the isotropic equivalent over the surface as measured
   bool isEquivalent = false, hasTurned = false, isMirrored = false;
+  std::int64_t spikes = 0;  // points of all rows (MeasuredLines::spikes)
   NoteSet notes{};
 };
 
 /// Makes the summary. source: has the scene's lines, which are those of a measured surface.
 MeasuredSummary measuredSummary(const Scene& scene, const LineSource& source);
+
+/// Returns a sentence on the spikes of all rows, and on what removes them.
+Message spikesFact(std::int64_t spikes);
 
 /// Returns how the file was understood and processed, one sentence each.
 std::vector<Message> factsOf(const MeasuredSummary& summary);

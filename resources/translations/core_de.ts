@@ -3047,6 +3047,14 @@
         <translation>das Ende des Profils trifft seinen Anfang nicht: Die Periode wiederholt sich mit einer Stufe, die wie eine scharfe Kante Last trägt; surface.seam mirror oder blend machen keine</translation>
     </message>
     <message>
+        <source>single points of the measured surface stand far out of their neighbours, like spikes, and carry load: where they are errors of the measurement, surface.outliers=6 replaces them</source>
+        <translation>einzelne Punkte der gemessenen Oberfläche ragen wie Nadeln weit aus ihren Nachbarn heraus und tragen Last: Wo sie Messfehler sind, ersetzt surface.outliers=6 sie</translation>
+    </message>
+    <message>
+        <source>the rows of the surface are so much alike that they count as fewer than about ten independent lines: the standard error of the mean is only roughly known</source>
+        <translation>die Zeilen der Oberfläche sind einander so ähnlich, dass sie als weniger als etwa zehn unabhängige Linien zählen: Der Standardfehler des Mittels ist nur grob bekannt</translation>
+    </message>
+    <message>
         <source>so much power is dissipated that the elastomer would become warmer, which is not computed</source>
         <translation>es wird so viel Leistung dissipiert, dass das Elastomer wärmer würde, was nicht berechnet wird</translation>
     </message>
@@ -3297,6 +3305,10 @@
     <message>
         <source>%1 gaps and %2 outliers are interpolated</source>
         <translation>%1 Lücken und %2 Ausreißer sind interpoliert</translation>
+    </message>
+    <message>
+        <source>%1 points of all rows stand far out of their neighbours, like spikes: where they are errors of the measurement, surface.outliers=%2 replaces them</source>
+        <translation>%1 Punkte aller Zeilen ragen wie Nadeln weit aus ihren Nachbarn heraus: Wo sie Messfehler sind, ersetzt surface.outliers=%2 sie</translation>
     </message>
     <message>
         <source>one period of the line is %1 long, twice the profile</source>

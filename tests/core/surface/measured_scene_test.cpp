@@ -14,6 +14,7 @@
 #include "core/base/input_error.h"
 #include "core/contact/steady_solver.h"
 #include "core/friction/curve_file.h"
+#include "core/friction/line_mean.h"
 #include "core/run/rigid_line.h"
 #include "core/scene/plan.h"
 #include "core/scene/provenance.h"
@@ -161,6 +162,53 @@ TEST_F(MeasuredScene, IsPredictedAndReachesATarget) {
   const Curve plain = computeCurve(scene());
   for (std::size_t i = 0; i < 5; ++i) EXPECT_NEAR(one.points[i].mu / plain.points[i].mu, 1, 0.02);
   EXPECT_TRUE(computeCurve(scene({"accuracy.target_relative_error=0.1"}, "m.txt")).isTargetMet);
+}
+
+/// Rows of white heights, each of which differs from the one before by a factor of correlation.
+std::string alikeRowsText(int rows, int columns, double correlation) {
+  std::string text = "# Channel: Height\n# Width: " + std::to_string(columns) +
+                     " \u00B5m\n# Height: " + std::to_string(rows) + " \u00B5m\n# Value units: m\n";
+  std::mt19937 random(4);
+  std::normal_distribution<double> normal;
+  std::vector<double> heights(static_cast<std::size_t>(columns));
+  for (double& height : heights) height = normal(random);
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < columns; ++column) {
+      double& height = heights[static_cast<std::size_t>(column)];
+      text += std::to_string(10 * height) + "e-9" + (column + 1 < columns ? "\t" : "\n");
+      height = correlation * height + std::sqrt(1 - correlation * correlation) * normal(random);
+    }
+  return text;
+}
+
+TEST_F(MeasuredScene, StatesTheErrorOfRowsThatAreAlike) {
+  folder_.write("independent.txt", alikeRowsText(60, 64, 0));
+  folder_.write("alike.txt", alikeRowsText(60, 64, 0.97));
+  for (const bool isAlike : {false, true}) {
+    const std::string file = isAlike ? "alike.txt" : "independent.txt";
+    std::vector<std::vector<double>> mu;
+    CurveOptions options;
+    options.eachLine = [&](std::int64_t, std::span<const SteadyResult> row) {
+      mu.resize(row.size());
+      for (std::size_t i = 0; i < row.size(); ++i) mu[i].push_back(row[i].mu);
+    };
+    const Curve curve = computeCurve(scene({"accuracy.oversampling=2"}, file), options);
+    ASSERT_EQ(mu.size(), curve.points.size());
+    double ratio = 0;
+    for (std::size_t i = 0; i < mu.size(); ++i) {
+      RunningMean usual;
+      for (const double value : mu[i]) usual.add(value);
+      EXPECT_EQ(curve.points[i].muStandardError, meanErrorInOrder(mu[i]).standardError);
+      ratio +=
+          curve.points[i].muStandardError / usual.standardError() / static_cast<double>(mu.size());
+    }
+    EXPECT_EQ(ratio > 1.5, isAlike) << ratio;
+    EXPECT_EQ(curve.points[0].notes.has(Note::FewIndependentRows), isAlike);
+    // More rows of the same surface are no new ones.
+    const Curve twice =
+        computeCurve(scene({"accuracy.oversampling=2", "ensemble.realizations=120"}, file));
+    EXPECT_EQ(twice.points[0].muStandardError, curve.points[0].muStandardError);
+  }
 }
 
 TEST_F(MeasuredScene, SaysWhatTheUserMustKnow) {

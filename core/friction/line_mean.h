@@ -1,0 +1,107 @@
+// The mean of a number over lines, and its standard error. Random lines are independent. Rows of a
+// topography are not: neighbouring rows are nearly the same line, so their mean is less certain
+// than that of as many independent lines. Plain values; one thread at a time.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace asperity {
+
+/// Mean and variance of a stream of numbers (Welford's recurrence).
+class RunningMean {
+ public:
+  void add(double value) {
+    ++count_;
+    const double step = value - mean_;
+    mean_ += step / static_cast<double>(count_);
+    squares_ += step * (value - mean_);
+  }
+  /// Adds all numbers of another stream (Chan, Golub and LeVeque 1983).
+  void add(const RunningMean& other) {
+    if (other.count_ == 0) return;
+    const std::int64_t all = count_ + other.count_;
+    const double part = static_cast<double>(other.count_) / static_cast<double>(all);
+    const double step = other.mean_ - mean_;
+    squares_ += other.squares_ + step * step * part * static_cast<double>(count_);
+    mean_ += step * part;
+    count_ = all;
+  }
+  double mean() const { return count_ > 0 ? mean_ : kNone; }
+  /// Returns the variance of one number, with n - 1; needs two.
+  double variance() const {
+    return count_ > 1 ? squares_ / static_cast<double>(count_ - 1) : kNone;
+  }
+  /// Returns the standard error of the mean of independent numbers; needs two.
+  double standardError() const { return std::sqrt(variance() / static_cast<double>(count_)); }
+  std::int64_t count() const { return count_; }
+
+ private:
+  static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  std::int64_t count_ = 0;
+  double mean_ = 0, squares_ = 0;
+};
+
+/// The standard error of a mean, and its degrees of freedom: n - 1 for n independent numbers.
+struct MeanError {
+  double standardError = std::numeric_limits<double>::quiet_NaN();
+  double freedom = 0;
+};
+
+/// Returns the error of the mean of numbers along a line, such as friction of row after row of a
+/// topography, from their autocovariances c_k:
+///
+///   error^2 = (c_0 + 2 sum_k c_k) / n,
+///
+/// where the sum ends by the rule of Geyer (Statist. Sci. 7, 473, 1992): sums of two neighbouring
+/// c_k are taken as long as they are positive, none larger than the one before (the initial
+/// monotone sequence). Each c_k lacks the variance of the mean from which deviations are counted,
+/// so that a sum over w of them, counted on both sides, is too small by 1 - w / n, which is
+/// corrected. The error has n / w degrees of freedom (Bartlett: the relative variance of such a sum
+/// is 2 w / n).
+///
+/// Numbers whose c_1 is smaller than two of its standard errors, c_0 / sqrt(n), are independent as
+/// far as anyone can tell and have the usual error. Needs two numbers.
+MeanError meanErrorInOrder(std::span<const double> values);
+
+/// Returns quantile 0.975 of Student's distribution (Abramowitz and Stegun, 26.7.5), to 0.3 % for a
+/// freedom of 3 or more; 3 % too small at 2. A 95 % interval is so many standard errors to each
+/// side.
+double studentQuantile(double freedom);
+
+/// The degrees of freedom below which an error is known too badly to rely on: less than
+/// about ten independent groups of rows.
+inline constexpr double kFewFreedom = 9;
+
+/// The mean over lines: independent ones, or the rows of a topography in their order.
+class LineMean {
+ public:
+  LineMean() = default;
+  /// orderedRows: LineSource::orderedRows(); 0 for independent lines. Lines after that number
+  /// repeat rows and tell nothing new of the surface.
+  explicit LineMean(std::int64_t orderedRows) : orderedRows_(orderedRows) {}
+
+  void add(double value) {
+    all_.add(value);
+    if (static_cast<std::int64_t>(rows_.size()) < orderedRows_) rows_.push_back(value);
+  }
+  double mean() const { return all_.mean(); }
+  std::int64_t count() const { return all_.count(); }
+  MeanError error() const {
+    if (orderedRows_ > 0) return meanErrorInOrder(rows_);
+    return {all_.standardError(), static_cast<double>(all_.count() - 1)};
+  }
+
+ private:
+  RunningMean all_;
+  std::int64_t orderedRows_ = 0;
+  std::vector<double> rows_;
+};
+
+/// Returns the error of the mean of numbers, one for each line.
+MeanError lineMeanError(std::span<const double> values, std::int64_t orderedRows);
+
+}  // namespace asperity
