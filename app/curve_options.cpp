@@ -336,28 +336,54 @@ Curve computeCurve(const Scene& scene, const CommonOptions& common, RealizationT
   return computeCurve(scene, options);
 }
 
-CurveSet makeCurveSet(const CurveArguments& arguments, const ComparedScene& compared,
-                      std::vector<CurvePoint> own, const CommonOptions& common) {
-  const Scene& scene = compared.scene;
+namespace {
+
+/// Returns the curves without points, measured friction and differences.
+CurveSet curvesWithoutPoints(const CurveArguments& arguments, const Scene& scene) {
   CurveSet set;
-  set.present = {{}, scene, std::move(own), 0};
+  set.present = {{}, scene, {}, 0};
   setAxes(set, arguments);
+  const auto add = [&set](Message name, const Scene& other, double familyValue) {
+    const int index = static_cast<int>(set.pinned.size());
+    set.pinned.push_back({std::move(name), other, {}, index, index + 1, familyValue});
+  };
   for (const FamilyMember& member : familyOf(arguments, scene)) {
     set.familyKey = parseRangeOption(kFamily, arguments.family).key();
-    Curve curve = computeCurve(member.scene, common);
-    requireTarget(curve);
-    set.pinned.push_back({describeParameter(set.familyKey, member.scene), member.scene,
-                          std::move(curve.points), static_cast<int>(set.pinned.size()),
-                          static_cast<int>(set.pinned.size()) + 1, member.value});
+    add(describeParameter(set.familyKey, member.scene), member.scene, member.value);
   }
   for (const std::string& assignments : arguments.with) {
     const Scene other = sceneWith(scene, assignments);
     const Message words = describeDifferences(other, scene);
-    Curve curve = computeCurve(other, common);
+    add(words.empty() ? Message("same parameters") : words, other, kNotApplicable);
+  }
+  return set;
+}
+
+}  // namespace
+
+CurveSet plannedCurveSet(const CurveArguments& arguments, const ComparedScene& compared) {
+  CurveSet set = curvesWithoutPoints(arguments, compared.scene);
+  // Over another key than velocity, a table may have no row that is shown.
+  if (set.isOfVelocity())
+    for (FrictionData& data : readComparisonData(compared.scene, compared.given)) {
+      const std::size_t points = data.points.size();
+      set.measured.push_back(
+          {std::move(data), std::vector<CurvePoint>(points), std::vector<double>(points)});
+    }
+  if (!arguments.compare.empty())
+    set.difference.emplace().setting = settingFrom(arguments.compare, compared.scene);
+  return set;
+}
+
+CurveSet makeCurveSet(const CurveArguments& arguments, const ComparedScene& compared,
+                      std::vector<CurvePoint> own, const CommonOptions& common) {
+  const Scene& scene = compared.scene;
+  CurveSet set = curvesWithoutPoints(arguments, scene);
+  set.present.points = std::move(own);
+  for (NamedCurve& other : set.pinned) {
+    Curve curve = computeCurve(other.scene, common);
     requireTarget(curve);
-    set.pinned.push_back({words.empty() ? Message("same parameters") : words, other,
-                          std::move(curve.points), static_cast<int>(set.pinned.size()),
-                          static_cast<int>(set.pinned.size()) + 1});
+    other.points = std::move(curve.points);
   }
   if (hasComparisons(set)) {
     StateOptions options;

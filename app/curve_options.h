@@ -69,6 +69,10 @@ ComparedScene withCurveOptions(Scene scene, const CurveArguments& arguments);
 Curve computeCurve(const Scene& scene, const CommonOptions& common,
                    RealizationTable* lines = nullptr);
 
+/// Returns the requested curves as they are before anything is computed: with the panels and the
+/// names of their chart, and no points. Throws InputError.
+CurveSet plannedCurveSet(const CurveArguments& arguments, const ComparedScene& compared);
+
 /// Returns the given curve of the scene together with the requested further curves. Shows progress.
 /// Throws InputError.
 CurveSet makeCurveSet(const CurveArguments& arguments, const ComparedScene& compared,

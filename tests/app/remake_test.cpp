@@ -78,7 +78,7 @@ TEST_F(RemakeTest, RefusesWhatCannotBeRemade) {
   expectRefused("open s.json --size 5x5", 2, "unknown option");
   expectRefused("open s.json -o x.png", 2, "--output: is of --remake");
   program.folder.write("e.json", program.run("explain s.json --json").out);
-  expectRefused("open e.json --remake", 2, "'asperity explain', whose files cannot be remade");
+  expectRefused("open e.json --remake", 2, "is a result of the kind 'explain', which cannot be remade");
 }
 
 TEST_F(RemakeTest, SizesOnPaper) {
