@@ -359,19 +359,38 @@ CurveSet curvesWithoutPoints(const CurveArguments& arguments, const Scene& scene
   return set;
 }
 
+/// Returns a point of a flat line.
+CurvePoint flatPoint(double velocity) {
+  CurvePoint point;
+  point.velocity = velocity;
+  point.mu = point.muLaw = 1;
+  point.realizations = 1;
+  return point;
+}
+
 }  // namespace
 
 CurveSet plannedCurveSet(const CurveArguments& arguments, const ComparedScene& compared) {
   CurveSet set = curvesWithoutPoints(arguments, compared.scene);
-  // Over another key than velocity, a table may have no row that is shown.
-  if (set.isOfVelocity())
-    for (FrictionData& data : readComparisonData(compared.scene, compared.given)) {
-      const std::size_t points = data.points.size();
-      set.measured.push_back(
-          {std::move(data), std::vector<CurvePoint>(points), std::vector<double>(points)});
+  // Over another key a table may have no row that is shown, and nothing is compared.
+  if (!set.isOfVelocity()) return set;
+  const std::vector<double> velocities = sweepVelocities(compared.scene.sweep);
+  std::vector<CurvePoint> flat;
+  for (const double velocity : velocities) flat.push_back(flatPoint(velocity));
+  set.present.points = flat;
+  for (NamedCurve& other : set.pinned) other.points = flat;
+  for (FrictionData& data : readComparisonData(compared.scene, compared.given)) {
+    MeasuredCurve measured{std::move(data), {}, {}};
+    for (const MeasuredPoint& point : measured.data.points) {
+      measured.abscissas.push_back(point.velocity);
+      measured.computed.push_back(flatPoint(point.velocity));
     }
-  if (!arguments.compare.empty())
-    set.difference.emplace().setting = settingFrom(arguments.compare, compared.scene);
+    set.measured.push_back(std::move(measured));
+  }
+  if (arguments.compare.empty()) return set;
+  CurveDifference& difference = set.difference.emplace();
+  difference.setting = settingFrom(arguments.compare, compared.scene);
+  for (const double velocity : velocities) difference.points.push_back({velocity});
   return set;
 }
 

@@ -216,7 +216,7 @@ class Rendering {
     ComparedScene steady{scene_, compared_.given};
     steady.scene.sliding.kind = SlidingKind::Steady;
     curves_ = plannedCurveSet(command_.curves, steady);
-    PictureComposer(settings_, content()).fitHeight(scene_);  // throws where there is no room
+    PictureComposer(settings_, content()).checkPlanned();
     Curve curve = computeCurve(steady.scene, command_.common);
     requireTarget(curve);
     curves_ = makeCurveSet(command_.curves, steady, std::move(curve.points), command_.common);

@@ -394,7 +394,8 @@ def _values(key, value):
     if isinstance(value, str):
         return numpy.array(_core.number(key, value), dtype=float)
     values = numpy.asarray(value)
-    if any(numpy.iscomplexobj(one) for one in (values.flat if values.dtype.kind == "O" else [values])):
+    parts = values.flat if values.dtype.kind == "O" else [values]
+    if any(numpy.iscomplexobj(part) for part in parts):
         raise _input_error(key, "is complex; a real number is needed")
     if values.dtype.kind in "USO":
         flat = [_core.number(key, one) if isinstance(one, str) else float(one) for one in values.flat]
