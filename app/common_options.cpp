@@ -5,6 +5,7 @@
 #include "app/progress_bar.h"
 #include "core/scene/scene_file.h"
 #include "core/surface/measured_lines.h"
+#include "core/surface/measured_summary.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/window/main/scene_library.h"
@@ -58,8 +59,9 @@ void findLinesWithProgress(const Scene& scene, bool quiet) {
 std::vector<std::string> surfaceAssumptions(const Scene& scene) {
   std::vector<std::string> sentences;
   if (scene.surface.kind != SurfaceKind::Measured) return sentences;
-  for (const Message& assumption : readMeasuredSurface(scene)->facts.assumptions)
-    sentences.push_back(translated(assumption));
+  const auto lines = MeasuredLines::of(scene);
+  for (const auto& facts : {lines->file().facts.assumptions, factsOf(lines->missingHeights())})
+    for (const Message& fact : facts) sentences.push_back(translated(fact));
   return sentences;
 }
 

@@ -338,28 +338,73 @@ Curve computeCurve(const Scene& scene, const CommonOptions& common, RealizationT
   return computeCurve(scene, options);
 }
 
-CurveSet makeCurveSet(const CurveArguments& arguments, const ComparedScene& compared,
-                      std::vector<CurvePoint> own, const CommonOptions& common) {
-  const Scene& scene = compared.scene;
+namespace {
+
+/// Returns the curves without points, measured friction and differences.
+CurveSet curvesWithoutPoints(const CurveArguments& arguments, const Scene& scene) {
   CurveSet set;
-  set.present = {{}, scene, std::move(own), 0};
+  set.present = {{}, scene, {}, 0};
   setAxes(set, arguments);
+  const auto add = [&set](Message name, const Scene& other, double familyValue) {
+    const int index = static_cast<int>(set.pinned.size());
+    set.pinned.push_back({std::move(name), other, {}, index, index + 1, familyValue});
+  };
   for (const FamilyMember& member : familyOf(arguments, scene)) {
     set.familyKey = parseRangeOption(kFamily, arguments.family).key();
-    Curve curve = computeCurve(member.scene, common);
-    requireTarget(curve);
-    set.pinned.push_back({describeParameter(set.familyKey, member.scene), member.scene,
-                          std::move(curve.points), static_cast<int>(set.pinned.size()),
-                          static_cast<int>(set.pinned.size()) + 1, member.value});
+    add(describeParameter(set.familyKey, member.scene), member.scene, member.value);
   }
   for (const std::string& assignments : arguments.with) {
     const Scene other = sceneWith(scene, assignments);
     const Message words = describeDifferences(other, scene);
-    Curve curve = computeCurve(other, common);
+    add(words.empty() ? Message("same parameters") : words, other, kNotApplicable);
+  }
+  return set;
+}
+
+/// Returns a point of a flat line.
+CurvePoint flatPoint(double velocity) {
+  CurvePoint point;
+  point.velocity = velocity;
+  point.mu = point.muLaw = 1;
+  point.realizations = 1;
+  return point;
+}
+
+}  // namespace
+
+CurveSet plannedCurveSet(const CurveArguments& arguments, const ComparedScene& compared) {
+  CurveSet set = curvesWithoutPoints(arguments, compared.scene);
+  // Over another key a table may have no row that is shown, and nothing is compared.
+  if (!set.isOfVelocity()) return set;
+  const std::vector<double> velocities = sweepVelocities(compared.scene.sweep);
+  std::vector<CurvePoint> flat;
+  for (const double velocity : velocities) flat.push_back(flatPoint(velocity));
+  set.present.points = flat;
+  for (NamedCurve& other : set.pinned) other.points = flat;
+  for (FrictionData& data : readComparisonData(compared.scene, compared.given)) {
+    MeasuredCurve measured{std::move(data), {}, {}};
+    for (const MeasuredPoint& point : measured.data.points) {
+      measured.abscissas.push_back(point.velocity);
+      measured.computed.push_back(flatPoint(point.velocity));
+    }
+    set.measured.push_back(std::move(measured));
+  }
+  if (arguments.compare.empty()) return set;
+  CurveDifference& difference = set.difference.emplace();
+  difference.setting = settingFrom(arguments.compare, compared.scene);
+  for (const double velocity : velocities) difference.points.push_back({velocity});
+  return set;
+}
+
+CurveSet makeCurveSet(const CurveArguments& arguments, const ComparedScene& compared,
+                      std::vector<CurvePoint> own, const CommonOptions& common) {
+  const Scene& scene = compared.scene;
+  CurveSet set = curvesWithoutPoints(arguments, scene);
+  set.present.points = std::move(own);
+  for (NamedCurve& other : set.pinned) {
+    Curve curve = computeCurve(other.scene, common);
     requireTarget(curve);
-    set.pinned.push_back({words.empty() ? Message("same parameters") : words, other,
-                          std::move(curve.points), static_cast<int>(set.pinned.size()),
-                          static_cast<int>(set.pinned.size()) + 1});
+    other.points = std::move(curve.points);
   }
   if (hasComparisons(set)) {
     StateOptions options;

@@ -69,6 +69,11 @@ ComparedScene withCurveOptions(Scene scene, const CurveArguments& arguments);
 Curve computeCurve(const Scene& scene, const CommonOptions& common,
                    RealizationTable* lines = nullptr);
 
+/// Returns the requested curves before anything is computed, with the panels and the names of their
+/// chart. Over velocity they are flat lines that stand for what will be computed; over another key
+/// they have no points. Throws InputError.
+CurveSet plannedCurveSet(const CurveArguments& arguments, const ComparedScene& compared);
+
 /// Returns the given curve of the scene together with the requested further curves. Shows progress.
 /// Throws InputError.
 CurveSet makeCurveSet(const CurveArguments& arguments, const ComparedScene& compared,

@@ -1,6 +1,7 @@
 #include "app/output.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
@@ -86,12 +87,32 @@ void checkFolderName(const std::string& folder) {
                      "folder (./- where it is called so)");
 }
 
-void makeFolder(const std::string& folder) {
+namespace {
+
+InputError noFolder(const std::string& folder) {
+  return {folder, "", "is not a folder and cannot be made one"};
+}
+
+}  // namespace
+
+void checkFolder(const std::string& folder) {
+  namespace fs = std::filesystem;
   checkFolderName(folder);
+  std::error_code ignored;
+  // The folders that are missing will be made in the nearest one that is there.
+  fs::path there = fs::absolute(folder, ignored);
+  while (!fs::exists(fs::symlink_status(there, ignored)) && there != there.parent_path())
+    there = there.parent_path();
+  if (!fs::is_directory(there, ignored)) throw noFolder(folder);
+  if (::access(there.c_str(), W_OK | X_OK) != 0)
+    throw InputError(folder, "", message("folder {} cannot be written to", there.string()));
+}
+
+void makeFolder(const std::string& folder) {
+  checkFolder(folder);
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error || !std::filesystem::is_directory(folder))
-    throw InputError(folder, "", "is not a folder and cannot be made one");
+  if (error || !std::filesystem::is_directory(folder)) throw noFolder(folder);
 }
 
 std::string wroteLine(const std::string& file) {

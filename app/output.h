@@ -50,6 +50,10 @@ void checkNoInput(const std::string& output, const std::vector<std::filesystem::
 /// output together, and a folder of that name is hardly intended.
 void checkFolderName(const std::string& folder);
 
+/// Throws InputError where the folder cannot be made, or nothing can be written into it. Makes
+/// nothing, so that a command can call it before any other check.
+void checkFolder(const std::string& folder);
+
 /// Makes the folder and its parents where they are missing. Throws InputError.
 void makeFolder(const std::string& folder);
 

@@ -97,7 +97,7 @@ Json optionsOf(const FoundScene& found, const std::string& file) {
                             "material", "motion", "render", "sensitivity", "study", "surface"}))
     throw InputError(
         file, "",
-        message("was made by 'asperity {}', whose files cannot be remade", shortened(found.verb)));
+        message("is a result of the kind '{}', which cannot be remade", shortened(found.verb)));
   if (isFromMeasurements(found) && !found.origin.contains("options"))
     return optionsOfMaterial(found.origin);
   // A file that an earlier version wrote into a folder does not name itself.
@@ -105,8 +105,10 @@ Json optionsOf(const FoundScene& found, const std::string& file) {
   if (!found.options.is_object() || (isOfFolder && !found.options.contains("file")) ||
       (found.verb == "figure" && !found.options.contains("name")))
     throw InputError(file, "",
-                     "does not say the options that made it, as files of the command line do since "
-                     "this version; open it and save it again");
+                     message("does not say the options that made it: files that the window, an "
+                             "earlier version or Python from values alone saved do not, and may "
+                             "have other numbers; 'asperity {}' makes a new one of its scene",
+                             found.verb));
   if (found.verb == "render" && found.options.contains("frames") && isPictureFile(file))
     throw InputError(file, "", "is one frame of a sequence; render the folder again");
   return found.options;

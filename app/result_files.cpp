@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "app/output.h"
@@ -18,21 +19,31 @@ using Form = std::function<std::string()>;
 
 constexpr const char* kFolderPictures[]{".png", ".svg", ".pdf"};
 
-void writePictures(const TableCommand& command, const PictureSettings& settings,
-                   const TableResult& result) {
-  const std::vector<std::string>& outputs = command.outputs;
-  if (std::ranges::all_of(outputs, isTableFile)) return;
+/// The chart of a result, drawn for all pictures.
+struct DrawnChart {
+  Message title;
+  DrawList list;
+};
+
+/// Draws the chart where an output is a picture.
+std::optional<DrawnChart> drawChart(const TableCommand& command, const PictureSettings& settings,
+                                    const TableResult& result) {
+  if (std::ranges::all_of(command.outputs, isTableFile)) return std::nullopt;
   const DiagramSheet sheet = result.sheet();
-  const DrawList list = drawSheet(sheet, settings, result.minTextSize);
+  return DrawnChart{sheet.title, drawSheet(sheet, settings, result.minTextSize)};
+}
+
+void writePictures(const TableCommand& command, const PictureSettings& settings,
+                   const TableResult& result, const DrawnChart& chart) {
   HeadlessPictures pictures(settings.backend);
-  for (const std::string& output : outputs) {
+  for (const std::string& output : command.outputs) {
     if (isTableFile(output)) continue;
     const ProvenanceOptions given(optionsFor(command.common.given, output));
     nlohmann::ordered_json origin = result.origin();
     origin["picture"] = settings.json();
     origin["picture"].update(result.picture);
-    pictures.write(output, list,
-                   settings.properties(translated(sheet.title), provenanceLine(origin)));
+    pictures.write(output, chart.list,
+                   settings.properties(translated(chart.title), provenanceLine(origin)));
   }
   pictures.finish();
 }
@@ -63,14 +74,17 @@ void writeResult(const TableCommand& command, const PictureSettings& settings,
     const ProvenanceOptions given(optionsFor(common.given, output));
     return form();
   };
+  // A chart for which the picture has no room is refused before the first file is written.
+  const std::optional<DrawnChart> chart = drawChart(command, settings, result);
+  for (const OtherFile& other : result.otherFiles) other.write();
   for (const std::string& output : outputs) {
     const std::string extension = fileExtension(output);
     if (extension == ".csv") writeFileAtomically(output, tableText(result.csv, output));
     if (extension == ".json") writeFileAtomically(output, tableText(result.json, output));
   }
-  writePictures(command, settings, result);
+  if (chart) writePictures(command, settings, result, *chart);
   std::vector<std::string> files = outputs;
-  files.insert(files.end(), result.otherFiles.begin(), result.otherFiles.end());
+  for (const OtherFile& other : result.otherFiles) files.push_back(other.name);
   const bool printsTable = files.empty() || hasStandardOutput(outputs);
   if (common.json)
     fmt::print("{}", tableText(result.json, ".json"));
@@ -84,7 +98,9 @@ void writeResult(const TableCommand& command, const PictureSettings& settings,
 
 OutputFolder::OutputFolder(std::string folder, std::vector<std::filesystem::path> inputs,
                            const PictureSettings& settings)
-    : folder_(std::move(folder)), inputs_(std::move(inputs)), settings_(settings) {}
+    : folder_(std::move(folder)), inputs_(std::move(inputs)), settings_(settings) {
+  checkFolder(folder_);
+}
 
 void OutputFolder::addText(const std::string& name, std::string bytes) {
   texts_.push_back({filePath(name), std::move(bytes)});

@@ -31,6 +31,12 @@ struct FolderCommand {
   std::string columns;  // --columns; empty: all
 };
 
+/// A file that a command writes beside its outputs.
+struct OtherFile {
+  std::string name;
+  std::function<void()> write;
+};
+
 /// A result that is one table and one chart. Its forms are made when a file needs them, while the
 /// options of this file are those of each provenance (ProvenanceOptions).
 struct TableResult {
@@ -39,10 +45,10 @@ struct TableResult {
   std::function<nlohmann::ordered_json()> origin;  // provenance of the chart
   /// What the provenance of the chart says of the picture beyond its settings.
   nlohmann::ordered_json picture = nlohmann::ordered_json::object();
-  float minTextSize = 0;                  // of the chart, as in DiagramOptions
-  std::string summary{};                  // lines before those that name the files
-  std::string printed{};                  // where there are no files; empty: the CSV
-  std::vector<std::string> otherFiles{};  // that the command has written itself
+  float minTextSize = 0;                // of the chart, as in DiagramOptions
+  std::string summary{};                // lines before those that name the files
+  std::string printed{};                // where there are no files; empty: the CSV
+  std::vector<OtherFile> otherFiles{};  // written before the outputs
 };
 
 /// Returns an answer in JSON whose "points" have the chosen columns alone.
@@ -60,6 +66,7 @@ void writeResult(const TableCommand& command, const PictureSettings& settings,
 /// A folder of texts and charts that a command writes together.
 class OutputFolder {
  public:
+  /// Throws InputError where nothing can be written into the folder: it is made before any work.
   /// inputs: files that the command reads and may not replace. `settings` must outlive it.
   OutputFolder(std::string folder, std::vector<std::filesystem::path> inputs,
                const PictureSettings& settings);

@@ -144,6 +144,9 @@ int runCurve(const CurveCommand& command) {
   const ColumnChoice columns(command.columns, {"curve", "curves"});
   checkRealizations(command, scene);
   checkCurves(command.curves, scene);
+  if (!std::ranges::all_of(command.outputs, isTableFile))
+    checkPlannedPanels(
+        styled(curveSheet(plannedCurveSet(command.curves, compared)), settings.style), settings, 0);
   findLinesWithProgress(scene, command.common.quiet);
   RealizationTable lines(sweepVelocities(scene.sweep));
   const bool keepsLines = !command.realizationTable.empty();
@@ -164,10 +167,9 @@ int runCurve(const CurveCommand& command) {
                      .origin = [&] { return provenance("curve", scene); },
                      .summary = summaryText(curve, set)};
   command.curves.addTo(result.picture);
-  if (keepsLines) {
-    writeRealizations(command, scene, lines);
-    result.otherFiles = {command.realizationTable};
-  }
+  if (keepsLines)
+    result.otherFiles = {
+        {command.realizationTable, [&] { writeRealizations(command, scene, lines); }}};
   writeResult(command, settings, result);
   requireTarget(curve);
   return kDone;

@@ -31,7 +31,6 @@ std::string summaryText(const Fit& fit) {
 }  // namespace
 
 int runFit(const FitCommand& command) {
-  checkFolderName(command.output);
   const PictureSettings settings = pictureSettings(command.picture, {1200, 900, "print"});
   CurveArguments beside;
   beside.data = command.data;
@@ -40,6 +39,7 @@ int runFit(const FitCommand& command) {
   const Scene& scene = compared.scene;
   if (scene.comparison.data.empty())
     throw InputError("", "--data", "no measured friction is given, nor named by the scene");
+  OutputFolder output(command.output, inputFiles(command.common, scene), settings);
   return withSceneContext(command.common, [&] {
     requireVelocityAxis(scene, "asperity fit");
     const std::vector<VariedParameter> varied = parseVariedParameters(command.varied, scene);
@@ -58,7 +58,6 @@ int runFit(const FitCommand& command) {
       const ProvenanceOptions given(optionsInFolder(command.common.given, "fit.json"));
       return fitReport(fitted, command.output);
     }();
-    OutputFolder output(command.output, inputFiles(command.common, scene), settings);
     for (const auto& [name, bytes] : report.texts)
       output.addText(name, name.ends_with(".csv") ? columns.selectAvailable(bytes) : bytes);
     for (const NamedSheet& sheet : report.sheets) output.addSheet(sheet.name, sheet.sheet);

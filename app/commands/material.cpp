@@ -38,10 +38,10 @@ ColumnChoice columnChoice(const MaterialCommand& command) {
 int makeFromMeasurements(const MaterialCommand& command, const PictureSettings& style) {
   if (!command.common.assignments.empty())
     throw InputError("", "--set", "sets keys of a scene, and this file is a table of moduli");
+  OutputFolder output(command.output, {command.common.scene}, style);
   const Material material = readMaterial(command.common.scene, materialChoices(command.options));
   const std::string json = materialJson(material);
   const ColumnChoice columns = columnChoice(command);
-  OutputFolder output(command.output, {command.common.scene}, style);
   const auto origin = [&material] {
     nlohmann::ordered_json made = materialOrigin(material);
     addOptions(made);
@@ -72,9 +72,9 @@ int showInScene(const MaterialCommand& command, const PictureSettings& style) {
     throw InputError("", command.options.front().first,
                      "is of a table of moduli, and this file is a scene");
   const Scene scene = loadScene(command.common);
+  OutputFolder output(command.output, inputFiles(command.common, scene), style);
   return withSceneContext(command.common, [&] {
     const Excitation excitation = computeExcitation(scene);
-    OutputFolder output(command.output, inputFiles(command.common, scene), style);
     {
       const ProvenanceOptions given(optionsInFolder(command.common.given, "excitation.csv"));
       output.addText("excitation.csv",
@@ -97,7 +97,6 @@ int showInScene(const MaterialCommand& command, const PictureSettings& style) {
 }  // namespace
 
 int runMaterial(const MaterialCommand& command) {
-  checkFolderName(command.output);
   const PictureSettings style = pictureSettings(command.picture, {1200, 800, "print"});
   columnChoice(command);
   return command.common.remade || isScene(command.common.scene)

@@ -157,7 +157,7 @@ class Rendering {
     checkUseful(command_.picture, {command_.output});
     checkNoInput(command_.output, inputFiles(command_.common, scene_));
     checkNoInput(command_.output, filesReadBeside(command_.curves, scene_));
-    if (kind_ != Kind::Sequence) checkWritable(command_.output);
+    kind_ == Kind::Sequence ? checkFolder(command_.output) : checkWritable(command_.output);
     if (kind_ == Kind::Film) checkFilm(command_.output, settings_.transparent);
     if (command_.resume && kind_ != Kind::Sequence)
       throw InputError("", "--resume",
@@ -213,12 +213,13 @@ class Rendering {
 
   /// Computes the curves. They are those of steady sliding, for every motion of the scene.
   void computeCurves() {
-    Scene steady = scene_;
-    steady.sliding.kind = SlidingKind::Steady;
-    Curve curve = computeCurve(steady, command_.common);
+    ComparedScene steady{scene_, compared_.given};
+    steady.scene.sliding.kind = SlidingKind::Steady;
+    curves_ = plannedCurveSet(command_.curves, steady);
+    PictureComposer(settings_, content()).checkPlanned();
+    Curve curve = computeCurve(steady.scene, command_.common);
     requireTarget(curve);
-    curves_ = makeCurveSet(command_.curves, {steady, compared_.given}, std::move(curve.points),
-                           command_.common);
+    curves_ = makeCurveSet(command_.curves, steady, std::move(curve.points), command_.common);
   }
 
   /// Returns the provenance of the whole run: scene, command, version, seed and the options of the

@@ -349,8 +349,8 @@ int runStudyShow(const StudyCommand& command) {
 }
 
 int runStudyAnalyse(const StudyCommand& command) {
-  checkFolderName(command.output);
   const PictureSettings settings = pictureSettings(command.picture, {1400, 900, "print"});
+  OutputFolder output(command.output, {command.study}, settings);
   const StudyStore store(command.study);
   const ParameterStudy& study = store.study();
   if (store.chunksDone() == 0)
@@ -363,7 +363,6 @@ int runStudyAnalyse(const StudyCommand& command) {
   };
   Json answer = fileOrigin("analysis.json");
   answer["analysis"] = analysisJson(study, analysis);
-  OutputFolder output(command.output, {command.study}, settings);
   output.addText("analysis.json", answer.dump(2) + "\n");
   const auto addTable = [&](const char* name, const std::string& csv) {
     output.addText(name, provenanceComment(fileOrigin(name)) + csv);

@@ -4,17 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "app/command_line.h"
 #include "app/output.h"
 #include "app/pictures/headless_pictures.h"
 #include "app/result_files.h"
 #include "core/base/atomic_file.h"
-#include "core/base/embedded_provenance.h"
 #include "core/base/input_error.h"
 #include "core/base/named_choices.h"
-#include "core/base/regular_file.h"
 #include "core/base/text.h"
 #include "core/base/text_encoding.h"
 #include "core/measured/measured_file.h"
@@ -22,7 +19,6 @@
 #include "core/run/measured_sheet.h"
 #include "core/scene/data_table.h"
 #include "core/scene/provenance.h"
-#include "core/scene/scene_file.h"
 #include "core/surface/line_source.h"
 #include "core/surface/measured_summary.h"
 #include "core/surface/surface_file.h"
@@ -70,26 +66,6 @@ std::string measuredText(const MeasuredSummary& summary) {
     text += cell(value.name) + cell(valueText(value.raw, value.unit)) +
             valueText(value.used, value.unit) + "\n";
   return text;
-}
-
-/// Returns whether the table is a line that this command wrote.
-bool isWrittenLine(const std::filesystem::path& file) {
-  constexpr std::size_t kBeginning = std::size_t{1} << 20;  // bytes; the record is its first line
-  const std::string beginning = RegularFile(file).read(0, kBeginning);
-  if (!beginning.starts_with('#') || beginning.find("\nposition,height\n") == std::string::npos)
-    return false;
-  const auto record = nlohmann::json::parse(embeddedProvenance(beginning), nullptr, false);
-  return record.is_object() && record.contains("verb") && record["verb"] == "surface";
-}
-
-/// Returns the default scene with a measured file. A line that this program wrote is not processed
-/// again: it is already levelled, filtered and turned over.
-Scene sceneFromFile(const CommonOptions& options) {
-  const std::filesystem::path file(options.scene);
-  const char* const kind = isWrittenLine(file) ? "profile" : "measured";
-  const nlohmann::json json = {{"surface", {{"kind", kind}, {"file", file.filename().string()}}}};
-  return readScene(json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace),
-                   options.scene, file.parent_path(), options.assignments);
 }
 
 DiagramSheet lineSheet(const Scene& scene, const LineSource& source, const Line& line) {
@@ -172,15 +148,13 @@ void withFileContext(bool isFile, const std::string& file, const Work& work) {
 
 int runSurface(const SurfaceCommand& command) {
   const bool isFile = !command.common.remade && isSurfaceFile(command.common.scene);
-  const Scene scene = isFile ? sceneFromFile(command.common) : loadScene(command.common);
+  const Scene scene = isFile ? surfaceFileScene(command.common.scene, command.common.assignments)
+                             : loadScene(command.common);
   checkTableOutputs(command, scene, {1280, 800, "light"});
   checkTable(command);
   const auto run = [&] {
-    // A line from a file is written with its elements alone: read as a profile it is the same line.
-    const SurfaceKind kind = scene.surface.kind;
-    const bool isExact = isFile || kind == SurfaceKind::Measured || kind == SurfaceKind::Spectrum;
     findLinesWithProgress(scene, command.common.quiet);
-    const LineSource source(scene, isExact ? 1 : pointsPerElement(scene));
+    const LineSource source(scene, writtenPointsPerElement(scene, isFile));
     const Line line = source.make(0);
     const std::string text = (source.measured() ? measuredText(measuredSummary(scene, source))
                                                 : factsText(source.spectrumFacts())) +

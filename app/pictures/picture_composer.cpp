@@ -8,6 +8,7 @@
 #include "core/base/input_error.h"
 #include "core/base/named_choices.h"
 #include "core/chart/curve_diagram.h"
+#include "core/chart/curve_regions.h"
 #include "core/run/transient_diagram.h"
 #include "ui/chart/diagram_picture.h"
 #include "ui/contact/contact_overlay.h"
@@ -58,6 +59,18 @@ void checkPanels(const DiagramSheet& sheet, const PictureSettings& settings, int
   throw InputError("", "--size",
                    message("{} leaves no room for the difference under the curve; {}x{} does",
                            given, settings.width, least));
+}
+
+void checkPlannedPanels(DiagramSheet sheet, const PictureSettings& settings, int above) {
+  DiagramSheet withNotes = sheet;
+  withNotes.note = sentences({sheet.note, kFewSummitsSentence});
+  sheet.note = {};
+  try {
+    checkPanels(sheet, settings, above);
+  } catch (const InputError&) {
+    checkPanels(withNotes, settings, above);
+    throw;
+  }
 }
 
 PictureComposer::PictureComposer(const PictureSettings& settings, PictureContent content)
@@ -145,12 +158,22 @@ void PictureComposer::checkStrips(const Scene& scene) {
                            settings_.width, least));
 }
 
+DiagramSheet PictureComposer::sheetOfCurves() const {
+  DiagramSheet sheet = styled(curveSheet(content_.curves), settings_.style);
+  if (content_.layout == PictureLayout::Both) sheet.title = {};
+  return sheet;
+}
+
+void PictureComposer::checkPlanned() const {
+  const int above = content_.layout == PictureLayout::Both ? contactHeight() : 0;
+  checkPlannedPanels(sheetOfCurves(), settings_, above);
+}
+
 void PictureComposer::fitHeight(const Scene& scene) {
   checkStrips(scene);
   const PictureLayout layout = content_.layout;
   if (layout != PictureLayout::Curve && layout != PictureLayout::Both) return;
-  DiagramSheet sheet = styled(curveSheet(content_.curves), settings_.style);
-  if (layout == PictureLayout::Both) sheet.title = {};
+  DiagramSheet sheet = sheetOfCurves();
   const int above = layout == PictureLayout::Both ? contactHeight() : 0;
   checkPanels(sheet, settings_, above);
   const bool hasFontSize = settings_.format.fontSize > 0;

@@ -27,6 +27,11 @@ ContactOverlay overlayFrom(const std::string& name);
 /// pixels of other content; those pixels grow with the picture.
 void checkPanels(const DiagramSheet& sheet, const PictureSettings& settings, int above);
 
+/// Does the same before the curves are computed (plannedCurveSet), when the notes below the
+/// diagrams are not known: it refuses what has no room even without notes, and names a size that
+/// has room for them.
+void checkPlannedPanels(DiagramSheet sheet, const PictureSettings& settings, int above);
+
 struct PictureContent {
   PictureLayout layout = PictureLayout::Contact;
   CurveSet curves{};  // the scene's own curve and others, for layouts that show them
@@ -42,9 +47,13 @@ class PictureComposer {
   /// scene, need. Throws InputError naming --size where they do not fit into a picture in pixels.
   void fitHeight(const Scene& scene);
 
+  /// Does checkPlannedPanels for curves that are planned and not yet computed.
+  void checkPlanned() const;
+
   DrawList compose(const Frame& frame);
 
  private:
+  DiagramSheet sheetOfCurves() const;
   DrawList composeParts(const Frame& frame);
   int contactHeight() const;  // pixels, where a diagram is below it
   DrawList contact(const Frame& frame, int height);

@@ -151,12 +151,10 @@ struct SurfaceOfScene {
   Json options() const { return isFirst ? Json::object() : Json(); }
 };
 
-std::shared_ptr<SurfaceOfScene> surfaceOf(const Scene& scene, std::int64_t realization) {
+std::shared_ptr<SurfaceOfScene> surfaceOf(const Scene& scene, bool isOfFile,
+                                          std::int64_t realization) {
   if (realization < 0) throw InputError("", "--realization", "is below 0");
-  // As the program: a line from a file is given with its elements alone.
-  const SurfaceKind kind = scene.surface.kind;
-  const bool isExact = kind == SurfaceKind::Measured || kind == SurfaceKind::Spectrum;
-  const LineSource source(scene, isExact ? 1 : pointsPerElement(scene));
+  const LineSource source(scene, writtenPointsPerElement(scene, isOfFile));
   if (realization > 0 && !source.isRandom())
     throw InputError("", "--realization", "this surface has one line, and no other realization");
   const auto found = std::make_shared<SurfaceOfScene>();
@@ -177,7 +175,7 @@ std::shared_ptr<SurfaceOfScene> surfaceOf(const Scene& scene, std::int64_t reali
 std::shared_ptr<SurfaceOfScene> surfaceOfFile(const Scene& scene, const std::string& file,
                                               std::int64_t realization) {
   try {
-    return surfaceOf(scene, realization);
+    return surfaceOf(scene, true, realization);
   } catch (const InputError& error) {
     const std::vector<Message>& parts = error.message().values;
     if (error.key() != "surface.file" || parts.size() != 2)
@@ -233,10 +231,14 @@ void addContact(py::module_& module) {
   });
   module.def("march", &motionOf);
   module.def("is_surface_file", [](const std::string& name) { return isSurfaceFile(name); });
+  module.def("surface_file_scene", [](const std::string& file, const Texts& assignments) {
+    return std::make_shared<Scene>(surfaceFileScene(file, assignments));
+  });
   module.def("surface", [](const Scene& scene, const std::string& file, std::int64_t realization,
                            const py::object& progress) {
     return compute(progress, [scene, file, realization](const Call&) {
-      return file.empty() ? surfaceOf(scene, realization) : surfaceOfFile(scene, file, realization);
+      return file.empty() ? surfaceOf(scene, false, realization)
+                          : surfaceOfFile(scene, file, realization);
     });
   });
 }

@@ -258,7 +258,10 @@ inline constexpr auto kColumns = std::to_array<Column>({
     {"quantity", "", "Name of a value of the line, or of a measured surface (ISO 21920-2).", "",
      "statistics"},
     {"unit", "", "Unit of the value; empty for a pure number.", "", "statistics"},
-    {"value", "", "The value, of the line that slides.", "", "statistics"},
+    {"value", "",
+     "The value: of the line that slides; of a parameter of ISO 21920-2, of the measured row after "
+     "processing, before its seam and its isotropic equivalent.",
+     "", "statistics"},
     {"raw", "", "The same of the file before processing; empty where there is none.", "",
      "statistics"},
 

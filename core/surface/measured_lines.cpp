@@ -192,12 +192,17 @@ void MeasuredLines::chooseRows(const Scene& scene) {
   if (rows_.empty())
     fail("surface.file", message("has no row with {} measured points or more", kFewestPoints));
   const std::int64_t realizations = scene.ensemble.realizations;
-  if (asked == 0 && !hasRandomPhases(scene.surface) && realizations > rows())
+  if (asked > 0 || hasRandomPhases(scene.surface) || realizations <= rows()) return;
+  if (leftOut_ > 0)
     fail("ensemble.realizations",
-         rows() == 1 ? message("{} is more than the single profile of the file; 0 is every row",
-                               realizations)
-                     : message("{} is more than the {} rows of the file; 0 is every row",
-                               realizations, rows()));
+         message("{} is more than the rows of the file with {} measured points or more, which are "
+                 "{} of {}; 0 is every one of them",
+                 realizations, kFewestPoints, rows(), topography.rows));
+  fail("ensemble.realizations",
+       rows() == 1
+           ? message("{} is more than the single profile of the file; 0 is every row", realizations)
+           : message("{} is more than the {} rows of the file; 0 is every row", realizations,
+                     rows()));
 }
 
 /// Chooses the part of each row that is used: all of it, without gaps at the ends of a single
@@ -286,6 +291,17 @@ ProcessedProfile MeasuredLines::profile(std::int64_t row) const {
   return profile;
 }
 
+MissingHeights MeasuredLines::missingHeights() const {
+  const ProcessingChoices& processing = surface_.processing;
+  MissingHeights missing{leftOut_};
+  for (std::int64_t row = 0; row < rows(); ++row) {
+    std::vector<double> heights = stretch(row);
+    missing.gaps += gapCount(heights);
+    missing.outliers += markOutliers(heights, processing.outliers, processing.form);
+  }
+  return missing;
+}
+
 std::vector<double> MeasuredLines::period(const ProcessedProfile& profile) const {
   std::vector<double> period = profile.used;
   switch (surface_.processing.seam) {
@@ -361,7 +377,7 @@ void MeasuredLines::setDensity(const std::stop_token& stop) {
   BandPowers bands = inBands(powers, usedLength_);
   const double total = bands.total();
   for (double& power : bands.power) power *= total > 0 ? height / total : 0;
-  const double slope = bands.rmsSlope();
+  const double slope = bands.rmsSlope(), powerBefore = bands.total();
   if (surface_.line == LineKind::IsotropicEquivalent) {
     const EquivalentSpectra spectra = equivalent_ ? *equivalent_ : equivalentSpectra(bands);
     for (std::size_t j = 0; j < bands.bands(); ++j) {
@@ -369,7 +385,8 @@ void MeasuredLines::setDensity(const std::stop_token& stop) {
       bands.power[j] *= factor * factor;
     }
   }
-  densitySlopeRatio_ = slope > 0 ? bands.rmsSlope() / slope : 1;
+  densityRatios_ = {powerBefore > 0 ? std::sqrt(bands.total() / powerBefore) : 1,
+                    slope > 0 ? bands.rmsSlope() / slope : 1};
   density_ = bands.density();
 }
 
@@ -408,11 +425,13 @@ FourierLine MeasuredLines::measuredModes(std::int64_t row) const {
   return line;
 }
 
-double MeasuredLines::slopeRatio() const {
-  if (surface_.line == LineKind::AsMeasured) return 1;
-  if (surface_.processing.seam == Seam::RandomPhases) return densitySlopeRatio_;
-  const double slope = rmsSlope(measuredModes(0));
-  return slope > 0 ? rmsSlope(modes(0)) / slope : 1;
+EquivalentRatios MeasuredLines::equivalentRatios() const {
+  if (surface_.line == LineKind::AsMeasured) return {};
+  if (surface_.processing.seam == Seam::RandomPhases) return densityRatios_;
+  const FourierLine measured = measuredModes(0), equivalent = modes(0);
+  const double height = rmsHeight(measured), slope = rmsSlope(measured);
+  return {height > 0 ? rmsHeight(equivalent) / height : 1,
+          slope > 0 ? rmsSlope(equivalent) / slope : 1};
 }
 
 }  // namespace asperity

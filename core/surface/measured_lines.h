@@ -36,6 +36,18 @@ struct ProcessedProfile {
   std::int64_t gaps = 0, outliers = 0;  // points that were interpolated
 };
 
+/// What was not measured: rows of the file that are no lines, and points that are interpolated in
+/// all others.
+struct MissingHeights {
+  std::int64_t rowsLeftOut = 0;         // with fewer than three measured points
+  std::int64_t gaps = 0, outliers = 0;  // points of the used parts of the used rows
+};
+
+/// How the isotropic equivalent differs from the line as measured.
+struct EquivalentRatios {
+  double height = 1, slope = 1;  // of the rms values
+};
+
 class MeasuredLines {
  public:
   /// Makes the lines of the scene from a file that has been read; of() reads the scene's own file.
@@ -48,7 +60,8 @@ class MeasuredLines {
 
   const MeasuredFile& file() const { return *file_; }
   std::int64_t rows() const { return static_cast<std::int64_t>(rows_.size()); }  // that can be used
-  std::int64_t rowsLeftOut() const { return leftOut_; }  // with fewer than three measured points
+  /// Looks through all rows that are used.
+  MissingHeights missingHeights() const;
 
   double length() const { return length_; }                                         // m, the period
   std::int64_t points() const { return static_cast<std::int64_t>(periodPoints_); }  // of a period
@@ -78,9 +91,11 @@ class MeasuredLines {
   /// Returns the modes of a row as measured, whatever line the scene asks for. Not for random
   /// phases.
   FourierLine measuredModes(std::int64_t row) const;
-  /// Returns the rms slope of the isotropic equivalent over that of the line as measured; 1 where
-  /// the scene uses the line as measured.
-  double slopeRatio() const;
+  /// Returns the rms values of the first isotropic equivalent over those of the same line as
+  /// measured; 1 where the scene uses the line as measured. The equivalent has the height of the
+  /// surface, which only the mean over its rows has, and which rows lose that are levelled one by
+  /// one.
+  EquivalentRatios equivalentRatios() const;
   /// Returns the density of the lines with random phases.
   const SpectralDensity& density() const { return density_; }
 
@@ -100,7 +115,7 @@ class MeasuredLines {
   std::optional<GaussianFilter> shortWaves_, longWaves_;
   std::optional<EquivalentSpectra> equivalent_;  // of a topography
   SpectralDensity density_;
-  double densitySlopeRatio_ = 1;
+  EquivalentRatios densityRatios_;
   std::optional<FourierTransform> transform_;
   mutable std::once_flag areSpikesCounted_;
   mutable std::int64_t spikes_ = 0;

@@ -34,7 +34,7 @@ MeasuredSummary measuredSummary(const Scene& scene, const LineSource& source) {
   summary.rowSpacing = topography.rowSpacing;
   summary.rowInFile = lines.numberInFile(source.rowOf(0));
   summary.rowsUsed = lines.rows();
-  summary.rowsLeftOut = lines.rowsLeftOut();
+  summary.missing = lines.missingHeights();
   summary.spikes = lines.spikes();
   summary.profile = lines.profile(source.rowOf(0));
   const ProcessedProfile& profile = summary.profile;
@@ -51,7 +51,7 @@ MeasuredSummary measuredSummary(const Scene& scene, const LineSource& source) {
   summary.band = reliableBand(levelled, profile.spacing, processing.shortWaveCut);
   summary.period = source.length();
   summary.lineSlope = source.statistics().rmsSlope;
-  summary.slopeRatio = lines.slopeRatio();
+  summary.ratios = lines.equivalentRatios();
   summary.isEquivalent = scene.surface.line == LineKind::IsotropicEquivalent;
   summary.hasTurned = scene.surface.contactSide == ContactSide::Summits;
   summary.isMirrored = processing.seam == Seam::Mirror;
@@ -66,27 +66,37 @@ Message spikesFact(std::int64_t spikes) {
       spikes, PrintedNumber{printedNumber(kUsualOutliers, 2)});
 }
 
+std::vector<Message> factsOf(const MissingHeights& missing) {
+  std::vector<Message> list;
+  const auto add = [&list](std::int64_t count, const Message& one, const Message& several) {
+    if (count > 0) list.push_back(count == 1 ? one : several);
+  };
+  add(missing.rowsLeftOut, "one row with fewer than three heights is left out",
+      message("{} rows with fewer than three heights are left out", missing.rowsLeftOut));
+  add(missing.gaps, "one point without a height is interpolated",
+      message("{} points without a height are interpolated", missing.gaps));
+  add(missing.outliers, "one outlier is interpolated",
+      message("{} outliers are interpolated", missing.outliers));
+  return list;
+}
+
 std::vector<Message> factsOf(const MeasuredSummary& summary) {
   const ReadingFacts& facts = summary.facts;
   std::vector<Message> list;
   for (const Message& note : facts.notes) list.push_back(note);
-  if (summary.rowsLeftOut > 0)
-    list.push_back(
-        message("{} rows with fewer than three heights are left out", summary.rowsLeftOut));
+  for (const Message& fact : factsOf(summary.missing)) list.push_back(fact);
   if (summary.rows > 1)
     list.push_back(summary.rowsUsed == 1 ? message("row {} alone is the line", summary.rowInFile)
                                          : message("shown is row {}; {} rows are lines",
                                                    summary.rowInFile, summary.rowsUsed));
-  if (summary.profile.gaps + summary.profile.outliers > 0)
-    list.push_back(message("{} gaps and {} outliers are interpolated", summary.profile.gaps,
-                           summary.profile.outliers));
   if (summary.spikes > 0) list.push_back(spikesFact(summary.spikes));
   list.push_back(
       summary.isEquivalent
-          ? message(
-                "the line is the isotropic equivalent, C = \u03C0 q C\u2082; its rms slope is {} "
-                "times that of the surface as measured",
-                PrintedNumber{printedNumber(summary.slopeRatio, 4)})
+          ? message("the line is the isotropic equivalent, C = \u03C0 q C\u2082, with the height "
+                    "of the whole surface; its rms height is {} times and its rms slope {} times "
+                    "that of the line as measured",
+                    PrintedNumber{printedNumber(summary.ratios.height, 4)},
+                    PrintedNumber{printedNumber(summary.ratios.slope, 4)})
           : Message("the line is the surface as measured"));
   list.push_back(summary.hasTurned ? Message("the line is turned over, because the summits touch")
                                    : Message("the line is not turned over: the valleys touch"));

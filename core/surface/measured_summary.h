@@ -18,16 +18,16 @@ struct MeasuredSummary {
   std::int64_t columns = 0, rows = 0;        // of the file
   double spacing = 0, rowSpacing = 0;        // m
   std::int64_t rowInFile = 1, rowsUsed = 1;  // the row of realization 0; all that are lines
-  std::int64_t rowsLeftOut = 0;
+  MissingHeights missing{};
   ProcessedProfile profile{};  // that row
   ProfileParameters raw{}, used{};
   bool isRoughness = false;  // a long-wave cut makes the values used R parameters
   double longWaveCut = 0;    // m; 0: none
   SpectralDensity rawSpectrum{}, usedSpectrum{};  // under a Hann window, C1 two-sided
   ReliableBand band{};
-  double period = 0;      // m, of the line
-  double lineSlope = 0;   // rms, of the line that slides
-  double slopeRatio = 1;  // of the isotropic equivalent over the surface as measured
+  double period = 0;     // m, of the line
+  double lineSlope = 0;  // rms, of the line that slides
+  EquivalentRatios ratios{};
   bool isEquivalent = false, hasTurned = false, isMirrored = false;
   std::int64_t spikes = 0;  // points of all rows (MeasuredLines::spikes)
   NoteSet notes{};
@@ -38,6 +38,9 @@ MeasuredSummary measuredSummary(const Scene& scene, const LineSource& source);
 
 /// Returns a sentence on the spikes of all rows, and on what removes them.
 Message spikesFact(std::int64_t spikes);
+
+/// Returns what is left out and what is interpolated, one sentence each.
+std::vector<Message> factsOf(const MissingHeights& missing);
 
 /// Returns how the file was understood and processed, one sentence each.
 std::vector<Message> factsOf(const MeasuredSummary& summary);

@@ -7,9 +7,12 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "core/base/embedded_provenance.h"
 #include "core/base/json_text.h"
+#include "core/base/regular_file.h"
 #include "core/scene/columns.h"
 #include "core/scene/provenance.h"
+#include "core/scene/scene_file.h"
 #include "core/surface/measured_summary.h"
 #include "core/surface/spectrum.h"
 
@@ -60,7 +63,7 @@ void addMeasured(Json& root, const MeasuredSummary& summary) {
              {"resampled", facts.resampled},
              {"row", summary.rowInFile},
              {"rows_used", summary.rowsUsed},
-             {"rows_left_out", summary.rowsLeftOut},
+             {"rows_left_out", summary.missing.rowsLeftOut},
              {"gaps_interpolated", summary.profile.gaps},
              {"outliers_interpolated", summary.profile.outliers}};
   reading["facts"] = Json::array();
@@ -73,7 +76,8 @@ void addMeasured(Json& root, const MeasuredSummary& summary) {
   root["values"] = {{"raw", std::move(raw)},
                     {"used", std::move(used)},
                     {"length", summary.used.length},
-                    {"slope_ratio", summary.slopeRatio}};
+                    {"height_ratio", summary.ratios.height},
+                    {"slope_ratio", summary.ratios.slope}};
   root["spectrum_of_surface"] = {{"reliable_from", summary.band.from},
                                  {"reliable_to", summary.band.to},
                                  {"ends_in_noise", summary.band.endsInNoise},
@@ -83,7 +87,31 @@ void addMeasured(Json& root, const MeasuredSummary& summary) {
   for (const Note note : summary.notes.list()) root["notes"].push_back(noteWord(note));
 }
 
+/// Returns whether the table is a line that this program wrote.
+bool isWrittenLine(const std::filesystem::path& file) {
+  constexpr std::size_t kBeginning = std::size_t{1} << 20;  // bytes; the record is its first line
+  const std::string beginning = RegularFile(file).read(0, kBeginning);
+  if (!beginning.starts_with('#') || beginning.find("\nposition,height\n") == std::string::npos)
+    return false;
+  const auto record = Json::parse(embeddedProvenance(beginning), nullptr, false);
+  return record.is_object() && record.contains("verb") && record["verb"] == "surface";
+}
+
 }  // namespace
+
+Scene surfaceFileScene(const std::filesystem::path& file,
+                       const std::vector<std::string>& assignments) {
+  const char* const kind = isWrittenLine(file) ? "profile" : "measured";
+  const Json json = {{"surface", {{"kind", kind}, {"file", file.filename().string()}}}};
+  return readScene(json.dump(-1, ' ', false, Json::error_handler_t::replace), file.string(),
+                   file.parent_path(), assignments);
+}
+
+std::int64_t writtenPointsPerElement(const Scene& scene, bool isOfFile) {
+  const SurfaceKind kind = scene.surface.kind;
+  const bool isExact = isOfFile || kind == SurfaceKind::Measured || kind == SurfaceKind::Spectrum;
+  return isExact ? 1 : pointsPerElement(scene);
+}
 
 std::string lineCsv(const Line& line) {
   std::string text = joinedColumns({"position", "height"}) + "\n";

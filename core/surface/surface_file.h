@@ -1,9 +1,13 @@
 // Writes the line of a scene as text: its points as CSV that the profile reader accepts; its
-// statistics and spectrum as tables and as JSON, with the summary of a measured surface. Pure
-// functions; equal scenes give equal bytes.
+// statistics and spectrum as tables and as JSON, with the summary of a measured surface. And the
+// scene of a file that is such a line, or a measured surface. Pure functions, except for reading
+// that file; equal scenes give equal bytes.
 #pragma once
 
+#include <cstdint>
+#include <filesystem>
 #include <string>
+#include <vector>
 
 #include "core/scene/data_table.h"
 #include "core/scene/scene.h"
@@ -11,6 +15,17 @@
 #include "core/surface/line_source.h"
 
 namespace asperity {
+
+/// Returns the default scene with the file of a surface, and the assignments. A line that this
+/// program wrote (lineCsv) is not processed again: it is already levelled, filtered and turned
+/// over. Throws InputError.
+Scene surfaceFileScene(const std::filesystem::path& file,
+                       const std::vector<std::string>& assignments);
+
+/// Returns the points per element of a written line. A line from a file is written with its
+/// elements alone: read as a profile it is the same line. isOfFile: the scene is
+/// surfaceFileScene().
+std::int64_t writtenPointsPerElement(const Scene& scene, bool isOfFile);
 
 /// Returns a table "position,height" in metres.
 std::string lineCsv(const Line& line);

@@ -2536,6 +2536,10 @@
         <translation>Sie werden berechnet …</translation>
     </message>
     <message>
+        <source>They could not be computed.</source>
+        <translation>Sie konnten nicht berechnet werden.</translation>
+    </message>
+    <message>
         <source>Open lesson</source>
         <translation>Lektion öffnen</translation>
     </message>

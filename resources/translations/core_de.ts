@@ -3275,6 +3275,10 @@
         <translation>%1 ist mehr als das einzige Profil der Datei; 0 heißt jede Zeile</translation>
     </message>
     <message>
+        <source>%1 is more than the rows of the file with %2 measured points or more, which are %3 of %4; 0 is every one of them</source>
+        <translation>%1 ist mehr als die Zeilen der Datei mit %2 oder mehr gemessenen Punkten, das sind %3 von %4; 0 heißt jede von ihnen</translation>
+    </message>
+    <message>
         <source>%1 is more than the %2 rows of the file; 0 is every row</source>
         <translation>%1 ist mehr als die %2 Zeilen der Datei; 0 heißt jede Zeile</translation>
     </message>
@@ -3295,6 +3299,10 @@
         <translation>Zeile %1 hat keinen gemessenen Punkt innerhalb von %2 m</translation>
     </message>
     <message>
+        <source>one row with fewer than three heights is left out</source>
+        <translation>eine Zeile mit weniger als drei Höhen ist ausgelassen</translation>
+    </message>
+    <message>
         <source>%1 rows with fewer than three heights are left out</source>
         <translation>%1 Zeilen mit weniger als drei Höhen sind ausgelassen</translation>
     </message>
@@ -3303,8 +3311,20 @@
         <translation>gezeigt ist Zeile %1; %2 Zeilen sind Linien</translation>
     </message>
     <message>
-        <source>%1 gaps and %2 outliers are interpolated</source>
-        <translation>%1 Lücken und %2 Ausreißer sind interpoliert</translation>
+        <source>one point without a height is interpolated</source>
+        <translation>ein Punkt ohne Höhe ist interpoliert</translation>
+    </message>
+    <message>
+        <source>%1 points without a height are interpolated</source>
+        <translation>%1 Punkte ohne Höhe sind interpoliert</translation>
+    </message>
+    <message>
+        <source>one outlier is interpolated</source>
+        <translation>ein Ausreißer ist interpoliert</translation>
+    </message>
+    <message>
+        <source>%1 outliers are interpolated</source>
+        <translation>%1 Ausreißer sind interpoliert</translation>
     </message>
     <message>
         <source>%1 points of all rows stand far out of their neighbours, like spikes: where they are errors of the measurement, surface.outliers=%2 replaces them</source>
@@ -6139,8 +6159,8 @@
         <translation>die isotrop gleichwertige Linie, C = π q C₂, der gemessenen Oberfläche</translation>
     </message>
     <message>
-        <source>the line is the isotropic equivalent, C = π q C₂; its rms slope is %1 times that of the surface as measured</source>
-        <translation>die Linie ist die isotrop gleichwertige, C = π q C₂; ihre RMS-Steigung ist %1-mal die der Oberfläche wie gemessen</translation>
+        <source>the line is the isotropic equivalent, C = π q C₂, with the height of the whole surface; its rms height is %1 times and its rms slope %2 times that of the line as measured</source>
+        <translation>die Linie ist die isotrop gleichwertige, C = π q C₂, mit der Höhe der ganzen Oberfläche; ihre RMS-Höhe ist %1-mal und ihre RMS-Steigung %2-mal die der Linie wie gemessen</translation>
     </message>
     <message>
         <source>the shift used is the table of measured shifts</source>

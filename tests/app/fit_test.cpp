@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -127,6 +128,18 @@ TEST_F(FitCommandTest, MeasuredFrictionAndTheoriesStandBesideACurve) {
             read("c.csv").substr(read("c.csv").find("\nseries")));
   expectRefused("curve s.json --theory newton", 2, "newton is not one of eq_11");
   expectRefused("curve s.json --data none.csv", 2, "none.csv");
+}
+
+/// The folder is checked before the measured friction is read, and so before any fit.
+TEST_F(FitCommandTest, AFolderThatCannotBeWrittenIsRefusedBeforeTheWork) {
+  const std::string call = "fit s.json --data data.csv --vary surface.hrust -o ";
+  expectRefused(call + "s.json", 2, "s.json: is not a folder and cannot be made one");
+  expectRefused(call + "s.json/a/b", 2, "s.json/a/b: is not a folder and cannot be made one");
+  expectRefused(call + "new/folder", 2, "surface.hrust");  // which is not made, either
+  std::filesystem::create_symlink("nowhere", program.folder / "link");
+  expectRefused(call + "link", 2, "link: is not a folder and cannot be made one");
+  expectRefused("material data.csv -o s.json/d", 2, "s.json/d: is not a folder");
+  expectRefused("render s.json --frames 2 -o s.json/d", 2, "s.json/d: is not a folder");
 }
 
 }  // namespace

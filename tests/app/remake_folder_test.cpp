@@ -347,7 +347,7 @@ TEST_F(RemakeFolderTest, FilesWithoutARecordAreOneLine) {
                        R"({"verb": "fit", "scene": )" + fit["scene"].dump() + R"(, "fit": {}})");
   expectRefused("open old.json --remake", 2, "does not say the options that made it");
   program.folder.write("odd.json", R"({"verb": "explain", "scene": {}})");
-  expectRefused("open odd.json --remake", 2, "whose files cannot be remade");
+  expectRefused("open odd.json --remake", 2, "which cannot be remade");
   for (
       const char* odd :
       {R"({"verb":"material","origin":{}})", R"({"verb":"material","origin":{"options":3}})",

@@ -74,11 +74,16 @@ TEST_F(RemakeTest, RefusesWhatCannotBeRemade) {
       "old.csv", "# asperity: {\"schema\":\"asperity-curve/1\",\"verb\":\"curve\",\"scene\":" +
                      std::string(kScene) + "}\nvelocity,mu\n");
   expectRefused("open old.csv --remake", 2, "does not say the options that made it");
+  program.folder.write(
+      "window.csv", "# asperity: {\"schema\":\"asperity-motion/1\",\"verb\":\"motion\",\"scene\":" +
+                        std::string(kScene) + "}\ntime,mu\n");
+  expectRefused("open window.csv --remake", 2, "'asperity motion' makes a new one of its scene");
   expectRefused("open s.json --remake", 2, "is a scene");
   expectRefused("open s.json --size 5x5", 2, "unknown option");
   expectRefused("open s.json -o x.png", 2, "--output: is of --remake");
   program.folder.write("e.json", program.run("explain s.json --json").out);
-  expectRefused("open e.json --remake", 2, "'asperity explain', whose files cannot be remade");
+  expectRefused("open e.json --remake", 2,
+                "is a result of the kind 'explain', which cannot be remade");
 }
 
 TEST_F(RemakeTest, SizesOnPaper) {

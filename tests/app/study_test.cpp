@@ -160,6 +160,12 @@ TEST_F(StudyCommandTest, MistakesAreOneLine) {
   expectRefused("study analyse nothing -o d", 2, "is not there");
 }
 
+/// The folder is checked before the store is even opened.
+TEST_F(StudyCommandTest, AFolderThatCannotBeWrittenIsRefusedBeforeTheWork) {
+  expectRefused("study analyse nothing -o study.json/d", 2,
+                "study.json/d: is not a folder and cannot be made one");
+}
+
 TEST_F(StudyCommandTest, AFullDiskIsOneLineAndTheRunGoesOn) {
   const std::string whole = undisturbed();
   const Said full = program.runOnFullDisk("study run study.json -o full --quiet");

@@ -120,6 +120,56 @@ TEST_F(SurfaceCommandTest, WorksWithEveryVerb) {
               HasSubstr("seam_jump"));
 }
 
+/// A matrix of four rows, one without any height and two points of the others missing.
+TEST_F(SurfaceCommandTest, EveryVerbSaysWhatIsLeftOutAndFilled) {
+  std::ostringstream matrix;
+  matrix << "# Width: 100 µm\n# Height: 4 µm\n# Value units: m\n";
+  for (int row = 0; row < 4; ++row)
+    for (int i = 0; i < 100; ++i) {
+      const bool isMissing = row == 1 || (row == 2 && (i == 7 || i == 50));
+      if (isMissing)
+        matrix << "NaN";
+      else
+        matrix << 1e-7 * std::sin(0.21 * i + row);
+      matrix << (i == 99 ? "\n" : "\t");
+    }
+  program.folder.write("gaps.txt", matrix.str());
+  program.folder.write("g.json", R"({"surface":{"kind":"measured","file":"gaps.txt",
+      "gaps":"interpolate"},"ensemble":{"realizations":0},"sweep":{"points":2}})");
+  for (const std::string verb : {"surface", "check", "explain", "curve"}) {
+    const Said said = program.run(verb + " g.json" + (verb == "curve" ? " -o c.csv" : ""));
+    EXPECT_EQ(said.status, 0) << said.err;
+    EXPECT_THAT(said.out, AllOf(HasSubstr("one row with fewer than three heights is left out"),
+                                HasSubstr("2 points without a height are interpolated")))
+        << verb;
+  }
+  expectRefused("check g.json --set ensemble.realizations=4", 2,
+                "4 is more than the rows of the file with 3 measured points or more, which are 3 "
+                "of 4; 0 is every one of them");
+}
+
+/// The height of an equivalent line is another one than that of its row: both factors are told.
+TEST_F(SurfaceCommandTest, TellsHeightAndSlopeOfTheEquivalentLine) {
+  const std::string as = " --set surface.line=";
+  const auto valuesOf = [&](const std::string& line) {
+    const Said said = program.run("surface p.csv --json" + as + line);
+    EXPECT_EQ(said.status, 0) << said.err;
+    return nlohmann::json::parse(said.out);
+  };
+  const auto row = valuesOf("as_measured"), line = valuesOf("isotropic_equivalent");
+  for (const auto& [ratio, value] :
+       {std::pair{"height_ratio", "rms_height"}, {"slope_ratio", "rms_slope"}}) {
+    EXPECT_EQ(row["values"][ratio], 1);
+    EXPECT_NEAR(line["values"][ratio].get<double>(),
+                line["statistics"][value].get<double>() / row["statistics"][value].get<double>(),
+                1e-12);
+  }
+  // The parameters of ISO 21920-2 are those of the row.
+  EXPECT_EQ(row["values"]["used"], line["values"]["used"]);
+  EXPECT_THAT(program.run("surface p.csv" + as + "isotropic_equivalent").out,
+              AllOf(HasSubstr("its rms height is "), HasSubstr(" times and its rms slope ")));
+}
+
 TEST_F(SurfaceCommandTest, RefusesInOneLine) {
   program.folder.write("bad.csv", "not a surface\n");
   expectRefused("surface bad.csv", 2, "bad.csv");

@@ -98,6 +98,29 @@ TEST_F(TablesTest, RealizationsAreBehindTheMeans) {
                 2, "--realizations-table: needs the same lines");
 }
 
+/// Where nothing computed can make room, a chart is refused before the work, which would take
+/// hours; otherwise before the first file is written. The size that is named is enough.
+TEST_F(TablesTest, NoFileIsWrittenWhereAChartHasNoRoom) {
+  const std::string call =
+      "curve s.json -o a.csv -o a.svg --realizations-table r.csv --compare linear:2:3 --size ";
+  expectRefused(call + "600x160 --set ensemble.realizations=1000000000", 2,
+                "--size: 600x160 leaves no room for the difference", "timeout 60");
+  const std::string said = program.run(call + "600x160").err;
+  const std::size_t from = said.find("; ") + 2;
+  const std::string enough = said.substr(from, said.find(" does") - from);
+  const int least = std::stoi(enough.substr(enough.find('x') + 1));
+  int refused = 0;
+  for (int height = 160; height < least; height += 40) {
+    const std::string small = call + "600x" + std::to_string(height);
+    if (program.run(small).status == 0) break;
+    expectRefused(small, 2, "--size: 600x");
+    ++refused;
+  }
+  EXPECT_GT(refused, 1);
+  run(call + enough);
+  EXPECT_THAT(read("a.svg"), testing::HasSubstr("\u0394 (%)"));
+}
+
 TEST_F(TablesTest, ColumnsAreChosenInAnyTable) {
   EXPECT_EQ(lines(run("curve s.json --columns mu,velocity")).front(), "mu,velocity");
   EXPECT_EQ(lines(run("render s.json -o - --columns gap")).front(), "gap");

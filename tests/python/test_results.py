@@ -120,6 +120,20 @@ def test_surface_of_a_measured_file(tmp_path):
     assert changed.scene["surface.form"] == "parabola"
 
 
+def test_a_line_that_the_program_wrote_is_not_processed_again(tmp_path):
+    x = np.arange(400) * 1e-6
+    file = tmp_path / "profile.csv"
+    file.write_text("position,height\n" + "".join(
+        f"{a!r},{b!r}\n" for a, b in zip(x.tolist(), (1e-6 * np.sin(x / 1e-5) + x / 50).tolist())))
+    run("surface", file, "-o", tmp_path / "line.csv", "--quiet")
+    line, again = asperity.surface(file), asperity.surface(tmp_path / "line.csv")
+    assert again.scene["surface.kind"] == "profile"
+    assert again.shape == line.shape == (800,)
+    np.testing.assert_allclose(again.height, line.height, atol=1e-15)
+    run("surface", tmp_path / "line.csv", "-o", tmp_path / "again.csv", "--quiet")
+    assert again.to_csv() == (tmp_path / "again.csv").read_text()
+
+
 def test_surface_of_a_broken_file_says_what_the_program_says(tmp_path):
     file = tmp_path / "broken.csv"
     file.write_text("position,height\n0,1\n1,x\n2,3\n3,4\n")

@@ -167,6 +167,18 @@ def test_wrong_overrides_name_their_key(overrides, key):
     assert caught.value.key == key
 
 
+def test_complex_values_are_refused():
+    key = "load.normal_force"
+    for value in (1e-3 + 2e-3j, np.array([1e-3, 2e-3j]), [np.complex64(1e-3)],
+                  np.array([1e-3, np.complex64(2e-3j)], dtype=object)):
+        for call in (lambda: asperity.friction(SMALL, {key: value}),
+                     lambda: asperity.map(SMALL, (key, np.atleast_1d(value)),
+                                          "sliding.velocity=1:2:2")):
+            with pytest.raises(asperity.InputError) as caught:
+                call()
+            assert str(caught.value) == f"{key}: is complex; a real number is needed"
+
+
 def test_too_many_states_are_refused_before_they_are_made():
     with pytest.raises(asperity.InputError, match="more than 200000"):
         asperity.friction(SMALL, {"load.normal_force": np.linspace(1e-3, 1, 200001)})

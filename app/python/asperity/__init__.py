@@ -394,6 +394,9 @@ def _values(key, value):
     if isinstance(value, str):
         return numpy.array(_core.number(key, value), dtype=float)
     values = numpy.asarray(value)
+    parts = values.flat if values.dtype.kind == "O" else [values]
+    if any(numpy.iscomplexobj(part) for part in parts):
+        raise _input_error(key, "is complex; a real number is needed")
     if values.dtype.kind in "USO":
         flat = [_core.number(key, one) if isinstance(one, str) else float(one) for one in values.flat]
         return numpy.array(flat, dtype=float).reshape(values.shape)
@@ -701,16 +704,14 @@ def surface(source, *, realization=0, progress=None, **values):
     """The rigid line of a scene, or of the file of a measured surface, as ``asperity surface``.
 
     source: Scene, dict, scene file, or a measured profile or topography of any kind that the
-    program reads. values: keys of the scene, such as ``surface={"height_unit": "um"}``. Returns a
-    Surface.
+    program reads. A line that the program wrote is taken as it is, a profile; any other file is
+    processed as a measured surface. values: keys of the scene, such as
+    ``surface={"height_unit": "um"}``. Returns a Surface.
     """
     file = ""
     if isinstance(source, (str, os.PathLike)) and _core.is_surface_file(os.fspath(source)):
-        import json
-
         file = os.fspath(source)
-        text = json.dumps({"surface": {"kind": "measured", "file": os.path.basename(file)}})
-        scene = Scene._of(_core.Scene(text, file, os.path.dirname(file), _assignments(values)))
+        scene = Scene._of(_core.surface_file_scene(file, _assignments(values)))
     else:
         scene = Scene(source, **values)
     return Surface(*_timed(_core.surface, scene._core, file, realization, progress))

@@ -196,7 +196,8 @@ TEST(MeasuredLines, LeaveOutGapsAtTheEndsAndEmptyRows) {
   const MeasuredLines lines(scene, fileOf(topographyOf(rows, 2)));
   EXPECT_EQ(lines.points(), 200);
   EXPECT_EQ(lines.rows(), 1);
-  EXPECT_EQ(lines.rowsLeftOut(), 1);
+  EXPECT_EQ(lines.missingHeights().rowsLeftOut, 1);
+  EXPECT_EQ(lines.missingHeights().gaps, 3);  // those of the row that is left out do not count
   EXPECT_EQ(lines.numberInFile(0), 2);
 }
 
@@ -220,6 +221,45 @@ TEST(MeasuredLines, AreTheRowsOfATopographyInTurnOrOneOfThem) {
   scene.ensemble.realizations = 6;
   EXPECT_EQ(errorOf(scene, topographyOf(heights, 5)),
             "ensemble.realizations: 6 is more than the 5 rows of the file; 0 is every row");
+}
+
+/// What is counted is what the lines are made of: the used part of each used row.
+TEST(MeasuredLines, CountWhatIsInterpolatedInAllRows) {
+  std::vector<double> heights(3 * 100, kNone);
+  for (const std::size_t row : {0U, 2U}) {
+    const std::vector<double> measured = walk(100, static_cast<unsigned>(row + 1));
+    std::ranges::copy(measured, heights.begin() + static_cast<std::ptrdiff_t>(100 * row));
+  }
+  heights[10] = heights[11] = heights[90] = heights[230] = kNone;
+  heights[50] = 1;  // m
+  Scene scene = measuredScene();
+  scene.surface.processing.gaps = GapHandling::Interpolate;
+  scene.surface.processing.outliers = 100;
+  const auto missing = [&] {
+    return MeasuredLines(scene, fileOf(topographyOf(heights, 3))).missingHeights();
+  };
+  EXPECT_EQ(missing().rowsLeftOut, 1);
+  EXPECT_EQ(missing().gaps, 4);
+  EXPECT_EQ(missing().outliers, 1);
+  scene.surface.length = 1e-4;  // half of each row
+  EXPECT_EQ(missing().gaps, 3);
+  scene.surface.reading.row = 3;
+  EXPECT_EQ(missing().gaps, 1);
+  EXPECT_EQ(missing().outliers, 0);
+}
+
+TEST(MeasuredLines, AreAsManyAsTheRowsThatCanBeUsed) {
+  Scene scene = measuredScene();
+  scene.surface.processing.gaps = GapHandling::Interpolate;
+  std::vector<double> heights(64, kNone);
+  for (unsigned row = 1; row < 3; ++row)
+    for (const double z : walk(64, row)) heights.push_back(z);
+  scene.ensemble.realizations = 3;
+  EXPECT_EQ(errorOf(scene, topographyOf(heights, 3)),
+            "ensemble.realizations: 3 is more than the rows of the file with 3 measured points or "
+            "more, which are 2 of 3; 0 is every one of them");
+  scene.ensemble.realizations = 2;
+  EXPECT_EQ(errorOf(scene, topographyOf(heights, 3)), "no error");
 }
 
 TEST(MeasuredLines, OfFewerRealizationsAreSpreadOverTheRows) {
@@ -281,6 +321,37 @@ TEST(IsotropicEquivalent, HasTheHeightAndTheGradientOfItsSurface) {
   EXPECT_NEAR(std::sqrt(line.height), 1, 0.03);
   EXPECT_NEAR(std::sqrt(line.slope), 1, 0.03);
   EXPECT_NEAR(std::sqrt(2 * row.slope), 1, 0.03);
+}
+
+/// A row that is levelled by itself loses height, and its equivalent gets that of the levelled
+/// surface back, in the mean over all rows.
+TEST(IsotropicEquivalent, HasTheHeightOfTheSurfaceWhereRowsAreLevelled) {
+  IsotropicSurface surface;
+  surface.rollOffWaves = 6;  // of 512 points; a row has half of them
+  Scene scene = measuredScene();
+  double lines = 0, rows = 0, whole = 0;
+  for (unsigned seed = 1; seed <= 24; ++seed) {
+    const Topography topography = surface.make(seed);
+    const auto size = static_cast<std::size_t>(topography.columns);
+    std::vector<double> plane = topography.height;
+    removeForm(plane, size, size, FormRemoval::Line);
+    for (const double z : plane) whole += z * z / static_cast<double>(size * size);
+    scene.surface.line = LineKind::IsotropicEquivalent;
+    const MeasuredLines equivalent(scene, fileOf(topography));
+    const auto count = static_cast<double>(equivalent.rows());
+    for (std::int64_t row = 0; row < equivalent.rows(); ++row) {
+      lines += std::pow(rmsHeight(equivalent.modes(row)), 2) / count;
+      rows += std::pow(rmsHeight(equivalent.measuredModes(row)), 2) / count;
+    }
+    // The factors that are told are those of the first line.
+    const FourierLine first = equivalent.modes(0), measured = equivalent.measuredModes(0);
+    EXPECT_DOUBLE_EQ(equivalent.equivalentRatios().height, rmsHeight(first) / rmsHeight(measured));
+    EXPECT_DOUBLE_EQ(equivalent.equivalentRatios().slope, rmsSlope(first) / rmsSlope(measured));
+    scene.surface.line = LineKind::AsMeasured;
+    EXPECT_EQ(MeasuredLines(scene, fileOf(topography)).equivalentRatios().height, 1);
+  }
+  EXPECT_NEAR(std::sqrt(lines / whole), 1, 0.05);
+  EXPECT_LT(std::sqrt(rows / whole), 0.95);
 }
 
 TEST(IsotropicEquivalent, OfCutProfilesIsThatOfTheSurface) {

@@ -107,6 +107,25 @@ TEST_F(LessonEditorTest, SaysWhatTheProgramFindsAndOverHowManyLines) {
   EXPECT_TRUE(waitFor([&] { return said.text().contains("The program finds"); }));
 }
 
+/// An answer is computed as long as it is shown or needed, and not for a lesson that is gone.
+TEST_F(LessonEditorTest, StopsComputingWhatNobodyNeeds) {
+  edit(sampleLesson(), 1);
+  EXPECT_TRUE(editor_->hasWork());
+  field<QListWidget>("editorSteps").setCurrentRow(0);
+  EXPECT_FALSE(editor_->hasWork());
+  field<QListWidget>("editorSteps").setCurrentRow(1);
+  setCell(1, 3, "1.6");
+  EXPECT_TRUE(editor_->isComputing());
+  TemporaryFolder folder;
+  folder.write("other.json", writeLesson(lessonOf(sampleLesson())));
+  editor_->openFile(QString::fromStdString((folder / "other.json").string()));
+  EXPECT_FALSE(editor_->hasWork());
+  EXPECT_FALSE(editor_->isComputing());
+  EXPECT_TRUE(canSave());
+  QTest::qWait(300);  // nothing of the former lesson arrives
+  EXPECT_EQ(errorText(), "");
+}
+
 /// The form may be narrower than its sentences.
 TEST_F(LessonEditorTest, LongTextsOfTheFormAreWrappedOrElided) {
   Json json = sampleLesson();

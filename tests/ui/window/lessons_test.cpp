@@ -19,6 +19,8 @@
 #include <QTableWidget>
 #include <QToolButton>
 #include <array>
+#include <atomic>
+#include <stdexcept>
 
 #include "tests/core/lesson/lesson_samples.h"
 #include "tests/core/temporary_folder.h"
@@ -552,6 +554,27 @@ TEST_F(LessonsTest, TheListSaysWhatEachTeachesAndBeginsIt) {
   QTest::keyClick(&names, Qt::Key_Return);
   ASSERT_TRUE(lessons().isRunning());
   EXPECT_EQ(lessons().lesson()->name, "load_and_friction");
+}
+
+TEST_F(LessonsTest, TheListTriesAnswersThatFailedAgain) {
+  std::atomic<int> tries = 0;
+  LessonList list(&window_, [&tries](const LessonStep& step, const CurveOptions& options) {
+    if (++tries == 1) throw std::runtime_error("no room in memory");
+    return lessonAnswer(step, options);
+  });
+  list.show();
+  list.findChild<QListWidget*>("lessonNames")->setCurrentRow(1);
+  const auto said = [&](const char* name) { return list.findChild<QLabel*>(name)->text(); };
+  auto& notes = *list.findChild<QCheckBox*>("lessonNotes");
+  notes.click();
+  EXPECT_TRUE(said("lessonAbout").contains("They are being computed"));
+  ASSERT_TRUE(waitFor([&] { return said("lessonStatus").contains("no room in memory"); }));
+  EXPECT_TRUE(said("lessonAbout").contains("They could not be computed."));
+  EXPECT_EQ(tries, 1);
+  notes.click();
+  notes.click();
+  EXPECT_TRUE(waitFor([&] { return said("lessonAbout").contains("right within"); }));
+  EXPECT_EQ(said("lessonStatus"), "");
 }
 
 TEST_F(LessonsTest, TheListShowsAnotherLessonFromItsBeginning) {

@@ -94,12 +94,14 @@ void MotionView::showFrame(const Frame& frame) {
   const double spacing = frame.spacing, length = frame.length;
   strips_->setSheet(transientSheet(*frame.scene, *samples_, spacing, length));
   if (!loop_->isHidden()) loop_->setSheet(frictionLoopSheet(*samples_));
-  const auto origin = [scene = frame.scene] { return pictureOrigin("strips", *scene); };
+  // The rows are means over parts of the motion, and those of `asperity motion` single steps: a
+  // file that is saved here names the command, but no options, and so cannot be remade.
+  const auto origin = [scene = frame.scene] { return pictureOrigin("motion", *scene); };
   const auto table = [scene = frame.scene, samples = samples_] {
     MotionTable rows;
     rows.lines = {*samples};
     rows.hasInterface = hasLocalFriction(*scene);
-    return provenanceComment("strips", *scene) + motionCsv(rows);
+    return provenanceComment("motion", *scene) + motionCsv(rows);
   };
   stripFiles_->show([scene = frame.scene, samples = samples_, spacing,
                      length] { return transientSheet(*scene, *samples, spacing, length); },

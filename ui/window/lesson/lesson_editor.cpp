@@ -400,7 +400,7 @@ void LessonEditor::check() {
   if (errorText_.isEmpty()) errorText_ = findMistake(lesson_);
   try {
     takeScenes(checked());
-    if (errorText_.isEmpty()) checkAnswers();
+    if (errorText_.isEmpty() && !checkAnswers()) stopComputing();
   } catch (const InputError& error) {
     if (errorText_.isEmpty()) showError(error);
     try {
@@ -462,28 +462,38 @@ bool LessonEditor::compute(const LessonStep& step) {
 
 /// Shows an error where no choice covers a computed answer, or where there is none. Answers that
 /// are not known yet are computed one after the other: those that may be covered by no choice,
-/// without which the lesson is not saved, and that of the present step, which is shown.
-void LessonEditor::checkAnswers() {
+/// without which the lesson is not saved, and that of the present step, which is shown. Returns
+/// whether one is being computed, or may be again as soon as an error is corrected.
+bool LessonEditor::checkAnswers() {
   for (std::size_t i = 0; i < lesson_.steps.size(); ++i) {
     const LessonStep& step = lesson_.steps[i];
     const Computed* known = computed(step);
     if (known && !known->failure.isEmpty()) {
       errorText_ = tr("Step %1, computed answer: %2").arg(i + 1).arg(known->failure);
-      return;
+      return true;
     }
     if (!step.prediction || !leavesOutNumbers(*step.prediction)) continue;
     if (compute(step)) {
       isComputing_ = true;
-      return;
+      return true;
     }
     try {
       rightChoice(*step.prediction, known->answer.number);
     } catch (const InputError& error) {
-      return showError(InputError("", "steps[" + std::to_string(i) + "].prediction." + error.key(),
-                                  error.message()));
+      showError(InputError("", "steps[" + std::to_string(i) + "].prediction." + error.key(),
+                           error.message()));
+      return true;
     }
   }
-  if (const LessonStep* step = present()) compute(*step);
+  const LessonStep* step = present();
+  return step && compute(*step);
+}
+
+/// Stops the computation of an answer that nobody needs any more.
+void LessonEditor::stopComputing() {
+  if (!pending_) return;
+  pending_.reset();
+  computing_.cancel();
 }
 
 /// Returns the text about the computed answer of the present step.
@@ -686,7 +696,10 @@ void LessonEditor::openOther() {
   if (!canClose()) return;
   const QString file = QFileDialog::getOpenFileName(this, tr("Open lesson"), file_,
                                                     tr("Lessons (*.json);;All files (*)"));
-  if (file.isEmpty()) return;
+  if (!file.isEmpty()) openFile(file);
+}
+
+void LessonEditor::openFile(const QString& file) {
   try {
     lesson_ = saved_ = readDraftFile(file.toStdString(), readNamedScene);
     file_ = file;
@@ -694,6 +707,8 @@ void LessonEditor::openOther() {
     messageLabel_->setText(translatedError(error));
     return;
   }
+  stopComputing();
+  computed_.clear();
   states_.assign(1, {lesson_});
   state_ = 0;
   steps_->setCurrentRow(0);

@@ -63,6 +63,8 @@ class LessonEditor : public QDialog {
   QString errorText() const { return errorText_; }
   /// Returns whether an answer has to be computed before the lesson can be played.
   bool isComputing() const { return isComputing_; }
+  /// Returns whether any answer is being computed, also one that is only shown.
+  bool hasWork() const { return pending_.has_value(); }
 
   void addShownStep();
   void removeStep();
@@ -71,6 +73,9 @@ class LessonEditor : public QDialog {
   void takeShownScene();
   void undo() { restore(-1); }
   void redo() { restore(1); }
+  /// Opens a lesson in place of the present one, whose changes are lost. Where it cannot be read, a
+  /// line shows the error.
+  void openFile(const QString& file);
   /// Saves the lesson, which may be a draft. Returns whether the file was written.
   bool saveTo(const QString& file);
   /// Saves to the file of the lesson, or asks for it where it has none.
@@ -108,7 +113,8 @@ class LessonEditor : public QDialog {
   void showMissing();
   const Computed* computed(const LessonStep& step) const;
   bool compute(const LessonStep& step);
-  void checkAnswers();
+  bool checkAnswers();
+  void stopComputing();
   QString computedText() const;
   bool askAndSave();
   QWidget* questionParent();

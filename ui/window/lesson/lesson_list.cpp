@@ -10,6 +10,7 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "core/lesson/lesson_file.h"
 #include "ui/language/language.h"
@@ -37,8 +38,9 @@ const std::vector<Lesson>& readShippedLessons() {
 
 }  // namespace
 
-LessonList::LessonList(QWidget* parent)
+LessonList::LessonList(QWidget* parent, AnswerFunction answer)
     : QDialog(parent),
+      answer_(std::move(answer)),
       list_(new QListWidget),
       about_(new QLabel),
       status_(new QLabel),
@@ -147,6 +149,12 @@ void LessonList::showChosen() {
   const int row = list_->currentRow();
   for (QPushButton* button : {start_, handout_, edit_})
     button->setEnabled(row >= 0 && !(button == handout_ && saver_->isSaving()));
+  computeAnswers(notes_->isChecked() && row >= 0 && !answers_.contains(row) ? row : -1);
+  showAbout();
+}
+
+void LessonList::showAbout() {
+  const int row = list_->currentRow();
   if (row < 0) return about_->clear();
   const Lesson& lesson = readShippedLessons()[static_cast<std::size_t>(row)];
   QString html = "<h3>" + plainText(lesson.title).toHtmlEscaped() + "</h3><p>" +
@@ -154,7 +162,6 @@ void LessonList::showChosen() {
                  richText(shown(lesson.goal));
   if (notes_->isChecked()) html += teacherText(row);
   about_->setText(html);
-  computeAnswers(notes_->isChecked() && !answers_.contains(row) ? row : -1);
 }
 
 /// Computes the right answers to the questions of a lesson, and shows them. row: -1 for none, which
@@ -163,20 +170,25 @@ void LessonList::computeAnswers(int row) {
   if (row == computedRow_) return;
   computedRow_ = row;
   if (row < 0) return answering_.cancel();
+  status_->clear();
   answering_.request(
-      [row](const BackgroundWork::Run& run) {
+      [row, answer = answer_](const BackgroundWork::Run& run) {
         CurveOptions options;
         options.stop = run.stop();
         std::vector<LessonAnswer> answers;
         for (const LessonStep& step : readShippedLessons()[static_cast<std::size_t>(row)].steps)
-          answers.push_back(step.prediction ? lessonAnswer(step, options) : LessonAnswer());
+          answers.push_back(step.prediction ? answer(step, options) : LessonAnswer());
         return answers;
       },
       [this, row](std::vector<LessonAnswer> answers) {
         answers_[row] = std::move(answers);
         showChosen();
       },
-      [this](const QString& reason) { status_->setText(reason); });
+      [this](const QString& reason) {
+        computedRow_ = -1;  // they are tried again when the lesson is shown again
+        status_->setText(reason);
+        showAbout();
+      });
 }
 
 /// Returns the notes and the answers, as HTML.
@@ -186,7 +198,11 @@ QString LessonList::teacherText(int row) const {
   if (!lesson.notes.empty()) html += richText(shown(lesson.notes));
   html += "<h4>" + tr("Answers") + "</h4>";
   const auto found = answers_.find(row);
-  if (found == answers_.end()) return html + "<p>" + tr("They are being computed…") + "</p>";
+  if (found == answers_.end())
+    return html + "<p>" +
+           (row == computedRow_ ? tr("They are being computed…")
+                                : tr("They could not be computed.")) +
+           "</p>";
   for (std::size_t i = 0; i < lesson.steps.size(); ++i)
     if (const auto& prediction = lesson.steps[i].prediction)
       html += QStringLiteral("<p>%1. %2<br><b>%3</b></p>")
