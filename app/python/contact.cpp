@@ -39,9 +39,7 @@ struct Contact {
 
 std::shared_ptr<Contact> contactOf(const Scene& scene, std::int64_t realization) {
   requireSteadySliding(scene, "asperity.state");
-  if (realization < 0) throw InputError("", "--realization", "is below 0");
-  if (realization > 0 && !LineSource(scene, 1).isRandom())
-    throw InputError("", "--realization", "this surface has one line, and no other realization");
+  if (realization != 0) LineSource(scene, 1).requireRealization(realization, "--realization");
   const auto contact = std::make_shared<Contact>();
   contact->scene = scene;
   const SteadySolver sliding(scene);
@@ -152,13 +150,11 @@ struct SurfaceOfScene {
 };
 
 std::shared_ptr<SurfaceOfScene> surfaceOf(const Scene& scene, std::int64_t realization) {
-  if (realization < 0) throw InputError("", "--realization", "is below 0");
   // As the program: a line from a file is given with its elements alone.
   const SurfaceKind kind = scene.surface.kind;
   const bool isExact = kind == SurfaceKind::Measured || kind == SurfaceKind::Spectrum;
   const LineSource source(scene, isExact ? 1 : pointsPerElement(scene));
-  if (realization > 0 && !source.isRandom())
-    throw InputError("", "--realization", "this surface has one line, and no other realization");
+  source.requireRealization(realization, "--realization");
   const auto found = std::make_shared<SurfaceOfScene>();
   found->scene = scene;
   found->line = source.make(realization);
