@@ -39,9 +39,7 @@ struct Contact {
 
 std::shared_ptr<Contact> contactOf(const Scene& scene, std::int64_t realization) {
   requireSteadySliding(scene, "asperity.state");
-  if (realization < 0) throw InputError("", "--realization", "is below 0");
-  if (realization > 0 && !LineSource(scene, 1).isRandom())
-    throw InputError("", "--realization", "this surface has one line, and no other realization");
+  if (realization != 0) LineSource(scene, 1).requireRealization(realization, "--realization");
   const auto contact = std::make_shared<Contact>();
   contact->scene = scene;
   const SteadySolver sliding(scene);
@@ -153,10 +151,8 @@ struct SurfaceOfScene {
 
 std::shared_ptr<SurfaceOfScene> surfaceOf(const Scene& scene, bool isOfFile,
                                           std::int64_t realization) {
-  if (realization < 0) throw InputError("", "--realization", "is below 0");
   const LineSource source(scene, writtenPointsPerElement(scene, isOfFile));
-  if (realization > 0 && !source.isRandom())
-    throw InputError("", "--realization", "this surface has one line, and no other realization");
+  source.requireRealization(realization, "--realization");
   const auto found = std::make_shared<SurfaceOfScene>();
   found->scene = scene;
   found->line = source.make(realization);

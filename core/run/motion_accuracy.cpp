@@ -226,6 +226,10 @@ ErrorBudget measureMotionError(const Scene& scene, const std::stop_token& stop) 
 void addMarchErrors(WorkPrecision& comparison, const std::stop_token& stop) {
   for (RegionPrecision& region : comparison.regions) {
     Piece piece{comparison.scene};
+    // The march has the points of the line that it is compared with.
+    if (comparison.scene.accuracy.scheme != Scheme::Nodal)
+      piece.scene.accuracy = {comparison.scene.accuracy.scheme, pointsPerElement(comparison.scene),
+                              0};
     Sliding& sliding = piece.scene.sliding;
     sliding.kind = SlidingKind::Step;  // with a step that changes nothing
     sliding.velocity = std::sqrt(region.velocities.front() * region.velocities.back());

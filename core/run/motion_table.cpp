@@ -27,9 +27,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kMostRows = 5e6;           // of all lines
-constexpr std::int64_t kParts = 400;        // parts of a motion's duration in its picture
-constexpr std::int64_t kStepsToTell = 256;  // between two calls of `progress`
+constexpr double kMostRows = 5e6;     // of all lines
+constexpr std::int64_t kParts = 400;  // parts of a motion's duration in its picture
+constexpr double kWorkToTell = 2e6;   // steps times nodes between two calls of `progress`
 
 /// Returns the number with 15 digits, the accuracy of a sum of steps, so that 0.5 is not
 /// 0.49999999999999994.
@@ -213,7 +213,10 @@ void marchLine(Transient transient, std::int64_t every, const MotionOptions& opt
                StepCounter& counter, std::vector<TransientSample>& rows, MotionMeans& means,
                MotionEnvelope* envelope) {
   double before = 0;
+  const double nodes = static_cast<double>(transient.march().line().nodes());
+  const auto stepsToTell = static_cast<std::int64_t>(std::clamp(kWorkToTell / nodes, 1.0, 256.0));
   std::int64_t untold = 0;
+  counter.add(0);  // the line is prepared
   for (std::int64_t step = 1; !transient.isOver(); ++step) {
     if (options.stop.stop_requested()) return;
     const TransientSample row = transient.singleStep();
@@ -221,7 +224,7 @@ void marchLine(Transient transient, std::int64_t every, const MotionOptions& opt
     if (envelope) envelope->add(row);
     before = row.time;
     if (step % every == 0 || transient.isOver()) rows.push_back(row);
-    if (++untold < kStepsToTell && !transient.isOver()) continue;
+    if (++untold < stepsToTell && !transient.isOver()) continue;
     counter.add(untold);
     untold = 0;
   }
@@ -232,8 +235,7 @@ void checkOptions(const Scene& scene, const MotionOptions& options) {
     throw InputError("", "sliding.kind",
                      "is steady, where nothing changes in time; asperity motion is of start, step, "
                      "oscillation and reversal");
-  if (options.lines > 1 && !LineSource(scene, 1).isRandom())
-    throw InputError("", "--lines", "this surface has one line, and no other realization");
+  if (options.lines > 1) LineSource(scene, 1).requireLines(options.lines, "--lines");
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ struct MotionTable {
   /// duration, so that it shows the peaks of all steps; for several lines their mean.
   std::vector<TransientSample> drawn;
   std::int64_t every = 1;
-  double muError = kNotApplicable;        // estimated discretization error: root mean square
+  double muError = kNotApplicable;        // stated discretization error: root mean square
   double relativeError = kNotApplicable;  // the same over the root mean square of mu
   double spacing = 0, length = 0;         // m, of the lines
   bool hasInterface = false;

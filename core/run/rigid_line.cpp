@@ -24,10 +24,10 @@ RigidLine RigidLine::withPoints(const Scene& scene, std::int64_t points) {
   return {LineSource(scene, points).make(0), scene.accuracy.scheme};
 }
 
-RigidLine RigidLine::coarser(std::size_t every) const {
-  const auto thinned = [every](const std::vector<double>& values) {
+RigidLine RigidLine::coarser(std::size_t every, std::size_t first) const {
+  const auto thinned = [every, first](const std::vector<double>& values) {
     std::vector<double> kept;
-    for (std::size_t i = 0; i < values.size(); i += every) kept.push_back(values[i]);
+    for (std::size_t i = first; i < values.size(); i += every) kept.push_back(values[i]);
     return kept;
   };
   Line coarse = *line;

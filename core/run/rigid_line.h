@@ -23,9 +23,9 @@ struct RigidLine {
   /// Makes realization 0 with this many points per element.
   static RigidLine withPoints(const Scene& scene, std::int64_t points);
 
-  /// Returns the same line with only every `every`-th node; `every` must divide the number of
-  /// nodes.
-  RigidLine coarser(std::size_t every) const;
+  /// Returns the same line with only every `every`-th node from node `first` on, which becomes node
+  /// 0; `every` must divide the number of nodes.
+  RigidLine coarser(std::size_t every, std::size_t first = 0) const;
 
   std::shared_ptr<const Line> line;
   PreparedProfile prepared;

@@ -327,7 +327,8 @@ void Simulation::advanceMotion(double part, double wallSeconds, double end) {
 void Simulation::keepState() {
   const TimeMarch& march = transient_->march();
   const double numbers = 4 + static_cast<double>(march.modes().modes());  // of an element
-  const double bytes = 2 * sizeof(double) * numbers * static_cast<double>(ready_->line().nodes());
+  // The coarser lines that estimate the error have one and a half times as many elements together.
+  const double bytes = 2.5 * sizeof(double) * numbers * static_cast<double>(ready_->line().nodes());
   const double most = std::clamp(std::floor(kKeptBytes / bytes), 1.0, kMostKept);
   const double between = transient_->motion().duration() / (most + 1);
   const double last = kept_.empty() ? 0 : kept_.back().transient.time();

@@ -15,6 +15,9 @@ namespace {
 constexpr double kRounding = 1e-9;  // of a step
 constexpr double kOrder = 1.8;  // order of friction in the spacing, as measured at 1 to 16 points
 constexpr std::size_t kLeastNodes = 8;
+/// Factors from the differences to the error that is not exceeded in 95 of 100 random scenes: with
+/// lines of two coarser spacings, and with one line.
+constexpr double kFactorOfTwo = 1.2, kFactorOfOne = 1.6;
 constexpr std::size_t kRecent = 16;  // samples
 
 TimeMarch beginning(const Scene& scene, const RigidLine& rigid) {
@@ -85,7 +88,7 @@ Transient::Transient(const Scene& scene, std::shared_ptr<const RigidLine> rigid,
       relaxation_(relaxationOf(march_.law())) {
   countStage(Stage::TimeMarch);
   if (scene.sliding.kind == SlidingKind::Oscillation)
-    longestStep_ = std::min(longestStep_, 1 / (64 * scene.sliding.frequency));
+    longestStep_ = std::min(longestStep_, 1 / (Motion::kStepsOfPeriod * scene.sliding.frequency));
 }
 
 void Transient::estimateErrors(const Scene& scene) {
@@ -93,16 +96,30 @@ void Transient::estimateErrors(const Scene& scene) {
   if (!coarse_.empty() || scene.accuracy.scheme == Scheme::Nodal) return;
   for (const std::size_t every : {2U, 3U, 5U, 7U}) {
     if (nodes % every != 0 || nodes / every < kLeastNodes) continue;
-    coarseness_ = static_cast<double>(every);
-    try {
-      Transient coarse(scene, std::make_shared<const RigidLine>(rigid_->coarser(every)));
-      coarse.division_ = division_;
-      coarse.longestStep_ = coarseness_ * longestStep_;
-      coarse_.push_back(std::move(coarse));
-    } catch (const std::runtime_error&) {
-      // A line that is too coarse for its own balance gives no estimate: the error is unknown.
-    }
+    const std::size_t square = every * every;
+    const bool hasTwo = nodes % square == 0 && nodes / square >= kLeastNodes;
+    addCoarser(scene, every, 1);
+    if (hasTwo) addCoarser(scene, square, square);
+    errorFactor_ = hasTwo ? kFactorOfTwo : kFactorOfOne;
     return;
+  }
+}
+
+/// Adds marches on every `every`-th node, which begin at this many different nodes.
+void Transient::addCoarser(const Scene& scene, std::size_t every, std::size_t offsets) {
+  const auto spacing = static_cast<double>(every);
+  const double order = std::pow(spacing, kOrder) - 1;
+  for (std::size_t i = 0; i < offsets; ++i) {
+    try {
+      Transient coarse(
+          scene, std::make_shared<const RigidLine>(rigid_->coarser(every, i * every / offsets)));
+      coarse.division_ = division_;
+      coarse.longestStep_ = spacing * longestStep_;
+      coarse_.push_back(std::move(coarse));
+      comparisons_.emplace_back().weight = 1 / (static_cast<double>(offsets) * order * order);
+    } catch (const std::runtime_error&) {
+      // A line that is too coarse for its own balance gives no difference.
+    }
   }
 }
 
@@ -172,12 +189,38 @@ double Transient::timeAfter(double dt) {
 }
 
 void Transient::stepOnce(double dt, Means& means) {
-  const double next = timeAfter(dt);
+  const double before = time_, next = timeAfter(dt);
   const double distance = motion_.distanceAt(next) - motion_.distanceAt(time_);
   last_ = march_.step(marchLoad(load_, rigid_->line->length), dt, distance);
   means.add(last_, dt, distance);
   time_ = next;
   ++steps_;
+  for (std::size_t i = 0; i < coarse_.size(); ++i) followWith(i, before);
+}
+
+/// Marches a coarser line up to the end of the step that began at the time `before` (s), and
+/// compares friction over each of its steps with that of this march over the same time.
+void Transient::followWith(std::size_t coarser, double before) {
+  Transient& coarse = coarse_[coarser];
+  Comparison& comparison = comparisons_[coarser];
+  double from = before;
+  const auto addUntil = [&](double time) {
+    const double dt = std::max(time - from, 0.0);
+    comparison.tangential += last_.slopeForce * dt;
+    comparison.normal += last_.normalForce * dt;
+    from += dt;
+  };
+  while (coarse.canReach(time_)) {
+    const double begin = coarse.time();
+    const TransientSample other = coarse.singleStep();
+    addUntil(std::min(coarse.time(), time_));
+    const double dt = coarse.time() - begin;
+    comparison.difference += dt * (other.tangentialForce / other.normalForce -
+                                   comparison.tangential / comparison.normal);
+    comparison.time += dt;
+    comparison.tangential = comparison.normal = 0;
+  }
+  addUntil(time_);
 }
 
 /// Returns the next step: a whole one, except before a jump of the velocity and the motion's end.
@@ -229,13 +272,16 @@ TransientSample Transient::marchTo(double time) {
 }
 
 void Transient::addError(TransientSample& sample) {
-  for (Transient& coarse : coarse_) {
-    if (!coarse.canReach(time_)) continue;
-    const TransientSample other = coarse.marchTo(time_);
-    const double difference =
-        other.tangentialForce / other.normalForce - sample.tangentialForce / sample.normalForce;
-    sample.muError = std::abs(difference) / (std::pow(coarseness_, kOrder) - 1);
+  double squares = 0;
+  bool isKnown = false;
+  for (Comparison& comparison : comparisons_) {
+    if (comparison.time > 0) comparison.lastDifference = comparison.difference / comparison.time;
+    comparison.difference = comparison.time = 0;
+    if (!std::isfinite(comparison.lastDifference)) continue;
+    isKnown = true;
+    squares += comparison.weight * comparison.lastDifference * comparison.lastDifference;
   }
+  if (isKnown) sample.muError = errorFactor_ * std::sqrt(squares);
 }
 
 TransientSample Transient::singleStep() {

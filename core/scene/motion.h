@@ -9,6 +9,9 @@ namespace asperity {
 
 class Motion {
  public:
+  /// The fewest steps in which a motion is marched, and those in a period of an oscillation.
+  static constexpr int kLeastSteps = 500, kStepsOfPeriod = 64;
+
   explicit Motion(const Sliding& sliding) : sliding_(sliding) {}
 
   /// Returns the velocity at a time (s), m/s; at a jump the one after it.

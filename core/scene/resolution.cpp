@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/scene/motion.h"
 #include "core/scene/scene.h"
 
 namespace asperity {
@@ -19,6 +20,10 @@ namespace {
 constexpr std::int64_t kPointsOfOneLine = 4;
 /// Straight segments converge only at second order.
 constexpr std::int64_t kStraightPoints = 8;
+/// Elements that are marched in time converge at second order, and chance decides where a contact
+/// ends between two of them; so a small motion, which costs nothing, gets more of them.
+constexpr std::int64_t kMostPointsOfMarch = 32;
+constexpr double kSmallMarch = 1e7;                          // steps times points: about 50 ms
 constexpr std::int64_t kMostPoints = std::int64_t{1} << 25;  // of a line: 3 GB
 constexpr double kPartOfStandardError = 0.5;
 
@@ -76,13 +81,32 @@ double independentLines(const Scene& scene) {
   return static_cast<double>(scene.ensemble.realizations) * inOne;
 }
 
+/// Returns the largest resolution at which the march of a motion is small; the usual one where
+/// none is, or where only the surface's file has the size of the line.
+std::int64_t marchedPoints(const Scene& scene) {
+  const auto elements = static_cast<double>(scene.surface.elements);
+  std::int64_t points = kPointsOfOneLine;
+  if (!(elements > 0) || !(scene.surface.length > 0)) return points;
+  const Motion motion(scene.sliding);
+  const double slid = motion.fastest(0, motion.duration()) * motion.duration();
+  const double periods = motion.isSmooth() ? scene.sliding.frequency * motion.duration() : 0;
+  const double leastSteps = std::max<double>(Motion::kLeastSteps, Motion::kStepsOfPeriod * periods);
+  const double modes = 1 + static_cast<double>(scene.elastomer.arms.size());
+  const auto workAt = [&](std::int64_t pointsThere) {
+    const double nodes = elements * static_cast<double>(pointsThere);
+    return std::max(leastSteps, slid / scene.surface.length * nodes) * nodes * modes;
+  };
+  while (points < kMostPointsOfMarch && workAt(2 * points) <= kSmallMarch) points *= 2;
+  return points;
+}
+
 }  // namespace
 
 std::int64_t pointsPerElement(const Scene& scene) {
   if (const std::int64_t stated = statedPoints(scene); stated > 0) return stated;
   // Elements that are marched in time do not use the segments between them.
-  const bool isMarched = scene.sliding.kind != SlidingKind::Steady;
-  const bool isStraight = scene.accuracy.scheme == Scheme::Linear && !isMarched;
+  if (scene.sliding.kind != SlidingKind::Steady) return withinMemory(scene, marchedPoints(scene));
+  const bool isStraight = scene.accuracy.scheme == Scheme::Linear;
   return withinMemory(scene, isStraight ? kStraightPoints : kPointsOfOneLine);
 }
 

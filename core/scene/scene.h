@@ -220,7 +220,8 @@ inline bool choosesAccuracy(const Scene& scene) {
 
 /// Returns the points per element of one line: of a picture, a motion, a profile. It is the number
 /// that the scene states or else the program chooses; the paper's separate elements have one point
-/// each. With a target accuracy it is the number that a single state of the line needs.
+/// each. A motion that costs little has more points. With a target accuracy it is the number that a
+/// single state of the line needs.
 std::int64_t pointsPerElement(const Scene& scene);
 
 /// Returns the points per element of the lines of a friction curve, chosen so that the error of the

@@ -234,6 +234,30 @@ std::int64_t LineSource::rowOf(std::int64_t realization) const {
   return std::min(row, measured_->rows() - 1);
 }
 
+/// Returns the number of rows that are different realizations; none where lines are not rows.
+std::optional<std::int64_t> LineSource::rowsToUse() const {
+  if (!measured_ || !isRandom_ || hasRandomPhases(surface_)) return {};
+  return drawsRows_ ? measured_->rows() : std::min(lines_, measured_->rows());
+}
+
+void LineSource::requireLines(std::int64_t lines, const std::string& option) const {
+  if (lines > 1 && !isRandom())
+    throw InputError("", option, "this surface has one line, and no other realization");
+  if (const auto rows = rowsToUse(); rows && lines > *rows)
+    throw InputError(
+        "", option,
+        message("{} is more than {}, the number of rows that the scene uses", lines, *rows));
+}
+
+void LineSource::requireRealization(std::int64_t realization, const std::string& option) const {
+  if (realization < 0) throw InputError("", option, "is below 0");
+  if (const auto rows = rowsToUse(); rows && realization >= *rows)
+    throw InputError(
+        "", option,
+        message("{} is outside 0 to {}, the rows that the scene uses", realization, *rows - 1));
+  if (realization > 0) requireLines(2, option);
+}
+
 FourierLine LineSource::spectrum(std::int64_t number) const {
   FourierLine line;
   spectrumInto(line, number);

@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <stop_token>
+#include <string>
 
 #include "core/scene/notes.h"
 #include "core/scene/scene.h"
@@ -55,6 +56,11 @@ class LineSource {
   /// Returns the number of lines of the scene's means: its realizations, every row where they are
   /// 0, or 1.
   std::int64_t lines() const { return lines_; }
+  /// Throws InputError naming the option (or argument) unless the scene has this many different
+  /// lines: any number of random ones, each row of a measured surface that the scene uses, or one.
+  void requireLines(std::int64_t lines, const std::string& option) const;
+  /// Does the same for the line of one realization, counted from 0.
+  void requireRealization(std::int64_t realization, const std::string& option) const;
   /// Returns whether rms height and rms slope differ from line to line.
   bool slopesDiffer() const {
     return isRandom_ && (summits_ || (measured_ && !hasRandomPhases(surface_)));
@@ -90,6 +96,7 @@ class LineSource {
   void setProfile(const Profile& profile);
   void setMeasured(const Scene& scene);
   void setSpectrum(const Scene& scene);
+  std::optional<std::int64_t> rowsToUse() const;
   Line makeShape() const;
   void spectrumInto(FourierLine& line, std::int64_t number) const;
   bool setFromSpectrum(const FourierLine& modes, Slopes slopes, Line& line,

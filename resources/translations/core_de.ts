@@ -3279,6 +3279,14 @@
         <translation>%1 ist mehr als die Zeilen der Datei mit %2 oder mehr gemessenen Punkten, das sind %3 von %4; 0 heißt jede von ihnen</translation>
     </message>
     <message>
+        <source>%1 is more than %2, the number of rows that the scene uses</source>
+        <translation>%1 ist mehr als %2, die Zahl der Zeilen, die die Szene verwendet</translation>
+    </message>
+    <message>
+        <source>%1 is outside 0 to %2, the rows that the scene uses</source>
+        <translation>%1 liegt außerhalb von 0 bis %2, den Zeilen, die die Szene verwendet</translation>
+    </message>
+    <message>
         <source>%1 is more than the %2 rows of the file; 0 is every row</source>
         <translation>%1 ist mehr als die %2 Zeilen der Datei; 0 heißt jede Zeile</translation>
     </message>

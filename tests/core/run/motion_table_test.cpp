@@ -305,6 +305,26 @@ TEST(MotionTable, TellsItsStepsAndStops) {
   EXPECT_THROW(marchMotion(scene, options), StopRequested);
 }
 
+/// The steps of a long line take long: each few of them are told.
+TEST(MotionTable, TellsEachStepOfALongLine) {
+  Scene scene = someMotion(SlidingKind::Start);
+  scene.surface.elements = 1 << 16;
+  scene.accuracy.oversampling = 4;
+  std::vector<std::int64_t> told;
+  MotionOptions options;
+  std::stop_source source;
+  options.stop = source.get_token();
+  options.progress = [&](std::int64_t done, std::int64_t) {
+    told.push_back(done);
+    if (told.size() == 3) source.request_stop();
+  };
+  EXPECT_THROW(marchMotion(scene, options), StopRequested);
+  ASSERT_GE(told.size(), 3U);
+  EXPECT_EQ(told[0], 0);  // the line is prepared
+  EXPECT_LE(told[1], 8);
+  EXPECT_LE(told[2] - told[1], 8);
+}
+
 TEST(MotionTable, RefusesWhatItCannotDo) {
   EXPECT_THROW(marchMotion(someMotion(SlidingKind::Steady), {}), InputError);
   Scene parabola = someMotion(SlidingKind::Start);

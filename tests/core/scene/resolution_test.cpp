@@ -44,6 +44,46 @@ TEST(Resolution, OneLineHasFourPointsAnElement) {
   EXPECT_EQ(pointsPerElement(scene), 4);
 }
 
+/// Points of a march cost little on a short line that slides little. More of either, or of what an
+/// element remembers, never gives more points; what the scene states is kept.
+TEST(Resolution, ASmallMotionHasMorePoints) {
+  Scene scene;
+  scene.sliding.kind = SlidingKind::Start;
+  scene.surface.elements = 200;
+  scene.sliding.velocity = 1e-3;
+  scene.sliding.duration = 0.1;
+  EXPECT_EQ(pointsPerElement(scene), 32);
+  std::int64_t last = 32;
+  for (const std::int64_t elements : {400, 1000, 3000, 10000, 1000000}) {
+    scene.surface.elements = elements;
+    EXPECT_LE(pointsPerElement(scene), last);
+    last = pointsPerElement(scene);
+  }
+  EXPECT_EQ(last, 4);
+  scene.surface.elements = 200;
+  for (const SlidingKind kind :
+       {SlidingKind::Start, SlidingKind::Step, SlidingKind::Oscillation, SlidingKind::Reversal}) {
+    scene.sliding.kind = kind;
+    last = 32;
+    for (const double duration : {0.1, 1.0, 10.0, 1e3, 1e4}) {
+      scene.sliding.duration = duration;
+      EXPECT_LE(pointsPerElement(scene), last);
+      last = pointsPerElement(scene);
+    }
+    EXPECT_EQ(last, 4);
+  }
+  scene.sliding.duration = 0.1;
+  scene.sliding.kind = SlidingKind::Start;
+  scene.elastomer.rheology = Rheology::Prony;
+  scene.elastomer.arms.assign(30, {1e6, 1e-3});
+  EXPECT_LT(pointsPerElement(scene), 32);
+  scene.accuracy.oversampling = 2;
+  EXPECT_EQ(pointsPerElement(scene), 2);
+  scene.accuracy.oversampling = 0;
+  scene.surface.elements = 0;  // as many as the file has
+  EXPECT_EQ(pointsPerElement(scene), 4);
+}
+
 TEST(Resolution, OtherSchemesHaveTheirOwn) {
   Scene scene;
   scene.accuracy.scheme = Scheme::Nodal;

@@ -128,6 +128,24 @@ TEST_F(MeasuredScene, HasItsRowsAsRealizations) {
   EXPECT_EQ(computeCurve(scene({"surface.row=3"}, "m.txt")).points[0].realizations, 1);
   EXPECT_THAT(errorOf({"ensemble.realizations=13"}, "m.txt"), HasSubstr("more than the 12 rows"));
   EXPECT_THAT(errorOf({"ensemble.realizations=2"}), HasSubstr("more than the single profile"));
+  // No row is counted twice: neither of all rows nor of those that the scene uses.
+  for (const auto& [values, rows] : std::vector<std::pair<std::vector<std::string>, std::int64_t>>{
+           {{}, 12},
+           {{"ensemble.realizations=4"}, 4},
+           {{"ensemble.realizations=1"}, 1},
+           {{"accuracy.target_relative_error=0.01"}, 12}}) {
+    const LineSource source(scene(values, "m.txt"), 1);
+    EXPECT_NO_THROW(source.requireLines(rows, "--lines"));
+    EXPECT_NO_THROW(source.requireRealization(rows - 1, "--realization"));
+    EXPECT_THROW(source.requireLines(rows + 1, "--lines"), InputError);
+    EXPECT_THROW(source.requireRealization(rows, "--realization"), InputError);
+    EXPECT_THROW(source.requireRealization(-1, "--realization"), InputError);
+  }
+  const LineSource one(scene({"surface.row=3"}, "m.txt"), 1);
+  EXPECT_NO_THROW(one.requireRealization(0, "--realization"));
+  EXPECT_THROW(one.requireRealization(1, "--realization"), InputError);
+  EXPECT_THROW(one.requireLines(2, "--lines"), InputError);
+  EXPECT_NO_THROW(LineSource(Scene{}, 1).requireRealization(1000000, "--realization"));
   EXPECT_THAT(errorOf({"surface.direction=along_y"}), HasSubstr("needs a topography"));
   EXPECT_EQ(LineSource(scene({"surface.direction=along_y"}, "m.txt"), 1).measured()->rows(), 64);
   const Line row = LineSource(scene({"surface.row=3"}, "m.txt"), 1).make(0);
