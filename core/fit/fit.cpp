@@ -12,6 +12,7 @@
 
 #include "core/base/input_error.h"
 #include "core/base/statistics.h"
+#include "core/fit/fisher_information.h"
 #include "core/fit/fit_objective.h"
 #include "core/fit/fit_profile.h"
 
@@ -20,60 +21,6 @@ namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-/// The Fisher information of the points about the parameters, a symmetric matrix, by its principal
-/// directions.
-class Information {
- public:
-  explicit Information(const MatrixXd& matrix) : directions_(matrix) {}
-
-  /// Returns the inverse; directions without information get a very large value instead of an
-  /// infinite one.
-  MatrixXd inverse() const {
-    constexpr double kNothing = 1e-15;
-    const VectorXd known = directions_.eigenvalues().cwiseMax(least(kNothing));
-    return directions_.eigenvectors() * known.cwiseInverse().asDiagonal() *
-           directions_.eigenvectors().transpose();
-  }
-
-  /// Returns the covariance of the directions without information, such as force and modulus
-  /// together, of which only the ratio matters. Along them the response to the points' errors is 0,
-  /// but the values may be anything.
-  MatrixXd openCovariance() const {
-    const MatrixXd& axes = directions_.eigenvectors();
-    MatrixXd open = MatrixXd::Zero(axes.rows(), axes.cols());
-    for (Eigen::Index k = 0; k < axes.cols(); ++k)
-      if (directions_.eigenvalues()[k] < least(kOpen))
-        open += axes.col(k) * axes.col(k).transpose() / least(kOpen);
-    return open;
-  }
-
-  /// Returns by how much a step to the minimum of the parabola lowers the sum of squares, whose
-  /// gradient is twice the given one. Directions without information lower nothing.
-  double possibleDecrease(const VectorXd& gradient) const {
-    double decrease = 0;
-    for (Eigen::Index k = 0; k < gradient.size(); ++k) {
-      const double information = directions_.eigenvalues()[k];
-      if (information < least(kOpen)) continue;
-      const double part = directions_.eigenvectors().col(k).dot(gradient);
-      decrease += part * part / information;
-    }
-    return decrease;
-  }
-
- private:
-  /// Directions with less than this share of the best information are open.
-  static constexpr double kOpen = 1e-10;
-
-  /// Returns the information below which a direction counts as unknown: this share of the best
-  /// known one, and never 0.
-  double least(double share) const {
-    return std::max(share * directions_.eigenvalues().maxCoeff(),
-                    std::numeric_limits<double>::min() * 1e10);
-  }
-
-  Eigen::SelfAdjointEigenSolver<MatrixXd> directions_;
-};
 
 /// Returns the error of a coordinate beyond which a parameter counts as not determined.
 double openBeyond(const VariedParameter& parameter) {
@@ -128,6 +75,8 @@ class Fitting {
 
  private:
   static constexpr int kIterations = 60;
+  /// The part of a standard error by which the end of a range differs where there is no parabola.
+  static constexpr double kUneven = 0.25;
   /// A fit that is further from the points in the logarithm than a factor of two has not found
   /// them.
   static constexpr double kFar = std::numbers::ln2;
@@ -273,6 +222,7 @@ class Fitting {
         if (k != worst) order.push_back(k);
     const MatrixXd linear = covariance_;
     const ProfileWalk walk(objective_, best, fit_.errorScale);
+    std::vector<VectorXd> within;  // of all profiles, the points within one deviation
     for (const int k : order) {
       const VariedParameter& parameter = parameters_[static_cast<std::size_t>(k)];
       const double reach = std::min(std::sqrt(linear(k, k)), 2 * openBeyond(parameter));
@@ -282,6 +232,8 @@ class Fitting {
           points, {}, [](const ProfilePoint& point) { return point.minimum.chiSquared; });
       if (lowest->minimum.chiSquared < best.chiSquared - enough()) return from(lowest->minimum);
       setRange(k, best, points, linear, k == worst);
+      for (const ProfilePoint& point : points)
+        if (point.deviations <= 1) within.push_back(point.minimum.coordinates);
       ObjectiveProfile profile{std::string(parameter.key()), {}, {}};
       for (const ProfilePoint& point : points) {
         profile.values.push_back(parameter.value(point.minimum.coordinates[k]));
@@ -290,7 +242,26 @@ class Fitting {
       fit_.profiles[static_cast<std::size_t>(k)] = std::move(profile);
     }
     if (!options_.hasProfiles) fit_.profiles.clear();
+    for (const int k : all_) widenRange(k, best.coordinates[k], within);
     return std::nullopt;
+  }
+
+  /// Widens the range of a parameter to the points of all profiles that are within one deviation:
+  /// behind a bump its own profile may have ended before it came to them.
+  void widenRange(int k, double here, const std::vector<VectorXd>& within) {
+    auto& range = ranges_[static_cast<std::size_t>(k)];
+    const VariedParameter& parameter = parameters_[static_cast<std::size_t>(k)];
+    const double error = std::sqrt(covariance_(k, k));
+    auto [low, high] = range.value_or(std::pair(here - error, here + error));
+    const double margin = kUneven * error;
+    bool isWider = false;
+    for (const VectorXd& point : within) {
+      isWider |= point[k] < std::max(low, parameter.lowest()) - margin ||
+                 point[k] > std::min(high, parameter.highest()) + margin;
+      low = std::min(low, point[k]);
+      high = std::max(high, point[k]);
+    }
+    if (isWider) range = std::pair(low, high);
   }
 
   /// Returns the minimum over all parameters from a point of a profile; never above the point.
@@ -319,7 +290,6 @@ class Fitting {
   /// the least determined one then follows its valley, with that of the others around it.
   void setRange(int k, const Minimum& best, const std::vector<ProfilePoint>& points,
                 const MatrixXd& linear, bool isValley) {
-    constexpr double kUneven = 0.25;  // of the standard error
     const VariedParameter& parameter = parameters_[static_cast<std::size_t>(k)];
     const double error = std::sqrt(linear(k, k)), here = best.coordinates[k];
     const ProfileRange range = rangeOfProfile(objective_, k, points);
@@ -368,7 +338,7 @@ class Fitting {
         slopes(i, k) = mean(found.slopesOfLines[static_cast<std::size_t>(k)][point]);
     }
     const MatrixXd lines = scatterOfLines(found);
-    const Information information(slopes.transpose() * weights.asDiagonal() * slopes);
+    const FisherInformation information(slopes.transpose() * weights.asDiagonal() * slopes);
     const MatrixXd response = information.inverse() * slopes.transpose() * weights.asDiagonal();
     const MatrixXd ofLines = response * lines;
     compareWithErrors(weights.cwiseSqrt().asDiagonal() * (lines - slopes * ofLines));
@@ -388,7 +358,7 @@ class Fitting {
       inner.row(k).setZero();
       inner.col(k).setZero();
     }
-    possibleDecrease_ = Information(inner).possibleDecrease(gradient);
+    possibleDecrease_ = FisherInformation(inner).possibleDecrease(gradient);
     fit_.computed = found.points;
     for (Eigen::Index i = 0; i < n; ++i) {
       fit_.computedErrors.push_back(lines.row(i).norm());
