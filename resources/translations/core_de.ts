@@ -239,6 +239,10 @@
         <translation>kein Parameter ist genannt</translation>
     </message>
     <message>
+        <source>the sum of squares along %1 is no parabola: the range is that of its profile, and the standard error is at least half of it</source>
+        <translation>die Summe der Quadrate entlang von %1 ist keine Parabel: der Bereich ist der ihres Profils, und der Standardfehler ist mindestens halb so groß</translation>
+    </message>
+    <message>
         <source>the fit ended before the sum of squares stopped falling</source>
         <translation>die Anpassung endete, bevor die Summe der Quadrate aufhörte zu fallen</translation>
     </message>
