@@ -271,6 +271,7 @@ MotionTable marchMotion(const Scene& scene, const MotionOptions& options) {
     const auto index = static_cast<std::size_t>(line);
     Transient transient =
         line == 0 ? beginning : Transient(scene, std::make_shared<const RigidLine>(scene, line));
+    counter.add(0);  // making the coarser lines takes long, too
     transient.estimateErrors(scene);
     marchLine(std::move(transient), table.every, options, counter, table.lines[index], means[index],
               options.lines == 1 ? &envelope : nullptr);

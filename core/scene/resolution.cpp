@@ -23,7 +23,7 @@ constexpr std::int64_t kStraightPoints = 8;
 /// Elements that are marched in time converge at second order, and chance decides where a contact
 /// ends between two of them; so a small motion, which costs nothing, gets more of them.
 constexpr std::int64_t kMostPointsOfMarch = 32;
-constexpr double kSmallMarch = 1e7;                          // steps times points: about 50 ms
+constexpr double kSmallMarch = 5e6;                          // steps times points: some 25 ms
 constexpr std::int64_t kMostPoints = std::int64_t{1} << 25;  // of a line: 3 GB
 constexpr double kPartOfStandardError = 0.5;
 
@@ -43,6 +43,10 @@ std::int64_t statedPoints(const Scene& scene) {
   return withinMemory(scene, target >= 0.01 ? 4 : target >= 1e-3 ? 8 : 16);
 }
 
+bool hasArms(const Elastomer& elastomer) {
+  return elastomer.rheology == Rheology::StandardSolid || elastomer.rheology == Rheology::Prony;
+}
+
 /// Returns the mean depth to which the elastomer is pressed at rest, over the rms height. Contact
 /// begins at 0 and is complete above 3 to 4.
 double depthOverHeight(const Scene& scene) {
@@ -53,9 +57,7 @@ double depthOverHeight(const Scene& scene) {
   if (scene.load.kind == LoadKind::Indentation)
     return std::clamp(scene.load.depth / height - kLowestPoint, 0.0, kDeep);
   const Elastomer& elastomer = scene.elastomer;
-  const bool hasArms =
-      elastomer.rheology == Rheology::StandardSolid || elastomer.rheology == Rheology::Prony;
-  const double modulus = hasArms ? elastomer.equilibriumModulus : elastomer.shearModulus;
+  const double modulus = hasArms(elastomer) ? elastomer.equilibriumModulus : elastomer.shearModulus;
   const double carried = 4 * modulus * scene.surface.length * height;  // N
   const double force = loadOn(scene.load, scene.surface.length).normalForce;
   return force < kDeep * carried ? force / carried : kDeep;
@@ -91,7 +93,9 @@ std::int64_t marchedPoints(const Scene& scene) {
   const double slid = motion.fastest(0, motion.duration()) * motion.duration();
   const double periods = motion.isSmooth() ? scene.sliding.frequency * motion.duration() : 0;
   const double leastSteps = std::max<double>(Motion::kLeastSteps, Motion::kStepsOfPeriod * periods);
-  const double modes = 1 + static_cast<double>(scene.elastomer.arms.size());
+  const double modes = hasArms(scene.elastomer)
+                           ? std::max(1.0, static_cast<double>(scene.elastomer.arms.size()))
+                           : 1;
   const auto workAt = [&](std::int64_t pointsThere) {
     const double nodes = elements * static_cast<double>(pointsThere);
     return std::max(leastSteps, slid / scene.surface.length * nodes) * nodes * modes;
