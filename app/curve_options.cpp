@@ -361,11 +361,11 @@ CurveSet curvesWithoutPoints(const CurveArguments& arguments, const Scene& scene
   return set;
 }
 
-/// Returns a point of a flat line.
+/// Returns a point of a flat line of friction, on both kinds of axes.
 CurvePoint flatPoint(double velocity) {
   CurvePoint point;
-  point.velocity = velocity;
-  point.mu = point.muLaw = 1;
+  point.velocity = point.dimensionlessVelocity = velocity;
+  point.mu = point.muLaw = point.normalizedMu = 1;
   point.realizations = 1;
   return point;
 }

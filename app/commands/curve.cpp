@@ -145,8 +145,10 @@ int runCurve(const CurveCommand& command) {
   checkRealizations(command, scene);
   checkCurves(command.curves, scene);
   if (!std::ranges::all_of(command.outputs, isTableFile))
-    checkPlannedPanels(
-        styled(curveSheet(plannedCurveSet(command.curves, compared)), settings.style), settings, 0);
+    withSceneContext(command.common, [&] {
+      const DiagramSheet planned = curveSheet(plannedCurveSet(command.curves, compared));
+      checkPlannedPanels(styled(planned, settings.style), settings, 0);
+    });
   findLinesWithProgress(scene, command.common.quiet);
   RealizationTable lines(sweepVelocities(scene.sweep));
   const bool keepsLines = !command.realizationTable.empty();

@@ -62,6 +62,7 @@ void checkPanels(const DiagramSheet& sheet, const PictureSettings& settings, int
 }
 
 void checkPlannedPanels(DiagramSheet sheet, const PictureSettings& settings, int above) {
+  if (!sheet.diagrams.front().blank.empty()) return;  // of a quantity that is not planned
   DiagramSheet withNotes = sheet;
   withNotes.note = sentences({sheet.note, kFewSummitsSentence});
   sheet.note = {};

@@ -123,7 +123,7 @@ TEST_F(SurfaceCommandTest, WorksWithEveryVerb) {
 /// A matrix of four rows, one without any height and two points of the others missing.
 TEST_F(SurfaceCommandTest, EveryVerbSaysWhatIsLeftOutAndFilled) {
   std::ostringstream matrix;
-  matrix << "# Width: 100 µm\n# Height: 4 µm\n# Value units: m\n";
+  matrix << "# Channel: Topo\n# Width: 100 µm\n# Height: 4 µm\n# Value units: m\n";
   for (int row = 0; row < 4; ++row)
     for (int i = 0; i < 100; ++i) {
       const bool isMissing = row == 1 || (row == 2 && (i == 7 || i == 50));

@@ -103,8 +103,8 @@ TEST_F(TablesTest, RealizationsAreBehindTheMeans) {
 TEST_F(TablesTest, NoFileIsWrittenWhereAChartHasNoRoom) {
   const std::string call =
       "curve s.json -o a.csv -o a.svg --realizations-table r.csv --compare linear:2:3 --size ";
-  expectRefused(call + "600x160 --set ensemble.realizations=1000000000", 2,
-                "--size: 600x160 leaves no room for the difference", "timeout 60");
+  expectRefused(call + "600x160 --set ensemble.realizations=1000000 --set surface.elements=20000",
+                2, "--size: 600x160 leaves no room for the difference", "timeout 60");
   const std::string said = program.run(call + "600x160").err;
   const std::size_t from = said.find("; ") + 2;
   const std::string enough = said.substr(from, said.find(" does") - from);

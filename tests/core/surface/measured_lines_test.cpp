@@ -338,8 +338,9 @@ TEST(IsotropicEquivalent, HasTheHeightOfTheSurfaceWhereRowsAreLevelled) {
     for (const double z : plane) whole += z * z / static_cast<double>(size * size);
     scene.surface.line = LineKind::IsotropicEquivalent;
     const MeasuredLines equivalent(scene, fileOf(topography));
-    const auto count = static_cast<double>(equivalent.rows());
-    for (std::int64_t row = 0; row < equivalent.rows(); ++row) {
+    constexpr std::int64_t kStep = 8;  // rows near each other are much alike
+    const auto count = static_cast<double>(equivalent.rows() / kStep);
+    for (std::int64_t row = 0; row < equivalent.rows(); row += kStep) {
       lines += std::pow(rmsHeight(equivalent.modes(row)), 2) / count;
       rows += std::pow(rmsHeight(equivalent.measuredModes(row)), 2) / count;
     }
