@@ -336,10 +336,16 @@ DiagramSheet spectrumSheet(const Scene& scene) {
             {q, std::exp(reading.fit.intercept + reading.fit.slope * std::log(q))});
     diagram.series.push_back(std::move(fitted));
   }
+  const bool hasExponent = reading.hasFit || scene.surface.kind == SurfaceKind::SelfAffine;
   sheet.note =
-      "C(q) ~ q^(\u22122H\u22121) is two-sided, h\u00B2 = 2 \u222B C dq; cut off at \u03C0 over "
-      "the element spacing. "
-      "Points are means over equal stretches of log q.";
+      hasExponent
+          ? Message(
+                "C(q) ~ q^(\u22122H\u22121) is two-sided, h\u00B2 = 2 \u222B C dq; cut off at "
+                "\u03C0 over the element spacing. "
+                "Points are means over equal stretches of log q.")
+          : Message(
+                "C(q) is two-sided, h\u00B2 = 2 \u222B C dq; cut off at \u03C0 over the element "
+                "spacing. Points are means over equal stretches of log q.");
   sheet.diagrams = {std::move(diagram)};
   return sheet;
 }

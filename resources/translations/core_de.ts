@@ -811,6 +811,10 @@
         <translation>Bei %1 m/s. Zu beachten ist der Abfall schon bei dieser kleinen Kraft.</translation>
     </message>
     <message>
+        <source>C(q) is two-sided, h² = 2 ∫ C dq; cut off at π over the element spacing. Points are means over equal stretches of log q.</source>
+        <translation>C(q) ist zweiseitig, h² = 2 ∫ C dq; abgeschnitten bei π/Elementabstand. Punkte sind Mittel über gleiche Strecken von log q.</translation>
+    </message>
+    <message>
         <source>C(q) ~ q^(−2H−1) is two-sided, h² = 2 ∫ C dq; cut off at π over the element spacing. Points are means over equal stretches of log q.</source>
         <translation>C(q) ~ q^(−2H−1) ist zweiseitig, h² = 2 ∫ C dq; abgeschnitten bei π/Elementabstand. Punkte sind Mittel über gleiche Strecken von log q.</translation>
     </message>
