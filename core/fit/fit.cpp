@@ -222,7 +222,7 @@ class Fitting {
         if (k != worst) order.push_back(k);
     const MatrixXd linear = covariance_;
     const ProfileWalk walk(objective_, best, fit_.errorScale);
-    std::vector<VectorXd> within;  // of all profiles, the points within one deviation
+    std::vector<VectorXd> within;  // of all profiles, how far one deviation reaches
     for (const int k : order) {
       const VariedParameter& parameter = parameters_[static_cast<std::size_t>(k)];
       const double reach = std::min(std::sqrt(linear(k, k)), 2 * openBeyond(parameter));
@@ -233,7 +233,7 @@ class Fitting {
       if (lowest->minimum.chiSquared < best.chiSquared - enough()) return from(lowest->minimum);
       setRange(k, best, points, linear, k == worst);
       for (const ProfilePoint& point : points)
-        if (point.deviations <= 1) within.push_back(point.minimum.coordinates);
+        if (const auto share = shareOfPoint(best.coordinates, point)) within.push_back(*share);
       ObjectiveProfile profile{std::string(parameter.key()), {}, {}};
       for (const ProfilePoint& point : points) {
         profile.values.push_back(parameter.value(point.minimum.coordinates[k]));

@@ -27,19 +27,22 @@ std::vector<ProfilePoint> ProfileWalk::profile(int k, const VectorXd& along, int
 
 std::vector<ProfilePoint> ProfileWalk::side(int k, const VectorXd& along, int fewest) const {
   constexpr double kFar = 2.5;  // deviations
-  constexpr int kMost = 12;
+  constexpr int kMost = 12, kEven = 3;
+  constexpr double kGrowth = 1.2;  // of later steps
   const VariedParameter& parameter = objective_.parameter(k);
   std::vector<ProfilePoint> points;
   VectorXd last = best_.coordinates, step = along;
+  double stride = along[k];
   while (std::ssize(points) < kMost) {
     if (std::ssize(points) >= fewest && points.back().deviations >= kFar) break;
-    VectorXd predicted = last + step;
-    predicted[k] = last[k] + along[k];
+    if (std::ssize(points) >= kEven) stride *= kGrowth;
+    VectorXd predicted = last + step * (stride / step[k]);
+    predicted[k] = last[k] + stride;
     if (predicted[k] < parameter.lowest() || predicted[k] > parameter.highest()) {
       // The last value is the limit itself, if that is not all but reached.
       constexpr double kNear = 0.1;
       const double limit = along[k] < 0 ? parameter.lowest() : parameter.highest();
-      if (std::abs(limit - last[k]) < kNear * std::abs(along[k])) break;
+      if (std::abs(limit - last[k]) < kNear * std::abs(stride)) break;
       predicted = last + step * ((limit - last[k]) / step[k]);
       predicted[k] = limit;
     }
@@ -109,25 +112,35 @@ VectorXd ProfileWalk::withinLimits(VectorXd coordinates) const {
   return coordinates;
 }
 
+std::optional<VectorXd> shareOfPoint(const VectorXd& best, const ProfilePoint& point) {
+  constexpr double kMost = 2;
+  if (point.deviations > kMost) return std::nullopt;
+  return VectorXd(best + (point.minimum.coordinates - best) / std::max(1.0, point.deviations));
+}
+
 namespace {
 
-/// Returns where a profile crosses one deviation between the last of its points that is nearer and
-/// the next one. outwards: the points from the best one to one side.
-std::optional<VectorXd> lastWithin(const std::vector<const ProfilePoint*>& outwards, int k,
-                                   const VariedParameter& parameter) {
-  std::size_t within = 0;
-  for (std::size_t i = 0; i < outwards.size(); ++i)
-    if (outwards[i]->deviations <= 1) within = i;
-  const ProfilePoint& inner = *outwards[within];
-  if (within + 1 < outwards.size()) {
-    const ProfilePoint& outer = *outwards[within + 1];
+/// Returns the end of the range to one side. outwards: the points from the best one to that side.
+std::optional<VectorXd> endOf(const std::vector<const ProfilePoint*>& outwards, int k,
+                              const VariedParameter& parameter) {
+  const VectorXd& best = outwards.front()->minimum.coordinates;
+  VectorXd end = best;
+  const auto extend = [&](const VectorXd& to) {
+    if (std::abs(to[k] - best[k]) > std::abs(end[k] - best[k])) end = to;
+  };
+  for (std::size_t i = 1; i < outwards.size(); ++i) {
+    const ProfilePoint &inner = *outwards[i - 1], &outer = *outwards[i];
+    if (const auto share = shareOfPoint(best, outer)) extend(*share);
+    if (inner.deviations > 1 || outer.deviations <= 1) continue;
     const double part = (1 - inner.deviations) / (outer.deviations - inner.deviations);
-    return VectorXd(inner.minimum.coordinates +
-                    part * (outer.minimum.coordinates - inner.minimum.coordinates));
+    extend(inner.minimum.coordinates +
+           part * (outer.minimum.coordinates - inner.minimum.coordinates));
   }
-  const double end = inner.minimum.coordinates[k];
-  if (end <= parameter.lowest() || end >= parameter.highest()) return inner.minimum.coordinates;
-  return std::nullopt;
+  const ProfilePoint& last = *outwards.back();
+  const double there = last.minimum.coordinates[k];
+  const bool isComplete =
+      last.deviations > 1 || there <= parameter.lowest() || there >= parameter.highest();
+  return isComplete ? std::optional(end) : std::nullopt;
 }
 
 }  // namespace
@@ -140,7 +153,7 @@ ProfileRange rangeOfProfile(const Objective& objective, int k,
   for (auto point = best; point != profile.end(); ++point) above.push_back(&*point);
   for (auto point = profile.begin(); point <= best; ++point) below.insert(below.begin(), &*point);
   const VariedParameter& parameter = objective.parameter(k);
-  return {lastWithin(below, k, parameter), lastWithin(above, k, parameter)};
+  return {endOf(below, k, parameter), endOf(above, k, parameter)};
 }
 
 }  // namespace asperity

@@ -37,7 +37,8 @@ class ProfileWalk {
   ProfileWalk(const Objective& objective, const Minimum& best, double errorScale);
 
   /// Walks from the best point to both sides until the sum of squares is far above its least.
-  /// along: the first step, whose length in the parameter k all steps have. fewest: steps to each
+  /// along: the first step, whose length in the parameter k the next steps have; later
+  /// ones grow. fewest: steps to each
   /// side where limits allow. Returns the points in the order of rising values.
   std::vector<ProfilePoint> profile(int k, const Eigen::VectorXd& along, int fewest) const;
 
@@ -59,7 +60,13 @@ class ProfileWalk {
   Residuals residuals_;  // of the best point
 };
 
+/// Returns how far one deviation reaches towards a point that is at most two away: to the point
+/// itself where it is nearer than one, else to its share of the distance.
+std::optional<Eigen::VectorXd> shareOfPoint(const Eigen::VectorXd& best, const ProfilePoint& point);
+
 /// Returns the outermost values of the parameter k that are one deviation from the best point.
+/// Where a profile is flat further out, the range is so long that all its points within two
+/// deviations lie within two ranges.
 ProfileRange rangeOfProfile(const Objective& objective, int k,
                             const std::vector<ProfilePoint>& profile);
 
