@@ -1,5 +1,6 @@
 #include "ui/window/lesson/lesson_results_page.h"
 
+#include <QAbstractButton>
 #include <QFileInfo>
 #include <QMessageBox>
 
@@ -8,6 +9,7 @@
 
 #include "core/lesson/lesson_class.h"
 #include "core/lesson/lesson_file.h"
+#include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/window/lesson/lesson_text.h"
 #include "ui/window/main/scene_library.h"
