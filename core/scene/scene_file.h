@@ -26,8 +26,8 @@ Scene readScene(std::string_view json, const std::string& name,
                 const std::filesystem::path& folder = {},
                 const std::vector<std::string>& assignments = {});
 
-/// Stands for the folder of the shipped scenes: a scene that is named in it is the shipped one, even
-/// if the current folder has a file of that name.
+/// Stands for the folder of the shipped scenes: a scene that is named in it is the shipped one,
+/// even if the current folder has a file of that name.
 inline constexpr const char* kShippedFolder = ":";
 
 /// Reads a scene that a study or a lesson names: a file relative to the folder, or a shipped scene
