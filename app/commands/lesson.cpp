@@ -92,7 +92,7 @@ bool areResults(const std::vector<std::string>& given) {
            shippedLessons().end();
   };
   std::error_code ignored;
-  return given.size() > 1 || isResultsFile(given.front()) ||
+  return given.size() > 1 || given.front().ends_with('/') || isResultsFile(given.front()) ||
          (std::filesystem::is_directory(given.front(), ignored) && !isShipped(given.front()));
 }
 
