@@ -6,21 +6,83 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
-#include <optional>
-#include <tuple>
 #include <utility>
 
 #include "core/base/input_error.h"
 #include "core/base/statistics.h"
-#include "core/fit/fisher_information.h"
 #include "core/fit/fit_objective.h"
-#include "core/fit/fit_profile.h"
 
 namespace asperity {
 namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+
+/// Returns a square root of the covariance of the mean over the lines, which all points share,
+/// [point][line]: the covariance is the root times its transpose. Rows of a topography have the
+/// correlation between points that lines have, and for each point the error of rows in order.
+MatrixXd scatterOfLines(const FrictionWithDerivatives& found) {
+  const auto n = static_cast<Eigen::Index>(found.muOfLines.size());
+  std::size_t lines = found.muOfLines.front().size();
+  for (const std::vector<double>& mu : found.muOfLines) lines = std::min(lines, mu.size());
+  if (lines < 2) return MatrixXd::Zero(n, 1);
+  MatrixXd about(n, static_cast<Eigen::Index>(lines));
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const std::vector<double>& mu = found.muOfLines[static_cast<std::size_t>(i)];
+    const double average = mean(mu);
+    for (std::size_t line = 0; line < lines; ++line)
+      about(i, static_cast<Eigen::Index>(line)) = mu[line] - average;
+  }
+  about /= std::sqrt(static_cast<double>(lines) * static_cast<double>(lines - 1));
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const auto point = static_cast<std::size_t>(i);
+    const double independent = about.row(i).norm();
+    if (found.orderedRows[point] > 0 && independent > 0)
+      about.row(i) *=
+          lineMeanError(found.muOfLines[point], found.orderedRows[point]).standardError /
+          independent;
+  }
+  return about;
+}
+
+/// The Fisher information of the points about the parameters, a symmetric matrix, by its principal
+/// directions.
+class Information {
+ public:
+  explicit Information(const MatrixXd& matrix) : directions_(matrix) {}
+
+  /// Returns the inverse; directions without information get a very large value instead of an
+  /// infinite one.
+  MatrixXd inverse() const {
+    constexpr double kNothing = 1e-15;
+    const VectorXd known = directions_.eigenvalues().cwiseMax(least(kNothing));
+    return directions_.eigenvectors() * known.cwiseInverse().asDiagonal() *
+           directions_.eigenvectors().transpose();
+  }
+
+  /// Returns the covariance of the directions without information, such as force and modulus
+  /// together, of which only the ratio matters. Along them the response to the points' errors is 0,
+  /// but the values may be anything.
+  MatrixXd openCovariance() const {
+    constexpr double kOpen = 1e-10;
+    const MatrixXd& axes = directions_.eigenvectors();
+    MatrixXd open = MatrixXd::Zero(axes.rows(), axes.cols());
+    for (Eigen::Index k = 0; k < axes.cols(); ++k)
+      if (directions_.eigenvalues()[k] < least(kOpen))
+        open += axes.col(k) * axes.col(k).transpose() / least(kOpen);
+    return open;
+  }
+
+ private:
+  /// Returns the information below which a direction counts as unknown: this share of the best
+  /// known one, and never 0.
+  double least(double share) const {
+    return std::max(share * directions_.eigenvalues().maxCoeff(),
+                    std::numeric_limits<double>::min() * 1e10);
+  }
+
+  Eigen::SelfAdjointEigenSolver<MatrixXd> directions_;
+};
 
 /// Returns the error of a coordinate beyond which a parameter counts as not determined.
 double openBeyond(const VariedParameter& parameter) {
@@ -63,11 +125,13 @@ class Fitting {
       objective_.addVelocityErrors(best.coordinates);
       best = minimize(objective_, best.coordinates, all_, kIterations);
     }
-    best = settled(best);
-    fit_.hasConverged = best.hasConverged && possibleDecrease_ <= enough();
+    fit_.hasConverged = best.hasConverged;
+    fit_.chiSquared = best.chiSquared;
     fit_.scene = objective_.sceneAt(best.coordinates);
+    setErrors(best.coordinates);
     setParameters(best.coordinates);
     setCombinations();
+    if (options_.hasProfiles) setProfiles(best);
     fit_.evaluations = objective_.evaluations();
     addNotes();
     return std::move(fit_);
@@ -75,8 +139,6 @@ class Fitting {
 
  private:
   static constexpr int kIterations = 60;
-  /// The part of a standard error by which the end of a range differs where there is no parabola.
-  static constexpr double kUneven = 0.25;
   /// A fit that is further from the points in the logarithm than a factor of two has not found
   /// them.
   static constexpr double kFar = std::numbers::ln2;
@@ -178,187 +240,28 @@ class Fitting {
     if (!hasErrors_) fit_.errorScale = fit_.relativeScatter = std::sqrt(fit_.chiSquared / freedom);
   }
 
-  /// Returns the decrease of the sum of squares that is not worth a further step: that of a tenth
-  /// of an error of the points.
-  double enough() const { return 0.01 * fit_.errorScale * fit_.errorScale; }
-
-  /// Finds the errors, ranges and profiles of a minimum. Steps that end in a valley go on, and
-  /// where a point of a profile lies lower, the fit goes on from there.
-  Minimum settled(Minimum best) {
-    constexpr int kRestarts = 12;
-    for (int restart = 0;; ++restart) {
-      setErrors(best);
-      std::optional<Minimum> start;
-      if (possibleDecrease_ > enough() || !best.hasConverged) start = continued(best);
-      if (!start) start = walkProfiles(best);
-      if (!start) return best;
-      best = *start;
-      if (restart == kRestarts) {
-        setErrors(best);
-        best.hasConverged = false;
-        return best;
-      }
-    }
-  }
-
-  /// Returns a lower minimum that new steps from the best one lead to.
-  std::optional<Minimum> continued(const Minimum& best) const {
-    Minimum next = minimize(objective_, best.coordinates, all_, kIterations);
-    if (next.chiSquared < best.chiSquared - enough()) return next;
-    return std::nullopt;
-  }
-
-  /// Sets profiles and ranges: of all parameters, or where no profiles are wanted of that one which
-  /// the data leave open most, if it lies in a valley. Returns a lower minimum where one shows.
-  std::optional<Minimum> walkProfiles(const Minimum& best) {
-    fit_.profiles.assign(parameters_.size(), {});
-    ranges_.assign(parameters_.size(), {});
-    isWalked_.assign(parameters_.size(), false);
-    const int worst = leastDetermined();
-    std::vector<int> order;
-    if (options_.hasProfiles || liesInValley(worst)) order.push_back(worst);
-    if (options_.hasProfiles)
-      for (const int k : all_)
-        if (k != worst) order.push_back(k);
-    const MatrixXd linear = covariance_;
-    const ProfileWalk walk(objective_, best, fit_.errorScale);
-    std::vector<VectorXd> within;  // of all profiles, how far one deviation reaches
-    for (const int k : order) {
-      const VariedParameter& parameter = parameters_[static_cast<std::size_t>(k)];
-      const double reach = std::min(std::sqrt(linear(k, k)), 2 * openBeyond(parameter));
-      const std::vector<ProfilePoint> points =
-          walk.profile(k, linear.col(k) * reach / linear(k, k), options_.hasProfiles ? 3 : 1);
-      const auto lowest = std::ranges::min_element(
-          points, {}, [](const ProfilePoint& point) { return point.minimum.chiSquared; });
-      if (lowest->minimum.chiSquared < best.chiSquared - enough()) return from(lowest->minimum);
-      setRange(k, best, points, linear, k == worst);
-      for (const ProfilePoint& point : points)
-        if (const auto share = shareOfPoint(best.coordinates, point)) within.push_back(*share);
-      ObjectiveProfile profile{std::string(parameter.key()), {}, {}};
-      for (const ProfilePoint& point : points) {
-        profile.values.push_back(parameter.value(point.minimum.coordinates[k]));
-        profile.chiSquared.push_back(point.minimum.chiSquared);
-      }
-      fit_.profiles[static_cast<std::size_t>(k)] = std::move(profile);
-    }
-    if (!options_.hasProfiles) fit_.profiles.clear();
-    for (const int k : all_) widenRange(k, best.coordinates[k], within);
-    return std::nullopt;
-  }
-
-  /// Widens the range of a parameter to the points of all profiles that are within one deviation:
-  /// behind a bump its own profile may have ended before it came to them.
-  void widenRange(int k, double here, const std::vector<VectorXd>& within) {
-    auto& range = ranges_[static_cast<std::size_t>(k)];
-    const VariedParameter& parameter = parameters_[static_cast<std::size_t>(k)];
-    const double error = std::sqrt(covariance_(k, k));
-    auto [low, high] = range.value_or(std::pair(here - error, here + error));
-    const double margin = kUneven * error;
-    bool isWider = false;
-    for (const VectorXd& point : within) {
-      isWider |= point[k] < std::max(low, parameter.lowest()) - margin ||
-                 point[k] > std::min(high, parameter.highest()) + margin;
-      low = std::min(low, point[k]);
-      high = std::max(high, point[k]);
-    }
-    if (isWider) range = std::pair(low, high);
-  }
-
-  /// Returns the minimum over all parameters from a point of a profile; never above the point.
-  Minimum from(const Minimum& point) const {
-    Minimum found = minimize(objective_, point.coordinates, all_, kIterations);
-    return found.chiSquared <= point.chiSquared ? found : point;
-  }
-
-  int leastDetermined() const {
-    const auto openness = [&](int k) {
-      return covariance_(k, k) / std::pow(openBeyond(parameters_[static_cast<std::size_t>(k)]), 2);
-    };
-    return *std::ranges::max_element(all_, {}, openness);
-  }
-
-  /// Returns whether an error is a large part of what counts as open, and most of it comes from the
-  /// other parameters.
-  bool liesInValley(int k) const {
-    constexpr double kLarge = 0.25, kTimes = 3;
-    const double error = std::sqrt(covariance_(k, k));
-    return error > kLarge * openBeyond(parameters_[static_cast<std::size_t>(k)]) &&
-           error > kTimes * alone_[k];
-  }
-
-  /// Reads the range of a parameter from its profile, where that is no parabola. The covariance of
-  /// the least determined one then follows its valley, with that of the others around it.
-  void setRange(int k, const Minimum& best, const std::vector<ProfilePoint>& points,
-                const MatrixXd& linear, bool isValley) {
-    const VariedParameter& parameter = parameters_[static_cast<std::size_t>(k)];
-    const double error = std::sqrt(linear(k, k)), here = best.coordinates[k];
-    const ProfileRange range = rangeOfProfile(objective_, k, points);
-    const auto differs = [&](const std::optional<VectorXd>& end, double there) {
-      there = std::clamp(there, parameter.lowest(), parameter.highest());
-      return end && std::abs((*end)[k] - there) > kUneven * error;
-    };
-    if (!differs(range.low, here - error) && !differs(range.high, here + error)) return;
-    isWalked_[static_cast<std::size_t>(k)] = true;
-    const VectorXd straight = linear.col(k) / error;
-    const VectorXd low = range.low.value_or(best.coordinates - straight);
-    const VectorXd high = range.high.value_or(best.coordinates + straight);
-    ranges_[static_cast<std::size_t>(k)] = std::pair(low[k], high[k]);
-    if (!isValley) return;
-    const MatrixXd around = linear - straight * straight.transpose();
-    const VectorXd half = (high - low) / 2;
-    covariance_ = around + half * half.transpose();
-    for (const int j : all_) {
-      if (j == k) continue;
-      const double beside = std::sqrt(std::max(0.0, around(j, j)));
-      const double lowest = std::min({low[j], high[j], best.coordinates[j]});
-      const double highest = std::max({low[j], high[j], best.coordinates[j]});
-      ranges_[static_cast<std::size_t>(j)] =
-          std::pair(best.coordinates[j] - std::hypot(best.coordinates[j] - lowest, beside),
-                    best.coordinates[j] + std::hypot(highest - best.coordinates[j], beside));
-    }
-  }
-
-  void setErrors(const Minimum& best) {
-    const VectorXd& coordinates = best.coordinates;
-    fit_.chiSquared = best.chiSquared;
-    fit_.computedErrors.clear();
-    fit_.bandErrors.clear();
+  void setErrors(const VectorXd& coordinates) {
     const FrictionWithDerivatives found = objective_.evaluate(coordinates, all_);
     fit_.hasFoundPoints = objective_.logarithmicDistance(found) < kFar;
     const auto n = static_cast<Eigen::Index>(objective_.size());
     const auto count = static_cast<Eigen::Index>(parameters_.size());
     MatrixXd slopes(n, count);
-    VectorXd weights(n), residuals(n);
+    VectorXd weights(n);
     for (Eigen::Index i = 0; i < n; ++i) {
       const auto point = static_cast<std::size_t>(i);
       const double deviation = objective_.deviation(point);
       weights[i] = 1 / (deviation * deviation);
-      residuals[i] = objective_.residual(found, point) * deviation;
       for (Eigen::Index k = 0; k < count; ++k)
         slopes(i, k) = mean(found.slopesOfLines[static_cast<std::size_t>(k)][point]);
     }
     const MatrixXd lines = scatterOfLines(found);
-    const FisherInformation information(slopes.transpose() * weights.asDiagonal() * slopes);
+    const Information information(slopes.transpose() * weights.asDiagonal() * slopes);
     const MatrixXd response = information.inverse() * slopes.transpose() * weights.asDiagonal();
     const MatrixXd ofLines = response * lines;
     compareWithErrors(weights.cwiseSqrt().asDiagonal() * (lines - slopes * ofLines));
     const VectorXd ofPoints = fit_.errorScale * fit_.errorScale * weights.cwiseInverse();
     covariance_ = response * ofPoints.asDiagonal() * response.transpose() +
                   ofLines * ofLines.transpose() + information.openCovariance();
-    // A parameter at a limit cannot move beyond it.
-    VectorXd gradient = slopes.transpose() * weights.asDiagonal() * residuals;
-    MatrixXd inner = slopes.transpose() * weights.asDiagonal() * slopes;
-    alone_ = fit_.errorScale * inner.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
-    for (Eigen::Index k = 0; k < count; ++k) {
-      const VariedParameter& parameter = parameters_[static_cast<std::size_t>(k)];
-      if (!(coordinates[k] <= parameter.lowest() && gradient[k] > 0) &&
-          !(coordinates[k] >= parameter.highest() && gradient[k] < 0))
-        continue;
-      gradient[k] = 0;
-      inner.row(k).setZero();
-      inner.col(k).setZero();
-    }
-    possibleDecrease_ = FisherInformation(inner).possibleDecrease(gradient);
     fit_.computed = found.points;
     for (Eigen::Index i = 0; i < n; ++i) {
       fit_.computedErrors.push_back(lines.row(i).norm());
@@ -377,14 +280,8 @@ class Fitting {
       found.isLogarithmic = parameter.isLogarithmic();
       found.value = parameter.value(coordinates[k]);
       found.standardError = std::sqrt(covariance_(k, k));
-      double low = coordinates[k] - found.standardError;
-      double high = coordinates[k] + found.standardError;
-      if (const auto& range = ranges_[static_cast<std::size_t>(k)]) {
-        std::tie(low, high) = *range;
-        found.standardError = std::max(found.standardError, (high - low) / 2);
-      }
-      found.low = parameter.value(low);
-      found.high = parameter.value(high);
+      found.low = parameter.value(coordinates[k] - found.standardError);
+      found.high = parameter.value(coordinates[k] + found.standardError);
       const double near = 1e-6 * (parameter.highest() - parameter.lowest());
       found.isAtLimit =
           coordinates[k] - parameter.lowest() < near || parameter.highest() - coordinates[k] < near;
@@ -407,6 +304,40 @@ class Fitting {
       axis /= axis[largest];
       const double variance = axis.dot(covariance_ * axis);
       fit_.combinations.push_back({{axis.begin(), axis.end()}, std::sqrt(std::max(0.0, variance))});
+    }
+  }
+
+  /// Holds one parameter at some values around the best one. The others begin where their
+  /// covariance predicts, and are then minimized over.
+  void setProfiles(const Minimum& best) {
+    constexpr int kFewIterations = 4;
+    for (std::size_t k = 0; k < parameters_.size(); ++k) {
+      const auto index = static_cast<Eigen::Index>(k);
+      const VariedParameter& parameter = parameters_[k];
+      const double reach = std::min(fit_.parameters[k].standardError, 2 * openBeyond(parameter));
+      std::vector<int> others = all_;
+      others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
+      ObjectiveProfile profile{std::string(parameter.key()), {}, {}};
+      for (const double steps : {-3.0, -2.0, -1.0, 0.0, 1.0, 2.0, 3.0}) {
+        const double there = best.coordinates[index] + steps * reach;
+        if (there < parameter.lowest() || there > parameter.highest()) continue;
+        Minimum held = best;
+        if (steps != 0) {
+          VectorXd start = best.coordinates +
+                           covariance_.col(index) * (steps * reach) / covariance_(index, index);
+          for (std::size_t j = 0; j < parameters_.size(); ++j) {
+            const auto other = static_cast<Eigen::Index>(j);
+            start[other] =
+                std::clamp(start[other], parameters_[j].lowest(), parameters_[j].highest());
+          }
+          start[index] = there;
+          held = others.empty() ? atCoordinates(start)
+                                : minimize(objective_, start, others, kFewIterations);
+        }
+        profile.values.push_back(parameter.value(there));
+        profile.chiSquared.push_back(held.chiSquared);
+      }
+      fit_.profiles.push_back(std::move(profile));
     }
   }
 
@@ -435,12 +366,6 @@ class Fitting {
           "times are shifted to the temperatures of the points by the general WLF constants, C1 = "
           "{} and C2 = {} K, which the scene does not replace by those of its rubber",
           TemperatureShift{}.c1, TemperatureShift{}.c2));
-    for (std::size_t k = 0; k < parameters_.size(); ++k)
-      if (fit_.hasFoundPoints && isWalked_[k])
-        fit_.notes.push_back(
-            message("the sum of squares along {} is no parabola: the range is that of its profile, "
-                    "and the standard error is at least half of it",
-                    fit_.parameters[k].key));
     for (const FittedParameter& parameter : fit_.parameters) {
       if (fit_.hasFoundPoints && !parameter.isDetermined)
         fit_.notes.push_back(message(
@@ -449,6 +374,17 @@ class Fitting {
       if (parameter.isAtLimit)
         fit_.notes.push_back(
             message("{} ends at its limit; the best value may lie beyond", parameter.key));
+    }
+    for (const ObjectiveProfile& profile : fit_.profiles) {
+      // Of chi squared, whose rise by 1 is one standard error.
+      constexpr double kLower = 0.1;
+      const auto lowest = std::ranges::min_element(profile.chiSquared);
+      if (!(*lowest < fit_.chiSquared - kLower)) continue;
+      const auto at = static_cast<std::size_t>(lowest - profile.chiSquared.begin());
+      fit_.notes.push_back(
+          message("the sum of squares is lower at {} = {:.3g}, by {:.2g}: the fit has not reached "
+                  "its minimum; begin again from that value",
+                  profile.key, profile.values[at], fit_.chiSquared - *lowest));
     }
     if (!fit_.hasConverged)
       fit_.notes.emplace_back("the fit ended before the sum of squares stopped falling");
@@ -475,12 +411,7 @@ class Fitting {
   bool hasErrors_;
   std::vector<int> all_;
   VectorXd start_;
-  MatrixXd covariance_;          // of the coordinates
-  VectorXd alone_;               // the error of each coordinate with the others known
-  double possibleDecrease_ = 0;  // of the sum of squares, by a step within the limits
-  /// Ends of one deviation, where the profile of a parameter gives them.
-  std::vector<std::optional<std::pair<double, double>>> ranges_;
-  std::vector<bool> isWalked_;  // whether the parameter's own profile gives them
+  MatrixXd covariance_;  // of the coordinates
   Fit fit_;
 };
 

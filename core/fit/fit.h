@@ -9,14 +9,9 @@
 // S_lines) WJ (J'WJ)^-1. Where the tables have no errors, all points have the same relative error,
 // which is estimated from the residuals; where their errors do not hold, they are scaled to the
 // residuals.
-//
-// Valleys. Where parameters can replace one another, the sum of squares is no parabola, and few
-// lines make it uneven: profiles (fit_profile.h) then give the ranges, and where a point of one
-// lies lower than the minimum, the fit goes on from there until none does. Without profiles this is
-// done along the parameter that the data leave open most, if its error is large and comes from the
-// others. Threading: a function of its arguments, which uses several threads; the bytes are the
-// same for any number of them. Failure: InputError for what cannot be varied or fitted;
-// StopRequested where the computation was stopped.
+// Threading: a function of its arguments, which uses several threads; the bytes are the same for
+// any number of them. Failure: InputError for what cannot be varied or fitted; StopRequested where
+// the computation was stopped.
 #pragma once
 
 #include <Eigen/Core>
@@ -42,13 +37,9 @@ struct FitOptions {
 struct FittedParameter {
   std::string key;
   bool isLogarithmic = true;
-  double value = 0;  // in the unit of its key
-  /// Of the coordinate: of ln value where that is varied. Not less than half the range of a profile
-  /// that is no parabola.
-  double standardError = 0;
-  /// Value at one standard error to each side; where the profile is no parabola, at one deviation
-  /// of the profile.
-  double low = 0, high = 0;
+  double value = 0;          // in the unit of its key
+  double standardError = 0;  // of the coordinate: of ln value where that is varied
+  double low = 0, high = 0;  // value at one standard error to each side
   bool isAtLimit = false;
   bool isDetermined = true;  // false: the data leave it open by more than a factor of two
 };
@@ -81,8 +72,6 @@ struct Fit {
   /// theirs are 100 %, and this is the relative scatter.
   double errorScale = 1;
   std::int64_t freedom = 0;  // points minus parameters
-  /// Whether no step promises to lower the sum of squares by what a tenth of an error of the points
-  /// would.
   bool hasConverged = false;
   /// Whether the points are further from the curve than their errors and the scatter of the lines
   /// allow.

@@ -16,12 +16,10 @@
 #include "core/base/statistics.h"
 #include "core/base/stop.h"
 #include "core/friction/jackknife.h"
-#include "core/friction/line_mean.h"
 
 namespace asperity {
 namespace {
 
-using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// The residuals and their derivatives with respect to the free parameters, as a cost function of
@@ -199,30 +197,6 @@ Scene Objective::at(Scene scene, const VectorXd& coordinates) const {
   return scene;
 }
 
-MatrixXd scatterOfLines(const FrictionWithDerivatives& found) {
-  const auto n = static_cast<Eigen::Index>(found.muOfLines.size());
-  std::size_t lines = found.muOfLines.front().size();
-  for (const std::vector<double>& mu : found.muOfLines) lines = std::min(lines, mu.size());
-  if (lines < 2) return MatrixXd::Zero(n, 1);
-  MatrixXd about(n, static_cast<Eigen::Index>(lines));
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const std::vector<double>& mu = found.muOfLines[static_cast<std::size_t>(i)];
-    const double average = mean(mu);
-    for (std::size_t line = 0; line < lines; ++line)
-      about(i, static_cast<Eigen::Index>(line)) = mu[line] - average;
-  }
-  about /= std::sqrt(static_cast<double>(lines) * static_cast<double>(lines - 1));
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const auto point = static_cast<std::size_t>(i);
-    const double independent = about.row(i).norm();
-    if (found.orderedRows[point] > 0 && independent > 0)
-      about.row(i) *=
-          lineMeanError(found.muOfLines[point], found.orderedRows[point]).standardError /
-          independent;
-  }
-  return about;
-}
-
 Minimum minimize(const Objective& objective, const VectorXd& start, const std::vector<int>& free,
                  int iterations, Distance distance) {
   Minimum minimum{start, 0, true};
@@ -237,9 +211,8 @@ Minimum minimize(const Objective& objective, const VectorXd& start, const std::v
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_QR;
   options.max_num_iterations = iterations;
-  // In a long valley steps are short before the least sum is reached.
-  options.function_tolerance = 1e-8;
-  options.parameter_tolerance = 1e-8;
+  options.function_tolerance = 1e-6;
+  options.parameter_tolerance = 1e-6;
   options.logging_type = ceres::SILENT;
   options.num_threads = 1;
   // Ceres would warn about a failed step on the standard error stream; the exception tells more.

@@ -71,11 +71,6 @@ class Objective {
   mutable int evaluations_ = 0;
 };
 
-/// Returns a square root of the covariance of the mean over the lines, which all points share,
-/// [point][line]: the covariance is the root times its transpose. Rows of a topography have the
-/// correlation between points that lines have, and for each point the error of rows in order.
-Eigen::MatrixXd scatterOfLines(const FrictionWithDerivatives& found);
-
 struct Minimum {
   Eigen::VectorXd coordinates;
   double chiSquared = 0;

@@ -239,8 +239,8 @@
         <translation>kein Parameter ist genannt</translation>
     </message>
     <message>
-        <source>the sum of squares along %1 is no parabola: the range is that of its profile, and the standard error is at least half of it</source>
-        <translation>die Summe der Quadrate entlang von %1 ist keine Parabel: der Bereich ist der ihres Profils, und der Standardfehler ist mindestens halb so groß</translation>
+        <source>the sum of squares is lower at %1 = %2, by %3: the fit has not reached its minimum; begin again from that value</source>
+        <translation>die Summe der Quadrate ist bei %1 = %2 kleiner, um %3: Die Anpassung hat ihr Minimum nicht erreicht; mit diesem Wert neu beginnen</translation>
     </message>
     <message>
         <source>the fit ended before the sum of squares stopped falling</source>
