@@ -152,9 +152,11 @@ TEST(PairedMeans, OfRowsHaveTheErrorOfTheDifferencesInOrder) {
   for (std::size_t i = 0; i < 200; ++i) {
     a.push_back(10 + noise[i]);
     b.push_back(12 + noise[i] + 0.1 * rest[i]);
+  }
+  for (std::size_t i = 0; i < 200; ++i) {
     pairs.addPair(a[i], b[i]);
     if (i < 100)
-      different.addPair(a[i], b[2 * (i % 100)]);
+      different.addPair(a[i], b[2 * i]);
     else
       different.addOnlyA(a[i]);
   }

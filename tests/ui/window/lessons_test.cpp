@@ -748,8 +748,8 @@ TEST_F(LessonsTest, AnotherLanguageDoesNotLoseTheLessonInTheEditor) {
   EXPECT_EQ(again->lesson().title.english, "Mine");
   EXPECT_EQ(again->findChild<QListWidget*>("editorSteps")->currentRow(), 2);
   EXPECT_TRUE(again->findChild<QPushButton*>("editorClose")->text().contains("chließen"));
-  again->undo();
-  EXPECT_EQ(again->lesson().title.english, "Sample");
+  for (int letter = 0; letter < 4; ++letter) again->undo();
+  ASSERT_EQ(again->lesson().title.english, "Sample");
   EXPECT_TRUE(again->canClose());  // it knows what was saved
   action("language:en").trigger();
   delete lessons().editor();
