@@ -28,7 +28,7 @@ inline constexpr double kUsualOutliers = 6;
 /// direction, are larger than that limit and than ten median steps of the row. Rough surfaces reach
 /// beyond the limit as well, but by steps of the usual size; heights without any correlation do not
 /// make steps as large as ten median ones if they are Gaussian. Of a skewed surface with a Hurst
-/// exponent below about 0.5, less than one point of 1000 is counted.
+/// exponent of 0.3, about one point of 1000 is counted.
 std::int64_t spikeCount(std::span<const double> heights, FormRemoval form);
 
 /// Fills gaps by straight lines between their neighbours; before the first and after the last
