@@ -157,7 +157,10 @@ class Rendering {
     checkUseful(command_.picture, {command_.output});
     checkNoInput(command_.output, inputFiles(command_.common, scene_));
     checkNoInput(command_.output, filesReadBeside(command_.curves, scene_));
-    kind_ == Kind::Sequence ? checkFolder(command_.output) : checkWritable(command_.output);
+    if (kind_ == Kind::Sequence)
+      checkFolder(command_.output);
+    else
+      checkWritable(command_.output);
     if (kind_ == Kind::Film) checkFilm(command_.output, settings_.transparent);
     if (command_.resume && kind_ != Kind::Sequence)
       throw InputError("", "--resume",

@@ -24,9 +24,8 @@ double temperatureAt(const MeasuredPoint& point, const Scene& scene) {
 
 /// Returns the factor that shifts a measured velocity to the temperature of the scene.
 double shiftToScene(const MeasuredPoint& point, const Scene& scene) {
-  Elastomer there = scene.elastomer;
-  there.temperature = temperatureAt(point, scene);
-  return temperatureShift(there) / temperatureShift(scene.elastomer);
+  return temperatureShift(scene.elastomer, temperatureAt(point, scene),
+                          scene.elastomer.temperature);
 }
 
 std::vector<TheoryCurve> theoryCurves(const CurveSet& set, const std::stop_token& stop) {

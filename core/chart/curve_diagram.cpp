@@ -329,7 +329,9 @@ void addMeasured(Diagram& diagram, const CurveSet& set) {
 void fixRatioAxis(DiagramAxis& axis, const std::vector<DiagramSeries>& series) {
   double least = 1, most = 1, low = 1, high = 1;
   const auto add = [](double value, double& from, double& to) {
-    if (std::isfinite(value)) from = std::min(from, value), to = std::max(to, value);
+    if (!std::isfinite(value)) return;
+    from = std::min(from, value);
+    to = std::max(to, value);
   };
   for (const DiagramSeries& one : series)
     for (const DiagramPoint& point : one.points) {

@@ -39,15 +39,10 @@ bool showsLaw(const Scene& scene) {
   return std::ranges::find(scene.comparison.theory, Theory::Eq11) != scene.comparison.theory.end();
 }
 
-namespace {
-
-// The first two colours belong to the present curve and its marker, so they come last.
-constexpr std::array<int, kPinColours> kColourOrder{2, 3, 6, 5, 4, 7, 8, 1};
-
-}  // namespace
-
 int pinColour(int index) {
-  return kColourOrder[static_cast<std::size_t>(index % kPinColours)];
+  // The first two colours belong to the present curve and its marker, so they come last.
+  constexpr std::array<int, kPinColours> order{2, 3, 6, 5, 4, 7, 8, 1};
+  return order[static_cast<std::size_t>(index % kPinColours)];
 }
 
 int measuredColour(int index) {
@@ -64,10 +59,8 @@ namespace {
 
 /// Returns a_T of an elastomer over that at another temperature; NaN where it has none there.
 double shiftTo(double temperature, const Elastomer& elastomer) {
-  Elastomer there = elastomer;
-  there.temperature = temperature;
   try {
-    return temperatureShift(elastomer) / temperatureShift(there);
+    return temperatureShift(elastomer, elastomer.temperature, temperature);
   } catch (const InputError&) {
     return kNotApplicable;
   }

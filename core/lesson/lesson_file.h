@@ -1,8 +1,8 @@
 // Lessons as files (JSON, "schema": "asperity-lesson/1"). The reader checks everything that can be
-// checked without a simulation: every scene of every step, every key, every choice.
-// A draft may lack what a lesson needs to be played. Pure except for reading the scenes that a
-// lesson names. Failure: InputError with the file, the
-// path ("steps[2].prediction.answer"), what is wrong and what is allowed.
+// checked without a simulation: every scene of every step, every key, every choice. A draft may
+// lack what a lesson needs to be played. Pure except for reading the scenes that a lesson names.
+// Failure: InputError with the file, the path ("steps[2].prediction.answer"), what is wrong and
+// what is allowed.
 #pragma once
 
 #include <filesystem>

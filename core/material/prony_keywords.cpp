@@ -118,9 +118,28 @@ Message listTemperatures(std::vector<double> kelvins) {
   return listed(list);
 }
 
-std::size_t nearestRow(const std::vector<double>& kelvins, double wanted) {
+/// Returns the row of a table at the wanted temperature (K), which is the reference of the shift or
+/// was chosen. Throws InputError where no row is within the tolerance, and where several are.
+std::size_t rowAt(double wanted, const std::vector<double>& kelvins, const std::string& key,
+                  const KeywordFile& file, bool isReference) {
+  const double tolerance = file.choices.temperatureTolerance;
   const auto nearest = std::ranges::min_element(
       kelvins, {}, [&](double kelvin) { return std::abs(kelvin - wanted); });
+  if (std::abs(*nearest - wanted) > tolerance)
+    throw InputError(
+        file.name, key,
+        isReference
+            ? message("has values at {} and none within {} K of the reference of the shift, "
+                      "{}; --temperature-tolerance allows more, or give "
+                      "--equilibrium-modulus",
+                      listTemperatures(kelvins), tolerance, celsius(wanted))
+            : message("has values at {} and none within {} K of {}; choose one of these with "
+                      "--temperature, or allow more with --temperature-tolerance",
+                      listTemperatures(kelvins), tolerance, celsius(wanted)));
+  if (std::ranges::count(kelvins, *nearest) > 1)
+    throw InputError(file.name, key,
+                     message("has more than one row at {}; keep the one that is meant alone",
+                             celsius(*nearest)));
   return static_cast<std::size_t>(nearest - kelvins.begin());
 }
 
@@ -183,41 +202,23 @@ std::vector<std::size_t> chooseRows(const std::vector<TemperatureRows>& tables,
       series.shift ? series.shift->referenceTemperature : file.choices.temperature;
   if (std::isfinite(lowest)) {
     const TemperatureScale scale = temperatureScale(lowest, absoluteZero, file.choices);
+    std::vector<std::vector<double>> stated(tables.size());  // K; empty where a table states none
     std::vector<double> all;
-    for (const TemperatureRows& table : tables)
-      if (statesTemperatures(table)) {
-        const std::vector<double> own = kelvins(table, scale);
-        all.insert(all.end(), own.begin(), own.end());
-      }
-    const double tolerance = file.choices.temperatureTolerance;
+    for (std::size_t i = 0; i < tables.size(); ++i) {
+      if (statesTemperatures(tables[i])) stated[i] = kelvins(tables[i], scale);
+      all.insert(all.end(), stated[i].begin(), stated[i].end());
+    }
     const auto [coldest, warmest] = std::ranges::minmax(all);
-    if (!chosen && warmest - coldest > tolerance)
+    if (!chosen && warmest - coldest > file.choices.temperatureTolerance)
       throw InputError(file.name, "temperature",
                        message("has several values in the file, {}; choose one with --temperature",
                                listTemperatures(all)));
     const double wanted = chosen.value_or(all.front());
     std::optional<double> used;
     for (std::size_t i = 0; i < tables.size(); ++i) {
-      if (!statesTemperatures(tables[i])) continue;
-      const std::vector<double> own = kelvins(tables[i], scale);
-      rows[i] = nearestRow(own, wanted);
-      const double nearest = own[rows[i]];
-      if (std::abs(nearest - wanted) > tolerance)
-        throw InputError(
-            file.name, tables[i].key,
-            series.shift
-                ? message("has values at {} and none within {} K of the reference of the shift, "
-                          "{}; --temperature-tolerance allows more, or give "
-                          "--equilibrium-modulus",
-                          listTemperatures(own), tolerance, celsius(wanted))
-                : message("has values at {} and none within {} K of {}; choose one of these with "
-                          "--temperature, or allow more with --temperature-tolerance",
-                          listTemperatures(own), tolerance, celsius(wanted)));
-      if (std::ranges::count(own, nearest) > 1)
-        throw InputError(file.name, tables[i].key,
-                         message("has more than one row at {}; keep the one that is meant alone",
-                                 celsius(nearest)));
-      if (!used) used = nearest;
+      if (stated[i].empty()) continue;
+      rows[i] = rowAt(wanted, stated[i], tables[i].key, file, series.shift.has_value());
+      if (!used) used = stated[i][rows[i]];
     }
     series.temperature = used;
     series.notes.push_back(

@@ -76,6 +76,13 @@ double temperatureShift(const Elastomer& elastomer) {
              : shiftFactor(elastomer.shift, elastomer.temperature);
 }
 
+double temperatureShift(Elastomer elastomer, double from, double to) {
+  elastomer.temperature = to;
+  const double there = temperatureShift(elastomer);
+  elastomer.temperature = from;
+  return temperatureShift(elastomer) / there;
+}
+
 // ---- Fits --------------------------------------------------------------------------------------
 
 namespace {

@@ -39,6 +39,10 @@ bool shiftsTimes(const Elastomer& elastomer);
 /// Returns a_T of an elastomer at its own temperature; 1 for an elastic one, which has no times.
 double temperatureShift(const Elastomer& elastomer);
 
+/// Returns a_T of an elastomer at one temperature over that at another: the factor by which
+/// velocities are shifted from the first to the second.
+double temperatureShift(Elastomer elastomer, double from, double to);
+
 // ---- Fits
 
 /// A fitted formula and its residual.

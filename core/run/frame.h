@@ -1,6 +1,5 @@
 // The state of the simulation at one time, as pictures need it, and the samples of a motion up to
-// that time. Immutable once made; passed on by
-// shared_ptr<const Frame>, read by any thread.
+// that time. Immutable once made; passed on by shared_ptr<const Frame>, read by any thread.
 //
 // Geometry, in the elastomer's frame: material point i rests at x_i = i * spacing, 0 <= i < n, one
 // period. Heights are measured upwards from the undeformed surface of the elastomer, which fills

@@ -93,7 +93,7 @@ Transient::Transient(const Scene& scene, std::shared_ptr<const RigidLine> rigid,
 
 void Transient::estimateErrors(const Scene& scene) {
   const std::size_t nodes = rigid_->line->nodes();
-  if (!coarse_.empty() || scene.accuracy.scheme == Scheme::Nodal) return;
+  if (!coarser_.empty() || scene.accuracy.scheme == Scheme::Nodal) return;
   for (const std::size_t every : {2U, 3U, 5U, 7U}) {
     if (nodes % every != 0 || nodes / every < kLeastNodes) continue;
     const std::size_t square = every * every;
@@ -115,8 +115,7 @@ void Transient::addCoarser(const Scene& scene, std::size_t every, std::size_t of
           scene, std::make_shared<const RigidLine>(rigid_->coarser(every, i * every / offsets)));
       coarse.division_ = division_;
       coarse.longestStep_ = spacing * longestStep_;
-      coarse_.push_back(std::move(coarse));
-      comparisons_.emplace_back().weight = 1 / (static_cast<double>(offsets) * order * order);
+      coarser_.push_back({std::move(coarse), 1 / (static_cast<double>(offsets) * order * order)});
     } catch (const std::runtime_error&) {
       // A line that is too coarse for its own balance gives no difference.
     }
@@ -195,30 +194,28 @@ void Transient::stepOnce(double dt, Means& means) {
   means.add(last_, dt, distance);
   time_ = next;
   ++steps_;
-  for (std::size_t i = 0; i < coarse_.size(); ++i) followWith(i, before);
+  for (Coarser& coarser : coarser_) follow(coarser, before);
 }
 
 /// Marches a coarser line up to the end of the step that began at the time `before` (s), and
 /// compares friction over each of its steps with that of this march over the same time.
-void Transient::followWith(std::size_t coarser, double before) {
-  Transient& coarse = coarse_[coarser];
-  Comparison& comparison = comparisons_[coarser];
+void Transient::follow(Coarser& coarser, double before) const {
   double from = before;
   const auto addUntil = [&](double time) {
     const double dt = std::max(time - from, 0.0);
-    comparison.tangential += last_.slopeForce * dt;
-    comparison.normal += last_.normalForce * dt;
+    coarser.tangential += last_.slopeForce * dt;
+    coarser.normal += last_.normalForce * dt;
     from += dt;
   };
-  while (coarse.canReach(time_)) {
-    const double begin = coarse.time();
-    const TransientSample other = coarse.singleStep();
-    addUntil(std::min(coarse.time(), time_));
-    const double dt = coarse.time() - begin;
-    comparison.difference += dt * (other.tangentialForce / other.normalForce -
-                                   comparison.tangential / comparison.normal);
-    comparison.time += dt;
-    comparison.tangential = comparison.normal = 0;
+  while (coarser.march.canReach(time_)) {
+    const double begin = coarser.march.time();
+    const TransientSample other = coarser.march.singleStep();
+    addUntil(std::min(coarser.march.time(), time_));
+    const double dt = coarser.march.time() - begin;
+    coarser.difference +=
+        dt * (other.tangentialForce / other.normalForce - coarser.tangential / coarser.normal);
+    coarser.time += dt;
+    coarser.tangential = coarser.normal = 0;
   }
   addUntil(time_);
 }
@@ -274,12 +271,12 @@ TransientSample Transient::marchTo(double time) {
 void Transient::addError(TransientSample& sample) {
   double squares = 0;
   bool isKnown = false;
-  for (Comparison& comparison : comparisons_) {
-    if (comparison.time > 0) comparison.lastDifference = comparison.difference / comparison.time;
-    comparison.difference = comparison.time = 0;
-    if (!std::isfinite(comparison.lastDifference)) continue;
+  for (Coarser& coarser : coarser_) {
+    if (coarser.time > 0) coarser.lastDifference = coarser.difference / coarser.time;
+    coarser.difference = coarser.time = 0;
+    if (!std::isfinite(coarser.lastDifference)) continue;
     isKnown = true;
-    squares += comparison.weight * comparison.lastDifference * comparison.lastDifference;
+    squares += coarser.weight * coarser.lastDifference * coarser.lastDifference;
   }
   if (isKnown) sample.muError = errorFactor_ * std::sqrt(squares);
 }

@@ -69,14 +69,7 @@ class Transient {
 
  private:
   class Means;
-
-  /// The difference of friction between a coarser march and this one.
-  struct Comparison {
-    double weight = 1;                       // of the difference in the sum of squares
-    double tangential = 0, normal = 0;       // N s, here since the last step of the coarser march
-    double difference = 0, time = 0;         // of mu times s, and s, since the last sample
-    double lastDifference = kNotApplicable;  // mean between the last two samples
-  };
+  struct Coarser;
 
   double stepAt(double time) const;
   double markAfter(double time) const;
@@ -85,7 +78,7 @@ class Transient {
   double timeAfter(double dt);
   void stepOnce(double dt, Means& means);
   void addCoarser(const Scene& scene, std::size_t every, std::size_t offsets);
-  void followWith(std::size_t coarser, double before);
+  void follow(Coarser& coarser, double before) const;
   void addError(TransientSample& sample);
 
   Load load_;
@@ -103,9 +96,17 @@ class Transient {
   /// Consecutive equal steps: their number, their length (s) and their beginning (s).
   double run_ = 0, runStep_ = 0, runBegin_ = 0;
   std::uint64_t steps_ = 0;
-  std::vector<Transient> coarse_;        // empty where errors are not estimated
-  std::vector<Comparison> comparisons_;  // of each of them with this one
-  double errorFactor_ = 1;               // from the differences to the error that holds
+  std::vector<Coarser> coarser_;  // empty where errors are not estimated
+  double errorFactor_ = 1;        // from the differences to the error that holds
+};
+
+/// A march on a coarser line, and how its friction differs from that of the finer one.
+struct Transient::Coarser {
+  Transient march;
+  double weight = 1;                       // of the difference in the sum of squares
+  double tangential = 0, normal = 0;       // N s, of the finer march since this one's last step
+  double difference = 0, time = 0;         // of mu times s, and s, since the last sample
+  double lastDifference = kNotApplicable;  // mean between the last two samples
 };
 
 /// Returns the root mean square of the errors of the newest of these samples; NaN where none is

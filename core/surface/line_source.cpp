@@ -224,7 +224,7 @@ void LineSource::setSpectrum(const Scene& scene) {
 }
 
 std::int64_t LineSource::rowOf(std::int64_t realization) const {
-  if (!measured_ || !isRandom_ || hasRandomPhases(surface_)) return 0;
+  if (!hasRows()) return 0;
   if (!drawsRows_) return rowOfRealization(realization, lines_, measured_->rows());
   // A target accuracy may need any number of lines, so rows are drawn with replacement.
   constexpr std::uint64_t kSeed = 1;
@@ -234,27 +234,21 @@ std::int64_t LineSource::rowOf(std::int64_t realization) const {
   return std::min(row, measured_->rows() - 1);
 }
 
-/// Returns the number of rows that are different realizations; none where lines are not rows.
-std::optional<std::int64_t> LineSource::rowsToUse() const {
-  if (!measured_ || !isRandom_ || hasRandomPhases(surface_)) return {};
-  return drawsRows_ ? measured_->rows() : std::min(lines_, measured_->rows());
-}
-
 void LineSource::requireLines(std::int64_t lines, const std::string& option) const {
   if (lines > 1 && !isRandom())
     throw InputError("", option, "this surface has one line, and no other realization");
-  if (const auto rows = rowsToUse(); rows && lines > *rows)
+  if (hasRows() && lines > rowsToUse())
     throw InputError(
         "", option,
-        message("{} is more than {}, the number of rows that the scene uses", lines, *rows));
+        message("{} is more than {}, the number of rows that the scene uses", lines, rowsToUse()));
 }
 
 void LineSource::requireRealization(std::int64_t realization, const std::string& option) const {
   if (realization < 0) throw InputError("", option, "is below 0");
-  if (const auto rows = rowsToUse(); rows && realization >= *rows)
-    throw InputError(
-        "", option,
-        message("{} is outside 0 to {}, the rows that the scene uses", realization, *rows - 1));
+  if (hasRows() && realization >= rowsToUse())
+    throw InputError("", option,
+                     message("{} is outside 0 to {}, the rows that the scene uses", realization,
+                             rowsToUse() - 1));
   if (realization > 0) requireLines(2, option);
 }
 

@@ -62,18 +62,16 @@ class LineSource {
   /// Does the same for the line of one realization, counted from 0.
   void requireRealization(std::int64_t realization, const std::string& option) const;
   /// Returns whether rms height and rms slope differ from line to line.
-  bool slopesDiffer() const {
-    return isRandom_ && (summits_ || (measured_ && !hasRandomPhases(surface_)));
-  }
+  bool slopesDiffer() const { return hasRows() || (isRandom_ && summits_); }
   /// Returns whether realizations are rows of a topography.
   bool hasRows() const { return measured_ && isRandom_ && !hasRandomPhases(surface_); }
   /// Returns the number of rows of a topography that can be lines; 0 for other lines.
   std::int64_t rows() const { return hasRows() ? measured_->rows() : 0; }
+  /// Returns how many of these rows the scene uses.
+  std::int64_t rowsToUse() const { return drawsRows_ ? rows() : std::min(lines_, rows()); }
   /// Returns how many different rows of a topography the first realizations are, in their order on
   /// the surface; 0 for independent lines. Neighbouring rows are nearly the same line.
-  std::int64_t orderedRows() const {
-    return hasRows() && !drawsRows_ ? std::min(lines_, measured_->rows()) : 0;
-  }
+  std::int64_t orderedRows() const { return drawsRows_ ? 0 : rowsToUse(); }
   /// Returns the lines of a measured surface; else null.
   const MeasuredLines* measured() const { return measured_.get(); }
   /// Returns how the table of a spectrum was understood, one sentence each; empty for other
@@ -96,7 +94,6 @@ class LineSource {
   void setProfile(const Profile& profile);
   void setMeasured(const Scene& scene);
   void setSpectrum(const Scene& scene);
-  std::optional<std::int64_t> rowsToUse() const;
   Line makeShape() const;
   void spectrumInto(FourierLine& line, std::int64_t number) const;
   bool setFromSpectrum(const FourierLine& modes, Slopes slopes, Line& line,

@@ -258,15 +258,27 @@ std::vector<double> MeasuredLines::stretch(std::int64_t row) const {
   return {heights.begin(), heights.end()};
 }
 
-std::int64_t MeasuredLines::spikes() const {
-  std::call_once(areSpikesCounted_, [this] {
+/// Goes over all rows that are used, when one of the numbers is asked for the first time.
+void MeasuredLines::countPoints() const {
+  std::call_once(arePointsCounted_, [this] {
     const ProcessingChoices& processing = surface_.processing;
+    missing_.rowsLeftOut = leftOut_;
     for (std::int64_t row = 0; row < rows(); ++row) {
       std::vector<double> heights = stretch(row);
-      markOutliers(heights, processing.outliers, processing.form);
+      missing_.gaps += gapCount(heights);
+      missing_.outliers += markOutliers(heights, processing.outliers, processing.form);
       spikes_ += spikeCount(heights, processing.form);
     }
   });
+}
+
+MissingHeights MeasuredLines::missingHeights() const {
+  countPoints();
+  return missing_;
+}
+
+std::int64_t MeasuredLines::spikes() const {
+  countPoints();
   return spikes_;
 }
 
@@ -289,17 +301,6 @@ ProcessedProfile MeasuredLines::profile(std::int64_t row) const {
     for (std::size_t i = 0; i < waviness.size(); ++i) profile.used[i] -= waviness[i];
   }
   return profile;
-}
-
-MissingHeights MeasuredLines::missingHeights() const {
-  const ProcessingChoices& processing = surface_.processing;
-  MissingHeights missing{leftOut_};
-  for (std::int64_t row = 0; row < rows(); ++row) {
-    std::vector<double> heights = stretch(row);
-    missing.gaps += gapCount(heights);
-    missing.outliers += markOutliers(heights, processing.outliers, processing.form);
-  }
-  return missing;
 }
 
 std::vector<double> MeasuredLines::period(const ProcessedProfile& profile) const {

@@ -60,7 +60,7 @@ class MeasuredLines {
 
   const MeasuredFile& file() const { return *file_; }
   std::int64_t rows() const { return static_cast<std::int64_t>(rows_.size()); }  // that can be used
-  /// Looks through all rows that are used.
+  /// Returns what was not measured of all rows that are used.
   MissingHeights missingHeights() const;
 
   double length() const { return length_; }                                         // m, the period
@@ -69,7 +69,7 @@ class MeasuredLines {
   /// Returns row 0 ... rows() - 1 of the used ones before and after processing, without the seam.
   ProcessedProfile profile(std::int64_t row) const;
   /// Returns how many points of all rows are spikes (spikeCount) that the processing leaves in the
-  /// line. They are counted when this is asked for the first time.
+  /// line.
   std::int64_t spikes() const;
   /// Returns the number of that row in the file, counted from 1.
   std::int64_t numberInFile(std::int64_t row) const {
@@ -104,6 +104,7 @@ class MeasuredLines {
   void chooseStretch(const Scene& scene);
   void setDensity(const std::stop_token& stop);
   std::vector<double> stretch(std::int64_t row) const;
+  void countPoints() const;
   Topography stretches(const std::stop_token& stop) const;
 
   Surface surface_;
@@ -117,7 +118,8 @@ class MeasuredLines {
   SpectralDensity density_;
   EquivalentRatios densityRatios_;
   std::optional<FourierTransform> transform_;
-  mutable std::once_flag areSpikesCounted_;
+  mutable std::once_flag arePointsCounted_;  // the next two have their values
+  mutable MissingHeights missing_;
   mutable std::int64_t spikes_ = 0;
 };
 

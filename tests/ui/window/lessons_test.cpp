@@ -755,6 +755,14 @@ TEST_F(LessonsTest, AnotherLanguageDoesNotLoseTheLessonInTheEditor) {
   delete lessons().editor();
 }
 
+/// A lesson is dropped on the window like any other file.
+TEST_F(LessonsTest, ADroppedLessonStarts) {
+  TemporaryFolder folder;
+  folder.write("mine.json", writeLesson(lessonOf(sampleLesson())));
+  drop(QString::fromStdString((folder / "mine.json").string()));
+  EXPECT_TRUE(waitFor([this] { return lessons().isRunning(); }));
+}
+
 /// A teacher opens the file of a student like any other file.
 TEST_F(LessonsTest, AStudentsResultsAreShownInWords) {
   TemporaryFolder folder;

@@ -204,13 +204,17 @@ double TimeBar::slowMotion() const {
   return time > 0 ? pace_ / time : 0;
 }
 
-void TimeBar::showScene(const Scene& scene) {
-  const double before = slowMotion();
+void TimeBar::takeScene(const Scene& scene) {
   scene_ = scene;
   duration_ = scene.sliding.kind == SlidingKind::Steady ? 0 : scene.sliding.duration;
   for (QWidget* part : std::initializer_list<QWidget*>{moment_, momentText_})
     part->setVisible(duration_ > 0);
   setWidths();
+}
+
+void TimeBar::showScene(const Scene& scene) {
+  const double before = slowMotion();
+  takeScene(scene);
   if (!keepsPace() && before > 0 && simulatedTime() > 0)
     setLimitedPace(before * simulatedTime());
   else
@@ -218,13 +222,10 @@ void TimeBar::showScene(const Scene& scene) {
 }
 
 void TimeBar::showOtherScene(const Scene& scene) {
+  takeScene(scene);
+  // Its slow motion has nothing to do with that of the previous scene.
   chosen_ = std::min(chosen_, kSlowestStart);
   setLimitedPace(chosen_);
-  const bool keeps = keepsPace();
-  const QSignalBlocker blocker(keep_);
-  keep_->setChecked(true);  // its slow motion has nothing to do with that of the previous scene
-  showScene(scene);
-  keep_->setChecked(keeps);
 }
 
 void TimeBar::showFrame(const Frame& frame) {

@@ -57,6 +57,7 @@ class TimeBar : public QWidget {
  private:
   void showTexts();
   void setWidths();
+  void takeScene(const Scene& scene);
   void setLimitedPace(double pace);
   void choosePace(double pace);
   void showPace();

@@ -450,10 +450,9 @@ QString ExportForm::extension() const {
   return chosen(*format_);
 }
 
-bool ExportForm::chooseExtension(const QString& extension) {
+void ExportForm::chooseExtension(const QString& extension) {
   const int index = extension.isEmpty() ? -1 : format_->findData(extension);
   if (index >= 0) format_->setCurrentIndex(index);
-  return index >= 0;
 }
 
 /// The command names the size that it was given and one that is enough, "640x444" and "640x530",

@@ -34,8 +34,8 @@ class ExportForm : public QWidget {
   /// Returns the extension of the file: ".png"; empty: files in a folder.
   QString extension() const;
 
-  /// Chooses the format of files with this extension; returns whether the kind has one.
-  bool chooseExtension(const QString& extension);
+  /// Chooses the format of files with this extension, if the kind has one.
+  void chooseExtension(const QString& extension);
 
   /// Returns the least height that holds the picture's diagrams, in the unit of the form, where the
   /// reason of a command names one.

@@ -125,11 +125,10 @@ QString keyText(const QString& key) {
 }
 
 /// Returns whether a step has this scene when the lesson is read from its file.
-bool isReadAs(const Lesson& lesson, std::size_t step, const Scene& scene, const QString& file) {
+bool isReadAs(const Lesson& lesson, std::size_t step, const Scene& scene,
+              const std::filesystem::path& folder) {
   try {
-    const Lesson read =
-        readLesson(writeLesson(lesson), lesson.name,
-                   std::filesystem::path(file.toStdString()).parent_path(), readNamedScene);
+    const Lesson read = readLesson(writeLesson(lesson), lesson.name, folder, readNamedScene);
     return read.steps[step].scene == scene;
   } catch (const InputError&) {
     return false;
@@ -355,8 +354,12 @@ void LessonEditor::take() {
 
 /// Returns the lesson as its file would be read.
 Lesson LessonEditor::checked() const {
-  return readLesson(writeLesson(lesson_), lesson_.name,
-                    std::filesystem::path(file_.toStdString()).parent_path(), readNamedScene);
+  return readLesson(writeLesson(lesson_), lesson_.name, folder(), readNamedScene);
+}
+
+/// Returns the folder of the lesson's file, in which its scenes are; empty without a file.
+std::filesystem::path LessonEditor::folder() const {
+  return std::filesystem::path(file_.toStdString()).parent_path();
 }
 
 /// Shows an error, with its key in the words of the editor where there are such words.
@@ -404,9 +407,7 @@ void LessonEditor::check() {
   } catch (const InputError& error) {
     if (errorText_.isEmpty()) showError(error);
     try {
-      takeScenes(readDraft(writeLesson(lesson_), lesson_.name,
-                           std::filesystem::path(file_.toStdString()).parent_path(),
-                           readNamedScene));
+      takeScenes(readDraft(writeLesson(lesson_), lesson_.name, folder(), readNamedScene));
     } catch (const InputError&) {
       // The scenes stay as they are.
     }
@@ -653,7 +654,7 @@ void LessonEditor::removeStep() {
       after.set = set;
       Lesson without = lesson_;
       without.steps.erase(without.steps.begin() + row);
-      if (!isReadAs(without, place, before.scene, file_)) after = own;
+      if (!isReadAs(without, place, before.scene, folder())) after = own;
     }
   }
   lesson_.steps.erase(lesson_.steps.begin() + row);

@@ -7,6 +7,7 @@
 
 #include <QDialog>
 #include <QString>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -120,6 +121,7 @@ class LessonEditor : public QDialog {
   QWidget* questionParent();
   void showButtons();
   Lesson checked() const;
+  std::filesystem::path folder() const;
   void openOther();
   LessonStep* present();
   QString stepName(std::size_t step) const;

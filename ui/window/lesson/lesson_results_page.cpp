@@ -4,7 +4,7 @@
 #include <QFileInfo>
 #include <QMessageBox>
 
-#include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "core/lesson/lesson_class.h"
@@ -42,9 +42,9 @@ QString answerText(const LessonResult& result, const LessonPrediction* asked, in
     if (asked && place < asked->choices.size()) return plainText(asked->choices[place].text);
     return LessonResultsPage::tr("choice %1").arg(choice + 1);
   }
-  if (!(number == number)) return QStringLiteral("–");
+  if (std::isnan(number)) return QStringLiteral("–");
   const QString words = fromUtf8(numberInWords({number, result.expected.number.unit}));
-  if (result.kind == PredictionKind::Number || !(x == x)) return words;
+  if (result.kind == PredictionKind::Number || std::isnan(x)) return words;
   return LessonResultsPage::tr("%1 at %2").arg(words, fromUtf8(numberInWords({x, {}})));
 }
 

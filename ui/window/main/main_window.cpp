@@ -565,11 +565,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
   const QList<QUrl> urls = event->mimeData()->urls();
   if (urls.size() != 1 || !urls.front().isLocalFile()) return;
   event->acceptProposedAction();
-  const QString file = urls.front().toLocalFile();
-  if (isLessonFile(file.toStdString()) || isResultsFile(file.toStdString()))
-    lessons_->open(file);
-  else
-    imports_->openDropped(file);
+  imports_->openDropped(urls.front().toLocalFile());
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
