@@ -125,13 +125,12 @@ class Fitting {
       objective_.addVelocityErrors(best.coordinates);
       best = minimize(objective_, best.coordinates, all_, kIterations);
     }
+    setErrors(best);
+    if (options_.hasProfiles) best = withProfiles(std::move(best));
     fit_.hasConverged = best.hasConverged;
-    fit_.chiSquared = best.chiSquared;
     fit_.scene = objective_.sceneAt(best.coordinates);
-    setErrors(best.coordinates);
     setParameters(best.coordinates);
     setCombinations();
-    if (options_.hasProfiles) setProfiles(best);
     fit_.evaluations = objective_.evaluations();
     addNotes();
     return std::move(fit_);
@@ -142,6 +141,8 @@ class Fitting {
   /// A fit that is further from the points in the logarithm than a factor of two has not found
   /// them.
   static constexpr double kFar = std::numbers::ln2;
+  /// A range that its profile makes wider than the standard error by this factor is reported.
+  static constexpr double kWider = 1.5;
   static constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
   /// A table without errors has no weight beside a table with errors.
@@ -240,7 +241,11 @@ class Fitting {
     if (!hasErrors_) fit_.errorScale = fit_.relativeScatter = std::sqrt(fit_.chiSquared / freedom);
   }
 
-  void setErrors(const VectorXd& coordinates) {
+  void setErrors(const Minimum& best) {
+    const VectorXd& coordinates = best.coordinates;
+    fit_.chiSquared = best.chiSquared;
+    fit_.computedErrors.clear();
+    fit_.bandErrors.clear();
     const FrictionWithDerivatives found = objective_.evaluate(coordinates, all_);
     fit_.hasFoundPoints = objective_.logarithmicDistance(found) < kFar;
     const auto n = static_cast<Eigen::Index>(objective_.size());
@@ -279,9 +284,13 @@ class Fitting {
       found.key = parameter.key();
       found.isLogarithmic = parameter.isLogarithmic();
       found.value = parameter.value(coordinates[k]);
-      found.standardError = std::sqrt(covariance_(k, k));
-      found.low = parameter.value(coordinates[k] - found.standardError);
-      found.high = parameter.value(coordinates[k] + found.standardError);
+      const double error = std::sqrt(covariance_(k, k));
+      const auto [below, above] = reachOfProfiles(k, coordinates[k]);
+      const double low = std::max(error, below), high = std::max(error, above);
+      found.isWidened = low > kWider * error || high > kWider * error;
+      found.standardError = (low + high) / 2;
+      found.low = parameter.value(coordinates[k] - low);
+      found.high = parameter.value(coordinates[k] + high);
       const double near = 1e-6 * (parameter.highest() - parameter.lowest());
       found.isAtLimit =
           coordinates[k] - parameter.lowest() < near || parameter.highest() - coordinates[k] < near;
@@ -292,6 +301,33 @@ class Fitting {
           fit_.correlation(k, j) =
               covariance_(k, j) / std::sqrt(covariance_(k, k) * covariance_(j, j));
     }
+  }
+
+  /// Returns how far below and above the best value of a coordinate the profiles of all parameters
+  /// come before the sum of squares has risen by one standard error; 0 without profiles.
+  std::pair<double, double> reachOfProfiles(Eigen::Index coordinate, double best) const {
+    double below = 0, above = 0;
+    const auto take = [&](double place) {
+      below = std::max(below, best - place);
+      above = std::max(above, place - best);
+    };
+    for (const std::vector<Minimum>& profile : profiles_)
+      for (std::size_t i = 0; i < profile.size(); ++i) {
+        const double errors = errorsAbove(profile[i]), place = profile[i].coordinates[coordinate];
+        if (errors <= 1) take(place);
+        if (i == 0) continue;
+        const double before = errorsAbove(profile[i - 1]);
+        if ((errors > 1) != (before > 1))
+          take(std::lerp(profile[i - 1].coordinates[coordinate], place,
+                         (1 - before) / (errors - before)));
+      }
+    return {below, above};
+  }
+
+  /// Returns how many standard errors a parabola of the sum of squares would be away from its least
+  /// value to reach that of a point.
+  double errorsAbove(const Minimum& point) const {
+    return std::sqrt(std::max(0.0, point.chiSquared - fit_.chiSquared)) / fit_.errorScale;
   }
 
   /// Finds the principal axes of the error ellipsoid.
@@ -307,38 +343,81 @@ class Fitting {
     }
   }
 
-  /// Holds one parameter at some values around the best one. The others begin where their
-  /// covariance predicts, and are then minimized over.
-  void setProfiles(const Minimum& best) {
-    constexpr int kFewIterations = 4;
-    for (std::size_t k = 0; k < parameters_.size(); ++k) {
-      const auto index = static_cast<Eigen::Index>(k);
-      const VariedParameter& parameter = parameters_[k];
-      const double reach = std::min(fit_.parameters[k].standardError, 2 * openBeyond(parameter));
-      std::vector<int> others = all_;
-      others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
+  /// Returns the minimum after its profiles are set. Where a point of a profile lies lower, the
+  /// minimum was a hollow of a valley, and the search goes on from that point.
+  Minimum withProfiles(Minimum best) {
+    constexpr int kRestarts = 4;
+    for (int restart = 0;; ++restart) {
+      const Minimum lowest = setProfiles(best);
+      if (lowest.chiSquared >= best.chiSquared - worthAStep() || restart == kRestarts) return best;
+      Minimum found = minimize(objective_, lowest.coordinates, all_, kIterations);
+      best = found.chiSquared < lowest.chiSquared ? std::move(found) : lowest;
+      setErrors(best);
+    }
+  }
+
+  /// Returns the decrease of the sum of squares below which a lower point changes the parameters
+  /// by less than a third of their errors.
+  double worthAStep() const { return 0.1 * fit_.errorScale * fit_.errorScale; }
+
+  /// Sets the profiles around a minimum, and returns the lowest of their points.
+  Minimum setProfiles(const Minimum& best) {
+    fit_.profiles.clear();
+    profiles_.clear();
+    Minimum lowest = best;
+    for (const int k : all_) {
+      const VariedParameter& parameter = parameters_[static_cast<std::size_t>(k)];
+      std::vector<Minimum> points = profileToOneSide(k, -1, best);
+      std::ranges::reverse(points);
+      points.push_back(best);
+      for (Minimum& point : profileToOneSide(k, 1, best)) points.push_back(std::move(point));
       ObjectiveProfile profile{std::string(parameter.key()), {}, {}};
-      for (const double steps : {-3.0, -2.0, -1.0, 0.0, 1.0, 2.0, 3.0}) {
-        const double there = best.coordinates[index] + steps * reach;
-        if (there < parameter.lowest() || there > parameter.highest()) continue;
-        Minimum held = best;
-        if (steps != 0) {
-          VectorXd start = best.coordinates +
-                           covariance_.col(index) * (steps * reach) / covariance_(index, index);
-          for (std::size_t j = 0; j < parameters_.size(); ++j) {
-            const auto other = static_cast<Eigen::Index>(j);
-            start[other] =
-                std::clamp(start[other], parameters_[j].lowest(), parameters_[j].highest());
-          }
-          start[index] = there;
-          held = others.empty() ? atCoordinates(start)
-                                : minimize(objective_, start, others, kFewIterations);
-        }
-        profile.values.push_back(parameter.value(there));
-        profile.chiSquared.push_back(held.chiSquared);
+      for (const Minimum& point : points) {
+        profile.values.push_back(parameter.value(point.coordinates[k]));
+        profile.chiSquared.push_back(point.chiSquared);
+        if (point.chiSquared < lowest.chiSquared) lowest = point;
       }
       fit_.profiles.push_back(std::move(profile));
+      profiles_.push_back(std::move(points));
     }
+    return lowest;
+  }
+
+  /// Holds one parameter at values on one side of the best one, and minimizes over the others. They
+  /// begin where the covariance predicts, further out where the last two points lead, so that they
+  /// follow a curved valley. Where the sum of squares has not risen by one standard error after
+  /// three of them, the walk goes on with longer steps.
+  std::vector<Minimum> profileToOneSide(int k, int sign, const Minimum& best) const {
+    constexpr int kFewIterations = 4;
+    const VariedParameter& parameter = parameters_[static_cast<std::size_t>(k)];
+    const double error = std::sqrt(covariance_(k, k));
+    const double reach = std::min(error, 2 * openBeyond(parameter));
+    std::vector<int> others = all_;
+    others.erase(others.begin() + k);
+    std::vector<Minimum> points;
+    VectorXd last = best.coordinates;
+    VectorXd perReach = covariance_.col(k) * reach / covariance_(k, k);
+    double place = 0;
+    for (const double reaches : {1, 2, 3, 6, 12}) {
+      if (reaches > 3 && (reach < error || errorsAbove(points.back()) > 1)) break;
+      VectorXd start = withinLimits(last + sign * (reaches - place) * perReach);
+      start[k] = best.coordinates[k] + sign * reaches * reach;
+      if (start[k] < parameter.lowest() || start[k] > parameter.highest()) break;
+      points.push_back(others.empty() ? atCoordinates(start)
+                                      : minimize(objective_, start, others, kFewIterations));
+      perReach = sign * (points.back().coordinates - last) / (reaches - place);
+      last = points.back().coordinates;
+      place = reaches;
+    }
+    return points;
+  }
+
+  VectorXd withinLimits(VectorXd coordinates) const {
+    for (const int j : all_) {
+      const VariedParameter& parameter = parameters_[static_cast<std::size_t>(j)];
+      coordinates[j] = std::clamp(coordinates[j], parameter.lowest(), parameter.highest());
+    }
+    return coordinates;
   }
 
   Minimum atCoordinates(const VectorXd& coordinates) const {
@@ -371,6 +450,11 @@ class Fitting {
         fit_.notes.push_back(message(
             "{} is not determined by these data: its standard error is {:.2g} in {}", parameter.key,
             parameter.standardError, parameter.isLogarithmic ? "ln" : "its unit"));
+      if (fit_.hasFoundPoints && parameter.isWidened)
+        fit_.notes.push_back(
+            message("the sum of squares is no parabola along {}: its range is where the profile "
+                    "rises by one standard error, and the standard error is half of that range",
+                    parameter.key));
       if (parameter.isAtLimit)
         fit_.notes.push_back(
             message("{} ends at its limit; the best value may lie beyond", parameter.key));
@@ -411,7 +495,8 @@ class Fitting {
   bool hasErrors_;
   std::vector<int> all_;
   VectorXd start_;
-  MatrixXd covariance_;  // of the coordinates
+  MatrixXd covariance_;                         // of the coordinates
+  std::vector<std::vector<Minimum>> profiles_;  // of each parameter, by its rising values
   Fit fit_;
 };
 

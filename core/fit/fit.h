@@ -9,6 +9,12 @@
 // S_lines) WJ (J'WJ)^-1. Where the tables have no errors, all points have the same relative error,
 // which is estimated from the residuals; where their errors do not hold, they are scaled to the
 // residuals.
+//
+// Valleys. Where parameters can replace one another, the sum of squares is no parabola, and few
+// lines make it uneven. The profiles follow such a valley: where a point of one lies lower than the
+// minimum, the fit goes on from there, and the ranges reach to where the profiles have risen by one
+// standard error. Without profiles, a fit may end in a hollow of the valley.
+//
 // Threading: a function of its arguments, which uses several threads; the bytes are the same for
 // any number of them. Failure: InputError for what cannot be varied or fitted; StopRequested where
 // the computation was stopped.
@@ -37,9 +43,13 @@ struct FitOptions {
 struct FittedParameter {
   std::string key;
   bool isLogarithmic = true;
-  double value = 0;          // in the unit of its key
-  double standardError = 0;  // of the coordinate: of ln value where that is varied
-  double low = 0, high = 0;  // value at one standard error to each side
+  double value = 0;  // in the unit of its key
+  /// Of the coordinate: of ln value where that is varied. Where a profile is wider, half its range.
+  double standardError = 0;
+  /// The value at one standard error to each side, or further out where the profile of the sum of
+  /// squares has risen by one standard error only there.
+  double low = 0, high = 0;
+  bool isWidened = false;  // by the profile
   bool isAtLimit = false;
   bool isDetermined = true;  // false: the data leave it open by more than a factor of two
 };

@@ -239,6 +239,10 @@
         <translation>kein Parameter ist genannt</translation>
     </message>
     <message>
+        <source>the sum of squares is no parabola along %1: its range is where the profile rises by one standard error, and the standard error is half of that range</source>
+        <translation>die Summe der Quadrate ist entlang von %1 keine Parabel: der Bereich reicht bis dorthin, wo das Profil um einen Standardfehler steigt, und der Standardfehler ist die Hälfte davon</translation>
+    </message>
+    <message>
         <source>the sum of squares is lower at %1 = %2, by %3: the fit has not reached its minimum; begin again from that value</source>
         <translation>die Summe der Quadrate ist bei %1 = %2 kleiner, um %3: Die Anpassung hat ihr Minimum nicht erreicht; mit diesem Wert neu beginnen</translation>
     </message>

@@ -389,5 +389,41 @@ TEST(Fit, LeavesAMinimumInWhichAParameterHasNoEffect) {
   EXPECT_NEAR(fit.parameters[1].value, 5e-6, 1e-8);
 }
 
+/// Hurst exponent, height and relaxation time can replace one another, and few lines make the sum
+/// of squares uneven along their valley: whatever the start, no point of a profile lies below the
+/// fit by more than a tenth, and values of one fit lie within the ranges of the other.
+TEST(Fit, FollowsAValleyFromItsHollows) {
+  Scene scene = sceneOfSize(250, 10, 100);
+  scene.load.normalForce = 0.02;
+  const FrictionData data = noisy(exactFriction(scene, 1e-3, 3), 5);
+  scene.ensemble.realizations = 12;
+  int widened = 0, notes = 0;
+  for (const std::int64_t seed : {23, 24, 25}) {
+    scene.surface.seed = seed;
+    const auto fitFrom = [&](double hurst, double time, double height) {
+      scene.surface.hurst = hurst;
+      scene.elastomer.relaxationTime = time;
+      scene.surface.rmsHeight = height;
+      return fitFriction(scene, {&data, 1},
+                         {{{"surface.hurst", scene},
+                           {"elastomer.relaxation_time", scene},
+                           {"surface.rms_height", scene}}});
+    };
+    const Fit fits[] = {fitFrom(0.7, 3e-4, 7e-7), fitFrom(0.3, 4e-4, 1e-7)};
+    for (const Fit& fit : fits) {
+      for (const ObjectiveProfile& profile : fit.profiles)
+        EXPECT_GE(std::ranges::min(profile.chiSquared), fit.chiSquared - 0.1) << profile.key;
+      for (const FittedParameter& parameter : fit.parameters) widened += parameter.isWidened;
+      for (const Message& note : fit.notes) notes += note.english().contains("is no parabola");
+      for (std::size_t k = 0; k < 3; ++k) {
+        EXPECT_LE(fit.parameters[k].low, fits[0].parameters[k].value) << fit.parameters[k].key;
+        EXPECT_GE(fit.parameters[k].high, fits[0].parameters[k].value) << fit.parameters[k].key;
+      }
+    }
+  }
+  EXPECT_GT(widened, 0);
+  EXPECT_EQ(notes, widened);
+}
+
 }  // namespace
 }  // namespace asperity
