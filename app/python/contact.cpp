@@ -9,6 +9,7 @@
 #include "app/python/call.h"
 #include "app/python/module.h"
 #include "core/base/input_error.h"
+#include "core/base/stop.h"
 #include "core/measured/measured_file.h"
 #include "core/run/motion_table.h"
 #include "core/run/rigid_line.h"
@@ -37,14 +38,18 @@ struct Contact {
   std::vector<double> position, gap;  // m
 };
 
-std::shared_ptr<Contact> contactOf(const Scene& scene, std::int64_t realization) {
+/// A stop is noticed between the steps, each of which takes memory of its own.
+std::shared_ptr<Contact> contactOf(const Scene& scene, std::int64_t realization,
+                                   const std::stop_token& stop) {
   requireSteadySliding(scene, "asperity.state");
   if (realization != 0) LineSource(scene, 1).requireRealization(realization, "--realization");
   const auto contact = std::make_shared<Contact>();
   contact->scene = scene;
   const SteadySolver sliding(scene);
   const RigidLine rigid(scene, realization);
+  throwIfStopped(stop);
   const SteadyState state = sliding.at(rigid.prepared, scene.sliding.velocity);
+  throwIfStopped(stop);
   requireBalance(state.result, scene.sliding.velocity);
   contact->result = state.result;
   contact->frame = stillFrame(std::make_shared<const Scene>(scene), rigid, sliding, state,
@@ -150,15 +155,17 @@ struct SurfaceOfScene {
 };
 
 std::shared_ptr<SurfaceOfScene> surfaceOf(const Scene& scene, bool isOfFile,
-                                          std::int64_t realization) {
+                                          std::int64_t realization, const std::stop_token& stop) {
   const LineSource source(scene, writtenPointsPerElement(scene, isOfFile));
   source.requireRealization(realization, "--realization");
   const auto found = std::make_shared<SurfaceOfScene>();
   found->scene = scene;
   found->line = source.make(realization);
   found->isFirst = realization == 0;
+  throwIfStopped(stop);
   const ProvenanceOptions given(found->options());
   found->json = surfaceJson(scene, source, found->line);
+  throwIfStopped(stop);
   for (std::size_t i = 0; i < found->line.nodes(); ++i)
     found->position.push_back(static_cast<double>(i) * found->line.spacing);
   for (const Message& fact :
@@ -169,9 +176,10 @@ std::shared_ptr<SurfaceOfScene> surfaceOf(const Scene& scene, bool isOfFile,
 
 /// Names the file once where the file itself is what is wrong.
 std::shared_ptr<SurfaceOfScene> surfaceOfFile(const Scene& scene, const std::string& file,
-                                              std::int64_t realization) {
+                                              std::int64_t realization,
+                                              const std::stop_token& stop) {
   try {
-    return surfaceOf(scene, true, realization);
+    return surfaceOf(scene, true, realization, stop);
   } catch (const InputError& error) {
     const std::vector<Message>& parts = error.message().values;
     if (error.key() != "surface.file" || parts.size() != 2)
@@ -222,8 +230,9 @@ void addContact(py::module_& module) {
            })
       .def("json", [](const SurfaceOfScene& found) { return found.json; });
   module.def("state", [](const Scene& scene, std::int64_t realization, const py::object& progress) {
-    return compute(progress,
-                   [scene, realization](const Call&) { return contactOf(scene, realization); });
+    return compute(progress, [scene, realization](const Call& call) {
+      return contactOf(scene, realization, call.stop());
+    });
   });
   module.def("march", &motionOf);
   module.def("is_surface_file", [](const std::string& name) { return isSurfaceFile(name); });
@@ -232,9 +241,9 @@ void addContact(py::module_& module) {
   });
   module.def("surface", [](const Scene& scene, const std::string& file, std::int64_t realization,
                            const py::object& progress) {
-    return compute(progress, [scene, file, realization](const Call&) {
-      return file.empty() ? surfaceOf(scene, false, realization)
-                          : surfaceOfFile(scene, file, realization);
+    return compute(progress, [scene, file, realization](const Call& call) {
+      return file.empty() ? surfaceOf(scene, false, realization, call.stop())
+                          : surfaceOfFile(scene, file, realization, call.stop());
     });
   });
 }

@@ -6,6 +6,7 @@
 #include "core/contact/steady_sliding.h"
 #include "core/friction/curve_point.h"
 #include "core/friction/ensemble.h"
+#include "core/friction/line_mean.h"
 #include "core/material/element_law.h"
 #include "core/scene/plan.h"
 
@@ -62,6 +63,14 @@ struct Shape {
 };
 constexpr Shape kShapes[] = {{24, 12, 9}, {16, 8, 9}, {8, 4, 9}, {8, 4, 5},
                              {4, 2, 5},   {2, 1, 5},  {2, 1, 3}};
+
+/// How alike neighbouring rows of a topography are shows in two pairs at least (varianceOfMean).
+constexpr double kFewestRows = 4;
+
+/// Returns whether lines of the surface may be rows of a topography.
+bool hasRows(const Surface& surface) {
+  return mayHaveManyLines(surface) && !hasRandomPhases(surface);
+}
 
 }  // namespace
 
@@ -124,6 +133,34 @@ PilotScene sampleWithin(const PilotScene& whole, double perPoint, double points,
   return sample;
 }
 
+std::vector<std::int64_t> sampledLines(const LineSource& source, std::int64_t count) {
+  const std::int64_t rows = source.orderedRows();
+  std::vector<std::int64_t> lines;
+  for (std::int64_t i = 0; i < count; ++i)
+    lines.push_back(rows <= count ? i : i / 2 * 2 * rows / count + i % 2);
+  return lines;
+}
+
+double varianceOfMean(const std::vector<double>& values, const LineSource& source, double lines) {
+  const std::int64_t rows = source.orderedRows();
+  RunningMean all;
+  for (const double value : values) all.add(value);
+  if (rows == 0) return all.variance() / lines;
+  if (rows <= std::ssize(values)) {
+    const double error = meanErrorInOrder(values).standardError;
+    return error * error;
+  }
+  const double variance = all.variance();
+  if (!(variance > 0)) return 0;
+  double square = 0;
+  for (std::size_t i = 1; i < values.size(); i += 2)
+    square += (values[i] - values[i - 1]) * (values[i] - values[i - 1]);
+  const double ofDifference = square / static_cast<double>(values.size() / 2);
+  const double correlation = std::clamp(1 - ofDifference / (2 * variance), 0.0, 1.0);
+  const double alike = (1 + correlation) / static_cast<double>(rows);
+  return variance * (alike < 1 - correlation ? alike / (1 - correlation) : 1);
+}
+
 PilotPlan planPilot(const Scene& scene, int threads) {
   const PilotScene whole(scene, lineExtent(scene));
   const auto lines = static_cast<double>(whole.lines);
@@ -144,7 +181,8 @@ PilotPlan planPilot(const Scene& scene, int threads) {
     plan.velocities = logSpaced(scene.sweep.velocityFrom, scene.sweep.velocityTo,
                                 static_cast<std::int64_t>(fitting.velocities));
     perPoint = fitting.perPoint(balance);
-    if (whole.operations(perPoint, points) <= allowed) break;
+    const bool isFewest = hasRows(scene.surface) && shape.lines == kFewestRows;
+    if (isFewest || whole.operations(perPoint, points) <= allowed) break;
   }
   plan.sample = sampleWithin(whole, perPoint, points, allowed);
   // The resolution is that of the run, whatever the number of the pilot's elements.

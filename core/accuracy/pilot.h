@@ -62,6 +62,17 @@ struct PilotPlan {
 /// Plans the pilot of a friction curve on this many threads.
 PilotPlan planPilot(const Scene& scene, int threads);
 
+/// Returns the numbers of `count` of a scene's lines: the first ones, or where these are rows of a
+/// topography pairs of neighbours that are spread over all of it.
+std::vector<std::int64_t> sampledLines(const LineSource& source, std::int64_t count);
+
+/// Returns the variance of the mean over `lines` lines, judged by the values of some of them
+/// (sampledLines). The lines of a topography are all its rows in order, and at least four of them
+/// are judged by: they are taken for a process whose correlation falls by the same factor r from
+/// row to row, and their mean has (1 + r) / (1 - r) times the variance of that of independent rows
+/// (Priestley, Spectral Analysis and Time Series, 1981, Section 5.3.2), at most that of one row.
+double varianceOfMean(const std::vector<double>& values, const LineSource& source, double lines);
+
 /// Returns the longest sample of the scene for which `perPoint` operations per point, with `points`
 /// per element, are at most `allowed`.
 PilotScene sampleWithin(const PilotScene& whole, double perPoint, double points, double allowed);

@@ -103,47 +103,6 @@ double rms(const std::vector<double>& values) {
   return std::sqrt(squares / static_cast<double>(values.size()));
 }
 
-/// Returns the numbers of `count` of a scene's lines: the first ones, or where these are rows of a
-/// topography pairs of neighbours that are spread over all of it.
-std::vector<std::int64_t> sampledLines(const LineSource& source, std::int64_t count) {
-  const std::int64_t rows = source.orderedRows();
-  std::vector<std::int64_t> lines;
-  for (std::int64_t i = 0; i < count; ++i)
-    lines.push_back(rows <= count ? i : i / 2 * 2 * rows / count + i % 2);
-  return lines;
-}
-
-/// Returns the variance of the mean over all rows of a topography from pairs of neighbours
-/// (sampledLines). The rows are taken for a process whose correlation falls by the same factor r
-/// from row to row; their mean has (1 + r) / (1 - r) times the variance of that of independent
-/// rows (Priestley, Spectral Analysis and Time Series, 1981, Section 5.3.2), at most that of one
-/// row.
-double varianceOfRows(const std::vector<double>& pairs, std::int64_t rows) {
-  RunningMean all;
-  for (const double value : pairs) all.add(value);
-  double square = 0;
-  for (std::size_t i = 1; i < pairs.size(); i += 2)
-    square += (pairs[i] - pairs[i - 1]) * (pairs[i] - pairs[i - 1]);
-  const double ofDifference = square / static_cast<double>(pairs.size() / 2);
-  const double variance = all.variance();
-  if (!(variance > 0)) return 0;
-  const double correlation = std::clamp(1 - ofDifference / (2 * variance), 0.0, 1.0);
-  const double alike = (1 + correlation) / static_cast<double>(rows);
-  return variance * (alike < 1 - correlation ? alike / (1 - correlation) : 1);
-}
-
-/// Returns the variance of the mean over `lines` lines, judged by some of them (sampledLines).
-double varianceOfMean(const std::vector<double>& sample, const LineSource& source, double lines) {
-  const std::int64_t rows = source.orderedRows();
-  const auto count = static_cast<std::int64_t>(sample.size());
-  if (rows > count && count >= 4) return varianceOfRows(sample, rows);
-  RunningMean all;
-  for (const double value : sample) all.add(value);
-  if (rows == 0) return all.variance() / lines;
-  const double error = meanErrorInOrder(sample).standardError;
-  return error * error;
-}
-
 /// Returns means of mu at each velocity over these lines.
 std::vector<RunningMean> meansOver(Pilot& pilot, std::size_t velocities,
                                    const std::vector<std::int64_t>& lines,
@@ -245,7 +204,7 @@ Prediction predictTarget(const Scene& scene, int threads, const std::stop_token&
   Prediction prediction;
   prediction.threads = threads;
   const double sliding = plan.secondsOfPilot - plan.secondsOfSources +
-                         plan.operations * plan.secondsOfOperation / static_cast<double>(threads);
+                         (plan.secondsOfRows + plan.operations * plan.secondsOfOperation) / threads;
   prediction.seconds = longer * (reading + plan.secondsOfSources + more * sliding);
   prediction.lines = plan.mostLines;
   prediction.simulations = plan.simulations * more;

@@ -6,9 +6,11 @@
 #include <optional>
 
 #include "core/accuracy/level_sampler.h"
+#include "core/accuracy/pilot.h"
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/processor_time.h"
+#include "core/base/statistics.h"
 #include "core/base/stop.h"
 #include "core/contact/steady_sliding.h"
 #include "core/friction/line_mean.h"
@@ -45,13 +47,14 @@ class Targeting {
 
   TargetCurve run() {
     const bool isWhole = isFrictionless_ ? runFrictionless()
-                         : isRandom_     ? runRandom()
+                         : isRandom_     ? findErrorOfRows() && runRandom()
                                          : runSingle();
     return result(isWhole);
   }
 
   TargetPlan plan() {
     TargetPlan plan;
+    if (isRandom_ && !isFrictionless_) plan.secondsOfRows = predictErrorOfRows();
     const double start = threadSeconds() - sampler_.secondsOfSources();
     const bool isWhole = isFrictionless_ ? runFrictionless()
                          : isRandom_     ? runPilot() && planAll()
@@ -115,22 +118,40 @@ class Targeting {
            sampler_.sample({level, isDirect, 1}, states, linesOfEach);
   }
 
-  /// Finds the error of the mean over all rows of a topography, on its coarsest lines: rows are
-  /// drawn with replacement, so that their draws are independent, but the surface has only these.
+  /// The rows of a topography as its coarsest lines. Draws with replacement are independent, but
+  /// the surface has only these rows, so that their mean has an error of its own.
+  struct CoarseRows {
+    Scene scene;
+    LineSource source;
+    LoadCase sweep;
+
+    explicit CoarseRows(const Scene& its) : scene(withEveryRow(its)), source(scene, 1) {}
+
+    static Scene withEveryRow(Scene scene) {
+      scene.accuracy = {Scheme::Cubic, 1, 0};
+      scene.ensemble.realizations = 0;
+      return scene;
+    }
+  };
+
+  bool hasRows() { return sampler_.source(0).hasRows(); }
+
+  CoarseRows coarseRows() const {
+    CoarseRows rows(scene_);
+    rows.sweep.load = scene_.load;
+    for (const VelocityState& state : states_) rows.sweep.velocities.push_back(state.velocity);
+    return rows;
+  }
+
   bool findErrorOfRows() {
-    if (!sampler_.source(0).hasRows()) return true;
-    Scene rows = scene_;
-    rows.accuracy = {Scheme::Cubic, 1, 0};
-    rows.ensemble.realizations = 0;  // every row
-    const LineSource source(rows, 1);
-    LoadCase sweep{rows.load, {}};
-    for (const VelocityState& state : states_) sweep.velocities.push_back(state.velocity);
-    std::vector<LineMean> means(states_.size(), LineMean(source.rows()));
-    const RealizationTask task{rows, source, {&sweep, 1}, 0};
+    if (!hasRows()) return true;
+    const CoarseRows rows = coarseRows();
+    std::vector<LineMean> means(states_.size(), LineMean(rows.source.rows()));
+    const RealizationTask task{rows.scene, rows.source, {&rows.sweep, 1}, 0};
     const auto take = [&](std::span<const SteadyResult> results) {
       for (std::size_t i = 0; i < results.size(); ++i) means[i].add(results[i].mu);
     };
-    if (!slideRealizations(task, source.rows(), options_.threads, options_.stop, take))
+    if (!slideRealizations(task, rows.source.rows(), options_.threads, options_.stop, take))
       return false;
     for (std::size_t i = 0; i < states_.size(); ++i) {
       states_[i].ofRows = means[i].error();
@@ -139,8 +160,29 @@ class Targeting {
     return true;
   }
 
+  /// Judges the error of all rows by some pairs of them. Returns the seconds of all rows.
+  double predictErrorOfRows() {
+    constexpr std::int64_t kRows = 32;
+    if (!hasRows()) return 0;
+    const CoarseRows rows = coarseRows();
+    const double start = threadSeconds();
+    const std::int64_t count = std::min(kRows, rows.source.rows());
+    std::vector<std::vector<double>> mu(states_.size());
+    const auto take = [&](std::span<const SteadyResult> results) {
+      for (std::size_t i = 0; i < results.size(); ++i) mu[i].push_back(results[i].mu);
+    };
+    for (const std::int64_t row : sampledLines(rows.source, count))
+      if (!slideRealizations({rows.scene, rows.source, {&rows.sweep, 1}, row}, 1, 1, options_.stop,
+                             take))
+        throw StopRequested{};
+    const auto all = static_cast<double>(rows.source.rows());
+    for (std::size_t i = 0; i < states_.size(); ++i)
+      states_[i].ofRows.standardError =
+          std::sqrt(varianceOfMean(mu[i], rows.source, all)) / std::abs(mean(mu[i]));
+    return (threadSeconds() - start) * all / static_cast<double>(count);
+  }
+
   bool runPilot() {
-    if (!findErrorOfRows()) return false;
     States all = allStates();
     if (!sampleBoth(0, true, all, kFewestDirect)) return false;
     if (!sampleBoth(1, false, all, kFewestCorrections)) return false;

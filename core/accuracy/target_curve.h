@@ -44,6 +44,7 @@ struct TargetPlan {
   double operations = 0;          // nodes passed over after the pilot
   double secondsOfPilot = 0;      // processor time
   double secondsOfSources = 0;    // part of it that is needed once for any number of velocities
+  double secondsOfRows = 0;       // to find the error of the mean over all rows of a topography
   double secondsOfOperation = 0;  // measured in the pilot; shown to users only
   double mostLines = 0;           // at the velocity that needs most lines
   double simulations = 0;

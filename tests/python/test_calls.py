@@ -1,4 +1,4 @@
-"""What a caller meets: import, threads, Ctrl+C, progress, memory, processes."""
+"""What a caller meets: import, threads, Ctrl+C, progress, processes."""
 
 import os
 import subprocess
@@ -143,40 +143,6 @@ def test_several_threads_at_once_have_the_results_of_one():
     assert not errors
     for i in seeds:
         np.testing.assert_array_equal(found[i], alone[i])
-
-
-def resident():
-    with open("/proc/self/statm", encoding="ascii") as file:
-        return int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE")
-
-
-def test_a_thousand_calls_leave_memory_flat():
-    values = {"surface": {"elements": 100}, "ensemble": {"realizations": 1}, "sweep": {"points": 2}}
-    moving = {**MOVING, "surface": {"elements": 50}, "sliding": {**MOVING["sliding"], "duration": 1e-4}}
-
-    def calls():
-        scene = asperity.Scene(values)
-        scene["load.normal_force"] = "20mN"
-        asperity.curve(scene)
-        asperity.friction(scene, {"load.normal_force": [1e-3, 1e-2]})
-        contact = asperity.state(scene)
-        contact.p, contact.u, contact.scene
-        asperity.surface(scene).height
-        asperity.sensitivity(scene)
-        for wrong in ({"surface.hurst": 2}, {"surface.hurts": 1}):
-            try:
-                asperity.Scene(wrong)
-            except asperity.InputError:
-                pass
-
-    for _ in range(100):
-        calls()
-    asperity.march(moving)
-    before = resident()
-    for _ in range(1000):
-        calls()
-    grown = resident() - before
-    assert grown < 2e6, grown  # 2 kB a round
 
 
 def test_processes_that_begin_after_a_call_compute_too():

@@ -9,7 +9,9 @@
 
 #include "core/accuracy/compute_curve.h"
 #include "core/accuracy/explanation.h"
+#include "core/accuracy/pilot.h"
 #include "core/accuracy/prediction.h"
+#include "core/accuracy/target_curve.h"
 #include "core/base/file_digest.h"
 #include "core/base/input_error.h"
 #include "core/contact/steady_solver.h"
@@ -226,6 +228,33 @@ TEST_F(MeasuredScene, StatesTheErrorOfRowsThatAreAlike) {
     const Curve twice =
         computeCurve(scene({"accuracy.oversampling=2", "ensemble.realizations=120"}, file));
     EXPECT_EQ(twice.points[0].muStandardError, curve.points[0].muStandardError);
+  }
+}
+
+/// The pilot of a prediction slides few rows, but at least two pairs of neighbours: what it
+/// predicts is the error of the mean over all rows, with a target or without.
+TEST_F(MeasuredScene, PredictsTheErrorOfAllRows) {
+  folder_.write("independent.txt", alikeRowsText(300, 256, 0));
+  folder_.write("alike.txt", alikeRowsText(300, 256, 0.97));
+  std::vector<Arm> arms(24);
+  for (std::size_t i = 0; i < arms.size(); ++i)
+    arms[i] = {1e6, std::pow(10.0, -1 - 0.2 * static_cast<double>(i))};
+  for (const std::string file : {"independent.txt", "alike.txt"}) {
+    Scene rough = scene({"accuracy.oversampling=1"}, file);
+    rough.elastomer.rheology = Rheology::Prony;
+    rough.elastomer.arms = arms;
+    EXPECT_GE(planPilot(rough, 1).lines, 4);
+    double squares = 0;
+    const Curve curve = computeCurve(rough);
+    for (const CurvePoint& point : curve.points)
+      squares += std::pow(point.muStandardError / point.mu, 2);
+    const double found = std::sqrt(squares / static_cast<double>(curve.points.size()));
+    EXPECT_NEAR(std::log(predictCurve(rough, 1).error.standardError / found), 0, std::log(3.0))
+        << file;
+    rough.accuracy.targetRelativeError = 0.1 * found;
+    const TargetPlan plan = planTarget(rough);
+    EXPECT_NEAR(std::log(plan.standardError / found), 0, std::log(2.0)) << file;
+    EXPECT_GT(plan.secondsOfRows, 0);
   }
 }
 
