@@ -69,9 +69,10 @@ ComparedScene withCurveOptions(Scene scene, const CurveArguments& arguments);
 Curve computeCurve(const Scene& scene, const CommonOptions& common,
                    RealizationTable* lines = nullptr);
 
-/// Returns the requested curves before anything is computed, with the panels and the names of their
-/// chart. Over velocity they are flat lines that stand for what will be computed; over another key
-/// they have no points. Throws InputError.
+/// Returns the requested curves before anything is computed, from which the size of their chart is
+/// checked. Over velocity they are flat lines that stand for what will be computed, with the panels
+/// of their chart; over another key they have no points and no measured friction. There are no
+/// theories, and the names of means are not those of the chart. Throws InputError.
 CurveSet plannedCurveSet(const CurveArguments& arguments, const ComparedScene& compared);
 
 /// Returns the given curve of the scene together with the requested further curves. Shows progress.

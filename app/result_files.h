@@ -66,8 +66,9 @@ void writeResult(const TableCommand& command, const PictureSettings& settings,
 /// A folder of texts and charts that a command writes together.
 class OutputFolder {
  public:
-  /// Throws InputError where nothing can be written into the folder: it is made before any work.
-  /// inputs: files that the command reads and may not replace. `settings` must outlive it.
+  /// Make this object before any work. It creates no folder. Throws InputError where nothing could
+  /// be written into the folder. inputs: files that the command reads and may not replace.
+  /// `settings` must outlive it.
   OutputFolder(std::string folder, std::vector<std::filesystem::path> inputs,
                const PictureSettings& settings);
 

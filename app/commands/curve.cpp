@@ -147,7 +147,7 @@ int runCurve(const CurveCommand& command) {
   if (!std::ranges::all_of(command.outputs, isTableFile))
     withSceneContext(command.common, [&] {
       const DiagramSheet planned = curveSheet(plannedCurveSet(command.curves, compared));
-      checkPlannedPanels(styled(planned, settings.style), settings, 0);
+      checkPlannedPanels(styled(planned, styleOfPlan(settings.style)), settings, 0);
     });
   findLinesWithProgress(scene, command.common.quiet);
   RealizationTable lines(sweepVelocities(scene.sweep));

@@ -25,6 +25,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// Prints an answer in JSON. The name of a file may be no UTF-8, which JSON is.
+void printJson(const Json& answer) {
+  fmt::print("{}\n", answer.dump(2, ' ', false, Json::error_handler_t::replace));
+}
+
 std::string summaryText(const Lesson& lesson) {
   return printable(shown(lesson.title)) + "\n  " +
          filled(Words::tr("%1 minutes, %2 steps, %3 predictions"),
@@ -80,7 +85,7 @@ int listAll(const LessonCommand& command) {
     text += std::string(shipped.name) + ": " + summaryText(lesson);
   }
   printSummary(command.common.json, command.common.quiet, text);
-  if (command.common.json) fmt::print("{}\n", all.dump(2));
+  if (command.common.json) printJson(all);
   return kDone;
 }
 
@@ -96,8 +101,21 @@ bool areResults(const std::vector<std::string>& given) {
          (std::filesystem::is_directory(given.front(), ignored) && !isShipped(given.front()));
 }
 
+/// Throws InputError where one of several words is no file and no folder, such as the name of a
+/// lesson.
+void checkResultsExist(const std::vector<std::string>& given) {
+  if (given.size() < 2) return;
+  for (const std::string& one : given) {
+    std::error_code error;
+    if (!std::filesystem::exists(one, error) && !error)
+      throw InputError(one, "",
+                       "there is no such file or folder of results; one lesson at a time is shown");
+  }
+}
+
 int showClass(const LessonCommand& command) {
   const CommonOptions& common = command.common;
+  checkResultsExist(command.lessons);
   checkOutputs(command.outputs, {".csv"});
   if (command.forTeacher) throw InputError("", "--teacher", "is of a handout, not of results");
   for (const std::string& output : command.outputs)
@@ -125,7 +143,7 @@ int showClass(const LessonCommand& command) {
       one["wrong"] = student.results.wrong();
       answer["students"].push_back(std::move(one));
     }
-    fmt::print("{}\n", answer.dump(2));
+    printJson(answer);
   }
   return kDone;
 }
@@ -166,7 +184,7 @@ int runLesson(const LessonCommand& command) {
     Json answer = {{"schema", "asperity-lesson-summary/1"}, {"version", ASPERITY_VERSION}};
     answer.update(summaryJson(lesson));
     answer["steps"] = answersJson(lesson, common.threads);
-    fmt::print("{}\n", answer.dump(2));
+    printJson(answer);
   }
   return kDone;
 }

@@ -61,6 +61,12 @@ void checkPanels(const DiagramSheet& sheet, const PictureSettings& settings, int
                            given, settings.width, least));
 }
 
+FigureStyle styleOfPlan(FigureStyle style) {
+  style.labels.clear();
+  style.curves.clear();
+  return style;
+}
+
 void checkPlannedPanels(DiagramSheet sheet, const PictureSettings& settings, int above) {
   if (!sheet.diagrams.front().blank.empty()) return;  // of a quantity that is not planned
   DiagramSheet withNotes = sheet;
@@ -159,22 +165,22 @@ void PictureComposer::checkStrips(const Scene& scene) {
                            settings_.width, least));
 }
 
-DiagramSheet PictureComposer::sheetOfCurves() const {
-  DiagramSheet sheet = styled(curveSheet(content_.curves), settings_.style);
+DiagramSheet PictureComposer::sheetOfCurves(const FigureStyle& style) const {
+  DiagramSheet sheet = styled(curveSheet(content_.curves), style);
   if (content_.layout == PictureLayout::Both) sheet.title = {};
   return sheet;
 }
 
 void PictureComposer::checkPlanned() const {
   const int above = content_.layout == PictureLayout::Both ? contactHeight() : 0;
-  checkPlannedPanels(sheetOfCurves(), settings_, above);
+  checkPlannedPanels(sheetOfCurves(styleOfPlan(settings_.style)), settings_, above);
 }
 
 void PictureComposer::fitHeight(const Scene& scene) {
   checkStrips(scene);
   const PictureLayout layout = content_.layout;
   if (layout != PictureLayout::Curve && layout != PictureLayout::Both) return;
-  DiagramSheet sheet = sheetOfCurves();
+  DiagramSheet sheet = sheetOfCurves(settings_.style);
   const int above = layout == PictureLayout::Both ? contactHeight() : 0;
   checkPanels(sheet, settings_, above);
   const bool hasFontSize = settings_.format.fontSize > 0;

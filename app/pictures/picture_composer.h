@@ -27,9 +27,12 @@ ContactOverlay overlayFrom(const std::string& name);
 /// pixels of other content; those pixels grow with the picture.
 void checkPanels(const DiagramSheet& sheet, const PictureSettings& settings, int above);
 
-/// Does the same before the curves are computed (plannedCurveSet), when the notes below the
-/// diagrams are not known: it refuses what has no room even without notes, and names a size that
-/// has room for them.
+/// Returns the style of a sheet whose curves are planned and not yet computed (plannedCurveSet).
+/// Such a sheet lacks curves and panels, so labels and styles of single curves are left out.
+FigureStyle styleOfPlan(FigureStyle style);
+
+/// Does checkPanels for a planned sheet, in which the notes below the diagrams are not known: it
+/// refuses what has no room even without notes, and names a size that has room for them.
 void checkPlannedPanels(DiagramSheet sheet, const PictureSettings& settings, int above);
 
 struct PictureContent {
@@ -53,7 +56,7 @@ class PictureComposer {
   DrawList compose(const Frame& frame);
 
  private:
-  DiagramSheet sheetOfCurves() const;
+  DiagramSheet sheetOfCurves(const FigureStyle& style) const;
   DrawList composeParts(const Frame& frame);
   int contactHeight() const;  // pixels, where a diagram is below it
   DrawList contact(const Frame& frame, int height);

@@ -313,12 +313,12 @@ bool haveUnits(const Fields& fields) {
 /// row, only units and names with units certainly belong to the columns.
 std::vector<Fields> rowsAbove(const std::vector<TextLine>& above, const TextDialect& dialect,
                               std::size_t columns, bool mayCountRows) {
-  constexpr std::size_t kMostRows = 4, kMostLooked = 12;
+  constexpr std::size_t kMostRows = 4, kMostLinesAbove = 12;
   std::vector<Fields> rows;
   std::size_t looked = 0;
   bool isFar = false, isNamed = false, belowAreUnits = false;
   for (auto line = above.rbegin();
-       line != above.rend() && rows.size() < kMostRows && looked < kMostLooked; ++line) {
+       line != above.rend() && rows.size() < kMostRows && looked < kMostLinesAbove; ++line) {
     if (withoutCommentMark(line->text, dialect).empty()) continue;
     ++looked;
     Fields fields = namesIn(line->text, dialect, columns, mayCountRows);

@@ -251,7 +251,6 @@ Message whyMissing(const TheoryCurve& theory, const CurveSet& set) {
 /// Adds lines where the theories are valid. Theories of this model are thin, each with a stroke of
 /// its own; that of a half-space, which is another model, has a colour.
 void addTheories(Diagram& diagram, const CurveSet& set) {
-  constexpr int kColourOfHalfSpace = kPinColours - 3;  // on white the next one is nearly black
   const auto [velocity, friction] = axesFactors(set.present.points, set.axes);
   for (std::size_t k = 0; k < set.theories.size(); ++k) {
     const TheoryCurve& theory = set.theories[k];
@@ -261,7 +260,7 @@ void addTheories(Diagram& diagram, const CurveSet& set) {
     series.stroke = theory.theory == Theory::Eq11              ? SeriesStroke::Solid
                     : theory.theory == Theory::CompleteContact ? SeriesStroke::Dotted
                                                                : SeriesStroke::Dashed;
-    if (!series.isTheory) series.colour = pinColour(kColourOfHalfSpace);
+    if (!series.isTheory) series.colour = kColourOfHalfSpace;
     series.id = theory.theory == Theory::Eq11 ? kLawCurve : kTheoryCurves - static_cast<int>(k);
     for (const TheoryPoint& point : theory.points) {
       const double y = point.isInRange ? ordinate(point, set) * friction : kNotApplicable;

@@ -41,12 +41,15 @@ bool showsLaw(const Scene& scene) {
 
 int pinColour(int index) {
   // The first two colours belong to the present curve and its marker, so they come last.
-  constexpr std::array<int, kPinColours> order{2, 3, 6, 5, 4, 7, 8, 1};
+  constexpr std::array<int, kPinColours> order{2, 3, 6, 5, 4, kColourOfHalfSpace, 8, 1};
   return order[static_cast<std::size_t>(index % kPinColours)];
 }
 
 int measuredColour(int index) {
-  return pinColour(2 * kPinColours - 2 - index % kPinColours);
+  // Orange and sky blue come first. The marker has colour 1; on white, colour 8 is nearly black, as
+  // are the lines of theories.
+  constexpr std::array<int, kPinColours> order{4, 5, 1, 8, 6, 3, 2, kColourOfHalfSpace};
+  return order[static_cast<std::size_t>(index % kPinColours)];
 }
 
 AxisScale CurveSet::scaleOfX() const {

@@ -124,8 +124,12 @@ bool showsLaw(const Scene& scene);
 /// Number of pinned curves that have different colours.
 inline constexpr int kPinColours = 8;
 
+/// The index in the palette of the colour of the theory of a half-space.
+inline constexpr int kColourOfHalfSpace = 7;
+
 /// Return the index in the palette of the colour of a pinned curve, and of a measured table, which
-/// keeps its own whatever is pinned: both begin at opposite ends.
+/// keeps its own whatever is pinned. The first two tables have other colours than the theories, the
+/// present curve, its marker and the first three pinned curves.
 int pinColour(int index);
 int measuredColour(int index);
 

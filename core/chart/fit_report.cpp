@@ -221,8 +221,6 @@ std::vector<Message> describeFit(const Fit& fit) {
 
 DiagramSheet fitSheet(const Fit& fit, const CurveSet& set) {
   CurveSet shown = set;
-  // What was fitted is friction as it is measured.
-  if (set.isOfMu() && hasLocalFriction(set.present.scene)) shown.y = CurveQuantity::MuTotal;
   shown.measured = partedByLoad(set.measured);
   DiagramSheet sheet = curveSheet(shown);
   std::vector<Message> values;
@@ -233,6 +231,7 @@ DiagramSheet fitSheet(const Fit& fit, const CurveSet& set) {
   band.isBand = true;
   band.colour = 0;
   const std::vector<RelativeError> errors = relativeErrors(fit, set);
+  // What was fitted is friction as it is measured: with local friction (showsTotal).
   for (const CurvePoint& point : set.present.points) {
     const double mu = totalMu(point), error = mu * errorAt(errors, point.velocity);
     if (std::isfinite(error)) band.points.push_back({point.velocity, mu, mu - error, mu + error});

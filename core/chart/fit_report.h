@@ -24,8 +24,9 @@ std::string fitCsv(const Fit& fit, std::span<const FrictionData> data);
 /// meaning of these ranges, the distance of the points from the curve, and the notes.
 std::vector<Message> describeFit(const Fit& fit);
 
-/// Returns the fitted curve with its band, the points and their residuals. set: the curve of the
-/// fitted scene with the measured tables.
+/// Returns the fitted curve with its band, the points and their residuals. Where there is local
+/// friction, the band is around the curve that has it. set: the curve of the fitted scene with the
+/// measured tables.
 DiagramSheet fitSheet(const Fit& fit, const CurveSet& set);
 
 /// Returns the minimum of the sum of squares over each parameter, in units of the squared errors of

@@ -49,11 +49,4 @@ MeanError lineMeanError(std::span<const double> values, std::int64_t orderedRows
   return mean.error();
 }
 
-double studentQuantile(double freedom) {
-  constexpr double z = 1.959963984540054;
-  constexpr double z3 = z * z * z, z5 = z3 * z * z, z7 = z5 * z * z;
-  return z + (z3 + z) / (4 * freedom) + (5 * z5 + 16 * z3 + 3 * z) / (96 * freedom * freedom) +
-         (3 * z7 + 19 * z5 + 17 * z3 - 15 * z) / (384 * freedom * freedom * freedom);
-}
-
 }  // namespace asperity

@@ -67,11 +67,6 @@ struct MeanError {
 /// far as anyone can tell and have the usual error. Needs two numbers.
 MeanError meanErrorInOrder(std::span<const double> values);
 
-/// Returns quantile 0.975 of Student's distribution (Abramowitz and Stegun, 26.7.5), to 0.3 % for a
-/// freedom of 3 or more; 3 % too small at 2. A 95 % interval is so many standard errors to each
-/// side.
-double studentQuantile(double freedom);
-
 /// The degrees of freedom below which an error is known too badly to rely on: less than
 /// about ten independent groups of rows.
 inline constexpr double kFewFreedom = 9;

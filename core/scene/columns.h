@@ -73,8 +73,10 @@ inline constexpr auto kColumns = std::to_array<Column>({
      "Velocity at which the rubber is as fast at the temperature of the scene; only where measured "
      "friction is of another temperature.",
      "v a_T(T)/a_T(T_scene)", "curves"},
-    {"temperature", "K", "Temperature of the curve, or of the measured point; likewise.", "T",
-     "curves"},
+    {"temperature", "K",
+     "Temperature of the curve, or of the measured point; only where measured friction is of "
+     "another temperature.",
+     "T", "curves"},
     {"mu_total", "", "Friction of deformation and interface together.", "mu + mu_interface",
      "curve, curves, map, cutoff"},
     {"mu_mean_of_ratios", "",

@@ -41,6 +41,7 @@ constexpr FileRule kOfMaterial{.isOfMaterial = true};
 constexpr FileRule kNewOfMaterial{.isOfMaterial = true, .isLeftOutAtDefault = true};
 constexpr FileRule kUnlessDefault{.isLeftOutAtDefault = true};
 constexpr FileRule kRequired{.isRequired = true};
+constexpr FileRule kOfReading{.isOfReading = true};
 constexpr std::int64_t kLargestInteger = (std::int64_t{1} << 53) - 1;  // exact in JSON
 
 /// A field that reads and writes `scene.section.member`.
@@ -113,9 +114,9 @@ const std::array kTable{
     Parameter{"surface.point_spacing", "point spacing", "", "m", "Distance between points where the file does not state one, as in a list of heights alone; 0: as the file states.", kRebuild, {"surface.kind", "measured"},
               RealField{ASPERITY_MEMBER(surface.reading, pointSpacing), 0, 1e3, 1e-9, 1e-3, kNoneOrLog}, {}, kUnlessDefault},
     Parameter{"surface.position_column", "position column", "", "", "Column of positions, counted from 1; 0: the program finds it.", kRebuild, {"surface.kind", "measured"},
-              IntegerField{ASPERITY_MEMBER(surface.reading, positionColumn), 0, 10000, 0, 10, kLin}},
+              IntegerField{ASPERITY_MEMBER(surface.reading, positionColumn), 0, 10000, 0, 10, kLin}, {}, kOfReading},
     Parameter{"surface.height_column", "height column", "", "", "Column or channel of heights, counted from 1; 0: the program finds it.", kRebuild, {"surface.kind", "measured"},
-              IntegerField{ASPERITY_MEMBER(surface.reading, heightColumn), 0, 10000, 0, 10, kLin}},
+              IntegerField{ASPERITY_MEMBER(surface.reading, heightColumn), 0, 10000, 0, 10, kLin}, {}, kOfReading},
     Parameter{"surface.row", "row of the topography", "", "", "Row of a topography that is the line, counted from 1; 0: all rows, each a realization.", kRebuild, {"surface.kind", "measured"},
               IntegerField{ASPERITY_MEMBER(surface.reading, row), 0, 1000000000, 0, 1000, kLin}},
     Parameter{"surface.direction", "sliding direction", "", "", "Direction of sliding on a topography: along its rows (x) or across them (y).", kRebuild, {"surface.kind", "measured"},

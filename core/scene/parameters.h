@@ -80,12 +80,13 @@ struct Applicability {
   bool isExcept = false;
 };
 
-/// The rules for a row in scene files.
+/// The rules for a row in scene files and for other files that it is about.
 struct FileRule {
   bool isOfMaterial = false;        // a material gives the value where the scene does not state it
   bool isLeftOutAtDefault = false;  // not written where it has its default, unless a material is
                                     // named that would give it another value
   bool isRequired = false;          // a scene in which it has a meaning must state it
+  bool isOfReading = false;         // says how a surface's file is read, which cannot be an axis
 };
 
 struct Parameter {

@@ -199,9 +199,8 @@ Message whyNotSwept(const Parameter& parameter, const Scene& scene) {
   for (const std::string_view section : {"sweep.", "ensemble."})
     if (parameter.key.starts_with(section))
       return message("{} says how the curve is made, which cannot be its axis", parameter.key);
-  for (const std::string_view column : {"surface.position_column", "surface.height_column"})
-    if (parameter.key == column)
-      return message("{} says how the file is read, which cannot be an axis", parameter.key);
+  if (parameter.rule.isOfReading)
+    return message("{} says how the file is read, which cannot be an axis", parameter.key);
   if (!isApplicable(parameter, scene)) return whyInapplicable(parameter, scene);
   if (!hasInfluence(parameter, scene))
     return message("{} changes nothing in this scene", parameter.key);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/chart/material_sheets.h"
+#include "core/chart/diagram.h"
 #include "core/study/study_analysis.h"
 
 namespace asperity {

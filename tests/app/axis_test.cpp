@@ -103,6 +103,28 @@ TEST_F(AxisTest, ThePresentTableStaysAsItWas) {
               HasSubstr("tangential_force,power"));
 }
 
+/// Theories, the number of lines in the name of a mean, and measured friction over another key than
+/// velocity are known only after the work, so labels and styles of curves are looked up then.
+TEST_F(AxisTest, LabelsAndStylesAreThoseOfTheComputedChart) {
+  std::ofstream(program.folder / "v.csv") << "velocity (m/s),normal_force (N),mu\n"
+                                             "0.05,1,0.4\n0.05,2,0.5\n";
+  const auto picture = [&](const std::string& command) {
+    const Said said = program.run(command + " --set sweep.points=3 -o a.svg");
+    EXPECT_EQ(said.status, 0) << command << said.err;
+    return TemporaryFolder::read(program.folder / "a.svg");
+  };
+  EXPECT_THAT(picture("curve s.json --theory eq_11,persson_half_space --curve-style 3=#123456"),
+              HasSubstr("123456"));
+  const std::string over = "s.json --over load.normal_force=1:2:3 --data v.csv --labels y2=ratio";
+  for (const std::string command : {"curve ", "render --layout curve "}) {
+    EXPECT_THAT(picture(command + "s.json --labels 'mean of 3 lines \u00B1 standard error=model'"),
+                HasSubstr(">model<"));
+    EXPECT_THAT(picture(command + over), HasSubstr(">ratio<"));
+  }
+  expectRefused("--labels y3=ratio -o b.svg", "--labels: 'y3' is neither an axis");
+  EXPECT_FALSE(std::filesystem::exists(program.folder / "b.svg"));
+}
+
 TEST_F(AxisTest, EachMisuseIsOneLine) {
   expectRefused("--over load.normal_forc=1:2:3", "nearest known one is load.normal_force");
   expectRefused("--over load.depth=1e-6:1e-5:3", "load.depth has no meaning for load.kind force");

@@ -111,6 +111,25 @@ TEST_F(LessonProgramTest, PrintsTheResultsOfAClass) {
   expectRefused("lesson ada.json --teacher -o class.csv", 2, "--teacher");
 }
 
+/// A name in Latin-1, as from an old disk.
+TEST_F(LessonProgramTest, NamesOfFilesMayBeNoUtf8) {
+  program.folder.write(
+      "Zo\xEB.json",
+      R"({"schema": "asperity-lesson-results/1", "lesson": "x", "title": "Loads", "sha256": "1", )"
+      R"("steps": [{"step": 2, "kind": "choice", "expected": 1, "given": 1, "right": true}]})");
+  const Said said = program.run("lesson Zo*.json --json --quiet");
+  ASSERT_EQ(said.status, 0) << said.err;
+  EXPECT_EQ(nlohmann::json::parse(said.out)["students"][0]["file"], "Zo\uFFFD.json");
+}
+
+/// Several words are results, of which each is a file or a folder.
+TEST_F(LessonProgramTest, ShowsOneLessonAtATime) {
+  expectRefused("lesson rubber_is_not_coulomb hurst", 2,
+                "rubber_is_not_coulomb: there is no such file or folder of results; one lesson at "
+                "a time is shown");
+  expectRefused("lesson lesson.json missing.json", 2, "missing.json: there is no such file");
+}
+
 /// A draft is refused with what is missing in which step.
 TEST_F(LessonProgramTest, SaysWhatADraftLacks) {
   auto json = sampleLesson();

@@ -1,4 +1,4 @@
-// Levels of resolution: allocation at least cost, what a plan promises, the quantile of Student.
+// Levels of resolution: allocation at least cost, what a plan promises.
 #include "core/accuracy/levels.h"
 
 #include <gtest/gtest.h>
@@ -30,13 +30,6 @@ TEST(Levels, AllocationMeetsTheVarianceAtLeastCost) {
     EXPECT_GT(costs[0] * n0 + costs[1] * n1 + costs[2] * static_cast<double>(lines[2]),
               0.999 * cost);
   }
-}
-
-TEST(Levels, StudentQuantile) {
-  EXPECT_NEAR(studentQuantile(1e9), 1.959964, 1e-6);
-  EXPECT_NEAR(studentQuantile(7), 2.364624, 2e-3);
-  EXPECT_NEAR(studentQuantile(15), 2.131450, 2e-4);
-  EXPECT_NEAR(studentQuantile(30), 2.042272, 1e-4);
 }
 
 /// Levels with differences that fall as 1/16 and cost that doubles; the second half of the lines

@@ -35,5 +35,35 @@ TEST(Statistics, FewResidualsNeedMoreStandardErrors) {
     EXPECT_GT(studentDeviations(3, freedom), studentDeviations(3, freedom + 1));
 }
 
+/// Where degrees of freedom are those of rows that are alike, their number is small and not whole.
+TEST(Statistics, QuantilesAreThoseOfTheTables) {
+  EXPECT_NEAR(studentQuantile(1), 12.706205, 1e-6);
+  EXPECT_NEAR(studentQuantile(2), 4.302653, 1e-6);
+  EXPECT_NEAR(studentQuantile(6), 2.446912, 1e-6);
+  EXPECT_NEAR(studentQuantile(7), 2.364624, 1e-3);
+  EXPECT_NEAR(studentQuantile(15), 2.131450, 1e-4);
+  EXPECT_NEAR(studentQuantile(30), 2.042272, 1e-5);
+  EXPECT_NEAR(studentQuantile(1e9), 1.959964, 1e-6);
+}
+
+/// Between whole freedoms the distribution is continuous and, by quadrature of its density, exact.
+TEST(Statistics, TheFreedomIsAnyPositiveNumber) {
+  for (const double freedom : {1.0, 2.0, 3.0, 9.0})
+    for (const double t : {0.5, 2.0, 12.0})
+      EXPECT_NEAR(studentProbability(t, freedom + 1e-9), studentProbability(t, freedom), 1e-8);
+  for (const double freedom : {0.7, 1.5, 2.5, 6.9}) {
+    const double t = studentQuantile(freedom);
+    constexpr int kSteps = 100000;
+    double sum = 0;
+    for (int i = 0; i < kSteps; ++i) {
+      const double at = t * (i + 0.5) / kSteps;
+      sum += std::pow(1 + at * at / freedom, -0.5 * (freedom + 1)) * t / kSteps;
+    }
+    const double density = std::exp(std::lgamma(0.5 * (freedom + 1)) - std::lgamma(0.5 * freedom)) /
+                           std::sqrt(freedom * std::numbers::pi);
+    EXPECT_NEAR(2 * density * sum, 0.95, 1e-6) << freedom;
+  }
+}
+
 }  // namespace
 }  // namespace asperity

@@ -124,12 +124,16 @@ TEST(CurveSet, ADifferenceHasColumnsOfItsOwn) {
           "\"linear x2, 3 lines\",1,0.75,0.125,,,,,1.5,4,,3,0.5,0.25"));
 }
 
-TEST(CurveSet, MeasuredTablesHaveOtherColoursThanTheFirstPins) {
+TEST(CurveSet, MeasuredTablesHaveOtherColoursThanWhatStandsBesideThem) {
   for (int table = 0; table < kPinColours; ++table)
     for (int other = 0; other < table; ++other)
       EXPECT_NE(measuredColour(table), measuredColour(other));
-  for (int table = 0; table < 2; ++table)
-    for (int pin = 0; pin < 4; ++pin) EXPECT_NE(measuredColour(table), pinColour(pin));
+  constexpr int kPresent = 0, kMarker = 1, kNearlyBlack = 8;  // on white, as theories are
+  for (int table = 0; table < 2; ++table) {
+    for (const int other : {kPresent, kMarker, kNearlyBlack, kColourOfHalfSpace})
+      EXPECT_NE(measuredColour(table), other);
+    for (int pin = 0; pin < 3; ++pin) EXPECT_NE(measuredColour(table), pinColour(pin));
+  }
 }
 
 TEST(CurveSet, PinsOfDifferentPlacesHaveDifferentColours) {

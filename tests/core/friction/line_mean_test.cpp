@@ -9,6 +9,7 @@
 #include <functional>
 #include <random>
 
+#include "core/base/statistics.h"
 #include "core/friction/curve_difference.h"
 #include "core/friction/jackknife.h"
 

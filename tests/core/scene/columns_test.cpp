@@ -35,6 +35,12 @@ TEST(Columns, EachIsDescribedOnceForATable) {
             kColumns.size() + parameters().size() + static_cast<std::size_t>(sides));
 }
 
+/// A column may be listed alone, so that its sentence cannot lean on the row before it.
+TEST(Columns, EachIsDescribedByItsOwnSentence) {
+  for (const Column& column : kColumns)
+    EXPECT_EQ(column.meaning.find("likewise"), column.meaning.npos) << column.name;
+}
+
 TEST(Columns, TheTextNamesAllWithTheirUnits) {
   const std::string text = columnsText();
   for (const Column& column : kColumns) {

@@ -1,0 +1,54 @@
+// The chart of a fit.
+#include "core/chart/fit_report.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/chart/comparison.h"
+#include "core/chart/curve_diagram.h"
+#include "core/friction/ensemble.h"
+#include "tests/core/small_scene.h"
+
+namespace asperity {
+namespace {
+
+/// The band is around the curve with local friction, which is what was measured. The theories are
+/// of the deformation alone and are drawn beside both, as in the chart of the same scene.
+TEST(FitSheet, WithLocalFrictionHasTheTheoriesAndTheBandOfTheTotal) {
+  Scene scene = sceneOfSize(500, 17, 3);
+  scene.interface.frictionCoefficient = 0.3;
+  scene.comparison.theory = {Theory::Eq11, Theory::PerssonHalfSpace};
+  CurveSet set;
+  set.present = {{}, scene, frictionCurve(scene).points};
+  const std::vector<CurvePoint>& points = set.present.points;
+  FrictionData table{"a table", {}};
+  for (const CurvePoint& point : {points.front(), points.back()})
+    table.points.push_back({point.velocity, totalMu(point)});
+  addComparisons(set, {table});
+  Fit fit;
+  fit.scene = scene;
+  fit.computed = set.measured.front().computed;
+  fit.bandErrors = {0.1, 0.1};
+
+  const DiagramSheet sheet = fitSheet(fit, set), plain = curveSheet(set);
+  const std::vector<DiagramSeries>& series = sheet.diagrams.front().series;
+  for (const DiagramSeries& other : plain.diagrams.front().series)
+    EXPECT_TRUE(std::ranges::any_of(series, [&](const DiagramSeries& one) {
+      return one.id == other.id && one.name == other.name;
+    })) << other.name.english();
+  for (const Theory theory : scene.comparison.theory)
+    EXPECT_TRUE(std::ranges::any_of(series, [&](const DiagramSeries& one) {
+      return one.name.english() == theoryEntry(theory).name;
+    })) << theoryEntry(theory).name;
+  EXPECT_THAT(sheet.note.english(), testing::Not(testing::HasSubstr("has no line")));
+
+  const DiagramSeries& band = series.front();
+  ASSERT_TRUE(band.isBand);
+  ASSERT_EQ(band.points.size(), points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) EXPECT_EQ(band.points[i].y, totalMu(points[i]));
+}
+
+}  // namespace
+}  // namespace asperity
