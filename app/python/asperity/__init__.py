@@ -117,7 +117,7 @@ class Scene:
     """What slides over what: the values of a scene file, by dotted keys.
 
     ``Scene()`` has the defaults; ``Scene("file.json")`` reads a file or a shipped scene
-    (``figure_1.json``); ``Scene({...})`` takes a dict, nested as in a file or with dotted keys.
+    (``figure_1``); ``Scene({...})`` takes a dict, nested as in a file or with dotted keys.
     Keywords set values over that: a section as a dict, or a key with two underscores for the dot.
 
     >>> scene = Scene("figure_1.json", load__normal_force="20mN", ensemble={"realizations": 20})
@@ -142,11 +142,10 @@ class Scene:
             self._core = _core.Scene("{}", "", "", assignments)
         else:
             name = os.fspath(source)
-            shipped = os.path.join(_SCENES, name)
-            if (not os.path.exists(name) and name.endswith(".json") and os.sep not in name
-                    and os.path.exists(shipped)):
+            shipped = os.path.join(_SCENES, name if name.endswith(".json") else name + ".json")
+            if not os.path.exists(name) and os.sep not in name and os.path.exists(shipped):
                 with open(shipped, encoding="utf-8") as file:
-                    self._core = _core.Scene(file.read(), name, "", assignments)
+                    self._core = _core.Scene(file.read(), os.path.basename(shipped), "", assignments)
             else:
                 self._core = _core.Scene(name, assignments)
 
