@@ -67,6 +67,7 @@ Curve targetSweep(const std::vector<Scene>& states, const std::vector<double>& v
     curve.points[i].swept = values[i];
     curve.largestResidual = std::max(curve.largestResidual, found.largestResidual);
     curve.isTargetMet = curve.isTargetMet && found.isTargetMet;
+    curve.errorOfRows = std::max(curve.errorOfRows, found.errorOfRows);
     if (!std::isnan(found.achievedError) &&
         (std::isnan(curve.achievedError) || found.achievedError > curve.achievedError))
       curve.achievedError = found.achievedError;
@@ -104,6 +105,13 @@ CurvePoint computePoint(Scene scene, double velocity, const CurveOptions& option
 
 void requireTarget(const Curve& curve) {
   if (curve.isTargetMet) return;
+  constexpr double kLargePart = 0.5;
+  if (curve.errorOfRows > kLargePart * curve.achievedError)
+    throw TextError(message(
+        "accuracy.target_relative_error is not reached: {}; the mean over all rows of the surface "
+        "is uncertain by {}, which only a larger piece of the surface lowers",
+        PrintedNumber{printedNumber(curve.achievedError, 2)},
+        PrintedNumber{printedNumber(curve.errorOfRows, 2)}));
   throw TextError(message(
       "accuracy.target_relative_error is not reached within the lines and memory allowed: {}",
       PrintedNumber{printedNumber(curve.achievedError, 2)}));

@@ -96,11 +96,13 @@ class Targeting {
   double target() const { return scene_.accuracy.targetRelativeError; }
 
   /// Returns the relative error that is left for the lines drawn and their resolution. Where the
-  /// rows of a topography are too few for the target, more lines hardly help.
+  /// rows of a topography are too few for the target, more lines hardly help; where they are almost
+  /// too few, 16 times the lines are worth it.
   double drawnError(const VelocityState& state) const {
-    constexpr double kLeastShare = 0.5;
+    constexpr double kShareWhereHopeless = 0.5, kLeastShare = 0.25;
     const double ofRows = state.ofRows.standardError;
     if (ofRows == 0) return target();
+    if (!(ofRows < target())) return kShareWhereHopeless * target();
     return std::sqrt(std::max(target() * target() - ofRows * ofRows,
                               kLeastShare * kLeastShare * target() * target()));
   }
@@ -448,6 +450,7 @@ class Targeting {
       const CurvePoint& point = curve.points.emplace_back(pointOf(state, achieved));
       const double error = relativeError(achieved, point.mu);
       curve.achievedError = std::max(curve.achievedError, error);
+      curve.errorOfRows = std::max(curve.errorOfRows, state.ofRows.standardError);
       curve.isTargetMet &= error <= target();
       // Two levels of a line may agree by chance, and the allowed nodes do not suffice for a third
       // one.

@@ -45,6 +45,9 @@ struct Curve {
   /// With a target: the largest relative error of all velocities, and whether it meets the target.
   double achievedError = kNotApplicable;
   bool isTargetMet = true;
+  /// The relative error of the mean over all rows of a topography, which more lines do not lower;
+  /// the largest of all velocities.
+  double errorOfRows = 0;
 };
 
 /// Returns as many velocities (m/s) as a sweep over velocity has, evenly spaced in their logarithm,

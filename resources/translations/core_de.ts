@@ -971,6 +971,10 @@
         <translation>über 0,9</translation>
     </message>
     <message>
+        <source>accuracy.target_relative_error is not reached: %1; the mean over all rows of the surface is uncertain by %2, which only a larger piece of the surface lowers</source>
+        <translation>accuracy.target_relative_error wird nicht erreicht: %1; das Mittel über alle Zeilen der Oberfläche ist um %2 unsicher, was nur ein größeres Stück der Oberfläche verringert</translation>
+    </message>
+    <message>
         <source>accuracy.target_relative_error is not reached within the lines and memory allowed: %1</source>
         <translation>accuracy.target_relative_error wird mit den erlaubten Linien und dem erlaubten Speicher nicht erreicht: %1</translation>
     </message>

@@ -258,6 +258,26 @@ TEST_F(MeasuredScene, PredictsTheErrorOfAllRows) {
   }
 }
 
+/// A target is met where the rows of the surface allow it, even if they leave little of it for the
+/// lines drawn; below, the surface is named as the reason.
+TEST_F(MeasuredScene, ATargetIsMetDownToTheErrorOfTheRows) {
+  Scene rows = scene({"accuracy.target_relative_error=0.5"}, "m.txt");
+  const double least = computeCurve(rows).errorOfRows;
+  ASSERT_GT(least, 0.001);
+  rows.accuracy.targetRelativeError = 1.06 * least;
+  EXPECT_TRUE(computeCurve(rows).isTargetMet);
+  rows.accuracy.targetRelativeError = 0.9 * least;
+  const Curve missed = computeCurve(rows);
+  EXPECT_FALSE(missed.isTargetMet);
+  EXPECT_EQ(missed.errorOfRows, least);
+  try {
+    requireTarget(missed);
+    FAIL();
+  } catch (const TextError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("a larger piece of the surface"));
+  }
+}
+
 TEST_F(MeasuredScene, SaysWhatTheUserMustKnow) {
   const auto notes = [&](const std::vector<std::string>& settings) {
     return lineNotes(LineSource(scene(settings), 1));
