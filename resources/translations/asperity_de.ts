@@ -2438,10 +2438,6 @@
         <translation>Nicht übersetzt: %1. Eine Frage, der eine Übersetzung fehlt, steht als Ganzes in der anderen Sprache.</translation>
     </message>
     <message>
-        <source>%1 at %2</source>
-        <translation>%1 bei %2</translation>
-    </message>
-    <message>
         <source>The program finds no answer.</source>
         <translation>Das Programm findet keine Antwort.</translation>
     </message>
@@ -2571,16 +2567,8 @@
         <translation>Das Programm findet %1.</translation>
     </message>
     <message>
-        <source>The program finds %1 at %2.</source>
-        <translation>Das Programm findet %1 bei %2.</translation>
-    </message>
-    <message>
         <source>You said %1.</source>
         <translation>Deine Antwort war %1.</translation>
-    </message>
-    <message>
-        <source>You said %1 at %2.</source>
-        <translation>Deine Antwort war %1 bei %2.</translation>
     </message>
     <message>
         <source>The height is right, the place is not.</source>
@@ -2652,10 +2640,6 @@
     <message>
         <source>choice %1</source>
         <translation>Antwort %1</translation>
-    </message>
-    <message>
-        <source>%1 at %2</source>
-        <translation>%1 bei %2</translation>
     </message>
     <message>
         <source>%1 right, %2 wrong, %3 shown</source>

@@ -227,6 +227,22 @@ TEST_F(LessonEditorTest, ALessonThatIsNotCompleteIsSavedAndOpenedAgain) {
   EXPECT_TRUE(window_.messages().text().contains("Lesson editor"));
 }
 
+/// Nobody knows yet whether a student could go on.
+TEST_F(LessonEditorTest, WhileAnAnswerIsComputedTheLessonIsSavedAsADraft) {
+  TemporaryFolder folder;
+  edit(sampleLesson(), 1);
+  setCell(1, 3, "2.9");
+  ASSERT_TRUE(editor_->isComputing());
+  const QString file = QString::fromStdString((folder / "mine.json").string());
+  ASSERT_TRUE(editor_->saveTo(file));
+  const auto& message = field<QLabel>("editorComplaint");
+  EXPECT_TRUE(message.text().startsWith("Saved mine.json as a draft"))
+      << message.text().toStdString();
+  ASSERT_TRUE(waitFor([&] { return !editor_->isComputing(); }));
+  ASSERT_TRUE(editor_->saveTo(file));
+  EXPECT_EQ(message.text(), "Saved mine.json");
+}
+
 /// Else the texts after the answer would stand beside the old picture.
 TEST_F(LessonEditorTest, ThePictureFollowsTheChangesOfTheAnswer) {
   edit(sampleLesson(), 1);
