@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QComboBox>
+#include <QDir>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -27,6 +28,7 @@
 #include "ui/window/lesson/lesson_text.h"
 #include "ui/window/lesson/lessons.h"
 #include "ui/window/main/fitted_labels.h"
+#include "ui/window/main/scene_library.h"
 
 namespace asperity {
 namespace {
@@ -225,6 +227,31 @@ TEST_F(LessonEditorTest, ALessonThatIsNotCompleteIsSavedAndOpenedAgain) {
   EXPECT_FALSE(window_.lessons().open(file));
   EXPECT_TRUE(window_.messages().text().contains("question"));
   EXPECT_TRUE(window_.messages().text().contains("Lesson editor"));
+}
+
+/// A student's file of the same name is another scene.
+TEST_F(LessonEditorTest, AShippedLessonHasTheShippedScenesInAnyFolder) {
+  const Lesson lesson = readNamedLesson("load_and_friction", readNamedScene);
+  ASSERT_EQ(lesson.steps[0].sceneName, "region_1.json");
+  TemporaryFolder folder;
+  folder.write("region_1.json", writeScene(smallScene()));
+  const QString before = QDir::currentPath();
+  ASSERT_TRUE(QDir::setCurrent(QString::fromStdString(folder.path().string())));
+  editor_ = &window_.lessons().showEditor(lesson, {});
+  QDir::setCurrent(before);
+  EXPECT_EQ(errorText(), "");
+  EXPECT_EQ(editor_->lesson().steps[0].scene, lesson.steps[0].scene);
+}
+
+/// Also after a step that has a scene of its own.
+TEST_F(LessonEditorTest, AStepThatIsAddedToAShippedLessonHasTheChangesAlone) {
+  editor_ = &window_.lessons().showEditor(readNamedLesson("load_and_friction", readNamedScene), {});
+  field<QListWidget>("editorSteps").setCurrentRow(1);
+  editor_->takeShownScene();
+  MainWindowTest::type("load.normal_force", "7 mN");
+  editor_->addShownStep();
+  EXPECT_EQ(errorText(), "");
+  EXPECT_EQ(editor_->lesson().steps[1].set, std::vector<std::string>{"load.normal_force=0.007"});
 }
 
 /// Nobody knows yet whether a student could go on.

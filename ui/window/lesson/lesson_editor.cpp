@@ -357,9 +357,14 @@ Lesson LessonEditor::checked() const {
   return readLesson(writeLesson(lesson_), lesson_.name, folder(), readNamedScene);
 }
 
-/// Returns the folder of the lesson's file, in which its scenes are; empty without a file.
+/// Returns the folder of the lesson's file, in which its scenes are. Without a file it is that of
+/// the shipped scenes for a shipped lesson, and empty for a new one, which names no scenes.
 std::filesystem::path LessonEditor::folder() const {
-  return std::filesystem::path(file_.toStdString()).parent_path();
+  const bool isShipped =
+      file_.isEmpty() && std::ranges::find(shippedLessons(), lesson_.name, &ShippedLesson::name) !=
+                             shippedLessons().end();
+  return isShipped ? std::filesystem::path(kShippedFolder)
+                   : std::filesystem::path(file_.toStdString()).parent_path();
 }
 
 /// Shows an error, with its key in the words of the editor where there are such words.
@@ -586,7 +591,8 @@ void LessonEditor::addShownStep() {
   LessonStep step = *taken;
   Scene scene = step.scene;
   if (row > 0) {
-    const Scene before = lesson_.steps[static_cast<std::size_t>(row - 1)].revealedScene;
+    Scene before = lesson_.steps[static_cast<std::size_t>(row - 1)].revealedScene;
+    if (before.folder == kShippedFolder) before.folder.clear();  // it holds no files
     scene.title = before.title;
     scene.description = before.description;
     scene.chapter = before.chapter;
