@@ -4416,6 +4416,18 @@
         <translation>Gl. (14) der Arbeit: Normalkraft / (Schubmodul × RMS-Höhe × Länge)</translation>
     </message>
     <message>
+        <source>No velocity v̄ here: an elastic body has no relaxation time.</source>
+        <translation>Hier keine Geschwindigkeit v̄: Ein elastischer Körper hat keine Relaxationszeit.</translation>
+    </message>
+    <message>
+        <source>No velocity v̄ here: arms have relaxation times of their own, and Eq. (13) is made with the only one of the paper&apos;s elastomer.</source>
+        <translation>Hier keine Geschwindigkeit v̄: Arme haben eigene Relaxationszeiten, und Gl. (13) ist mit der einzigen des Elastomers der Arbeit gebildet.</translation>
+    </message>
+    <message>
+        <source>No velocity v̄ here: the line has no roughness.</source>
+        <translation>Hier keine Geschwindigkeit v̄: Die Linie hat keine Rauheit.</translation>
+    </message>
+    <message>
         <source>The picture is moving from the previous scene to the steady state that these numbers and the chart describe. R shows that state at once.</source>
         <translation>Das Bild ist auf dem Weg von der Szene davor in den stationären Zustand, zu dem diese Zahlen und das Diagramm gehören. R zeigt ihn sofort.</translation>
     </message>
