@@ -349,6 +349,25 @@ TEST_F(LessonEditorTest, TheDeleteKeyEmptiesTheCellsOfTheChoices) {
   EXPECT_EQ(prediction(0).choices.size(), 2U);
 }
 
+TEST_F(LessonEditorTest, EmptyingManyCellsIsOneEdit) {
+  edit(sampleLesson(), 1);
+  const std::string before = writeLesson(editor_->lesson());
+  auto& table = field<QTableWidget>("editorChoices");
+  ASSERT_TRUE(waitFor([&] {
+    editor_->activateWindow();
+    return editor_->isActiveWindow();
+  }));
+  table.setFocus();
+  table.setCurrentCell(1, 0);
+  table.setRangeSelected({1, 0, 2, 3}, true);
+  QTest::keyClick(&table, Qt::Key_Delete);
+  EXPECT_EQ(prediction(0).choices.size(), 1U);
+  EXPECT_EQ(table.item(1, 2)->text(), "");
+  editor_->undo();
+  EXPECT_EQ(writeLesson(editor_->lesson()), before);
+  EXPECT_EQ(table.item(1, 0)->text(), "twice");
+}
+
 /// A choice keeps its translation where the one above it is removed.
 TEST_F(LessonEditorTest, TranslationsStayWithTheirChoices) {
   Json json = sampleLesson();
