@@ -19,7 +19,7 @@ Lesson withWholeQuestions(Lesson lesson) {
   for (LessonStep& step : lesson.steps) {
     if (!step.prediction) continue;
     std::vector<LessonText*> texts = {&step.prediction->question, &step.prediction->right,
-                                      &step.prediction->wrong};
+                                      &step.prediction->wrong, &step.reveal};
     for (LessonChoice& choice : step.prediction->choices) texts.push_back(&choice.text);
     const auto lacks = [&](std::string LessonText::*language) {
       return std::ranges::any_of(texts, [&](const LessonText* text) {

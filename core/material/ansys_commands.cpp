@@ -275,6 +275,14 @@ double hyperelasticShear(const AnsysTable& table, std::size_t row, const std::st
                    "are, or give --instantaneous-modulus");
 }
 
+/// Of OELM, OELN, AELS and AELF the second constant is another modulus, not Poisson's ratio.
+void requireIsotropic(const AnsysTable& elastic, const std::string& name) {
+  if (elastic.option.empty() || elastic.option.starts_with("iso")) return;
+  throw InputError(name, elastic.rows.key,
+                   "has moduli that differ with direction, which are not read; give "
+                   "--equilibrium-modulus");
+}
+
 }  // namespace
 
 std::optional<RawSeries> ansysSeries(const KeywordFile& file) {
@@ -305,6 +313,7 @@ std::optional<RawSeries> ansysSeries(const KeywordFile& file) {
   const AnsysTable *young = reader.find("ex"), *poisson = reader.find("nuxy");
   const AnsysTable* shear = reader.find("gxy");
   if (hyper) elastic = nullptr;
+  if (elastic) requireIsotropic(*elastic, file.name);
   if (hyper || elastic) young = nullptr;
   if (!young) poisson = nullptr;
   if (hyper || elastic || young) shear = nullptr;

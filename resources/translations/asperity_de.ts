@@ -2438,10 +2438,6 @@
         <translation>Nicht übersetzt: %1. Eine Frage, der eine Übersetzung fehlt, steht als Ganzes in der anderen Sprache.</translation>
     </message>
     <message>
-        <source>%1 at %2</source>
-        <translation>%1 bei %2</translation>
-    </message>
-    <message>
         <source>The program finds no answer.</source>
         <translation>Das Programm findet keine Antwort.</translation>
     </message>
@@ -2571,16 +2567,8 @@
         <translation>Das Programm findet %1.</translation>
     </message>
     <message>
-        <source>The program finds %1 at %2.</source>
-        <translation>Das Programm findet %1 bei %2.</translation>
-    </message>
-    <message>
         <source>You said %1.</source>
         <translation>Deine Antwort war %1.</translation>
-    </message>
-    <message>
-        <source>You said %1 at %2.</source>
-        <translation>Deine Antwort war %1 bei %2.</translation>
     </message>
     <message>
         <source>The height is right, the place is not.</source>
@@ -2652,10 +2640,6 @@
     <message>
         <source>choice %1</source>
         <translation>Antwort %1</translation>
-    </message>
-    <message>
-        <source>%1 at %2</source>
-        <translation>%1 bei %2</translation>
     </message>
     <message>
         <source>%1 right, %2 wrong, %3 shown</source>
@@ -4430,6 +4414,18 @@
     <message>
         <source>Eq. (14) of the paper: normal force / (shear modulus × rms height × length)</source>
         <translation>Gl. (14) der Arbeit: Normalkraft / (Schubmodul × RMS-Höhe × Länge)</translation>
+    </message>
+    <message>
+        <source>No velocity v̄ here: an elastic body has no relaxation time.</source>
+        <translation>Hier keine Geschwindigkeit v̄: Ein elastischer Körper hat keine Relaxationszeit.</translation>
+    </message>
+    <message>
+        <source>No velocity v̄ here: arms have relaxation times of their own, and Eq. (13) is made with the only one of the paper&apos;s elastomer.</source>
+        <translation>Hier keine Geschwindigkeit v̄: Arme haben eigene Relaxationszeiten, und Gl. (13) ist mit der einzigen des Elastomers der Arbeit gebildet.</translation>
+    </message>
+    <message>
+        <source>No velocity v̄ here: the line has no roughness.</source>
+        <translation>Hier keine Geschwindigkeit v̄: Die Linie hat keine Rauheit.</translation>
     </message>
     <message>
         <source>The picture is moving from the previous scene to the steady state that these numbers and the chart describe. R shows that state at once.</source>

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "core/base/input_error.h"
-#include "core/base/number_text.h"
 #include "core/chart/comparison.h"
 #include "core/chart/curve_words.h"
 #include "core/fit/derivatives.h"
@@ -111,6 +110,16 @@ QString errorLabel(double value, double error) {
 QString withError(const QString& name, double value, double error) {
   const QString text = name + " = " + readingLabel(value);
   return std::isfinite(error) ? text + " ± " + errorLabel(value, error) : text;
+}
+
+/// Removes what was computed for the scene of the comparisons. On an axis other than velocity, the
+/// rows of the tables that are shown depend on that scene, too.
+void clearComputedComparisons(CurveSet& set) {
+  set.theories.clear();
+  for (MeasuredCurve& measured : set.measured) measured.computed.clear();
+  if (set.isOfVelocity()) return;
+  set.measured.clear();
+  set.notes.clear();
 }
 
 QString velocityText(double velocity) {
@@ -307,7 +316,10 @@ bool FrictionChartModel::areComparisonsStale() const {
 
 void FrictionChartModel::addComparisons(CurveSet& set) const {
   const Comparisons& named = set.present.scene.comparison;
-  if (!compared_ || !isOnThisAxis(*compared_) || compared_->comparison.data != named.data) return;
+  // Names of tables are relative to the folder of their scene.
+  if (!compared_ || !isOnThisAxis(*compared_) || compared_->comparison.data != named.data ||
+      compared_->folder != set.present.scene.folder)
+    return;
   set.theories = comparisons_.theories;
   std::erase_if(set.theories, [&](const TheoryCurve& theory) {
     return std::ranges::find(named.theory, theory.theory) == named.theory.end();
@@ -450,7 +462,8 @@ QStringList FrictionChartModel::reducedReading(double velocity, double reduced,
     lines +=
         QStringLiteral("a\u1D1B v = ") + QString::fromStdString(asperity::quantity(reduced, "m/s"));
   if (std::isfinite(temperature))
-    lines += QStringLiteral("T = ") + QString::fromStdString(printedQuantity(temperature, "K", 4));
+    lines +=
+        QStringLiteral("T = ") + QString::fromStdString(asperity::quantity(temperature, "K", 4));
   return lines;
 }
 
@@ -469,8 +482,9 @@ QString FrictionChartModel::reading(const CurvePoint& point, const Scene& scene)
         reducedReading(point.velocity, abscissa(point, scene, set), scene.elastomer.temperature);
   if (axes_ == CurveAxes::Physical && quantity_ != CurveQuantity::Mu) {
     const QuantityEntry& entry = quantityEntry(quantity_);
-    lines += translatedText(entry.title) + " = " +
-             QString::fromStdString(printedQuantity(quantityValue(quantity_, point), entry.unit));
+    lines +=
+        translatedText(entry.title) + " = " +
+        QString::fromStdString(asperity::quantity(quantityValue(quantity_, point), entry.unit));
   }
   lines += withError(QStringLiteral("μ"), point.mu, point.muStandardError);
   if (std::isfinite(point.muInterface) && quantity_ != CurveQuantity::MuTotal)
@@ -509,6 +523,7 @@ std::optional<double> FrictionChartModel::sweptAt(double x) const {
 std::optional<CurveSet> FrictionChartModel::shown(const std::optional<VisibleRange>& zoom) const {
   if (!curve_ || !isOnThisAxis(*curve_->scene)) return std::nullopt;
   CurveSet set = curves(*curve_->scene);
+  if (areComparisonsStale()) clearComputedComparisons(set);
   if (difference_ && haveSameCurve(*difference_->scene, *curve_->scene))
     set.difference = difference_;
   if (zoom) {

@@ -114,6 +114,7 @@ class FrictionChartModel {
   std::optional<double> sweptAt(double x) const;
 
   /// Returns the curves in the visible range, for writing them; nothing before the first curve.
+  /// Faded theories and ratios, which belong to the scene before, are left out.
   std::optional<CurveSet> shown(const std::optional<VisibleRange>& zoom) const;
 
  private:

@@ -1,5 +1,6 @@
 #include "ui/panels/parameter_panel.h"
 
+#include <QCoreApplication>
 #include <QEvent>
 #include <QFileDialog>
 #include <QLabel>
@@ -178,7 +179,7 @@ void ParameterPanel::showError(const QString& key, const QString& text) {
 }
 
 void ParameterPanel::clearErrors() {
-  for (QString& text : runErrors_) text.clear();
+  runErrors_.clear();
   updateRemarks();
 }
 
@@ -368,6 +369,7 @@ void ParameterPanel::arrange() {
 }
 
 void ParameterPanel::showNotes(const NoteSet& notes) {
+  if (notes == notes_) return;  // they come with each frame
   notes_ = notes;
   updateRemarks();
 }
@@ -386,12 +388,10 @@ void ParameterPanel::showRemarks() {
   keepInPlace([&] {
     for (ParameterRow* row : std::as_const(rows_)) {
       row->showWarning(warnings.value(row).join('\n'));
-      const auto error = runErrors_.constFind(fromUtf8(row->parameter().key));
-      if (error != runErrors_.cend()) row->showError(*error);
+      row->showRunError(runErrors_.value(fromUtf8(row->parameter().key)));
     }
     arrange();
   });
-  runErrors_.removeIf([](const auto& error) { return error.value().isEmpty(); });
 }
 
 void ParameterPanel::reveal(const QString& key) {
@@ -446,7 +446,7 @@ void ParameterPanel::edit(ParameterRow& row, Change&& change, const QString& ref
     change(next);
   } catch (const InputError& error) {
     return keepInPlace([&] {
-      row.showError(refusal.isEmpty() ? translatedText(error.message()) : refusal);
+      row.showRefusal(refusal.isEmpty() ? translatedText(error.message()) : refusal);
       arrange();
     });
   }
@@ -460,6 +460,7 @@ void ParameterPanel::edit(ParameterRow& row, Change&& change, const QString& ref
     showRows(&row);
     showMissing();
   });
+  updateRemarks();  // in the new scene a note may be about another row
   if (!missingValue(scene_).text.isEmpty() || scene_ == passedOn_) return;
   passedOn_ = scene_;
   emit sceneEdited(scene_);

@@ -279,7 +279,11 @@ void ParameterRow::showScene(const Scene& scene, const LineSize& known, bool rep
   if (material_) material_->showMaterial(scene.elastomer);
   if (list_) list_->showScene(scene);
   if (choice_) choice_->setCurrentIndex(std::get<ChoiceField>(parameter_.field).read(scene));
-  if (replace) showError({});
+  if (replace) {
+    refusal_.clear();
+    runError_.clear();
+    showError();
+  }
   showReset(value, resetValue(parameter_, scene));
   if (isChosenWhereOpen(parameter_))
     reset_->setToolTip(tr("Back to the default, chosen by the scene"));
@@ -317,9 +321,20 @@ void ParameterRow::showReset(const ParameterValue& value, const ParameterValue& 
                          : tr("As the file says"));
 }
 
-void ParameterRow::showError(const QString& reason) {
-  if (entry_) entry_->showError(reason);
-  showRemark(*error_, reason);
+void ParameterRow::showRefusal(const QString& reason) {
+  refusal_ = reason;
+  showError();
+}
+
+void ParameterRow::showRunError(const QString& text) {
+  runError_ = text;
+  showError();
+}
+
+void ParameterRow::showError() {
+  const QString& shown = refusal_.isEmpty() ? runError_ : refusal_;
+  if (entry_) entry_->showError(shown);
+  showRemark(*error_, shown);
 }
 
 void ParameterRow::showNote(const QString& text) {
@@ -428,7 +443,7 @@ void ParameterRow::addLabel(QHBoxLayout& line) {
 void ParameterRow::addEntry() {
   entry_ = new ValueEntry;
   name(*entry_, "entry");
-  connect(entry_, &ValueEntry::entryRestored, this, [this] { showError({}); });
+  connect(entry_, &ValueEntry::entryRestored, this, [this] { showRefusal({}); });
 }
 
 /// Adds the entry to the line of the label, and below them the slider, which is as wide as the row.

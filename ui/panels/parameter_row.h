@@ -50,7 +50,13 @@ class ParameterRow : public QWidget {
   /// Shows the scene's value. `replace` also overwrites refused input. `known` is the line that is
   /// shown.
   void showScene(const Scene& scene, const LineSize& known, bool replace);
-  void showError(const QString& reason);
+
+  /// Shows why the text that was typed here is refused; an empty reason removes it.
+  void showRefusal(const QString& reason);
+
+  /// Shows an error that occurred when the scene ran; an empty text removes it. While a text is
+  /// refused the reason of that is shown instead.
+  void showRunError(const QString& text);
 
   /// Shows what is missing here; an empty text removes it.
   void showNote(const QString& text);
@@ -103,6 +109,7 @@ class ParameterRow : public QWidget {
   void addBrowse(QHBoxLayout& line);
   void addReset(QHBoxLayout& line);
   void addRemarks(QVBoxLayout& column);
+  void showError();
   void showRemark(QLabel& remark, const QString& text);
   void showEnabled();
   void setWidths();
@@ -135,6 +142,7 @@ class ParameterRow : public QWidget {
   QToolButton* browse_ = nullptr;
   QToolButton* reset_ = nullptr;
   ParameterValue resetValue_;  // value of the reset button
+  QString refusal_, runError_;
   QLabel* note_ = nullptr;
   QLabel* warning_ = nullptr;
   QLabel* error_ = nullptr;

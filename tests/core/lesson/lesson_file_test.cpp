@@ -309,6 +309,10 @@ TEST(LessonTranslations, AQuestionThatIsTranslatedInPartFallsBackAsAWhole) {
   prediction["choices"][2]["text"] = {{"en", "more"}, {"de", "mehr"}};
   prediction["right"] = {{"en", "Yes, {answer}."}, {"de", "Ja, {answer}."}};
   prediction["wrong"] = {{"en", "No."}, {"de", "Nein."}};
+  EXPECT_EQ(withWholeQuestions(lessonOf(json)).steps[0].prediction->question.in("de"),
+            "Twice as fast?")
+      << "the text after the answer lacks its translation";
+  json["steps"][0]["reveal"] = {{"en", "{twice} twice."}, {"de", "{twice} doppelt."}};
   EXPECT_EQ(withWholeQuestions(lessonOf(json)), lessonOf(json));
   prediction["question"] = {{"de", "Doppelt so schnell?"}};  // now English lacks a part
   EXPECT_EQ(withWholeQuestions(lessonOf(json)).steps[0].prediction->choices[1].text.in("en"),

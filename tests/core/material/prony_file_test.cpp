@@ -240,10 +240,30 @@ TEST(PronyFile, HyperelasticMaterialsOfAnsys) {
               HasSubstr("line 1: has a hyperelastic form whose shear modulus is not read"));
 }
 
+/// The second constant of an orthotropic material is E_y.
+TEST(PronyFile, ModuliOfAnsysThatDifferWithDirectionAreRefused) {
+  const std::string series = "TB,PRONY,1,1,2,SHEAR\nTBDATA,1,0.5,0.1,0.25,10\n";
+  expectSeries(read("TB,ELASTIC,1\nTBDATA,1,12e6,0.5\n" + series));
+  for (const std::string option : {"OELM", "OELN", "AELS", "AELF"})
+    EXPECT_THAT(errorOf("TB,ELASTIC,1,1,9," + option +
+                        "\nTBDATA,1,12e6,12e6,12e6,0.4,0.4,0.4\nTBDATA,7,4e6,4e6,4e6\n" + series),
+                HasSubstr("line 1: has moduli that differ with direction, which are not read"))
+        << option;
+  // A hyperelastic material does not use them.
+  expectSeries(
+      read("TB,ELASTIC,1,1,9,OELM\nTBDATA,1,12e6,12e6,12e6\nTB,HYPER,1,1,2,NEO\n"
+           "TBDATA,1,4e6,1e-9\n" +
+           series));
+}
+
 /// The refusal names these options, and then they must help.
 TEST(PronyFile, AChosenModulusReplacesOneThatIsNotRead) {
   PronyChoices choices;
   choices.equilibriumModulus = 1e6;
+  expectSeries(
+      read("TB,ELASTIC,1,1,9,OELM\nTBDATA,1,12e6,12e6,12e6\nTB,PRONY,1,1,2,SHEAR\n"
+           "TBDATA,1,0.5,0.1,0.25,10\n",
+           choices));
   expectSeries(read("*HYPERELASTIC, OGDEN\n4e5, 2., 1e-9\n" + kSeries, choices));
   expectSeries(read("*ELASTIC, DEPENDENCIES=1\n4e5, 0.5, , 1.\n" + kSeries, choices));
   EXPECT_THAT(errorOf("*HYPERELASTIC, NEO HOOKE, TEST DATA INPUT\n1e5, 0.1\n" + kSeries),

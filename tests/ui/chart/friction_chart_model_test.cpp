@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ui/chart/friction_chart_model.h"
+#include "ui/language/language.h"
 
 namespace asperity {
 namespace {
@@ -399,6 +400,76 @@ TEST(FrictionChartModelTest, MeasuredFrictionStaysWhileANewCurveIsComputed) {
   EXPECT_EQ(diagram.sheet().diagrams.size(), 1U);
 }
 
+/// A table with one point, and what was computed beside it.
+CurveSet comparisonsAt(double velocity) {
+  MeasuredCurve measured;
+  measured.data.name = "table";
+  measured.data.points.resize(1);
+  measured.data.points[0].velocity = velocity;
+  measured.data.points[0].normalForce = 1e-3;
+  measured.data.points[0].mu = 0.8;
+  measured.abscissas = {velocity};
+  measured.computed = {point(velocity, 0.5)};
+  CurveSet comparisons;
+  comparisons.measured = {measured};
+  comparisons.theories = {{Theory::Eq11, {}}};
+  comparisons.notes = {"a note"};
+  return comparisons;
+}
+
+/// Files and pictures show nothing as faded, and bear the name of the present scene.
+TEST(FrictionChartModelTest, WrittenCurvesHaveNothingThatWasComputedForTheSceneBefore) {
+  Scene scene;
+  scene.comparison.data = {{"table.csv", {}}};
+  FrictionChartModel diagram;
+  diagram.take(update(scene, {point(1e-3, 1e-5), point(1, 2e-3)}, 200));
+  diagram.showComparisons(scene, comparisonsAt(0.1));
+  ASSERT_EQ(diagram.shown({})->theories.size(), 1U);
+  ASSERT_EQ(diagram.shown({})->measured.at(0).computed.size(), 1U);
+  scene.elastomer.shearModulus /= 2;
+  diagram.expect(scene);
+  EXPECT_EQ(diagram.shown({})->theories.size(), 1U)
+      << "the curve is still that of the scene before";
+  diagram.take(update(scene, {point(1e-3, 2e-5), point(1, 3e-3)}));
+  EXPECT_TRUE(diagram.shown({})->theories.empty());
+  ASSERT_EQ(diagram.shown({})->measured.size(), 1U) << "it is measured, whatever the scene";
+  EXPECT_TRUE(diagram.shown({})->measured[0].computed.empty());
+}
+
+/// The scene chooses the rows of a table that are shown over the force.
+TEST(FrictionChartModelTest, OverAnotherKeyWrittenCurvesHaveNoRowsOfTheSceneBefore) {
+  Scene scene;
+  scene.comparison.data = {{"table.csv", {}}};
+  scene.sweep.key = "load.normal_force";
+  scene.sweep.from = 1e-4;
+  scene.sweep.to = 1e-2;
+  FrictionChartModel diagram;
+  diagram.expect(scene);
+  diagram.take(update(scene, {point(1, 1e-3), point(1, 2e-3)}, 200));
+  diagram.showComparisons(scene, comparisonsAt(1));
+  ASSERT_EQ(diagram.shown({})->measured.size(), 1U);
+  ASSERT_EQ(diagram.shown({})->notes.size(), 1U);
+  scene.sliding.velocity *= 2;
+  diagram.expect(scene);
+  diagram.take(update(scene, {point(2, 1e-3), point(2, 2e-3)}));
+  EXPECT_TRUE(diagram.shown({})->measured.empty());
+  EXPECT_TRUE(diagram.shown({})->notes.empty());
+}
+
+TEST(FrictionChartModelTest, ATableOfTheSameNameInAnotherFolderIsAnotherTable) {
+  Scene scene;
+  scene.comparison.data = {{"table.csv", {}}};
+  scene.folder = "here";
+  FrictionChartModel diagram;
+  diagram.take(update(scene, {point(1e-3, 1e-5), point(1, 2e-3)}, 200));
+  diagram.showComparisons(scene, comparisonsAt(0.1));
+  ASSERT_EQ(diagram.shown({})->measured.size(), 1U);
+  scene.folder = "there";
+  diagram.expect(scene);
+  diagram.take(update(scene, {point(1e-3, 1e-5), point(1, 2e-3)}));
+  EXPECT_TRUE(diagram.shown({})->measured.empty());
+}
+
 /// A measured point under the pointer says at which velocity and temperature it was measured, and
 /// where it stands on the axis.
 TEST(FrictionChartModelTest, AShiftedPointSaysItsTemperature) {
@@ -420,6 +491,25 @@ TEST(FrictionChartModelTest, AShiftedPointSaysItsTemperature) {
   const std::string text = diagram.describe(kMeasuredCurves, 0).toStdString();
   for (const char* part : {"v = 1 mm/s", "a\u1D1B v = 9 mm/s", "T = 280 K"})
     EXPECT_NE(text.find(part), std::string::npos) << text << " has no " << part;
+}
+
+TEST(FrictionChartModelTest, ReadingsAreWrittenInTheLanguage) {
+  Scene scene;
+  scene.comparison.data = {{"table.csv", {}}};
+  FrictionChartModel diagram;
+  CurvePoint whole = point(1, 2e-1);
+  whole.power = 0.0125;
+  diagram.take(update(scene, {whole}, 200));
+  CurveSet comparisons = comparisonsAt(1e-3);
+  comparisons.measured[0].data.points[0].temperature = 280.5;
+  diagram.showComparisons(scene, comparisons);
+  diagram.setQuantity(CurveQuantity::Power);
+  useLanguage("de");
+  const std::string measured = diagram.describe(kMeasuredCurves, 0).toStdString();
+  const std::string computed = diagram.describe(kPresentCurve, 0).toStdString();
+  useLanguage("en");
+  EXPECT_NE(measured.find("T = 280,5 K"), std::string::npos) << measured;
+  EXPECT_NE(computed.find("= 12,5 mW"), std::string::npos) << computed;
 }
 
 TEST(FrictionChartModelTest, OneLineIsNoMean) {

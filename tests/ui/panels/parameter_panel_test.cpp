@@ -270,6 +270,39 @@ TEST_F(ParameterPanelTest, ShowsComplaintsOfTheRunner) {
   EXPECT_TRUE(entry("surface.length").hasError());  // still what someone typed
 }
 
+/// The scene before still runs, or fails, while somebody types.
+TEST_F(ParameterPanelTest, AComplaintOfTheRunnerDoesNotHideARefusal) {
+  panel_.showError("surface.hurst", "no good");
+  type("surface.hurst", "x");
+  const QString refusal = complaint("surface.hurst");
+  EXPECT_NE(refusal, "no good");
+  NoteSet notes;
+  notes.add(Note::FewContacts);
+  panel_.showNotes(notes);
+  EXPECT_EQ(complaint("surface.hurst"), refusal);
+  panel_.showError("surface.hurst", "still no good");
+  EXPECT_EQ(complaint("surface.hurst"), refusal);
+  entry("surface.hurst").setFocus();
+  QTest::keyClick(&entry("surface.hurst"), Qt::Key_Escape);
+  EXPECT_EQ(complaint("surface.hurst"), "still no good");
+  panel_.clearErrors();
+  EXPECT_EQ(complaint("surface.hurst"), "");
+}
+
+/// Another kind of load hides the row that had the note.
+TEST_F(ParameterPanelTest, ANoteStandsAtOnceAtTheRowThatTheNewSceneHas) {
+  const auto warning = [this](const char* key) {
+    return control<QLabel>(QStringLiteral("warning:") + key)->text();
+  };
+  NoteSet notes;
+  notes.add(Note::FewContacts);
+  panel_.showNotes(notes);
+  EXPECT_FALSE(warning("load.normal_force").isEmpty());
+  choose("load.kind", "pressure");
+  EXPECT_FALSE(warning("load.nominal_pressure").isEmpty());
+  EXPECT_TRUE(warning("load.normal_force").isEmpty());
+}
+
 TEST_F(ParameterPanelTest, ASliderContainsTheScenesValue) {
   auto& slider = *panel_.findChild<ValueSlider*>("slider:surface.rms_height");
   Scene scene;

@@ -316,6 +316,24 @@ TEST_F(ContactCanvasTest, DrawsWhatIsChosen) {
   EXPECT_TRUE(differsFrom(magnified));
 }
 
+/// No further frame makes up for it while time is paused.
+TEST_F(ContactCanvasTest, ALowPictureLeavesRoomForItsLabelsAtOnce) {
+  QSignalSpy painted(&canvas_, &ContactCanvas::painted);
+  const auto settledPicture = [&] {
+    do {
+      painted.clear();
+      QTest::qWait(500);
+    } while (!painted.isEmpty());
+    return canvas_.grab().toImage();
+  };
+  const ContactView before = view();
+  canvas_.resize(900, 240);
+  const QImage shown = settledPicture();
+  ASSERT_NE(view(), before);
+  canvas_.setTextScale(1);  // nothing changes, but the picture is drawn again
+  EXPECT_EQ(settledPicture(), shown);
+}
+
 // ---- Drags that change the scene
 
 class DraggedCanvasTest : public ContactCanvasTest {

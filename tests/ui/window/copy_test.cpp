@@ -16,9 +16,11 @@
 #include <QTemporaryDir>
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "core/scene/provenance.h"
 #include "core/scene/scene_file.h"
+#include "tests/core/temporary_folder.h"
 #include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
 #include "ui/chart/chart_view.h"
@@ -95,6 +97,44 @@ TEST_F(CopyTest, AFileIsSaidByItsPathHoweverItIsCalled) {
   const QStringList words = wordsOf(clipboardText());
   EXPECT_EQ(words.mid(0, 3), (QStringList{"asperity", "curve", file}));
   EXPECT_EQ(writeScene(sceneSaid(words)), writeScene(session().scene()));
+}
+
+/// The file names a table relative to its own folder, the scene in memory as it was opened.
+TEST_F(CopyTest, AFileThatWasSavedElsewhereIsSaidByItsPath) {
+  const TemporaryFolder folder;
+  for (const char* name : {"a", "b"}) {
+    std::filesystem::create_directory(folder / name);
+    folder.write(std::string(name) + "/table.csv", "velocity,mu\n0.1,0.2\n1,0.3\n");
+  }
+  const QString file = QString::fromStdString((folder / "b/mine.json").string());
+  for (const std::string& table : {std::string("table.csv"), (folder / "b/table.csv").string()}) {
+    Scene scene = smallScene();
+    scene.folder = folder / "a";
+    scene.comparison.data = {{table, {}}};
+    window_.document().open(scene);
+    ASSERT_TRUE(window_.documentCommands().saveTo(file));
+    QStringList words = wordsOf(curveCommand(window_.document().origin(), scene));
+    EXPECT_EQ(words.mid(0, 3), (QStringList{"asperity", "curve", file})) << table;
+    EXPECT_FALSE(words.contains("--set")) << words.join(' ').toStdString();
+    scene.load.normalForce *= 2;
+    words = wordsOf(curveCommand(window_.document().origin(), scene));
+    EXPECT_EQ(words.value(2), file);
+    EXPECT_EQ(words.count("--set"), 1) << words.join(' ').toStdString();
+  }
+}
+
+/// The call reads the scene in the folder of its file, and not in that of the pinned curve.
+TEST_F(CopyTest, APinnedCurveOfAnotherFileIsSaidByTheAbsoluteName) {
+  Scene scene = smallScene();
+  scene.folder = "/measured";
+  scene.surface.kind = SurfaceKind::Profile;
+  scene.surface.file = "present.csv";
+  Scene pinned = scene;
+  pinned.surface.file = "pinned.csv";
+  CurveCommandOptions options;
+  options.shown.emplace().pinned = {{{}, pinned, {}}};
+  const QStringList words = wordsOf(curveCommand({}, scene, options));
+  EXPECT_EQ(words.value(words.indexOf("--with") + 1), "surface.file=/measured/pinned.csv");
 }
 
 TEST_F(CopyTest, ASceneFromNowhereIsSaidWithAllThatDiffers) {

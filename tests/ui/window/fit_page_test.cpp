@@ -129,6 +129,28 @@ TEST_F(FitPageTest, LocalFrictionIsOfferedFromNone) {
   EXPECT_LT(rowOf(keysOf(page), "interface.shear_stress"), 0) << "has no value to begin from";
 }
 
+TEST_F(FitPageTest, TheLawOfALocalShearIsOfferedWhereThereIsOne) {
+  Scene scene = withData();
+  scene.interface.shearVelocity = 0.1;
+  scene.interface.shearWidth = 0.3;
+  const auto isOffered = [](FitPage& page) {
+    return rowOf(keysOf(page), "interface.shear_width") >= 0 &&
+           rowOf(keysOf(page), "interface.shear_velocity") >= 0;
+  };
+  for (const double coefficient : {0.0, 0.2}) {
+    scene.interface.frictionCoefficient = coefficient;
+    FitPage& page = openPage(scene);
+    EXPECT_LT(rowOf(keysOf(page), "interface.shear_width"), 0) << coefficient;
+    EXPECT_LT(rowOf(keysOf(page), "interface.shear_velocity"), 0) << coefficient;
+    EXPECT_GE(rowOf(keysOf(page), "interface.friction_coefficient"), 0) << coefficient;
+  }
+  scene.interface.frictionCoefficient = 0;
+  scene.interface.shearStress = 10;
+  EXPECT_TRUE(isOffered(openPage(scene)));
+  scene.interface.shearVelocity = 0;
+  EXPECT_LT(rowOf(keysOf(openPage(scene)), "interface.shear_width"), 0);
+}
+
 TEST_F(FitPageTest, TheReportIsThatOfTheCommand) {
   FitPage& page = openPage(withData());
   tick(page, "surface.rms_height");

@@ -7,8 +7,10 @@
 #include <QLabel>
 #include <QSettings>
 #include <QTemporaryDir>
+#include <filesystem>
 
 #include "core/scene/scene_file.h"
+#include "tests/core/temporary_folder.h"
 #include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
 #include "ui/window/main/scene_library.h"
@@ -106,6 +108,25 @@ TEST_F(LastSessionTest, ARunningSessionIsKeptWithUnsavedChanges) {
   EXPECT_EQ(next.scene.load.normalForce, left.load.normalForce);
   EXPECT_EQ(next.origin.file, file);
   EXPECT_TRUE(next.isUnsavedFile());
+}
+
+TEST_F(LastSessionTest, AfterSavingInAnotherFolderAChangedSceneFindsItsFiles) {
+  const TemporaryFolder folder;
+  for (const char* name : {"a", "b"}) std::filesystem::create_directory(folder / name);
+  const std::filesystem::path table = folder.write("a/table.csv", "velocity,mu\n0.1,0.2\n1,0.3\n");
+  Scene scene = smallScene();
+  scene.comparison.data = {{"table.csv", {}}};
+  scene.folder = folder / "a";
+  window_.document().open(scene);
+  ASSERT_TRUE(
+      window_.documentCommands().saveTo(QString::fromStdString((folder / "b/mine.json").string())));
+  type("load.normal_force", "12 mN");
+  saveLastSession(window_, SessionMoment::Running);
+  const SceneState next = restored();
+  EXPECT_EQ(next.scene.load.normalForce, 0.012);
+  ASSERT_EQ(next.scene.comparison.data.size(), 1U);
+  EXPECT_EQ((next.scene.folder / next.scene.comparison.data[0].file).lexically_normal(), table);
+  EXPECT_EQ(next.scene.comparison, next.origin.scene.comparison) << "as they are in the file";
 }
 
 /// The steps of a tour or a lesson are not the user's scene.

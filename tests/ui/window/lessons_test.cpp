@@ -32,6 +32,7 @@
 #include "ui/window/lesson/lesson_editor.h"
 #include "ui/window/lesson/lesson_list.h"
 #include "ui/window/lesson/lesson_pane.h"
+#include "ui/window/lesson/lesson_results_page.h"
 #include "ui/window/lesson/lesson_text.h"
 #include "ui/window/lesson/prediction_point.h"
 #include "ui/window/main/scene_library.h"
@@ -786,6 +787,29 @@ TEST_F(LessonsTest, AStudentsResultsAreShownInWords) {
         QStringLiteral("2026-11-27 10:00:00"), QStringLiteral("ada.json")})
     EXPECT_TRUE(box->text().contains(part.toHtmlEscaped())) << part.toStdString();
   EXPECT_FALSE(window_.messages().isVisible());
+}
+
+TEST_F(LessonsTest, ThePlaceOfAPointInResultsHasItsUnit) {
+  TemporaryFolder folder;
+  const Lesson lesson = readNamedLesson("rubber_is_not_coulomb", readNamedScene);
+  const auto step = std::ranges::find_if(lesson.steps, [](const LessonStep& each) {
+    return each.prediction && each.prediction->kind == PredictionKind::Point && !each.prediction->x;
+  });
+  ASSERT_NE(step, lesson.steps.end());
+  LessonResults results = emptyResults(lesson);
+  LessonResult one;
+  one.step = static_cast<int>(step - lesson.steps.begin());
+  one.kind = PredictionKind::Point;
+  one.given.number = 0.25;
+  one.given.x = 0.01;
+  one.expected.number = {0.5, ""};
+  one.expected.x = {0.03, "m/s"};
+  results.set(one);
+  writeResults(folder / "ada.json", results, lesson);
+  const QString html =
+      LessonResultsPage::html(QString::fromStdString((folder / "ada.json").string()));
+  EXPECT_TRUE(html.contains("0.25 at 10 mm/s")) << html.toStdString();
+  EXPECT_TRUE(html.contains("0.5 at 30 mm/s")) << html.toStdString();
 }
 
 /// The scene behind the gallery is not what the teacher sees.

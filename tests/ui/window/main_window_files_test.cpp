@@ -160,6 +160,19 @@ TEST_F(MainWindowTest, TheNewestOpeningWins) {
   EXPECT_EQ(session().scene().title, "chosen meanwhile");
 }
 
+/// A lesson is no scene, but also what was opened last.
+TEST_F(MainWindowTest, ALessonIsTheNewestOpeningToo) {
+  const QTemporaryDir folder;
+  std::ofstream(folder.filePath("scene").toStdString()) << writeScene(smallScene());
+  std::ofstream(folder.filePath("lesson").toStdString()) << R"({"schema": "asperity-lesson/1"})";
+  QSignalSpy reads(&window_.documentCommands(), &DocumentCommands::sceneRead);
+  window_.documentCommands().openFile(folder.filePath("scene"));
+  window_.documentCommands().openFile(folder.filePath("lesson"));
+  EXPECT_TRUE(window_.messages().text().contains("title"));
+  QTest::qWait(300);
+  EXPECT_TRUE(reads.isEmpty());
+}
+
 /// Somebody's picture does not make the window read files elsewhere, or take the whole memory,
 /// before its reader agreed.
 TEST_F(MainWindowTest, AForeignSceneThatWantsMuchIsAskedAbout) {

@@ -211,15 +211,23 @@ TEST(StatusLine, ADimensionlessVelocityThatIsMissingIsLeftOut) {
   line.show();
   const auto& velocity = *line.findChild<QLabel*>("factVelocity");
   Frame frame = movingFrame(1);
+  const auto reason = [&] { return line.findChild<QLabel*>("factForce")->toolTip(); };
   line.showFrame(frame, {});
   EXPECT_TRUE(velocity.isVisible());
+  EXPECT_FALSE(reason().contains("No velocity"));
   Scene scene = *frame.scene;
-  for (const Rheology rheology : {Rheology::Prony, Rheology::Elastic}) {
+  for (const auto& [rheology, words] : {std::pair(Rheology::Prony, "arms have relaxation times"),
+                                        {Rheology::Elastic, "no relaxation time"}}) {
     scene.elastomer.rheology = rheology;
     frame.scene = std::make_shared<const Scene>(scene);
     line.showFrame(frame, {});
     EXPECT_FALSE(velocity.isVisible());
+    EXPECT_TRUE(reason().contains(words)) << reason().toStdString();
   }
+  frame = movingFrame(1);
+  frame.rmsHeight = frame.rmsSlope = 0;
+  line.showFrame(frame, {});
+  EXPECT_TRUE(reason().contains("no roughness")) << reason().toStdString();
 }
 
 /// Between two points of the curve the mean is no computed one.

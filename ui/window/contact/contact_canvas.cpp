@@ -104,6 +104,7 @@ void ContactCanvas::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   veil_->setGeometry(rect());
   giveLabelsSpace();
+  refresh();
 }
 
 void ContactCanvas::setTextScale(double scale) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,9 +26,15 @@ namespace asperity {
 
 namespace {
 
+/// Returns the scene with its files named as in the file of its origin.
+Scene withFilesOf(const SceneOrigin& origin, const Scene& scene) {
+  const std::filesystem::path file(origin.file.toStdString());
+  return withFilesRelativeTo(std::filesystem::absolute(file).parent_path(), scene);
+}
+
 std::vector<std::string> assignmentsOver(const SceneOrigin& origin, const Scene& scene) {
-  const bool sameFolder = !origin.file.isEmpty() && origin.scene.folder == scene.folder;
-  return differingAssignments(origin.scene, sameFolder ? scene : withAbsoluteFiles(scene));
+  if (origin.file.isEmpty()) return differingAssignments(origin.scene, withAbsoluteFiles(scene));
+  return differingAssignments(withFilesOf(origin, origin.scene), withFilesOf(origin, scene));
 }
 
 /// Returns the shipped scene from which the fewest assignments lead to this one.
@@ -45,11 +52,13 @@ SceneOrigin nearestShipped(const Scene& scene) {
 }
 
 /// Returns whether the scene can still be read where it came from. A file may have been changed
-/// since.
+/// since. It may name its files otherwise than the scene, which was perhaps saved from another
+/// folder.
 bool isAsRead(const SceneOrigin& origin) {
   if (origin.file.isEmpty()) return origin.isKnown();
   try {
-    return writeScene(readSceneFile(origin.file.toStdString())) == writeScene(origin.scene);
+    const Scene read = readSceneFile(origin.file.toStdString());
+    return writeScene(withFilesOf(origin, read)) == writeScene(withFilesOf(origin, origin.scene));
   } catch (const std::exception&) {
     return false;
   }
@@ -141,9 +150,11 @@ QString settingText(const CurveSetting& setting) {
       .arg(setting.realizations);
 }
 
-/// Returns the scene of a pinned curve as assignments to the present one.
-QString pinnedText(Scene pinned, const Scene& scene) {
-  if (pinned.folder != scene.folder) pinned = withAbsoluteFiles(pinned);
+/// Returns the scene of a pinned curve as assignments to the present one. Files that differ have
+/// absolute names, because the call reads the scene in the folder of its file.
+QString pinnedText(const Scene& curve, const Scene& present) {
+  Scene pinned = withAbsoluteFiles(curve);
+  const Scene scene = withAbsoluteFiles(present);
   pinned.title = scene.title;
   pinned.description = scene.description;
   pinned.chapter = scene.chapter;

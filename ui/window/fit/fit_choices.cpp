@@ -37,27 +37,22 @@ QString shortQuantity(double value, const Parameter& row) {
   return quantity(roundedToDigits(value, kDigits), row);
 }
 
-/// Returns whether a fit can begin from 0, which a logarithmic scale cannot.
-bool canBeginFromNone(const Parameter& row) {
-  const auto* field = std::get_if<RealField>(&row.field);
-  return field && field->scale == Scale::Linear;
-}
-
-/// The numbers that can be varied. The tables give the velocities, and how a measured surface is
-/// read is no property of the bodies. Local friction, which measured friction always has, is among
-/// them also where the scene has none yet.
+/// Returns the numbers that can be varied. The tables give the velocities, and how a measured
+/// surface is read is no property of the bodies. A local coefficient of friction is among them also
+/// where the scene has no local friction yet, which measured friction always has. A local shear
+/// cannot begin from 0. Its velocity and width are left out where they have no influence.
 std::vector<VariedParameter> fittable(const Scene& scene) {
   std::vector<VariedParameter> all = activeParameters(scene);
   const Parameter* velocity = findParameter("sliding.velocity");
   const Parameter* outliers = findParameter("surface.outliers");
+  const Parameter* shearVelocity = findParameter("interface.shear_velocity");
+  const Parameter* shearWidth = findParameter("interface.shear_width");
+  const bool hasShearLaw = scene.interface.shearStress > 0 && scene.interface.shearVelocity > 0;
   std::erase_if(all, [&](const VariedParameter& each) {
-    return &each.row() == velocity || &each.row() == outliers;
+    return &each.row() == velocity || &each.row() == outliers ||
+           (!hasShearLaw && (&each.row() == shearVelocity || &each.row() == shearWidth));
   });
-  if (hasLocalFriction(scene)) return all;
-  for (const Parameter& row : parameters())
-    if (row.key.starts_with("interface.") && canBeginFromNone(row) &&
-        std::ranges::none_of(all, [&](const auto& each) { return &each.row() == &row; }))
-      all.emplace_back(row.key, scene);
+  if (!hasLocalFriction(scene)) all.emplace_back("interface.friction_coefficient", scene);
   return all;
 }
 

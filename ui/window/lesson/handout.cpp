@@ -73,6 +73,11 @@ Scene untitled(Scene scene) {
   return scene;
 }
 
+bool haveSameContact(const Scene& a, const Scene& b) {
+  return a.surface == b.surface && a.elastomer == b.elastomer && a.load == b.load &&
+         a.sliding == b.sliding;
+}
+
 class HandoutMaker {
  public:
   HandoutMaker(const Lesson& lesson, const HandoutOptions& options)
@@ -136,13 +141,15 @@ class HandoutMaker {
   }
 
   /// Returns whether a step may tell the answer to the question of the step before: on the screen
-  /// that answer changed the picture or showed the curve, or the step asks nothing but explains.
+  /// that answer changed the picture or showed the curve, or the step shows another contact, or it
+  /// asks nothing but explains.
   bool mayTellAnswer(int number) const {
     const LessonStep& step = lesson_.steps[static_cast<std::size_t>(number)];
     const LessonStep& before = lesson_.steps[static_cast<std::size_t>(number) - 1];
     if (!before.prediction) return false;
     const bool showsCurve = before.show.hidesCurve && !before.show.hidesCurveAfter;
-    return !before.after.empty() || showsCurve || !step.prediction;
+    return !before.after.empty() || showsCurve || !haveSameContact(step.scene, before.scene) ||
+           !step.prediction;
   }
 
   /// Returns whether the students draw their answer into an empty chart.
@@ -160,8 +167,7 @@ class HandoutMaker {
   void addContact(const Scene& given) {
     const Scene scene = untitled(given);
     const auto isShown = [&scene](const std::optional<Scene>& other) {
-      return other && other->surface == scene.surface && other->elastomer == scene.elastomer &&
-             other->load == scene.load && other->sliding == scene.sliding;
+      return other && haveSameContact(*other, scene);
     };
     if (isShown(contact_) || isShown(revealedContact_)) return;
     contact_ = scene;

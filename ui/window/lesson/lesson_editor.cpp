@@ -357,9 +357,14 @@ Lesson LessonEditor::checked() const {
   return readLesson(writeLesson(lesson_), lesson_.name, folder(), readNamedScene);
 }
 
-/// Returns the folder of the lesson's file, in which its scenes are; empty without a file.
+/// Returns the folder of the lesson's file, in which its scenes are. Without a file it is that of
+/// the shipped scenes for a shipped lesson, and empty for a new one, which names no scenes.
 std::filesystem::path LessonEditor::folder() const {
-  return std::filesystem::path(file_.toStdString()).parent_path();
+  const bool isShipped =
+      file_.isEmpty() && std::ranges::find(shippedLessons(), lesson_.name, &ShippedLesson::name) !=
+                             shippedLessons().end();
+  return isShipped ? std::filesystem::path(kShippedFolder)
+                   : std::filesystem::path(file_.toStdString()).parent_path();
 }
 
 /// Shows an error, with its key in the words of the editor where there are such words.
@@ -414,12 +419,16 @@ void LessonEditor::check() {
   }
   step_->showComputed(computedText());
   showMissing();
-  messageLabel_->setText(
-      isComputing_ ? tr("The program computes an answer that no choice may cover…") : errorText_);
+  messageLabel_->setText(whyNotPlayed());
   remember();
   showButtons();
   if (QListWidgetItem* item = row >= 0 ? steps_->item(row + 1) : nullptr)
     item->setText(stepName(static_cast<std::size_t>(row)));
+}
+
+/// Returns why the lesson cannot be played, or not yet; empty where it can.
+QString LessonEditor::whyNotPlayed() const {
+  return isComputing_ ? tr("The program computes an answer that no choice may cover…") : errorText_;
 }
 
 // ---- Computed answers
@@ -463,7 +472,7 @@ bool LessonEditor::compute(const LessonStep& step) {
 
 /// Shows an error where no choice covers a computed answer, or where there is none. Answers that
 /// are not known yet are computed one after the other: those that may be covered by no choice,
-/// without which the lesson is not saved, and that of the present step, which is shown. Returns
+/// without which the lesson is not played, and that of the present step, which is shown. Returns
 /// whether one is being computed, or may be again as soon as an error is corrected.
 bool LessonEditor::checkAnswers() {
   for (std::size_t i = 0; i < lesson_.steps.size(); ++i) {
@@ -509,7 +518,7 @@ QString LessonEditor::computedText() const {
   const bool isComputed = known && known->failure.isEmpty();
   QString found = isComputed ? fromUtf8(numberInWords(known->answer.number)) : QString();
   if (isComputed && step.prediction->kind == PredictionKind::Point)
-    found = tr("%1 at %2").arg(found, fromUtf8(numberInWords(known->answer.x)));
+    found = pointInWords(known->answer.number, known->answer.x);
   sentences += isComputed ? tr("The program finds %1.").arg(found)
                : known    ? tr("The program finds no answer.")
                : errorText_.isEmpty()
@@ -566,8 +575,7 @@ bool LessonEditor::eventFilter(QObject* watched, QEvent* event) {
 /// Enables the buttons that the state of the lesson allows.
 void LessonEditor::showButtons() {
   for (QPushButton* button : {try_, handout_})
-    button->setEnabled(errorText_.isEmpty() && !isComputing_ &&
-                       !(button == handout_ && saver_->isSaving()));
+    button->setEnabled(whyNotPlayed().isEmpty() && !(button == handout_ && saver_->isSaving()));
   undo_->setEnabled(state_ > 0);
   redo_->setEnabled(state_ + 1 < states_.size());
 }
@@ -583,7 +591,8 @@ void LessonEditor::addShownStep() {
   LessonStep step = *taken;
   Scene scene = step.scene;
   if (row > 0) {
-    const Scene before = lesson_.steps[static_cast<std::size_t>(row - 1)].revealedScene;
+    Scene before = lesson_.steps[static_cast<std::size_t>(row - 1)].revealedScene;
+    if (before.folder == kShippedFolder) before.folder.clear();  // it holds no files
     scene.title = before.title;
     scene.description = before.description;
     scene.chapter = before.chapter;
@@ -730,10 +739,10 @@ bool LessonEditor::saveTo(const QString& file) {
   file_ = file;
   saved_ = lesson_;
   const QString name = QFileInfo(file).fileName();
+  const QString reason = whyNotPlayed();
   messageLabel_->setText(
-      errorText_.isEmpty()
-          ? tr("Saved %1").arg(name)
-          : tr("Saved %1 as a draft. Before it can be played: %2").arg(name, errorText_));
+      reason.isEmpty() ? tr("Saved %1").arg(name)
+                       : tr("Saved %1 as a draft. Before it can be played: %2").arg(name, reason));
   return true;
 }
 
@@ -772,7 +781,7 @@ LessonEditor::Session LessonEditor::session() const {
           saveGeometry()};
 }
 
-void LessonEditor::goOn(const Session& session) {
+void LessonEditor::restoreSession(const Session& session) {
   lesson_ = session.lesson;
   saved_ = session.saved;
   file_ = session.file;

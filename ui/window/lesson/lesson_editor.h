@@ -41,7 +41,7 @@ class LessonEditor : public QDialog {
     int row = 0;
     QString field{};  // name of the field in which it was typed; empty: a button, a list or a table
   };
-  /// What another editor needs to go on: the lesson, its file and its edits, and what is shown.
+  /// What another editor needs to continue: the lesson, its file and its edits, and what is shown.
   struct Session {
     Lesson lesson, saved;
     QString file;
@@ -56,7 +56,8 @@ class LessonEditor : public QDialog {
   LessonEditor(const Lesson& lesson, const QString& file, ShownNow shownNow, QWidget* parent);
 
   Session session() const;
-  void goOn(const Session& session);
+  /// Shows the lesson of another editor as it was there.
+  void restoreSession(const Session& session);
 
   /// Returns the lesson as it is on the page, which may still have errors.
   const Lesson& lesson() const { return lesson_; }
@@ -105,6 +106,7 @@ class LessonEditor : public QDialog {
   void showStep();
   void take();
   void check();
+  QString whyNotPlayed() const;
   void remember();
   void restore(int by);
   void keepOwnScene(std::size_t step);

@@ -238,15 +238,13 @@ QString LessonPane::verdictText(const LessonStep& step, const LessonPage& page) 
   const LessonPrediction& prediction = *step.prediction;
   const LessonAnswer& answer = *page.answer;
   const auto paragraph = [](const QString& text) { return "<p>" + text.toHtmlEscaped() + "</p>"; };
-  const auto inWords = [](const LessonNumber& number) {
-    return QString::fromStdString(numberInWords(number));
+  const bool hasPlace = prediction.kind == PredictionKind::Point && !prediction.x;
+  const auto inWords = [&](const LessonNumber& number, const LessonNumber& place) {
+    return hasPlace ? pointInWords(number, place) : QString::fromStdString(numberInWords(number));
   };
-  const QString found =
-      prediction.kind == PredictionKind::Point && !prediction.x
-          ? tr("The program finds %1 at %2.").arg(inWords(answer.number), inWords(answer.x))
-      : prediction.kind == PredictionKind::Choice && !prediction.answer
-          ? QString()
-          : tr("The program finds %1.").arg(inWords(answer.number));
+  const QString found = prediction.kind == PredictionKind::Choice && !prediction.answer
+                            ? QString()
+                            : tr("The program finds %1.").arg(inWords(answer.number, answer.x));
   const auto tells = [](const LessonText& text, const char* place) {
     return shown(text).find(place) != std::string::npos;
   };
@@ -258,11 +256,11 @@ QString LessonPane::verdictText(const LessonStep& step, const LessonPage& page) 
   const LessonText& said = page.isRight ? prediction.right : prediction.wrong;
   QString verdict = page.isRight ? QStringLiteral("<p><b>✓ %1</b></p>").arg(tr("Right"))
                                  : QStringLiteral("<p><b>✗ %1</b></p>").arg(tr("No"));
-  const QString given = inWords({page.given->number, answer.number.unit});
-  const bool hasPlace = prediction.kind == PredictionKind::Point && !prediction.x;
+  const QString given =
+      inWords({page.given->number, answer.number.unit}, {page.given->x, answer.x.unit});
   if (hasPlace)
     verdict +=
-        paragraph(tr("You said %1 at %2.").arg(given, inWords({page.given->x, answer.x.unit})) +
+        paragraph(tr("You said %1.").arg(given) +
                   (page.isRight ? QString() : ' ' + mistakeText(prediction, answer, *page.given)));
   else if (prediction.kind != PredictionKind::Choice && !tells(said, "{given"))
     verdict += paragraph(tr("You said %1.").arg(given));

@@ -9,6 +9,7 @@
 
 #include "core/lesson/lesson_class.h"
 #include "core/lesson/lesson_file.h"
+#include "core/scene/sweep.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/window/lesson/lesson_text.h"
@@ -33,19 +34,22 @@ QString verdict(const LessonResult& result) {
   return result.isRight ? LessonResultsPage::tr("right") : LessonResultsPage::tr("wrong");
 }
 
-/// Returns an answer in words: the choice with its text where the lesson is known, or the number.
-QString answerText(const LessonResult& result, const LessonPrediction* asked, int choice,
-                   double number, double x) {
+/// Returns an answer in words: a number, or the choice with its text. Where the lesson is not known
+/// (null), a choice has its number and the place of a point no unit.
+QString answerText(const LessonResult& result, const LessonStep* asked, int choice, double number,
+                   double x) {
   if (result.kind == PredictionKind::Choice) {
     if (choice < 0) return QStringLiteral("–");
     const auto place = static_cast<std::size_t>(choice);
-    if (asked && place < asked->choices.size()) return plainText(asked->choices[place].text);
+    if (asked && place < asked->prediction->choices.size())
+      return plainText(asked->prediction->choices[place].text);
     return LessonResultsPage::tr("choice %1").arg(choice + 1);
   }
   if (std::isnan(number)) return QStringLiteral("–");
-  const QString words = fromUtf8(numberInWords({number, result.expected.number.unit}));
-  if (result.kind == PredictionKind::Number || std::isnan(x)) return words;
-  return LessonResultsPage::tr("%1 at %2").arg(words, fromUtf8(numberInWords({x, {}})));
+  const LessonNumber height{number, result.expected.number.unit};
+  if (result.kind == PredictionKind::Number || std::isnan(x))
+    return fromUtf8(numberInWords(height));
+  return pointInWords(height, {x, asked ? std::string(sweptParameter(asked->scene).unit) : ""});
 }
 
 }  // namespace
@@ -69,9 +73,9 @@ QString LessonResultsPage::html(const QString& file) {
   for (const LessonResult& one : results.results) {
     const auto step = static_cast<std::size_t>(one.step);
     const bool isAsked = lesson && step < lesson->steps.size() && lesson->steps[step].prediction;
-    const LessonPrediction* asked = isAsked ? &*lesson->steps[step].prediction : nullptr;
+    const LessonStep* asked = isAsked ? &lesson->steps[step] : nullptr;
     QString name = QString::number(one.step + 1);
-    if (asked) name += ". " + plainText(asked->question).toHtmlEscaped();
+    if (asked) name += ". " + plainText(asked->prediction->question).toHtmlEscaped();
     const QString given = answerText(one, asked, one.given.choice, one.given.number, one.given.x);
     const QString right = answerText(one, asked, one.expected.choice, one.expected.number.value,
                                      one.expected.x.value);

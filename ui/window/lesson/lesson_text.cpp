@@ -104,12 +104,17 @@ std::string numberInWords(const LessonNumber& number) {
   return shortNumber(number.value, isNearOne ? 4 : 3);
 }
 
+QString pointInWords(const LessonNumber& height, const LessonNumber& place) {
+  return fromUtf8(numberInWords(height)) + ' ' +
+         fromUtf8(Words::tr("at %1")).arg(fromUtf8(numberInWords(place)));
+}
+
 QString answerInWords(const LessonPrediction& prediction, const LessonAnswer& answer) {
   if (answer.choice >= 0)
     return plainText(prediction.choices[static_cast<std::size_t>(answer.choice)].text);
-  QString words = fromUtf8(numberInWords(answer.number));
-  if (prediction.kind == PredictionKind::Point && !prediction.x)
-    words += " " + fromUtf8(Words::tr("at %1")).arg(fromUtf8(numberInWords(answer.x)));
+  const bool hasPlace = prediction.kind == PredictionKind::Point && !prediction.x;
+  const QString words =
+      hasPlace ? pointInWords(answer.number, answer.x) : fromUtf8(numberInWords(answer.number));
   return words + toleranceInWords(prediction);
 }
 

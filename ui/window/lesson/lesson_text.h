@@ -21,6 +21,9 @@ QString richText(const std::string& text);
 /// Returns a number as a sentence has it: "1.97", "0.25 µm".
 std::string numberInWords(const LessonNumber& number);
 
+/// Returns the height and the place of a point: "0.25 at 10 mm/s".
+QString pointInWords(const LessonNumber& height, const LessonNumber& place);
+
 /// Returns the right answer with its tolerance: "1.97 (right within ±10 %)", the text of a
 /// choice.
 QString answerInWords(const LessonPrediction& prediction, const LessonAnswer& answer);

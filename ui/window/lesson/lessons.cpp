@@ -238,7 +238,7 @@ void Lessons::hideDuringLesson(LessonEditor& editor) {
       Qt::SingleShotConnection);
 }
 
-std::function<void()> Lessons::takeEditor() {
+std::function<void()> Lessons::closeEditorForReopening() {
   LessonEditor* open = editor();
   if (!open) return [] {};
   const LessonEditor::Session session = open->session();
@@ -246,7 +246,7 @@ std::function<void()> Lessons::takeEditor() {
   delete open;
   return [this, session, isVisible] {
     LessonEditor& again = makeEditor(session.saved, session.file);
-    again.goOn(session);
+    again.restoreSession(session);
     if (isVisible)
       again.show();
     else

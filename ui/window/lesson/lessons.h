@@ -67,7 +67,7 @@ class Lessons : public QObject {
   void start(const Lesson& lesson, int step = 0);
   /// Closes the editor, and returns what opens it again as it was, to be called in another
   /// language.
-  std::function<void()> takeEditor();
+  std::function<void()> closeEditorForReopening();
   /// Reads a lesson's file, or a shipped one by its name, and begins it; returns whether it did. Of
   /// a student's results it shows a summary.
   bool open(const QString& nameOrFile);

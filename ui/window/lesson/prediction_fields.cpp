@@ -5,6 +5,7 @@
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QShortcut>
+#include <QSignalBlocker>
 #include <QStyledItemDelegate>
 #include <QTableWidget>
 #include <cmath>
@@ -97,13 +98,20 @@ void PredictionFields::addChoices() {
     // Only of the table itself: in a cell that is being edited the keys delete letters.
     auto* shortcut = new QShortcut(QKeySequence(key), choices_);
     shortcut->setContext(Qt::WidgetShortcut);
-    connect(shortcut, &QShortcut::activated, this, [this] {
-      for (QTableWidgetItem* item : choices_->selectedItems())
-        if (item->column() != 1) item->setText({});
-    });
+    connect(shortcut, &QShortcut::activated, this, &PredictionFields::emptySelectedCells);
   }
   page_.addRow(tr("Choices"), choices_);
   connect(choices_, &QTableWidget::itemChanged, &page_, &LessonForm::notifyEdited);
+}
+
+/// Empties the selected cells but for the ticks, as one edit.
+void PredictionFields::emptySelectedCells() {
+  {
+    const QSignalBlocker quiet(choices_);
+    for (QTableWidgetItem* item : choices_->selectedItems())
+      if (item->column() != 1) item->setText({});
+  }
+  page_.notifyEdited();
 }
 
 // ---- Showing

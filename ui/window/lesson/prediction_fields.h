@@ -31,6 +31,7 @@ class PredictionFields : public QObject {
 
  private:
   void addChoices();
+  void emptySelectedCells();
   void showChoices(const LessonPrediction& prediction);
   bool takeChoices(LessonPrediction& prediction) const;
   void showRows();

@@ -109,6 +109,7 @@ void DocumentCommands::askOpen() {
 
 void DocumentCommands::openFile(const QString& file) {
   if (isLessonFile(file.toStdString()) || isResultsFile(file.toStdString())) {
+    reading_.cancel();
     emit lessonFound(file);
     return;
   }

@@ -34,8 +34,9 @@ class DocumentCommands : public QObject {
   void addRecentMenu(QMenu& menu);
 
   /// Reads a scene file, or any file that the program wrote from one, in the background, and shows
-  /// its scene as showFound() does; the newest call wins. sceneRead() follows; where the file
-  /// cannot be read, the message bar shows the reason.
+  /// its scene as showFound() does; where the file cannot be read, the message bar shows the
+  /// reason. The newest call wins. sceneRead() follows unless a newer call, or another scene,
+  /// cancels the reading. A lesson, or results of one, only cause lessonFound(), at once.
   void openFile(const QString& file);
   /// Shows a scene that was read from a file. Asks first where the scene comes from a picture, film
   /// or table and would read another file, or needs very much memory or time.

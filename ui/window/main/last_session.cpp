@@ -11,6 +11,7 @@
 #include "core/base/input_error.h"
 #include "core/scene/scene_file.h"
 #include "ui/language/translated.h"
+#include "ui/panels/scene_files.h"
 #include "ui/window/contact/contact_canvas.h"
 #include "ui/window/main/main_window.h"
 #include "ui/window/main/scene_document.h"
@@ -79,13 +80,20 @@ void saveLastSession(MainWindow& window, SessionMoment moment) {
   const SceneState state = window.document().lastingState();
   const SceneOrigin& origin = state.origin;
   const bool isDiscarded = moment == SessionMoment::End && state.isUnsavedFile();
-  const Scene& scene = isDiscarded ? origin.scene : state.scene;
+  Scene scene = isDiscarded ? origin.scene : state.scene;
+  const bool isChanged = !(scene == origin.scene);
+  std::filesystem::path folder = std::filesystem::current_path() / scene.folder;
+  // The scene may have been saved in another folder than the one from which it came. The next start
+  // reads it in that of its file.
+  if (!origin.file.isEmpty()) {
+    folder = std::filesystem::absolute(origin.file.toStdString()).parent_path();
+    scene = withFilesRelativeTo(folder, scene);
+  }
   QSettings settings;
   settings.beginGroup(kGroup);
   settings.setValue("scene", QString::fromStdString(writeScene(scene)));
-  settings.setValue("isChanged", !(scene == origin.scene));
-  settings.setValue(
-      "folder", QString::fromStdString((std::filesystem::current_path() / scene.folder).string()));
+  settings.setValue("isChanged", isChanged);
+  settings.setValue("folder", QString::fromStdString(folder.string()));
   settings.setValue("shipped", origin.shipped);
   settings.setValue("file",
                     origin.file.isEmpty() ? QString() : QFileInfo(origin.file).absoluteFilePath());

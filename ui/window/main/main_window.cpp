@@ -549,7 +549,7 @@ void MainWindow::connectCurve() {
 void MainWindow::setLanguage(std::string_view code) {
   const std::string_view known = languageFor(code);
   if (known.empty() || known == presentLanguage()) return;
-  const std::function<void()> openEditor = lessons_->takeEditor();
+  const std::function<void()> openEditor = lessons_->closeEditorForReopening();
   for (QDialog* dialog : findChildren<QDialog*>(Qt::FindDirectChildrenOnly)) delete dialog;
   useLanguage(known);
   QCoreApplication::sendPostedEvents(nullptr, QEvent::LanguageChange);

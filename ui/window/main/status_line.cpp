@@ -67,6 +67,27 @@ QString velocityTip() {
       "a motion at this moment");
 }
 
+QString forceTip() {
+  return StatusLine::tr(
+      "Eq. (14) of the paper: normal force / (shear modulus × rms height × length)");
+}
+
+/// Returns why there is no dimensionless velocity; empty where there is one.
+QString missingVelocityReason(const Frame& frame) {
+  switch (elementLaw(frame.scene->elastomer).kind()) {
+    case ElementKind::Elastic:
+      return StatusLine::tr("No velocity v̄ here: an elastic body has no relaxation time.");
+    case ElementKind::Arms:
+      return StatusLine::tr(
+          "No velocity v̄ here: arms have relaxation times of their own, and Eq. (13) is made with "
+          "the only one of the paper's elastomer.");
+    case ElementKind::Kelvin:
+      break;
+  }
+  const bool isRough = frame.rmsHeight > 0 && frame.rmsSlope > 0;
+  return isRough ? QString() : StatusLine::tr("No velocity v̄ here: the line has no roughness.");
+}
+
 Work currentWork(const Session& session) {
   Work work;
   work.simulationsPerSecond = session.simulationsPerSecond();
@@ -154,8 +175,7 @@ void StatusLine::showTips() {
       tr("Coefficient of friction of this line, of a motion at this moment; in brackets the mean "
          "of all lines at this velocity with its standard error. After ≈ it is interpolated "
          "between two points of the curve.")));
-  force_->setToolTip(wrappedTip(
-      tr("Eq. (14) of the paper: normal force / (shear modulus × rms height × length)")));
+  force_->setToolTip(wrappedTip(forceTip()));
   velocity_->setToolTip(wrappedTip(velocityTip()));
   settling_->setToolTip(wrappedTip(
       tr("The picture is moving from the previous scene to the steady state that these numbers and "
@@ -350,12 +370,16 @@ void StatusLine::resizeEvent(QResizeEvent* event) {
   fitReadings();
 }
 
-/// Shows the dimensionless velocity, and nothing where there is none: an elastic body has no
-/// relaxation time, arms have several, and a flat line has no roughness.
+/// Shows the dimensionless velocity. Where there is none the reading is hidden, and the tooltip of
+/// the force beside it has the reason.
 void StatusLine::showVelocity(const Frame& frame) {
   const double velocity = dimensionlessVelocity(frame);
   velocity_->setText(std::isfinite(velocity) ? tr("velocity v̄ = %1").arg(readingLabel(velocity))
                                              : QString());
+  const QString reason = missingVelocityReason(frame);
+  const QString tip =
+      wrappedTip(reason.isEmpty() ? forceTip() : forceTip() + QStringLiteral(". ") + reason);
+  if (tip != force_->toolTip()) force_->setToolTip(tip);
 }
 
 void StatusLine::showMessage(const QString& text) {
