@@ -23,9 +23,8 @@ def test_a_file_reads_as_the_program_reads_it(scene_file):
 
 
 def test_a_shipped_scene_has_its_name():
-    title = json.loads(run("open", "figure_2", "--json"))["title"]
-    assert title and asperity.Scene("figure_2.json")["title"] == title
-    assert asperity.Scene("figure_2") == asperity.Scene("figure_2.json")
+    assert "viscoelastic" in asperity.Scene("figure_1.json")["title"]
+    assert asperity.Scene("figure_1") == asperity.Scene("figure_1.json")
     with pytest.raises(asperity.InputError):
         asperity.Scene("no_such_scene.json")
 
