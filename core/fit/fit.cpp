@@ -265,8 +265,10 @@ class Fitting {
     const MatrixXd ofLines = response * lines;
     compareWithErrors(weights.cwiseSqrt().asDiagonal() * (lines - slopes * ofLines));
     const VectorXd ofPoints = fit_.errorScale * fit_.errorScale * weights.cwiseInverse();
-    covariance_ = response * ofPoints.asDiagonal() * response.transpose() +
-                  ofLines * ofLines.transpose() + information.openCovariance();
+    const MatrixXd byPoints = response * ofPoints.asDiagonal() * response.transpose();
+    const MatrixXd byLines = ofLines * ofLines.transpose();
+    covariance_ = byPoints + byLines + information.openCovariance();
+    isByLines_ = (byLines.diagonal().array() > byPoints.diagonal().array()).any();
     fit_.computed = found.points;
     for (Eigen::Index i = 0; i < n; ++i) {
       fit_.computedErrors.push_back(lines.row(i).norm());
@@ -459,11 +461,18 @@ class Fitting {
         fit_.notes.push_back(
             message("{} ends at its limit; the best value may lie beyond", parameter.key));
     }
+    constexpr std::int64_t kFewLines = 50;
+    const std::int64_t lines = fit_.computed.front().realizations;
+    if (fit_.hasFoundPoints && isByLines_ && lines < kFewLines)
+      fit_.notes.push_back(message(
+          "the spread of the {} random lines is a larger part of the errors than the points "
+          "are, and so few lines state it badly: values two or three errors away are no "
+          "surprise; more lines (ensemble.realizations) make the errors smaller and better "
+          "known",
+          lines));
     for (const ObjectiveProfile& profile : fit_.profiles) {
-      // Of chi squared, whose rise by 1 is one standard error.
-      constexpr double kLower = 0.1;
       const auto lowest = std::ranges::min_element(profile.chiSquared);
-      if (!(*lowest < fit_.chiSquared - kLower)) continue;
+      if (!(*lowest < fit_.chiSquared - worthAStep())) continue;
       const auto at = static_cast<std::size_t>(lowest - profile.chiSquared.begin());
       fit_.notes.push_back(
           message("the sum of squares is lower at {} = {:.3g}, by {:.2g}: the fit has not reached "
@@ -495,7 +504,8 @@ class Fitting {
   bool hasErrors_;
   std::vector<int> all_;
   VectorXd start_;
-  MatrixXd covariance_;                         // of the coordinates
+  MatrixXd covariance_;     // of the coordinates
+  bool isByLines_ = false;  // the spread of the lines is the larger part of some variance in it
   std::vector<std::vector<Minimum>> profiles_;  // of each parameter, by its rising values
   Fit fit_;
 };

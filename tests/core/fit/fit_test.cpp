@@ -389,6 +389,21 @@ TEST(Fit, LeavesAMinimumInWhichAParameterHasNoEffect) {
   EXPECT_NEAR(fit.parameters[1].value, 5e-6, 1e-8);
 }
 
+/// Few lines spread more than the points' errors, and the fit says that its errors are uncertain;
+/// many lines leave the points as the larger part.
+TEST(Fit, SaysWhereFewLinesAreTheLargerPartOfTheErrors) {
+  const FrictionData data = noisy(exactFriction(truth(), 1e-4, 1e3), 6);
+  for (const std::int64_t lines : {6, 400}) {
+    const Scene scene = start(lines, 8);
+    const Fit fit = fitFriction(scene, {&data, 1}, threeParameters(scene), withoutProfiles());
+    EXPECT_EQ(std::ranges::any_of(fit.notes,
+                                  [](const Message& note) {
+                                    return note.english().starts_with("the spread of the");
+                                  }),
+              lines == 6);
+  }
+}
+
 /// Hurst exponent, height and relaxation time can replace one another, and few lines make the sum
 /// of squares uneven along their valley. A fit with profiles leaves the hollow in which one without
 /// profiles ends; none of its profiles lies lower, and its ranges hold all points of the profiles
