@@ -76,9 +76,14 @@ class Targeting {
       if (isFrictionless_) continue;
       const double relative = state.plan.resolutionError / std::abs(sampledValue(state));
       resolution += relative * relative;
+      if (!isRandom_) continue;
       const double drawn = drawnError(state), ofRows = state.ofRows.standardError;
-      standard +=
-          isRandom_ ? std::max(0.0, drawn * drawn - relative * relative) + ofRows * ofRows : 0;
+      double random = std::sqrt(std::max(0.0, drawn * drawn - relative * relative));
+      if (isComplete(state)) {  // the fewest lines are already better than the target
+        const LevelEstimate estimate = estimateMean(state.halves, state.plan);
+        random = std::min(random, estimate.standardError / std::abs(estimate.mean));
+      }
+      standard += random * random + ofRows * ofRows;
     }
     const auto count = static_cast<double>(states_.size());
     if (isRandom_ && !isFrictionless_) plan.standardError = std::sqrt(standard / count);

@@ -68,6 +68,17 @@ TEST(TargetCurve, WorkGrowsAsTheInverseSquare) {
   EXPECT_LT(fine / coarse, 40);
 }
 
+/// A loose target is met by the fewest lines, whose error is below it: the plan states that error.
+TEST(TargetCurve, APlanStatesTheErrorOfTheFewestLines) {
+  const TargetCurve run = targetCurve(targetScene(0.5));
+  double squares = 0;
+  for (std::size_t i = 0; i < run.achieved.size(); ++i)
+    squares += std::pow(run.achieved[i].standardError / run.curve.points[i].mu, 2);
+  const double achieved = std::sqrt(squares / static_cast<double>(run.achieved.size()));
+  EXPECT_LT(achieved, 0.2);
+  EXPECT_NEAR(planTarget(targetScene(0.5)).standardError / achieved, 1, 1e-9);
+}
+
 TEST(TargetCurve, IsTheSameForAnyThreads) {
   CurveOptions one, three;
   one.threads = 1;
