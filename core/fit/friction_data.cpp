@@ -37,15 +37,39 @@ const std::array<QuantityNames, 8>& knownNames() {
         "coefficient", "reibwert", "reibungszahl", "reibbeiwert", "reibungskoeffizient"}},
       {Quantity::Force,
        "normal force",
-       {"normalforce", "fn", "force", "load", "normalload", "w", "n", "normalkraft", "last"}},
+       {"normalforce", "fn", "fz", "f", "force", "load", "normalload", "w", "n", "normalkraft",
+        "kraft", "last", "normallast", "belastung", "auflast", "anpresskraft"}},
       {Quantity::Pressure,
        "nominal pressure",
-       {"nominalpressure", "pressure", "contactpressure", "p", "p0", "sigma0", "\u03C30", "druck",
-        "fl\u00E4chenpressung", "nenndruck"}},
+       {"nominalpressure",
+        "pressure",
+        "contactpressure",
+        "normalpressure",
+        "nominalcontactpressure",
+        "normalstress",
+        "p",
+        "p0",
+        "pn",
+        "pnom",
+        "sigma",
+        "\u03C3",
+        "sigma0",
+        "\u03C30",
+        "sigman",
+        "\u03C3n",
+        "sigmaz",
+        "\u03C3z",
+        "druck",
+        "fl\u00E4chenpressung",
+        "flaechenpressung",
+        "pressung",
+        "normalspannung",
+        "nenndruck"}},
       {Quantity::Temperature,
        "temperature",
        {"temperature", "temp", "t", "temperatur", "sampletemperature", "specimentemperature",
-        "probentemperatur"}},
+        "rubbertemperature", "tsample", "tspecimen", "trubber", "probentemperatur",
+        "gummitemperatur", "tprobe", "tgummi"}},
       {Quantity::Label,
        "label",
        {"label", "sample", "name", "set", "series", "specimen", "probe", "bezeichnung", "comment"}},
@@ -70,6 +94,8 @@ std::optional<std::string> withoutError(std::string word) {
                                       "standarddeviation",
                                       "standarduncertainty",
                                       "standardabweichung",
+                                      "standardabw",
+                                      "stdabw",
                                       "standardunsicherheit",
                                       "standardfehler",
                                       "messunsicherheit",
@@ -111,19 +137,92 @@ std::optional<std::string> withoutErrorLetter(const std::string& word) {
   return word.substr(1);
 }
 
-/// Returns whether a letter has several meanings, such as t for temperature and time, so that it
-/// needs a unit.
-bool isAmbiguous(const std::string& word) {
-  return word == "t" || word == "n" || word == "w";
+/// Returns words in the order in which they stand: "velocity (mm/s) mu" has three.
+std::vector<std::string> wordsOf(std::string_view text) {
+  std::vector<std::string_view> fields;
+  splitFields(text, TextDialect::Separator::Blanks, fields);
+  return {fields.begin(), fields.end()};
 }
+
+/// Returns the plain words of a name: "Fz", "track" and "mean" of "Fz_track (mean)".
+std::vector<std::string> plainWordsOf(std::string text) {
+  std::ranges::replace(text, '_', ' ');
+  std::ranges::replace(text, '-', ' ');
+  std::vector<std::string> words;
+  for (const std::string& word : wordsOf(text)) words.push_back(plainWord(word));
+  std::erase(words, std::string());
+  return words;
+}
+
+constexpr std::array<std::string_view, 4> kRelative{"relative", "relativer", "relativ", "rel"};
+
+/// Returns whether the name of an error says that it is a share of its quantity.
+bool isRelative(const std::string& name) {
+  return std::ranges::any_of(plainWordsOf(name),
+                             [](const std::string& word) { return word.starts_with("rel"); });
+}
+
+/// Returns a word without "relative" at its beginning or end.
+std::string withoutRelative(std::string word) {
+  for (const std::string_view sign : kRelative) {
+    if (word.starts_with(sign)) return word.substr(sign.size());
+    if (word.ends_with(sign)) return word.substr(0, word.size() - sign.size());
+  }
+  return word;
+}
+
+/// Returns whether a unit is "% of mu", "% rel." or the like: a share of the quantity.
+bool isShareUnit(std::string_view unit) {
+  if (!unit.starts_with('%')) return false;
+  const std::string word = plainWord(unit);
+  return word == "ofmu" || word == "ofvalue" || word == "vonmu" || word.starts_with("rel");
+}
+
+/// Returns whether a force, stress or modulus with these words in its name is no normal load: the
+/// force of friction, the shear stress, the modulus of the rubber.
+bool isOtherLoad(const std::vector<std::string>& words) {
+  std::string whole;
+  for (const std::string& word : words) whole += word;
+  const auto isOther = [](const std::string& word) {
+    constexpr std::array<std::string_view, 15> kBeginnings{
+        "fric", "tang", "later",      "shear",  "drag", "tract", "longi", "pull",
+        "reib", "quer", "l\u00E4ngs", "umfang", "zug",  "schub", "modul"};
+    constexpr std::array<std::string_view, 10> kWords{"fx", "fy",  "ft",     "fr", "ff",
+                                                      "fs", "tau", "\u03C4", "e",  "g"};
+    return std::ranges::find(kWords, word) != kWords.end() ||
+           std::ranges::any_of(kBeginnings,
+                               [&](std::string_view begin) { return word.starts_with(begin); });
+  };
+  return isOther(whole) || std::ranges::any_of(words, isOther);
+}
+
+/// Returns whether a unit measures a load or a temperature.
+bool measures(const std::string& unit, Quantity quantity) {
+  if (unit.empty()) return false;
+  if (quantity == Quantity::Force) return unitInAnyCase(unit, "N").has_value();
+  if (quantity == Quantity::Pressure) return unitInAnyCase(unit, "Pa").has_value();
+  return quantity == Quantity::Temperature && temperatureUnit(unit).has_value();
+}
+
+/// Returns whether a name has several meanings, such as t for temperature and time, so that it
+/// needs a unit of its quantity.
+bool isAmbiguous(const std::string& word) {
+  constexpr std::array<std::string_view, 10> kAmbiguous{
+      "t", "n", "w", "f", "sigma", "\u03C3", "sigman", "\u03C3n", "sigmaz", "\u03C3z"};
+  return std::ranges::find(kAmbiguous, word) != kAmbiguous.end();
+}
+
+constexpr const char* kAnyUnit = "?";
 
 std::optional<Quantity> findMeaning(const std::string& name, const std::string& unit) {
   const std::string word = plainWord(name);
-  if (unit.empty() && isAmbiguous(word)) return {};
   for (const QuantityNames& known : knownNames())
-    if (std::ranges::find(known.names, word) != known.names.end()) return known.quantity;
-  std::optional<std::string> subject = withoutError(word);
-  if (!subject) subject = withoutErrorLetter(word);
+    if (std::ranges::find(known.names, word) != known.names.end() &&
+        (!isAmbiguous(word) || unit == kAnyUnit || measures(unit, known.quantity)))
+      return known.quantity;
+  const std::string error = isRelative(name) ? withoutRelative(word) : word;
+  std::optional<std::string> subject = withoutError(error);
+  if (!subject) subject = withoutErrorLetter(error);
   if (!subject) return {};
   if (subject->empty()) return Quantity::MuError;
   for (const QuantityNames& known : knownNames()) {
@@ -136,13 +235,6 @@ std::optional<Quantity> findMeaning(const std::string& name, const std::string& 
 
 std::optional<Quantity> findMeaning(const TextColumn& column) {
   return findMeaning(column.name, column.unit);
-}
-
-/// Returns words in the order in which they stand: "velocity (mm/s) mu" has three.
-std::vector<std::string> wordsOf(std::string_view text) {
-  std::vector<std::string_view> fields;
-  splitFields(text, TextDialect::Separator::Blanks, fields);
-  return {fields.begin(), fields.end()};
 }
 
 /// Finds all ways to make so many known columns of the words from `begin` on.
@@ -202,6 +294,18 @@ void nameColumns(TextBlock& block) {
   }
 }
 
+/// Separates units such as "(% of mu)" from the names of columns.
+void separateShareUnits(TextBlock& block) {
+  for (TextColumn& column : block.columns) {
+    const std::size_t open = column.name.rfind('(');
+    if (!column.unit.empty() || open == std::string::npos || open == 0) continue;
+    const std::string unit(withoutBrackets(column.name.substr(open)));
+    if (!isShareUnit(unit)) continue;
+    column.unit = unit;
+    column.name = trimmedBlanks(column.name.substr(0, open));
+  }
+}
+
 bool isOfFriction(const TextBlock& block) {
   bool hasVelocity = false, hasMu = false;
   for (const TextColumn& column : block.columns) {
@@ -216,6 +320,7 @@ bool isOfFriction(const TextBlock& block) {
 struct Conversion {
   Unit unit{};
   bool isShare = false;  // of the quantity that it is the error of
+  Message unitText{};    // for the notes; empty: as the column writes it
 };
 
 class Reader {
@@ -224,6 +329,7 @@ class Reader {
 
   FrictionData read() {
     findColumns();
+    readHeader();
     FrictionData data;
     data.name = name_;
     data.notes = notes();
@@ -238,6 +344,13 @@ class Reader {
     std::size_t index;
     Conversion conversion;
     Message note;
+  };
+
+  /// A load or temperature above the table, of all points.
+  struct Common {
+    Quantity quantity;
+    double value;
+    const TextEntry* entry;
   };
 
   [[noreturn]] void refuse(const Message& what) const { throw InputError(name_, "", what); }
@@ -267,10 +380,12 @@ class Reader {
       return;
     }
     for (std::size_t i = 0; i < count; ++i) {
-      if (const auto quantity = findMeaning(block_.columns[i]))
-        add(*quantity, i);
-      else
-        refuseUnknownUnit(block_.columns[i]);
+      const TextColumn& column = block_.columns[i];
+      if (const auto quantity = findMeaning(column)) {
+        if (!isAmbiguous(plainWord(column.name)) || !hasClearColumn(*quantity)) add(*quantity, i);
+      } else {
+        refuseUnknownUnit(column);
+      }
     }
     for (const TextColumn& column : block_.columns) refuseUnclear(column);
     for (const Quantity needed : {Quantity::Velocity, Quantity::Mu})
@@ -279,6 +394,13 @@ class Reader {
                        Message::name(namesOfColumns())));
     if (find(Quantity::Force) && find(Quantity::Pressure))
       refuse("has both a normal force and a nominal pressure; one of them says the load");
+  }
+
+  /// Returns whether a column names the quantity by more than an ambiguous letter.
+  bool hasClearColumn(Quantity quantity) const {
+    return std::ranges::any_of(block_.columns, [&](const TextColumn& column) {
+      return findMeaning(column) == quantity && !isAmbiguous(plainWord(column.name));
+    });
   }
 
   /// Throws InputError for a known quantity in an unknown unit, such as "load (stone)".
@@ -294,17 +416,13 @@ class Reader {
     }
   }
 
-  /// Throws InputError for bounds of a quantity, and for a load or temperature with words that are
-  /// not understood while no other column gives it: leaving these out would change the result.
+  /// Throws InputError for bounds of a quantity, and for a load or temperature, by its name or its
+  /// unit, that is not understood while no other column gives it: leaving these out would change
+  /// the result.
   void refuseUnclear(const TextColumn& column) const {
     if (findMeaning(column) || column.isText) return;
-    std::string text = column.name;
-    std::ranges::replace(text, '_', ' ');
-    std::ranges::replace(text, '-', ' ');
-    std::vector<std::string> words;
-    for (const std::string& word : wordsOf(text)) words.push_back(plainWord(word));
-    std::erase(words, std::string());
-    if (words.size() < 2) return;
+    const std::vector<std::string> words = plainWordsOf(column.name);
+    if (words.empty()) return;
     const auto isBound = [](const std::string& word) {
       constexpr std::array<std::string_view, 8> kBounds{"min",   "max",   "minimum", "maximum",
                                                         "lower", "upper", "low",     "high"};
@@ -320,27 +438,92 @@ class Reader {
             message("column {}: bounds of the {} are not read; give its error as a column such "
                     "as mu_error, or take the column out",
                     shortened(column.name), Message(known.meaning)));
-    if (withoutError(plainWord(column.name))) return;
-    constexpr std::size_t kShortest = 4;  // letters; shorter names mean something else in a text
-    for (const QuantityNames& known : knownNames()) {
-      if (known.quantity != Quantity::Force && known.quantity != Quantity::Pressure &&
-          known.quantity != Quantity::Temperature)
-        continue;
-      const bool isForce = known.quantity != Quantity::Temperature;
-      if (find(known.quantity) || (isForce && (find(Quantity::Force) || find(Quantity::Pressure))))
-        continue;
-      const auto isOfFriction = [](const std::string& word) {
-        return word.starts_with("fric") || word.starts_with("tang") || word.starts_with("later") ||
-               word.starts_with("shear") || word.starts_with("drag") || word.starts_with("reib");
+    if (isErrorOf(column.name) || isOtherLoad(words)) return;
+    for (const Quantity quantity : kLoadOrTemperature) {
+      if (isGiven(quantity)) continue;
+      constexpr std::size_t kShortest = 4;  // letters; shorter names mean something else in a text
+      const auto names = [&](const std::string& word) {
+        return words.size() > 1 && word.size() >= kShortest && isNameOf(word, quantity);
       };
-      if (std::ranges::any_of(words, isOfFriction)) continue;
-      for (const std::string* word : {&words.front(), &words.back()})
-        if (word->size() >= kShortest && std::ranges::find(known.names, *word) != known.names.end())
-          refuse(
-              message("column {}: is it the {}? Name it so alone, with its unit in brackets, "
-                      "or take the column out",
-                      shortened(column.name), Message(known.meaning)));
+      if (!measures(column.unit, quantity) && !names(words.front()) && !names(words.back()))
+        continue;
+      if (quantity == Quantity::Temperature)
+        refuse(
+            message("column {}: is it the temperature of the rubber, and not of the track or "
+                    "the air? Name it temperature alone, with its unit in brackets, or take "
+                    "the column out",
+                    shortened(column.name)));
+      refuse(
+          message("column {}: is it the {}? Name it so alone, with its unit in brackets, "
+                  "or take the column out",
+                  shortened(column.name), Message(meaningOf(quantity))));
     }
+  }
+
+  static constexpr std::array<Quantity, 3> kLoadOrTemperature{Quantity::Force, Quantity::Pressure,
+                                                              Quantity::Temperature};
+
+  static bool isNameOf(const std::string& word, Quantity quantity) {
+    const auto& names = std::ranges::find(knownNames(), quantity, &QuantityNames::quantity)->names;
+    return std::ranges::find(names, word) != names.end();
+  }
+
+  /// Returns whether a name is that of an error, such as "u(T)", "dF" and "load error".
+  static bool isErrorOf(const std::string& name) {
+    const std::string word = plainWord(name);
+    if (withoutError(word)) return true;
+    const std::optional<std::string> subject = withoutErrorLetter(word);
+    return subject && std::ranges::any_of(kLoadOrTemperature, [&](Quantity quantity) {
+             return isNameOf(*subject, quantity);
+           });
+  }
+
+  /// Returns whether a column gives this quantity; a force and a pressure both say the load.
+  bool isGiven(Quantity quantity) const {
+    if (quantity == Quantity::Temperature) return find(quantity) != nullptr;
+    return find(Quantity::Force) != nullptr || find(Quantity::Pressure) != nullptr;
+  }
+
+  /// Reads the loads and temperatures that lines above the table state for all points. What is not
+  /// understood, or given by a column, is kept for the notes.
+  void readHeader() {
+    for (const TextEntry& entry : block_.header) {
+      const auto number = parseQuantity(entry.value);
+      if (entry.key.empty() || !number) continue;
+      const TextColumn key = parseColumnName(entry.key);
+      const std::string& unit = key.unit.empty() ? number->unit : key.unit;
+      const std::optional<Quantity> meaning = findMeaning(key.name, unit);
+      const auto isMeant = [&](Quantity quantity) { return meaning == quantity; };
+      const auto isMeasured = [&](Quantity quantity) { return measures(unit, quantity); };
+      if (meaning ? std::ranges::none_of(kLoadOrTemperature, isMeant)
+                  : std::ranges::none_of(kLoadOrTemperature, isMeasured))
+        continue;
+      if (!meaning || !isMeasured(*meaning) || isGiven(*meaning)) {
+        unused_.push_back(&entry);
+        continue;
+      }
+      const Conversion in = conversionOf(*meaning, TextColumn{key.name, unit});
+      common_.push_back({*meaning, in.unit.toSi(number->number), &entry});
+    }
+    // Two values of one quantity, or a force and a pressure, leave open which one is meant.
+    const auto isDoubtful = [this](const Common& one) {
+      return !(one.value > 0) || std::ranges::any_of(common_, [&one](const Common& other) {
+        const bool areLoads =
+            one.quantity != Quantity::Temperature && other.quantity != Quantity::Temperature;
+        return one.quantity == other.quantity ? one.value != other.value : areLoads;
+      });
+    };
+    hasTwoLoads_ = std::ranges::count(common_, true, [&](const Common& one) {
+                     return one.quantity != Quantity::Temperature && isDoubtful(one);
+                   }) > 1;
+    std::vector<Common> sure;
+    for (const Common& one : common_)
+      if (isDoubtful(one))
+        unused_.push_back(one.entry);
+      else
+        sure.push_back(one);
+    common_ = std::move(sure);
+    std::ranges::sort(unused_, {}, &TextEntry::line);
   }
 
   /// Returns notes on how the columns were understood, and which ones were ignored.
@@ -348,14 +531,29 @@ class Reader {
     std::vector<Message> notes{columns_.front().note};
     for (std::size_t i = 1; i < columns_.size(); ++i)
       notes.front() = message("{}; {}", notes.front(), columns_[i].note);
+    for (const Common& one : common_)
+      notes.front() =
+          message("{}; {}", notes.front(),
+                  message("line {}: {} of all points ({})", one.entry->line,
+                          Message(meaningOf(one.quantity)), Message::name(entryText(*one.entry))));
     std::string unused;
     for (std::size_t i = 0; i < block_.columns.size(); ++i)
       if (std::ranges::find(columns_, i, &Column::index) == columns_.end())
         unused += (unused.empty() ? "" : ", ") + (block_.columns[i].name.empty()
                                                       ? std::to_string(i + 1)
                                                       : shortened(block_.columns[i].name));
+    for (const TextEntry* entry : unused_)
+      unused += (unused.empty() ? "" : ", ") + entryText(*entry);
     if (!unused.empty()) notes.push_back(message("not used: {}", Message::name(unused)));
+    if (hasTwoLoads_)
+      notes.emplace_back(
+          "the lines above the table state several loads; one normal force or one nominal pressure "
+          "says the load");
     return notes;
+  }
+
+  static std::string entryText(const TextEntry& entry) {
+    return shortened(entry.key + ": " + entry.value);
   }
 
   std::string namesOfColumns() const {
@@ -383,13 +581,14 @@ class Reader {
       refuse(message("column {} has texts where numbers are expected", shortened(column.name)));
     if (!column.isText && quantity == Quantity::Label) return;  // numbers of samples
     const Conversion conversion = conversionOf(quantity, column);
-    const std::string unit = column.unit.empty() ? std::string(conversion.unit.si) : column.unit;
+    Message unit = conversion.unitText;
+    if (unit.empty())
+      unit = Message::name(column.unit.empty() ? std::string(conversion.unit.si) : column.unit);
     const int number = static_cast<int>(index) + 1;
     const Message meaning(meaningOf(quantity));
     columns_.push_back({quantity, index, conversion,
-                        unit.empty()
-                            ? message("column {}: {}", number, meaning)
-                            : message("column {}: {} ({})", number, meaning, Message::name(unit))});
+                        unit.empty() ? message("column {}: {}", number, meaning)
+                                     : message("column {}: {} ({})", number, meaning, unit)});
   }
 
   /// Finds the conversion of a column; one without a unit is in SI units.
@@ -403,12 +602,14 @@ class Reader {
                        shortened(column.unit), known));
       return Conversion{*unit};
     };
-    const Conversion share{*findUnit("%"), true};
+    const Conversion share{*findUnit("%"), true, Message("% of the value")};
     switch (quantity) {
       case Quantity::Velocity:
         return unitOf("m/s", unitNames("m/s"));
       case Quantity::VelocityError:
-        return column.unit == "%" ? share : unitOf("m/s", unitNames("m/s") + ", %");
+        return column.unit == "%" || isShareUnit(column.unit)
+                   ? share
+                   : unitOf("m/s", unitNames("m/s") + ", %");
       case Quantity::Force:
         return unitOf("N", "N, mN, uN, kN");
       case Quantity::Pressure:
@@ -416,12 +617,31 @@ class Reader {
       case Quantity::Mu:
         return isPure(column.unit) ? Conversion{} : unitOf("", "1, %");
       case Quantity::MuError:
-        return column.unit == "%" ? share : isPure(column.unit) ? Conversion{} : unitOf("", "1, %");
+        return isPure(column.unit) || column.unit == "%" || isShareUnit(column.unit)
+                   ? errorConversion(column)
+                   : unitOf("", "1, %");
       case Quantity::Temperature:
         return unitOf("K", "K, C, F");
       default:
         return {};
     }
+  }
+
+  /// Finds the conversion of an error of mu. In per cent it is a share of mu, unless mu itself is
+  /// in per cent: then a name that does not say "relative" means percentage points of mu.
+  Conversion errorConversion(const TextColumn& column) const {
+    const Unit percent = *findUnit("%");
+    const auto mu = std::ranges::find_if(
+        block_.columns, [](const TextColumn& other) { return findMeaning(other) == Quantity::Mu; });
+    const bool isMuInPercent = mu != block_.columns.end() && mu->unit == "%";
+    const bool isShare = isRelative(column.name) || isShareUnit(column.unit) ||
+                         (column.unit == "%" && !isMuInPercent);
+    const bool isInPercent = column.unit.starts_with('%');
+    if (isShare && !isInPercent) return {Unit{}, true, Message("share of the value")};
+    if (isShare) return {percent, true, Message("% of the value")};
+    if (isInPercent || (column.unit.empty() && isMuInPercent))
+      return {percent, false, Message("percentage points")};
+    return {};
   }
 
   static bool isPure(std::string_view unit) {
@@ -431,7 +651,10 @@ class Reader {
   /// Returns a value of a row; NaN where the column or the value is missing.
   double valueAt(std::size_t row, Quantity quantity, double whole = 1) const {
     const Column* column = find(quantity);
-    if (!column) return kNotApplicable;
+    if (!column) {
+      const auto common = std::ranges::find(common_, quantity, &Common::quantity);
+      return common == common_.end() ? kNotApplicable : common->value;
+    }
     const double number = block_.at(row, column->index);
     if (std::isnan(number)) return kNotApplicable;
     const Conversion& in = column->conversion;
@@ -481,6 +704,7 @@ class Reader {
   void check(const std::vector<MeasuredPoint>& points) const {
     if (points.size() < 2)
       refuse(message("has {} row of numbers; at least 2 are needed", points.size()));
+    refusePercent(points);
     const auto areEqual = [](double a, double b) {
       return (std::isnan(a) && std::isnan(b)) || a == b;
     };
@@ -496,9 +720,24 @@ class Reader {
                             points[j].row, plain(points[i].velocity)));
   }
 
+  /// Throws InputError for friction without a unit that is too high for any rubber: it is in per
+  /// cent.
+  void refusePercent(const std::vector<MeasuredPoint>& points) const {
+    constexpr double kHighest = 5;
+    const auto [least, most] = std::ranges::minmax_element(points, {}, &MeasuredPoint::mu);
+    if (!block_.columns[find(Quantity::Mu)->index].unit.empty() || !(least->mu > kHighest)) return;
+    refuse(
+        message("the coefficients of friction are {} to {}; name their unit in the header, as "
+                "in \"mu (%)\" or \"mu (1)\"",
+                plain(least->mu), plain(most->mu)));
+  }
+
   const TextBlock& block_;
   std::string name_;
   std::vector<Column> columns_;
+  std::vector<Common> common_;
+  std::vector<const TextEntry*> unused_;  // lines above the table
+  bool hasTwoLoads_ = false;              // above the table
 };
 
 }  // namespace
@@ -512,9 +751,13 @@ FrictionData parseFrictionData(std::string_view bytes, const std::string& name) 
   options.keepsTexts = true;
   options.textColumns = {"label", "sample", "name", "set", "series", "specimen"};
   TextTable table = readTextTable(bytes, name, options);
-  undoLogarithms(
-      table, [](const std::string& quantity) { return findMeaning(quantity, "?").has_value(); });
-  for (TextBlock& block : table.blocks) nameColumns(block);
+  undoLogarithms(table, [](const std::string& quantity) {
+    return findMeaning(quantity, kAnyUnit).has_value();
+  });
+  for (TextBlock& block : table.blocks) {
+    nameColumns(block);
+    separateShareUnits(block);
+  }
   const TextBlock* first = nullptr;
   for (const TextBlock& block : table.blocks) {
     if (!isOfFriction(block)) continue;

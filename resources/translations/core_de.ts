@@ -6278,6 +6278,34 @@
         <source>the file is empty</source>
         <translation>die Datei ist leer</translation>
     </message>
+    <message>
+        <source>column %1: is it the temperature of the rubber, and not of the track or the air? Name it temperature alone, with its unit in brackets, or take the column out</source>
+        <translation>Spalte %1: Ist das die Temperatur des Gummis, nicht die der Bahn oder der Luft? Die Spalte nur temperature nennen, mit ihrer Einheit in Klammern, oder sie herausnehmen</translation>
+    </message>
+    <message>
+        <source>line %1: %2 of all points (%3)</source>
+        <translation>Zeile %1: %2 aller Punkte (%3)</translation>
+    </message>
+    <message>
+        <source>the lines above the table state several loads; one normal force or one nominal pressure says the load</source>
+        <translation>die Zeilen über der Tabelle nennen mehrere Lasten; nur eine Normalkraft oder ein nomineller Druck gibt die Last an</translation>
+    </message>
+    <message>
+        <source>% of the value</source>
+        <translation>% des Werts</translation>
+    </message>
+    <message>
+        <source>share of the value</source>
+        <translation>Anteil am Wert</translation>
+    </message>
+    <message>
+        <source>percentage points</source>
+        <translation>Prozentpunkte</translation>
+    </message>
+    <message>
+        <source>the coefficients of friction are %1 to %2; name their unit in the header, as in "mu (%)" or "mu (1)"</source>
+        <translation>die Reibungszahlen betragen %1 bis %2; ihre Einheit in der Kopfzeile angeben, etwa "mu (%)" oder "mu (1)"</translation>
+    </message>
 </context>
 <context>
     <name>scenes</name>
