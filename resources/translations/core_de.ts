@@ -6306,6 +6306,22 @@
         <source>the coefficients of friction are %1 to %2; name their unit in the header, as in "mu (%)" or "mu (1)"</source>
         <translation>die Reibungszahlen betragen %1 bis %2; ihre Einheit in der Kopfzeile angeben, etwa "mu (%)" oder "mu (1)"</translation>
     </message>
+    <message>
+        <source>The surface is %1 m long: if the file states a wrong unit of positions, surface.position_unit replaces it.</source>
+        <translation>Die Oberfläche ist %1 m lang: Falls die Datei eine falsche Einheit der Orte angibt, ersetzt surface.position_unit sie.</translation>
+    </message>
+    <message>
+        <source>The heights span %1 m: if the file states a wrong unit of heights, surface.height_unit replaces it.</source>
+        <translation>Die Höhen umfassen %1 m: Falls die Datei eine falsche Einheit der Höhen angibt, ersetzt surface.height_unit sie.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are angles; positions are needed in a unit of length</source>
+        <translation>%1 und %2 sind Winkel; Orte werden in einer Längeneinheit gebraucht</translation>
+    </message>
+    <message>
+        <source>is needed (profile, matrix or points): columns %1 and %2 of %3 are too different for heights of one matrix</source>
+        <translation>wird gebraucht (profile, matrix oder points): die Spalten %1 und %2 von %3 sind zu verschieden für Höhen einer Matrix</translation>
+    </message>
 </context>
 <context>
     <name>scenes</name>
