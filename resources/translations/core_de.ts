@@ -6322,6 +6322,66 @@
         <source>is needed (profile, matrix or points): columns %1 and %2 of %3 are too different for heights of one matrix</source>
         <translation>wird gebraucht (profile, matrix oder points): die Spalten %1 und %2 von %3 sind zu verschieden für Höhen einer Matrix</translation>
     </message>
+    <message>
+        <source>wave numbers are %1, the spectrum is %2</source>
+        <translation>Wellenzahlen sind %1, das Spektrum ist %2</translation>
+    </message>
+    <message>
+        <source>spatial frequencies are %1, the spectrum is %2</source>
+        <translation>Ortsfrequenzen sind %1, das Spektrum ist %2</translation>
+    </message>
+    <message>
+        <source>wavelengths are %1, the spectrum is %2</source>
+        <translation>Wellenlängen sind %1, das Spektrum ist %2</translation>
+    </message>
+    <message>
+        <source>column %1 '%2' (in SI units)</source>
+        <translation>Spalte %1 '%2' (in SI-Einheiten)</translation>
+    </message>
+    <message>
+        <source>column %1 '%2' (%3)</source>
+        <translation>Spalte %1 '%2' (%3)</translation>
+    </message>
+    <message>
+        <source>the spectrum is of an isotropic area, per wave number q: h² = 2π ∫ C q dq</source>
+        <translation>das Spektrum ist das einer isotropen Fläche je Wellenzahl q: h² = 2π ∫ C q dq</translation>
+    </message>
+    <message>
+        <source>the spectrum is of an isotropic area, per spatial frequency f = 1/wavelength: h² = 2π ∫ C f df</source>
+        <translation>das Spektrum ist das einer isotropen Fläche je Ortsfrequenz f = 1/Wellenlänge: h² = 2π ∫ C f df</translation>
+    </message>
+    <message>
+        <source>the spectrum is one-sided, per wave number q: h² = ∫ C dq</source>
+        <translation>das Spektrum ist einseitig, je Wellenzahl q: h² = ∫ C dq</translation>
+    </message>
+    <message>
+        <source>the spectrum is one-sided, per spatial frequency f = 1/wavelength: h² = ∫ C df</source>
+        <translation>das Spektrum ist einseitig, je Ortsfrequenz f = 1/Wellenlänge: h² = ∫ C df</translation>
+    </message>
+    <message>
+        <source>the spectrum is two-sided, per wave number q: h² = 2 ∫ C dq</source>
+        <translation>das Spektrum ist zweiseitig, je Wellenzahl q: h² = 2 ∫ C dq</translation>
+    </message>
+    <message>
+        <source>the spectrum is two-sided, per spatial frequency f = 1/wavelength: h² = 2 ∫ C df</source>
+        <translation>das Spektrum ist zweiseitig, je Ortsfrequenz f = 1/Wellenlänge: h² = 2 ∫ C df</translation>
+    </message>
+    <message>
+        <source>the spectrum ends at waves of %1: longer ones of the line, which is %2 long, have no height</source>
+        <translation>das Spektrum endet bei Wellen von %1: längere der Linie, die %2 lang ist, haben keine Höhe</translation>
+    </message>
+    <message>
+        <source>the spectrum has waves up to %1: those longer than the line, which is %2 long, are left out</source>
+        <translation>das Spektrum hat Wellen bis %1: jene, die länger sind als die Linie von %2, entfallen</translation>
+    </message>
+    <message>
+        <source>the spectrum ends at waves of %1: shorter ones, down to %2 of %3 elements, have no height</source>
+        <translation>das Spektrum endet bei Wellen von %1: kürzere, bis %2 bei %3 Elementen, haben keine Höhe</translation>
+    </message>
+    <message>
+        <source>the spectrum has waves down to %1: those shorter than %2 are left out, because %3 elements do not represent them</source>
+        <translation>das Spektrum hat Wellen bis hinab zu %1: jene, die kürzer sind als %2, entfallen, weil %3 Elemente sie nicht darstellen</translation>
+    </message>
 </context>
 <context>
     <name>scenes</name>
