@@ -6382,6 +6382,10 @@
         <source>the spectrum has waves down to %1: those shorter than %2 are left out, because %3 elements do not represent them</source>
         <translation>das Spektrum hat Wellen bis hinab zu %1: jene, die kürzer sind als %2, entfallen, weil %3 Elemente sie nicht darstellen</translation>
     </message>
+    <message>
+        <source>%1 lines are too many: surface.row chooses row %2, which is one line; allowed is 0 or 1</source>
+        <translation>%1 Linien sind zu viele: surface.row wählt Zeile %2, das ist eine Linie; erlaubt ist 0 oder 1</translation>
+    </message>
 </context>
 <context>
     <name>scenes</name>
