@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <functional>
+#include <iterator>
 #include <optional>
 
 #include "core/base/input_error.h"
@@ -335,6 +337,7 @@ class Reader {
     data.notes = notes();
     for (std::size_t row = 0; row < block_.rows; ++row) data.points.push_back(pointAt(row));
     check(data.points);
+    noteSlips(data);
     return data;
   }
 
@@ -705,19 +708,68 @@ class Reader {
     if (points.size() < 2)
       refuse(message("has {} row of numbers; at least 2 are needed", points.size()));
     refusePercent(points);
-    const auto areEqual = [](double a, double b) {
-      return (std::isnan(a) && std::isnan(b)) || a == b;
-    };
     for (std::size_t i = 0; i < points.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
-        if (points[i].velocity == points[j].velocity && points[i].label == points[j].label &&
-            areEqual(points[i].normalForce, points[j].normalForce) &&
-            areEqual(points[i].nominalPressure, points[j].nominalPressure) &&
-            areEqual(points[i].temperature, points[j].temperature))
+        if (points[i].velocity == points[j].velocity && areOfOneSeries(points[i], points[j]))
           refuseRow(points[i].row,
                     message("has the velocity of row {}, {} m/s; average repeated measurements and "
                             "give their error as mu_error, or tell them apart by a label",
                             points[j].row, plain(points[i].velocity)));
+  }
+
+  /// Returns whether two points differ at most in their velocity and friction.
+  static bool areOfOneSeries(const MeasuredPoint& a, const MeasuredPoint& b) {
+    const auto areEqual = [](double x, double y) {
+      return (std::isnan(x) && std::isnan(y)) || x == y;
+    };
+    return a.label == b.label && areEqual(a.normalForce, b.normalForce) &&
+           areEqual(a.nominalPressure, b.nominalPressure) && areEqual(a.temperature, b.temperature);
+  }
+
+  /// Adds a note on each point that is many times higher or lower than its neighbours: one slip of
+  /// a decimal mark moves a whole fit.
+  static void noteSlips(FrictionData& data) {
+    std::vector<const MeasuredPoint*> open;
+    for (const MeasuredPoint& point : data.points) open.push_back(&point);
+    while (!open.empty()) {
+      std::vector<const MeasuredPoint*> series;
+      const MeasuredPoint& first = *open.front();
+      const auto isOfSeries = [&first](const MeasuredPoint* point) {
+        return areOfOneSeries(*point, first);
+      };
+      std::ranges::copy_if(open, std::back_inserter(series), isOfSeries);
+      std::erase_if(open, isOfSeries);
+      std::ranges::sort(series, {}, [](const MeasuredPoint* point) { return point->velocity; });
+      if (const auto slip = slipOf(series)) data.notes.push_back(*slip);
+    }
+  }
+
+  /// Returns a note on the point of a series, in the order of velocities, that lies furthest from
+  /// the line between its neighbours in double logarithm, where it is far above or below both. The
+  /// first and the last two points are left out: there it is open which one is wrong.
+  static std::optional<Message> slipOf(const std::vector<const MeasuredPoint*>& series) {
+    constexpr double kFarFromLine = 8, kFarFromBoth = 3;
+    double most = 1;
+    std::size_t furthest = 0;
+    for (std::size_t i = 1; i + 1 < series.size(); ++i) {
+      const MeasuredPoint &before = *series[i - 1], &behind = *series[i + 1];
+      const double part = std::log(series[i]->velocity / before.velocity) /
+                          std::log(behind.velocity / before.velocity);
+      const double ratio = series[i]->mu / (before.mu * std::pow(behind.mu / before.mu, part));
+      if (std::max(ratio, 1 / ratio) <= std::max(most, 1 / most)) continue;
+      most = ratio;
+      furthest = i;
+    }
+    if (furthest < 2 || furthest + 2 >= series.size()) return {};
+    const double mu = series[furthest]->mu, before = series[furthest - 1]->mu,
+                 behind = series[furthest + 1]->mu;
+    const bool isFar = mu > kFarFromBoth * std::max(before, behind) ||
+                       kFarFromBoth * mu < std::min(before, behind);
+    if (!isFar || std::max(most, 1 / most) < kFarFromLine) return {};
+    return message(
+        "row {}: the coefficient of friction {} is {:.2g} times what the points beside it give; is "
+        "its decimal mark right?",
+        series[furthest]->row, plain(mu), most);
   }
 
   /// Throws InputError for friction without a unit that is too high for any rubber: it is in per

@@ -6386,6 +6386,10 @@
         <source>%1 lines are too many: surface.row chooses row %2, which is one line; allowed is 0 or 1</source>
         <translation>%1 Linien sind zu viele: surface.row wählt Zeile %2, das ist eine Linie; erlaubt ist 0 oder 1</translation>
     </message>
+    <message>
+        <source>row %1: the coefficient of friction %2 is %3 times what the points beside it give; is its decimal mark right?</source>
+        <translation>Zeile %1: die Reibungszahl %2 ist das %3-fache dessen, was die Punkte daneben ergeben; stimmt das Dezimalzeichen?</translation>
+    </message>
 </context>
 <context>
     <name>scenes</name>

@@ -305,5 +305,29 @@ TEST(FrictionData, ReadsLoadAndTemperatureAboveTheTable) {
   EXPECT_EQ(columns.notes[1].english(), "not used: Belastung [N]: 50");
 }
 
+/// One point a hundred times too high or too low is named; a steep or noisy curve is not.
+TEST(FrictionData, NamesAPointWithASlipOfItsDecimalMark) {
+  const auto text = [](std::size_t wrong, double factor) {
+    std::string rows = "v (m/s),mu,normal_force (N)\n";
+    for (const double force : {1.0, 2.0})
+      for (std::size_t i = 0; i < 7; ++i) {
+        const double x = 0.5 * static_cast<double>(i) - 2;
+        const double mu = std::pow(10, -0.4 * x * x) * (i == wrong && force == 2 ? factor : 1);
+        rows += std::to_string(std::pow(10, x)) + "," + std::to_string(mu) + "," +
+                std::to_string(force) + "\n";
+      }
+    return rows;
+  };
+  for (const double factor : {100.0, 0.01}) {
+    const FrictionData data = parsed(text(4, factor));
+    ASSERT_EQ(data.notes.size(), 2U);
+    EXPECT_THAT(data.notes[1].english(), HasSubstr("row 13: the coefficient of friction "));
+    EXPECT_THAT(data.notes[1].english(), HasSubstr("is its decimal mark right?"));
+  }
+  EXPECT_EQ(parsed(text(4, 1)).notes.size(), 1U);
+  EXPECT_EQ(parsed(text(4, 2)).notes.size(), 1U);
+  EXPECT_EQ(parsed(text(0, 100)).notes.size(), 1U);
+}
+
 }  // namespace
 }  // namespace asperity
