@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <functional>
 #include <iterator>
@@ -14,230 +13,13 @@
 #include "core/base/text_header.h"
 #include "core/base/text_number.h"
 #include "core/base/text_table.h"
+#include "core/fit/friction_columns.h"
 #include "core/material/dma_columns.h"
 
 namespace asperity {
 namespace {
 
-enum class Quantity { Velocity, Mu, MuError, VelocityError, Force, Pressure, Temperature, Label };
-
-struct QuantityNames {
-  Quantity quantity;
-  const char* meaning;
-  std::initializer_list<std::string_view> names;  // letters and digits alone, in lower case
-};
-
-const std::array<QuantityNames, 8>& knownNames() {
-  static const std::array<QuantityNames, 8> known{{
-      {Quantity::Velocity,
-       "velocity",
-       {"velocity", "v", "speed", "slidingvelocity", "slidingspeed", "vslide", "vs",
-        "geschwindigkeit", "gleitgeschwindigkeit"}},
-      {Quantity::Mu,
-       "coefficient of friction",
-       {"mu", "\u00B5", "\u03BC", "cof", "friction", "frictioncoefficient", "coefficientoffriction",
-        "coefficient", "reibwert", "reibungszahl", "reibbeiwert", "reibungskoeffizient"}},
-      {Quantity::Force,
-       "normal force",
-       {"normalforce", "fn", "fz", "f", "force", "load", "normalload", "w", "n", "normalkraft",
-        "kraft", "last", "normallast", "belastung", "auflast", "anpresskraft"}},
-      {Quantity::Pressure,
-       "nominal pressure",
-       {"nominalpressure",
-        "pressure",
-        "contactpressure",
-        "normalpressure",
-        "nominalcontactpressure",
-        "normalstress",
-        "p",
-        "p0",
-        "pn",
-        "pnom",
-        "sigma",
-        "\u03C3",
-        "sigma0",
-        "\u03C30",
-        "sigman",
-        "\u03C3n",
-        "sigmaz",
-        "\u03C3z",
-        "druck",
-        "fl\u00E4chenpressung",
-        "flaechenpressung",
-        "pressung",
-        "normalspannung",
-        "nenndruck"}},
-      {Quantity::Temperature,
-       "temperature",
-       {"temperature", "temp", "t", "temperatur", "sampletemperature", "specimentemperature",
-        "rubbertemperature", "tsample", "tspecimen", "trubber", "probentemperatur",
-        "gummitemperatur", "tprobe", "tgummi"}},
-      {Quantity::Label,
-       "label",
-       {"label", "sample", "name", "set", "series", "specimen", "probe", "bezeichnung", "comment"}},
-      {Quantity::MuError, "error of the coefficient of friction", {}},
-      {Quantity::VelocityError, "error of the velocity", {}},
-  }};
-  return known;
-}
-
-/// Returns the letters and digits of a name in lower case, without signs and blanks.
-std::string plainWord(std::string_view text) {
-  std::string word;
-  for (const unsigned char letter : text)
-    if (std::isalnum(letter) || letter >= 0x80) word += static_cast<char>(std::tolower(letter));
-  return word;
-}
-
-/// Returns the rest of a word without the part that marks an error; nothing where there is no such
-/// part.
-std::optional<std::string> withoutError(std::string word) {
-  for (const std::string_view sign : {"standarderror",
-                                      "standarddeviation",
-                                      "standarduncertainty",
-                                      "standardabweichung",
-                                      "standardabw",
-                                      "stdabw",
-                                      "standardunsicherheit",
-                                      "standardfehler",
-                                      "messunsicherheit",
-                                      "uncertainty",
-                                      "error",
-                                      "stdev",
-                                      "stddev",
-                                      "sigma",
-                                      "unsicherheit",
-                                      "abweichung",
-                                      "fehler",
-                                      "err",
-                                      "std",
-                                      "dev",
-                                      "sd",
-                                      "se",
-                                      "\u00B1",
-                                      "\u03C3",
-                                      "delta",
-                                      "\u0394"}) {
-    const std::size_t index = word.find(sign);
-    // Two letters mark an error only at the beginning or end of a word: "sets" has no error.
-    if (index == std::string::npos) continue;
-    if (sign.size() == 2 && sign[0] < 'z' && index != 0 && index + 2 != word.size()) continue;
-    word.erase(index, sign.size());
-    if (word.ends_with("of")) word.resize(word.size() - 2);
-    if (word.starts_with("of")) word.erase(0, 2);
-    if (word.starts_with("in")) word.erase(0, 2);
-    return word;
-  }
-  return {};
-}
-
-/// Returns the rest of a word without the letter of an uncertainty in front of it, as in "u(mu)",
-/// "dmu" and "s_mu"; nothing where there is no such letter.
-std::optional<std::string> withoutErrorLetter(const std::string& word) {
-  constexpr std::string_view kLetters = "uds";
-  if (word.size() < 2 || kLetters.find(word.front()) == std::string_view::npos) return {};
-  return word.substr(1);
-}
-
-/// Returns words in the order in which they stand: "velocity (mm/s) mu" has three.
-std::vector<std::string> wordsOf(std::string_view text) {
-  std::vector<std::string_view> fields;
-  splitFields(text, TextDialect::Separator::Blanks, fields);
-  return {fields.begin(), fields.end()};
-}
-
-/// Returns the plain words of a name: "Fz", "track" and "mean" of "Fz_track (mean)".
-std::vector<std::string> plainWordsOf(std::string text) {
-  std::ranges::replace(text, '_', ' ');
-  std::ranges::replace(text, '-', ' ');
-  std::vector<std::string> words;
-  for (const std::string& word : wordsOf(text)) words.push_back(plainWord(word));
-  std::erase(words, std::string());
-  return words;
-}
-
-constexpr std::array<std::string_view, 4> kRelative{"relative", "relativer", "relativ", "rel"};
-
-/// Returns whether the name of an error says that it is a share of its quantity.
-bool isRelative(const std::string& name) {
-  return std::ranges::any_of(plainWordsOf(name),
-                             [](const std::string& word) { return word.starts_with("rel"); });
-}
-
-/// Returns a word without "relative" at its beginning or end.
-std::string withoutRelative(std::string word) {
-  for (const std::string_view sign : kRelative) {
-    if (word.starts_with(sign)) return word.substr(sign.size());
-    if (word.ends_with(sign)) return word.substr(0, word.size() - sign.size());
-  }
-  return word;
-}
-
-/// Returns whether a unit is "% of mu", "% rel." or the like: a share of the quantity.
-bool isShareUnit(std::string_view unit) {
-  if (!unit.starts_with('%')) return false;
-  const std::string word = plainWord(unit);
-  return word == "ofmu" || word == "ofvalue" || word == "vonmu" || word.starts_with("rel");
-}
-
-/// Returns whether a force, stress or modulus with these words in its name is no normal load: the
-/// force of friction, the shear stress, the modulus of the rubber.
-bool isOtherLoad(const std::vector<std::string>& words) {
-  std::string whole;
-  for (const std::string& word : words) whole += word;
-  const auto isOther = [](const std::string& word) {
-    constexpr std::array<std::string_view, 15> kBeginnings{
-        "fric", "tang", "later",      "shear",  "drag", "tract", "longi", "pull",
-        "reib", "quer", "l\u00E4ngs", "umfang", "zug",  "schub", "modul"};
-    constexpr std::array<std::string_view, 10> kWords{"fx", "fy",  "ft",     "fr", "ff",
-                                                      "fs", "tau", "\u03C4", "e",  "g"};
-    return std::ranges::find(kWords, word) != kWords.end() ||
-           std::ranges::any_of(kBeginnings,
-                               [&](std::string_view begin) { return word.starts_with(begin); });
-  };
-  return isOther(whole) || std::ranges::any_of(words, isOther);
-}
-
-/// Returns whether a unit measures a load or a temperature.
-bool measures(const std::string& unit, Quantity quantity) {
-  if (unit.empty()) return false;
-  if (quantity == Quantity::Force) return unitInAnyCase(unit, "N").has_value();
-  if (quantity == Quantity::Pressure) return unitInAnyCase(unit, "Pa").has_value();
-  return quantity == Quantity::Temperature && temperatureUnit(unit).has_value();
-}
-
-/// Returns whether a name has several meanings, such as t for temperature and time, so that it
-/// needs a unit of its quantity.
-bool isAmbiguous(const std::string& word) {
-  constexpr std::array<std::string_view, 10> kAmbiguous{
-      "t", "n", "w", "f", "sigma", "\u03C3", "sigman", "\u03C3n", "sigmaz", "\u03C3z"};
-  return std::ranges::find(kAmbiguous, word) != kAmbiguous.end();
-}
-
-constexpr const char* kAnyUnit = "?";
-
-std::optional<Quantity> findMeaning(const std::string& name, const std::string& unit) {
-  const std::string word = plainWord(name);
-  for (const QuantityNames& known : knownNames())
-    if (std::ranges::find(known.names, word) != known.names.end() &&
-        (!isAmbiguous(word) || unit == kAnyUnit || measures(unit, known.quantity)))
-      return known.quantity;
-  const std::string error = isRelative(name) ? withoutRelative(word) : word;
-  std::optional<std::string> subject = withoutError(error);
-  if (!subject) subject = withoutErrorLetter(error);
-  if (!subject) return {};
-  if (subject->empty()) return Quantity::MuError;
-  for (const QuantityNames& known : knownNames()) {
-    if (std::ranges::find(known.names, *subject) == known.names.end()) continue;
-    if (known.quantity == Quantity::Mu) return Quantity::MuError;
-    if (known.quantity == Quantity::Velocity) return Quantity::VelocityError;
-  }
-  return {};
-}
-
-std::optional<Quantity> findMeaning(const TextColumn& column) {
-  return findMeaning(column.name, column.unit);
-}
+using Quantity = FrictionQuantity;
 
 /// Finds all ways to make so many known columns of the words from `begin` on.
 void findNames(const std::vector<std::string>& words, std::size_t begin, std::size_t count,
@@ -263,7 +45,7 @@ void findNames(const std::vector<std::string>& words, std::size_t begin, std::si
 
 /// Returns whether some words of the line name a quantity.
 bool namesQuantity(const std::string& line) {
-  const std::vector<std::string> words = wordsOf(line);
+  const std::vector<std::string> words = blankSeparated(line);
   for (std::size_t i = 0; i < words.size(); ++i) {
     std::string text;
     for (std::size_t j = i; j < std::min(words.size(), i + 3); ++j) {
@@ -288,7 +70,7 @@ void nameColumns(TextBlock& block) {
   if (hasNames || block.header.empty()) return;
   std::vector<std::vector<TextColumn>> ways;
   std::vector<TextColumn> made;
-  findNames(wordsOf(textOf(block.header.back())), 0, block.columns.size(), made, ways);
+  findNames(blankSeparated(textOf(block.header.back())), 0, block.columns.size(), made, ways);
   if (ways.size() != 1) return;
   for (std::size_t i = 0; i < block.columns.size(); ++i) {
     block.columns[i].name = ways.front()[i].name;
@@ -385,7 +167,7 @@ class Reader {
     for (std::size_t i = 0; i < count; ++i) {
       const TextColumn& column = block_.columns[i];
       if (const auto quantity = findMeaning(column)) {
-        if (!isAmbiguous(plainWord(column.name)) || !hasClearColumn(*quantity)) add(*quantity, i);
+        if (!isAmbiguousName(column.name) || !hasClearColumn(*quantity)) add(*quantity, i);
       } else {
         refuseUnknownUnit(column);
       }
@@ -402,7 +184,7 @@ class Reader {
   /// Returns whether a column names the quantity by more than an ambiguous letter.
   bool hasClearColumn(Quantity quantity) const {
     return std::ranges::any_of(block_.columns, [&](const TextColumn& column) {
-      return findMeaning(column) == quantity && !isAmbiguous(plainWord(column.name));
+      return findMeaning(column) == quantity && !isAmbiguousName(column.name);
     });
   }
 
@@ -424,7 +206,7 @@ class Reader {
   /// the result.
   void refuseUnclear(const TextColumn& column) const {
     if (findMeaning(column) || column.isText) return;
-    const std::vector<std::string> words = plainWordsOf(column.name);
+    const std::vector<std::string> words = nameWords(column.name);
     if (words.empty()) return;
     const auto isBound = [](const std::string& word) {
       constexpr std::array<std::string_view, 8> kBounds{"min",   "max",   "minimum", "maximum",
@@ -435,18 +217,17 @@ class Reader {
     for (const std::string& word : words)
       if (!isBound(word)) subject += word;
     const bool hasBound = std::ranges::any_of(words, isBound);
-    for (const QuantityNames& known : knownNames())
-      if (hasBound && std::ranges::find(known.names, subject) != known.names.end())
-        refuse(
-            message("column {}: bounds of the {} are not read; give its error as a column such "
-                    "as mu_error, or take the column out",
-                    shortened(column.name), Message(known.meaning)));
-    if (isErrorOf(column.name) || isOtherLoad(words)) return;
-    for (const Quantity quantity : kLoadOrTemperature) {
+    if (const auto named = quantityNamed(subject); hasBound && named)
+      refuse(
+          message("column {}: bounds of the {} are not read; give its error as a column such "
+                  "as mu_error, or take the column out",
+                  shortened(column.name), Message(meaningOf(*named))));
+    if (isErrorName(column.name) || isOtherLoad(words)) return;
+    for (const Quantity quantity : kLoadsAndTemperature) {
       if (isGiven(quantity)) continue;
       constexpr std::size_t kShortest = 4;  // letters; shorter names mean something else in a text
       const auto names = [&](const std::string& word) {
-        return words.size() > 1 && word.size() >= kShortest && isNameOf(word, quantity);
+        return words.size() > 1 && word.size() >= kShortest && quantityNamed(word) == quantity;
       };
       if (!measures(column.unit, quantity) && !names(words.front()) && !names(words.back()))
         continue;
@@ -461,24 +242,6 @@ class Reader {
                   "or take the column out",
                   shortened(column.name), Message(meaningOf(quantity))));
     }
-  }
-
-  static constexpr std::array<Quantity, 3> kLoadOrTemperature{Quantity::Force, Quantity::Pressure,
-                                                              Quantity::Temperature};
-
-  static bool isNameOf(const std::string& word, Quantity quantity) {
-    const auto& names = std::ranges::find(knownNames(), quantity, &QuantityNames::quantity)->names;
-    return std::ranges::find(names, word) != names.end();
-  }
-
-  /// Returns whether a name is that of an error, such as "u(T)", "dF" and "load error".
-  static bool isErrorOf(const std::string& name) {
-    const std::string word = plainWord(name);
-    if (withoutError(word)) return true;
-    const std::optional<std::string> subject = withoutErrorLetter(word);
-    return subject && std::ranges::any_of(kLoadOrTemperature, [&](Quantity quantity) {
-             return isNameOf(*subject, quantity);
-           });
   }
 
   /// Returns whether a column gives this quantity; a force and a pressure both say the load.
@@ -498,8 +261,8 @@ class Reader {
       const std::optional<Quantity> meaning = findMeaning(key.name, unit);
       const auto isMeant = [&](Quantity quantity) { return meaning == quantity; };
       const auto isMeasured = [&](Quantity quantity) { return measures(unit, quantity); };
-      if (meaning ? std::ranges::none_of(kLoadOrTemperature, isMeant)
-                  : std::ranges::none_of(kLoadOrTemperature, isMeasured))
+      if (meaning ? std::ranges::none_of(kLoadsAndTemperature, isMeant)
+                  : std::ranges::none_of(kLoadsAndTemperature, isMeasured))
         continue;
       if (!meaning || !isMeasured(*meaning) || isGiven(*meaning)) {
         unused_.push_back(&entry);
@@ -564,10 +327,6 @@ class Reader {
     for (const TextColumn& column : block_.columns)
       names += (names.empty() ? "" : ", ") + shortened(column.name);
     return names;
-  }
-
-  static const char* meaningOf(Quantity quantity) {
-    return std::ranges::find(knownNames(), quantity, &QuantityNames::quantity)->meaning;
   }
 
   const Column* find(Quantity quantity) const {
@@ -637,7 +396,7 @@ class Reader {
     const auto mu = std::ranges::find_if(
         block_.columns, [](const TextColumn& other) { return findMeaning(other) == Quantity::Mu; });
     const bool isMuInPercent = mu != block_.columns.end() && mu->unit == "%";
-    const bool isShare = isRelative(column.name) || isShareUnit(column.unit) ||
+    const bool isShare = isRelativeError(column.name) || isShareUnit(column.unit) ||
                          (column.unit == "%" && !isMuInPercent);
     const bool isInPercent = column.unit.starts_with('%');
     if (isShare && !isInPercent) return {Unit{}, true, Message("share of the value")};
