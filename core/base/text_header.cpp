@@ -248,11 +248,26 @@ bool areNames(const Fields& fields, const TextDialect& dialect) {
   return texts > 0 && (numbers == 0 || (columns > 2 && numbers + 1 >= columns));
 }
 
+/// Returns the names or units behind "units:", separated by commas or semicolons whatever separates
+/// the numbers: "units: x in mm, z in nm". Empty where the line is none of so many columns.
+Fields fieldsOfUnits(std::string_view line, std::size_t columns) {
+  const std::size_t end = keyEnd(line);
+  if (columns < 2 || end == std::string_view::npos) return {};
+  const std::string key = lowerCase(trimmedBlanks(line.substr(0, end)));
+  if (key != "units" && key != "einheiten") return {};
+  for (const TextDialect::Separator separator :
+       {TextDialect::Separator::Semicolon, TextDialect::Separator::Comma})
+    if (Fields fields = splitAt(line.substr(end + 1), separator); fields.size() == columns)
+      return fields;
+  return {};
+}
+
 /// Returns the fields of a line that may be names, units or comments of the columns; empty where it
 /// is none of these. mayCountRows: the first column may number the rows.
 Fields namesIn(std::string_view line, const TextDialect& dialect, std::size_t columns,
                bool mayCountRows) {
   const std::string_view text = withoutCommentMark(line, dialect);
+  if (Fields fields = fieldsOfUnits(text, columns); areNames(fields, dialect)) return fields;
   // A separator in front makes an unnamed column, also a tab where blanks separate; so does one at
   // the end.
   Fields fields = splitNames(text, dialect, columns);

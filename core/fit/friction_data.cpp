@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
+#include <cmath>
 #include <functional>
+#include <iterator>
 #include <optional>
 
 #include "core/base/input_error.h"
@@ -12,138 +13,13 @@
 #include "core/base/text_header.h"
 #include "core/base/text_number.h"
 #include "core/base/text_table.h"
+#include "core/fit/friction_columns.h"
 #include "core/material/dma_columns.h"
 
 namespace asperity {
 namespace {
 
-enum class Quantity { Velocity, Mu, MuError, VelocityError, Force, Pressure, Temperature, Label };
-
-struct QuantityNames {
-  Quantity quantity;
-  const char* meaning;
-  std::initializer_list<std::string_view> names;  // letters and digits alone, in lower case
-};
-
-const std::array<QuantityNames, 8>& knownNames() {
-  static const std::array<QuantityNames, 8> known{{
-      {Quantity::Velocity,
-       "velocity",
-       {"velocity", "v", "speed", "slidingvelocity", "slidingspeed", "vslide", "vs",
-        "geschwindigkeit", "gleitgeschwindigkeit"}},
-      {Quantity::Mu,
-       "coefficient of friction",
-       {"mu", "\u00B5", "\u03BC", "cof", "friction", "frictioncoefficient", "coefficientoffriction",
-        "coefficient", "reibwert", "reibungszahl", "reibbeiwert", "reibungskoeffizient"}},
-      {Quantity::Force,
-       "normal force",
-       {"normalforce", "fn", "force", "load", "normalload", "w", "n", "normalkraft", "last"}},
-      {Quantity::Pressure,
-       "nominal pressure",
-       {"nominalpressure", "pressure", "contactpressure", "p", "p0", "sigma0", "\u03C30", "druck",
-        "fl\u00E4chenpressung", "nenndruck"}},
-      {Quantity::Temperature,
-       "temperature",
-       {"temperature", "temp", "t", "temperatur", "sampletemperature", "specimentemperature",
-        "probentemperatur"}},
-      {Quantity::Label,
-       "label",
-       {"label", "sample", "name", "set", "series", "specimen", "probe", "bezeichnung", "comment"}},
-      {Quantity::MuError, "error of the coefficient of friction", {}},
-      {Quantity::VelocityError, "error of the velocity", {}},
-  }};
-  return known;
-}
-
-/// Returns the letters and digits of a name in lower case, without signs and blanks.
-std::string plainWord(std::string_view text) {
-  std::string word;
-  for (const unsigned char letter : text)
-    if (std::isalnum(letter) || letter >= 0x80) word += static_cast<char>(std::tolower(letter));
-  return word;
-}
-
-/// Returns the rest of a word without the part that marks an error; nothing where there is no such
-/// part.
-std::optional<std::string> withoutError(std::string word) {
-  for (const std::string_view sign : {"standarderror",
-                                      "standarddeviation",
-                                      "standarduncertainty",
-                                      "standardabweichung",
-                                      "standardunsicherheit",
-                                      "standardfehler",
-                                      "messunsicherheit",
-                                      "uncertainty",
-                                      "error",
-                                      "stdev",
-                                      "stddev",
-                                      "sigma",
-                                      "unsicherheit",
-                                      "abweichung",
-                                      "fehler",
-                                      "err",
-                                      "std",
-                                      "dev",
-                                      "sd",
-                                      "se",
-                                      "\u00B1",
-                                      "\u03C3",
-                                      "delta",
-                                      "\u0394"}) {
-    const std::size_t index = word.find(sign);
-    // Two letters mark an error only at the beginning or end of a word: "sets" has no error.
-    if (index == std::string::npos) continue;
-    if (sign.size() == 2 && sign[0] < 'z' && index != 0 && index + 2 != word.size()) continue;
-    word.erase(index, sign.size());
-    if (word.ends_with("of")) word.resize(word.size() - 2);
-    if (word.starts_with("of")) word.erase(0, 2);
-    if (word.starts_with("in")) word.erase(0, 2);
-    return word;
-  }
-  return {};
-}
-
-/// Returns the rest of a word without the letter of an uncertainty in front of it, as in "u(mu)",
-/// "dmu" and "s_mu"; nothing where there is no such letter.
-std::optional<std::string> withoutErrorLetter(const std::string& word) {
-  constexpr std::string_view kLetters = "uds";
-  if (word.size() < 2 || kLetters.find(word.front()) == std::string_view::npos) return {};
-  return word.substr(1);
-}
-
-/// Returns whether a letter has several meanings, such as t for temperature and time, so that it
-/// needs a unit.
-bool isAmbiguous(const std::string& word) {
-  return word == "t" || word == "n" || word == "w";
-}
-
-std::optional<Quantity> findMeaning(const std::string& name, const std::string& unit) {
-  const std::string word = plainWord(name);
-  if (unit.empty() && isAmbiguous(word)) return {};
-  for (const QuantityNames& known : knownNames())
-    if (std::ranges::find(known.names, word) != known.names.end()) return known.quantity;
-  std::optional<std::string> subject = withoutError(word);
-  if (!subject) subject = withoutErrorLetter(word);
-  if (!subject) return {};
-  if (subject->empty()) return Quantity::MuError;
-  for (const QuantityNames& known : knownNames()) {
-    if (std::ranges::find(known.names, *subject) == known.names.end()) continue;
-    if (known.quantity == Quantity::Mu) return Quantity::MuError;
-    if (known.quantity == Quantity::Velocity) return Quantity::VelocityError;
-  }
-  return {};
-}
-
-std::optional<Quantity> findMeaning(const TextColumn& column) {
-  return findMeaning(column.name, column.unit);
-}
-
-/// Returns words in the order in which they stand: "velocity (mm/s) mu" has three.
-std::vector<std::string> wordsOf(std::string_view text) {
-  std::vector<std::string_view> fields;
-  splitFields(text, TextDialect::Separator::Blanks, fields);
-  return {fields.begin(), fields.end()};
-}
+using Quantity = FrictionQuantity;
 
 /// Finds all ways to make so many known columns of the words from `begin` on.
 void findNames(const std::vector<std::string>& words, std::size_t begin, std::size_t count,
@@ -169,7 +45,7 @@ void findNames(const std::vector<std::string>& words, std::size_t begin, std::si
 
 /// Returns whether some words of the line name a quantity.
 bool namesQuantity(const std::string& line) {
-  const std::vector<std::string> words = wordsOf(line);
+  const std::vector<std::string> words = blankSeparated(line);
   for (std::size_t i = 0; i < words.size(); ++i) {
     std::string text;
     for (std::size_t j = i; j < std::min(words.size(), i + 3); ++j) {
@@ -194,11 +70,23 @@ void nameColumns(TextBlock& block) {
   if (hasNames || block.header.empty()) return;
   std::vector<std::vector<TextColumn>> ways;
   std::vector<TextColumn> made;
-  findNames(wordsOf(textOf(block.header.back())), 0, block.columns.size(), made, ways);
+  findNames(blankSeparated(textOf(block.header.back())), 0, block.columns.size(), made, ways);
   if (ways.size() != 1) return;
   for (std::size_t i = 0; i < block.columns.size(); ++i) {
     block.columns[i].name = ways.front()[i].name;
     block.columns[i].unit = ways.front()[i].unit;
+  }
+}
+
+/// Separates units such as "(% of mu)" from the names of columns.
+void separateShareUnits(TextBlock& block) {
+  for (TextColumn& column : block.columns) {
+    const std::size_t open = column.name.rfind('(');
+    if (!column.unit.empty() || open == std::string::npos || open == 0) continue;
+    const std::string unit(withoutBrackets(column.name.substr(open)));
+    if (!isShareUnit(unit)) continue;
+    column.unit = unit;
+    column.name = trimmedBlanks(column.name.substr(0, open));
   }
 }
 
@@ -216,6 +104,7 @@ bool isOfFriction(const TextBlock& block) {
 struct Conversion {
   Unit unit{};
   bool isShare = false;  // of the quantity that it is the error of
+  Message unitText{};    // for the notes; empty: as the column writes it
 };
 
 class Reader {
@@ -224,11 +113,13 @@ class Reader {
 
   FrictionData read() {
     findColumns();
+    readHeader();
     FrictionData data;
     data.name = name_;
     data.notes = notes();
     for (std::size_t row = 0; row < block_.rows; ++row) data.points.push_back(pointAt(row));
     check(data.points);
+    noteSlips(data);
     return data;
   }
 
@@ -238,6 +129,13 @@ class Reader {
     std::size_t index;
     Conversion conversion;
     Message note;
+  };
+
+  /// A load or temperature above the table, of all points.
+  struct Common {
+    Quantity quantity;
+    double value;
+    const TextEntry* entry;
   };
 
   [[noreturn]] void refuse(const Message& what) const { throw InputError(name_, "", what); }
@@ -267,10 +165,12 @@ class Reader {
       return;
     }
     for (std::size_t i = 0; i < count; ++i) {
-      if (const auto quantity = findMeaning(block_.columns[i]))
-        add(*quantity, i);
-      else
-        refuseUnknownUnit(block_.columns[i]);
+      const TextColumn& column = block_.columns[i];
+      if (const auto quantity = findMeaning(column)) {
+        if (!isAmbiguousName(column.name) || !hasClearColumn(*quantity)) add(*quantity, i);
+      } else {
+        refuseUnknownUnit(column);
+      }
     }
     for (const TextColumn& column : block_.columns) refuseUnclear(column);
     for (const Quantity needed : {Quantity::Velocity, Quantity::Mu})
@@ -279,6 +179,13 @@ class Reader {
                        Message::name(namesOfColumns())));
     if (find(Quantity::Force) && find(Quantity::Pressure))
       refuse("has both a normal force and a nominal pressure; one of them says the load");
+  }
+
+  /// Returns whether a column names the quantity by more than an ambiguous letter.
+  bool hasClearColumn(Quantity quantity) const {
+    return std::ranges::any_of(block_.columns, [&](const TextColumn& column) {
+      return findMeaning(column) == quantity && !isAmbiguousName(column.name);
+    });
   }
 
   /// Throws InputError for a known quantity in an unknown unit, such as "load (stone)".
@@ -294,17 +201,13 @@ class Reader {
     }
   }
 
-  /// Throws InputError for bounds of a quantity, and for a load or temperature with words that are
-  /// not understood while no other column gives it: leaving these out would change the result.
+  /// Throws InputError for bounds of a quantity, and for a load or temperature, by its name or its
+  /// unit, that is not understood while no other column gives it: leaving these out would change
+  /// the result.
   void refuseUnclear(const TextColumn& column) const {
     if (findMeaning(column) || column.isText) return;
-    std::string text = column.name;
-    std::ranges::replace(text, '_', ' ');
-    std::ranges::replace(text, '-', ' ');
-    std::vector<std::string> words;
-    for (const std::string& word : wordsOf(text)) words.push_back(plainWord(word));
-    std::erase(words, std::string());
-    if (words.size() < 2) return;
+    const std::vector<std::string> words = nameWords(column.name);
+    if (words.empty()) return;
     const auto isBound = [](const std::string& word) {
       constexpr std::array<std::string_view, 8> kBounds{"min",   "max",   "minimum", "maximum",
                                                         "lower", "upper", "low",     "high"};
@@ -314,33 +217,79 @@ class Reader {
     for (const std::string& word : words)
       if (!isBound(word)) subject += word;
     const bool hasBound = std::ranges::any_of(words, isBound);
-    for (const QuantityNames& known : knownNames())
-      if (hasBound && std::ranges::find(known.names, subject) != known.names.end())
-        refuse(
-            message("column {}: bounds of the {} are not read; give its error as a column such "
-                    "as mu_error, or take the column out",
-                    shortened(column.name), Message(known.meaning)));
-    if (withoutError(plainWord(column.name))) return;
-    constexpr std::size_t kShortest = 4;  // letters; shorter names mean something else in a text
-    for (const QuantityNames& known : knownNames()) {
-      if (known.quantity != Quantity::Force && known.quantity != Quantity::Pressure &&
-          known.quantity != Quantity::Temperature)
-        continue;
-      const bool isForce = known.quantity != Quantity::Temperature;
-      if (find(known.quantity) || (isForce && (find(Quantity::Force) || find(Quantity::Pressure))))
-        continue;
-      const auto isOfFriction = [](const std::string& word) {
-        return word.starts_with("fric") || word.starts_with("tang") || word.starts_with("later") ||
-               word.starts_with("shear") || word.starts_with("drag") || word.starts_with("reib");
+    if (const auto named = quantityNamed(subject); hasBound && named)
+      refuse(
+          message("column {}: bounds of the {} are not read; give its error as a column such "
+                  "as mu_error, or take the column out",
+                  shortened(column.name), Message(meaningOf(*named))));
+    if (isErrorName(column.name) || isOtherLoad(words)) return;
+    for (const Quantity quantity : kLoadsAndTemperature) {
+      if (isGiven(quantity)) continue;
+      constexpr std::size_t kShortest = 4;  // letters; shorter names mean something else in a text
+      const auto names = [&](const std::string& word) {
+        return words.size() > 1 && word.size() >= kShortest && quantityNamed(word) == quantity;
       };
-      if (std::ranges::any_of(words, isOfFriction)) continue;
-      for (const std::string* word : {&words.front(), &words.back()})
-        if (word->size() >= kShortest && std::ranges::find(known.names, *word) != known.names.end())
-          refuse(
-              message("column {}: is it the {}? Name it so alone, with its unit in brackets, "
-                      "or take the column out",
-                      shortened(column.name), Message(known.meaning)));
+      if (!measures(column.unit, quantity) && !names(words.front()) && !names(words.back()))
+        continue;
+      if (quantity == Quantity::Temperature)
+        refuse(
+            message("column {}: is it the temperature of the rubber, and not of the track or "
+                    "the air? Name it temperature alone, with its unit in brackets, or take "
+                    "the column out",
+                    shortened(column.name)));
+      refuse(
+          message("column {}: is it the {}? Name it so alone, with its unit in brackets, "
+                  "or take the column out",
+                  shortened(column.name), Message(meaningOf(quantity))));
     }
+  }
+
+  /// Returns whether a column gives this quantity; a force and a pressure both say the load.
+  bool isGiven(Quantity quantity) const {
+    if (quantity == Quantity::Temperature) return find(quantity) != nullptr;
+    return find(Quantity::Force) != nullptr || find(Quantity::Pressure) != nullptr;
+  }
+
+  /// Reads the loads and temperatures that lines above the table state for all points. What is not
+  /// understood, or given by a column, is kept for the notes.
+  void readHeader() {
+    for (const TextEntry& entry : block_.header) {
+      const auto number = parseQuantity(entry.value);
+      if (entry.key.empty() || !number) continue;
+      const TextColumn key = parseColumnName(entry.key);
+      const std::string& unit = key.unit.empty() ? number->unit : key.unit;
+      const std::optional<Quantity> meaning = findMeaning(key.name, unit);
+      const auto isMeant = [&](Quantity quantity) { return meaning == quantity; };
+      const auto isMeasured = [&](Quantity quantity) { return measures(unit, quantity); };
+      if (meaning ? std::ranges::none_of(kLoadsAndTemperature, isMeant)
+                  : std::ranges::none_of(kLoadsAndTemperature, isMeasured))
+        continue;
+      if (!meaning || !isMeasured(*meaning) || isGiven(*meaning)) {
+        unused_.push_back(&entry);
+        continue;
+      }
+      const Conversion in = conversionOf(*meaning, TextColumn{key.name, unit});
+      common_.push_back({*meaning, in.unit.toSi(number->number), &entry});
+    }
+    // Two values of one quantity, or a force and a pressure, leave open which one is meant.
+    const auto isDoubtful = [this](const Common& one) {
+      return !(one.value > 0) || std::ranges::any_of(common_, [&one](const Common& other) {
+        const bool areLoads =
+            one.quantity != Quantity::Temperature && other.quantity != Quantity::Temperature;
+        return one.quantity == other.quantity ? one.value != other.value : areLoads;
+      });
+    };
+    hasTwoLoads_ = std::ranges::count(common_, true, [&](const Common& one) {
+                     return one.quantity != Quantity::Temperature && isDoubtful(one);
+                   }) > 1;
+    std::vector<Common> sure;
+    for (const Common& one : common_)
+      if (isDoubtful(one))
+        unused_.push_back(one.entry);
+      else
+        sure.push_back(one);
+    common_ = std::move(sure);
+    std::ranges::sort(unused_, {}, &TextEntry::line);
   }
 
   /// Returns notes on how the columns were understood, and which ones were ignored.
@@ -348,14 +297,29 @@ class Reader {
     std::vector<Message> notes{columns_.front().note};
     for (std::size_t i = 1; i < columns_.size(); ++i)
       notes.front() = message("{}; {}", notes.front(), columns_[i].note);
+    for (const Common& one : common_)
+      notes.front() =
+          message("{}; {}", notes.front(),
+                  message("line {}: {} of all points ({})", one.entry->line,
+                          Message(meaningOf(one.quantity)), Message::name(entryText(*one.entry))));
     std::string unused;
     for (std::size_t i = 0; i < block_.columns.size(); ++i)
       if (std::ranges::find(columns_, i, &Column::index) == columns_.end())
         unused += (unused.empty() ? "" : ", ") + (block_.columns[i].name.empty()
                                                       ? std::to_string(i + 1)
                                                       : shortened(block_.columns[i].name));
+    for (const TextEntry* entry : unused_)
+      unused += (unused.empty() ? "" : ", ") + entryText(*entry);
     if (!unused.empty()) notes.push_back(message("not used: {}", Message::name(unused)));
+    if (hasTwoLoads_)
+      notes.emplace_back(
+          "the lines above the table state several loads; one normal force or one nominal pressure "
+          "says the load");
     return notes;
+  }
+
+  static std::string entryText(const TextEntry& entry) {
+    return shortened(entry.key + ": " + entry.value);
   }
 
   std::string namesOfColumns() const {
@@ -363,10 +327,6 @@ class Reader {
     for (const TextColumn& column : block_.columns)
       names += (names.empty() ? "" : ", ") + shortened(column.name);
     return names;
-  }
-
-  static const char* meaningOf(Quantity quantity) {
-    return std::ranges::find(knownNames(), quantity, &QuantityNames::quantity)->meaning;
   }
 
   const Column* find(Quantity quantity) const {
@@ -383,13 +343,14 @@ class Reader {
       refuse(message("column {} has texts where numbers are expected", shortened(column.name)));
     if (!column.isText && quantity == Quantity::Label) return;  // numbers of samples
     const Conversion conversion = conversionOf(quantity, column);
-    const std::string unit = column.unit.empty() ? std::string(conversion.unit.si) : column.unit;
+    Message unit = conversion.unitText;
+    if (unit.empty())
+      unit = Message::name(column.unit.empty() ? std::string(conversion.unit.si) : column.unit);
     const int number = static_cast<int>(index) + 1;
     const Message meaning(meaningOf(quantity));
     columns_.push_back({quantity, index, conversion,
-                        unit.empty()
-                            ? message("column {}: {}", number, meaning)
-                            : message("column {}: {} ({})", number, meaning, Message::name(unit))});
+                        unit.empty() ? message("column {}: {}", number, meaning)
+                                     : message("column {}: {} ({})", number, meaning, unit)});
   }
 
   /// Finds the conversion of a column; one without a unit is in SI units.
@@ -403,12 +364,14 @@ class Reader {
                        shortened(column.unit), known));
       return Conversion{*unit};
     };
-    const Conversion share{*findUnit("%"), true};
+    const Conversion share{*findUnit("%"), true, Message("% of the value")};
     switch (quantity) {
       case Quantity::Velocity:
         return unitOf("m/s", unitNames("m/s"));
       case Quantity::VelocityError:
-        return column.unit == "%" ? share : unitOf("m/s", unitNames("m/s") + ", %");
+        return column.unit == "%" || isShareUnit(column.unit)
+                   ? share
+                   : unitOf("m/s", unitNames("m/s") + ", %");
       case Quantity::Force:
         return unitOf("N", "N, mN, uN, kN");
       case Quantity::Pressure:
@@ -416,12 +379,31 @@ class Reader {
       case Quantity::Mu:
         return isPure(column.unit) ? Conversion{} : unitOf("", "1, %");
       case Quantity::MuError:
-        return column.unit == "%" ? share : isPure(column.unit) ? Conversion{} : unitOf("", "1, %");
+        return isPure(column.unit) || column.unit == "%" || isShareUnit(column.unit)
+                   ? errorConversion(column)
+                   : unitOf("", "1, %");
       case Quantity::Temperature:
         return unitOf("K", "K, C, F");
       default:
         return {};
     }
+  }
+
+  /// Finds the conversion of an error of mu. In per cent it is a share of mu, unless mu itself is
+  /// in per cent: then a name that does not say "relative" means percentage points of mu.
+  Conversion errorConversion(const TextColumn& column) const {
+    const Unit percent = *findUnit("%");
+    const auto mu = std::ranges::find_if(
+        block_.columns, [](const TextColumn& other) { return findMeaning(other) == Quantity::Mu; });
+    const bool isMuInPercent = mu != block_.columns.end() && mu->unit == "%";
+    const bool isShare = isRelativeError(column.name) || isShareUnit(column.unit) ||
+                         (column.unit == "%" && !isMuInPercent);
+    const bool isInPercent = column.unit.starts_with('%');
+    if (isShare && !isInPercent) return {Unit{}, true, Message("share of the value")};
+    if (isShare) return {percent, true, Message("% of the value")};
+    if (isInPercent || (column.unit.empty() && isMuInPercent))
+      return {percent, false, Message("percentage points")};
+    return {};
   }
 
   static bool isPure(std::string_view unit) {
@@ -431,7 +413,10 @@ class Reader {
   /// Returns a value of a row; NaN where the column or the value is missing.
   double valueAt(std::size_t row, Quantity quantity, double whole = 1) const {
     const Column* column = find(quantity);
-    if (!column) return kNotApplicable;
+    if (!column) {
+      const auto common = std::ranges::find(common_, quantity, &Common::quantity);
+      return common == common_.end() ? kNotApplicable : common->value;
+    }
     const double number = block_.at(row, column->index);
     if (std::isnan(number)) return kNotApplicable;
     const Conversion& in = column->conversion;
@@ -481,24 +466,89 @@ class Reader {
   void check(const std::vector<MeasuredPoint>& points) const {
     if (points.size() < 2)
       refuse(message("has {} row of numbers; at least 2 are needed", points.size()));
-    const auto areEqual = [](double a, double b) {
-      return (std::isnan(a) && std::isnan(b)) || a == b;
-    };
+    refusePercent(points);
     for (std::size_t i = 0; i < points.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
-        if (points[i].velocity == points[j].velocity && points[i].label == points[j].label &&
-            areEqual(points[i].normalForce, points[j].normalForce) &&
-            areEqual(points[i].nominalPressure, points[j].nominalPressure) &&
-            areEqual(points[i].temperature, points[j].temperature))
+        if (points[i].velocity == points[j].velocity && areOfOneSeries(points[i], points[j]))
           refuseRow(points[i].row,
                     message("has the velocity of row {}, {} m/s; average repeated measurements and "
                             "give their error as mu_error, or tell them apart by a label",
                             points[j].row, plain(points[i].velocity)));
   }
 
+  /// Returns whether two points differ at most in their velocity and friction.
+  static bool areOfOneSeries(const MeasuredPoint& a, const MeasuredPoint& b) {
+    const auto areEqual = [](double x, double y) {
+      return (std::isnan(x) && std::isnan(y)) || x == y;
+    };
+    return a.label == b.label && areEqual(a.normalForce, b.normalForce) &&
+           areEqual(a.nominalPressure, b.nominalPressure) && areEqual(a.temperature, b.temperature);
+  }
+
+  /// Adds a note on each point that is many times higher or lower than its neighbours: one slip of
+  /// a decimal mark moves a whole fit.
+  static void noteSlips(FrictionData& data) {
+    std::vector<const MeasuredPoint*> open;
+    for (const MeasuredPoint& point : data.points) open.push_back(&point);
+    while (!open.empty()) {
+      std::vector<const MeasuredPoint*> series;
+      const MeasuredPoint& first = *open.front();
+      const auto isOfSeries = [&first](const MeasuredPoint* point) {
+        return areOfOneSeries(*point, first);
+      };
+      std::ranges::copy_if(open, std::back_inserter(series), isOfSeries);
+      std::erase_if(open, isOfSeries);
+      std::ranges::sort(series, {}, [](const MeasuredPoint* point) { return point->velocity; });
+      if (const auto slip = slipOf(series)) data.notes.push_back(*slip);
+    }
+  }
+
+  /// Returns a note on the point of a series, in the order of velocities, that lies furthest from
+  /// the line between its neighbours in double logarithm, where it is far above or below both. The
+  /// first and the last two points are left out: there it is open which one is wrong.
+  static std::optional<Message> slipOf(const std::vector<const MeasuredPoint*>& series) {
+    constexpr double kFarFromLine = 8, kFarFromBoth = 3;
+    double most = 1;
+    std::size_t furthest = 0;
+    for (std::size_t i = 1; i + 1 < series.size(); ++i) {
+      const MeasuredPoint &before = *series[i - 1], &behind = *series[i + 1];
+      const double part = std::log(series[i]->velocity / before.velocity) /
+                          std::log(behind.velocity / before.velocity);
+      const double ratio = series[i]->mu / (before.mu * std::pow(behind.mu / before.mu, part));
+      if (std::max(ratio, 1 / ratio) <= std::max(most, 1 / most)) continue;
+      most = ratio;
+      furthest = i;
+    }
+    if (furthest < 2 || furthest + 2 >= series.size()) return {};
+    const double mu = series[furthest]->mu, before = series[furthest - 1]->mu,
+                 behind = series[furthest + 1]->mu;
+    const bool isFar = mu > kFarFromBoth * std::max(before, behind) ||
+                       kFarFromBoth * mu < std::min(before, behind);
+    if (!isFar || std::max(most, 1 / most) < kFarFromLine) return {};
+    return message(
+        "row {}: the coefficient of friction {} is {:.2g} times what the points beside it give; is "
+        "its decimal mark right?",
+        series[furthest]->row, plain(mu), most);
+  }
+
+  /// Throws InputError for friction without a unit that is too high for any rubber: it is in per
+  /// cent.
+  void refusePercent(const std::vector<MeasuredPoint>& points) const {
+    constexpr double kHighest = 5;
+    const auto [least, most] = std::ranges::minmax_element(points, {}, &MeasuredPoint::mu);
+    if (!block_.columns[find(Quantity::Mu)->index].unit.empty() || !(least->mu > kHighest)) return;
+    refuse(
+        message("the coefficients of friction are {} to {}; name their unit in the header, as "
+                "in \"mu (%)\" or \"mu (1)\"",
+                plain(least->mu), plain(most->mu)));
+  }
+
   const TextBlock& block_;
   std::string name_;
   std::vector<Column> columns_;
+  std::vector<Common> common_;
+  std::vector<const TextEntry*> unused_;  // lines above the table
+  bool hasTwoLoads_ = false;              // above the table
 };
 
 }  // namespace
@@ -512,9 +562,13 @@ FrictionData parseFrictionData(std::string_view bytes, const std::string& name) 
   options.keepsTexts = true;
   options.textColumns = {"label", "sample", "name", "set", "series", "specimen"};
   TextTable table = readTextTable(bytes, name, options);
-  undoLogarithms(
-      table, [](const std::string& quantity) { return findMeaning(quantity, "?").has_value(); });
-  for (TextBlock& block : table.blocks) nameColumns(block);
+  undoLogarithms(table, [](const std::string& quantity) {
+    return findMeaning(quantity, kAnyUnit).has_value();
+  });
+  for (TextBlock& block : table.blocks) {
+    nameColumns(block);
+    separateShareUnits(block);
+  }
   const TextBlock* first = nullptr;
   for (const TextBlock& block : table.blocks) {
     if (!isOfFriction(block)) continue;

@@ -41,7 +41,9 @@ struct FrictionData {
 
 /// Read a table of at least two rows. The columns need names unless there are two (velocity and mu)
 /// or three (with the error of mu). Units: those of SI with their usual prefixes; km/h; % for
-/// errors; degrees Celsius or Fahrenheit if stated. label: replaces the file's name.
+/// errors (of mu: percentage points where mu is in %, else a share); degrees Celsius or Fahrenheit
+/// if stated. Lines above the table, such as "Temperature: 5 C", hold for all points where no
+/// column says otherwise. label: replaces the file's name.
 FrictionData readFrictionData(const std::filesystem::path& file, const std::string& label = {});
 FrictionData parseFrictionData(std::string_view bytes, const std::string& name);
 

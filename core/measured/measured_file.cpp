@@ -23,6 +23,9 @@ constexpr double kFarthest = 1e6;         // m, limit of lengths and heights
 // Numbers without a unit that exceed these limits are hardly metres.
 constexpr double kLongestAssumed = 1;    // m
 constexpr double kSteepestAssumed = 10;  // rms slope
+// Beyond these limits a file may state a wrong unit.
+constexpr double kLongestUsual = 10;   // m
+constexpr double kHighestUsual = 0.1;  // m, from the lowest to the highest height
 
 constexpr std::string_view kUnits = "m, mm, um, nm, in";  // those of the keys
 constexpr std::string_view kKnownUnits = "m, cm, mm, \u00B5m, nm, pm, \u00C5, in, mil, \u00B5in";
@@ -277,6 +280,29 @@ void noteVoids(const Topography& grid, const UnitFact& unit, const Say& say) {
   }
 }
 
+/// Adds notes where a unit that the file states makes the surface unusually large: the unit may be
+/// that of other numbers.
+void noteLargeSizes(const Topography& grid, const ReadingFacts& facts,
+                    std::vector<Message>& notes) {
+  const double length = std::max(grid.length(), grid.width());
+  if (facts.positionUnit.source == UnitSource::File && length > kLongestUsual)
+    notes.push_back(
+        message("The surface is {:.3g} m long: if the file states a wrong unit of positions, "
+                "surface.position_unit replaces it.",
+                length));
+  if (facts.heightUnit.source != UnitSource::File) return;
+  double lowest = INFINITY, highest = -INFINITY;
+  for (const double height : grid.height) {
+    lowest = std::fmin(lowest, height);
+    highest = std::fmax(highest, height);
+  }
+  if (highest - lowest > kHighestUsual)
+    notes.push_back(
+        message("The heights span {:.3g} m: if the file states a wrong unit of heights, "
+                "surface.height_unit replaces it.",
+                highest - lowest));
+}
+
 /// Makes the notes: first how the reader understood the file, then what is special about it.
 void describe(const SurfaceDraft& draft, ReadingFacts& facts) {
   const Topography& grid = draft.grid;
@@ -317,6 +343,7 @@ void describe(const SurfaceDraft& draft, ReadingFacts& facts) {
     assume("The file states no unit of heights: they are taken as metres.");
   if (!draft.hasPositions)
     assume("The file does not say how far its points are apart: one unit of positions.");
+  noteLargeSizes(grid, facts, notes);
   noteVoids(grid, height, assume);
   if (facts.gaps == 1) notes.emplace_back("One point has no height.");
   if (facts.gaps > 1) notes.push_back(message("{} points have no height.", facts.gaps));

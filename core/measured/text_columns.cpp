@@ -25,8 +25,10 @@ constexpr std::array kPositions{"x"sv,          "position"sv, "pos"sv,
                                 "d"sv,          "l"sv,        "abstand"sv,
                                 "messweg"sv,    "scan"sv,     "displacement"sv,
                                 "xposition"sv,  "xpos"sv,     "xcoordinate"sv,
-                                "encoder"sv,    "encoder1"sv};
-constexpr std::array kRows{"y"sv, "yposition"sv, "ypos"sv, "ycoordinate"sv};
+                                "encoder"sv,    "encoder1"sv, "easting"sv,
+                                "rechtswert"sv};
+constexpr std::array kRows{"y"sv,           "yposition"sv, "ypos"sv,
+                           "ycoordinate"sv, "northing"sv,  "hochwert"sv};
 constexpr std::array kHeights{
     "z"sv,          "height"sv,    "heights"sv, "h"sv,         "h\u00F6he"sv,
     "hoehe"sv,      "profile"sv,   "profil"sv,  "elevation"sv, "altitude"sv,
@@ -42,6 +44,8 @@ constexpr std::array kGood{"valid"sv,       "validity"sv, "ok"sv,      "good"sv,
                            "g\u00FCltig"sv, "gueltig"sv,  "isvalid"sv, "is_valid"sv};
 constexpr std::array kBad{"invalid"sv,       "bad"sv,     "error"sv,
                           "ung\u00FCltig"sv, "missing"sv, "outlier"sv};
+constexpr std::array kLongitudes{"longitude"sv, "lon"sv, "lng"sv, "l\u00E4ngengrad"sv};
+constexpr std::array kLatitudes{"latitude"sv, "lat"sv, "breitengrad"sv};
 constexpr std::array kEither{"flag"sv, "flags"sv, "status"sv, "mask"sv, "quality"sv, "qual"sv};
 
 /// Returns whether one of the words is the first word of the name, or the whole name: "x position",
@@ -165,6 +169,7 @@ class RoleFinder {
   }
 
   ColumnRoles find() {
+    refuseDegrees();
     findByName();
     const std::size_t namedHeights = roles_.heights.size();
     takeRowsAsHeights();
@@ -176,6 +181,22 @@ class RoleFinder {
   }
 
  private:
+  /// A longitude and a latitude are angles; as positions they would be lengths.
+  void refuseDegrees() const {
+    const int columns = static_cast<int>(block_.columns.size());
+    int longitude = -1, latitude = -1;
+    for (int i = 0; i < columns; ++i) {
+      const std::string name = lowerCase(nameOf(i));
+      if (begins(kPositions, name)) return;
+      if (begins(kLongitudes, name)) longitude = i;
+      if (begins(kLatitudes, name)) latitude = i;
+    }
+    if (positionChoice_ < 0 && longitude >= 0 && latitude >= 0)
+      throw InputError(name_, "surface.position_column",
+                       message("{} and {} are angles; positions are needed in a unit of length",
+                               columnText(block_, longitude), columnText(block_, latitude)));
+  }
+
   /// A depth counts into the material, but instruments that write a path call a height so, too.
   void refuseDepth() const {
     constexpr std::array kDepths{"depth"sv, "tiefe"sv};
@@ -369,6 +390,12 @@ std::vector<std::string> unitKeys(bool ofHeights, UnitEntries entries) {
                                          "zunit",
                                          "einheiten",
                                          "werteinheit",
+                                         "werteinheiten",
+                                         "z-axis unit",
+                                         "z-axis units",
+                                         "z axis unit",
+                                         "z axis units",
+                                         "einheit z-achse",
                                          "einheit z",
                                          "z-einheit",
                                          "unit\u00E9s",
@@ -378,9 +405,12 @@ std::vector<std::string> unitKeys(bool ofHeights, UnitEntries entries) {
                                          "\u5024\u306E\u5358\u4F4D",
                                          "\u0415\u0434\u0438\u043D\u0438\u0446\u044B "
                                          "\u0438\u0437\u043C\u0435\u0440\u0435\u043D\u0438\u044F"};
-  const std::vector<std::string> positions{
-      "x unit",        "x units", "x-unit",   "unit x",    "units x",   "xunit", "lateral unit",
-      "position unit", "xy unit", "xy units", "x-einheit", "einheit x", "x"};
+  const std::vector<std::string> positions{"x unit",       "x units",         "x-unit",
+                                           "unit x",       "units x",         "xunit",
+                                           "lateral unit", "position unit",   "xy unit",
+                                           "xy units",     "x-einheit",       "einheit x",
+                                           "x-axis unit",  "x-axis units",    "x axis unit",
+                                           "x axis units", "einheit x-achse", "x"};
   std::vector<std::string> keys = ofHeights ? heights : positions;
   if (entries == UnitEntries::AndCommon)
     for (const char* common : {"unit", "units", "einheit", "length unit"})

@@ -21,6 +21,66 @@ bool beginsWithPositions(const TextBlock& block) {
   return true;
 }
 
+constexpr std::size_t kMostPointColumns = 12;  // positions, height, and what else a point has
+
+/// Returns whether the columns behind the heights are colours, intensities or normals, and no two
+/// points are at the same position: these are points and no matrix.
+bool hasPointAttributes(const TextBlock& block) {
+  for (std::size_t column = 3; column < block.columns.size(); ++column) {
+    bool areColours = true, areNormals = true;
+    for (std::size_t i = 0; i < block.rows; ++i) {
+      constexpr double kBrightest = 255;
+      const double value = block.at(i, column);
+      areColours = areColours && value >= 0 && value <= kBrightest && value == std::floor(value);
+      areNormals = areNormals && std::abs(value) <= 1;
+    }
+    if (!areColours && !areNormals) return false;
+  }
+  std::vector<std::pair<double, double>> positions;
+  for (std::size_t i = 0; i < block.rows; ++i)
+    positions.emplace_back(block.at(i, 0), block.at(i, 1));
+  std::ranges::sort(positions);
+  return std::ranges::adjacent_find(positions) == positions.end();
+}
+
+/// The middle of the numbers of a column and the range of half of them around it.
+struct Spread {
+  double middle = 0, range = 0;
+};
+
+Spread spreadOf(std::vector<double> numbers) {
+  std::erase_if(numbers, [](double number) { return std::isnan(number); });
+  if (numbers.empty()) return {};
+  std::ranges::sort(numbers);
+  const std::size_t count = numbers.size();
+  return {numbers[count / 2], numbers[count - 1 - count / 4] - numbers[count / 4]};
+}
+
+/// Throws InputError for a long matrix of few columns whose neighbours differ by orders of
+/// magnitude: such columns hold different quantities, such as the positions of points.
+void refuseUnlikeColumns(const TextBlock& block, const SurfaceSource& source) {
+  constexpr std::size_t kLong = 4;  // rows per column
+  constexpr double kUnlikeRange = 1e3, kFarOff = 100;
+  const std::size_t columns = block.columns.size();
+  if (source.choices.format != "auto" && source.choices.format != "text") return;
+  if (columns > kMostPointColumns || block.rows < kLong * columns) return;
+  Spread last = spreadOf(block.column(0));
+  for (std::size_t i = 1; i < columns; ++i) {
+    const Spread next = spreadOf(block.column(i));
+    const double larger = std::max(last.range, next.range),
+                 smaller = std::min(last.range, next.range);
+    const bool isUnlike = smaller > 0 && larger > kUnlikeRange * smaller;
+    const bool isFarOff = larger > 0 && std::abs(next.middle - last.middle) > kFarOff * larger;
+    if (isUnlike || isFarOff)
+      throw InputError(source.name, "surface.format",
+                       message("is needed (profile, matrix or points): "
+                               "columns {} and {} of {} are too different for heights "
+                               "of one matrix",
+                               i, i + 1, columns));
+    last = next;
+  }
+}
+
 Form detectForm(const TextTable& table, const TextBlock& block, const SurfaceSource& source) {
   const std::string& format = source.choices.format;
   if (format == "profile") return Form::Profile;
@@ -35,7 +95,9 @@ Form detectForm(const TextTable& table, const TextBlock& block, const SurfaceSou
     return Form::Points;
   }
   if (source.choices.positionColumn > 0 || source.choices.heightColumn > 0) return Form::Profile;
-  if (columns <= 5 && !roles.named && isPointsOfGrid(block, roles)) return Form::Points;
+  if (columns <= kMostPointColumns && !roles.named && isPointsOfGrid(block, roles) &&
+      (columns <= 5 || hasPointAttributes(block)))
+    return Form::Points;
   if (roles.named || roles.validity >= 0) return Form::Profile;
   const bool hasNames = std::ranges::any_of(block.columns, [&table](const TextColumn& column) {
     double number = 0;
@@ -45,6 +107,7 @@ Form detectForm(const TextTable& table, const TextBlock& block, const SurfaceSou
   if (roles.x >= 0 && block.rows > columns && beginsWithPositions(block)) return Form::Profile;
   // The columns are row numbers, positions and heights.
   if (columns == 3 && countsRows(block, 0) && roles.x == 1) return Form::Profile;
+  refuseUnlikeColumns(block, source);
   return Form::Matrix;
 }
 

@@ -23,6 +23,14 @@ void checkScene(const Scene& scene) {
     throw InputError("", "surface.long_wave_cut",
                      message("{} is not above surface.short_wave_cut, {}",
                              plain(processing.longWaveCut), plain(processing.shortWaveCut)));
+  const std::int64_t row = scene.surface.reading.row, lines = scene.ensemble.realizations;
+  if (scene.surface.kind == SurfaceKind::Measured && !hasRandomPhases(scene.surface) && row > 0 &&
+      lines > 1)
+    throw InputError(
+        "", "ensemble.realizations",
+        message("{} lines are too many: surface.row chooses row {}, which is one line; "
+                "allowed is 0 or 1",
+                lines, row));
   checkEffects(scene);
 }
 

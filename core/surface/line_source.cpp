@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include "core/base/input_error.h"
@@ -66,18 +67,51 @@ std::shared_ptr<const MeasuredLines> measuredLines(const Scene& scene) {
 }
 
 /// Returns a spectrum with the cut-offs of its scene.
-SpectralDensity spectrumOf(const Scene& scene) {
+SpectrumTable spectrumOf(const Scene& scene) {
   const SpectrumKind kind = scene.surface.spectrumKind;
-  SpectralDensity all =
-      readFile(scene, [kind](const auto& file) { return readSpectrum(file, kind); });
+  SpectrumTable table =
+      readFile(scene, [kind](const auto& file) { return readSpectrumTable(file, kind); });
   const ProcessingChoices& cuts = scene.surface.processing;
   const double low = cuts.longWaveCut > 0 ? 2 * std::numbers::pi / cuts.longWaveCut : 0;
   const double high = cuts.shortWaveCut > 0 ? 2 * std::numbers::pi / cuts.shortWaveCut : HUGE_VAL;
-  SpectralDensity part = within(all, low, high);
-  if (!(part.integral() > 0))
+  table.density = within(table.density, low, high);
+  if (!(table.density.integral() > 0))
     throw InputError("", cuts.longWaveCut > 0 ? "surface.long_wave_cut" : "surface.short_wave_cut",
                      "leaves no wave of the spectrum");
-  return part;
+  return table;
+}
+
+/// Returns a sentence on each end of the band of a spectrum where the waves of the line end
+/// elsewhere.
+std::vector<Message> bandFacts(const SpectralDensity& density, const LineExtent& extent) {
+  constexpr double kEqual = 1.05;  // ratio of wavelengths
+  const double longest = 2 * std::numbers::pi / density.waveNumber.front(),
+               shortest = 2 * std::numbers::pi / density.waveNumber.back();
+  const double longestOfLine = extent.length,
+               shortestOfLine = 2 * extent.length / static_cast<double>(extent.elements);
+  const auto metres = [](double length) { return PrintedNumber{printedQuantity(length, "m")}; };
+  std::vector<Message> facts;
+  if (longestOfLine > kEqual * longest)
+    facts.push_back(
+        message("the spectrum ends at waves of {}: longer ones of the line, which is {} "
+                "long, have no height",
+                metres(longest), metres(longestOfLine)));
+  if (kEqual * longestOfLine < longest)
+    facts.push_back(
+        message("the spectrum has waves up to {}: those longer than the line, which is "
+                "{} long, are left out",
+                metres(longest), metres(longestOfLine)));
+  if (kEqual * shortestOfLine < shortest)
+    facts.push_back(
+        message("the spectrum ends at waves of {}: shorter ones, down to {} of {} "
+                "elements, have no height",
+                metres(shortest), metres(shortestOfLine), extent.elements));
+  if (shortestOfLine > kEqual * shortest)
+    facts.push_back(
+        message("the spectrum has waves down to {}: those shorter than {} are left out, "
+                "because {} elements do not represent them",
+                metres(shortest), metres(shortestOfLine), extent.elements));
+  return facts;
 }
 
 /// The period is the longest wave, and the elements represent the shortest one, unless the scene
@@ -116,7 +150,7 @@ LineExtent spectrumExtent(const Surface& surface, const SpectralDensity& density
 LineExtent lineExtent(const Scene& scene) {
   const Surface& surface = scene.surface;
   if (surface.kind == SurfaceKind::Spectrum) {
-    LineExtent extent = spectrumExtent(surface, spectrumOf(scene));
+    LineExtent extent = spectrumExtent(surface, spectrumOf(scene).density);
     extent.lines = scene.ensemble.realizations;
     return extent;
   }
@@ -211,16 +245,19 @@ void LineSource::setMeasured(const Scene& scene) {
 }
 
 void LineSource::setSpectrum(const Scene& scene) {
-  const SpectralDensity density = spectrumOf(scene);
+  const SpectrumTable table = spectrumOf(scene);
+  const SpectralDensity& density = table.density;
   const LineExtent extent = spectrumExtent(surface_, density);
   length_ = extent.length;
   elements_ = extent.elements;
   amplitudes_ = modeMagnitudes(density, length_, modeCount(static_cast<std::size_t>(elements_)));
-  spectrumFacts_ = {
+  spectrumFacts_ = table.facts;
+  spectrumFacts_.push_back(
       density.binEdge.empty()
           ? Message("the spectrum is a power law between each two of its points")
           : Message("the wave numbers are whole multiples of one step, as of a periodogram: each "
-                    "value of the spectrum is its mean over a step")};
+                    "value of the spectrum is its mean over a step"));
+  std::ranges::copy(bandFacts(density, extent), std::back_inserter(spectrumFacts_));
 }
 
 std::int64_t LineSource::rowOf(std::int64_t realization) const {

@@ -96,10 +96,10 @@ class SpectrumReader {
   SpectrumReader(TextBlock block, std::string name, SpectrumKind kind)
       : block_(std::move(block)), name_(std::move(name)), kind_(kind) {}
 
-  SpectralDensity read() {
+  SpectrumTable read() {
     findColumns();
     for (std::size_t row = 0; row < block_.rows; ++row) addRow(row);
-    return inOrder();
+    return {inOrder(), {columnsFact(), densityFact()}};
   }
 
  private:
@@ -217,6 +217,45 @@ class SpectrumReader {
     densityColumn_ = static_cast<std::size_t>(column - columns.begin());
   }
 
+  Message columnText(std::size_t index) const {
+    const TextColumn& column = block_.columns[index];
+    return column.unit.empty()
+               ? message("column {} '{}' (in SI units)", index + 1, shortened(column.name))
+               : message("column {} '{}' ({})", index + 1, shortened(column.name),
+                         shortened(column.unit));
+  }
+
+  Message columnsFact() const {
+    const Message wave = columnText(waveColumn_), density = columnText(densityColumn_);
+    switch (abscissa_) {
+      case Abscissa::WaveNumber:
+        return message("wave numbers are {}, the spectrum is {}", wave, density);
+      case Abscissa::SpatialFrequency:
+        return message("spatial frequencies are {}, the spectrum is {}", wave, density);
+      case Abscissa::Wavelength:
+        break;
+    }
+    return message("wavelengths are {}, the spectrum is {}", wave, density);
+  }
+
+  /// States the integral that gives the mean square height.
+  Message densityFact() const {
+    const bool isAngular = abscissa_ == Abscissa::WaveNumber;
+    if (kind_ == SpectrumKind::C2)
+      return isAngular
+                 ? "the spectrum is of an isotropic area, per wave number q: h\u00B2 = 2\u03C0 "
+                   "\u222B C q dq"
+                 : "the spectrum is of an isotropic area, per spatial frequency f = "
+                   "1/wavelength: h\u00B2 = 2\u03C0 \u222B C f df";
+    if (kind_ == SpectrumKind::C1OneSided)
+      return isAngular ? "the spectrum is one-sided, per wave number q: h\u00B2 = \u222B C dq"
+                       : "the spectrum is one-sided, per spatial frequency f = 1/wavelength: "
+                         "h\u00B2 = \u222B C df";
+    return isAngular ? "the spectrum is two-sided, per wave number q: h\u00B2 = 2 \u222B C dq"
+                     : "the spectrum is two-sided, per spatial frequency f = 1/wavelength: "
+                       "h\u00B2 = 2 \u222B C df";
+  }
+
   double numberAt(std::size_t row, std::size_t column) const {
     const double number = block_.at(row, column);
     if (!std::isfinite(number))
@@ -276,7 +315,8 @@ class SpectrumReader {
 
 }  // namespace
 
-SpectralDensity parseSpectrum(std::string_view text, const std::string& name, SpectrumKind kind) {
+SpectrumTable parseSpectrumTable(std::string_view text, const std::string& name,
+                                 SpectrumKind kind) {
   if (const std::string_view foreign = detectNonText(text); !foreign.empty())
     throw InputError(name, "", message("is {}; {}", Message(foreign), Message(kWanted)));
   const TextTable table = readTextTable(text, name);
@@ -284,8 +324,12 @@ SpectralDensity parseSpectrum(std::string_view text, const std::string& name, Sp
   return SpectrumReader(table.largest(), name, kind).read();
 }
 
-SpectralDensity readSpectrum(const std::filesystem::path& file, SpectrumKind kind) {
-  return parseSpectrum(readRegularFile(file, kLargestTable), file.string(), kind);
+SpectralDensity parseSpectrum(std::string_view text, const std::string& name, SpectrumKind kind) {
+  return parseSpectrumTable(text, name, kind).density;
+}
+
+SpectrumTable readSpectrumTable(const std::filesystem::path& file, SpectrumKind kind) {
+  return parseSpectrumTable(readRegularFile(file, kLargestTable), file.string(), kind);
 }
 
 }  // namespace asperity

@@ -10,7 +10,11 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
+#include <vector>
+
+#include "core/base/message.h"
 
 #include "core/measured/roughness_spectrum.h"
 #include "core/scene/scene.h"
@@ -22,6 +26,12 @@ namespace asperity {
 /// between its points.
 SpectralDensity parseSpectrum(std::string_view text, const std::string& name, SpectrumKind kind);
 
-SpectralDensity readSpectrum(const std::filesystem::path& file, SpectrumKind kind);
+/// The same spectrum, and how its columns, units and numbers were understood, one sentence each.
+struct SpectrumTable {
+  SpectralDensity density{};
+  std::vector<Message> facts{};
+};
+SpectrumTable parseSpectrumTable(std::string_view text, const std::string& name, SpectrumKind kind);
+SpectrumTable readSpectrumTable(const std::filesystem::path& file, SpectrumKind kind);
 
 }  // namespace asperity

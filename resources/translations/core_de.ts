@@ -6282,6 +6282,118 @@
         <source>the file is empty</source>
         <translation>die Datei ist leer</translation>
     </message>
+    <message>
+        <source>column %1: is it the temperature of the rubber, and not of the track or the air? Name it temperature alone, with its unit in brackets, or take the column out</source>
+        <translation>Spalte %1: Ist das die Temperatur des Gummis, nicht die der Bahn oder der Luft? Die Spalte nur temperature nennen, mit ihrer Einheit in Klammern, oder sie herausnehmen</translation>
+    </message>
+    <message>
+        <source>line %1: %2 of all points (%3)</source>
+        <translation>Zeile %1: %2 aller Punkte (%3)</translation>
+    </message>
+    <message>
+        <source>the lines above the table state several loads; one normal force or one nominal pressure says the load</source>
+        <translation>die Zeilen über der Tabelle nennen mehrere Lasten; nur eine Normalkraft oder ein nomineller Druck gibt die Last an</translation>
+    </message>
+    <message>
+        <source>% of the value</source>
+        <translation>% des Werts</translation>
+    </message>
+    <message>
+        <source>share of the value</source>
+        <translation>Anteil am Wert</translation>
+    </message>
+    <message>
+        <source>percentage points</source>
+        <translation>Prozentpunkte</translation>
+    </message>
+    <message>
+        <source>the coefficients of friction are %1 to %2; name their unit in the header, as in "mu (%)" or "mu (1)"</source>
+        <translation>die Reibungszahlen betragen %1 bis %2; ihre Einheit in der Kopfzeile angeben, etwa "mu (%)" oder "mu (1)"</translation>
+    </message>
+    <message>
+        <source>The surface is %1 m long: if the file states a wrong unit of positions, surface.position_unit replaces it.</source>
+        <translation>Die Oberfläche ist %1 m lang: Falls die Datei eine falsche Einheit der Orte angibt, ersetzt surface.position_unit sie.</translation>
+    </message>
+    <message>
+        <source>The heights span %1 m: if the file states a wrong unit of heights, surface.height_unit replaces it.</source>
+        <translation>Die Höhen umfassen %1 m: Falls die Datei eine falsche Einheit der Höhen angibt, ersetzt surface.height_unit sie.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are angles; positions are needed in a unit of length</source>
+        <translation>%1 und %2 sind Winkel; Orte werden in einer Längeneinheit gebraucht</translation>
+    </message>
+    <message>
+        <source>is needed (profile, matrix or points): columns %1 and %2 of %3 are too different for heights of one matrix</source>
+        <translation>wird gebraucht (profile, matrix oder points): die Spalten %1 und %2 von %3 sind zu verschieden für Höhen einer Matrix</translation>
+    </message>
+    <message>
+        <source>wave numbers are %1, the spectrum is %2</source>
+        <translation>Wellenzahlen sind %1, das Spektrum ist %2</translation>
+    </message>
+    <message>
+        <source>spatial frequencies are %1, the spectrum is %2</source>
+        <translation>Ortsfrequenzen sind %1, das Spektrum ist %2</translation>
+    </message>
+    <message>
+        <source>wavelengths are %1, the spectrum is %2</source>
+        <translation>Wellenlängen sind %1, das Spektrum ist %2</translation>
+    </message>
+    <message>
+        <source>column %1 '%2' (in SI units)</source>
+        <translation>Spalte %1 '%2' (in SI-Einheiten)</translation>
+    </message>
+    <message>
+        <source>column %1 '%2' (%3)</source>
+        <translation>Spalte %1 '%2' (%3)</translation>
+    </message>
+    <message>
+        <source>the spectrum is of an isotropic area, per wave number q: h² = 2π ∫ C q dq</source>
+        <translation>das Spektrum ist das einer isotropen Fläche je Wellenzahl q: h² = 2π ∫ C q dq</translation>
+    </message>
+    <message>
+        <source>the spectrum is of an isotropic area, per spatial frequency f = 1/wavelength: h² = 2π ∫ C f df</source>
+        <translation>das Spektrum ist das einer isotropen Fläche je Ortsfrequenz f = 1/Wellenlänge: h² = 2π ∫ C f df</translation>
+    </message>
+    <message>
+        <source>the spectrum is one-sided, per wave number q: h² = ∫ C dq</source>
+        <translation>das Spektrum ist einseitig, je Wellenzahl q: h² = ∫ C dq</translation>
+    </message>
+    <message>
+        <source>the spectrum is one-sided, per spatial frequency f = 1/wavelength: h² = ∫ C df</source>
+        <translation>das Spektrum ist einseitig, je Ortsfrequenz f = 1/Wellenlänge: h² = ∫ C df</translation>
+    </message>
+    <message>
+        <source>the spectrum is two-sided, per wave number q: h² = 2 ∫ C dq</source>
+        <translation>das Spektrum ist zweiseitig, je Wellenzahl q: h² = 2 ∫ C dq</translation>
+    </message>
+    <message>
+        <source>the spectrum is two-sided, per spatial frequency f = 1/wavelength: h² = 2 ∫ C df</source>
+        <translation>das Spektrum ist zweiseitig, je Ortsfrequenz f = 1/Wellenlänge: h² = 2 ∫ C df</translation>
+    </message>
+    <message>
+        <source>the spectrum ends at waves of %1: longer ones of the line, which is %2 long, have no height</source>
+        <translation>das Spektrum endet bei Wellen von %1: längere der Linie, die %2 lang ist, haben keine Höhe</translation>
+    </message>
+    <message>
+        <source>the spectrum has waves up to %1: those longer than the line, which is %2 long, are left out</source>
+        <translation>das Spektrum hat Wellen bis %1: jene, die länger sind als die Linie von %2, entfallen</translation>
+    </message>
+    <message>
+        <source>the spectrum ends at waves of %1: shorter ones, down to %2 of %3 elements, have no height</source>
+        <translation>das Spektrum endet bei Wellen von %1: kürzere, bis %2 bei %3 Elementen, haben keine Höhe</translation>
+    </message>
+    <message>
+        <source>the spectrum has waves down to %1: those shorter than %2 are left out, because %3 elements do not represent them</source>
+        <translation>das Spektrum hat Wellen bis hinab zu %1: jene, die kürzer sind als %2, entfallen, weil %3 Elemente sie nicht darstellen</translation>
+    </message>
+    <message>
+        <source>%1 lines are too many: surface.row chooses row %2, which is one line; allowed is 0 or 1</source>
+        <translation>%1 Linien sind zu viele: surface.row wählt Zeile %2, das ist eine Linie; erlaubt ist 0 oder 1</translation>
+    </message>
+    <message>
+        <source>row %1: the coefficient of friction %2 is %3 times what the points beside it give; is its decimal mark right?</source>
+        <translation>Zeile %1: die Reibungszahl %2 ist das %3-fache dessen, was die Punkte daneben ergeben; stimmt das Dezimalzeichen?</translation>
+    </message>
 </context>
 <context>
     <name>scenes</name>

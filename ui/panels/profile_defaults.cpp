@@ -1,5 +1,7 @@
 #include "ui/panels/profile_defaults.h"
 
+#include <algorithm>
+
 #include "core/base/number_text.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/parameter_panel.h"
@@ -165,8 +167,10 @@ void RememberedSizes::update(const Surface& before, Surface& next) {
 void updateRealizations(const Scene& before, Scene& next) {
   const Parameter& row = *findParameter(kRealizations);
   const bool wasOpen = isLeftToProfile(row, before, 0), isOpen = isLeftToProfile(row, next, 0);
-  if (wasOpen == isOpen) return;
-  next.ensemble.realizations = isOpen ? 0 : Ensemble{}.realizations;
+  if (wasOpen != isOpen) next.ensemble.realizations = isOpen ? 0 : Ensemble{}.realizations;
+  // One row is one line.
+  if (isOpen && next.surface.reading.row > 0)
+    next.ensemble.realizations = std::min<std::int64_t>(next.ensemble.realizations, 1);
 }
 
 }  // namespace asperity

@@ -75,7 +75,8 @@ class RememberedSizes {
 };
 
 /// Sets the realizations of `next`, which follows `before`: to every row (0) where the surface
-/// becomes a measured one, and to the default number where it becomes another one.
+/// becomes a measured one, and to the default number where it becomes another one. One row is at
+/// most one line.
 void updateRealizations(const Scene& before, Scene& next);
 
 }  // namespace asperity

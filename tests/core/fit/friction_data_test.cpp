@@ -208,5 +208,126 @@ TEST(FrictionData, RefusesBoundsAndNamesAllUnits) {
             "not used: friction force");
 }
 
+/// An error in per cent of a friction in per cent is in percentage points, as tables print both.
+TEST(FrictionData, AnErrorInPerCentIsOfTheKindOfItsFriction) {
+  const std::string rows = "\n1;45;2\n10;62;2\n100;81;3\n";
+  for (const char* name : {"mu_error (%)", "error of mu (%)", "std", "Standardabw. (%)"}) {
+    const FrictionData data = parsed("v (mm/s);mu (%);" + std::string(name) + rows);
+    EXPECT_DOUBLE_EQ(data.points[0].muError, 0.02) << name;
+    EXPECT_DOUBLE_EQ(data.points[2].muError, 0.03) << name;
+    EXPECT_THAT(data.notes[0].english(), HasSubstr("(percentage points)")) << name;
+  }
+  for (const char* name :
+       {"relative error (%)", "mu_error_rel (%)", "mu_error (% of mu)", "rel. error of mu (%)"}) {
+    const FrictionData data = parsed("v (mm/s);mu (%);" + std::string(name) + rows);
+    EXPECT_DOUBLE_EQ(data.points[0].muError, 0.009) << name;
+    EXPECT_THAT(data.notes[0].english(), HasSubstr("(% of the value)")) << name;
+  }
+  const FrictionData shares =
+      parsed("v,mu,mu_error (%),velocity_error (%)\n1,0.5,4,1\n2,0.4,4,1\n");
+  EXPECT_DOUBLE_EQ(shares.points[0].muError, 0.02);
+  EXPECT_THAT(shares.notes[0].english(),
+              HasSubstr("error of the coefficient of friction (% of the value)"));
+  EXPECT_DOUBLE_EQ(parsed("v,mu,relative error\n1,0.5,0.04\n2,0.4,0.04\n").points[0].muError, 0.02);
+}
+
+TEST(FrictionData, FrictionAboveAllRubbersNeedsAUnit) {
+  EXPECT_THAT(errorOf("v (mm/s);mu\n1;45\n10;62\n"),
+              HasSubstr("the coefficients of friction are 45 to 62; name their unit"));
+  EXPECT_DOUBLE_EQ(parsed("v,mu (1)\n1,6\n2,7\n").points[0].mu, 6);
+  EXPECT_DOUBLE_EQ(parsed("v,mu\n1,4.5\n2,6\n").points[1].mu, 6);
+}
+
+/// The symbols of tyre engineers for the load and the temperature of the rubber.
+TEST(FrictionData, ReadsLoadsByTheirSymbols) {
+  const auto first = [](const std::string& name, const std::string& value) {
+    return parsed("v (m/s);mu;" + name + "\n1;0,5;" + value + "\n2;0,4;" + value + "\n").points[0];
+  };
+  for (const char* name :
+       {"Fz (N)", "F_z [N]", "F_N (N)", "Fn_N", "F (N)", "load (N)", "Belastung (N)", "Kraft (N)"})
+    EXPECT_DOUBLE_EQ(first(name, "50").normalForce, 50) << name;
+  for (const char* name : {"sigma_N (MPa)", "sigma (MPa)", "p_nom (MPa)", "p (MPa)",
+                           "\u03C3_N [MPa]", "Normalspannung (MPa)"})
+    EXPECT_DOUBLE_EQ(first(name, "0,3").nominalPressure, 3e5) << name;
+  for (const char* name : {"T_rubber (\u00B0C)", "T (\u00B0C)", "T_sample [\u00B0C]"})
+    EXPECT_DOUBLE_EQ(first(name, "20").temperature, 293.15) << name;
+}
+
+/// A load or temperature that is not understood is refused; other forces and stresses are left out.
+TEST(FrictionData, RefusesLoadsAndTemperaturesThatMayBeMeant) {
+  for (const char* name : {"T_track (\u00B0C)", "T_road (\u00B0C)", "T_air [K]"})
+    EXPECT_THAT(errorOf("v (m/s),mu," + std::string(name) + "\n1,0.2,20\n2,0.3,20\n"),
+                HasSubstr("is it the temperature of the rubber, and not of the track"))
+        << name;
+  EXPECT_THAT(errorOf("v (m/s),mu,Gewicht (N)\n1,0.2,20\n2,0.3,20\n"),
+              HasSubstr("column Gewicht: is it the normal force?"));
+  EXPECT_THAT(errorOf("v (m/s),mu,inflation (bar)\n1,0.2,2\n2,0.3,2\n"),
+              HasSubstr("column inflation: is it the nominal pressure?"));
+  for (const char* name :
+       {"Fx (N)", "F_t (N)", "Ft (N)", "Reibkraft (N)", "tau (MPa)", "shear stress (kPa)",
+        "G' (MPa)", "u(T) (K)", "dF (N)", "w (mm)", "n (rpm)", "t (s)", "F (Hz)"}) {
+    const FrictionData data = parsed("v (m/s),mu," + std::string(name) + "\n1,0.2,20\n2,0.3,20\n");
+    EXPECT_TRUE(std::isnan(data.points[0].normalForce)) << name;
+    ASSERT_EQ(data.notes.size(), 2U) << name;
+    EXPECT_THAT(data.notes[1].english(), testing::StartsWith("not used: ")) << name;
+  }
+  const FrictionData both =
+      parsed("v (m/s),mu,Fz (N),F (N),T_track (C),T (C)\n1,0.2,20,4,30,20\n2,0.3,20,6,30,20\n");
+  EXPECT_DOUBLE_EQ(both.points[0].normalForce, 20);
+  EXPECT_DOUBLE_EQ(both.points[0].temperature, 293.15);
+  EXPECT_EQ(both.notes[1].english(), "not used: F, T_track");
+}
+
+/// Lines above the table state what all points share; columns count more.
+TEST(FrictionData, ReadsLoadAndTemperatureAboveTheTable) {
+  const std::string rows = "v (mm/s);mu;std\n1;0,45;0,02\n10;0,62;0,02\n";
+  const FrictionData data =
+      parsed("# Tester LFT\n# Nominal pressure: 0,3 MPa\n# Temperature: 5 \u00B0C\n" + rows);
+  EXPECT_DOUBLE_EQ(data.points[1].nominalPressure, 3e5);
+  EXPECT_DOUBLE_EQ(data.points[1].temperature, 278.15);
+  EXPECT_THAT(data.notes[0].english(),
+              HasSubstr("line 3: temperature of all points (Temperature: 5 \u00B0C)"));
+  EXPECT_DOUBLE_EQ(parsed("Belastung [N]: 50\n" + rows).points[0].normalForce, 50);
+
+  const FrictionData loads =
+      parsed("# Normal load: 50 N\n# Nominal pressure: 0.3 MPa\n# Track temperature: 5 C\n" + rows);
+  EXPECT_TRUE(std::isnan(loads.points[0].normalForce));
+  EXPECT_TRUE(std::isnan(loads.points[0].nominalPressure));
+  EXPECT_TRUE(std::isnan(loads.points[0].temperature));
+  ASSERT_EQ(loads.notes.size(), 3U);
+  EXPECT_EQ(loads.notes[1].english(),
+            "not used: Normal load: 50 N, Nominal pressure: 0.3 MPa, Track temperature: 5 C");
+  EXPECT_THAT(loads.notes[2].english(), HasSubstr("state several loads"));
+
+  const FrictionData columns =
+      parsed("Belastung [N]: 50\nv (mm/s);mu;Belastung (N)\n1;0,45;60\n10;0,62;60\n");
+  EXPECT_DOUBLE_EQ(columns.points[0].normalForce, 60);
+  EXPECT_EQ(columns.notes[1].english(), "not used: Belastung [N]: 50");
+}
+
+/// One point a hundred times too high or too low is named; a steep or noisy curve is not.
+TEST(FrictionData, NamesAPointWithASlipOfItsDecimalMark) {
+  const auto text = [](std::size_t wrong, double factor) {
+    std::string rows = "v (m/s),mu,normal_force (N)\n";
+    for (const double force : {1.0, 2.0})
+      for (std::size_t i = 0; i < 7; ++i) {
+        const double x = 0.5 * static_cast<double>(i) - 2;
+        const double mu = std::pow(10, -0.4 * x * x) * (i == wrong && force == 2 ? factor : 1);
+        rows += std::to_string(std::pow(10, x)) + "," + std::to_string(mu) + "," +
+                std::to_string(force) + "\n";
+      }
+    return rows;
+  };
+  for (const double factor : {100.0, 0.01}) {
+    const FrictionData data = parsed(text(4, factor));
+    ASSERT_EQ(data.notes.size(), 2U);
+    EXPECT_THAT(data.notes[1].english(), HasSubstr("row 13: the coefficient of friction "));
+    EXPECT_THAT(data.notes[1].english(), HasSubstr("is its decimal mark right?"));
+  }
+  EXPECT_EQ(parsed(text(4, 1)).notes.size(), 1U);
+  EXPECT_EQ(parsed(text(4, 2)).notes.size(), 1U);
+  EXPECT_EQ(parsed(text(0, 100)).notes.size(), 1U);
+}
+
 }  // namespace
 }  // namespace asperity

@@ -72,6 +72,16 @@ TEST(TextProfile, ReadsUnitsWhereverTheyStand) {
   expectProfile(read("x (1e-6 m) z (10^-6 m)\n" + body(" ", 1, 1)));
   expectProfile(read("x,z\n" + body(",", 1e-6, 1e-6)));
   expectProfile(read("Unit: mm\n\n" + body(" ", 1e-3, 1e-3)));
+  expectProfile(read("# X-axis unit: mm\n# Z-axis unit: \u00B5m\nX;Z\n" + body(";", 1e-3, 1)));
+  for (const std::string separator : {",", ";", " "}) {
+    const std::string text = body(separator, 1e-3, 1e3);
+    for (const char* units : {"# units: x in mm, z in nm\n", "# Units: mm, nm\n"}) {
+      const MeasuredFile file = read(units + ("x" + separator + "z\n") + text);
+      expectProfile(file);
+      EXPECT_THAT(file.facts.positionColumn, testing::Not(HasSubstr("units"))) << units;
+    }
+    expectProfile(read("# units: x in mm; z in nm\n" + text));
+  }
   expectProfile(read("X unit = mm\nZ unit = nm\nx,z\n" + body(",", 1e-3, 1e3)));
   expectProfile(read("L\u00E4nge (mm);H\u00F6he (\u00B5m)\n" + withComma(body(";", 1e-3, 1))));
   expectProfile(read("L\xE4nge (mm);H\xF6he (\xB5m)\r\n" + withComma(body(";", 1e-3, 1))));
@@ -106,6 +116,11 @@ TEST(TextProfile, AsksForUnitsThatCannotBeMetres) {
   EXPECT_THAT(errorOf("z\n1e-6\n2e-6\n1e-6\n3e-6\n"), HasSubstr("how far its points are apart"));
   // Stated units are believed, however long or steep.
   EXPECT_EQ(errorOf("x (m),z (m)\n0,0\n10,1000\n20,-1000\n"), "no error");
+  const MeasuredFile large = read("x (m),z (m)\n0,0\n10,1000\n20,-1000\n");
+  EXPECT_TRUE(saysSomewhere(large, "The surface is 30 m long: if the file states a wrong unit"));
+  EXPECT_TRUE(saysSomewhere(large, "The heights span 2e+03 m: if the file states a wrong unit"));
+  const MeasuredFile usual = read("x (m),z (m)\n0,0\n1,0.01\n2,0.02\n3,0.05\n");
+  EXPECT_FALSE(saysSomewhere(usual, "wrong unit"));
   choices.heightUnit = "furlong";
   EXPECT_THAT(errorOf(text(1, 1), choices), HasSubstr("surface.height_unit"));
   EXPECT_THAT(errorOf("x (s),z (um)\n0,1\n1,2\n2,3\n"),
@@ -290,6 +305,7 @@ TEST(TextMatrix, ReadsTheExportOfGwyddionInItsLanguages) {
   const std::vector<std::array<std::string, 4>> languages{
       {"Channel: ", "Width: ", "Height: ", "Value units: "},
       {"Kanal: ", "Breite: ", "H\u00F6he: ", "Einheiten: "},
+      {"Kanal: ", "Breite: ", "H\u00F6he: ", "Werteinheiten: "},
       {"Canal : ", "Largeur : ", "Hauteur : ", "Unit\u00E9s : "},
       {"Kan\u00E1l: ", "\u0160\u00ED\u0159ka: ", "V\u00FD\u0161ka: ", "Jednotky hodnot: "},
       {"\u041A\u0430\u043D\u0430\u043B: ", "\u0428\u0438\u0440\u0438\u043D\u0430: ",
@@ -404,6 +420,50 @@ TEST(TextPoints, RefusesPointsWithoutAGrid) {
   EXPECT_THAT(errorOf(text), HasSubstr("do not lie on a grid"));
   EXPECT_THAT(errorOf("x (um),y (um),z (um)\n0,0,1\n1,0,2\n0,1,3\n1,1,4\n1,1,5\n2,0,1\n2,1,1\n"),
               HasSubstr("line 6: there is a point at this position already"));
+}
+
+/// Clouds of points have colours or normals behind their heights.
+TEST(TextPoints, MayHaveColoursAndNormals) {
+  ReadingChoices choices;
+  choices.positionUnit = choices.heightUnit = "um";
+  for (const bool hasNormals : {false, true}) {
+    std::string text;
+    for (int row = 0; row < kRows; ++row)
+      for (int column = 0; column < kColumns; ++column)
+        text += fmt::format("{} {} {:.10g} {}\n", column * 2, row * 5, micrometres(row, column),
+                            hasNormals ? "0.1 -0.2 0.97" : "128 120 110");
+    expectKnown(read(text, choices), "points", false, 1e-13, 1e-9);
+  }
+}
+
+/// Columns of different quantities are no matrix of heights, unless the user says so.
+TEST(TextPoints, WithoutAGridAreNoMatrix) {
+  std::string text;
+  std::mt19937 random(3);
+  for (int i = 0; i < 200; ++i)
+    text += fmt::format("{} {} {} 128 120 110\n", 0.001 * static_cast<double>(random() % 997),
+                        0.001 * static_cast<double>(random() % 991),
+                        1e-4 * static_cast<double>(random() % 97));
+  EXPECT_THAT(errorOf(text), HasSubstr("surface.format: is needed (profile, matrix or points): "
+                                       "columns 3 and 4 of 6 are too different"));
+  ReadingChoices choices;
+  choices.format = "matrix";
+  choices.positionUnit = choices.heightUnit = "um";
+  EXPECT_EQ(read(text, choices).topography.columns, 6);
+}
+
+TEST(TextPoints, AreNoLengthsInDegrees) {
+  std::string rows;
+  for (int row = 0; row < 8; ++row)
+    for (int column = 0; column < 10; ++column)
+      rows += fmt::format("{:.3f},{:.3f},{:.4f}\n", 0.001 * column, 0.005 * row,
+                          1e-4 * (row + column % 3));
+  EXPECT_THAT(errorOf("Longitude,Latitude,z\n" + rows),
+              HasSubstr("column 1 'Longitude' and column 2 'Latitude' are angles"));
+  const MeasuredFile file = read("Easting,Northing,Elevation\n" + rows);
+  EXPECT_EQ(file.facts.format, "points");
+  EXPECT_EQ(file.topography.columns, 10);
+  EXPECT_EQ(file.topography.rows, 8);
 }
 
 // ---- Real files --------------------------------------------------------------------------------

@@ -54,5 +54,25 @@ TEST(SceneCheck, TheLongWaveCutIsAboveTheShortOne) {
   }
 }
 
+/// One row of a topography is one line, unless it gives the spectrum of random ones.
+TEST(SceneCheck, ARowIsOneLine) {
+  Scene scene;
+  scene.surface.kind = SurfaceKind::Measured;
+  scene.surface.file = "topography.x3p";
+  scene.surface.reading.row = 5;
+  scene.ensemble.realizations = 3;
+  EXPECT_EQ(keyRefused(scene), "ensemble.realizations");
+  for (const std::int64_t lines : {0, 1}) {
+    scene.ensemble.realizations = lines;
+    EXPECT_EQ(keyRefused(scene), "");
+  }
+  scene.ensemble.realizations = 3;
+  scene.surface.reading.row = 0;
+  EXPECT_EQ(keyRefused(scene), "");
+  scene.surface.reading.row = 5;
+  scene.surface.processing.seam = Seam::RandomPhases;
+  EXPECT_EQ(keyRefused(scene), "");
+}
+
 }  // namespace
 }  // namespace asperity

@@ -368,8 +368,32 @@ TEST_F(MeasuredScene, OfASpectrumThatWasWrittenHasItsHeightAndSlope) {
     EXPECT_NEAR(read.length() / written.length(), 1, 1e-12) << surface;
     EXPECT_NEAR(read.statistics().rmsHeight / written.statistics().rmsHeight, 1, 1e-9) << surface;
     EXPECT_NEAR(read.statistics().rmsSlope / written.statistics().rmsSlope, 1, 1e-9) << surface;
-    EXPECT_THAT(read.spectrumFacts().front().english(), HasSubstr("periodogram"));
+    EXPECT_THAT(sentences(read.spectrumFacts()).english(), HasSubstr("periodogram"));
   }
+}
+
+/// Waves of the line outside of the table's band, and of the table outside of the line's, are said.
+TEST_F(MeasuredScene, OfASpectrumSaysWhereItsBandEnds) {
+  folder_.write("band.csv", "wavelength (um),C1 (um^2*mm)\n1000,1e-4\n100,1e-5\n10,1e-7\n");
+  const auto facts = [&](const char* size) {
+    const Scene scene =
+        readScene(fmt::format(R"({{"surface": {{"kind": "spectrum", "file": "band.csv",
+                        "spectrum_kind": "c1_two_sided"{}}}}})",
+                              size),
+                  "t", folder_.path());
+    return sentences(LineSource(scene, 1).spectrumFacts()).english();
+  };
+  EXPECT_THAT(facts(""), HasSubstr("wavelengths are column 1 'wavelength' (um)"));
+  EXPECT_THAT(facts(""), HasSubstr("per spatial frequency"));
+  EXPECT_THAT(facts(""), Not(HasSubstr("the spectrum ends")));
+  EXPECT_THAT(facts(""), Not(HasSubstr("the spectrum has waves")));
+  const std::string wide = facts(R"(, "length": 0.01, "elements": 20000)");
+  EXPECT_THAT(wide, HasSubstr("the spectrum ends at waves of 1 mm: longer ones"));
+  EXPECT_THAT(wide, HasSubstr("the spectrum ends at waves of 10 \u00B5m: shorter ones, down to 1"));
+  const std::string narrow = facts(R"(, "length": 5e-4, "elements": 20)");
+  EXPECT_THAT(narrow, HasSubstr("the spectrum has waves up to 1 mm"));
+  EXPECT_THAT(narrow,
+              HasSubstr("the spectrum has waves down to 10 \u00B5m: those shorter than 50"));
 }
 
 TEST_F(MeasuredScene, WithALongWaveCutBeyondTheProfileSaysSo) {

@@ -159,5 +159,25 @@ TEST(SpectrumFile, RefusesWhatContradictsTheKindOrIsUnknown) {
       parseSpectrum("q,c1_two_sided (m^3)\n1e4,1e-18\n1e5,2e-18\n", "s", SpectrumKind::C1TwoSided));
 }
 
+/// The columns, the units and the convention are stated, as of other files.
+TEST(SpectrumFile, SaysHowItWasRead) {
+  const auto facts = [](const char* header, SpectrumKind kind) {
+    const auto table =
+        parseSpectrumTable(std::string(header) + "\n1e4,1e-30\n1e5,1e-30\n", "s", kind);
+    return sentences(table.facts).english();
+  };
+  EXPECT_EQ(facts("wavelength (um),C1 (um^2*mm)", SpectrumKind::C1TwoSided),
+            "wavelengths are column 1 'wavelength' (um), the spectrum is column 2 'C1' (um^2*mm) "
+            "the spectrum is two-sided, per spatial frequency f = 1/wavelength: h\u00B2 = 2 \u222B "
+            "C df");
+  EXPECT_EQ(facts("q,C1", SpectrumKind::C1OneSided),
+            "wave numbers are column 1 'q' (in SI units), the spectrum is column 2 'C1' (in SI "
+            "units) the spectrum is one-sided, per wave number q: h\u00B2 = \u222B C dq");
+  EXPECT_EQ(facts("f (1/mm),C2 (m^4)", SpectrumKind::C2),
+            "spatial frequencies are column 1 'f' (1/mm), the spectrum is column 2 'C2' (m^4) the "
+            "spectrum is of an isotropic area, per spatial frequency f = 1/wavelength: h\u00B2 = "
+            "2\u03C0 \u222B C f df");
+}
+
 }  // namespace
 }  // namespace asperity

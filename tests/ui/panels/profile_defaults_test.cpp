@@ -149,5 +149,16 @@ TEST_F(ParameterPanelTest, OnlyRandomLinesHaveRealizations) {
   EXPECT_EQ(entry("ensemble.realizations").text(), "200");
 }
 
+/// A scene with one row and several realizations could not be opened again.
+TEST_F(ParameterPanelTest, OneRowIsOneLine) {
+  choose("surface.kind", "measured");
+  type("surface.file", "topography.x3p");
+  type("ensemble.realizations", "3");
+  ASSERT_EQ(panel_.scene().ensemble.realizations, 3);
+  type("surface.row", "5");
+  EXPECT_EQ(panel_.scene().surface.reading.row, 5);
+  EXPECT_EQ(panel_.scene().ensemble.realizations, 1);
+}
+
 }  // namespace
 }  // namespace asperity

@@ -1,0 +1,66 @@
+// What the names and units of the columns of a table of measured friction mean, in English and
+// German. Pure functions; any thread.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/text_table.h"
+
+namespace asperity {
+
+enum class FrictionQuantity {
+  Velocity,
+  Mu,
+  MuError,
+  VelocityError,
+  Force,
+  Pressure,
+  Temperature,
+  Label,
+};
+
+inline constexpr std::array<FrictionQuantity, 3> kLoadsAndTemperature{
+    FrictionQuantity::Force, FrictionQuantity::Pressure, FrictionQuantity::Temperature};
+
+/// Returns "normal force", "error of the velocity", ...: the quantity in messages.
+const char* meaningOf(FrictionQuantity quantity);
+
+/// Returns the quantity of a column by its name: "v", "Reibwert", "Fz", "u(mu)", "std". A name with
+/// several meanings, such as t for temperature and time, needs a unit of its quantity, or kAnyUnit.
+/// Nothing where the name is not known.
+std::optional<FrictionQuantity> findMeaning(const std::string& name, const std::string& unit);
+inline std::optional<FrictionQuantity> findMeaning(const TextColumn& column) {
+  return findMeaning(column.name, column.unit);
+}
+inline constexpr const char* kAnyUnit = "?";
+
+/// Returns whether a name has several meanings.
+bool isAmbiguousName(const std::string& name);
+
+/// Returns the quantity that a word names; the word has letters and digits in lower case alone.
+std::optional<FrictionQuantity> quantityNamed(const std::string& word);
+
+/// Returns whether a name is that of an error, such as "u(T)", "dF" and "load error".
+bool isErrorName(const std::string& name);
+/// Returns whether the name of an error says that it is a share of its quantity.
+bool isRelativeError(const std::string& name);
+/// Returns whether a unit is "% of mu", "% rel." or the like: a share of the quantity.
+bool isShareUnit(std::string_view unit);
+
+/// Returns whether a unit measures this load or temperature.
+bool measures(const std::string& unit, FrictionQuantity quantity);
+/// Returns whether a force, stress or modulus with these words in its name is no normal load: the
+/// force of friction, the shear stress, the modulus of the rubber.
+bool isOtherLoad(const std::vector<std::string>& words);
+
+/// Returns the words of a name in letters and digits: "fz", "track" and "mean" of "Fz_track
+/// (mean)".
+std::vector<std::string> nameWords(std::string text);
+/// Returns words in the order in which they stand: "velocity (mm/s) mu" has three.
+std::vector<std::string> blankSeparated(std::string_view text);
+
+}  // namespace asperity
