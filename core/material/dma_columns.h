@@ -46,8 +46,21 @@ struct DmaColumn {
 /// a temperature.
 DmaColumn dmaColumn(std::string_view name, std::string_view unit);
 
-/// Returns the first temperature in a text, in K; it needs a unit: "sweep at 20 \u00B0C", "T = 293
-/// K".
+/// The coldest temperature (K) at which a rubber is measured: colder than liquid air. Smaller
+/// numbers are steps, tolerances and degrees Celsius.
+inline constexpr double kColdestTest = 100;
+
+/// A temperature in a text, from its number to the end of its unit.
+struct TextTemperature {
+  double kelvin = 0;
+  std::size_t begin = 0, end = 0;
+};
+
+/// Returns the first temperature in a text; it needs a unit: "sweep at 20 \u00B0C", "T = 293 K". A
+/// rate as "2 K/min" is none.
+std::optional<TextTemperature> firstTemperature(std::string_view text);
+
+/// Returns the same in K.
 std::optional<double> findTemperature(std::string_view text);
 
 /// Returns all temperatures in a text, in their order; K.

@@ -14,6 +14,7 @@
 #include "core/base/text_header.h"
 #include "core/base/text_number.h"
 #include "core/material/dma_sweeps.h"
+#include "core/material/stated_temperature.h"
 
 namespace asperity {
 namespace {
@@ -65,31 +66,6 @@ class Reader {
     for (const SweepColumns& columns : sweeps) readSweep(block, columns, sweeps.size() > 1);
     return !sweeps.empty();
   }
-
-  /// Returns the temperature stated above a block, in its own header or else in an earlier one:
-  /// "Temperature: 20 °C", "T = 293 K", "sweep at 20 °C".
-  std::optional<double> statedTemperature(const TextBlock& block) const {
-    const TextBlock* current = &block;
-    while (true) {
-      for (auto entry = current->header.rbegin(); entry != current->header.rend(); ++entry) {
-        const bool isTemperature = dmaColumn(entry->key, "").quantity == Temperature;
-        if (isTemperature)
-          if (const auto quantity = parseQuantity(entry->value)) {
-            const std::string unit =
-                isStated(choices_.temperatureUnit) ? choices_.temperatureUnit : quantity->unit;
-            const auto scale = temperatureUnit(unit.empty() ? unitInKey(entry->key) : unit);
-            if (scale) return scale->toSi(quantity->number);
-          }
-        if (const auto found = findTemperature(entry->value)) return found;
-        if (const auto found = findTemperature(entry->key)) return found;
-      }
-      if (current == &table_.blocks.front()) return {};
-      --current;
-    }
-  }
-
-  /// Returns the unit in the key of an entry such as "Temperature [°C]: 20" or "T/K = 293".
-  static std::string unitInKey(const std::string& key) { return parseColumnName(key).unit; }
 
   /// Returns name and unit of a column; the user's choice of a unit overrides that of the file.
   DmaColumnFact columnFact(const TextBlock& block, std::size_t column,
@@ -219,7 +195,9 @@ class Reader {
       scale = temperatureScale(block, columns[Temperature]);
     } else {
       if (choices_.temperature) oneTemperature = choices_.temperature;
-      if (!oneTemperature) oneTemperature = statedTemperature(block);
+      if (!oneTemperature)
+        oneTemperature =
+            statedTemperature(table_, block, name_, choices_.temperatureUnit, isReduced);
       if (!oneTemperature)
         throw InputError(name_, "temperature",
                          "is stated nowhere; say at which the moduli were measured with "
@@ -339,6 +317,11 @@ class Reader {
     if (!(modulus.storage > 0)) refuse("the storage modulus", modulus.storage);
     if (!(modulus.loss > 0)) refuse("the loss modulus", modulus.loss);
     if (!(temperature > 0 && temperature <= 2000)) refuse("the temperature in K", temperature);
+    if (temperature < kColdestTest)
+      throw InputError(name_, fmt::format("line {}", line),
+                       message("the temperature is {:.6g} K, at which no rubber is measured; "
+                               "correct it, or say with --temperature-unit in which unit it is",
+                               temperature));
   }
 
   /// Returns the strain of a row; NaN where it states none.

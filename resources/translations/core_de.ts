@@ -4223,6 +4223,18 @@
         <translation>Zeilen ohne Wert, weggelassen: %1</translation>
     </message>
     <message>
+        <source>states a temperature of %1 K, at which no rubber is measured; correct it, or state that of the test with --temperature</source>
+        <translation>nennt eine Temperatur von %1 K, bei der kein Gummi gemessen wird; berichtigen, oder die der Prüfung mit --temperature angeben</translation>
+    </message>
+    <message>
+        <source>is %1 in line %2 and %3 in line %4; say with --temperature which is that of the test</source>
+        <translation>ist %1 in Zeile %2 und %3 in Zeile %4; --temperature sagt, welche die der Prüfung ist</translation>
+    </message>
+    <message>
+        <source>the temperature is %1 K, at which no rubber is measured; correct it, or say with --temperature-unit in which unit it is</source>
+        <translation>die Temperatur ist %1 K, bei der kein Gummi gemessen wird; berichtigen, oder mit --temperature-unit sagen, in welcher Einheit sie steht</translation>
+    </message>
+    <message>
         <source>moduli of tension, divided by %1 for shear (Poisson's ratio %2)</source>
         <translation>Zugmoduln, für Schub durch %1 geteilt (Querkontraktionszahl %2)</translation>
     </message>

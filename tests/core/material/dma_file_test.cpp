@@ -125,6 +125,71 @@ TEST(DmaFile, AMasterCurveIsAtOneTemperature) {
   expectRow(file.rows[1], 298.15, 1e5, 2e6, 5e5);
 }
 
+/// Numbers with K or \u00B0C near the table are often of something else than the test.
+TEST(DmaFile, TheTemperatureOfTheTestIsFoundAmongOthers) {
+  const std::string table = "f [Hz];G' [Pa];G'' [Pa]\n1;2e6;2e5\n10;3e6;4e5\n";
+  for (const std::string header : {
+           "Temperature: 20 \u00B0C\nHeating rate: 2 K/min\n",
+           "Temperature: 20 \u00B0C\nramp of 2 K / min, then 5 \u00B0C/s\n",
+           "Temperature: 20 \u00B0C\nSoak time: 300 s, tolerance 0.5 K\n",
+           "Temperature: 20 \u00B0C\nVulcanization: 160 \u00B0C, 12 min\n",
+           "Temperature: 20 \u00B0C\nVulkanisation: 12 min, T = 160 \u00B0C\n",
+           "Sample: NR, cured 12 min at 160 \u00B0C\nTest temperature: 20 \u00B0C\n",
+           "Messtemperatur: 20 \u00B0C\nGlas\u00FCbergang Tg: -58 \u00B0C\n",
+           "Messtemperatur: 20 \u00B0C\nT_g = -58 \u00B0C\n",
+           "Isothermal frequency sweep at 20 \u00B0C\nOven range -150 \u00B0C to 600 \u00B0C\n",
+           "sweep at 20 \u00B0C\n-150 ... 600 \u00B0C\nT max = 80 \u00B0C\n",
+           "Master curve, Tref = 20 \u00B0C\nWLF C1 = 10\nWLF C2 = 120 K\n",
+           "Reference temperature: 20 \u00B0C\nC1: 10\nC2: 120 K\n",
+           "Bezugstemperatur: 293.15 K\nWLF C1 = 10, C2 = 120 K\n",
+           "Set temperature: 25 \u00B0C\nSample temperature: 20 \u00B0C\n",
+           "Temperature [\u00B0C]: 20\nRoom temperature: 24 \u00B0C\n",
+           "T/K = 293.15\nstiffness measured at 25 \u00B0C\n",
+           "Temperature: 20 \u00B1 0.5 \u00B0C\n",
+           "Temperature: 20 \u00B0C \u00B1 0.5 K\n",
+           "T = 20 \u00B0C, cooling 3 K/min\nReference temperature: 50 \u00B0C\n",
+           "Temperature: 20\n",
+       }) {
+    SCOPED_TRACE(header);
+    EXPECT_NEAR(read(header + table).rows.front().temperature, 293.15, 1e-9);
+  }
+  const std::string reduced = "Temperature: 50 \u00B0C\nReference temperature: 20 \u00B0C\n";
+  EXPECT_NEAR(read(reduced + "Reduced frequency (Hz);G' [Pa];G'' [Pa]\n1;2e6;2e5\n10;3e6;4e5\n")
+                  .rows.front()
+                  .temperature,
+              293.15, 1e-9);
+}
+
+TEST(DmaFile, WithoutATemperatureOfTheTestTheFileIsRefused) {
+  const std::string table = "f [Hz];G' [Pa];G'' [Pa]\n1;2e6;2e5\n10;3e6;4e5\n";
+  for (const std::string header :
+       {"Sample: NR, cured 12 min at 160 \u00B0C\n", "Temperature range: -40 to 60 \u00B0C\n",
+        "Heating rate: 2 K/min\n", "Oven -150 \u00B0C to 600 \u00B0C\n", "B = 12 K\n"})
+    EXPECT_THAT(errorOf(header + table),
+                HasSubstr("temperature: is stated nowhere; say at which the moduli were measured "
+                          "with --temperature"))
+        << header;
+  EXPECT_THAT(errorOf("Temperature: 2 K\n" + table),
+              HasSubstr("line 1: states a temperature of 2 K, at which no rubber is measured"));
+  EXPECT_THAT(
+      errorOf("Temperature: 20 \u00B0C\nT = 40 \u00B0C\n" + table),
+      HasSubstr("temperature: is 20.0 \u00B0C in line 1 and 40.0 \u00B0C in line 2; say with "
+                "--temperature which"));
+  EXPECT_THAT(errorOf("f (Hz),T (K),G' (Pa),G'' (Pa)\n1,20,2e6,2e5\n10,20,3e6,4e5\n"),
+              HasSubstr("line 2: the temperature is 20 K, at which no rubber is measured"));
+}
+
+/// Each block has its own temperature, whatever else its header states.
+TEST(DmaFile, BlocksWithTolerancesAreIsotherms) {
+  const DmaFile file = read(
+      "Instrument: DMA 242\n\nStep\nTemperature: -40 \u00B0C\nSoak tolerance: 0.5 K\nf;G';G''\n"
+      "Hz;MPa;MPa\n1;2;1\n2;3;1\n\nStep\nTemperature: 20 \u00B0C\nSoak tolerance: 0.5 K\n"
+      "f;G';G''\nHz;MPa;MPa\n1;1.5;1\n2;2.5;1\n");
+  ASSERT_EQ(file.rows.size(), 4U);
+  EXPECT_NEAR(file.rows[0].temperature, 233.15, 1e-9);
+  EXPECT_NEAR(file.rows[3].temperature, 293.15, 1e-9);
+}
+
 /// Two isotherms side by side, in every form that spreadsheets give them.
 TEST(DmaFile, SweepsSideBySideAreAllRead) {
   const std::string rows = "1,2,1,1.5,1\n2,3,1,2.5,1\n";
