@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/base/input_error.h"
+#include "core/base/number_text.h"
 #include "core/base/text.h"
 #include "core/base/text_number.h"
 
@@ -259,6 +260,12 @@ std::optional<TextTemperature> temperatureAt(std::string_view text, std::size_t 
 
 double shearFromYoungs(double youngs, double poisson) {
   return youngs / (2 * (1 + poisson));
+}
+
+Message dividedForShear(double poisson) {
+  return message("moduli of tension, divided by {} for shear (Poisson's ratio {})",
+                 PrintedNumber{printedNumber(2 * (1 + poisson))},
+                 PrintedNumber{printedNumber(poisson)});
 }
 
 DmaColumn dmaColumn(std::string_view name, std::string_view unit) {

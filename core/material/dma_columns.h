@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/message.h"
 #include "core/base/units.h"
 
 namespace asperity {
@@ -28,6 +29,9 @@ enum class ModulusKind { Unknown, Shear, Tension };
 
 /// Returns the shear modulus of a Young's modulus, E / (2 (1 + nu)).
 double shearFromYoungs(double youngs, double poisson);
+
+/// Says that moduli of tension were divided for shear.
+Message dividedForShear(double poisson);
 
 struct DmaColumn {
   DmaQuantity quantity = DmaQuantity::None;

@@ -383,9 +383,7 @@ std::vector<Message> materialSummary(const Material& material) {
                 "moduli that became one differ by a factor of up to {}",
                 repeats, PrintedNumber{printedNumber(ratio, 3)}));
   if (material.facts.modulus == ModulusKind::Tension)
-    lines.push_back(message("moduli of tension, divided by {} for shear (Poisson's ratio {})",
-                            PrintedNumber{printedNumber(2 * (1 + material.poissonRatio))},
-                            PrintedNumber{printedNumber(material.poissonRatio)}));
+    lines.push_back(dividedForShear(material.poissonRatio));
   if (!curve.overlaps.empty()) {
     const auto [best, worst] = std::ranges::minmax(curve.overlaps, {}, &Overlap::mismatch);
     lines.push_back(message("overlaps: neighbours agree within {} to {} decades (rms)",

@@ -4235,6 +4235,22 @@
         <translation>die Temperatur ist %1 K, bei der kein Gummi gemessen wird; berichtigen, oder mit --temperature-unit sagen, in welcher Einheit sie steht</translation>
     </message>
     <message>
+        <source>has the unit %1, which is not one of %2</source>
+        <translation>hat die Einheit %1, die keine von %2 ist</translation>
+    </message>
+    <message>
+        <source>%1 has no unit: seconds are assumed</source>
+        <translation>%1 hat keine Einheit: Sekunden werden angenommen</translation>
+    </message>
+    <message>
+        <source>the file does not say of which kind its moduli are: shear is assumed; --modulus tension says otherwise</source>
+        <translation>die Datei sagt nicht, von welcher Art ihre Moduln sind: Schub wird angenommen; --modulus tension sagt etwas anderes</translation>
+    </message>
+    <message>
+        <source>moduli of shear, not divided</source>
+        <translation>Schubmoduln, nicht geteilt</translation>
+    </message>
+    <message>
         <source>moduli of tension, divided by %1 for shear (Poisson's ratio %2)</source>
         <translation>Zugmoduln, für Schub durch %1 geteilt (Querkontraktionszahl %2)</translation>
     </message>
