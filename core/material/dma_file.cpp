@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
+#include "core/base/statistics.h"
 #include "core/base/text.h"
 #include "core/base/text_header.h"
 #include "core/base/text_number.h"
@@ -63,8 +65,92 @@ class Reader {
     std::string leftOut;
     const std::vector<SweepColumns> sweeps = findSweeps(block, name_, choices_, leftOut);
     if (!sweeps.empty() && file_.facts.leftOutColumns.empty()) file_.facts.leftOutColumns = leftOut;
-    for (const SweepColumns& columns : sweeps) readSweep(block, columns, sweeps.size() > 1);
+    for (const SweepColumns& columns : sweeps) {
+      DmaFacts& facts = file_.facts;
+      const DmaFacts before = facts;
+      readSweep(block, columns, sweeps.size() > 1);
+      facts.hasOtherColumns =
+          facts.hasOtherColumns ||
+          (facts.sweeps > 0 && !(facts.frequency == before.frequency &&
+                                 facts.storage == before.storage && facts.loss == before.loss));
+      ++facts.sweeps;
+    }
+    if (!sweeps.empty()) noteOtherKind(block, sweeps.front());
     return !sweeps.empty();
+  }
+
+  /// Notes that a table has moduli of the kind that is not read, and what their ratio is.
+  void noteOtherKind(const TextBlock& block, const SweepColumns& columns) {
+    if (!columns.has(Storage) || isKindNoted_) return;
+    const TextColumn& read = block.columns[columns[Storage]];
+    const bool isShear = file_.facts.modulus == ModulusKind::Shear;
+    for (std::size_t i = 0; i < block.columns.size(); ++i) {
+      const TextColumn& other = block.columns[i];
+      const DmaColumn meaning = dmaColumn(other.name, other.unit);
+      if (other.isText || meaning.quantity != Storage || meaning.kind == ModulusKind::Unknown ||
+          meaning.kind == file_.facts.modulus)
+        continue;
+      const double size =
+          unitSize(other.unit, "Pa").value_or(1) / unitSize(read.unit, "Pa").value_or(1);
+      std::vector<double> ratios;
+      for (std::size_t row = 0; row < block.rows; ++row)
+        if (const double ratio = size * block.at(row, i) / block.at(row, columns[Storage]);
+            std::isfinite(ratio))
+          ratios.push_back(isShear ? ratio : 1 / ratio);
+      if (ratios.empty()) return;
+      isKindNoted_ = true;
+      const PrintedNumber ratio{printedNumber(upperMedian(std::move(ratios)), 3)};
+      const PrintedNumber expected{printedNumber(2 * (1 + choices_.poissonRatio), 3)};
+      file_.facts.notes.push_back(
+          isShear ? message("the table also has moduli of tension, {} times those of shear in the "
+                            "median ({} with this Poisson's ratio); those of shear are read, and "
+                            "--modulus tension reads the others",
+                            ratio, expected)
+                  : message("the table also has moduli of shear; those of tension are {} times as "
+                            "large in the median ({} with this Poisson's ratio) and are read, and "
+                            "--modulus shear reads the others",
+                            ratio, expected));
+      return;
+    }
+  }
+
+  /// Two columns with their units, and how storage and loss modulus follow from them.
+  struct ModulusPair {
+    std::size_t first, second;
+    double firstSize, secondSize;
+    DynamicModulus (*combine)(double first, double second);
+  };
+
+  /// Notes that a column of loss factors contradicts the moduli, which are read.
+  void noteLossTangent(const TextBlock& block, const SweepColumns& columns,
+                       const ModulusPair& pair) {
+    if (!columns.has(Storage) || !columns.has(Loss) || !columns.has(LossTangent)) return;
+    const std::size_t column = columns[LossTangent];
+    const std::string unit = columnFact(block, column, {}).unit;
+    const auto size = unit.empty() || unit == "-" || unit == "1"
+                          ? std::optional<double>(1)
+                          : unitSize(unit == "percent" ? "%" : unit, "");
+    if (!size) return;
+    std::vector<double> ratios;
+    for (std::size_t row = 0; row < block.rows; ++row) {
+      const double tangent = block.at(row, pair.second) * pair.secondSize /
+                             (block.at(row, pair.first) * pair.firstSize);
+      const double ratio = block.at(row, column) * *size / tangent;
+      if (std::isfinite(ratio)) ratios.push_back(ratio);
+    }
+    constexpr double kSame = 0.1;
+    if (ratios.empty()) return;
+    const double ratio = upperMedian(std::move(ratios));
+    if (std::abs(ratio - 1) <= kSame) return;
+    const Message note = message(
+        "{} contradicts the moduli: in the median it is {} times the ratio of {} and {}; the "
+        "moduli "
+        "are read",
+        Message::name(columnLabel(block, column)), PrintedNumber{printedNumber(ratio, 3)},
+        Message::name(columnLabel(block, columns[Loss])),
+        Message::name(columnLabel(block, columns[Storage])));
+    if (!isTangentNoted_) file_.facts.notes.push_back(note);
+    isTangentNoted_ = true;
   }
 
   /// Returns name and unit of a column; the user's choice of a unit overrides that of the file.
@@ -153,8 +239,8 @@ class Reader {
   /// Decides about temperatures without a unit: numbers above 200 are kelvins, as no rubber is
   /// hotter in °C.
   Unit temperatureScale(const TextBlock& block, std::size_t column) {
-    const DmaColumnFact fact = columnFact(block, column, choices_.temperatureUnit);
-    file_.facts.temperature = fact.name;
+    DmaColumnFact& fact = file_.facts.temperature;
+    fact = columnFact(block, column, choices_.temperatureUnit);
     if (!fact.unit.empty()) {
       const auto unit = temperatureUnit(fact.unit);
       if (!unit) refuseUnit(fact, unitNames("K"), "--temperature-unit");
@@ -171,7 +257,8 @@ class Reader {
                   "to be mixed; say which with --temperature-unit, or correct the "
                   "column",
                   lowest, highest));
-    return *temperatureUnit(lowest >= 200 ? "K" : "C");
+    fact.unit = lowest >= 200 ? "K" : "\u00B0C";
+    return *temperatureUnit(fact.unit);
   }
 
   /// Reads the rows of one block, or of one temperature in a table of several.
@@ -202,17 +289,10 @@ class Reader {
         throw InputError(name_, "temperature",
                          "is stated nowhere; say at which the moduli were measured with "
                          "--temperature, such as --temperature 20C");
-      file_.facts.temperature = "one for each sweep";
+      file_.facts.temperature = {};
     }
     readRows(block, columns, isSideBySide, frequencyAt, *frequencySize, oneTemperature, scale);
   }
-
-  /// Two columns with their units, and how storage and loss modulus follow from them.
-  struct ModulusPair {
-    std::size_t first, second;
-    double firstSize, secondSize;
-    DynamicModulus (*combine)(double first, double second);
-  };
 
   ModulusPair modulusPair(const TextBlock& block, const SweepColumns& columns) {
     DmaFacts& facts = file_.facts;
@@ -284,6 +364,7 @@ class Reader {
                 std::size_t frequencyAt, double frequencySize,
                 const std::optional<double>& oneTemperature, const Unit& scale) {
     const ModulusPair pair = modulusPair(block, columns);
+    noteLossTangent(block, columns, pair);
     for (std::size_t row = 0; row < block.rows; ++row) {
       const double frequency = block.at(row, frequencyAt) * frequencySize;
       const double first = block.at(row, pair.first) * pair.firstSize;
@@ -342,7 +423,33 @@ class Reader {
   const std::string& name_;
   const DmaChoices& choices_;
   DmaFile file_;
+  bool isTangentNoted_ = false, isKindNoted_ = false;
 };
+
+/// Returns "G' in MPa", "G' in MPa (assumed)" or "tan delta".
+Message describeColumn(const DmaColumnFact& fact) {
+  const Message name = Message::name(fact.name);
+  if (fact.unit.empty()) return name;
+  return fact.isUnitAssumed ? message("{} in {} (assumed)", name, fact.unit)
+                            : message("{} in {}", name, fact.unit);
+}
+
+/// Reads the shift beside moduli at one temperature; isotherms have their own.
+void readShift(const TextTable& table, const std::string& name, const DmaChoices& choices,
+               DmaFile& file) {
+  const double temperature = file.rows.front().temperature;
+  const bool isOne = std::ranges::all_of(file.rows, [temperature](const MeasuredModulus& row) {
+    return std::abs(row.temperature - temperature) <= kIsothermTolerance;
+  });
+  if (isOne) {
+    StatedShift stated = statedShift(table, temperature, name, choices.temperatureUnit);
+    file.shift = std::move(stated.shift);
+    std::ranges::move(stated.notes, std::back_inserter(file.facts.notes));
+  } else if (statesShift(table)) {
+    file.facts.notes.push_back(
+        "the shift that the file states is not read: the isotherms have their own");
+  }
+}
 
 }  // namespace
 
@@ -368,6 +475,7 @@ DmaFile readDmaFile(TextTable table, const std::string& name, const DmaChoices& 
   undoLogarithms(
       table, [](const std::string& quantity) { return dmaColumn(quantity, {}).quantity != None; });
   DmaFile file = Reader(table, name, choices).read();
+  readShift(table, name, choices, file);
   file.facts.isMarkUnclear = table.dialect.isUnclear;
   file.facts.decimal = table.dialect.decimal;
   if (file.facts.storage.isUnitAssumed && choices.modulusUnit.empty()) {
@@ -376,6 +484,23 @@ DmaFile readDmaFile(TextTable table, const std::string& name, const DmaChoices& 
     refuseSoftModulus(name, file.facts.storage.name, largest);
   }
   return file;
+}
+
+std::vector<Message> factsOf(const DmaFacts& facts) {
+  std::vector<Message> lines;
+  const Message frequency = describeColumn(facts.frequency);
+  lines.push_back(facts.isReduced ? message("reduced frequency: {}", frequency)
+                                  : message("frequency: {}", frequency));
+  if (!facts.temperature.name.empty())
+    lines.push_back(message("temperature: {}", describeColumn(facts.temperature)));
+  const Message storage = describeColumn(facts.storage), loss = describeColumn(facts.loss);
+  lines.push_back(facts.modulus == ModulusKind::Tension
+                      ? message("moduli of tension: {}, {}", storage, loss)
+                      : message("moduli of shear: {}, {}", storage, loss));
+  if (facts.hasOtherColumns)
+    lines.push_back(message("these are the columns of the last of {} sweeps", facts.sweeps));
+  lines.insert(lines.end(), facts.notes.begin(), facts.notes.end());
+  return lines;
 }
 
 }  // namespace asperity

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
@@ -13,6 +14,7 @@
 #include "core/material/dma_columns.h"
 #include "core/material/element_law.h"
 #include "core/material/prony_keywords.h"
+#include "core/material/stated_temperature.h"
 
 namespace asperity {
 namespace {
@@ -141,9 +143,34 @@ ModulusKind kindOfSeries(ModulusKind stated, const PronyChoices& choices, RawSer
   return ModulusKind::Shear;
 }
 
+/// Reads the temperature and the shift that a table states. The user's temperature precedes, and is
+/// that of a shift without a reference.
+void readTemperature(const TextTable& table, const TextBlock& block, const std::string& name,
+                     const PronyChoices& choices, RawSeries& series) {
+  series.temperature = choices.temperature;
+  std::optional<double> reference = choices.temperature;
+  try {
+    const auto inFile = statedTemperature(table, block, name, choices.temperatureUnit, true);
+    if (!choices.temperature) series.temperature = inFile;
+    constexpr double kSame = 1e-6;  // K, of converted degrees
+    if (inFile && !(reference && std::abs(*inFile - *reference) < kSame)) reference = inFile;
+  } catch (const InputError&) {
+    if (!choices.temperature) throw;
+  }
+  if (!reference) return;
+  StatedShift stated = statedShift(table, *reference, name, choices.temperatureUnit);
+  series.shift = std::move(stated.shift);
+  std::ranges::move(stated.notes, std::back_inserter(series.notes));
+}
+
 std::optional<RawSeries> tableSeries(const TextTable& table, const std::string& name,
                                      const PronyChoices& choices) {
-  const TextBlock& block = table.largest();
+  const TextBlock* largest = nullptr;
+  for (const TextBlock& one : table.blocks)
+    if (!isShiftTable(one) && (!largest || one.values.size() > largest->values.size()))
+      largest = &one;
+  if (!largest) return {};
+  const TextBlock& block = *largest;
   constexpr auto kNone = static_cast<std::size_t>(-1);
   std::size_t timeAt = kNone, weightAt = kNone;
   for (std::size_t i = 0; i < block.columns.size(); ++i) {
@@ -186,7 +213,7 @@ std::optional<RawSeries> tableSeries(const TextTable& table, const std::string& 
   const double time = timeSizeOf(block.columns[timeAt], name, series);
 
   // A row without a relaxation time, or with an infinite one, is the equilibrium modulus.
-  double sum = 0, largest = 0, ofRow = RawSeries::kNotStated;
+  double sum = 0, most = 0, ofRow = RawSeries::kNotStated;
   for (std::size_t row = 0; row < block.rows; ++row) {
     const double weight = block.at(row, weightAt) * (isPercent ? 0.01 : 1);
     if (!std::isfinite(weight)) continue;
@@ -196,11 +223,11 @@ std::optional<RawSeries> tableSeries(const TextTable& table, const std::string& 
     }
     series.terms.push_back({weight, block.at(row, timeAt) * time, block.lines[row]});
     sum += weight;
-    largest = std::max(largest, weight);
+    most = std::max(most, weight);
   }
   if (series.terms.empty()) throw InputError(name, "", "holds no relaxation time");
   // Parts of the instantaneous modulus have no unit, and their sum is at most 1.
-  series.isRelative = !series.isUnitKnown && largest < 1 && sum <= 1 + 1e-6;
+  series.isRelative = !series.isUnitKnown && most < 1 && sum <= 1 + 1e-6;
 
   std::vector<StatedModulus> above;
   for (const TextEntry& entry : block.header)
@@ -241,6 +268,7 @@ std::optional<RawSeries> tableSeries(const TextTable& table, const std::string& 
     series.notes.push_back(dividedForShear(choices.poissonRatio));
   else if (kind == ModulusKind::Shear)
     series.notes.push_back("moduli of shear, not divided");
+  readTemperature(table, block, name, choices, series);
   return series;
 }
 

@@ -381,11 +381,99 @@ TEST(DmaFile, TheSamplesTemperatureIsTaken) {
       "Set temperature (C),Sample temperature (C),f (Hz),G' (MPa),G'' (MPa)\n"
       "10,20,1,2,0.2\n10,20,10,3,0.4\n");
   expectRow(file.rows[0], 293.15, 1, 2e6, 2e5);
-  EXPECT_EQ(file.facts.temperature, "Sample temperature");
+  EXPECT_EQ(file.facts.temperature.name, "Sample temperature");
   EXPECT_EQ(file.facts.leftOutColumns, "Set temperature");
   EXPECT_THAT(errorOf("Temperature (C),Room temperature (C),f (Hz),G' (MPa),G'' (MPa)\n"
                       "10,20,1,2,0.2\n10,20,10,3,0.4\n"),
               HasSubstr("seem to be the same quantity"));
+}
+
+std::vector<std::string> factsIn(const std::string& text, const DmaChoices& choices = {}) {
+  std::vector<std::string> facts;
+  for (const Message& fact : factsOf(read(text, choices).facts)) facts.push_back(fact.english());
+  return facts;
+}
+
+TEST(DmaFile, TheFactsNameColumnsUnitsAndKind) {
+  using testing::ElementsAre;
+  EXPECT_THAT(factsIn("f (Hz),T (K),E' (MPa),tan delta\n1,293,2,0.1\n10,293,3,0.1\n"),
+              ElementsAre("frequency: f in Hz", "temperature: T in K",
+                          "moduli of tension: E' in MPa, tan delta"));
+  DmaChoices megapascals;
+  megapascals.modulusUnit = "MPa";
+  EXPECT_THAT(
+      factsIn("omega,T,G1,G2\n1,20,2,0.2\n10,20,3,0.4\n", megapascals),
+      ElementsAre("frequency: omega in rad/s (assumed)", "temperature: T in \u00B0C (assumed)",
+                  "moduli of shear: G1 in MPa, G2 in MPa"));
+  EXPECT_THAT(factsIn("Tref = 20 C\naT*f (Hz),G',G''\n1,2e6,2e5\n10,3e6,4e5\n"),
+              ElementsAre("reduced frequency: aT*f in Hz",
+                          "moduli of shear: G' in Pa (assumed), G'' in Pa (assumed)"));
+  const std::string block = "C\nf (Hz),G' (MPa),G'' (MPa)\n1,2,0.2\n10,3,0.4\n\n";
+  EXPECT_EQ(factsIn("T = 20 " + block + "T = 30 " + block).size(), 2U);
+  EXPECT_THAT(
+      factsIn("T = 20 " + block + "T = 30 C\nf (Hz),G' (Pa),G'' (Pa)\n1,2e6,2e5\n10,3e6,4e5\n"),
+      testing::Contains("these are the columns of the last of 2 sweeps"));
+}
+
+TEST(DmaFile, ColumnsThatContradictEachOtherAreSaid) {
+  const auto tangent = [](const std::string& first, const std::string& second) {
+    return factsIn("f (Hz),T (C),G' (MPa),G'' (MPa),tan d\n1,20,2,0.2," + first + "\n10,20,3,0.6," +
+                   second + "\n");
+  };
+  EXPECT_EQ(tangent("0.101", "0.199").size(), 3U);
+  EXPECT_THAT(tangent("0.2", "0.4"),
+              testing::Contains("tan d contradicts the moduli: in the median it is 2 times the "
+                                "ratio of G'' and G'; the moduli are read"));
+  const std::string both =
+      "f (Hz),T (C),E' (MPa),E'' (MPa),G' (kPa),G'' (kPa)\n1,20,6,1,3000,500\n10,20,7,1,3500,600\n";
+  EXPECT_THAT(
+      factsIn(both),
+      testing::Contains("the table also has moduli of tension, 2 times those of shear in the "
+                        "median (3 with this Poisson's ratio); those of shear are read, and "
+                        "--modulus tension reads the others"));
+  DmaChoices tension;
+  tension.modulus = ModulusKind::Tension;
+  EXPECT_THAT(factsIn(both, tension),
+              testing::Contains(HasSubstr("those of tension are 2 times as large in the median")));
+}
+
+/// What a program writes about the shift of its master curve.
+TEST(DmaFile, TheShiftBesideAMasterCurveIsRead) {
+  const std::string curve = "f (Hz);G' (Pa);G'' (Pa)\n1;2e6;2e5\n10;3e6;4e5\n100;4e6;6e5\n";
+  const std::string head = "Master curve, Tref = 20 \u00B0C\n";
+  for (const std::string constants :
+       {"WLF C1 = 10\nWLF C2 = 120 K\n", "WLF C1 = 10, C2 = 120 K\n", "C_1: 10\nC_2: 120\n"}) {
+    const DmaFile file = read(head + constants + curve);
+    ASSERT_TRUE(file.shift.has_value()) << constants;
+    EXPECT_EQ(*file.shift, (TemperatureShift{10, 120, 293.15}));
+    EXPECT_THAT(factsIn(head + constants + curve), testing::Contains(HasSubstr("C1 = 10")));
+  }
+  // The same curve from 50 C on.
+  const DmaFile apart = read("Temperature: 50 C\n" + head + "C1 = 10\nC2 = 120\n" + curve);
+  EXPECT_NEAR(apart.shift->c2, 150, 1e-9);
+  EXPECT_NEAR(apart.shift->c1, 8, 1e-9);
+  EXPECT_THAT(errorOf(head + "C1 = -10\nC2 = 120\n" + curve), HasSubstr("WLF: C1 is -10"));
+
+  const std::string table = head + curve + "\nShift factors\n";
+  for (const std::string rows :
+       {"T [\u00B0C];log aT\n50;-2\n20;0\n-40;10\n",
+        "T (K);log10(a_T)\n323.15;-2\n293.15;0\n233.15;10\n", "T;aT\n-40;1e10\n20;1\n50;0.01\n",
+        "Temperature (C);ln aT\n-40;23.02585092994046\n20;0\n50;-4.605170185988092\n"}) {
+    const DmaFile file = read(table + rows);
+    ASSERT_TRUE(file.shift.has_value()) << rows;
+    ASSERT_EQ(file.shift->table.size(), 3U);
+    EXPECT_NEAR(file.shift->table.front().log10Shift, 10, 1e-9);
+    EXPECT_EQ(file.shift->table[1], (ShiftPoint{293.15, 0}));
+  }
+  EXPECT_FALSE(read(table + "T [\u00B0C];log aT\n50;0\n20;2\n-40;12\n").shift.has_value());
+  EXPECT_THAT(factsIn(table + "T [\u00B0C];log aT\n50;0\n20;2\n-40;12\n"),
+              testing::Contains(HasSubstr("are not read: they are not those of 20.0")));
+  EXPECT_THAT(factsIn(head + "Arrhenius: 80 kJ/mol\n" + curve),
+              testing::Contains(HasSubstr("line 2 is about a shift and is not read")));
+  const std::string isotherms = "f (Hz);T (C);G' (Pa);G'' (Pa)\n1;20;2e6;2e5\n1;30;3e6;4e5\n";
+  EXPECT_THAT(factsIn("C1 = 10\nC2 = 120\n" + isotherms),
+              testing::Contains("the shift that the file states is not read: the isotherms have "
+                                "their own"));
 }
 
 TEST(DmaFile, UnclearMarksAreSaid) {

@@ -55,6 +55,12 @@ TEST(PronyFile, KeywordsOfAbaqus) {
   EXPECT_EQ(*file->shift, (TemperatureShift{8.86, 101.6, 298.15}));
 }
 
+PronyChoices atKelvin(double temperature) {
+  PronyChoices choices;
+  choices.temperature = temperature;
+  return choices;
+}
+
 std::vector<std::string> notesOf(const std::optional<PronyFile>& file) {
   std::vector<std::string> notes;
   for (const Message& note : file->notes) notes.push_back(note.english());
@@ -121,6 +127,37 @@ TEST(PronyFile, UnitsAreReadOrRefused) {
   expectSeries(read("G_inf = 1 MPa\ntau (s),G_i\n0.1,2\n10,1\n", choices));
   expectSeries(read("G0 = 4\ntau (s),g_i\n0.1,0.5\n10,0.25\n", choices));
   expectSeries(read("G0 = 4 MPa\ntau (s),g_i [%]\n0.1,50\n10,25\n"));
+}
+
+TEST(PronyFile, TheHeaderOfATableStatesTemperatureAndShift) {
+  const std::string table = "G_inf = 1 MPa\ntau (s),G_i (MPa)\n0.1,2\n10,1\n";
+  for (const std::string header :
+       {"T_ref = 20 \u00B0C\n", "Reference temperature: 20 C\nC1: 10\nC2: 120\n",
+        "Reference temperature: 293.15 K\nWLF C1 = 10, C2 = 120 K\n",
+        "Cured at 160 C\nTemperature: 20 C\n"}) {
+    SCOPED_TRACE(header);
+    const auto file = read(header + table);
+    expectSeries(file);
+    ASSERT_TRUE(file->temperature.has_value());
+    EXPECT_NEAR(*file->temperature, 293.15, 1e-9);
+    ASSERT_EQ(file->shift.has_value(), header.find("C2") != header.npos);
+    if (file->shift) {
+      EXPECT_EQ(*file->shift, (TemperatureShift{10, 120, 293.15}));
+    }
+  }
+  EXPECT_FALSE(read(table)->temperature.has_value());
+  // A table of factors may have more rows than the series.
+  const auto file =
+      read("T_ref = 20 C\n" + table + "\nT (C),log aT\n0,3\n10,1\n20,0\n30,-1\n40,-2\n");
+  expectSeries(file);
+  ASSERT_TRUE(file->shift.has_value());
+  EXPECT_EQ(file->shift->table.size(), 5U);
+  // The user's temperature is that of constants without a reference.
+  EXPECT_EQ(*read("C1 = 10\nC2 = 120\n" + table, atKelvin(303.15))->shift,
+            (TemperatureShift{10, 120, 303.15}));
+  EXPECT_EQ(read("T_ref = 20 C\nC1 = 10\nC2 = 120\n" + table, atKelvin(303.15))
+                ->shift->referenceTemperature,
+            293.15);
 }
 
 TEST(PronyFile, CommandsOfAnsys) {
@@ -339,12 +376,6 @@ TEST(PronyFile, AChosenModulusReplacesOneThatIsNotRead) {
 }
 
 // ---- Values at several temperatures
-
-PronyChoices atKelvin(double temperature) {
-  PronyChoices choices;
-  choices.temperature = temperature;
-  return choices;
-}
 
 TEST(PronyFile, ModuliAreThoseOfTheTemperatureAskedFor) {
   const std::string elastic = "*ELASTIC\n3e6, 0.5, 0.\n1.5e6, 0.5, 100.\n" + kSeries;
