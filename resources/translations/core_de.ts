@@ -4335,6 +4335,10 @@
         <translation>%1 ist nicht, was die Datei nennt, die Konstanten von %2</translation>
     </message>
     <message>
+        <source>the isotherms at %1 and %2 do not overlap: only a vertical shift, as of an entropic spring, brings their moduli together; allow it with --vertical-shifts</source>
+        <translation>die Isothermen bei %1 und %2 überlappen nicht: nur eine vertikale Verschiebung wie die einer entropischen Feder bringt ihre Moduln zusammen; --vertical-shifts lässt sie zu</translation>
+    </message>
+    <message>
         <source>moduli of tension, divided by %1 for shear (Poisson's ratio %2)</source>
         <translation>Zugmoduln, für Schub durch %1 geteilt (Querkontraktionszahl %2)</translation>
     </message>
