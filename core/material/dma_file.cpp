@@ -340,7 +340,7 @@ class Reader {
                 const double storage = magnitude / std::hypot(1, tan);
                 return DynamicModulus{0, storage, storage * tan};
               }};
-    return {at(Magnitude), at(Phase), size * factor, phaseUnit(block, at(Phase)),
+    return {at(Magnitude), at(Phase), size * factor, phaseUnit(block, at(Phase), facts.loss),
             [](double magnitude, double phase) {
               return DynamicModulus{0, magnitude * std::cos(phase), magnitude * std::sin(phase)};
             }};
@@ -348,15 +348,16 @@ class Reader {
 
   /// Decides about angles without a unit: they are degrees where they exceed a right angle in
   /// radians.
-  double phaseUnit(const TextBlock& block, std::size_t column) const {
-    const std::string& unit = block.columns[column].unit;
-    if (const auto size = angleUnit(unit)) return *size;
-    if (const std::string unknown = columnFact(block, column, {}).unit; !unknown.empty())
-      throw InputError(name_, columnLabel(block, column),
-                       message("has the unit {}; an angle is in rad or deg", shortened(unknown)));
+  double phaseUnit(const TextBlock& block, std::size_t column, DmaColumnFact& fact) const {
+    fact = columnFact(block, column, {});
+    if (const auto size = angleUnit(block.columns[column].unit)) return *size;
+    if (!fact.unit.empty())
+      throw InputError(name_, fact.name,
+                       message("has the unit {}; an angle is in rad or deg", shortened(fact.unit)));
     double largest = 0;
     for (const double value : block.column(column))
       if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+    fact.unit = largest > std::numbers::pi / 2 ? "deg" : "rad";
     return largest > std::numbers::pi / 2 ? std::numbers::pi / 180 : 1;
   }
 

@@ -64,10 +64,10 @@ bool isOfOther(const std::string& word) {
       "ramp",        "increment",  "schritt",     "differ",    "offset",    "gradient", "accur",
       "abk\u00FChl", "genauig",    "h\u00F6chst", "resolution"};
   return isOfMaking(word) || beginsWithAny(word, kStems) ||
-         isOneOf(word, {"tg",      "rate", "wlf",   "c1",     "c2",      "c\u2081", "c\u2082",
-                        "max",     "min",  "tmax",  "tmin",   "dt",      "delta",   "\u03B4t",
-                        "\u0394t", "step", "start", "end",    "final",   "stop",    "anfang",
-                        "ende",    "tm",   "drift", "limits", "heizrate"});
+         isOneOf(word, {"bis",     "tg",      "rate",  "wlf",    "c1",      "c2",   "c\u2081",
+                        "c\u2082", "max",     "min",   "tmax",   "tmin",    "dt",   "delta",
+                        "\u03B4t", "\u0394t", "start", "end",    "final",   "stop", "anfang",
+                        "ende",    "tm",      "drift", "limits", "heizrate"});
 }
 
 /// Returns whether a word says that a temperature need not be the sample's.
@@ -79,8 +79,15 @@ bool isVague(const std::string& word) {
 
 /// Returns whether a word names the temperature to which a master curve is shifted.
 bool isOfReference(const std::string& word) {
-  constexpr std::array<std::string_view, 2> kStems{"ref", "bezug"};
-  return beginsWithAny(word, kStems) || isOneOf(word, {"tref", "tr", "t0", "tbezug"});
+  constexpr std::array<std::string_view, 2> kStems{"refer", "bezug"};
+  return beginsWithAny(word, kStems) || isOneOf(word, {"ref", "tref", "tr", "t0", "tbezug"});
+}
+
+/// Returns whether words name a step from one temperature to the next.
+bool isOfStep(const Words& words) {
+  return std::ranges::any_of(words, [](const std::string& word) {
+    return isOneOf(word, {"step", "steps"});
+  });
 }
 
 bool isTemperatureWord(std::string_view key) {
@@ -205,8 +212,10 @@ class HeaderReader {
     if (rank != Rank::Bare && quantity)
       if (const auto scale = unit_.empty() ? std::nullopt : temperatureUnit(unit_))
         kelvin = scale->toSi(quantity->number);
+    if (rank != Rank::Bare && isOfStep(words)) return;
     if (std::ranges::any_of(words, isVague)) rank = Rank::Bare;
-    if (rank == Rank::Bare && isLineOfOther) return;
+    // "DMA 242 C" is an instrument.
+    if (rank == Rank::Bare && (isLineOfOther || (!words.empty() && words.back() == "dma"))) return;
     add(kelvin, line, rank);
   }
 
@@ -218,10 +227,18 @@ class HeaderReader {
     const std::string_view key = keyBefore(clause.substr(0, end));
     const auto quantity = parseQuantity(clause.substr(end + 1));
     const Rank rank = rankOf(key);
-    if (!quantity || rank == Rank::Bare || std::ranges::any_of(wordsOf(clause), isOfOther)) return;
+    const Words words = wordsOf(clause);
+    if (!quantity || rank == Rank::Bare || std::ranges::any_of(words, isOfOther) || isOfStep(words))
+      return;
     std::string unit = unit_.empty() ? quantity->unit : unit_;
     if (unit.empty()) unit = parseColumnName(key).unit;
-    if (unit.empty()) unit = quantity->number >= 200 ? "K" : "C";
+    if (unit.empty()) {
+      // "Reference: 2041" is no temperature, and t may be a time.
+      const bool isNamed = lowerCase(key).find("temp") != std::string::npos || key == "T" ||
+                           std::ranges::find(words, "tref") != words.end();
+      if (!isNamed) return;
+      unit = quantity->number >= 200 ? "K" : "C";
+    }
     const auto scale = temperatureUnit(unit);
     if (!scale) return;
     add(scale->toSi(quantity->number), line,

@@ -149,6 +149,8 @@ TEST(DmaFile, TheTemperatureOfTheTestIsFoundAmongOthers) {
            "Temperature: 20 \u00B0C \u00B1 0.5 K\n",
            "T = 20 \u00B0C, cooling 3 K/min\nReference temperature: 50 \u00B0C\n",
            "Temperature: 20\n",
+           "Reference: 2041\nt = 300\nStep 3: 20 \u00B0C\nTemperature step: 5 K\n",
+           "NETZSCH DMA 242 C\nfrequency sweep (20.0 \u00B0C)\n",
        }) {
     SCOPED_TRACE(header);
     EXPECT_NEAR(read(header + table).rows.front().temperature, 293.15, 1e-9);
@@ -399,6 +401,8 @@ TEST(DmaFile, TheFactsNameColumnsUnitsAndKind) {
   EXPECT_THAT(factsIn("f (Hz),T (K),E' (MPa),tan delta\n1,293,2,0.1\n10,293,3,0.1\n"),
               ElementsAre("frequency: f in Hz", "temperature: T in K",
                           "moduli of tension: E' in MPa, tan delta"));
+  EXPECT_THAT(factsIn("f (Hz),T (K),G* (MPa),phase\n1,293,2,10\n10,293,3,12\n"),
+              testing::Contains("moduli of shear: G* in MPa, phase in deg (assumed)"));
   DmaChoices megapascals;
   megapascals.modulusUnit = "MPa";
   EXPECT_THAT(

@@ -96,10 +96,11 @@ TEST(PronyFile, PartsOfAModulusOfTensionAreDividedForShear) {
 }
 
 TEST(PronyFile, UnitsAreReadOrRefused) {
-  for (const std::string column : {"tau (s),0.1,10", "tau (msec),100,10000", "tau [ms],100,10000",
-                                   "tau / min,1.6666666666666667e-3,0.16666666666666666",
-                                   "tau (h),2.7777777777777778e-5,2.7777777777777778e-3",
-                                   "tau (days),1.1574074074074074e-6,1.1574074074074074e-4"}) {
+  for (const std::string column :
+       {"tau (s),0.1,10", "tau (msec),100,10000", "tau [ms],100,10000",
+        "tau / min,1.6666666666666667e-3,0.16666666666666666",
+        "tau (h),2.7777777777777778e-5,2.7777777777777778e-3", "tau (Sekunden),0.1,10",
+        "tau (days),1.1574074074074074e-6,1.1574074074074074e-4"}) {
     SCOPED_TRACE(column);
     const std::size_t first = column.find(','), second = column.rfind(',');
     const auto file = read("G_inf = 1 MPa\n" + column.substr(0, first) + ",G_i (MPa)\n" +
