@@ -11,11 +11,11 @@
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
-#include "core/base/statistics.h"
 #include "core/base/text.h"
 #include "core/base/text_header.h"
 #include "core/base/text_number.h"
 #include "core/material/dma_sweeps.h"
+#include "core/material/stated_shift.h"
 #include "core/material/stated_temperature.h"
 
 namespace asperity {
@@ -75,43 +75,7 @@ class Reader {
                                  facts.storage == before.storage && facts.loss == before.loss));
       ++facts.sweeps;
     }
-    if (!sweeps.empty()) noteOtherKind(block, sweeps.front());
     return !sweeps.empty();
-  }
-
-  /// Notes that a table has moduli of the kind that is not read, and what their ratio is.
-  void noteOtherKind(const TextBlock& block, const SweepColumns& columns) {
-    if (!columns.has(Storage) || isKindNoted_) return;
-    const TextColumn& read = block.columns[columns[Storage]];
-    const bool isShear = file_.facts.modulus == ModulusKind::Shear;
-    for (std::size_t i = 0; i < block.columns.size(); ++i) {
-      const TextColumn& other = block.columns[i];
-      const DmaColumn meaning = dmaColumn(other.name, other.unit);
-      if (other.isText || meaning.quantity != Storage || meaning.kind == ModulusKind::Unknown ||
-          meaning.kind == file_.facts.modulus)
-        continue;
-      const double size =
-          unitSize(other.unit, "Pa").value_or(1) / unitSize(read.unit, "Pa").value_or(1);
-      std::vector<double> ratios;
-      for (std::size_t row = 0; row < block.rows; ++row)
-        if (const double ratio = size * block.at(row, i) / block.at(row, columns[Storage]);
-            std::isfinite(ratio))
-          ratios.push_back(isShear ? ratio : 1 / ratio);
-      if (ratios.empty()) return;
-      isKindNoted_ = true;
-      const PrintedNumber ratio{printedNumber(upperMedian(std::move(ratios)), 3)};
-      const PrintedNumber expected{printedNumber(2 * (1 + choices_.poissonRatio), 3)};
-      file_.facts.notes.push_back(
-          isShear ? message("the table also has moduli of tension, {} times those of shear in the "
-                            "median ({} with this Poisson's ratio); those of shear are read, and "
-                            "--modulus tension reads the others",
-                            ratio, expected)
-                  : message("the table also has moduli of shear; those of tension are {} times as "
-                            "large in the median ({} with this Poisson's ratio) and are read, and "
-                            "--modulus shear reads the others",
-                            ratio, expected));
-      return;
-    }
   }
 
   /// Two columns with their units, and how storage and loss modulus follow from them.
@@ -121,36 +85,22 @@ class Reader {
     DynamicModulus (*combine)(double first, double second);
   };
 
-  /// Notes that a column of loss factors contradicts the moduli, which are read.
-  void noteLossTangent(const TextBlock& block, const SweepColumns& columns,
-                       const ModulusPair& pair) {
-    if (!columns.has(Storage) || !columns.has(Loss) || !columns.has(LossTangent)) return;
-    const std::size_t column = columns[LossTangent];
-    const std::string unit = columnFact(block, column, {}).unit;
-    const auto size = unit.empty() || unit == "-" || unit == "1"
-                          ? std::optional<double>(1)
-                          : unitSize(unit == "percent" ? "%" : unit, "");
-    if (!size) return;
-    std::vector<double> ratios;
-    for (std::size_t row = 0; row < block.rows; ++row) {
-      const double tangent = block.at(row, pair.second) * pair.secondSize /
-                             (block.at(row, pair.first) * pair.firstSize);
-      const double ratio = block.at(row, column) * *size / tangent;
-      if (std::isfinite(ratio)) ratios.push_back(ratio);
-    }
-    constexpr double kSame = 0.1;
-    if (ratios.empty()) return;
-    const double ratio = upperMedian(std::move(ratios));
-    if (std::abs(ratio - 1) <= kSame) return;
-    const Message note = message(
-        "{} contradicts the moduli: in the median it is {} times the ratio of {} and {}; the "
-        "moduli "
-        "are read",
-        Message::name(columnLabel(block, column)), PrintedNumber{printedNumber(ratio, 3)},
-        Message::name(columnLabel(block, columns[Loss])),
-        Message::name(columnLabel(block, columns[Storage])));
-    if (!isTangentNoted_) file_.facts.notes.push_back(note);
-    isTangentNoted_ = true;
+  void addNote(std::optional<Message> note) {
+    std::vector<Message>& notes = file_.facts.notes;
+    if (note && std::ranges::find(notes, *note) == notes.end()) notes.push_back(std::move(*note));
+  }
+
+  /// Notes columns that contradict those that are read.
+  void noteContradictions(const TextBlock& block, const SweepColumns& columns,
+                          const ModulusPair& pair) {
+    if (!columns.has(Storage)) return;
+    addNote(otherKindNote(block, columns[Storage], file_.facts.modulus, choices_.poissonRatio));
+    if (!columns.has(Loss) || !columns.has(LossTangent)) return;
+    const std::string unit = columnFact(block, columns[LossTangent], {}).unit;
+    const auto size = tangentSize(unit);
+    if (size)
+      addNote(lossFactorNote(block, {pair.first, pair.second, columns[LossTangent], pair.firstSize,
+                                     pair.secondSize, *size}));
   }
 
   /// Returns name and unit of a column; the user's choice of a unit overrides that of the file.
@@ -203,11 +153,15 @@ class Reader {
     return *unit;
   }
 
+  static std::optional<double> tangentSize(const std::string& unit) {
+    if (unit.empty() || unit == "1" || unit == "-") return 1;
+    return unitSize(unit == "percent" ? "%" : unit, "");
+  }
+
   /// Returns the factor of the unit of a loss factor: 0.01 for per cent.
   double tangentUnit(const TextBlock& block, std::size_t column) const {
-    DmaColumnFact fact = columnFact(block, column, {});
-    if (fact.unit.empty() || fact.unit == "1" || fact.unit == "-") return 1;
-    if (const auto unit = unitSize(fact.unit == "percent" ? "%" : fact.unit, "")) return *unit;
+    const DmaColumnFact fact = columnFact(block, column, {});
+    if (const auto unit = tangentSize(fact.unit)) return *unit;
     throw InputError(
         name_, fact.name,
         message("has the unit {}; a loss factor has none, or %", shortened(fact.unit)));
@@ -365,7 +319,7 @@ class Reader {
                 std::size_t frequencyAt, double frequencySize,
                 const std::optional<double>& oneTemperature, const Unit& scale) {
     const ModulusPair pair = modulusPair(block, columns);
-    noteLossTangent(block, columns, pair);
+    noteContradictions(block, columns, pair);
     for (std::size_t row = 0; row < block.rows; ++row) {
       const double frequency = block.at(row, frequencyAt) * frequencySize;
       const double first = block.at(row, pair.first) * pair.firstSize;
@@ -424,16 +378,7 @@ class Reader {
   const std::string& name_;
   const DmaChoices& choices_;
   DmaFile file_;
-  bool isTangentNoted_ = false, isKindNoted_ = false;
 };
-
-/// Returns "G' in MPa", "G' in MPa (assumed)" or "tan delta".
-Message describeColumn(const DmaColumnFact& fact) {
-  const Message name = Message::name(fact.name);
-  if (fact.unit.empty()) return name;
-  return fact.isUnitAssumed ? message("{} in {} (assumed)", name, fact.unit)
-                            : message("{} in {}", name, fact.unit);
-}
 
 /// Reads the shift beside moduli at one temperature; isotherms have their own.
 void readShift(const TextTable& table, const std::string& name, const DmaChoices& choices,
@@ -485,23 +430,6 @@ DmaFile readDmaFile(TextTable table, const std::string& name, const DmaChoices& 
     refuseSoftModulus(name, file.facts.storage.name, largest);
   }
   return file;
-}
-
-std::vector<Message> factsOf(const DmaFacts& facts) {
-  std::vector<Message> lines;
-  const Message frequency = describeColumn(facts.frequency);
-  lines.push_back(facts.isReduced ? message("reduced frequency: {}", frequency)
-                                  : message("frequency: {}", frequency));
-  if (!facts.temperature.name.empty())
-    lines.push_back(message("temperature: {}", describeColumn(facts.temperature)));
-  const Message storage = describeColumn(facts.storage), loss = describeColumn(facts.loss);
-  lines.push_back(facts.modulus == ModulusKind::Tension
-                      ? message("moduli of tension: {}, {}", storage, loss)
-                      : message("moduli of shear: {}, {}", storage, loss));
-  if (facts.hasOtherColumns)
-    lines.push_back(message("these are the columns of the last of {} sweeps", facts.sweeps));
-  lines.insert(lines.end(), facts.notes.begin(), facts.notes.end());
-  return lines;
 }
 
 }  // namespace asperity

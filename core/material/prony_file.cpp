@@ -14,6 +14,7 @@
 #include "core/material/dma_columns.h"
 #include "core/material/element_law.h"
 #include "core/material/prony_keywords.h"
+#include "core/material/stated_shift.h"
 #include "core/material/stated_temperature.h"
 
 namespace asperity {
