@@ -36,12 +36,13 @@ bool isOfMaking(const std::string& word) {
 /// Returns whether a word says that a temperature is none of the test: a property of the sample, a
 /// number of the program or of the oven, a constant of the shift.
 bool isOfOther(const std::string& word) {
-  constexpr std::array<std::string_view, 32> kStems{
-      "instrument",  "ger\u00E4t", "device",      "glas",      "toler",     "oven",     "ofen",
-      "furnace",     "range",      "bereich",     "maxim",     "minim",     "limit",    "grenz",
-      "heat",        "heiz",       "aufheiz",     "cool",      "k\u00FChl", "soak",     "halte",
-      "ramp",        "increment",  "schritt",     "differ",    "offset",    "gradient", "accur",
-      "abk\u00FChl", "genauig",    "h\u00F6chst", "resolution"};
+  constexpr std::array<std::string_view, 36> kStems{
+      "instrument", "ger\u00E4t", "device",      "glas",    "dens",        "dicht",
+      "hardn",      "h\u00E4rte", "toler",       "oven",    "ofen",        "furnace",
+      "range",      "bereich",    "maxim",       "minim",   "limit",       "grenz",
+      "heat",       "heiz",       "aufheiz",     "cool",    "k\u00FChl",   "soak",
+      "halte",      "ramp",       "increment",   "schritt", "differ",      "offset",
+      "gradient",   "accur",      "abk\u00FChl", "genauig", "h\u00F6chst", "resolution"};
   return isOfMaking(word) || beginsWithAny(word, kStems) ||
          isOneOf(word, {"bis",     "tg",      "rate",  "wlf",    "c1",      "c2",   "c\u2081",
                         "c\u2082", "max",     "min",   "tmax",   "tmin",    "dt",   "delta",

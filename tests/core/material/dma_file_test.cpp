@@ -138,7 +138,8 @@ TEST(DmaFile, TheTemperatureOfTheTestIsFoundAmongOthers) {
            "Messtemperatur: 20 \u00B0C\nGlas\u00FCbergang Tg: -58 \u00B0C\n",
            "Messtemperatur: 20 \u00B0C\nT_g = -58 \u00B0C\n",
            "Isothermal frequency sweep at 20 \u00B0C\nOven range -150 \u00B0C to 600 \u00B0C\n",
-           "sweep at 20 \u00B0C\n-150 ... 600 \u00B0C\nT max = 80 \u00B0C\n",
+           "density 1.1 g/cm3 at 23 \u00B0C\nsweep at 20 \u00B0C\n-150 ... 600 \u00B0C\nT max = 80 "
+           "\u00B0C\n",
            "Master curve, Tref = 20 \u00B0C\nWLF C1 = 10\nWLF C2 = 120 K\n",
            "Reference temperature: 20 \u00B0C\nC1: 10\nC2: 120 K\n",
            "Bezugstemperatur: 293.15 K\nWLF C1 = 10, C2 = 120 K\n",
