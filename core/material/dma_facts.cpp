@@ -17,6 +17,10 @@ Message describeColumn(const DmaColumnFact& fact) {
                             : message("{} in {}", name, fact.unit);
 }
 
+bool isPositive(double value) {
+  return std::isfinite(value) && value > 0;
+}
+
 }  // namespace
 
 std::vector<Message> factsOf(const DmaFacts& facts) {
@@ -49,10 +53,10 @@ std::optional<Message> otherKindNote(const TextBlock& block, std::size_t storage
     const double size =
         unitSize(other.unit, "Pa").value_or(1) / unitSize(read.unit, "Pa").value_or(1);
     std::vector<double> ratios;
-    for (std::size_t row = 0; row < block.rows; ++row)
-      if (const double ratio = size * block.at(row, i) / block.at(row, storage);
-          std::isfinite(ratio))
-        ratios.push_back(isShear ? ratio : 1 / ratio);
+    for (std::size_t row = 0; row < block.rows; ++row) {
+      const double one = block.at(row, i) * size, used = block.at(row, storage);
+      if (isPositive(one) && isPositive(used)) ratios.push_back(isShear ? one / used : used / one);
+    }
     if (ratios.empty()) return {};
     const PrintedNumber ratio{printedNumber(upperMedian(std::move(ratios)), 3)};
     const PrintedNumber expected{printedNumber(2 * (1 + poisson), 3)};
@@ -73,10 +77,11 @@ std::optional<Message> otherKindNote(const TextBlock& block, std::size_t storage
 std::optional<Message> lossFactorNote(const TextBlock& block, const LossFactorColumns& columns) {
   std::vector<double> ratios;
   for (std::size_t row = 0; row < block.rows; ++row) {
-    const double tangent = block.at(row, columns.loss) * columns.lossSize /
-                           (block.at(row, columns.storage) * columns.storageSize);
-    const double ratio = block.at(row, columns.tangent) * columns.tangentSize / tangent;
-    if (std::isfinite(ratio)) ratios.push_back(ratio);
+    const double storage = block.at(row, columns.storage) * columns.storageSize;
+    const double loss = block.at(row, columns.loss) * columns.lossSize;
+    const double tangent = block.at(row, columns.tangent) * columns.tangentSize;
+    if (isPositive(storage) && isPositive(loss) && isPositive(tangent))
+      ratios.push_back(tangent * storage / loss);
   }
   constexpr double kSame = 0.1;
   if (ratios.empty()) return {};

@@ -254,7 +254,8 @@ std::optional<RawSeries> tableSeries(const TextTable& table, const std::string& 
   if (!series.isRelative)
     for (RawSeries::Term& term : series.terms) term.weight *= shearFactor(kind);
   // Below 1 it is a part, too: what the others leave.
-  if (!series.isRelative || ofRow >= 1) series.equilibrium = ofRow * shearFactor(kind);
+  if (!series.isRelative || (std::isfinite(ofRow) && ofRow >= 1))
+    series.equilibrium = ofRow * shearFactor(kind);
   for (const StatedModulus& stated : above) {
     const bool isOwn =
         choices.modulus == ModulusKind::Unknown && stated.kind != ModulusKind::Unknown;

@@ -54,15 +54,18 @@ std::vector<ShiftPoint> shiftRows(const TextBlock& block, const ShiftColumns& co
                                   const std::string& chosenUnit) {
   std::string unit = chosenUnit.empty() ? block.columns[columns.temperature].unit : chosenUnit;
   const std::vector<double> temperatures = block.column(columns.temperature);
+  const std::vector<double> factors = block.column(columns.factor);
+  for (const auto* values : {&temperatures, &factors})
+    if (!std::ranges::all_of(*values, [](double value) { return std::isfinite(value); })) return {};
   // Numbers above 200 are kelvins, as in columns of moduli.
   if (unit.empty()) unit = std::ranges::min(temperatures) >= 200 ? "K" : "C";
   const auto scale = temperatureUnit(unit);
   if (!scale) return {};
   std::vector<ShiftPoint> rows;
   for (std::size_t row = 0; row < block.rows; ++row) {
-    const double value = block.at(row, columns.factor);
+    if (!columns.isLogarithm && !(factors[row] > 0)) return {};
     const double decades =
-        columns.isLogarithm ? value * std::log10(columns.base) : std::log10(value);
+        columns.isLogarithm ? factors[row] * std::log10(columns.base) : std::log10(factors[row]);
     const double kelvin = scale->toSi(temperatures[row]);
     if (!(kelvin >= kColdestTest && std::abs(decades) <= kMostDecades)) return {};
     rows.push_back({kelvin, decades});

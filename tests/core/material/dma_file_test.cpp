@@ -429,6 +429,11 @@ TEST(DmaFile, ColumnsThatContradictEachOtherAreSaid) {
   EXPECT_THAT(tangent("0.2", "0.4"),
               testing::Contains("tan d contradicts the moduli: in the median it is 2 times the "
                                 "ratio of G'' and G'; the moduli are read"));
+  EXPECT_EQ(tangent("", "0").size(), 3U);
+  EXPECT_EQ(factsIn("f (Hz),T (C),E' (MPa),E'' (MPa),G' (MPa),G'' (MPa)\n1,20,0,1,2,0.2\n"
+                    "10,20,,1,3,0.6\n")
+                .size(),
+            3U);
   const std::string both =
       "f (Hz),T (C),E' (MPa),E'' (MPa),G' (kPa),G'' (kPa)\n1,20,6,1,3000,500\n10,20,7,1,3500,600\n";
   EXPECT_THAT(
@@ -470,6 +475,10 @@ TEST(DmaFile, TheShiftBesideAMasterCurveIsRead) {
     EXPECT_NEAR(file.shift->table.front().log10Shift, 10, 1e-9);
     EXPECT_EQ(file.shift->table[1], (ShiftPoint{293.15, 0}));
   }
+  for (const std::string row : {"20;", "20;NaN", "20;0", "20;-1", "-300;1", "50;1"})
+    EXPECT_THAT(factsIn(table + "T;aT\n-40;1e10\n" + row + "\n50;0.01\n"),
+                testing::Contains(HasSubstr("are not read: they are no rising table")))
+        << row;
   EXPECT_FALSE(read(table + "T [\u00B0C];log aT\n50;0\n20;2\n-40;12\n").shift.has_value());
   EXPECT_THAT(factsIn(table + "T [\u00B0C];log aT\n50;0\n20;2\n-40;12\n"),
               testing::Contains(HasSubstr("are not read: they are not those of 20.0")));
