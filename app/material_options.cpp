@@ -29,11 +29,12 @@ struct Option {
   std::string name, value;
 };
 
-/// Returns a temperature in K, such as 20C, 293.15K or 68F.
+/// Returns a temperature in K, such as 20C, 293.15K or 68F. A number alone is in K, so that 20 is
+/// refused.
 double kelvins(const Option& option) {
   constexpr double kHottest = 2000;
   const auto temperature = parseTemperature(option.value);
-  if (!temperature || !(*temperature > 0 && *temperature <= kHottest))
+  if (!temperature || !(*temperature >= kColdestTest && *temperature <= kHottest))
     throw InputError(
         "", option.name,
         message("'{}' is not a temperature such as 20C, 293.15K or 68F", option.value));

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/base/input_error.h"
+#include "core/base/number_text.h"
 #include "core/base/text.h"
 #include "core/base/text_number.h"
 
@@ -211,14 +212,20 @@ std::string unknownWords(std::string_view name) {
   return unknown;
 }
 
-/// A temperature in a text, and the position behind its unit.
-struct FoundTemperature {
-  double kelvin = 0;
+/// Returns whether a unit goes on as that of a rate: "/min", " / s", " per minute".
+bool goesOnAsRate(std::string_view text) {
+  text = trimmedBlanks(text);
+  const std::size_t over = text.starts_with('/') ? 1 : text.starts_with("per ") ? 4 : 0;
+  if (over == 0) return text.starts_with("min-1") || text.starts_with("min^-1");
+  text = trimmedBlanks(text.substr(over));
   std::size_t end = 0;
-};
+  while (end < text.size() && std::isalpha(static_cast<unsigned char>(text[end]))) ++end;
+  return isOneOf(lowerCase(text.substr(0, end)),
+                 {"min", "minute", "s", "sec", "second", "h", "hr", "hour", "mm", "m"});
+}
 
 /// Returns the temperature with its unit that begins at this position.
-std::optional<FoundTemperature> temperatureAt(std::string_view text, std::size_t begin) {
+std::optional<TextTemperature> temperatureAt(std::string_view text, std::size_t begin) {
   std::size_t end = begin;
   std::string number;
   constexpr std::string_view kMinus = "\u2212";
@@ -243,17 +250,8 @@ std::optional<FoundTemperature> temperatureAt(std::string_view text, std::size_t
     if (!text.substr(end).starts_with(unit)) continue;
     const std::size_t behind = end + unit.size();
     if (behind < text.size() && std::isalnum(static_cast<unsigned char>(text[behind]))) continue;
-    return FoundTemperature{temperatureUnit(unit)->toSi(value), behind};
-  }
-  return {};
-}
-
-/// Returns the first temperature in the text and its position.
-std::optional<std::pair<std::size_t, FoundTemperature>> findFirstTemperature(
-    std::string_view text) {
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (i > 0 && (isDigit(text[i - 1]) || text[i - 1] == '.')) continue;
-    if (const auto found = temperatureAt(text, i)) return std::pair(i, *found);
+    if (goesOnAsRate(text.substr(behind))) return {};
+    return TextTemperature{temperatureUnit(unit)->toSi(value), begin, behind};
   }
   return {};
 }
@@ -264,15 +262,20 @@ double shearFromYoungs(double youngs, double poisson) {
   return youngs / (2 * (1 + poisson));
 }
 
+Message dividedForShear(double poisson) {
+  return message("moduli of tension, divided by {} for shear (Poisson's ratio {})",
+                 PrintedNumber{printedNumber(2 * (1 + poisson))},
+                 PrintedNumber{printedNumber(poisson)});
+}
+
 DmaColumn dmaColumn(std::string_view name, std::string_view unit) {
   DmaColumn column;
   std::string word(name);
   for (const std::string_view part : {name, unit})
-    if (const auto found = findFirstTemperature(part)) {
-      column.temperature = found->second.kelvin;
+    if (const auto found = firstTemperature(part)) {
+      column.temperature = found->kelvin;
       if (part.data() == name.data())
-        word =
-            std::string(name.substr(0, found->first)) + std::string(name.substr(found->second.end));
+        word = std::string(name.substr(0, found->begin)) + std::string(name.substr(found->end));
       break;
     }
   const std::string plain = compact(word);
@@ -310,16 +313,24 @@ std::optional<double> strainUnit(std::string_view unit) {
   return {};
 }
 
+std::optional<TextTemperature> firstTemperature(std::string_view text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (i > 0 && (isDigit(text[i - 1]) || text[i - 1] == '.')) continue;
+    if (const auto found = temperatureAt(text, i)) return found;
+  }
+  return {};
+}
+
 std::optional<double> findTemperature(std::string_view text) {
-  const auto found = findFirstTemperature(text);
-  return found ? std::optional(found->second.kelvin) : std::nullopt;
+  const auto found = firstTemperature(text);
+  return found ? std::optional(found->kelvin) : std::nullopt;
 }
 
 std::vector<double> findTemperatures(std::string_view text) {
   std::vector<double> all;
-  while (const auto found = findFirstTemperature(text)) {
-    all.push_back(found->second.kelvin);
-    text.remove_prefix(found->second.end);
+  while (const auto found = firstTemperature(text)) {
+    all.push_back(found->kelvin);
+    text.remove_prefix(found->end);
   }
   return all;
 }

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/message.h"
 #include "core/base/units.h"
 
 namespace asperity {
@@ -29,6 +30,9 @@ enum class ModulusKind { Unknown, Shear, Tension };
 /// Returns the shear modulus of a Young's modulus, E / (2 (1 + nu)).
 double shearFromYoungs(double youngs, double poisson);
 
+/// Says that moduli of tension were divided for shear.
+Message dividedForShear(double poisson);
+
 struct DmaColumn {
   DmaQuantity quantity = DmaQuantity::None;
   ModulusKind kind = ModulusKind::Unknown;  // of a modulus
@@ -46,8 +50,21 @@ struct DmaColumn {
 /// a temperature.
 DmaColumn dmaColumn(std::string_view name, std::string_view unit);
 
-/// Returns the first temperature in a text, in K; it needs a unit: "sweep at 20 \u00B0C", "T = 293
-/// K".
+/// The coldest temperature (K) at which a rubber is measured: colder than liquid air. Smaller
+/// numbers are steps, tolerances and degrees Celsius.
+inline constexpr double kColdestTest = 100;
+
+/// A temperature in a text, from its number to the end of its unit.
+struct TextTemperature {
+  double kelvin = 0;
+  std::size_t begin = 0, end = 0;
+};
+
+/// Returns the first temperature in a text; it needs a unit: "sweep at 20 \u00B0C", "T = 293 K". A
+/// rate as "2 K/min" is none.
+std::optional<TextTemperature> firstTemperature(std::string_view text);
+
+/// Returns the same in K.
 std::optional<double> findTemperature(std::string_view text);
 
 /// Returns all temperatures in a text, in their order; K.

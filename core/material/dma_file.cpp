@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 
@@ -14,6 +15,8 @@
 #include "core/base/text_header.h"
 #include "core/base/text_number.h"
 #include "core/material/dma_sweeps.h"
+#include "core/material/stated_shift.h"
+#include "core/material/stated_temperature.h"
 
 namespace asperity {
 namespace {
@@ -62,34 +65,43 @@ class Reader {
     std::string leftOut;
     const std::vector<SweepColumns> sweeps = findSweeps(block, name_, choices_, leftOut);
     if (!sweeps.empty() && file_.facts.leftOutColumns.empty()) file_.facts.leftOutColumns = leftOut;
-    for (const SweepColumns& columns : sweeps) readSweep(block, columns, sweeps.size() > 1);
+    for (const SweepColumns& columns : sweeps) {
+      DmaFacts& facts = file_.facts;
+      const DmaFacts before = facts;
+      readSweep(block, columns, sweeps.size() > 1);
+      facts.hasOtherColumns =
+          facts.hasOtherColumns ||
+          (facts.sweeps > 0 && !(facts.frequency == before.frequency &&
+                                 facts.storage == before.storage && facts.loss == before.loss));
+      ++facts.sweeps;
+    }
     return !sweeps.empty();
   }
 
-  /// Returns the temperature stated above a block, in its own header or else in an earlier one:
-  /// "Temperature: 20 °C", "T = 293 K", "sweep at 20 °C".
-  std::optional<double> statedTemperature(const TextBlock& block) const {
-    const TextBlock* current = &block;
-    while (true) {
-      for (auto entry = current->header.rbegin(); entry != current->header.rend(); ++entry) {
-        const bool isTemperature = dmaColumn(entry->key, "").quantity == Temperature;
-        if (isTemperature)
-          if (const auto quantity = parseQuantity(entry->value)) {
-            const std::string unit =
-                isStated(choices_.temperatureUnit) ? choices_.temperatureUnit : quantity->unit;
-            const auto scale = temperatureUnit(unit.empty() ? unitInKey(entry->key) : unit);
-            if (scale) return scale->toSi(quantity->number);
-          }
-        if (const auto found = findTemperature(entry->value)) return found;
-        if (const auto found = findTemperature(entry->key)) return found;
-      }
-      if (current == &table_.blocks.front()) return {};
-      --current;
-    }
+  /// Two columns with their units, and how storage and loss modulus follow from them.
+  struct ModulusPair {
+    std::size_t first, second;
+    double firstSize, secondSize;
+    DynamicModulus (*combine)(double first, double second);
+  };
+
+  void addNote(std::optional<Message> note) {
+    std::vector<Message>& notes = file_.facts.notes;
+    if (note && std::ranges::find(notes, *note) == notes.end()) notes.push_back(std::move(*note));
   }
 
-  /// Returns the unit in the key of an entry such as "Temperature [°C]: 20" or "T/K = 293".
-  static std::string unitInKey(const std::string& key) { return parseColumnName(key).unit; }
+  /// Notes columns that contradict those that are read.
+  void noteContradictions(const TextBlock& block, const SweepColumns& columns,
+                          const ModulusPair& pair) {
+    if (!columns.has(Storage)) return;
+    addNote(otherKindNote(block, columns[Storage], file_.facts.modulus, choices_.poissonRatio));
+    if (!columns.has(Loss) || !columns.has(LossTangent)) return;
+    const std::string unit = columnFact(block, columns[LossTangent], {}).unit;
+    const auto size = tangentSize(unit);
+    if (size)
+      addNote(lossFactorNote(block, {pair.first, pair.second, columns[LossTangent], pair.firstSize,
+                                     pair.secondSize, *size}));
+  }
 
   /// Returns name and unit of a column; the user's choice of a unit overrides that of the file.
   DmaColumnFact columnFact(const TextBlock& block, std::size_t column,
@@ -141,11 +153,15 @@ class Reader {
     return *unit;
   }
 
+  static std::optional<double> tangentSize(const std::string& unit) {
+    if (unit.empty() || unit == "1" || unit == "-") return 1;
+    return unitSize(unit == "percent" ? "%" : unit, "");
+  }
+
   /// Returns the factor of the unit of a loss factor: 0.01 for per cent.
   double tangentUnit(const TextBlock& block, std::size_t column) const {
-    DmaColumnFact fact = columnFact(block, column, {});
-    if (fact.unit.empty() || fact.unit == "1" || fact.unit == "-") return 1;
-    if (const auto unit = unitSize(fact.unit == "percent" ? "%" : fact.unit, "")) return *unit;
+    const DmaColumnFact fact = columnFact(block, column, {});
+    if (const auto unit = tangentSize(fact.unit)) return *unit;
     throw InputError(
         name_, fact.name,
         message("has the unit {}; a loss factor has none, or %", shortened(fact.unit)));
@@ -177,8 +193,8 @@ class Reader {
   /// Decides about temperatures without a unit: numbers above 200 are kelvins, as no rubber is
   /// hotter in °C.
   Unit temperatureScale(const TextBlock& block, std::size_t column) {
-    const DmaColumnFact fact = columnFact(block, column, choices_.temperatureUnit);
-    file_.facts.temperature = fact.name;
+    DmaColumnFact& fact = file_.facts.temperature;
+    fact = columnFact(block, column, choices_.temperatureUnit);
     if (!fact.unit.empty()) {
       const auto unit = temperatureUnit(fact.unit);
       if (!unit) refuseUnit(fact, unitNames("K"), "--temperature-unit");
@@ -195,7 +211,8 @@ class Reader {
                   "to be mixed; say which with --temperature-unit, or correct the "
                   "column",
                   lowest, highest));
-    return *temperatureUnit(lowest >= 200 ? "K" : "C");
+    fact.unit = lowest >= 200 ? "K" : "\u00B0C";
+    return *temperatureUnit(fact.unit);
   }
 
   /// Reads the rows of one block, or of one temperature in a table of several.
@@ -219,22 +236,17 @@ class Reader {
       scale = temperatureScale(block, columns[Temperature]);
     } else {
       if (choices_.temperature) oneTemperature = choices_.temperature;
-      if (!oneTemperature) oneTemperature = statedTemperature(block);
+      if (!oneTemperature)
+        oneTemperature =
+            statedTemperature(table_, block, name_, choices_.temperatureUnit, isReduced);
       if (!oneTemperature)
         throw InputError(name_, "temperature",
                          "is stated nowhere; say at which the moduli were measured with "
                          "--temperature, such as --temperature 20C");
-      file_.facts.temperature = "one for each sweep";
+      file_.facts.temperature = {};
     }
     readRows(block, columns, isSideBySide, frequencyAt, *frequencySize, oneTemperature, scale);
   }
-
-  /// Two columns with their units, and how storage and loss modulus follow from them.
-  struct ModulusPair {
-    std::size_t first, second;
-    double firstSize, secondSize;
-    DynamicModulus (*combine)(double first, double second);
-  };
 
   ModulusPair modulusPair(const TextBlock& block, const SweepColumns& columns) {
     DmaFacts& facts = file_.facts;
@@ -282,7 +294,7 @@ class Reader {
                 const double storage = magnitude / std::hypot(1, tan);
                 return DynamicModulus{0, storage, storage * tan};
               }};
-    return {at(Magnitude), at(Phase), size * factor, phaseUnit(block, at(Phase)),
+    return {at(Magnitude), at(Phase), size * factor, phaseUnit(block, at(Phase), facts.loss),
             [](double magnitude, double phase) {
               return DynamicModulus{0, magnitude * std::cos(phase), magnitude * std::sin(phase)};
             }};
@@ -290,15 +302,16 @@ class Reader {
 
   /// Decides about angles without a unit: they are degrees where they exceed a right angle in
   /// radians.
-  double phaseUnit(const TextBlock& block, std::size_t column) const {
-    const std::string& unit = block.columns[column].unit;
-    if (const auto size = angleUnit(unit)) return *size;
-    if (const std::string unknown = columnFact(block, column, {}).unit; !unknown.empty())
-      throw InputError(name_, columnLabel(block, column),
-                       message("has the unit {}; an angle is in rad or deg", shortened(unknown)));
+  double phaseUnit(const TextBlock& block, std::size_t column, DmaColumnFact& fact) const {
+    fact = columnFact(block, column, {});
+    if (const auto size = angleUnit(block.columns[column].unit)) return *size;
+    if (!fact.unit.empty())
+      throw InputError(name_, fact.name,
+                       message("has the unit {}; an angle is in rad or deg", shortened(fact.unit)));
     double largest = 0;
     for (const double value : block.column(column))
       if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+    fact.unit = largest > std::numbers::pi / 2 ? "deg" : "rad";
     return largest > std::numbers::pi / 2 ? std::numbers::pi / 180 : 1;
   }
 
@@ -306,6 +319,7 @@ class Reader {
                 std::size_t frequencyAt, double frequencySize,
                 const std::optional<double>& oneTemperature, const Unit& scale) {
     const ModulusPair pair = modulusPair(block, columns);
+    noteContradictions(block, columns, pair);
     for (std::size_t row = 0; row < block.rows; ++row) {
       const double frequency = block.at(row, frequencyAt) * frequencySize;
       const double first = block.at(row, pair.first) * pair.firstSize;
@@ -339,6 +353,11 @@ class Reader {
     if (!(modulus.storage > 0)) refuse("the storage modulus", modulus.storage);
     if (!(modulus.loss > 0)) refuse("the loss modulus", modulus.loss);
     if (!(temperature > 0 && temperature <= 2000)) refuse("the temperature in K", temperature);
+    if (temperature < kColdestTest)
+      throw InputError(name_, fmt::format("line {}", line),
+                       message("the temperature is {:.6g} K, at which no rubber is measured; "
+                               "correct it, or say with --temperature-unit in which unit it is",
+                               temperature));
   }
 
   /// Returns the strain of a row; NaN where it states none.
@@ -360,6 +379,23 @@ class Reader {
   const DmaChoices& choices_;
   DmaFile file_;
 };
+
+/// Reads the shift beside moduli at one temperature; isotherms have their own.
+void readShift(const TextTable& table, const std::string& name, const DmaChoices& choices,
+               DmaFile& file) {
+  const double temperature = file.rows.front().temperature;
+  const bool isOne = std::ranges::all_of(file.rows, [temperature](const MeasuredModulus& row) {
+    return std::abs(row.temperature - temperature) <= kIsothermTolerance;
+  });
+  if (isOne) {
+    StatedShift stated = statedShift(table, temperature, name, choices.temperatureUnit);
+    file.shift = std::move(stated.shift);
+    std::ranges::move(stated.notes, std::back_inserter(file.facts.notes));
+  } else if (statesShift(table)) {
+    file.facts.notes.push_back(
+        "the shift that the file states is not read: the isotherms have their own");
+  }
+}
 
 }  // namespace
 
@@ -385,6 +421,7 @@ DmaFile readDmaFile(TextTable table, const std::string& name, const DmaChoices& 
   undoLogarithms(
       table, [](const std::string& quantity) { return dmaColumn(quantity, {}).quantity != None; });
   DmaFile file = Reader(table, name, choices).read();
+  readShift(table, name, choices, file);
   file.facts.isMarkUnclear = table.dialect.isUnclear;
   file.facts.decimal = table.dialect.decimal;
   if (file.facts.storage.isUnitAssumed && choices.modulusUnit.empty()) {

@@ -12,6 +12,8 @@
 
 #include "core/base/text_table.h"
 #include "core/material/dma_columns.h"
+#include "core/material/dma_facts.h"
+#include "core/material/elastomer.h"
 #include "core/material/isotherms.h"
 
 namespace asperity {
@@ -27,27 +29,10 @@ struct DmaChoices {
   std::optional<double> temperature{};  // K, of a file that does not state one
 };
 
-/// How a column was read.
-struct DmaColumnFact {
-  std::string name;  // as in the file, or "column 3"
-  std::string unit;  // as in the file or chosen
-  bool isUnitAssumed = false;
-};
-
-struct DmaFacts {
-  DmaColumnFact frequency, storage, loss;
-  std::string temperature;  // the column's name, or where the temperatures come from
-  ModulusKind modulus = ModulusKind::Shear;
-  bool isReduced = false;        // frequencies are shifted to one temperature already
-  std::size_t leftOut = 0;       // rows without a value
-  std::string leftOutColumns{};  // names of deviations and set values, which are not read
-  bool isMarkUnclear = false;    // the decimal mark may separate thousands, too
-  char decimal = '.';
-};
-
 struct DmaFile {
   std::vector<MeasuredModulus> rows;  // shear moduli in Pa, frequencies in Hz
   DmaFacts facts;
+  std::optional<TemperatureShift> shift{};  // that the file states beside moduli at one temperature
 };
 
 /// Reads the moduli. name: of the file, in errors.

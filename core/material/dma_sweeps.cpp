@@ -285,11 +285,6 @@ bool SweepColumns::isComplete() const {
   return hasModuli() && (has(Frequency) || has(ReducedFrequency));
 }
 
-std::string columnLabel(const TextBlock& block, std::size_t column) {
-  const std::string& name = block.columns[column].name;
-  return name.empty() ? fmt::format("column {}", column + 1) : name;
-}
-
 std::vector<SweepColumns> findSweeps(const TextBlock& block, const std::string& fileName,
                                      const DmaChoices& choices, std::string& leftOut) {
   std::vector<DmaColumn> found;

@@ -36,7 +36,4 @@ struct SweepColumns {
 std::vector<SweepColumns> findSweeps(const TextBlock& block, const std::string& fileName,
                                      const DmaChoices& choices, std::string& leftOut);
 
-/// Returns the column's name, or "column 3".
-std::string columnLabel(const TextBlock& block, std::size_t column);
-
 }  // namespace asperity

@@ -87,9 +87,10 @@ double mismatchAt(const LogSweep& colder, const LogSweep& warmer, double shift,
   return std::sqrt(squares / (2 * kComparisons));
 }
 
-/// Returns the best of all shifts with a sufficient common range; nothing where the two do not
-/// overlap.
-std::optional<double> scannedShift(const LogSweep& colder, const LogSweep& warmer) {
+/// Returns the best of all shifts with a sufficient common range, after a vertical shift (decades);
+/// nothing where the two do not overlap.
+std::optional<double> scannedShift(const LogSweep& colder, const LogSweep& warmer,
+                                   double vertical = 0) {
   const double coldWidth = colder.x.back() - colder.x.front();
   const double warmWidth = warmer.x.back() - warmer.x.front();
   const double least = std::min(kLeastOverlap, kLeastPart * std::min(coldWidth, warmWidth));
@@ -99,7 +100,7 @@ std::optional<double> scannedShift(const LogSweep& colder, const LogSweep& warme
   int best = 0;
   double bestMismatch = std::numeric_limits<double>::infinity();
   for (int i = 0; i <= steps; ++i) {
-    const double mismatch = mismatchAt(colder, warmer, from + (to - from) * i / steps);
+    const double mismatch = mismatchAt(colder, warmer, from + (to - from) * i / steps, vertical);
     if (mismatch < bestMismatch) best = i, bestMismatch = mismatch;
   }
   const bool isAtEdge = best == 0 || best == steps;
@@ -310,6 +311,14 @@ std::optional<ShiftEstimate> fittedShift(const LogSweep& colder, const LogSweep&
               celsius(colder.temperature), celsius(warmer.temperature)));
 }
 
+[[noreturn]] void refuseWithoutVertical(const Isotherm& colder, const Isotherm& warmer) {
+  throw InputError(
+      "", "",
+      message("the isotherms at {} and {} do not overlap: only a vertical shift, as of an entropic "
+              "spring, brings their moduli together; allow it with --vertical-shifts",
+              celsius(colder.temperature), celsius(warmer.temperature)));
+}
+
 /// The shifts that follow from both moduli, and from each alone; the latter start from the first.
 struct NeighbourShifts {
   Overlap both;
@@ -318,10 +327,16 @@ struct NeighbourShifts {
 
 NeighbourShifts neighbourShifts(const Isotherm& cold, const Isotherm& warm, bool isVertical) {
   const LogSweep colder = logarithms(cold), warmer = logarithms(warm);
-  const std::optional<double> start = scannedShift(colder, warmer);
-  if (!start) refuseGap(cold, warm);
+  const double entropic = std::log10(cold.temperature / warm.temperature);
+  std::optional<double> start = scannedShift(colder, warmer);
+  // Plateaus of different height are joined by a vertical shift alone.
+  if (!start) {
+    start = scannedShift(colder, warmer, entropic);
+    if (!start) refuseGap(cold, warm);
+    if (!isVertical) refuseWithoutVertical(cold, warm);
+  }
   std::optional<double> expected;
-  if (isVertical) expected = std::log10(cold.temperature / warm.temperature);
+  if (isVertical) expected = entropic;
   const auto fitted = fittedShift(colder, warmer, *start, expected, ShiftModuli::Both);
   NeighbourShifts found;
   Overlap& both = found.both;

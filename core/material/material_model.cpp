@@ -122,8 +122,8 @@ MeasuredRange measuredRange(const Material& material) {
   return range;
 }
 
-TemperatureShift chosenShift(const Material& material, std::optional<ShiftKind> wanted) {
-  const std::vector<ShiftPoint> table = shiftTable(material.curve);
+TemperatureShift chosenShift(const Material& material, const std::vector<ShiftPoint>& table,
+                             std::optional<ShiftKind> wanted) {
   if (table.size() == 1) return shiftAt(material.referenceTemperature);
   if (!wanted) return chosenShift(table, material.referenceTemperature);
   if (*wanted == ShiftKind::Table) return tableShift(table, material.referenceTemperature);
@@ -163,6 +163,12 @@ Json fitJson(const TemperatureFit& fit) {
   return json;
 }
 
+Json englishOf(const std::vector<Message>& lines) {
+  Json list = Json::array();
+  for (const Message& line : lines) list.push_back(line.english());
+  return list;
+}
+
 Json measurementJson(const Material& material) {
   const DmaFacts& facts = material.facts;
   Json temperatures = Json::array(), shifts = Json::array();
@@ -191,6 +197,7 @@ Json measurementJson(const Material& material) {
           {"poisson_ratio",
            facts.modulus == ModulusKind::Tension ? Json(material.poissonRatio) : Json(nullptr)},
           {"vertical_shifts", material.isVertical},
+          {"facts", facts.sweeps > 0 ? englishOf(factsOf(facts)) : Json::array()},
           {"thermorheologically_simple", material.curve.isThermorheologicallySimple},
           {"shifts", std::move(shifts)}};
 }
@@ -206,6 +213,34 @@ void addOneTemperature(const Material& material, std::vector<Message>& lines) {
         message("one temperature alone: there is no shift, and scenes need "
                 "elastomer.temperature={}",
                 plain(kelvin)));
+}
+
+/// Fits both formulas to a table of shifts and takes the shift that the user wants, or the good
+/// one.
+void fitShift(Material& material, const std::vector<ShiftPoint>& table,
+              std::optional<ShiftKind> wanted) {
+  material.wlf = fitWlf(table, material.referenceTemperature);
+  material.arrhenius = fitArrhenius(table, material.referenceTemperature);
+  material.shift = chosenShift(material, table, wanted);
+}
+
+/// Takes the shift that the file states beside a master curve.
+void takeShift(Material& material, const TemperatureShift& stated,
+               std::optional<ShiftKind> wanted) {
+  if (stated.kind == ShiftKind::Table) {
+    fitShift(material, stated.table, wanted);
+    material.measured.temperatureFrom = stated.table.front().temperature;
+    material.measured.temperatureTo = stated.table.back().temperature;
+    return;
+  }
+  if (wanted && *wanted != stated.kind)
+    throw InputError("", "--shift",
+                     message("{} is not what the file states, the constants of {}",
+                             kShiftNames[static_cast<int>(*wanted)],
+                             kShiftNames[static_cast<int>(stated.kind)]));
+  material.shift = stated;
+  // Within which temperatures the constants hold is not known.
+  material.measured.temperatureFrom = material.measured.temperatureTo = 0;
 }
 
 /// Returns whether vertical shifts would let one horizontal shift serve both moduli.
@@ -238,10 +273,7 @@ Material fitMaterial(std::vector<Isotherm> isotherms, const MaterialChoices& cho
   PronyOptions series = choices.series;
   series.stop = choices.stop;
   material.series = fitPronySeries(points, series);
-  const std::vector<ShiftPoint> table = shiftTable(material.curve);
-  material.wlf = fitWlf(table, material.referenceTemperature);
-  material.arrhenius = fitArrhenius(table, material.referenceTemperature);
-  material.shift = chosenShift(material, choices.shift);
+  fitShift(material, shiftTable(material.curve), choices.shift);
   material.measured = measuredRange(material);
   return material;
 }
@@ -276,6 +308,8 @@ Material makeMaterial(std::string_view bytes, const std::string& fileName,
     material.facts = file.facts;
     material.strainAmplitude = strain;
     material.measured = measuredRange(material);
+    if (file.shift && material.isotherms.size() == 1)
+      takeShift(material, *file.shift, choices.shift);
   }
   material.fileName = std::filesystem::path(fileName).filename().string();
   material.fileDigest = sha256(bytes);
@@ -322,7 +356,8 @@ std::string materialJson(const Material& material) {
                       {"strain_amplitude", range.strainAmplitude}};
   if (!material.isMeasured()) {
     root["fit"] = {{"reference_temperature", material.referenceTemperature},
-                   {"format", material.format.english()}};
+                   {"format", material.format.english()},
+                   {"facts", englishOf(material.notes)}};
     return root.dump(2) + "\n";
   }
   root["measurement"] = measurementJson(material);
@@ -364,6 +399,10 @@ std::vector<Message> materialSummary(const Material& material) {
                     curve.shifts.size(), celsius(coldest.temperature), celsius(warmest.temperature),
                     celsius(curve.referenceTemperature), quantity(curve.lowestFrequency(), "Hz"),
                     quantity(curve.highestFrequency(), "Hz")));
+  if (material.facts.sweeps > 0) {
+    const std::vector<Message> facts = factsOf(material.facts);
+    lines.insert(lines.end(), facts.begin(), facts.end());
+  }
   if (material.facts.leftOut > 0)
     lines.push_back(message("rows without a value, left out: {}", material.facts.leftOut));
   if (!material.facts.leftOutColumns.empty())
@@ -383,9 +422,7 @@ std::vector<Message> materialSummary(const Material& material) {
                 "moduli that became one differ by a factor of up to {}",
                 repeats, PrintedNumber{printedNumber(ratio, 3)}));
   if (material.facts.modulus == ModulusKind::Tension)
-    lines.push_back(message("moduli of tension, divided by {} for shear (Poisson's ratio {})",
-                            PrintedNumber{printedNumber(2 * (1 + material.poissonRatio))},
-                            PrintedNumber{printedNumber(material.poissonRatio)}));
+    lines.push_back(dividedForShear(material.poissonRatio));
   if (!curve.overlaps.empty()) {
     const auto [best, worst] = std::ranges::minmax(curve.overlaps, {}, &Overlap::mismatch);
     lines.push_back(message("overlaps: neighbours agree within {} to {} decades (rms)",
@@ -407,7 +444,7 @@ std::vector<Message> materialSummary(const Material& material) {
                             quantity(material.arrhenius.shift.activationEnergy, "J/mol"),
                             PrintedNumber{printedNumber(material.arrhenius.rms, 2)}));
   addOneTemperature(material, lines);
-  if (curve.shifts.size() > 1)
+  if (curve.shifts.size() > 1 || material.wlf.isDefined)
     lines.push_back(material.shift.kind == ShiftKind::Table
                         ? Message("the shift used is the table of measured shifts")
                     : material.shift.kind == ShiftKind::Wlf

@@ -4,14 +4,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/text.h"
+#include "core/base/text_header.h"
 #include "core/base/text_number.h"
 #include "core/material/dma_columns.h"
 #include "core/material/element_law.h"
 #include "core/material/prony_keywords.h"
+#include "core/material/stated_shift.h"
+#include "core/material/stated_temperature.h"
 
 namespace asperity {
 namespace {
@@ -35,17 +39,139 @@ std::string plainWord(std::string_view text) {
 /// Returns whether a plain word names the equilibrium modulus.
 bool isEquilibrium(const std::string& word) {
   return isOneOf(word, {"ginf", "einf", "equilibriummodulus", "longtermmodulus", "rubberymodulus",
-                        "ge", "ee", "gequilibrium", "inf"});
+                        "ge", "ee", "gequilibrium", "eequilibrium", "inf"});
 }
 
 bool isInstantaneous(const std::string& word) {
-  return isOneOf(word, {"g0", "e0", "instantaneousmodulus", "shorttermmodulus", "glassymodulus",
-                        "gglassy", "eglassy"});
+  return isOneOf(
+      word, {"g0", "e0", "instantaneousmodulus", "shorttermmodulus", "glassymodulus", "gglassy",
+             "eglassy", "ginst", "einst", "ginstantaneous", "einstantaneous"});
+}
+
+/// Returns the kind of modulus that a plain word names: "e0", "einf", "gi", "youngsmodulus".
+ModulusKind kindOf(const std::string& word) {
+  if (word.find("young") != word.npos || word.find("tensile") != word.npos)
+    return ModulusKind::Tension;
+  if (word.find("shear") != word.npos) return ModulusKind::Shear;
+  if (word.starts_with("e") && !word.starts_with("equilibrium")) return ModulusKind::Tension;
+  if (word.starts_with("g") && !word.starts_with("glassy")) return ModulusKind::Shear;
+  return ModulusKind::Unknown;
+}
+
+/// A modulus that the lines above a table state.
+struct StatedModulus {
+  double number = 0;
+  std::string unit{};
+  ModulusKind kind = ModulusKind::Unknown;
+  bool isInstantaneous = false;
+  std::string key{};
+};
+
+/// Reads "E0 = 600 MPa", "Young's modulus E_inf: 3 MPa", "G_inf (MPa): 1".
+std::optional<StatedModulus> statedModulus(const TextEntry& entry) {
+  const auto quantity = parseQuantity(entry.value);
+  if (!quantity) return {};
+  const TextColumn key = parseColumnName(entry.key);
+  const std::string whole = plainWord(key.name);
+  std::string word = whole;
+  for (const std::string_view kind : {"young's", "youngs", "young", "shear", "tensile"})
+    replaceAll(word, kind, "");
+  if (!isEquilibrium(word) && !isInstantaneous(word))
+    word = plainWord(key.name.substr(key.name.find_last_of(' ') + 1));
+  if (!isEquilibrium(word) && !isInstantaneous(word)) return {};
+  const ModulusKind ofWord = kindOf(word);
+  return StatedModulus{quantity->number, quantity->unit.empty() ? key.unit : quantity->unit,
+                       ofWord == ModulusKind::Unknown ? kindOf(whole) : ofWord,
+                       isInstantaneous(word), entry.key};
+}
+
+/// Returns the size of a unit of modulus in Pa; what stands behind it in a header does not count:
+/// "3 MPa (at 20 °C)". Throws InputError where it is none.
+double modulusSize(const std::string& unit, const std::string& name, const std::string& key) {
+  for (const std::string_view text :
+       {std::string_view(unit), std::string_view(unit).substr(0, unit.find_first_of(" ,;(["))})
+    if (const auto size = unitSize(text, "Pa")) return *size;
+  throw InputError(
+      name, key,
+      message("has the unit {}, which is not one of {}", shortened(unit), unitNames("Pa")));
+}
+
+/// Returns the size of a unit of time in s; nothing where it is none.
+std::optional<double> timeSize(std::string_view unit) {
+  const std::string word = lowerCase(unit);
+  if (isOneOf(word, {"second", "seconds", "sekunde", "sekunden"})) return 1;
+  if (isOneOf(word, {"msec", "millisecond", "milliseconds"})) return 1e-3;
+  if (isOneOf(word, {"usec", "\u00B5sec", "\u03BCsec", "microsecond", "microseconds"})) return 1e-6;
+  if (isOneOf(word, {"minute", "minutes", "minuten"})) return 60;
+  if (isOneOf(word, {"hr", "hrs", "hour", "hours", "stunde", "stunden"})) return 3600;
+  if (isOneOf(word, {"d", "day", "days", "tag", "tage"})) return 86400;
+  return unitSize(unit, "s");
+}
+
+/// Returns the size in s of the unit of a column of relaxation times. A text in brackets, or behind
+/// a stroke, at the end of its name is a unit, too. Throws InputError where it is not known; adds a
+/// note where there is none.
+double timeSizeOf(const TextColumn& column, const std::string& name, RawSeries& series) {
+  std::string unit = column.unit;
+  if (unit.empty())
+    if (const std::size_t begin = column.name.find_last_of("([/");
+        begin != std::string::npos && begin > 0) {
+      unit = withoutBrackets(trimmedBlanks(std::string_view(column.name).substr(begin)));
+      if (unit.starts_with('/')) unit = trimmedBlanks(unit.substr(1));
+    }
+  const std::string word = plainWord(unit);
+  // "tau (relaxation time)"
+  const bool isName = word.starts_with("tau") || word.starts_with("relaxation");
+  if (word.empty() || isName) {
+    series.notes.push_back(
+        message("{} has no unit: seconds are assumed", Message::name(column.name)));
+    return 1;
+  }
+  if (const auto size = timeSize(unit)) return *size;
+  throw InputError(name, column.name,
+                   message("has the unit {}, which is not one of {}", shortened(unit),
+                           "s, ms, \u00B5s, min, h, days"));
+}
+
+/// Returns the kind of moduli of a series. The user's word precedes the file's; without both they
+/// are of shear, which a note says.
+ModulusKind kindOfSeries(ModulusKind stated, const PronyChoices& choices, RawSeries& series) {
+  if (choices.modulus != ModulusKind::Unknown) return choices.modulus;
+  if (stated != ModulusKind::Unknown) return stated;
+  series.notes.push_back(
+      "the file does not say of which kind its moduli are: shear is assumed; --modulus tension "
+      "says otherwise");
+  return ModulusKind::Shear;
+}
+
+/// Reads the temperature and the shift that a table states. The user's temperature precedes, and is
+/// that of a shift without a reference.
+void readTemperature(const TextTable& table, const TextBlock& block, const std::string& name,
+                     const PronyChoices& choices, RawSeries& series) {
+  series.temperature = choices.temperature;
+  std::optional<double> reference = choices.temperature;
+  try {
+    const auto inFile = statedTemperature(table, block, name, choices.temperatureUnit, true);
+    if (!choices.temperature) series.temperature = inFile;
+    constexpr double kSame = 1e-6;  // K, of converted degrees
+    if (inFile && !(reference && std::abs(*inFile - *reference) < kSame)) reference = inFile;
+  } catch (const InputError&) {
+    if (!choices.temperature) throw;
+  }
+  if (!reference) return;
+  StatedShift stated = statedShift(table, *reference, name, choices.temperatureUnit);
+  series.shift = std::move(stated.shift);
+  std::ranges::move(stated.notes, std::back_inserter(series.notes));
 }
 
 std::optional<RawSeries> tableSeries(const TextTable& table, const std::string& name,
                                      const PronyChoices& choices) {
-  const TextBlock& block = table.largest();
+  const TextBlock* largest = nullptr;
+  for (const TextBlock& one : table.blocks)
+    if (!isShiftTable(one) && (!largest || one.values.size() > largest->values.size()))
+      largest = &one;
+  if (!largest) return {};
+  const TextBlock& block = *largest;
   constexpr auto kNone = static_cast<std::size_t>(-1);
   std::size_t timeAt = kNone, weightAt = kNone;
   for (std::size_t i = 0; i < block.columns.size(); ++i) {
@@ -80,43 +206,71 @@ std::optional<RawSeries> tableSeries(const TextTable& table, const std::string& 
   RawSeries series;
   series.format = "a table of relaxation times and moduli";
   const TextColumn& weights = block.columns[weightAt];
-  const auto pressure = unitSize(weights.unit, "Pa");
-  series.isUnitKnown = pressure.has_value();
-  if (pressure) series.unit = *pressure;
-  const double timeSize = unitSize(block.columns[timeAt].unit, "s").value_or(1);
-
-  ModulusKind kind = choices.modulus;
-  if (kind == ModulusKind::Unknown)
-    kind = plainWord(weights.name).starts_with("e") ? ModulusKind::Tension : ModulusKind::Shear;
-  const double shear = kind == ModulusKind::Tension ? shearFromYoungs(1, choices.poissonRatio) : 1;
+  const bool isPercent = weights.unit == "%";
+  const bool hasUnit = !weights.unit.empty() && weights.unit != "-" && weights.unit != "1";
+  if (hasUnit && !isPercent) series.unit = modulusSize(weights.unit, name, weights.name);
+  series.isUnitKnown = hasUnit && !isPercent;
+  const double wanted = unitSize(choices.modulusUnit, "Pa").value_or(series.unit);
+  const double time = timeSizeOf(block.columns[timeAt], name, series);
 
   // A row without a relaxation time, or with an infinite one, is the equilibrium modulus.
-  double sum = 0, largest = 0;
+  double sum = 0, most = 0, ofRow = RawSeries::kNotStated;
   for (std::size_t row = 0; row < block.rows; ++row) {
-    const double time = block.at(row, timeAt), weight = block.at(row, weightAt);
+    const double weight = block.at(row, weightAt) * (isPercent ? 0.01 : 1);
     if (!std::isfinite(weight)) continue;
-    if (!std::isfinite(time)) {
-      series.equilibrium = weight * shear;
+    if (!std::isfinite(block.at(row, timeAt))) {
+      ofRow = weight;
       continue;
     }
-    series.terms.push_back({weight, time * timeSize, block.lines[row]});
+    series.terms.push_back({weight, block.at(row, timeAt) * time, block.lines[row]});
     sum += weight;
-    largest = std::max(largest, weight);
+    most = std::max(most, weight);
   }
-  for (const TextEntry& entry : block.header)
-    if (const auto quantity = parseQuantity(entry.value)) {
-      const std::string word = plainWord(entry.key);
-      const double size = unitSize(quantity->unit, "Pa").value_or(series.unit) / series.unit;
-      if (isEquilibrium(word)) series.equilibrium = quantity->number * size * shear;
-      if (isInstantaneous(word)) series.instantaneous = quantity->number * size * shear;
-    }
-  // Parts of the instantaneous modulus have no unit, and their sum is at most 1.
-  series.isRelative = !series.isUnitKnown && largest < 1 && sum <= 1 + 1e-6;
-  if (!series.isRelative)
-    for (RawSeries::Term& term : series.terms) term.weight *= shear;
-  if (series.isRelative && std::isfinite(series.equilibrium) && series.equilibrium < shear)
-    series.equilibrium = RawSeries::kNotStated;  // a part, too: what is left of 1
   if (series.terms.empty()) throw InputError(name, "", "holds no relaxation time");
+  // Parts of the instantaneous modulus have no unit, and their sum is at most 1.
+  series.isRelative = !series.isUnitKnown && most < 1 && sum <= 1 + 1e-6;
+
+  std::vector<StatedModulus> above;
+  for (const TextEntry& entry : block.header)
+    if (const auto stated = statedModulus(entry)) {
+      // Without a unit and below 1 it is a part of the instantaneous modulus, which the others
+      // leave.
+      const bool isPart = series.isRelative && stated->unit.empty() && stated->number < 1;
+      if (!isPart) above.push_back(*stated);
+    }
+  // The letter g of a part says nothing about the modulus of which it is one.
+  ModulusKind kind = series.isRelative ? ModulusKind::Unknown : kindOf(plainWord(weights.name));
+  for (const StatedModulus& stated : above)
+    if (kind == ModulusKind::Unknown) kind = stated.kind;
+  if (kind == ModulusKind::Unknown && kindOf(plainWord(weights.name)) == ModulusKind::Tension)
+    kind = ModulusKind::Tension;
+  const bool isGiven =
+      std::isfinite(choices.instantaneousModulus) || std::isfinite(choices.equilibriumModulus);
+  if (!series.isRelative || !above.empty() || !isGiven) kind = kindOfSeries(kind, choices, series);
+  const auto shearFactor = [&](ModulusKind one) {
+    return one == ModulusKind::Tension ? shearFromYoungs(1, choices.poissonRatio) : 1;
+  };
+  bool isDivided = !series.isRelative && kind == ModulusKind::Tension;
+  if (!series.isRelative)
+    for (RawSeries::Term& term : series.terms) term.weight *= shearFactor(kind);
+  // Below 1 it is a part, too: what the others leave.
+  if (!series.isRelative || (std::isfinite(ofRow) && ofRow >= 1))
+    series.equilibrium = ofRow * shearFactor(kind);
+  for (const StatedModulus& stated : above) {
+    const bool isOwn =
+        choices.modulus == ModulusKind::Unknown && stated.kind != ModulusKind::Unknown;
+    const ModulusKind own = isOwn ? stated.kind : kind;
+    const double size =
+        stated.unit.empty() ? 1 : modulusSize(stated.unit, name, stated.key) / wanted;
+    (stated.isInstantaneous ? series.instantaneous : series.equilibrium) =
+        stated.number * size * shearFactor(own);
+    isDivided = isDivided || own == ModulusKind::Tension;
+  }
+  if (isDivided)
+    series.notes.push_back(dividedForShear(choices.poissonRatio));
+  else if (kind == ModulusKind::Shear)
+    series.notes.push_back("moduli of shear, not divided");
+  readTemperature(table, block, name, choices, series);
   return series;
 }
 

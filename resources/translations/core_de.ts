@@ -4227,6 +4227,122 @@
         <translation>Zeilen ohne Wert, weggelassen: %1</translation>
     </message>
     <message>
+        <source>states a temperature of %1 K, at which no rubber is measured; correct it, or state that of the test with --temperature</source>
+        <translation>nennt eine Temperatur von %1 K, bei der kein Gummi gemessen wird; berichtigen, oder die der Prüfung mit --temperature angeben</translation>
+    </message>
+    <message>
+        <source>is %1 in line %2 and %3 in line %4; say with --temperature which is that of the test</source>
+        <translation>ist %1 in Zeile %2 und %3 in Zeile %4; --temperature sagt, welche die der Prüfung ist</translation>
+    </message>
+    <message>
+        <source>the temperature is %1 K, at which no rubber is measured; correct it, or say with --temperature-unit in which unit it is</source>
+        <translation>die Temperatur ist %1 K, bei der kein Gummi gemessen wird; berichtigen, oder mit --temperature-unit sagen, in welcher Einheit sie steht</translation>
+    </message>
+    <message>
+        <source>has the unit %1, which is not one of %2</source>
+        <translation>hat die Einheit %1, die keine von %2 ist</translation>
+    </message>
+    <message>
+        <source>%1 has no unit: seconds are assumed</source>
+        <translation>%1 hat keine Einheit: Sekunden werden angenommen</translation>
+    </message>
+    <message>
+        <source>the file does not say of which kind its moduli are: shear is assumed; --modulus tension says otherwise</source>
+        <translation>die Datei sagt nicht, von welcher Art ihre Moduln sind: Schub wird angenommen; --modulus tension sagt etwas anderes</translation>
+    </message>
+    <message>
+        <source>moduli of shear, not divided</source>
+        <translation>Schubmoduln, nicht geteilt</translation>
+    </message>
+    <message>
+        <source>%1 contradicts the moduli: in the median it is %2 times the ratio of %3 and %4; the moduli are read</source>
+        <translation>%1 widerspricht den Moduln: im Median ist es das %2-fache des Verhältnisses von %3 und %4; die Moduln werden gelesen</translation>
+    </message>
+    <message>
+        <source>the table also has moduli of tension, %1 times those of shear in the median (%2 with this Poisson's ratio); those of shear are read, and --modulus tension reads the others</source>
+        <translation>die Tabelle hat auch Zugmoduln, im Median das %1-fache der Schubmoduln (%2 bei dieser Querkontraktionszahl); die Schubmoduln werden gelesen, und --modulus tension liest die anderen</translation>
+    </message>
+    <message>
+        <source>the table also has moduli of shear; those of tension are %1 times as large in the median (%2 with this Poisson's ratio) and are read, and --modulus shear reads the others</source>
+        <translation>die Tabelle hat auch Schubmoduln; die Zugmoduln sind im Median das %1-fache davon (%2 bei dieser Querkontraktionszahl) und werden gelesen, und --modulus shear liest die anderen</translation>
+    </message>
+    <message>
+        <source>%1 in %2 (assumed)</source>
+        <translation>%1 in %2 (angenommen)</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1 in %2</translation>
+    </message>
+    <message>
+        <source>frequency: %1</source>
+        <translation>Frequenz: %1</translation>
+    </message>
+    <message>
+        <source>reduced frequency: %1</source>
+        <translation>reduzierte Frequenz: %1</translation>
+    </message>
+    <message>
+        <source>temperature: %1</source>
+        <translation>Temperatur: %1</translation>
+    </message>
+    <message>
+        <source>moduli of tension: %1, %2</source>
+        <translation>Zugmoduln: %1, %2</translation>
+    </message>
+    <message>
+        <source>moduli of shear: %1, %2</source>
+        <translation>Schubmoduln: %1, %2</translation>
+    </message>
+    <message>
+        <source>these are the columns of the last of %1 sweeps</source>
+        <translation>dies sind die Spalten der letzten von %1 Messreihen</translation>
+    </message>
+    <message>
+        <source>the shift that the file states is not read: the isotherms have their own</source>
+        <translation>die Verschiebung, die die Datei nennt, wird nicht gelesen: die Isothermen haben ihre eigene</translation>
+    </message>
+    <message>
+        <source>the shift factors from line %1 on are not read: they are no rising table</source>
+        <translation>die Verschiebungsfaktoren ab Zeile %1 werden nicht gelesen: sie sind keine steigende Tabelle</translation>
+    </message>
+    <message>
+        <source>the shift factors from line %1 on are not read: they are not those of %2, where log aT would be 0</source>
+        <translation>die Verschiebungsfaktoren ab Zeile %1 werden nicht gelesen: sie sind nicht die von %2, wo log aT 0 wäre</translation>
+    </message>
+    <message>
+        <source>shift factors from line %1 on: %2 from %3 to %4</source>
+        <translation>Verschiebungsfaktoren ab Zeile %1: %2 von %3 bis %4</translation>
+    </message>
+    <message>
+        <source>C1 is %1 and C2 is %2 K; allowed is C1 above 0 to %3, C2 from %4 to %5 K</source>
+        <translation>C1 ist %1 und C2 ist %2 K; zulässig ist C1 über 0 bis %3, C2 von %4 bis %5 K</translation>
+    </message>
+    <message>
+        <source>the constants C1 and C2 are not read: they hold above %1</source>
+        <translation>die Konstanten C1 und C2 werden nicht gelesen: sie gelten oberhalb von %1</translation>
+    </message>
+    <message>
+        <source>shift of the file: Williams, Landel and Ferry with C1 = %1, C2 = %2 K at %3</source>
+        <translation>Verschiebung der Datei: Williams, Landel und Ferry mit C1 = %1, C2 = %2 K bei %3</translation>
+    </message>
+    <message>
+        <source>the constants C1 and C2 are not read: the file has shift factors</source>
+        <translation>die Konstanten C1 und C2 werden nicht gelesen: die Datei hat Verschiebungsfaktoren</translation>
+    </message>
+    <message>
+        <source>line %1 is about a shift and is not read: C1 and C2 with values, or a table of temperature and log aT, would be</source>
+        <translation>Zeile %1 handelt von einer Verschiebung und wird nicht gelesen: C1 und C2 mit Werten oder eine Tabelle aus Temperatur und log aT würden gelesen</translation>
+    </message>
+    <message>
+        <source>%1 is not what the file states, the constants of %2</source>
+        <translation>%1 ist nicht, was die Datei nennt, die Konstanten von %2</translation>
+    </message>
+    <message>
+        <source>the isotherms at %1 and %2 do not overlap: only a vertical shift, as of an entropic spring, brings their moduli together; allow it with --vertical-shifts</source>
+        <translation>die Isothermen bei %1 und %2 überlappen nicht: nur eine vertikale Verschiebung wie die einer entropischen Feder bringt ihre Moduln zusammen; --vertical-shifts lässt sie zu</translation>
+    </message>
+    <message>
         <source>moduli of tension, divided by %1 for shear (Poisson's ratio %2)</source>
         <translation>Zugmoduln, für Schub durch %1 geteilt (Querkontraktionszahl %2)</translation>
     </message>

@@ -88,6 +88,8 @@ TEST_F(MaterialCommandTest, WhatCannotBeUsedIsRefusedAndLeavesNothing) {
        "asperity: --reference-temperature: 373.15 K is outside of the measured temperatures"},
       {"material dma.csv -o out --reference-temperature warm",
        "asperity: --reference-temperature: 'warm' is not a temperature"},
+      {"material dma.csv -o out --temperature 20",
+       "asperity: --temperature: '20' is not a temperature such as 20C"},
       {"material dma.csv -o out --poisson-ratio 0.6", "asperity: --poisson-ratio: "},
       {"material dma.csv -o out --shift none", "asperity: --shift: none is not one of"},
       {"material dma.csv -o out --set load.normal_force=1",

@@ -125,6 +125,74 @@ TEST(DmaFile, AMasterCurveIsAtOneTemperature) {
   expectRow(file.rows[1], 298.15, 1e5, 2e6, 5e5);
 }
 
+/// Numbers with K or \u00B0C near the table are often of something else than the test.
+TEST(DmaFile, TheTemperatureOfTheTestIsFoundAmongOthers) {
+  const std::string table = "f [Hz];G' [Pa];G'' [Pa]\n1;2e6;2e5\n10;3e6;4e5\n";
+  for (const std::string header : {
+           "Temperature: 20 \u00B0C\nHeating rate: 2 K/min\n",
+           "Temperature: 20 \u00B0C\nramp of 2 K / min, then 5 \u00B0C/s\n",
+           "Temperature: 20 \u00B0C\nSoak time: 300 s, tolerance 0.5 K\n",
+           "Temperature: 20 \u00B0C\nVulcanization: 160 \u00B0C, 12 min\n",
+           "Temperature: 20 \u00B0C\nVulkanisation: 12 min, T = 160 \u00B0C\n",
+           "Sample: NR, cured 12 min at 160 \u00B0C\nTest temperature: 20 \u00B0C\n",
+           "Messtemperatur: 20 \u00B0C\nGlas\u00FCbergang Tg: -58 \u00B0C\n",
+           "Messtemperatur: 20 \u00B0C\nT_g = -58 \u00B0C\n",
+           "Isothermal frequency sweep at 20 \u00B0C\nOven range -150 \u00B0C to 600 \u00B0C\n",
+           "density 1.1 g/cm3 at 23 \u00B0C\nsweep at 20 \u00B0C\n-150 ... 600 \u00B0C\nT max = 80 "
+           "\u00B0C\n",
+           "Master curve, Tref = 20 \u00B0C\nWLF C1 = 10\nWLF C2 = 120 K\n",
+           "Reference temperature: 20 \u00B0C\nC1: 10\nC2: 120 K\n",
+           "Bezugstemperatur: 293.15 K\nWLF C1 = 10, C2 = 120 K\n",
+           "Set temperature: 25 \u00B0C\nSample temperature: 20 \u00B0C\n",
+           "Temperature [\u00B0C]: 20\nRoom temperature: 24 \u00B0C\n",
+           "T/K = 293.15\nstiffness measured at 25 \u00B0C\n",
+           "Temperature: 20 \u00B1 0.5 \u00B0C\n",
+           "Temperature: 20 \u00B0C \u00B1 0.5 K\n",
+           "T = 20 \u00B0C, cooling 3 K/min\nReference temperature: 50 \u00B0C\n",
+           "Temperature: 20\n",
+           "Reference: 2041\nt = 300\nStep 3: 20 \u00B0C\nTemperature step: 5 K\n",
+           "NETZSCH DMA 242 C\nfrequency sweep (20.0 \u00B0C)\n",
+       }) {
+    SCOPED_TRACE(header);
+    EXPECT_NEAR(read(header + table).rows.front().temperature, 293.15, 1e-9);
+  }
+  const std::string reduced = "Temperature: 50 \u00B0C\nReference temperature: 20 \u00B0C\n";
+  EXPECT_NEAR(read(reduced + "Reduced frequency (Hz);G' [Pa];G'' [Pa]\n1;2e6;2e5\n10;3e6;4e5\n")
+                  .rows.front()
+                  .temperature,
+              293.15, 1e-9);
+}
+
+TEST(DmaFile, WithoutATemperatureOfTheTestTheFileIsRefused) {
+  const std::string table = "f [Hz];G' [Pa];G'' [Pa]\n1;2e6;2e5\n10;3e6;4e5\n";
+  for (const std::string header :
+       {"Sample: NR, cured 12 min at 160 \u00B0C\n", "Temperature range: -40 to 60 \u00B0C\n",
+        "Heating rate: 2 K/min\n", "Oven -150 \u00B0C to 600 \u00B0C\n", "B = 12 K\n"})
+    EXPECT_THAT(errorOf(header + table),
+                HasSubstr("temperature: is stated nowhere; say at which the moduli were measured "
+                          "with --temperature"))
+        << header;
+  EXPECT_THAT(errorOf("Temperature: 2 K\n" + table),
+              HasSubstr("line 1: states a temperature of 2 K, at which no rubber is measured"));
+  EXPECT_THAT(
+      errorOf("Temperature: 20 \u00B0C\nT = 40 \u00B0C\n" + table),
+      HasSubstr("temperature: is 20.0 \u00B0C in line 1 and 40.0 \u00B0C in line 2; say with "
+                "--temperature which"));
+  EXPECT_THAT(errorOf("f (Hz),T (K),G' (Pa),G'' (Pa)\n1,20,2e6,2e5\n10,20,3e6,4e5\n"),
+              HasSubstr("line 2: the temperature is 20 K, at which no rubber is measured"));
+}
+
+/// Each block has its own temperature, whatever else its header states.
+TEST(DmaFile, BlocksWithTolerancesAreIsotherms) {
+  const DmaFile file = read(
+      "Instrument: DMA 242\n\nStep\nTemperature: -40 \u00B0C\nSoak tolerance: 0.5 K\nf;G';G''\n"
+      "Hz;MPa;MPa\n1;2;1\n2;3;1\n\nStep\nTemperature: 20 \u00B0C\nSoak tolerance: 0.5 K\n"
+      "f;G';G''\nHz;MPa;MPa\n1;1.5;1\n2;2.5;1\n");
+  ASSERT_EQ(file.rows.size(), 4U);
+  EXPECT_NEAR(file.rows[0].temperature, 233.15, 1e-9);
+  EXPECT_NEAR(file.rows[3].temperature, 293.15, 1e-9);
+}
+
 /// Two isotherms side by side, in every form that spreadsheets give them.
 TEST(DmaFile, SweepsSideBySideAreAllRead) {
   const std::string rows = "1,2,1,1.5,1\n2,3,1,2.5,1\n";
@@ -316,11 +384,110 @@ TEST(DmaFile, TheSamplesTemperatureIsTaken) {
       "Set temperature (C),Sample temperature (C),f (Hz),G' (MPa),G'' (MPa)\n"
       "10,20,1,2,0.2\n10,20,10,3,0.4\n");
   expectRow(file.rows[0], 293.15, 1, 2e6, 2e5);
-  EXPECT_EQ(file.facts.temperature, "Sample temperature");
+  EXPECT_EQ(file.facts.temperature.name, "Sample temperature");
   EXPECT_EQ(file.facts.leftOutColumns, "Set temperature");
   EXPECT_THAT(errorOf("Temperature (C),Room temperature (C),f (Hz),G' (MPa),G'' (MPa)\n"
                       "10,20,1,2,0.2\n10,20,10,3,0.4\n"),
               HasSubstr("seem to be the same quantity"));
+}
+
+std::vector<std::string> factsIn(const std::string& text, const DmaChoices& choices = {}) {
+  std::vector<std::string> facts;
+  for (const Message& fact : factsOf(read(text, choices).facts)) facts.push_back(fact.english());
+  return facts;
+}
+
+TEST(DmaFile, TheFactsNameColumnsUnitsAndKind) {
+  using testing::ElementsAre;
+  EXPECT_THAT(factsIn("f (Hz),T (K),E' (MPa),tan delta\n1,293,2,0.1\n10,293,3,0.1\n"),
+              ElementsAre("frequency: f in Hz", "temperature: T in K",
+                          "moduli of tension: E' in MPa, tan delta"));
+  EXPECT_THAT(factsIn("f (Hz),T (K),G* (MPa),phase\n1,293,2,10\n10,293,3,12\n"),
+              testing::Contains("moduli of shear: G* in MPa, phase in deg (assumed)"));
+  DmaChoices megapascals;
+  megapascals.modulusUnit = "MPa";
+  EXPECT_THAT(
+      factsIn("omega,T,G1,G2\n1,20,2,0.2\n10,20,3,0.4\n", megapascals),
+      ElementsAre("frequency: omega in rad/s (assumed)", "temperature: T in \u00B0C (assumed)",
+                  "moduli of shear: G1 in MPa, G2 in MPa"));
+  EXPECT_THAT(factsIn("Tref = 20 C\naT*f (Hz),G',G''\n1,2e6,2e5\n10,3e6,4e5\n"),
+              ElementsAre("reduced frequency: aT*f in Hz",
+                          "moduli of shear: G' in Pa (assumed), G'' in Pa (assumed)"));
+  const std::string block = "C\nf (Hz),G' (MPa),G'' (MPa)\n1,2,0.2\n10,3,0.4\n\n";
+  EXPECT_EQ(factsIn("T = 20 " + block + "T = 30 " + block).size(), 2U);
+  EXPECT_THAT(
+      factsIn("T = 20 " + block + "T = 30 C\nf (Hz),G' (Pa),G'' (Pa)\n1,2e6,2e5\n10,3e6,4e5\n"),
+      testing::Contains("these are the columns of the last of 2 sweeps"));
+}
+
+TEST(DmaFile, ColumnsThatContradictEachOtherAreSaid) {
+  const auto tangent = [](const std::string& first, const std::string& second) {
+    return factsIn("f (Hz),T (C),G' (MPa),G'' (MPa),tan d\n1,20,2,0.2," + first + "\n10,20,3,0.6," +
+                   second + "\n");
+  };
+  EXPECT_EQ(tangent("0.101", "0.199").size(), 3U);
+  EXPECT_THAT(tangent("0.2", "0.4"),
+              testing::Contains("tan d contradicts the moduli: in the median it is 2 times the "
+                                "ratio of G'' and G'; the moduli are read"));
+  EXPECT_EQ(tangent("", "0").size(), 3U);
+  EXPECT_EQ(factsIn("f (Hz),T (C),E' (MPa),E'' (MPa),G' (MPa),G'' (MPa)\n1,20,0,1,2,0.2\n"
+                    "10,20,,1,3,0.6\n")
+                .size(),
+            3U);
+  const std::string both =
+      "f (Hz),T (C),E' (MPa),E'' (MPa),G' (kPa),G'' (kPa)\n1,20,6,1,3000,500\n10,20,7,1,3500,600\n";
+  EXPECT_THAT(
+      factsIn(both),
+      testing::Contains("the table also has moduli of tension, 2 times those of shear in the "
+                        "median (3 with this Poisson's ratio); those of shear are read, and "
+                        "--modulus tension reads the others"));
+  DmaChoices tension;
+  tension.modulus = ModulusKind::Tension;
+  EXPECT_THAT(factsIn(both, tension),
+              testing::Contains(HasSubstr("those of tension are 2 times as large in the median")));
+}
+
+/// What a program writes about the shift of its master curve.
+TEST(DmaFile, TheShiftBesideAMasterCurveIsRead) {
+  const std::string curve = "f (Hz);G' (Pa);G'' (Pa)\n1;2e6;2e5\n10;3e6;4e5\n100;4e6;6e5\n";
+  const std::string head = "Master curve, Tref = 20 \u00B0C\n";
+  for (const std::string constants :
+       {"WLF C1 = 10\nWLF C2 = 120 K\n", "WLF C1 = 10, C2 = 120 K\n", "C_1: 10\nC_2: 120\n"}) {
+    const DmaFile file = read(head + constants + curve);
+    ASSERT_TRUE(file.shift.has_value()) << constants;
+    EXPECT_EQ(*file.shift, (TemperatureShift{10, 120, 293.15}));
+    EXPECT_THAT(factsIn(head + constants + curve), testing::Contains(HasSubstr("C1 = 10")));
+  }
+  // The same curve from 50 C on.
+  const DmaFile apart = read("Temperature: 50 C\n" + head + "C1 = 10\nC2 = 120\n" + curve);
+  EXPECT_NEAR(apart.shift->c2, 150, 1e-9);
+  EXPECT_NEAR(apart.shift->c1, 8, 1e-9);
+  EXPECT_THAT(errorOf(head + "C1 = -10\nC2 = 120\n" + curve), HasSubstr("WLF: C1 is -10"));
+
+  const std::string table = head + curve + "\nShift factors\n";
+  for (const std::string rows :
+       {"T [\u00B0C];log aT\n50;-2\n20;0\n-40;10\n",
+        "T (K);log10(a_T)\n323.15;-2\n293.15;0\n233.15;10\n", "T;aT\n-40;1e10\n20;1\n50;0.01\n",
+        "Temperature (C);ln aT\n-40;23.02585092994046\n20;0\n50;-4.605170185988092\n"}) {
+    const DmaFile file = read(table + rows);
+    ASSERT_TRUE(file.shift.has_value()) << rows;
+    ASSERT_EQ(file.shift->table.size(), 3U);
+    EXPECT_NEAR(file.shift->table.front().log10Shift, 10, 1e-9);
+    EXPECT_EQ(file.shift->table[1], (ShiftPoint{293.15, 0}));
+  }
+  for (const std::string row : {"20;", "20;NaN", "20;0", "20;-1", "-300;1", "50;1"})
+    EXPECT_THAT(factsIn(table + "T;aT\n-40;1e10\n" + row + "\n50;0.01\n"),
+                testing::Contains(HasSubstr("are not read: they are no rising table")))
+        << row;
+  EXPECT_FALSE(read(table + "T [\u00B0C];log aT\n50;0\n20;2\n-40;12\n").shift.has_value());
+  EXPECT_THAT(factsIn(table + "T [\u00B0C];log aT\n50;0\n20;2\n-40;12\n"),
+              testing::Contains(HasSubstr("are not read: they are not those of 20.0")));
+  EXPECT_THAT(factsIn(head + "Arrhenius: 80 kJ/mol\n" + curve),
+              testing::Contains(HasSubstr("line 2 is about a shift and is not read")));
+  const std::string isotherms = "f (Hz);T (C);G' (Pa);G'' (Pa)\n1;20;2e6;2e5\n1;30;3e6;4e5\n";
+  EXPECT_THAT(factsIn("C1 = 10\nC2 = 120\n" + isotherms),
+              testing::Contains("the shift that the file states is not read: the isotherms have "
+                                "their own"));
 }
 
 TEST(DmaFile, UnclearMarksAreSaid) {

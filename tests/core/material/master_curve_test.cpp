@@ -165,6 +165,28 @@ TEST(MasterCurve, AnEntropicRubberIsSimpleWithVerticalShifts) {
   EXPECT_FALSE(explainsDifferences(plain, plain));
 }
 
+/// Two glassy plateaus of different height, b_T = T / T_0, that have hardly a frequency in common.
+TEST(MasterCurve, PlateausAreJoinedByAVerticalShift) {
+  const SyntheticRubber rubber;
+  std::vector<Isotherm> isotherms(2);
+  isotherms[0].temperature = 233.15;
+  isotherms[1].temperature = 263.15;
+  for (Isotherm& isotherm : isotherms) {
+    const double shift = isotherm.temperature < 250 ? 1e12 : std::pow(10, 9.2);
+    for (int i = 0; i <= 12; ++i) {
+      const double frequency = std::pow(10, -1 + 0.25 * i);
+      const DynamicModulus modulus = rubber.at(frequency * shift);
+      isotherm.points.push_back({frequency, modulus.storage * isotherm.temperature / 263.15,
+                                 modulus.loss * isotherm.temperature / 263.15});
+    }
+  }
+  const MasterCurve curve = masterCurve(isotherms, 263.15, true);
+  EXPECT_NEAR(curve.shifts[0].log10Vertical, std::log10(233.15 / 263.15), 0.01);
+  EXPECT_NEAR(curve.shifts[0].log10Shift, 2.8, 0.05);
+  EXPECT_THAT(errorFrom([&] { masterCurve(isotherms, 263.15); }),
+              HasSubstr("allow it with --vertical-shifts"));
+}
+
 TEST(MasterCurve, OneIsothermIsItsOwnMasterCurve) {
   const std::vector<Isotherm> one{SyntheticRubber().sweep(293.15, 0.1, 10, 9)};
   const MasterCurve curve = masterCurve(one, 293.15);

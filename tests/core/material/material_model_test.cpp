@@ -200,6 +200,38 @@ TEST(MaterialModel, TheSummarySaysWhatVerticalShiftsExplain) {
   EXPECT_THAT(linesOf(true), testing::Not(HasSubstr("shifts from G' alone")));
 }
 
+/// A master curve with its shift serves scenes at other temperatures.
+TEST(MaterialModel, AMasterCurveKeepsTheShiftOfItsFile) {
+  const SyntheticRubber rubber;
+  std::string curve = "f (Hz);G' (Pa);G'' (Pa)\n";
+  for (int i = 0; i <= 60; ++i) {
+    const DynamicModulus modulus = rubber.at(std::pow(10, -3 + 0.15 * i));
+    curve += std::to_string(modulus.frequency) + ";" + std::to_string(modulus.storage) + ";" +
+             std::to_string(modulus.loss) + "\n";
+  }
+  const Material wlf =
+      makeMaterial("Tref = 20 C\nWLF C1 = 10\nWLF C2 = 120 K\n" + curve, "m.csv", {});
+  EXPECT_EQ(wlf.shift, (TemperatureShift{10, 120, 293.15}));
+  EXPECT_EQ(wlf.measured.temperatureTo, 0);
+  EXPECT_GT(wlf.measured.frequencyTo, 0);
+  MaterialChoices choices;
+  choices.shift = ShiftKind::Arrhenius;
+  EXPECT_THAT(errorFrom([&] {
+                makeMaterial("Tref = 20 C\nC1 = 10\nC2 = 120 K\n" + curve, "m.csv", choices);
+              }),
+              HasSubstr("--shift: arrhenius is not what the file states"));
+  const Material table = makeMaterial(
+      "Tref = 20 C\n" + curve + "\nT (C);log aT\n0;2\n10;0.9\n20;0\n30;-1.5\n40;-1.6\n", "m.csv",
+      {});
+  ASSERT_EQ(table.shift.kind, ShiftKind::Table);
+  EXPECT_EQ(table.shift.table.size(), 5U);
+  EXPECT_NEAR(table.measured.temperatureFrom, 273.15, 1e-9);
+  const auto json = nlohmann::json::parse(materialJson(table));
+  EXPECT_THAT(
+      json["measurement"]["facts"].get<std::vector<std::string>>(),
+      testing::IsSupersetOf({"frequency: f in Hz", "moduli of shear: G' in Pa, G'' in Pa"}));
+}
+
 TEST(MaterialModel, IsothermsMayBeLeftOut) {
   MaterialChoices choices;
   choices.leftOut = {326.15};

@@ -55,6 +55,112 @@ TEST(PronyFile, KeywordsOfAbaqus) {
   EXPECT_EQ(*file->shift, (TemperatureShift{8.86, 101.6, 298.15}));
 }
 
+PronyChoices atKelvin(double temperature) {
+  PronyChoices choices;
+  choices.temperature = temperature;
+  return choices;
+}
+
+std::vector<std::string> notesOf(const std::optional<PronyFile>& file) {
+  std::vector<std::string> notes;
+  for (const Message& note : file->notes) notes.push_back(note.english());
+  return notes;
+}
+
+/// The letter of a part says nothing about the modulus of which it is one: E_0 = 12 MPa is G_0 = 4
+/// MPa.
+TEST(PronyFile, PartsOfAModulusOfTensionAreDividedForShear) {
+  const std::string parts = "tau_i (s),g_i\n0.1,0.5\n10,0.25\n";
+  for (const std::string header : {"E0 = 12 MPa\n", "E_0: 12 MPa\n", "E_inf = 3 MPa\n",
+                                   "Young modulus E0 = 12 MPa\n", "E_inst = 12 MPa (at 20 C)\n",
+                                   "Instantaneous Young's modulus: 12 MPa\n", "E_0 (MPa): 12\n"}) {
+    SCOPED_TRACE(header);
+    const auto file = read(header + parts);
+    expectSeries(file);
+    EXPECT_THAT(notesOf(file), testing::Contains(HasSubstr("moduli of tension, divided by 3")));
+  }
+  for (const std::string header : {"G0 = 4 MPa\n", "G_inf = 1 MPa\n"}) {
+    const auto file = read(header + parts);
+    expectSeries(file);
+    EXPECT_THAT(notesOf(file), testing::ElementsAre("moduli of shear, not divided"));
+  }
+  const auto file = read("Instantaneous modulus: 4 MPa\n" + parts);
+  expectSeries(file);
+  EXPECT_THAT(notesOf(file), testing::Contains(HasSubstr("shear is assumed")));
+  PronyChoices tension;
+  tension.modulus = ModulusKind::Tension;
+  expectSeries(read("Instantaneous modulus: 12 MPa\n" + parts, tension));
+  // Each modulus is of the kind that its own name says.
+  expectSeries(read("E_inf = 3 MPa\ntau (s),G (MPa)\n0.1,2\n10,1\n"));
+  expectSeries(read("tau (s),E (MPa)\ninf,3\n0.1,6\n10,3\n"));
+}
+
+TEST(PronyFile, UnitsAreReadOrRefused) {
+  for (const std::string column :
+       {"tau (s),0.1,10", "tau (msec),100,10000", "tau [ms],100,10000",
+        "tau / min,1.6666666666666667e-3,0.16666666666666666",
+        "tau (h),2.7777777777777778e-5,2.7777777777777778e-3", "tau (Sekunden),0.1,10",
+        "tau (days),1.1574074074074074e-6,1.1574074074074074e-4"}) {
+    SCOPED_TRACE(column);
+    const std::size_t first = column.find(','), second = column.rfind(',');
+    const auto file = read("G_inf = 1 MPa\n" + column.substr(0, first) + ",G_i (MPa)\n" +
+                           column.substr(first + 1, second - first - 1) + ",2\n" +
+                           column.substr(second + 1) + ",1\n");
+    ASSERT_EQ(file->arms.size(), 2U);
+    EXPECT_NEAR(file->arms[0].relaxationTime, 10, 1e-9);
+    EXPECT_NEAR(file->arms[1].relaxationTime, 0.1, 1e-9);
+    EXPECT_THAT(notesOf(file), testing::ElementsAre("moduli of shear, not divided"));
+  }
+  for (const char* unit : {"(foo)", "[foo]", "/foo"})
+    EXPECT_THAT(errorOf(std::string("G_inf = 1 MPa\ntau ") + unit + ",G_i (MPa)\n0.1,2\n10,1\n"),
+                HasSubstr("has the unit foo, which is not one of s, ms"))
+        << unit;
+  EXPECT_THAT(errorOf("G_inf = 7 foo\ntau (s),G_i (MPa)\n0.1,2\n10,1\n"),
+              HasSubstr("G_inf: has the unit foo, which is not one of Pa, kPa, MPa"));
+  EXPECT_THAT(errorOf("G_inf = 1 MPa\ntau (s),G_i [foo]\n0.1,2\n10,1\n"),
+              HasSubstr("G_i: has the unit foo, which is not one of Pa"));
+  const auto file = read("G_inf = 1 MPa\ntau,G_i (MPa)\n0.1,2\n10,1\n");
+  expectSeries(file);
+  EXPECT_THAT(notesOf(file), testing::Contains("tau has no unit: seconds are assumed"));
+  // The unit that the user states is that of numbers without one.
+  PronyChoices choices;
+  choices.modulusUnit = "MPa";
+  expectSeries(read("G_inf = 1 MPa\ntau (s),G_i\n0.1,2\n10,1\n", choices));
+  expectSeries(read("G0 = 4\ntau (s),g_i\n0.1,0.5\n10,0.25\n", choices));
+  expectSeries(read("G0 = 4 MPa\ntau (s),g_i [%]\n0.1,50\n10,25\n"));
+}
+
+TEST(PronyFile, TheHeaderOfATableStatesTemperatureAndShift) {
+  const std::string table = "G_inf = 1 MPa\ntau (s),G_i (MPa)\n0.1,2\n10,1\n";
+  for (const std::string header :
+       {"T_ref = 20 \u00B0C\n", "Reference temperature: 20 C\nC1: 10\nC2: 120\n",
+        "Reference temperature: 293.15 K\nWLF C1 = 10, C2 = 120 K\n",
+        "Cured at 160 C\nTemperature: 20 C\n"}) {
+    SCOPED_TRACE(header);
+    const auto file = read(header + table);
+    expectSeries(file);
+    ASSERT_TRUE(file->temperature.has_value());
+    EXPECT_NEAR(*file->temperature, 293.15, 1e-9);
+    ASSERT_EQ(file->shift.has_value(), header.find("C2") != header.npos);
+    if (file->shift) {
+      EXPECT_EQ(*file->shift, (TemperatureShift{10, 120, 293.15}));
+    }
+  }
+  EXPECT_FALSE(read(table)->temperature.has_value());
+  // A table of factors may have more rows than the series.
+  const auto file =
+      read("T_ref = 20 C\n" + table + "\nT (C),log aT\n0,3\n10,1\n20,0\n30,-1\n40,-2\n");
+  expectSeries(file);
+  ASSERT_TRUE(file->shift.has_value());
+  EXPECT_EQ(file->shift->table.size(), 5U);
+  // The user's temperature is that of constants without a reference.
+  EXPECT_EQ(*read("C1 = 10\nC2 = 120\n" + table, atKelvin(303.15))->shift,
+            (TemperatureShift{10, 120, 303.15}));
+  EXPECT_EQ(read("T_ref = 20 C\nC1 = 10\nC2 = 120\n" + table, atKelvin(303.15))
+                ->shift->referenceTemperature,
+            293.15);
+}
+
 TEST(PronyFile, CommandsOfAnsys) {
   const auto file = read(
       "/PREP7\nMP,EX,1,12e6\nMP,NUXY,1,0.5\nTB,PRONY,1,1,2,SHEAR\nTBDATA,1,0.5,0.1,0.25,10\n"
@@ -271,12 +377,6 @@ TEST(PronyFile, AChosenModulusReplacesOneThatIsNotRead) {
 }
 
 // ---- Values at several temperatures
-
-PronyChoices atKelvin(double temperature) {
-  PronyChoices choices;
-  choices.temperature = temperature;
-  return choices;
-}
 
 TEST(PronyFile, ModuliAreThoseOfTheTemperatureAskedFor) {
   const std::string elastic = "*ELASTIC\n3e6, 0.5, 0.\n1.5e6, 0.5, 100.\n" + kSeries;

@@ -1,0 +1,200 @@
+#include "core/material/stated_shift.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string_view>
+
+#include "core/base/input_error.h"
+#include "core/base/number_text.h"
+#include "core/base/text.h"
+#include "core/base/text_number.h"
+#include "core/material/dma_columns.h"
+#include "core/material/header_clauses.h"
+#include "core/material/isotherms.h"
+#include "core/material/stated_temperature.h"
+#include "core/material/temperature_shift.h"
+
+namespace asperity {
+namespace {
+
+/// The columns of a table of shift factors.
+struct ShiftColumns {
+  std::size_t temperature = 0, factor = 0;
+  double base = 10;         // of the logarithm
+  bool isLogarithm = true;  // otherwise the factor itself
+};
+
+std::optional<ShiftColumns> shiftColumns(const TextBlock& block) {
+  std::optional<std::size_t> temperature, factor;
+  ShiftColumns found;
+  for (std::size_t i = 0; i < block.columns.size(); ++i) {
+    std::string word;
+    for (const std::string& part : wordsIn(block.columns[i].name)) word += part;
+    const DmaQuantity quantity = dmaColumn(block.columns[i].name, block.columns[i].unit).quantity;
+    if (quantity == DmaQuantity::Frequency || quantity == DmaQuantity::Storage) return {};
+    if (quantity == DmaQuantity::Temperature && !temperature) temperature = i;
+    const bool isTen = isOneOf(word, {"logat", "log10at", "lgat", "logshiftfactor", "log10shift",
+                                      "logshift", "log10shiftfactor", "logat10"});
+    const bool isNatural = isOneOf(word, {"lnat", "lnshiftfactor"});
+    if (factor || !(isTen || isNatural || isOneOf(word, {"at", "shiftfactor", "shiftfactors"})))
+      continue;
+    factor = i;
+    found.isLogarithm = isTen || isNatural;
+    if (isNatural) found.base = std::numbers::e;
+  }
+  if (!temperature || !factor) return {};
+  found.temperature = *temperature;
+  found.factor = *factor;
+  return found;
+}
+
+/// Reads the rows in rising temperature; empty where they are no table of a scene.
+std::vector<ShiftPoint> shiftRows(const TextBlock& block, const ShiftColumns& columns,
+                                  const std::string& chosenUnit) {
+  std::string unit = chosenUnit.empty() ? block.columns[columns.temperature].unit : chosenUnit;
+  const std::vector<double> temperatures = block.column(columns.temperature);
+  const std::vector<double> factors = block.column(columns.factor);
+  for (const auto* values : {&temperatures, &factors})
+    if (!std::ranges::all_of(*values, [](double value) { return std::isfinite(value); })) return {};
+  // Numbers above 200 are kelvins, as in columns of moduli.
+  if (unit.empty()) unit = std::ranges::min(temperatures) >= 200 ? "K" : "C";
+  const auto scale = temperatureUnit(unit);
+  if (!scale) return {};
+  std::vector<ShiftPoint> rows;
+  for (std::size_t row = 0; row < block.rows; ++row) {
+    if (!columns.isLogarithm && !(factors[row] > 0)) return {};
+    const double decades =
+        columns.isLogarithm ? factors[row] * std::log10(columns.base) : std::log10(factors[row]);
+    const double kelvin = scale->toSi(temperatures[row]);
+    if (!(kelvin >= kColdestTest && std::abs(decades) <= kMostDecades)) return {};
+    rows.push_back({kelvin, decades});
+  }
+  std::ranges::sort(rows, {}, &ShiftPoint::temperature);
+  const auto isSame = [](const ShiftPoint& one, const ShiftPoint& other) {
+    return one.temperature == other.temperature;
+  };
+  return std::ranges::adjacent_find(rows, isSame) == rows.end() ? rows : std::vector<ShiftPoint>{};
+}
+
+/// Returns the shift of a table at its reference temperature.
+void readShiftTable(const TextBlock& block, double temperature, const std::string& unit,
+                    StatedShift& stated) {
+  const std::size_t line = block.lines.front();
+  TemperatureShift shift;
+  shift.kind = ShiftKind::Table;
+  shift.table = shiftRows(block, *shiftColumns(block), unit);
+  if (shift.table.size() < 2) {
+    stated.notes.push_back(
+        message("the shift factors from line {} on are not read: they are no rising table", line));
+    return;
+  }
+  // Degrees that were converted differ in the last digit.
+  for (ShiftPoint& row : shift.table)
+    if (std::abs(row.temperature - temperature) < 1e-6) row.temperature = temperature;
+  constexpr double kNoShift = 0.05;  // decades
+  if (temperature < shift.table.front().temperature ||
+      temperature > shift.table.back().temperature ||
+      !(std::abs(log10ShiftFactor(shift, temperature)) <= kNoShift)) {
+    stated.notes.push_back(message(
+        "the shift factors from line {} on are not read: they are not those of {}, where log aT "
+        "would be 0",
+        line, celsius(temperature)));
+    return;
+  }
+  stated.shift = tableShift(shift.table, temperature);
+  stated.notes.push_back(message("shift factors from line {} on: {} from {} to {}", line,
+                                 shift.table.size(), celsius(shift.table.front().temperature),
+                                 celsius(shift.table.back().temperature)));
+}
+
+/// The constants of Williams, Landel and Ferry as a header states them.
+struct WlfConstants {
+  std::optional<double> c1{}, c2{};
+  std::optional<double> reference{};  // K
+  std::optional<std::size_t> line{};  // of the last line with words about a shift
+};
+
+WlfConstants wlfConstants(const TextTable& table, const std::string& unit) {
+  WlfConstants found;
+  found.reference = statedReference(table, unit);
+  for (const TextBlock& block : table.blocks) {
+    for (const TextEntry& entry : block.header) {
+      const std::string line = lineOf(entry);
+      for (const std::string& word : wordsIn(line))
+        if (isOneOf(word, {"wlf", "arrhenius", "activation", "aktivierungsenergie"}))
+          found.line = entry.line;
+      for (const std::string_view clause : clausesOf(line)) {
+        const std::size_t end = clause.find_last_of(":=");
+        if (end == clause.npos) continue;
+        const Words words = wordsIn(keyBefore(clause.substr(0, end)));
+        const auto quantity = parseQuantity(clause.substr(end + 1));
+        if (words.empty() || !quantity) continue;
+        if (isOneOf(words.back(), {"c1", "c\u2081"})) found.c1 = quantity->number;
+        if (isOneOf(words.back(), {"c2", "c\u2082"})) found.c2 = quantity->number;
+      }
+    }
+  }
+  return found;
+}
+
+void readWlf(const WlfConstants& constants, double temperature, const std::string& name,
+             StatedShift& stated) {
+  const double c1 = *constants.c1, c2 = *constants.c2;
+  if (!(c1 > 0 && c1 <= kMostC1 && c2 >= kLeastC2 && c2 <= kMostC2))
+    throw InputError(
+        name, "WLF",
+        message("C1 is {} and C2 is {} K; allowed is C1 above 0 to {}, C2 from {} to "
+                "{} K",
+                plain(c1), plain(c2), plain(kMostC1), plain(kLeastC2), plain(kMostC2)));
+  TemperatureShift shift;
+  shift.referenceTemperature = temperature;
+  // The same curve from another reference: C2' = C2 + T - T_r, C1' = C1 C2 / C2'.
+  const double apart = temperature - constants.reference.value_or(temperature);
+  const bool isApart = std::abs(apart) > kIsothermTolerance;
+  shift.c2 = isApart ? c2 + apart : c2;
+  shift.c1 = isApart ? c1 * c2 / shift.c2 : c1;
+  if (!(shift.c2 >= kLeastC2)) {
+    stated.notes.push_back(message("the constants C1 and C2 are not read: they hold above {}",
+                                   celsius(temperature - shift.c2)));
+    return;
+  }
+  stated.shift = shift;
+  stated.notes.push_back(
+      message("shift of the file: Williams, Landel and Ferry with C1 = {}, C2 = "
+              "{} K at {}",
+              PrintedNumber{printedNumber(shift.c1)}, PrintedNumber{printedNumber(shift.c2)},
+              celsius(temperature)));
+}
+
+}  // namespace
+
+bool isShiftTable(const TextBlock& block) {
+  return shiftColumns(block).has_value();
+}
+
+bool statesShift(const TextTable& table) {
+  const WlfConstants constants = wlfConstants(table, {});
+  return (constants.c1 && constants.c2) || std::ranges::any_of(table.blocks, isShiftTable);
+}
+
+StatedShift statedShift(const TextTable& table, double temperature, const std::string& name,
+                        const std::string& unit) {
+  StatedShift stated;
+  for (const TextBlock& block : table.blocks)
+    if (isShiftTable(block) && !stated.shift) readShiftTable(block, temperature, unit, stated);
+  const WlfConstants constants = wlfConstants(table, unit);
+  const bool hasConstants = constants.c1 && constants.c2;
+  if (hasConstants && stated.shift)
+    stated.notes.push_back("the constants C1 and C2 are not read: the file has shift factors");
+  else if (hasConstants)
+    readWlf(constants, temperature, name, stated);
+  else if (constants.line && !stated.shift)
+    stated.notes.push_back(
+        message("line {} is about a shift and is not read: C1 and C2 with values, or a table of "
+                "temperature and log aT, would be",
+                *constants.line));
+  return stated;
+}
+
+}  // namespace asperity
