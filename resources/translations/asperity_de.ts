@@ -495,6 +495,10 @@
         <source>height</source>
         <translation>Höhe</translation>
     </message>
+    <message>
+        <source>%1, another version</source>
+        <translation>%1, eine andere Fassung</translation>
+    </message>
 </context>
 <context>
     <name>asperity::AccuracyPanel</name>
@@ -2621,6 +2625,10 @@
     <message>
         <source>Next</source>
         <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Your number is read as %1.</source>
+        <translation>Deine Zahl wird als %1 gelesen.</translation>
     </message>
 </context>
 <context>
