@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <set>
 
 #include "app/command_line.h"
 #include "app/output.h"
@@ -113,6 +114,20 @@ void checkResultsExist(const std::vector<std::string>& given) {
   }
 }
 
+/// Returns a table of each class below the title of its lesson.
+std::string classesText(const std::vector<std::vector<StudentResults>>& classes) {
+  std::string text;
+  std::set<std::string> titles;
+  for (const std::vector<StudentResults>& students : classes) {
+    const std::string title = printable(students.front().results.title);
+    const bool isKnown = !titles.insert(title).second;
+    text += (text.empty() ? "" : "\n") +
+            (isKnown ? filled(Words::tr("%1, another version"), {title}) : title) + "\n" +
+            classText(students);
+  }
+  return text;
+}
+
 int showClass(const LessonCommand& command) {
   const CommonOptions& common = command.common;
   checkResultsExist(command.lessons);
@@ -120,9 +135,13 @@ int showClass(const LessonCommand& command) {
   if (command.forTeacher) throw InputError("", "--teacher", "is of a handout, not of results");
   for (const std::string& output : command.outputs)
     checkNoInput(output, {command.lessons.begin(), command.lessons.end()});
+  if (command.outputs.empty() && !common.json) {
+    printSummary(common.json, common.quiet, classesText(readClasses(command.lessons)));
+    return kDone;
+  }
   const std::vector<StudentResults> students = readClass(command.lessons);
   const LessonResults& first = students.front().results;
-  std::string summary = printable(first.title) + "\n" + classText(students);
+  std::string summary = classesText({students});
   for (const std::string& output : command.outputs) {
     writeTable(output, classCsv(students));
     summary += wroteLine(output);

@@ -36,6 +36,12 @@ std::set<int> answeredSteps(const std::vector<StudentResults>& students) {
   return steps;
 }
 
+/// Returns the number of characters of a text in UTF-8.
+std::size_t width(const std::string& text) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      text, [](char each) { return (static_cast<unsigned char>(each) & 0xC0) != 0x80; }));
+}
+
 Row summaryCells(const LessonResults& results) {
   return {std::to_string(results.right()), std::to_string(results.wrong()),
           std::to_string(results.shown())};
@@ -43,7 +49,10 @@ Row summaryCells(const LessonResults& results) {
 
 }  // namespace
 
-std::vector<StudentResults> readClass(const std::vector<std::string>& filesAndFolders) {
+namespace {
+
+/// Returns the files, and those of results in the folders.
+std::vector<std::filesystem::path> filesOf(const std::vector<std::string>& filesAndFolders) {
   std::vector<std::filesystem::path> files;
   std::error_code ignored;
   for (const std::string& one : filesAndFolders) {
@@ -54,16 +63,42 @@ std::vector<StudentResults> readClass(const std::vector<std::string>& filesAndFo
     const std::vector<std::filesystem::path> found = resultsIn(one);
     files.insert(files.end(), found.begin(), found.end());
   }
+  return files;
+}
+
+}  // namespace
+
+std::vector<StudentResults> readClass(const std::vector<std::string>& filesAndFolders) {
   std::vector<StudentResults> students;
-  for (const std::filesystem::path& file : files) {
+  for (const std::filesystem::path& file : filesOf(filesAndFolders)) {
     students.push_back({file.filename().string(), readResultsFile(file)});
-    const LessonResults &first = students.front().results, &results = students.back().results;
-    if (results.digest != first.digest)
-      throw InputError(file.string(), "sha256",
-                       message("is of another lesson than {}, or of another version of it: {}",
-                               files.front().filename().string(), results.title));
+    const StudentResults& first = students.front();
+    const LessonResults& results = students.back().results;
+    if (results.digest == first.results.digest) continue;
+    throw InputError(
+        file.string(), "",
+        results.title == first.results.title
+            ? message("has results of another version of '{}' than {}; a table is of one version",
+                      results.title, first.file)
+            : message("has results of '{}', but {} has those of '{}'; a table is of one lesson",
+                      results.title, first.file, first.results.title));
   }
   return students;
+}
+
+std::vector<std::vector<StudentResults>> readClasses(
+    const std::vector<std::string>& filesAndFolders) {
+  std::vector<std::vector<StudentResults>> classes;
+  for (const std::filesystem::path& file : filesOf(filesAndFolders)) {
+    const LessonResults results = readResultsFile(file);
+    auto known = std::ranges::find_if(classes, [&](const std::vector<StudentResults>& one) {
+      return one.front().results.digest == results.digest;
+    });
+    if (known == classes.end())
+      known = classes.insert(classes.end(), std::vector<StudentResults>());
+    known->push_back({file.filename().string(), results});
+  }
+  return classes;
 }
 
 std::string givenText(const LessonResult& result) {
@@ -72,6 +107,15 @@ std::string givenText(const LessonResult& result) {
   if (result.kind == PredictionKind::Choice) return std::to_string(given.choice + 1);
   if (result.kind == PredictionKind::Number) return plainNumber(given.number);
   return plainNumber(given.number) + " at " + plainNumber(given.x);
+}
+
+std::string givenInWords(const LessonResult& result) {
+  const GivenAnswer& given = result.given;
+  if (!given.isGiven() || result.kind == PredictionKind::Choice) return givenText(result);
+  const LessonAnswer& expected = result.expected;
+  const std::string number = printedQuantity(given.number, expected.number.unit);
+  if (result.kind == PredictionKind::Number) return number;
+  return number + " at " + printedQuantity(given.x, expected.x.unit);
 }
 
 std::string verdictWord(const LessonResult& result) {
@@ -113,7 +157,7 @@ std::string classText(const std::vector<StudentResults>& students) {
       const LessonResult* one = student.results.find(step);
       std::string cell = "-";
       if (one) cell = verdictWord(*one);
-      if (one && one->given.isGiven()) cell += " (" + givenText(*one) + ")";
+      if (one && one->given.isGiven()) cell += " (" + givenInWords(*one) + ")";
       row.push_back(cell);
     }
     rows.push_back(row);
@@ -121,7 +165,7 @@ std::string classText(const std::vector<StudentResults>& students) {
   std::string text;
   std::vector<std::size_t> widths(rows.front().size());
   for (const Row& row : rows)
-    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width(row[i]));
   for (const Row& row : rows) {
     std::string line;
     for (std::size_t i = 0; i < row.size(); ++i) line += fmt::format("{:<{}}  ", row[i], widths[i]);

@@ -1,6 +1,6 @@
 // The results of a class: the files of several students in one lesson, side by side.
-// Pure except for reading the files. Failure: InputError with the file that is not of this lesson,
-// or cannot be read.
+// Pure except for reading the files. Failure: InputError with the file that cannot be read, or that
+// is of another lesson where one is asked for.
 #pragma once
 
 #include <string>
@@ -19,9 +19,17 @@ struct StudentResults {
 /// version of one lesson.
 std::vector<StudentResults> readClass(const std::vector<std::string>& filesAndFolders);
 
-/// Returns the given answer as a table has it: the number of the choice from 1, or the number in
-/// SI, of a point with its place; empty where none was given.
+/// Reads the same files, of any lessons. Returns the students of each version of each lesson, in
+/// the order of the files; there is at least one.
+std::vector<std::vector<StudentResults>> readClasses(
+    const std::vector<std::string>& filesAndFolders);
+
+/// Returns the given answer as a cell of a table: the number of the choice from 1, or the number in
+/// SI with all its digits, of a point with its place; empty where none was given.
 std::string givenText(const LessonResult& result);
+
+/// Returns the same for people: a number has three digits and its unit.
+std::string givenInWords(const LessonResult& result);
 
 /// Returns "right", "wrong" or "shown".
 std::string verdictWord(const LessonResult& result);

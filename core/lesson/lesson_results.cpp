@@ -50,7 +50,7 @@ void readAnswer(const Json& json, const std::string& path, PredictionKind kind, 
 }
 
 LessonResult readResult(const Json& json, const std::string& path) {
-  checkMembers(json, path, {"step", "kind", "given", "expected", "unit", "right"});
+  checkMembers(json, path, {"step", "kind", "given", "expected", "unit", "x_unit", "right"});
   for (const char* member : {"step", "kind", "given", "expected", "right"})
     if (!json.contains(member)) refuseMember(path + "." + member, "is missing");
   LessonResult result;
@@ -65,6 +65,7 @@ LessonResult readResult(const Json& json, const std::string& path) {
   readAnswer(json["expected"], path + ".expected", result.kind, expected.choice,
              expected.number.value, expected.x.value);
   expected.number.unit = textMember(json, "unit", "", path);
+  expected.x.unit = textMember(json, "x_unit", "", path);
   if (!json["right"].is_boolean()) refuseMember(path + ".right", "needs true or false");
   result.isRight = json["right"].get<bool>();
   return result;
@@ -113,6 +114,7 @@ std::string resultsJson(const LessonResults& results) {
                  {"expected", answerJson(one.kind, one.expected.choice, one.expected.number.value,
                                          one.expected.x.value)}};
     if (!one.expected.number.unit.empty()) step["unit"] = one.expected.number.unit;
+    if (!one.expected.x.unit.empty()) step["x_unit"] = one.expected.x.unit;
     step["right"] = one.isRight;
     json["steps"].push_back(std::move(step));
   }
@@ -160,7 +162,7 @@ LessonResults readResults(const std::filesystem::path& file, const Lesson& lesso
   if (!std::filesystem::exists(file, ignored)) return emptyResults(lesson);
   LessonResults results = readResultsFile(file);
   if (results.digest != lesson.digest)
-    throw InputError(file.string(), "sha256",
+    throw InputError(file.string(), "",
                      message("belongs to another lesson, or to another version of it ({}); its "
                              "answers stay as they are",
                              results.title));

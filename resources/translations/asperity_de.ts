@@ -495,6 +495,10 @@
         <source>height</source>
         <translation>Höhe</translation>
     </message>
+    <message>
+        <source>%1, another version</source>
+        <translation>%1, eine andere Fassung</translation>
+    </message>
 </context>
 <context>
     <name>asperity::AccuracyPanel</name>
@@ -2500,8 +2504,8 @@
         <translation>Hinweise für &amp;Lehrende zeigen, mit Antworten</translation>
     </message>
     <message>
-        <source>&amp;Open file…</source>
-        <translation>Datei ö&amp;ffnen…</translation>
+        <source>&amp;Open lesson or results…</source>
+        <translation>Lektion oder Ergebnisse ö&amp;ffnen…</translation>
     </message>
     <message>
         <source>&amp;Handout…</source>
@@ -2536,12 +2540,16 @@
         <translation>Sie konnten nicht berechnet werden.</translation>
     </message>
     <message>
-        <source>Open lesson</source>
-        <translation>Lektion öffnen</translation>
+        <source>Open a lesson or the results of students</source>
+        <translation>Eine Lektion oder Ergebnisse öffnen</translation>
     </message>
     <message>
-        <source>Lessons (*.json);;All files (*)</source>
-        <translation>Lektionen (*.json);;Alle Dateien (*)</translation>
+        <source>Lessons and results (*.json);;All files (*)</source>
+        <translation>Lektionen und Ergebnisse (*.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Several files of results make a table of the class</source>
+        <translation>Mehrere Dateien mit Ergebnissen ergeben eine Tabelle der Klasse</translation>
     </message>
 </context>
 <context>
@@ -2622,6 +2630,10 @@
         <source>Next</source>
         <translation>Weiter</translation>
     </message>
+    <message>
+        <source>Your number is read as %1.</source>
+        <translation>Deine Zahl wird als %1 gelesen.</translation>
+    </message>
 </context>
 <context>
     <name>asperity::LessonResultsPage</name>
@@ -2664,6 +2676,14 @@
     <message>
         <source>&amp;Close</source>
         <translation>S&amp;chließen</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Results of a class</source>
+        <translation>Ergebnisse einer Klasse</translation>
     </message>
 </context>
 <context>
@@ -3001,6 +3021,34 @@
     <message>
         <source>%1, results %2.json</source>
         <translation>%1, Ergebnisse %2.json</translation>
+    </message>
+    <message>
+        <source>(no title)</source>
+        <translation>(ohne Titel)</translation>
+    </message>
+    <message>
+        <source>The lesson “%1” was changed in the editor and not saved before the program ended. Go on with it?</source>
+        <translation>Die Lektion „%1“ wurde im Editor geändert und nicht gespeichert, bevor das Programm endete. Damit weitermachen?</translation>
+    </message>
+    <message>
+        <source>What you discard is lost.</source>
+        <translation>Was du verwirfst, geht verloren.</translation>
+    </message>
+    <message>
+        <source>&amp;Go on</source>
+        <translation>&amp;Weitermachen</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Verwerfen</translation>
+    </message>
+    <message>
+        <source>This lesson was begun before (%1), and its answers are in no file. Go on with these answers?</source>
+        <translation>Diese Lektion wurde schon begonnen (%1), und ihre Antworten sind in keiner Datei. Mit diesen Antworten weitermachen?</translation>
+    </message>
+    <message>
+        <source>%1 has no results of a student. Several files can be opened together only where all have results.</source>
+        <translation>%1 enthält keine Ergebnisse. Mehrere Dateien lassen sich nur dann zusammen öffnen, wenn alle Ergebnisse enthalten.</translation>
     </message>
 </context>
 <context>
@@ -5334,6 +5382,14 @@
     <message>
         <source>right within %1</source>
         <translation>richtig innerhalb von %1</translation>
+    </message>
+    <message>
+        <source>The height counts to a factor of %1.</source>
+        <translation>Die Höhe zählt bis zu einem Faktor %1.</translation>
+    </message>
+    <message>
+        <source>The height counts to a factor of %1, the place to a factor of %2.</source>
+        <translation>Die Höhe zählt bis zu einem Faktor %1, die Stelle bis zu einem Faktor %2.</translation>
     </message>
 </context>
 </TS>

@@ -5963,8 +5963,8 @@
         <translation>hat keine Ergebnisse einer Lektion</translation>
     </message>
     <message>
-        <source>is of another lesson than %1, or of another version of it: %2</source>
-        <translation>gehört zu einer anderen Lektion als %1 oder zu einer anderen Fassung davon: %2</translation>
+        <source>has results of &apos;%1&apos;, but %2 has those of &apos;%3&apos;; a table is of one lesson</source>
+        <translation>hat Ergebnisse von „%1“, aber %2 hat solche von „%3“; eine Tabelle gilt für eine Lektion</translation>
     </message>
     <message>
         <source>is of a handout; give -o as well</source>
@@ -6509,6 +6509,10 @@
     <message>
         <source>row %1: the coefficient of friction %2 is %3 times what the points beside it give; is its decimal mark right?</source>
         <translation>Zeile %1: die Reibungszahl %2 ist das %3-fache dessen, was die Punkte daneben ergeben; stimmt das Dezimalzeichen?</translation>
+    </message>
+    <message>
+        <source>has results of another version of &apos;%1&apos; than %2; a table is of one version</source>
+        <translation>hat Ergebnisse einer anderen Fassung von „%1“ als %2; eine Tabelle gilt für eine Fassung</translation>
     </message>
 </context>
 <context>

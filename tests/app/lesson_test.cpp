@@ -111,6 +111,25 @@ TEST_F(LessonProgramTest, PrintsTheResultsOfAClass) {
   expectRefused("lesson ada.json --teacher -o class.csv", 2, "--teacher");
 }
 
+/// The folder of a teacher has the results of several lessons.
+TEST_F(LessonProgramTest, PrintsATableForEachLesson) {
+  const auto results = [](const char* title, const char* digest) {
+    return std::string(R"({"schema": "asperity-lesson-results/1", "lesson": "x", "title": ")") +
+           title + R"(", "sha256": ")" + digest +
+           R"(", "steps": [{"step": 2, "kind": "choice", "expected": 1, "given": 1, "right": true}]})";
+  };
+  program.folder.write("ada.json", results("Loads", "1"));
+  program.folder.write("bo.json", results("Speeds", "2"));
+  program.folder.write("cy.json", results("Speeds", "3"));
+  const Said said = program.run("lesson ada.json bo.json cy.json");
+  ASSERT_EQ(said.status, 0) << said.err;
+  for (const char* part : {"Loads\nfile", "\n\nSpeeds\nfile", "\n\nSpeeds, another version\nfile"})
+    EXPECT_THAT(said.out, HasSubstr(part));
+  expectRefused("lesson ada.json bo.json -o class.csv", 2,
+                "bo.json: has results of 'Speeds', but ada.json has those of 'Loads'");
+  EXPECT_THAT(program.run("lesson ada.json bo.json --json").err, Not(HasSubstr("sha256")));
+}
+
 /// A name in Latin-1, as from an old disk.
 TEST_F(LessonProgramTest, NamesOfFilesMayBeNoUtf8) {
   program.folder.write(

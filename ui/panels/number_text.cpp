@@ -162,6 +162,19 @@ QString withPoint(const QString& text) {
   return isNumber ? QString(text).replace(comma, 1, '.') : text;
 }
 
+QString withoutGroups(const QString& text) {
+  // A number with an exponent has no groups, and no group begins with 0: "0.125" is a fraction.
+  static const QString form(
+      QStringLiteral(R"(^\s*[+\-\x{2212}]?[1-9]\d{0,2}(?:\%1\d{3})+(?![\d\%1]|[eE][+-]?\d))"));
+  static const QRegularExpression commas(form.arg(',')), points(form.arg('.'));
+  const bool hasDecimalComma = inLanguage(QStringLiteral(".")) == QStringLiteral(",");
+  const QRegularExpressionMatch grouped = (hasDecimalComma ? points : commas).match(text);
+  if (!grouped.hasMatch()) return withPoint(text);
+  QString number = grouped.captured();
+  number.remove(hasDecimalComma ? '.' : ',');
+  return withPoint(number + text.mid(grouped.capturedEnd()));
+}
+
 UnitText inReadableUnit(double value, const QString& unit) {
   if (value == 0 || !std::isfinite(value) || unit.isEmpty() || unit == QLatin1String("K"))
     return {numberText(value), unit};

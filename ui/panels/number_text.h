@@ -32,6 +32,11 @@ QString wordText(std::string_view word, std::string_view key = {});
 /// Replaces the comma in a number such as "2,5 mm" by a point; any other text is unchanged.
 QString withPoint(const QString& text);
 
+/// Returns a number as people type it without the marks between its thousands, as the current
+/// language writes them, and with a decimal point: "2.560" in German and "2,560" in English are
+/// "2560". A unit may follow; any other text is unchanged.
+QString withoutGroups(const QString& text);
+
 /// A number and its unit in usual notation: "10" and "MPa".
 struct UnitText {
   QString number, unit;

@@ -10,6 +10,8 @@
 namespace asperity {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 LessonResult choice(int step, int given, bool isRight) {
   LessonResult result;
   result.step = step;
@@ -49,7 +51,7 @@ TEST_F(LessonClass, EachStudentIsARow) {
             "ada.json,2026-11-27T10:00:00,1,1,0,right,2,wrong,2e-7\n"
             "\"Bo, 2.json\",,0,0,1,shown,,,\n");
   const std::string text = classText(readClass({path("ada.json"), path("Bo, 2.json")}));
-  EXPECT_THAT(text, testing::HasSubstr("right (2)  wrong (2e-7)"));
+  EXPECT_THAT(text, testing::HasSubstr("right (2)  wrong (200 nm)"));
   EXPECT_THAT(text, testing::HasSubstr("shown      -\n"));
 }
 
@@ -62,18 +64,65 @@ TEST_F(LessonClass, AFolderGivesItsResultsAndNothingElse) {
   EXPECT_THROW(readClass({empty.path().string()}), InputError);
 }
 
-TEST_F(LessonClass, ResultsOfAnotherLessonAreRefusedByName) {
+TEST_F(LessonClass, ATableForPeopleHasThreeDigitsAndUnits) {
+  LessonResults results = emptyResults(lesson_);
+  LessonResult point;
+  point.step = 1;
+  point.kind = PredictionKind::Point;
+  point.given.number = 0.0017782794100389228;
+  point.given.x = 0.012092330352182426;
+  point.expected.number.value = 0.5;
+  point.expected.x = {0.03, "m/s"};
+  results.set(point);
+  writeResults(folder_ / "eva.json", results, lesson_);
+  const std::vector<StudentResults> students = readClass({path("eva.json"), path("ada.json")});
+  EXPECT_THAT(classText(students), testing::HasSubstr("wrong (0.00178 at 12.1 mm/s)\n"));
+  EXPECT_THAT(classCsv(students),
+              testing::HasSubstr("0.0017782794100389228 at 0.012092330352182426"));
+}
+
+TEST_F(LessonClass, ColumnsAreAlignedWhereALetterHasSeveralBytes) {
+  LessonResults results = emptyResults(lesson_);
+  results.set(choice(0, 1, true));
+  writeResults(folder_ / "Zoë.json", results, lesson_);
+  const std::string text = classText(readClass({path("Zoë.json"), path("Bo, 2.json")}));
+  EXPECT_THAT(text, testing::HasSubstr("\nZoë.json    1      0      0      right (2)\n"));
+}
+
+/// In a folder with results of several lessons each has a table of its own.
+TEST_F(LessonClass, EachLessonHasATable) {
   auto json = sampleLesson();
-  json["minutes"] = 20;
+  json["title"] = "Other";
   const Lesson other = lessonOf(json);
-  writeResults(folder_ / "other.json", emptyResults(other), other);
-  try {
-    readClass({path("ada.json"), path("other.json")});
-    ADD_FAILURE();
-  } catch (const InputError& error) {
-    EXPECT_EQ(error.file(), path("other.json"));
-    EXPECT_EQ(error.key(), "sha256");
-  }
+  writeResults(folder_ / "bea.json", emptyResults(other), other);
+  const auto classes = readClasses({folder_.path().string()});
+  ASSERT_EQ(classes.size(), 2U);
+  EXPECT_EQ(classes[0].size(), 2U);
+  EXPECT_EQ(classes[0][1].file, "ada.json");
+  EXPECT_EQ(classes[1].front().results.title, "Other");
+  EXPECT_EQ(classes[1].size(), 1U);
+}
+
+TEST_F(LessonClass, ResultsOfAnotherLessonAreRefusedInWords) {
+  const auto refusal = [this](const char* member, const Json& value) {
+    auto json = sampleLesson();
+    json[member] = value;
+    const Lesson other = lessonOf(json);
+    const std::string file = path((std::string(member) + ".json").c_str());
+    writeResults(file, emptyResults(other), other);
+    try {
+      readClass({path("ada.json"), file});
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.file(), file);
+      EXPECT_EQ(error.key(), "");
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_THAT(refusal("title", "Other"),
+              testing::HasSubstr("has results of 'Other', but ada.json has those of 'Sample'"));
+  EXPECT_THAT(refusal("minutes", 20),
+              testing::HasSubstr("another version of 'Sample' than ada.json"));
   folder_.write("thesis.json", "{}");
   EXPECT_THROW(readClass({path("thesis.json")}), InputError);
 }

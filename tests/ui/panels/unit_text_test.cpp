@@ -42,6 +42,21 @@ TEST(UnitText, ACommaIsAPoint) {
     EXPECT_EQ(withPoint(text), text);
 }
 
+TEST(UnitText, MarksBetweenThousandsAreThoseOfTheLanguage) {
+  EXPECT_EQ(withoutGroups("2,560"), "2560");
+  EXPECT_EQ(withoutGroups("-1,250,000.5 mm"), "-1250000.5 mm");
+  EXPECT_EQ(withoutGroups("2.560"), "2.560");
+  for (const char* text : {"2,5", "0,125", "2,5600", "2,560e-3"})
+    EXPECT_EQ(withoutGroups(text), withPoint(text));
+  useLanguage("de");
+  EXPECT_EQ(withoutGroups("2.560"), "2560");
+  EXPECT_EQ(withoutGroups("1.250.000,5 mm"), "1250000.5 mm");
+  EXPECT_EQ(withoutGroups("2,560"), "2.560");
+  for (const char* text : {"2.5", "0.125", "2.5600", "2.560e-3", "1.2.3 m"})
+    EXPECT_EQ(withoutGroups(text), text);
+  useLanguage("en");
+}
+
 TEST(UnitText, WhatHasNoUnitOrAnotherOneIsLeftAsItIs) {
   for (const char* text : {"0.125", "1e7", "10 MN", "ten", "", "5 e", "1.2.3 m", "2 PA"})
     EXPECT_EQ(plain(text, "Pa"), text);

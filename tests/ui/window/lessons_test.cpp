@@ -16,7 +16,9 @@
 #include <QRegularExpression>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QSettings>
 #include <QTableWidget>
+#include <QTextBrowser>
 #include <QToolButton>
 #include <array>
 #include <atomic>
@@ -29,12 +31,14 @@
 #include "tests/ui/window/window_in.h"
 #include "ui/language/language.h"
 #include "ui/window/lesson/handout.h"
+#include "ui/window/lesson/kept_lessons.h"
 #include "ui/window/lesson/lesson_editor.h"
 #include "ui/window/lesson/lesson_list.h"
 #include "ui/window/lesson/lesson_pane.h"
 #include "ui/window/lesson/lesson_results_page.h"
 #include "ui/window/lesson/lesson_text.h"
 #include "ui/window/lesson/prediction_point.h"
+#include "ui/window/main/fitted_labels.h"
 #include "ui/window/main/scene_library.h"
 #include "ui/window/main/scene_tabs.h"
 
@@ -53,6 +57,9 @@ Lesson sampleWithPoint(bool hasPlace) {
 
 class LessonsTest : public MainWindowTest {
  protected:
+  LessonsTest() {
+    for (const char* kept : {"lessonAnswers", "lessonDraft"}) QSettings().remove(kept);
+  }
   Lessons& lessons() { return window_.lessons(); }
   QPushButton& button(const char* name) { return control<QPushButton>(name); }
   void click(const char* name) { QTest::mouseClick(&button(name), Qt::LeftButton); }
@@ -249,6 +256,127 @@ TEST_F(LessonsTest, ANumberIsTypedWithOrWithoutItsUnit) {
   ASSERT_TRUE(waitForAnswer());
   EXPECT_DOUBLE_EQ(lessons().results().find(1)->given.number, 3e-7);
   ASSERT_TRUE(waitFor([&] { return showsCurve(); }));
+}
+
+/// Groups of thousands are those of the language, and the pane says how it reads them.
+TEST_F(LessonsTest, ANumberIsReadAsTheLanguageWritesIt) {
+  Json json = sampleLesson();
+  const auto begin = [&](const char* language) {
+    useLanguage(language);
+    json["title"] = language;  // another lesson, without answers
+    lessons().start(lessonOf(json), 1);
+  };
+  for (const auto& [language, typed] : {std::pair("en", "2,560 um"), {"de", "2.560 um"}}) {
+    begin(language);
+    QTest::keyClicks(&control<QLineEdit>("lessonNumber"), typed);
+    EXPECT_TRUE(said("lessonNote").contains("2560 um")) << said("lessonNote").toStdString();
+    click("lessonNext");
+    ASSERT_TRUE(waitForAnswer());
+    EXPECT_DOUBLE_EQ(lessons().results().find(1)->given.number, 2.56e-3);
+  }
+  json["goal"] = "another one";
+  begin("de");
+  QTest::keyClicks(&control<QLineEdit>("lessonNumber"), "2,560 um");
+  EXPECT_TRUE(said("lessonNote").contains("2,56 um")) << said("lessonNote").toStdString();
+  useLanguage("en");
+}
+
+TEST_F(LessonsTest, ANoteIsScrolledTo) {
+  TemporaryFolder folder;
+  Json json = sampleLesson();
+  std::string lines;
+  for (int i = 0; i < 30; ++i) lines += "A line that is read.\n";
+  json["steps"][0]["text"] = json["steps"][0]["reveal"] = lines;
+  const Lesson lesson = lessonOf(json);
+  for (const bool isRevealed : {false, true}) {
+    lessons().start(lesson);
+    if (isRevealed) {
+      click("lessonShow");
+      ASSERT_TRUE(waitForAnswer());
+    }
+    ASSERT_TRUE(lessons().keepResults(QString::fromStdString((folder / "ada.json").string())));
+    const auto& note = control<QLabel>("lessonNote");
+    EXPECT_TRUE(note.text().contains("ada.json"));
+    EXPECT_TRUE(waitFor([&] { return note.visibleRegion().boundingRect() == note.rect(); }));
+    lessons().end();
+    std::filesystem::remove(folder / "ada.json");
+  }
+}
+
+/// The window of the next session stands for the program that starts after a crash.
+TEST_F(LessonsTest, AnswersOutliveACrash) {
+  TemporaryFolder folder;
+  const std::filesystem::path path = folder / "mine.json";
+  folder.write("mine.json", writeLesson(lessonOf(sampleLesson())));
+  const QString file = QString::fromStdString(path.string());
+  const Lesson lesson = readLessonFile(path);
+  ASSERT_TRUE(lessons().open(file));
+  EXPECT_FALSE(keptAnswers(lesson));
+  control<QRadioButton>("lessonChoice:0").click();
+  click("lessonNext");
+  ASSERT_TRUE(waitForAnswer());
+  ASSERT_TRUE(keptAnswers(lesson));
+  for (const auto& [button, isKept] :
+       {std::pair(QMessageBox::Yes, true), {QMessageBox::Discard, false}}) {
+    MainWindow next(smallScene());
+    next.show();
+    answer(button);
+    ASSERT_TRUE(next.lessons().open(file));
+    EXPECT_EQ(asked_, 1);
+    EXPECT_EQ(next.lessons().isRevealed(), isKept);
+    EXPECT_EQ(keptAnswers(lesson).has_value(), isKept);
+    next.lessons().end();
+  }
+}
+
+TEST_F(LessonsTest, AnswersThatAreSavedOrDiscardedAreNotKept) {
+  TemporaryFolder folder;
+  const Lesson lesson = lessonOf(sampleLesson());
+  const auto answerFirst = [&] {
+    lessons().start(lesson);
+    control<QRadioButton>("lessonChoice:0").click();
+    click("lessonNext");
+    return waitForAnswer() && keptAnswers(lesson);
+  };
+  ASSERT_TRUE(answerFirst());
+  ASSERT_TRUE(lessons().keepResults(QString::fromStdString((folder / "ada.json").string())));
+  EXPECT_FALSE(keptAnswers(lesson));
+  lessons().end();
+  ASSERT_TRUE(answerFirst());
+  answer(QMessageBox::Discard);
+  QTest::mouseClick(&control<QAbstractButton>("lessonEnd"), Qt::LeftButton);
+  EXPECT_FALSE(keptAnswers(lesson));
+}
+
+TEST_F(LessonsTest, APointHasThreeDigits) {
+  Json json = sampleLesson();
+  json["steps"][1]["prediction"] = {{"kind", "point"}, {"question", "Where?"}, {"x", 0.123}};
+  lessons().start(lessonOf(json), 1);
+  PredictionPoint& point = lessons().point();
+  ASSERT_TRUE(waitFor([&] { return point.isVisible() && chart().y.to == 1; }));
+  QTest::keyClick(&point, Qt::Key_Up);
+  EXPECT_TRUE(point.accessibleName().contains("at 123 mm/s"))
+      << point.accessibleName().toStdString();
+}
+
+TEST_F(LessonsTest, ALongTitleIsShortenedWithDots) {
+  Json json = sampleLesson();
+  json["title"] = std::string(300, 'M');
+  lessons().start(lessonOf(json));
+  const auto* title = window_.findChild<ElidedLabel*>("lessonTitle");
+  ASSERT_NE(title, nullptr);
+  EXPECT_TRUE(waitFor([&] { return title->shownText().contains(u'…'); }));
+  EXPECT_EQ(title->text().size(), 300);
+}
+
+TEST_F(LessonsTest, APointSaysHowCloselyItCounts) {
+  lessons().start(sampleWithPoint(false), 1);
+  EXPECT_EQ(said("lessonTolerance"),
+            "The height counts to a factor of 1.5, the place to a factor of 2.");
+  lessons().start(sampleWithPoint(true), 1);
+  EXPECT_EQ(said("lessonTolerance"), "The height counts to a factor of 1.5.");
+  lessons().start(lessonOf(sampleLesson()), 1);
+  EXPECT_FALSE(control<QLabel>("lessonTolerance").isVisible());
 }
 
 TEST_F(LessonsTest, APointIsDraggedOrMovedByKeysOverTheHiddenCurve) {
@@ -718,6 +846,63 @@ TEST_F(LessonsTest, TheEditorStepsAsideForAStepThatIsTried) {
   EXPECT_TRUE(editor.isVisible());
 }
 
+TEST_F(LessonsTest, ATrialCountsOnlyWhatWasTried) {
+  LessonEditor& editor = lessons().showEditor(lessonOf(sampleLesson()), {});
+  emit editor.trialRequested(lessonOf(sampleLesson()), 1);
+  click("lessonShow");
+  ASSERT_TRUE(waitForAnswer());
+  EXPECT_TRUE(said("lessonReveal").contains("You were right in 0 of 1 predictions"))
+      << said("lessonReveal").toStdString();
+}
+
+TEST_F(LessonsTest, AnUnsavedLessonInTheEditorOutlivesACrash) {
+  LessonEditor& editor = lessons().showEditor(lessonOf(sampleLesson()), {});
+  auto& title = *editor.findChild<QLineEdit*>("editorTitle");
+  title.selectAll();
+  QTest::keyClicks(&title, "Mine");
+  EXPECT_FALSE(keptDraft());
+  ASSERT_TRUE(waitFor([] { return keptDraft().has_value(); }));
+  {
+    MainWindow next(smallScene());
+    next.show();
+    answer(QMessageBox::Yes);
+    LessonEditor& again = next.lessons().openEditor({}, {});
+    EXPECT_EQ(asked_, 1);
+    EXPECT_EQ(again.lesson().title.english, "Mine");
+    again.undo();
+    EXPECT_EQ(again.lesson().title.english, "Sample");
+    EXPECT_TRUE(again.canClose());
+    again.redo();
+  }
+  MainWindow next(smallScene());
+  next.show();
+  answer(QMessageBox::Discard);
+  EXPECT_TRUE(next.lessons().openEditor({}, {}).lesson().title.empty());
+  EXPECT_EQ(asked_, 1);
+  EXPECT_FALSE(keptDraft());
+}
+
+TEST_F(LessonsTest, ALessonThatIsSavedOrDiscardedIsNoDraft) {
+  TemporaryFolder folder;
+  LessonEditor& editor = lessons().showEditor(lessonOf(sampleLesson()), {});
+  auto& title = *editor.findChild<QLineEdit*>("editorTitle");
+  const auto edit = [&] {
+    QTest::keyClicks(&title, "x");
+    return waitFor([] { return keptDraft().has_value(); });
+  };
+  ASSERT_TRUE(edit());
+  ASSERT_TRUE(editor.saveTo(QString::fromStdString((folder / "mine.json").string())));
+  EXPECT_FALSE(keptDraft());
+  ASSERT_TRUE(edit());
+  answer(QMessageBox::Discard);
+  EXPECT_TRUE(editor.canClose());
+  EXPECT_FALSE(keptDraft());
+  ASSERT_TRUE(edit());
+  for (int edits = 0; edits < 2; ++edits) editor.undo();
+  ASSERT_TRUE(editor.canClose());
+  EXPECT_FALSE(keptDraft());
+}
+
 /// What was typed is not lost, and the question does not come when the window is gone.
 TEST_F(LessonsTest, TheWindowAsksAboutTheLessonInTheEditorBeforeItCloses) {
   LessonEditor& editor = lessons().showEditor(lessonOf(sampleLesson()), {});
@@ -810,6 +995,54 @@ TEST_F(LessonsTest, ThePlaceOfAPointInResultsHasItsUnit) {
       LessonResultsPage::html(QString::fromStdString((folder / "ada.json").string()));
   EXPECT_TRUE(html.contains("0.25 at 10 mm/s")) << html.toStdString();
   EXPECT_TRUE(html.contains("0.5 at 30 mm/s")) << html.toStdString();
+}
+
+TEST_F(LessonsTest, AClassIsATable) {
+  TemporaryFolder folder;
+  const Lesson lesson = readNamedLesson("load_and_friction", readNamedScene);
+  QStringList files;
+  for (const char* student : {"ada.json", "bo.json"}) {
+    LessonResults results = emptyResults(lesson);
+    LessonResult one;
+    one.step = 1;
+    one.given.choice = files.isEmpty() ? 0 : 1;
+    one.expected.choice = 1;
+    one.isRight = !files.isEmpty();
+    results.set(one);
+    writeResults(folder / student, results, lesson);
+    files += QString::fromStdString((folder / student).string());
+  }
+  ASSERT_TRUE(lessons().openResults(files));
+  const auto* dialog = window_.findChild<QDialog*>("classResults");
+  ASSERT_NE(dialog, nullptr);
+  const QString text = dialog->findChild<QTextBrowser*>("classResultsTable")->toPlainText();
+  for (const QString& part :
+       {plainText(lesson.title), QStringLiteral("ada.json"), QStringLiteral("bo.json"),
+        QStringLiteral("Step 2"), QStringLiteral("wrong (choice 1)"),
+        QStringLiteral("right (choice 2)")})
+    EXPECT_TRUE(text.contains(part)) << part.toStdString() << text.toStdString();
+  folder.write("lesson.json", writeLesson(lesson));
+  EXPECT_FALSE(
+      lessons().openResults(files + QStringList(files[0].section('/', 0, -2) + "/lesson.json")));
+  EXPECT_TRUE(window_.messages().text().contains("lesson.json has no results"));
+}
+
+TEST_F(LessonsTest, ThePlaceOfAPointInResultsOfAnyLessonHasItsUnit) {
+  TemporaryFolder folder;
+  const Lesson lesson = sampleWithPoint(false);
+  LessonResults results = emptyResults(lesson);
+  LessonResult one;
+  one.step = 1;
+  one.kind = PredictionKind::Point;
+  one.given.number = 0.25;
+  one.given.x = 0.01;
+  one.expected.number = {0.5, ""};
+  one.expected.x = {0.03, "m/s"};
+  results.set(one);
+  writeResults(folder / "ada.json", results, lesson);
+  const QString html =
+      LessonResultsPage::html(QString::fromStdString((folder / "ada.json").string()));
+  EXPECT_TRUE(html.contains("0.25 at 10 mm/s")) << html.toStdString();
 }
 
 /// The scene behind the gallery is not what the teacher sees.

@@ -65,15 +65,6 @@ QString paceText(double slowMotion) {
                         : slowerText(QString::fromStdString(factorText(slowMotion)));
 }
 
-/// Returns "180,000" without the signs between its thousands, as the language writes them.
-QString withoutGroups(const QString& number) {
-  static const QRegularExpression english(QStringLiteral("^\\d{1,3}(,\\d{3})+$")),
-      german(QStringLiteral("^\\d{1,3}(\\.\\d{3})+$"));
-  const bool hasComma = inLanguage(QStringLiteral(".")) == QStringLiteral(",");
-  const bool isGrouped = (hasComma ? german : english).match(number).hasMatch();
-  return isGrouped ? QString(number).remove(hasComma ? '.' : ',') : number;
-}
-
 QString momentText(const QString& time, const QString& duration) {
   return TimeBar::tr("%1 of %2").arg(time, duration);
 }
@@ -314,7 +305,7 @@ void TimeBar::readFactor() {
     return !typed.captured(2).isEmpty() && shown.endsWith(typed.captured(2));
   };
   bool isNumber = false;
-  const double number = withPoint(withoutGroups(typed.captured(1))).toDouble(&isNumber);
+  const double number = withoutGroups(typed.captured(1)).toDouble(&isNumber);
   const bool isFaster = endsWithWord(fasterText(QString()));
   const bool isKnown =
       isFaster || typed.captured(2).isEmpty() || endsWithWord(slowerText(QString()));

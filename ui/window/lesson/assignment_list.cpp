@@ -40,7 +40,7 @@ QString plainValue(const ParameterValue& value) {
 
 /// Returns a number of an assignment in a readable unit; any other text has none.
 UnitText readable(const QString& text, const Parameter& row) {
-  const std::optional<double> value = numberIn(toPlainNumber(text, numberRule(row)));
+  const std::optional<double> value = plainNumberIn(toPlainNumber(text, numberRule(row)));
   if (!value) return {text, {}};
   const UnitText shown = inReadableUnit(*value, fromUtf8(row.unit));
   return {inLanguage(shown.number), shown.unit};
@@ -178,7 +178,7 @@ QWidget* AssignmentList::makeValue(std::size_t index, const Parameter& row) {
   showValue();
   connect(line, &QLineEdit::textEdited, this,
           [this, index, unit, rule = numberRule(shown)](const QString& typed) {
-            write(index, toPlainNumber(inShownUnit(withPoint(typed.trimmed()), *unit), rule));
+            write(index, toPlainNumber(inShownUnit(withoutGroups(typed.trimmed()), *unit), rule));
           });
   connect(line, &QLineEdit::editingFinished, this, showValue);
   return line;

@@ -17,6 +17,7 @@
 #include <QShortcut>
 #include <QStackedWidget>
 #include <QTabBar>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <filesystem>
@@ -31,10 +32,12 @@
 #include "ui/language/translated.h"
 #include "ui/panels/parameter_row.h"
 #include "ui/window/lesson/handout_saver.h"
+#include "ui/window/lesson/kept_lessons.h"
 #include "ui/window/lesson/lesson_mistakes.h"
 #include "ui/window/lesson/lesson_pages.h"
 #include "ui/window/lesson/lesson_text.h"
 #include "ui/window/main/document_commands.h"
+#include "ui/window/main/last_session.h"
 #include "ui/window/main/picture_files.h"
 #include "ui/window/main/scene_library.h"
 
@@ -150,7 +153,8 @@ LessonEditor::LessonEditor(const Lesson& lesson, const QString& file, ShownNow s
       lesson_(lesson),
       saved_(lesson),
       file_(file),
-      shownNow_(std::move(shownNow)) {
+      shownNow_(std::move(shownNow)),
+      keeping_(new QTimer(this)) {
   setObjectName("lessonEditor");
   setWindowTitle(tr("Lesson editor"));
   language_ = new QTabBar;
@@ -208,6 +212,9 @@ LessonEditor::LessonEditor(const Lesson& lesson, const QString& file, ShownNow s
   connect(new QShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_S, this), &QShortcut::activated, this,
           &LessonEditor::askAndSave);
   qApp->installEventFilter(this);
+  keeping_->setSingleShot(true);
+  keeping_->setInterval(kSessionDelay);
+  connect(keeping_, &QTimer::timeout, this, &LessonEditor::keepUnsaved);
   showList();
   steps_->setCurrentRow(0);
   if (lesson_.steps.empty()) head_->beginTitle();
@@ -545,6 +552,24 @@ void LessonEditor::remember() {
   states_.resize(state_ + (goesOn ? 0 : 1));
   states_.push_back({lesson_, steps_->currentRow(), typedIn_});
   state_ = states_.size() - 1;
+  keepSoon();
+}
+
+/// Edits that follow each other do not put the keeping off.
+void LessonEditor::keepSoon() {
+  if (!keeping_->isActive()) keeping_->start();
+}
+
+/// Keeps the lesson against a crash until it is saved or discarded.
+void LessonEditor::keepUnsaved() {
+  if (writeLesson(saved_) == writeLesson(lesson_)) return forgetDraft();
+  const QString file = file_.isEmpty() ? QString() : QFileInfo(file_).absoluteFilePath();
+  keepDraft({lesson_, saved_, file.toStdString()}, folder().string());
+}
+
+void LessonEditor::forgetUnsaved() {
+  keeping_->stop();
+  forgetDraft();
 }
 
 /// Goes back or forward by one edit, and shows the step that it changed.
@@ -554,6 +579,7 @@ void LessonEditor::restore(int by) {
   state_ = by < 0 ? state_ - 1 : state_ + 1;
   states_[state_].field.clear();  // what is typed now is another edit
   lesson_ = states_[state_].lesson;
+  keepSoon();
   showList();
   steps_->setCurrentRow(std::min(row, steps_->count() - 1));
   showStep();
@@ -717,6 +743,7 @@ void LessonEditor::openFile(const QString& file) {
     messageLabel_->setText(translatedError(error));
     return;
   }
+  forgetUnsaved();
   stopComputing();
   computed_.clear();
   states_.assign(1, {lesson_});
@@ -738,6 +765,7 @@ bool LessonEditor::saveTo(const QString& file) {
   }
   file_ = file;
   saved_ = lesson_;
+  forgetUnsaved();
   const QString name = QFileInfo(file).fileName();
   const QString reason = whyNotPlayed();
   messageLabel_->setText(
@@ -763,9 +791,13 @@ QWidget* LessonEditor::questionParent() {
 }
 
 bool LessonEditor::canClose() {
-  if (writeLesson(saved_) == writeLesson(lesson_)) return true;
+  if (writeLesson(saved_) == writeLesson(lesson_)) {
+    forgetUnsaved();
+    return true;
+  }
   const SaveAnswer answer = askSaveChanges(questionParent(), "editorUnsaved", tr("Lesson editor"),
                                            tr("The lesson was changed and not saved."));
+  if (answer == SaveAnswer::Discard) forgetUnsaved();
   if (answer != SaveAnswer::Save) return answer == SaveAnswer::Discard;
   return save();
 }
@@ -787,10 +819,18 @@ void LessonEditor::restoreSession(const Session& session) {
   file_ = session.file;
   states_ = session.states;
   state_ = session.state;
+  keepSoon();
   language_->setCurrentIndex(session.language);
   restoreGeometry(session.geometry);
   showList();
   steps_->setCurrentRow(std::clamp(session.row, 0, steps_->count() - 1));
+  showStep();
+}
+
+void LessonEditor::showDraft(const Lesson& lesson) {
+  lesson_ = lesson;
+  showList();
+  check();
   showStep();
 }
 

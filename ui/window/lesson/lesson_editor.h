@@ -21,6 +21,7 @@ class QListWidget;
 class QPushButton;
 class QStackedWidget;
 class QTabBar;
+class QTimer;
 
 namespace asperity {
 
@@ -58,6 +59,8 @@ class LessonEditor : public QDialog {
   Session session() const;
   /// Shows the lesson of another editor as it was there.
   void restoreSession(const Session& session);
+  /// Shows a lesson as an edit of the saved one.
+  void showDraft(const Lesson& lesson);
 
   /// Returns the lesson as it is on the page, which may still have errors.
   const Lesson& lesson() const { return lesson_; }
@@ -108,6 +111,9 @@ class LessonEditor : public QDialog {
   void check();
   QString whyNotPlayed() const;
   void remember();
+  void keepSoon();
+  void keepUnsaved();
+  void forgetUnsaved();
   void restore(int by);
   void keepOwnScene(std::size_t step);
   void showError(const InputError& error);
@@ -151,6 +157,7 @@ class LessonEditor : public QDialog {
   QPushButton *add_, *remove_, *up_, *down_, *try_, *open_, *handout_, *save_, *saveAs_, *close_,
       *undo_, *redo_;
   HandoutSaver* saver_;
+  QTimer* keeping_;           // runs until what was edited is kept against a crash
   BackgroundWork computing_;  // last: its thread ends before other members are destroyed
 };
 

@@ -132,10 +132,14 @@ void fillParameterMenu(QMenu& menu, const Scene& scene,
   }
 }
 
-std::optional<double> numberIn(const QString& text) {
+std::optional<double> plainNumberIn(const QString& text) {
   bool isNumber = false;
-  const double value = withPoint(text.trimmed()).toDouble(&isNumber);
+  const double value = text.toDouble(&isNumber);
   return isNumber ? std::optional(value) : std::nullopt;
+}
+
+std::optional<double> numberIn(const QString& text) {
+  return plainNumberIn(withoutGroups(text.trimmed()));
 }
 
 }  // namespace asperity

@@ -78,7 +78,11 @@ class LessonForm : public QWidget {
 void fillParameterMenu(QMenu& menu, const Scene& scene,
                        const std::function<void(QMenu& section, const Parameter& row)>& add);
 
-/// Returns the number in a text with a decimal point or comma; nothing where there is none.
+/// Returns the number in a text with a decimal point and no marks between its thousands; nothing
+/// where there is none.
+std::optional<double> plainNumberIn(const QString& text);
+/// Returns the number in a text as people type it in the current language; nothing where there is
+/// none.
 std::optional<double> numberIn(const QString& text);
 
 }  // namespace asperity

@@ -133,7 +133,8 @@ void LessonList::showTexts() {
   }
   notes_->setText(tr("Show the notes for &teachers, with answers"));
   start_->setText(tr("&Begin"));
-  open_->setText(tr("&Open file…"));
+  open_->setText(tr("&Open lesson or results…"));
+  open_->setToolTip(tr("Several files of results make a table of the class"));
   handout_->setText(tr("&Handout…"));
   edit_->setText(tr("&Edit a copy…"));
   close_->setText(tr("&Close"));
@@ -220,11 +221,15 @@ void LessonList::begin() {
 }
 
 void LessonList::askFile() {
-  const QString file = QFileDialog::getOpenFileName(this, tr("Open lesson"), {},
-                                                    tr("Lessons (*.json);;All files (*)"));
-  if (file.isEmpty()) return;
+  const QStringList files =
+      QFileDialog::getOpenFileNames(this, tr("Open a lesson or the results of students"), {},
+                                    tr("Lessons and results (*.json);;All files (*)"));
+  if (files.isEmpty()) return;
   accept();
-  emit lessonRequested(file);
+  if (files.size() == 1)
+    emit lessonRequested(files.first());
+  else
+    emit resultsRequested(files);
 }
 
 }  // namespace asperity

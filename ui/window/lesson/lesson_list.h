@@ -36,6 +36,8 @@ class LessonList : public QDialog {
  signals:
   /// Emitted with the name of a shipped lesson, or a file.
   void lessonRequested(const QString& nameOrFile);
+  /// Emitted with several files, which are to be results of students.
+  void resultsRequested(const QStringList& files);
   void editorRequested(const QString& nameOrFile);
 
  private:

@@ -8,6 +8,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QRegularExpression>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QTextDocumentFragment>
@@ -24,6 +25,8 @@
 namespace asperity {
 
 namespace {
+
+constexpr int kNoteMargin = 4;  // pixels below a note that is scrolled to
 
 /// Returns the style sheet of choices in the colours of the window: those of the style are black in
 /// a dark window. The buttons grow with the letters.
@@ -109,6 +112,7 @@ LessonPane::LessonPane(QWidget* parent) : QWidget(parent), scroll_(new QScrollAr
   title_ = addText(*column, "lessonStepTitle");
   text_ = addText(*column, "lessonText");
   question_ = addText(*column, "lessonQuestion");
+  tolerance_ = addText(*column, "lessonTolerance");
   inputLayout_ = new QVBoxLayout;
   column->addLayout(inputLayout_);
   verdict_ = addText(*column, "lessonVerdict");
@@ -206,6 +210,7 @@ void LessonPane::showStep(const LessonPage& page) {
   if (step.prediction) kind_ = step.prediction->kind;
   fill(*question_,
        step.prediction ? lineText(step.prediction->question).toHtmlEscaped() : QString());
+  fill(*tolerance_, step.prediction ? pointTolerance(*step.prediction).toHtmlEscaped() : QString());
   if (step.prediction && step.prediction->kind == PredictionKind::Choice)
     addChoices(*step.prediction, page);
   if (isAsking_ && step.prediction->kind == PredictionKind::Number) addNumber(page);
@@ -279,10 +284,15 @@ void LessonPane::setHeading() {
   title_->setFont(heading);
 }
 
+void LessonPane::scroll() {
+  scrollToStep();
+  scrollToNote();
+}
+
 /// Scrolls to the beginning of a step. With an answer it scrolls to the end; where the question
 /// would then be out of sight, to the question, or to the verdict if the verdict would not be
 /// visible.
-void LessonPane::scroll() {
+void LessonPane::scrollToStep() {
   QScrollBar& bar = *scroll_->verticalScrollBar();
   if (!isRevealed_) return bar.setValue(0);
   const int end = bar.maximum();
@@ -355,8 +365,8 @@ void LessonPane::addNumber(const LessonPage& page) {
   line->addWidget(number_);
   line->addWidget(new QLabel(QString::fromStdString(page.unit)));
   line->addStretch(1);
-  connect(number_, &QLineEdit::textChanged, this, [this] {
-    showNote({});
+  connect(number_, &QLineEdit::textChanged, this, [this](const QString& text) {
+    showNote(readingText(text));
     showButtons();
   });
   connect(number_, &QLineEdit::returnPressed, this, [this] {
@@ -366,6 +376,19 @@ void LessonPane::addNumber(const LessonPage& page) {
   setTabOrder(question_, number_);
 }
 
+/// Returns how a number is read whose mark people take for a decimal sign or for one between
+/// thousands; empty for any other text.
+QString LessonPane::readingText(const QString& typed) const {
+  static const QRegularExpression ambiguous(QStringLiteral(R"([1-9]\d{0,2}([.,]\d{3})+(?!\d))"));
+  if (!ambiguous.match(typed).hasMatch() || !typedAnswer()) return {};
+  static const QRegularExpression digits(QStringLiteral(R"(^[+\-\x{2212}]?[\d.]+)"));
+  const QString text = withoutGroups(typed.trimmed());
+  const QRegularExpressionMatch number = digits.match(text);
+  const QString value = number.captured().replace(QStringLiteral("−"), QStringLiteral("-"));
+  return tr("Your number is read as %1.")
+      .arg(shownNumber(value.toDouble()) + text.mid(number.capturedEnd()));
+}
+
 /// Returns the answer that was chosen or typed; nothing where it cannot be read.
 std::optional<GivenAnswer> LessonPane::typedAnswer() const {
   GivenAnswer given;
@@ -373,7 +396,7 @@ std::optional<GivenAnswer> LessonPane::typedAnswer() const {
     if (choices_->checkedId() < 0) return std::nullopt;
     given.choice = choices_->checkedId();
   } else if (number_) {
-    QString text = withPoint(number_->text().trimmed());
+    QString text = withoutGroups(number_->text().trimmed());
     text.replace(QStringLiteral("−"), QStringLiteral("-"));
     const TypedQuantity typed = typedQuantity(text.toStdString(), {unit_, unit_ == "K", false});
     if (!typed.value) return std::nullopt;
@@ -408,6 +431,12 @@ void LessonPane::setPointPlaced(bool isPlaced) {
 void LessonPane::showNote(const QString& text) {
   note_->setText(text.toHtmlEscaped());
   note_->setVisible(!text.isEmpty());
+  if (!text.isEmpty()) QTimer::singleShot(0, this, &LessonPane::scrollToNote);
+}
+
+/// Scrolls down as far as a note needs that is out of sight.
+void LessonPane::scrollToNote() {
+  if (note_->isVisible()) scroll_->ensureWidgetVisible(note_, 0, kNoteMargin);
 }
 
 void LessonPane::showButtons() {

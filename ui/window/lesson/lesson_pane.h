@@ -67,14 +67,17 @@ class LessonPane : public QWidget {
   QString verdictText(const LessonStep& step, const LessonPage& page) const;
   void setHeading();
   void scroll();
+  void scrollToStep();
+  void scrollToNote();
   void showButtons();
   void check();
   std::optional<GivenAnswer> typedAnswer() const;
+  QString readingText(const QString& typed) const;
 
   QScrollArea* scroll_;
   QWidget* input_ = nullptr;
   QVBoxLayout* inputLayout_;
-  QLabel *title_, *text_, *question_, *verdict_, *reveal_, *note_, *progress_;
+  QLabel *title_, *text_, *question_, *tolerance_, *verdict_, *reveal_, *note_, *progress_;
   QPushButton *back_, *show_, *next_;
   QButtonGroup* choices_ = nullptr;
   QLineEdit* number_ = nullptr;

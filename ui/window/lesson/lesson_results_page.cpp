@@ -1,10 +1,15 @@
 #include "ui/window/lesson/lesson_results_page.h"
 
 #include <QAbstractButton>
+#include <QDialog>
 #include <QFileInfo>
 #include <QMessageBox>
-
+#include <QPushButton>
+#include <QScreen>
+#include <QTextBrowser>
+#include <QVBoxLayout>
 #include <cmath>
+#include <map>
 #include <optional>
 
 #include "core/lesson/lesson_class.h"
@@ -29,13 +34,26 @@ std::optional<Lesson> shippedLessonOf(const LessonResults& results) {
   return std::nullopt;
 }
 
+/// Returns the title in the language of the window where the lesson is a shipped one.
+QString titleOf(const LessonResults& results) {
+  const std::optional<Lesson> lesson = shippedLessonOf(results);
+  return lesson ? plainText(lesson->title) : QString::fromStdString(results.title);
+}
+
+/// Returns the step with this number if it has a prediction; null where the lesson is not known.
+const LessonStep* stepOf(const std::optional<Lesson>& lesson, int step) {
+  const auto place = static_cast<std::size_t>(step);
+  const bool isAsked = lesson && place < lesson->steps.size() && lesson->steps[place].prediction;
+  return isAsked ? &lesson->steps[place] : nullptr;
+}
+
 QString verdict(const LessonResult& result) {
   if (!result.given.isGiven()) return LessonResultsPage::tr("shown");
   return result.isRight ? LessonResultsPage::tr("right") : LessonResultsPage::tr("wrong");
 }
 
-/// Returns an answer in words: a number, or the choice with its text. Where the lesson is not known
-/// (null), a choice has its number and the place of a point no unit.
+/// Returns an answer in words: a number, or the choice with its text. Where the step is not known
+/// (null), a choice has its number.
 QString answerText(const LessonResult& result, const LessonStep* asked, int choice, double number,
                    double x) {
   if (result.kind == PredictionKind::Choice) {
@@ -49,7 +67,10 @@ QString answerText(const LessonResult& result, const LessonStep* asked, int choi
   const LessonNumber height{number, result.expected.number.unit};
   if (result.kind == PredictionKind::Number || std::isnan(x))
     return fromUtf8(numberInWords(height));
-  return pointInWords(height, {x, asked ? std::string(sweptParameter(asked->scene).unit) : ""});
+  // Older files have no unit of the place.
+  std::string unit = result.expected.x.unit;
+  if (unit.empty() && asked) unit = sweptParameter(asked->scene).unit;
+  return pointInWords(height, {x, unit});
 }
 
 }  // namespace
@@ -57,9 +78,8 @@ QString answerText(const LessonResult& result, const LessonStep* asked, int choi
 QString LessonResultsPage::html(const QString& file) {
   const LessonResults results = readResultsFile(file.toStdString());
   const std::optional<Lesson> lesson = shippedLessonOf(results);
-  const QString title = lesson ? plainText(lesson->title) : QString::fromStdString(results.title);
-  QString html =
-      "<h3>" + title.toHtmlEscaped() + "</h3><p>" + QFileInfo(file).fileName().toHtmlEscaped();
+  QString html = "<h3>" + titleOf(results).toHtmlEscaped() + "</h3><p>" +
+                 QFileInfo(file).fileName().toHtmlEscaped();
   if (!results.date.empty())
     html += ", " + QString::fromStdString(results.date).replace('T', ' ').toHtmlEscaped();
   html += "</p><p><b>" +
@@ -71,9 +91,7 @@ QString LessonResultsPage::html(const QString& file) {
   const QStringList heads = {tr("Step"), tr("Answer"), QString(), tr("Right answer")};
   html += "<tr><th align=\"left\">" + heads.join("</th><th align=\"left\">") + "</th></tr>";
   for (const LessonResult& one : results.results) {
-    const auto step = static_cast<std::size_t>(one.step);
-    const bool isAsked = lesson && step < lesson->steps.size() && lesson->steps[step].prediction;
-    const LessonStep* asked = isAsked ? &lesson->steps[step] : nullptr;
+    const LessonStep* asked = stepOf(lesson, one.step);
     QString name = QString::number(one.step + 1);
     if (asked) name += ". " + plainText(asked->prediction->question).toHtmlEscaped();
     const QString given = answerText(one, asked, one.given.choice, one.given.number, one.given.x);
@@ -83,6 +101,93 @@ QString LessonResultsPage::html(const QString& file) {
             verdict(one) + "</b></td><td>" + right.toHtmlEscaped() + "</td></tr>";
   }
   return html + "</table>";
+}
+
+namespace {
+
+/// Returns a row of a table; its cells are HTML.
+QString rowHtml(const QStringList& cells, const QString& cell = QStringLiteral("td")) {
+  const QString begin = "<" + cell + " align=\"left\">", end = "</" + cell + ">";
+  return "<tr>" + begin + cells.join(end + begin) + end + "</tr>";
+}
+
+/// Returns an answer as a column of a class has it: a choice has its number.
+QString shortAnswer(const LessonResult& result, const LessonStep* asked, int choice, double number,
+                    double x) {
+  if (result.kind != PredictionKind::Choice) return answerText(result, asked, choice, number, x);
+  return answerText(result, nullptr, choice, number, x);
+}
+
+/// Returns the table of the students in one lesson.
+QString tableHtml(const std::vector<StudentResults>& students) {
+  const std::optional<Lesson> lesson = shippedLessonOf(students.front().results);
+  std::map<int, const LessonResult*> steps;  // a result of each step, for the right answer
+  for (const StudentResults& student : students)
+    for (const LessonResult& one : student.results.results) steps.emplace(one.step, &one);
+  QStringList heads = {LessonResultsPage::tr("File"), LessonResultsPage::tr("right"),
+                       LessonResultsPage::tr("wrong"), LessonResultsPage::tr("shown")};
+  QStringList answers = {"<b>" + LessonResultsPage::tr("Right answer") + "</b>", {}, {}, {}};
+  for (const auto& [step, one] : steps) {
+    const LessonStep* asked = stepOf(lesson, step);
+    heads += LessonResultsPage::tr("Step") + ' ' + QString::number(step + 1);
+    answers += "<b>" +
+               shortAnswer(*one, asked, one->expected.choice, one->expected.number.value,
+                           one->expected.x.value)
+                   .toHtmlEscaped() +
+               "</b>";
+  }
+  QString html = rowHtml(heads, "th") + rowHtml(answers);
+  for (const StudentResults& student : students) {
+    const LessonResults& results = student.results;
+    QStringList cells = {QString::fromStdString(student.file).toHtmlEscaped(),
+                         QString::number(results.right()), QString::number(results.wrong()),
+                         QString::number(results.shown())};
+    for (const auto& [step, any] : steps) {
+      const LessonResult* one = results.find(step);
+      QString cell = one ? verdict(*one) : QStringLiteral("–");
+      if (one && one->given.isGiven())
+        cell += " (" +
+                shortAnswer(*one, stepOf(lesson, step), one->given.choice, one->given.number,
+                            one->given.x) +
+                ')';
+      cells += cell.toHtmlEscaped();
+    }
+    html += rowHtml(cells);
+  }
+  return "<table cellpadding=\"4\">" + html + "</table>";
+}
+
+}  // namespace
+
+QString LessonResultsPage::classHtml(const QStringList& files) {
+  std::vector<std::string> paths;
+  for (const QString& file : files) paths.push_back(file.toStdString());
+  QString html;
+  for (const std::vector<StudentResults>& students : readClasses(paths))
+    html +=
+        "<h3>" + titleOf(students.front().results).toHtmlEscaped() + "</h3>" + tableHtml(students);
+  return html;
+}
+
+void showClassResults(QWidget& window, const QStringList& files) {
+  constexpr QSize kSize(820, 460);  // pixels
+  constexpr int kScreenMargin = 60;
+  auto* page = new QTextBrowser;
+  page->setObjectName("classResultsTable");
+  page->setLineWrapMode(QTextEdit::NoWrap);
+  page->setHtml(LessonResultsPage::classHtml(files));
+  auto* dialog = new QDialog(&window);
+  dialog->setObjectName("classResults");
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(LessonResultsPage::tr("Results of a class"));
+  auto* close = new QPushButton(LessonResultsPage::tr("&Close"));
+  QObject::connect(close, &QPushButton::clicked, dialog, &QDialog::reject);
+  auto* column = new QVBoxLayout(dialog);
+  column->addWidget(page, 1);
+  column->addWidget(close, 0, Qt::AlignRight);
+  dialog->resize(
+      kSize.boundedTo(window.screen()->availableSize() - QSize(kScreenMargin, kScreenMargin)));
+  dialog->open();
 }
 
 void showLessonResults(QWidget& window, const QString& file) {

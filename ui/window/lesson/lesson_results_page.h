@@ -1,9 +1,11 @@
-// A student's results as a page to read: which lesson, how many answers are right, and what was
-// answered. GUI thread. Failure: InputError where the file holds no results.
+// Results of students as pages to read: of one student, which lesson, how many answers are right,
+// and what was answered; of a class, the same of all students side by side. GUI thread. Failure:
+// InputError where a file holds no results.
 #pragma once
 
 #include <QCoreApplication>
 #include <QString>
+#include <QStringList>
 
 class QWidget;
 
@@ -15,9 +17,16 @@ class LessonResultsPage {
  public:
   /// Returns the summary as HTML. Answers of a shipped lesson are given with their questions.
   static QString html(const QString& file);
+
+  /// Returns the results of a class as HTML: a table for each lesson, with a row for each student
+  /// and a column for each step that somebody answered.
+  static QString classHtml(const QStringList& files);
 };
 
 /// Shows the summary in a dialog, which may stay open.
 void showLessonResults(QWidget& window, const QString& file);
+
+/// Shows the results of a class in a dialog, which may stay open.
+void showClassResults(QWidget& window, const QStringList& files);
 
 }  // namespace asperity

@@ -35,17 +35,18 @@ QString inlineHtml(const QString& text) {
   return html;
 }
 
+QString shortFactor(double value) {
+  return fromUtf8(numberInWords({roundedToDigits(value, 3), {}}));
+}
+
 /// Returns how far a right answer may be from the computed one, in words; empty for a choice.
 QString toleranceInWords(const LessonPrediction& prediction) {
-  const auto number = [](double value) {
-    return fromUtf8(numberInWords({roundedToDigits(value, 3), {}}));
-  };
-  const auto factor = [&](double tolerance) {
-    return fromUtf8(Words::tr("a factor of %1")).arg(number(1 + tolerance));
+  const auto factor = [](double tolerance) {
+    return fromUtf8(Words::tr("a factor of %1")).arg(shortFactor(1 + tolerance));
   };
   QString within;
   if (prediction.kind == PredictionKind::Number)
-    within = QStringLiteral("±") + number(100 * prediction.tolerance) + "\u00A0%";
+    within = QStringLiteral("±") + shortFactor(100 * prediction.tolerance) + "\u00A0%";
   else if (prediction.kind == PredictionKind::Point && prediction.x)
     within = factor(prediction.tolerance);
   else if (prediction.kind == PredictionKind::Point)
@@ -116,6 +117,14 @@ QString answerInWords(const LessonPrediction& prediction, const LessonAnswer& an
   const QString words =
       hasPlace ? pointInWords(answer.number, answer.x) : fromUtf8(numberInWords(answer.number));
   return words + toleranceInWords(prediction);
+}
+
+QString pointTolerance(const LessonPrediction& prediction) {
+  if (prediction.kind != PredictionKind::Point) return {};
+  const QString height = shortFactor(1 + prediction.tolerance);
+  if (prediction.x) return fromUtf8(Words::tr("The height counts to a factor of %1.")).arg(height);
+  return fromUtf8(Words::tr("The height counts to a factor of %1, the place to a factor of %2."))
+      .arg(height, shortFactor(1 + prediction.xTolerance));
 }
 
 QString richText(const LessonText& text, const LessonPrediction& prediction,

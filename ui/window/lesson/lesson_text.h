@@ -28,6 +28,10 @@ QString pointInWords(const LessonNumber& height, const LessonNumber& place);
 /// choice.
 QString answerInWords(const LessonPrediction& prediction, const LessonAnswer& answer);
 
+/// Returns how closely a point has to be placed to be right: "The height counts to a factor of 1.5,
+/// the place to a factor of 2."; empty for other questions.
+QString pointTolerance(const LessonPrediction& prediction);
+
 /// Returns a text shown after the answer, as rich text with the values in it.
 QString richText(const LessonText& text, const LessonPrediction& prediction,
                  const LessonAnswer& answer, const GivenAnswer& given);

@@ -65,8 +65,8 @@ QString keyValueText(const std::string& key, double value) {
 
 std::optional<double> parseKeyValue(const std::string& key, const QString& text) {
   const Parameter* row = findParameter(key);
-  const QString number = withPoint(text.trimmed());
-  return numberIn(row ? toPlainNumber(number, numberRule(*row)) : number);
+  const QString number = withoutGroups(text.trimmed());
+  return plainNumberIn(row ? toPlainNumber(number, numberRule(*row)) : number);
 }
 
 LessonValueFields::LessonValueFields(LessonForm& page) : QObject(&page), page_(page) {

@@ -7,9 +7,12 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMainWindow>
+#include <QMessageBox>
+#include <QPushButton>
 #include <QRegularExpression>
 #include <QTimer>
 #include <QToolButton>
+#include <QWindow>
 #include <algorithm>
 #include <utility>
 
@@ -24,6 +27,7 @@
 #include "ui/panels/scene_files.h"
 #include "ui/window/curve/curve_commands.h"
 #include "ui/window/figures/figure_pages.h"
+#include "ui/window/lesson/kept_lessons.h"
 #include "ui/window/lesson/lesson_editor.h"
 #include "ui/window/lesson/lesson_list.h"
 #include "ui/window/lesson/lesson_pane.h"
@@ -59,6 +63,9 @@ Scene titledByStep(Scene scene, const LessonStep& step) {
 
 /// Shows a window before all others of the program.
 void bringToFront(QWidget& window) {
+  // The window system may have left a window off the screen that is to be visible.
+  const QWindow* handle = window.windowHandle();
+  if (window.isVisible() && !window.isMinimized() && handle && !handle->isExposed()) window.hide();
   if (window.isMinimized())
     window.showNormal();
   else
@@ -73,7 +80,7 @@ Lessons::Lessons(const Parts& parts)
     : QObject(&parts.window),
       parts_(parts),
       dock_(new QDockWidget),
-      title_(new WrappedLabel),
+      title_(new ElidedLabel),
       keep_(new QToolButton),
       close_(new QToolButton),
       pane_(new LessonPane),
@@ -159,7 +166,7 @@ void Lessons::addTo(Commands& commands) {
                   if (LessonEditor* open = editor())
                     bringToFront(*open);
                   else
-                    showEditor(lesson_ ? written_ : Lesson{}, lesson_ ? file_ : QString());
+                    openEditor(lesson_ ? written_ : Lesson{}, lesson_ ? file_ : QString());
                 }});
   for (QAction* action : commands.get({"lessonBackStep", "lessonNextStep", "lessonEnd"}))
     action->setEnabled(false);
@@ -174,9 +181,10 @@ LessonList& Lessons::showList() {
   auto* list = new LessonList(&parts_.window);
   list->setAttribute(Qt::WA_DeleteOnClose);
   connect(list, &LessonList::lessonRequested, this, [this](const QString& name) { open(name); });
+  connect(list, &LessonList::resultsRequested, this, &Lessons::openResults);
   connect(list, &LessonList::editorRequested, this, [this](const QString& name) {
     try {
-      showEditor(readNamedLesson(name.toStdString(), readNamedScene),
+      openEditor(readNamedLesson(name.toStdString(), readNamedScene),
                  QFileInfo::exists(name) ? name : QString());
     } catch (const std::exception& error) {
       parts_.messages.showFailure(MessageBar::Failure::Files, translatedError(error));
@@ -224,11 +232,43 @@ LessonEditor& Lessons::makeEditor(const Lesson& lesson, const QString& file) {
   connect(editor, &LessonEditor::trialRequested, this,
           [this, editor](const Lesson& edited, int step) {
             // The editor is hidden during the lesson, and shown again when that ends.
-            start(edited, step);
-            isTrial_ = true;
+            start(edited, step, Purpose::Trial);
             hideDuringLesson(*editor);
           });
   return *editor;
+}
+
+LessonEditor& Lessons::openEditor(const Lesson& lesson, const QString& file) {
+  const std::optional<LessonDraft> draft = editor() ? std::nullopt : keptDraft();
+  if (!draft) return showEditor(lesson, file);
+  QString title = plainText(draft->lesson.title);
+  if (title.isEmpty()) title = tr("(no title)");
+  if (!wantsToGoOn("draftQuestion",
+                   tr("The lesson “%1” was changed in the editor and not saved before the program "
+                      "ended. Go on with it?")
+                       .arg(title))) {
+    forgetDraft();
+    return showEditor(lesson, file);
+  }
+  LessonEditor& made = makeEditor(draft->saved, QString::fromStdString(draft->file));
+  made.showDraft(draft->lesson);
+  made.show();
+  return made;
+}
+
+/// Asks whether work of an earlier session is to be continued; else it is lost.
+bool Lessons::wantsToGoOn(const QString& name, const QString& question) const {
+  QMessageBox box(QMessageBox::Question, tr("Asperity"), {},
+                  QMessageBox::Yes | QMessageBox::Discard, &parts_.window);
+  box.setObjectName(name);
+  box.setTextFormat(Qt::PlainText);  // titles are not markup
+  box.setText(question);
+  box.setInformativeText(tr("What you discard is lost."));
+  box.setDefaultButton(QMessageBox::Yes);
+  box.setEscapeButton(QMessageBox::Yes);
+  box.button(QMessageBox::Yes)->setText(tr("&Go on"));
+  box.button(QMessageBox::Discard)->setText(tr("&Discard"));
+  return box.exec() != QMessageBox::Discard;
 }
 
 void Lessons::hideDuringLesson(LessonEditor& editor) {
@@ -276,6 +316,7 @@ bool Lessons::open(const QString& nameOrFile) {
     }
     const Lesson lesson = readNamedLesson(nameOrFile.toStdString(), readNamedScene);
     if (!mayLeave()) return false;
+    offerAnswers(lesson);
     start(lesson);
     if (QFileInfo::exists(nameOrFile)) file_ = QFileInfo(nameOrFile).absoluteFilePath();
     parts_.messages.end(MessageBar::Failure::Files);
@@ -286,7 +327,41 @@ bool Lessons::open(const QString& nameOrFile) {
   }
 }
 
-void Lessons::start(const Lesson& lesson, int step) {
+bool Lessons::openResults(const QStringList& files) {
+  try {
+    for (const QString& file : files) {
+      if (isResultsFile(file.toStdString())) continue;
+      parts_.messages.showFailure(MessageBar::Failure::Files,
+                                  tr("%1 has no results of a student. Several files can be opened "
+                                     "together only where all have results.")
+                                      .arg(QFileInfo(file).fileName()));
+      return false;
+    }
+    showClassResults(parts_.window, files);
+    parts_.messages.end(MessageBar::Failure::Files);
+    return true;
+  } catch (const std::exception& error) {
+    parts_.messages.showFailure(MessageBar::Failure::Files, translatedError(error));
+    return false;
+  }
+}
+
+/// Offers the answers that an earlier session left in no file. Those of this session come back
+/// without a question.
+void Lessons::offerAnswers(const Lesson& lesson) {
+  if (left_.contains(lesson.digest)) return;
+  const std::optional<LessonResults> kept = keptAnswers(lesson);
+  if (!kept) return;
+  const QString date = QString::fromStdString(kept->date).replace('T', ' ');
+  if (wantsToGoOn("answersQuestion", tr("This lesson was begun before (%1), and its answers are in "
+                                        "no file. Go on with these answers?")
+                                         .arg(date)))
+    left_[lesson.digest] = *kept;
+  else
+    forgetAnswers(lesson);
+}
+
+void Lessons::start(const Lesson& lesson, int step, Purpose purpose) {
   if (lesson.steps.empty()) return;
   end();
   parts_.document.endTrial();  // the tour may be running
@@ -302,10 +377,11 @@ void Lessons::start(const Lesson& lesson, int step) {
   lesson_ = std::make_unique<Lesson>(withWholeQuestions(written_));
   answers_.clear();
   results_ = emptyResults(*lesson_);
-  const auto left = left_.extract(lesson_->digest);
+  isTrial_ = purpose == Purpose::Trial;
+  const auto left = isTrial_ ? decltype(left_)::node_type() : left_.extract(lesson_->digest);
   if (left) results_ = left.mapped();
   resultsFile_.clear();
-  isSaved_ = isTrial_ = false;
+  isSaved_ = false;
   file_.clear();
   // A lesson may begin while the panel is closed; a step that frees parameters opens it.
   parts_.parameters.show();
@@ -363,8 +439,9 @@ void Lessons::showPage() {
 }
 
 QString Lessons::summary() const {
-  const auto asked = std::ranges::count_if(
-      lesson_->steps, [](const LessonStep& step) { return step.prediction.has_value(); });
+  // A trial may be of one step, so the others do not count.
+  const int asked =
+      isTrial_ ? static_cast<int>(results_.results.size()) : predictionCount(*lesson_);
   if (asked == 0) return {};
   const int shown = results_.shown();
   QString score = shown == 0 ? tr("You were right in %1 of %2 predictions.")
@@ -379,7 +456,6 @@ QString Lessons::summary() const {
 void Lessons::showTitle() {
   const QString title = isRunning() ? plainText(lesson_->title) : QString();
   title_->setText(title);
-  title_->setToolTip(title);
   pane_->setAccessibleName(title.isEmpty() ? tr("Lesson") : tr("Lesson: %1").arg(title));
 }
 
@@ -521,6 +597,7 @@ void Lessons::settle(const GivenAnswer& given) {
   isSaved_ = false;
   results_.date = QDateTime::currentDateTime().toString(Qt::ISODate).toStdString();
   writeResultsFile();
+  keepUnsavedAnswers();
   showScene();
   showChart();
   showPage();
@@ -543,6 +620,15 @@ bool Lessons::hasUnsavedAnswers() const {
                              [](const LessonResult& one) { return one.given.isGiven(); });
 }
 
+/// Keeps answers against a crash until they are in a file.
+void Lessons::keepUnsavedAnswers() const {
+  if (isTrial_) return;
+  if (hasUnsavedAnswers())
+    keepAnswers(results_);
+  else
+    forgetAnswers(*lesson_);
+}
+
 bool Lessons::mayLeave() {
   if (!hasUnsavedAnswers()) return true;
   switch (askSaveChanges(&parts_.window, "resultsQuestion", tr("Asperity"),
@@ -553,6 +639,7 @@ bool Lessons::mayLeave() {
       return isSaved_;
     case SaveAnswer::Discard:
       results_ = emptyResults(*lesson_);
+      keepUnsavedAnswers();
       return true;
     case SaveAnswer::Cancel:
       break;
@@ -610,6 +697,7 @@ bool Lessons::keepResults(const QString& file) {
     results_ = std::move(kept);
     resultsFile_ = file;
     isSaved_ = true;
+    keepUnsavedAnswers();
   } catch (const std::exception& error) {
     parts_.messages.showFailure(MessageBar::Failure::Export, translatedError(error));
     return false;
@@ -637,6 +725,7 @@ void Lessons::end() {
   finding_.cancel();
   comparisons_.cancel();
   waiting_.reset();
+  keepUnsavedAnswers();
   if (hasUnsavedAnswers() && !lesson_->digest.empty()) left_[lesson_->digest] = results_;
   lesson_.reset();
   point_->dismiss();

@@ -7,6 +7,7 @@
 
 #include <QObject>
 #include <QString>
+#include <QStringList>
 #include <functional>
 #include <map>
 #include <memory>
@@ -22,13 +23,13 @@
 class QAction;
 class QDockWidget;
 class QMainWindow;
-class QLabel;
 class QToolButton;
 
 namespace asperity {
 
 class Appearance;
 class Commands;
+class ElidedLabel;
 class LessonEditor;
 class LessonList;
 class LessonPane;
@@ -63,14 +64,22 @@ class Lessons : public QObject {
   LessonEditor* editor() const;
   /// Shows the page on which a lesson is edited. `file`: of the lesson; empty: it has none.
   LessonEditor& showEditor(const Lesson& lesson, const QString& file);
+  /// Learning: answers count and are kept. Trial: a teacher tries a step in the editor.
+  enum class Purpose { Learning, Trial };
   /// Begins a lesson at a step; it replaces the present one.
-  void start(const Lesson& lesson, int step = 0);
+  void start(const Lesson& lesson, int step = 0, Purpose purpose = Purpose::Learning);
   /// Closes the editor, and returns what opens it again as it was, to be called in another
   /// language.
   std::function<void()> closeEditorForReopening();
-  /// Reads a lesson's file, or a shipped one by its name, and begins it; returns whether it did. Of
-  /// a student's results it shows a summary.
+  /// Shows the same page, or the lesson of an earlier session that was never saved if the user
+  /// wants to go on with it.
+  LessonEditor& openEditor(const Lesson& lesson, const QString& file);
+  /// Reads a lesson's file, or a shipped one by its name, and begins it; returns whether it did.
+  /// Answers of an earlier session that are in no file are offered. Of a student's results it shows
+  /// a summary.
   bool open(const QString& nameOrFile);
+  /// Shows the results of a class side by side; returns whether all files are results.
+  bool openResults(const QStringList& files);
   /// Ends the lesson and brings the user's scene back.
   void end();
   /// Asks whether answers that are in no file are to be saved; returns whether the lesson may end.
@@ -114,6 +123,9 @@ class Lessons : public QObject {
   void next();
   void leave();
   bool hasUnsavedAnswers() const;
+  void keepUnsavedAnswers() const;
+  void offerAnswers(const Lesson& lesson);
+  bool wantsToGoOn(const QString& name, const QString& question) const;
   LessonEditor& makeEditor(const Lesson& lesson, const QString& file);
   void hideDuringLesson(LessonEditor& editor);
   QString failureText(const QString& file, const std::exception& error) const;
@@ -127,7 +139,7 @@ class Lessons : public QObject {
 
   Parts parts_;
   QDockWidget* dock_;
-  QLabel* title_;
+  ElidedLabel* title_;
   QToolButton *keep_, *close_;
   LessonPane* pane_;
   PredictionPoint* point_;

@@ -35,7 +35,7 @@ struct PixelAxis {
 };
 
 QString valueText(double value, const std::string& unit) {
-  return QString::fromStdString(quantity(value, unit, 2));
+  return QString::fromStdString(quantity(value, unit, 3));
 }
 
 /// Returns "0.25 at 1 m/s".
