@@ -856,12 +856,12 @@
         <translation>Nach unten ziehen: stärker drücken; nach oben: schwächer.</translation>
     </message>
     <message>
-        <source>Drag the body down into the elastomer or up; sideways moves the view.</source>
-        <translation>Den Körper nach unten in das Elastomer ziehen oder nach oben; seitwärts bewegt sich die Ansicht.</translation>
+        <source>Drag the body down into the elastomer or up; sideways moves a zoomed view.</source>
+        <translation>Den Körper nach unten in das Elastomer ziehen oder nach oben; seitwärts bewegt sich eine vergrößerte Ansicht.</translation>
     </message>
     <message>
-        <source>Drag down to press harder, up to press less; sideways moves the view.</source>
-        <translation>Nach unten ziehen: stärker drücken; nach oben: schwächer; seitwärts bewegt sich die Ansicht.</translation>
+        <source>Drag down to press harder, up to press less; sideways moves a zoomed view.</source>
+        <translation>Nach unten ziehen: stärker drücken; nach oben: schwächer; seitwärts bewegt sich eine vergrößerte Ansicht.</translation>
     </message>
     <message>
         <source>Drag to the right for a larger velocity amplitude, to the left for a smaller one.</source>
@@ -5002,6 +5002,14 @@
     <message>
         <source>tangential force F</source>
         <translation>Tangentialkraft F</translation>
+    </message>
+    <message>
+        <source>total F</source>
+        <translation>gesamt F</translation>
+    </message>
+    <message>
+        <source>The force that sliding takes. It is a result and cannot be dragged.</source>
+        <translation>Die Kraft, die das Gleiten erfordert. Sie ist ein Ergebnis und lässt sich nicht ziehen.</translation>
     </message>
     <message>
         <source>, arrow %1×</source>
