@@ -1227,8 +1227,8 @@
         <translation>Wie sich die Linie bewegt.</translation>
     </message>
     <message>
-        <source>How the roughness grows with length: 0 is rough at every scale alike, 1 is smooth at short ones.</source>
-        <translation>Wie die Rauheit mit der Länge wächst: 0 ist auf jeder Skala gleich rau, 1 auf kurzen Skalen glatt.</translation>
+        <source>How the roughness grows with length: 0 is rough at every scale alike, with steep slopes; 1 is smooth at short ones.</source>
+        <translation>Wie die Rauheit mit der Länge wächst: 0 ist auf jeder Skala gleich rau, mit großen Steigungen; 1 ist auf kurzen Skalen glatt.</translation>
     </message>
     <message>
         <source>Hurst exponent</source>
@@ -1279,16 +1279,16 @@
         <translation>Relativer Fehler der Reibungszahl, der bei jeder Geschwindigkeit zu erreichen ist: Auflösung und Anzahl der Linien wählt dann das Programm; 0: nach Verfahren und Realisierungen.</translation>
     </message>
     <message>
-        <source>Root mean square of the height (ISO Rq), set by the long waves.</source>
-        <translation>Quadratischer Mittelwert der Höhe (ISO Rq), bestimmt von den langen Wellen.</translation>
+        <source>How rough the line is: root mean square of the height (ISO Rq), set by the long waves.</source>
+        <translation>Wie rau die Linie ist: quadratischer Mittelwert der Höhe (ISO Rq), bestimmt von den langen Wellen.</translation>
     </message>
     <message>
         <source>Second constant of the shift with temperature (Williams, Landel and Ferry).</source>
         <translation>Zweite Konstante der Verschiebung mit der Temperatur (Williams, Landel und Ferry).</translation>
     </message>
     <message>
-        <source>Shear modulus that is left when all arms have relaxed; steady sliding needs more than 0.</source>
-        <translation>Schubmodul, der bleibt, wenn alle Arme relaxiert sind; stationäres Gleiten braucht mehr als 0.</translation>
+        <source>Shear modulus that is left when all arms have relaxed: how stiff the elastomer is at rest; steady sliding needs more than 0.</source>
+        <translation>Schubmodul, der bleibt, wenn alle Arme relaxiert sind: wie steif das Elastomer in Ruhe ist; stationäres Gleiten braucht mehr als 0.</translation>
     </message>
     <message>
         <source>Short waves stronger on the summits, which touch first (above 0), or in the valleys (below 0); 0: everywhere alike.</source>
@@ -1299,8 +1299,8 @@
         <translation>Sinuswellen in einer Periode der Linie.</translation>
     </message>
     <message>
-        <source>Sliding velocity of the line; of an oscillation its mean.</source>
-        <translation>Gleitgeschwindigkeit der Linie; bei einer Schwingung ihr Mittel.</translation>
+        <source>Speed at which the line slides; of an oscillation its mean.</source>
+        <translation>Tempo, mit dem die Linie gleitet; bei einer Schwingung dessen Mittel.</translation>
     </message>
     <message>
         <source>Slope of the wedge's two sides.</source>
@@ -1311,8 +1311,8 @@
         <translation>Federn und Dämpfer in Reihe: je ein Modul in Pa und eine Relaxationszeit in s; ein Standardkörper hat einen solchen Arm.</translation>
     </message>
     <message>
-        <source>Static shear modulus of the elastomer.</source>
-        <translation>Statischer Schubmodul des Elastomers.</translation>
+        <source>Static shear modulus: how stiff the elastomer is.</source>
+        <translation>Statischer Schubmodul: wie steif das Elastomer ist.</translation>
     </message>
     <message>
         <source>Tangential load on each length in contact, instead of a local coefficient of friction; 0: none.</source>

@@ -330,15 +330,22 @@ void ParameterPanel::arrange() {
   const QStringList words = bar_ ? bar_->words() : QStringList();
   const std::vector<std::string_view> essentials = essentialKeys(scene_);
   const bool isWhole = showsAll(), isFiltered = !words.isEmpty();
+  const auto mayBeVisible = [&](const ParameterRow* row) {
+    return isApplicable(row->parameter(), scene_) &&
+           rowAccess(row->parameter().key) != RowAccess::Hidden;
+  };
+  // Words of everyday language are in the sentences; those of a name select no other row.
+  const bool inSentences = isFiltered && std::ranges::none_of(rows_, [&](const auto* row) {
+                             return mayBeVisible(row) && row->matches(words);
+                           });
   int found = 0;
   for (const Section& section : sections_) {
     const bool isOpen = !section.header || section.header->isOpen();
     int here = 0, changed = 0;  // rows that can be visible, and those with a changed value
     for (ParameterRow* row : section.rows) {
       const std::string_view key = row->parameter().key;
-      const bool isPossible =
-          isApplicable(row->parameter(), scene_) && rowAccess(key) != RowAccess::Hidden;
-      bool isSelected = isFiltered ? row->matches(words) : isWhole;
+      const bool isPossible = mayBeVisible(row);
+      bool isSelected = isFiltered ? row->matches(words, inSentences) : isWhole;
       if (isPossible && isSelected) ++here;
       // A scene's title differs from the default in any case.
       if (isPossible && isSelected && row->isChanged() && !panelSection(row->parameter()).isEmpty())

@@ -102,6 +102,18 @@ TEST_F(PanelViewTest, TheFilterFindsLabelsKeysSymbolsAndUnits) {
   EXPECT_TRUE(hasRow("accuracy.scheme"));
 }
 
+/// A beginner knows none of the names.
+TEST_F(PanelViewTest, TheFilterFindsEverydayWordsInTheSentences) {
+  for (const auto& [word, key] :
+       {std::pair{"rough", "surface.rms_height"}, std::pair{"speed", "sliding.velocity"},
+        std::pair{"stiff", "elastomer.shear_modulus"}, std::pair{"slope", "surface.hurst"}}) {
+    filterBy(word);
+    EXPECT_TRUE(hasRow(key)) << word;
+  }
+  filterBy("seed");  // the name of a row
+  EXPECT_EQ(rowsShown(), 1);
+}
+
 TEST_F(PanelViewTest, TheArrowDownLeavesTheFilterForTheFirstRowThatIsFound) {
   panel_.focusFilter();
   ASSERT_TRUE(QTest::qWaitFor([&] { return filter().hasFocus(); }));
@@ -355,7 +367,7 @@ TEST_F(PanelViewTest, TooltipsHaveTheFormulaAndTheMenuLeadsToTheGuide) {
 /// The sentence comes first, and the key last, for those who write files.
 TEST_F(PanelViewTest, TooltipsBeginWithTheSentence) {
   const QString tip = slider("sliding.velocity").toolTip();
-  const qsizetype sentence = tip.indexOf("Sliding velocity of the line"),
+  const qsizetype sentence = tip.indexOf("Speed at which the line slides"),
                   formula = tip.indexOf("f = 4"), keys = tip.indexOf("Arrow keys"),
                   key = tip.indexOf("sliding.velocity");
   EXPECT_GE(sentence, 0);
