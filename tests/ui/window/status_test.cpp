@@ -252,7 +252,7 @@ TEST(StatusLine, AMessageHasThePlaceOfLesserReadings) {
   CurveReading reading;
   reading.regime = "region II, transition";
   line.showFrame(movingFrame(1), reading);
-  line.showMessage("Drag down to press harder, up to press less; sideways moves the view.");
+  line.showMessage("Drag down to press harder, up to press less; sideways moves a zoomed view.");
   QTest::qWait(1);
   const auto& said = *line.findChild<ElidedLabel*>("statusMessage");
   EXPECT_EQ(said.shownText(), said.text());
