@@ -211,9 +211,13 @@ void addRigidRow(TagPainter& painter, const Frame& frame, const ContactLayout& l
   if (isThere) left += painter.width(name) + gap;
   const ForceArrows arrows = forceArrows(frame, layout, belowRow(painter, layout, y));
   std::vector<Tag> forces = forceTags(frame, arrows, false);
-  float all = motion ? painter.width(*motion) : 0;
-  for (const Tag& force : forces) all += gap + painter.width(force);
-  if (all > right - left) forces = forceTags(frame, arrows, true);
+  const auto fitAll = [&] {
+    float all = motion ? painter.width(*motion) : 0;
+    for (const Tag& force : forces) all += gap + painter.width(force);
+    return all <= right - left;
+  };
+  if (!fitAll()) forces = forceTags(frame, arrows, true);
+  if (!fitAll() && motion) motion = slidingTag(frame, true);
   for (const Tag& force : forces) {
     const float needed = painter.width(force) + gap;
     if (right - left < needed + (motion ? painter.width(*motion) + gap : 0)) break;

@@ -245,10 +245,11 @@ TEST(ContactHandles, TheTangentialForceIsNone) {
 /// The picture of a window that is 1024 pixels wide, in the language with the longer words.
 TEST(ContactHandles, ANarrowPictureNamesAllForces) {
   ContactPictureOptions options;
-  options.width = 670;
   for (const char* code : {"en", "de"})
-    for (const int height : {227, 260, 340}) {
+    for (const auto& [width, height] :
+         {std::pair{670, 227}, std::pair{640, 260}, std::pair{670, 340}}) {
       useLanguage(code);
+      options.width = width;
       options.height = height;
       const auto ids = idsOf(contactSigns(*sampleFrame({}), options));
       for (const char* id : {"tangential_force", "load.normal_force", "sliding.velocity"})
