@@ -3164,8 +3164,8 @@
 <context>
     <name>asperity::MapPanel</name>
     <message>
-        <source>%1 of %2 lines, %3 %</source>
-        <translation>%1 von %2 Linien, %3 %</translation>
+        <source>Shown: the mean of %1 of %2 lines. </source>
+        <translation>Gezeigt: das Mittel über %1 von %2 Linien. </translation>
     </message>
     <message>
         <source>%1 %</source>
