@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <filesystem>
@@ -28,6 +29,7 @@ namespace asperity {
 namespace {
 
 constexpr int kMinWidth = 290, kDefaultWidth = 380;  // pixels
+constexpr int kRemarkDelay = 3000;                   // ms
 
 /// Returns the key's section; parameters of the averaging belong to the curve's section.
 QString panelSection(const Parameter& parameter) {
@@ -155,6 +157,10 @@ ParameterPanel::ParameterPanel(const Scene& scene, const std::vector<ParameterGr
   setMinimumWidth(kMinWidth);
   content->installEventFilter(this);
   if (bar_) bar_->installEventFilter(this);
+  remarkDelay_ = new QTimer(this);
+  remarkDelay_->setSingleShot(true);
+  remarkDelay_->setInterval(kRemarkDelay);
+  connect(remarkDelay_, &QTimer::timeout, this, &ParameterPanel::showWaitingRemarks);
   updateAxisRow();
   showTexts();
 }
@@ -381,20 +387,39 @@ void ParameterPanel::showNotes(const NoteSet& notes) {
   updateRemarks();
 }
 
-/// Shows the present remarks or, while a slider is held, lets them wait for its release.
-void ParameterPanel::updateRemarks() {
-  areRemarksWaiting_ = std::ranges::any_of(rows_, [](const auto* row) { return row->isHeld(); });
-  if (!areRemarksWaiting_) showRemarks();
+bool ParameterPanel::isHeld() const {
+  return std::ranges::any_of(rows_, [](const auto* row) { return row->isHeld(); });
 }
 
-void ParameterPanel::showRemarks() {
+/// Shows the present remarks or, while a slider is held, lets them wait for its release. Warnings
+/// also wait until the pointer has left the panel or rests: they would move the row that it is
+/// about to reach.
+void ParameterPanel::updateRemarks() {
+  areRemarksWaiting_ = isHeld() || underMouse();
+  if (isHeld()) return;
+  showRemarks(!areRemarksWaiting_);
+  if (areRemarksWaiting_) remarkDelay_->start();
+}
+
+void ParameterPanel::showWaitingRemarks() {
+  if (!areRemarksWaiting_ || isHeld()) return;
+  areRemarksWaiting_ = false;
+  showRemarks();
+}
+
+void ParameterPanel::leaveEvent(QEvent* event) {
+  QWidget::leaveEvent(event);
+  showWaitingRemarks();
+}
+
+void ParameterPanel::showRemarks(bool withWarnings) {
   QMap<ParameterRow*, QStringList> warnings;
   for (const Note note : notes_.list())
     if (ParameterRow* row = rows_.value(fromUtf8(noteKey(note, scene_))))
       warnings[row] += QStringLiteral("⚠ ") + translatedText(noteSentence(note));
   keepInPlace([&] {
     for (ParameterRow* row : std::as_const(rows_)) {
-      row->showWarning(warnings.value(row).join('\n'));
+      if (withWarnings) row->showWarning(warnings.value(row).join('\n'));
       row->showRunError(runErrors_.value(fromUtf8(row->parameter().key)));
     }
     arrange();
