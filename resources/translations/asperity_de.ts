@@ -4,6 +4,22 @@
 <context>
     <name>Words</name>
     <message>
+        <source>The force that sliding takes. It is a result and cannot be dragged.</source>
+        <translation>Die Kraft, die das Gleiten erfordert. Sie ist ein Ergebnis und lässt sich nicht ziehen.</translation>
+    </message>
+    <message>
+        <source>tangential force F</source>
+        <translation>Tangentialkraft F</translation>
+    </message>
+    <message>
+        <source>tangential force in total F</source>
+        <translation>Tangentialkraft gesamt F</translation>
+    </message>
+    <message>
+        <source>total F</source>
+        <translation>gesamt F</translation>
+    </message>
+    <message>
         <source>Tangential over normal force while the elastomer still relaxes after a change, read from the time steps since the last picture.</source>
         <translation>Tangential- durch Normalkraft, während das Elastomer nach einer Änderung noch relaxiert, abgelesen aus den Zeitschritten seit dem letzten Bild.</translation>
     </message>
@@ -4994,22 +5010,6 @@
     <message>
         <source>rigid line slides</source>
         <translation>starre Linie gleitet</translation>
-    </message>
-    <message>
-        <source>tangential force in total F</source>
-        <translation>Tangentialkraft gesamt F</translation>
-    </message>
-    <message>
-        <source>tangential force F</source>
-        <translation>Tangentialkraft F</translation>
-    </message>
-    <message>
-        <source>total F</source>
-        <translation>gesamt F</translation>
-    </message>
-    <message>
-        <source>The force that sliding takes. It is a result and cannot be dragged.</source>
-        <translation>Die Kraft, die das Gleiten erfordert. Sie ist ein Ergebnis und lässt sich nicht ziehen.</translation>
     </message>
     <message>
         <source>, arrow %1×</source>

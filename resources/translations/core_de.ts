@@ -819,8 +819,8 @@
         <translation>C(q) ist zweiseitig, h² = 2 ∫ C dq; abgeschnitten bei π/Elementabstand. Punkte sind Mittel über gleiche Strecken von log q.</translation>
     </message>
     <message>
-        <source>C(q) ~ q^(−2H−1) is two-sided, h² = 2 ∫ C dq; cut off at π over the element spacing. Points are means over equal stretches of log q.</source>
-        <translation>C(q) ~ q^(−2H−1) ist zweiseitig, h² = 2 ∫ C dq; abgeschnitten bei π/Elementabstand. Punkte sind Mittel über gleiche Strecken von log q.</translation>
+        <source>C(q) ~ q⁻²ᴴ⁻¹ is two-sided, h² = 2 ∫ C dq; cut off at π over the element spacing. Points are means over equal stretches of log q.</source>
+        <translation>C(q) ~ q⁻²ᴴ⁻¹ ist zweiseitig, h² = 2 ∫ C dq; abgeschnitten bei π/Elementabstand. Punkte sind Mittel über gleiche Strecken von log q.</translation>
     </message>
     <message>
         <source>Circles: spread of the means over groups of so many lines. Lines: one over the square root.</source>
@@ -6199,8 +6199,8 @@
         <translation>Zeile %1 hat %2 gemessene Punkte; „interpolieren“ (interpolate) lässt solche Zeilen weg und füllt die Lücken der übrigen</translation>
     </message>
     <message>
-        <source>Tinted: from 5 to 95 % of the loss in complete contact, q C1(q) G''(q v). The share is per decade of frequency, q² C1 G'', over its largest value.</source>
-        <translation>Getönt: von 5 bis 95 % des Verlusts bei Vollkontakt, q C1(q) G''(q v). Der Anteil gilt je Dekade der Frequenz, q² C1 G'', bezogen auf den größten Wert.</translation>
+        <source>Tinted: from 5 to 95 % of the loss in complete contact, q C₁(q) G''(q v). The share is per decade of frequency, q² C₁ G'', over its largest value.</source>
+        <translation>Getönt: von 5 bis 95 % des Verlusts bei Vollkontakt, q C₁(q) G''(q v). Der Anteil gilt je Dekade der Frequenz, q² C₁ G'', bezogen auf den größten Wert.</translation>
     </message>
     <message>
         <source>columns of deviations and set values, not read: %1</source>
@@ -6734,8 +6734,8 @@
         <translation>Reibung eines rein viskosen Kontakts.</translation>
     </message>
     <message>
-        <source>The law of the paper: it joins slow sliding, complete contact and the plateau; region IV is not in it.</source>
-        <translation>Das Gesetz der Arbeit: Es verbindet langsames Gleiten, Vollkontakt und Plateau; Bereich IV enthält es nicht.</translation>
+        <source>The law of the paper: it joins slow sliding, complete contact and the plateau; region IV is not in it. α = H/(1 + H); β falls from 2.7 at H = 0 to 1.3 at H = 1.</source>
+        <translation>Das Gesetz der Arbeit: Es verbindet langsames Gleiten, Vollkontakt und Plateau; Bereich IV enthält es nicht. α = H/(1 + H); β fällt von 2,7 bei H = 0 auf 1,3 bei H = 1.</translation>
     </message>
     <message>
         <source>The law without dimensions.</source>
