@@ -23,7 +23,10 @@ namespace {
 // than several heights of a number, the texts get smaller still, so that they fit.
 constexpr float kStripText = 0.8F, kMinStripText = 0.5F;
 constexpr float kGoodStrip = 3, kMinStrip = 2;
-constexpr double kLeastContactPart = 0.35;  // of a height that the contact shares with its chart
+// The smallest part of the height that the contact keeps above its chart: with letters of a given
+// size, and with letters that follow the size of the picture.
+constexpr double kLeastContactPart = 0.35, kLeastFreeContactPart = 0.46;
+constexpr float kGoodChart = 9;  // height of the chart's frame in heights of a number
 
 constexpr NamedChoices<PictureLayout, 4> kLayouts{{{"contact", PictureLayout::Contact},
                                                    {"curve", PictureLayout::Curve},
@@ -119,6 +122,7 @@ DrawList PictureComposer::composeParts(const Frame& frame) {
   } else {
     sheet = curveWithMarker(frame);
     sheet.title = {};  // the title is drawn above the contact
+    if (!hasNote_) sheet.note = {};
     options.above->unit = contactUnit(contactOptions(above));
   }
   DrawList picture = contact(frame, above);
@@ -183,8 +187,7 @@ void PictureComposer::fitHeight(const Scene& scene) {
   DiagramSheet sheet = sheetOfCurves(settings_.style);
   const int above = layout == PictureLayout::Both ? contactHeight() : 0;
   checkPanels(sheet, settings_, above);
-  const bool hasFontSize = settings_.format.fontSize > 0;
-  if (!settings_.isOnPaper && !(hasFontSize && above > 0)) return;
+  if (!settings_.isOnPaper && above == 0) return;
   // The marker comes with the frame; its entry in the legend and its label are included in the
   // layout now.
   if (const auto& points = content_.curves.present.points; !points.empty()) {
@@ -194,7 +197,30 @@ void PictureComposer::fitHeight(const Scene& scene) {
     marker.y = middle.mu;
     sheet.diagrams.front().marker = std::move(marker);
   }
-  growFor(sheet);
+  if (settings_.isOnPaper || settings_.format.fontSize > 0)
+    growFor(sheet);
+  else
+    shareHeight(std::move(sheet));
+}
+
+void PictureComposer::shareHeight(DiagramSheet sheet) {
+  if (sheet.diagrams.size() > 1) return;
+  const int most = contactHeight();
+  const int least = static_cast<int>(std::lround(kLeastFreeContactPart * settings_.height));
+  const auto isGood = [&](int above) {
+    DiagramOptions options = optionsFor(settings_.height - above, 0);
+    options.above = FrameAbove{0, 0, contactUnit(contactOptions(above))};
+    return isWhole(sheet, options) && lowestFrame(sheet, options) >= kGoodChart;
+  };
+  for (const bool hasNote : {true, false}) {
+    if (!hasNote) sheet.note = {};
+    hasNote_ = hasNote;
+    constexpr int kStep = 4;
+    for (int above = most; above >= least; above -= kStep) {
+      above_ = above;
+      if (isGood(above)) return;
+    }
+  }
 }
 
 void PictureComposer::growFor(const DiagramSheet& sheet) {

@@ -67,6 +67,9 @@ class PictureComposer {
   /// Makes a picture on paper as high as the sheet of its chart needs. In a picture in pixels the
   /// contact leaves the chart more of the height.
   void growFor(const DiagramSheet& sheet);
+  /// Divides the height of a picture in pixels between the contact and its chart, so that the chart
+  /// can be read. Leaves out the note under a chart that is too low even then.
+  void shareHeight(DiagramSheet sheet);
   DiagramSheet curveWithMarker(const Frame& frame) const;
 
   PictureSettings settings_;
@@ -74,6 +77,7 @@ class PictureComposer {
   std::optional<ContactView> view_;
   ContactPictureOptions contact_;  // options of the last frame
   std::optional<int> above_;       // height of the contact, where its chart has grown
+  bool hasNote_ = true;            // the chart below the contact has its note
   std::optional<DrawList> below_;  // the curve, which does not change in steady sliding
 };
 

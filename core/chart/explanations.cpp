@@ -221,7 +221,7 @@ constexpr std::array kTable{
         "Eq. (11)",
         "μ = [1/(2∇z²) + (F_N/(4 L η ∇z² v))² + (h/(β τ ∇z² v) (F_N/(G h L))^α)²]^(−1/2)",
         "The law of the paper: it joins slow sliding, complete contact and the plateau; "
-        "region IV is not in it.",
+        "region IV is not in it. α = H/(1 + H); β falls from 2.7 at H = 0 to 1.3 at H = 1.",
         "law"},
     HoverExplanation{"Eq. (12)", "μ̄ = [1 + ((F̄/4)² + F̄^(2α))/v̄²]^(−1/2)",
                      "The law without dimensions.", "eq-12"},

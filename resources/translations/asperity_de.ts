@@ -4,6 +4,22 @@
 <context>
     <name>Words</name>
     <message>
+        <source>The force that sliding takes. It is a result and cannot be dragged.</source>
+        <translation>Die Kraft, die das Gleiten erfordert. Sie ist ein Ergebnis und lässt sich nicht ziehen.</translation>
+    </message>
+    <message>
+        <source>tangential force F</source>
+        <translation>Tangentialkraft F</translation>
+    </message>
+    <message>
+        <source>tangential force in total F</source>
+        <translation>Tangentialkraft gesamt F</translation>
+    </message>
+    <message>
+        <source>total F</source>
+        <translation>gesamt F</translation>
+    </message>
+    <message>
         <source>Tangential over normal force while the elastomer still relaxes after a change, read from the time steps since the last picture.</source>
         <translation>Tangential- durch Normalkraft, während das Elastomer nach einer Änderung noch relaxiert, abgelesen aus den Zeitschritten seit dem letzten Bild.</translation>
     </message>
@@ -860,12 +876,12 @@
         <translation>Nach unten ziehen: stärker drücken; nach oben: schwächer.</translation>
     </message>
     <message>
-        <source>Drag the body down into the elastomer or up; sideways moves the view.</source>
-        <translation>Den Körper nach unten in das Elastomer ziehen oder nach oben; seitwärts bewegt sich die Ansicht.</translation>
+        <source>Drag the body down into the elastomer or up; sideways moves a zoomed view.</source>
+        <translation>Den Körper nach unten in das Elastomer ziehen oder nach oben; seitwärts bewegt sich eine vergrößerte Ansicht.</translation>
     </message>
     <message>
-        <source>Drag down to press harder, up to press less; sideways moves the view.</source>
-        <translation>Nach unten ziehen: stärker drücken; nach oben: schwächer; seitwärts bewegt sich die Ansicht.</translation>
+        <source>Drag down to press harder, up to press less; sideways moves a zoomed view.</source>
+        <translation>Nach unten ziehen: stärker drücken; nach oben: schwächer; seitwärts bewegt sich eine vergrößerte Ansicht.</translation>
     </message>
     <message>
         <source>Drag to the right for a larger velocity amplitude, to the left for a smaller one.</source>
@@ -3212,8 +3228,8 @@
 <context>
     <name>asperity::MapPanel</name>
     <message>
-        <source>%1 of %2 lines, %3 %</source>
-        <translation>%1 von %2 Linien, %3 %</translation>
+        <source>Shown: the mean of %1 of %2 lines. </source>
+        <translation>Gezeigt: das Mittel über %1 von %2 Linien. </translation>
     </message>
     <message>
         <source>%1 %</source>
@@ -5042,14 +5058,6 @@
     <message>
         <source>rigid line slides</source>
         <translation>starre Linie gleitet</translation>
-    </message>
-    <message>
-        <source>tangential force in total F</source>
-        <translation>Tangentialkraft gesamt F</translation>
-    </message>
-    <message>
-        <source>tangential force F</source>
-        <translation>Tangentialkraft F</translation>
     </message>
     <message>
         <source>, arrow %1×</source>

@@ -823,8 +823,8 @@
         <translation>C(q) ist zweiseitig, h² = 2 ∫ C dq; abgeschnitten bei π/Elementabstand. Punkte sind Mittel über gleiche Strecken von log q.</translation>
     </message>
     <message>
-        <source>C(q) ~ q^(−2H−1) is two-sided, h² = 2 ∫ C dq; cut off at π over the element spacing. Points are means over equal stretches of log q.</source>
-        <translation>C(q) ~ q^(−2H−1) ist zweiseitig, h² = 2 ∫ C dq; abgeschnitten bei π/Elementabstand. Punkte sind Mittel über gleiche Strecken von log q.</translation>
+        <source>C(q) ~ q⁻²ᴴ⁻¹ is two-sided, h² = 2 ∫ C dq; cut off at π over the element spacing. Points are means over equal stretches of log q.</source>
+        <translation>C(q) ~ q⁻²ᴴ⁻¹ ist zweiseitig, h² = 2 ∫ C dq; abgeschnitten bei π/Elementabstand. Punkte sind Mittel über gleiche Strecken von log q.</translation>
     </message>
     <message>
         <source>Circles: spread of the means over groups of so many lines. Lines: one over the square root.</source>
@@ -1231,8 +1231,8 @@
         <translation>Wie sich die Linie bewegt.</translation>
     </message>
     <message>
-        <source>How the roughness grows with length: 0 is rough at every scale alike, 1 is smooth at short ones.</source>
-        <translation>Wie die Rauheit mit der Länge wächst: 0 ist auf jeder Skala gleich rau, 1 auf kurzen Skalen glatt.</translation>
+        <source>How the roughness grows with length: 0 is rough at every scale alike, with steep slopes; 1 is smooth at short ones.</source>
+        <translation>Wie die Rauheit mit der Länge wächst: 0 ist auf jeder Skala gleich rau, mit großen Steigungen; 1 ist auf kurzen Skalen glatt.</translation>
     </message>
     <message>
         <source>Hurst exponent</source>
@@ -1283,16 +1283,16 @@
         <translation>Relativer Fehler der Reibungszahl, der bei jeder Geschwindigkeit zu erreichen ist: Auflösung und Anzahl der Linien wählt dann das Programm; 0: nach Verfahren und Realisierungen.</translation>
     </message>
     <message>
-        <source>Root mean square of the height (ISO Rq), set by the long waves.</source>
-        <translation>Quadratischer Mittelwert der Höhe (ISO Rq), bestimmt von den langen Wellen.</translation>
+        <source>How rough the line is: root mean square of the height (ISO Rq), set by the long waves.</source>
+        <translation>Wie rau die Linie ist: quadratischer Mittelwert der Höhe (ISO Rq), bestimmt von den langen Wellen.</translation>
     </message>
     <message>
         <source>Second constant of the shift with temperature (Williams, Landel and Ferry).</source>
         <translation>Zweite Konstante der Verschiebung mit der Temperatur (Williams, Landel und Ferry).</translation>
     </message>
     <message>
-        <source>Shear modulus that is left when all arms have relaxed; steady sliding needs more than 0.</source>
-        <translation>Schubmodul, der bleibt, wenn alle Arme relaxiert sind; stationäres Gleiten braucht mehr als 0.</translation>
+        <source>Shear modulus that is left when all arms have relaxed: how stiff the elastomer is at rest; steady sliding needs more than 0.</source>
+        <translation>Schubmodul, der bleibt, wenn alle Arme relaxiert sind: wie steif das Elastomer in Ruhe ist; stationäres Gleiten braucht mehr als 0.</translation>
     </message>
     <message>
         <source>Short waves stronger on the summits, which touch first (above 0), or in the valleys (below 0); 0: everywhere alike.</source>
@@ -1303,8 +1303,8 @@
         <translation>Sinuswellen in einer Periode der Linie.</translation>
     </message>
     <message>
-        <source>Sliding velocity of the line; of an oscillation its mean.</source>
-        <translation>Gleitgeschwindigkeit der Linie; bei einer Schwingung ihr Mittel.</translation>
+        <source>Speed at which the line slides; of an oscillation its mean.</source>
+        <translation>Tempo, mit dem die Linie gleitet; bei einer Schwingung dessen Mittel.</translation>
     </message>
     <message>
         <source>Slope of the wedge's two sides.</source>
@@ -1315,8 +1315,8 @@
         <translation>Federn und Dämpfer in Reihe: je ein Modul in Pa und eine Relaxationszeit in s; ein Standardkörper hat einen solchen Arm.</translation>
     </message>
     <message>
-        <source>Static shear modulus of the elastomer.</source>
-        <translation>Statischer Schubmodul des Elastomers.</translation>
+        <source>Static shear modulus: how stiff the elastomer is.</source>
+        <translation>Statischer Schubmodul: wie steif das Elastomer ist.</translation>
     </message>
     <message>
         <source>Tangential load on each length in contact, instead of a local coefficient of friction; 0: none.</source>
@@ -6319,8 +6319,8 @@
         <translation>Zeile %1 hat %2 gemessene Punkte; „interpolieren“ (interpolate) lässt solche Zeilen weg und füllt die Lücken der übrigen</translation>
     </message>
     <message>
-        <source>Tinted: from 5 to 95 % of the loss in complete contact, q C1(q) G''(q v). The share is per decade of frequency, q² C1 G'', over its largest value.</source>
-        <translation>Getönt: von 5 bis 95 % des Verlusts bei Vollkontakt, q C1(q) G''(q v). Der Anteil gilt je Dekade der Frequenz, q² C1 G'', bezogen auf den größten Wert.</translation>
+        <source>Tinted: from 5 to 95 % of the loss in complete contact, q C₁(q) G''(q v). The share is per decade of frequency, q² C₁ G'', over its largest value.</source>
+        <translation>Getönt: von 5 bis 95 % des Verlusts bei Vollkontakt, q C₁(q) G''(q v). Der Anteil gilt je Dekade der Frequenz, q² C₁ G'', bezogen auf den größten Wert.</translation>
     </message>
     <message>
         <source>columns of deviations and set values, not read: %1</source>
@@ -6970,8 +6970,8 @@
         <translation>Reibung eines rein viskosen Kontakts.</translation>
     </message>
     <message>
-        <source>The law of the paper: it joins slow sliding, complete contact and the plateau; region IV is not in it.</source>
-        <translation>Das Gesetz der Arbeit: Es verbindet langsames Gleiten, Vollkontakt und Plateau; Bereich IV enthält es nicht.</translation>
+        <source>The law of the paper: it joins slow sliding, complete contact and the plateau; region IV is not in it. α = H/(1 + H); β falls from 2.7 at H = 0 to 1.3 at H = 1.</source>
+        <translation>Das Gesetz der Arbeit: Es verbindet langsames Gleiten, Vollkontakt und Plateau; Bereich IV enthält es nicht. α = H/(1 + H); β fällt von 2,7 bei H = 0 auf 1,3 bei H = 1.</translation>
     </message>
     <message>
         <source>The law without dimensions.</source>

@@ -138,6 +138,15 @@ TEST_F(ViewTest, ThePictureSaysHowItWasLookedAt) {
     EXPECT_THAT(text, HasSubstr(part));
 }
 
+/// The picture of a window of 1024 x 700: the whole legend is beside the curves, which have more
+/// than two marks on their axis.
+TEST_F(ViewTest, ALowPictureOfContactAndCurveIsWhole) {
+  run("render s.json -o c.svg --layout both --size 670x420 --language de");
+  const std::string text = read("c.svg");
+  EXPECT_THAT(text, AllOf(HasSubstr(">diese Linie, jetzt<"), HasSubstr(">Gl. (11)<"),
+                          HasSubstr("± Standardfehler<"), Not(HasSubstr(" weitere<"))));
+}
+
 /// The panel of the difference is drawn or missed aloud.
 TEST_F(ViewTest, AComparisonIsDrawnWholeOrRefused) {
   const std::string compared = " --compare linear:2:3 --set surface.elements=64";

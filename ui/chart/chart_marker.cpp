@@ -120,6 +120,17 @@ void MarkerItem::paintTrace(QPainter& painter) const {
 }
 
 /// Shows the text beside its point, on the side where it fits.
+namespace {
+
+/// Returns the text for a document: its lines, and a normal force with a lowered N, as in pictures.
+QString richText(const QString& text) {
+  QString rich = text.toHtmlEscaped();
+  rich.replace('\n', QLatin1String("<br>"));
+  return rich.replace(QStringLiteral("\u2099"), QLatin1String("<sub>N</sub>"));
+}
+
+}  // namespace
+
 void TipItem::show(const QString& text, QPointF position, bool ringed, const QRectF& bounds,
                    const ChartStyle& style) {
   prepareGeometryChange();
@@ -127,11 +138,15 @@ void TipItem::show(const QString& text, QPointF position, bool ringed, const QRe
   position_ = position;
   isRinged_ = ringed;
   style_ = style;
-  const QFontMetricsF metrics(style_.font);
   const double most = std::min(360.0 * style_.scale(), bounds.width() - 4 * kTipPad);
-  const QSizeF size =
-      metrics.boundingRect(QRectF(0, 0, most, 1000), Qt::TextWordWrap, text).size() +
-      QSizeF(2 * kTipPad, 2 * kTipPad);
+  lines_ = QStaticText(richText(text));
+  lines_.setTextFormat(Qt::RichText);
+  lines_.prepare({}, style_.font);
+  if (lines_.size().width() > most) {
+    lines_.setTextWidth(most);
+    lines_.prepare({}, style_.font);
+  }
+  const QSizeF size = lines_.size() + QSizeF(2 * kTipPad, 2 * kTipPad);
   const double away = kTipDistance * style_.scale(), ring = kRing * style_.scale() + 2;
   const bool left = position.x() + away + size.width() > bounds.right();
   const double x = left ? position.x() - away - size.width() : position.x() + away;
@@ -165,8 +180,7 @@ void TipItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*
   painter->setBrush(style_.background());
   painter->drawRoundedRect(box_, 5, 5);
   painter->setPen(style_.text());
-  painter->drawText(box_.adjusted(kTipPad, kTipPad, -kTipPad, -kTipPad),
-                    Qt::AlignLeft | Qt::TextWordWrap, text_);
+  painter->drawStaticText(box_.topLeft() + QPointF(kTipPad, kTipPad), lines_);
 }
 
 }  // namespace asperity

@@ -4,6 +4,7 @@
 
 #include <QGraphicsItem>
 #include <QPainterPath>
+#include <QStaticText>
 #include <QString>
 #include <optional>
 
@@ -50,6 +51,7 @@ class TipItem : public QGraphicsItem {
 
  private:
   QString text_;
+  QStaticText lines_;  // the text as it is drawn
   QPointF position_;
   bool isRinged_ = false;
   ChartStyle style_;

@@ -177,8 +177,8 @@ class Panel {
   }
 
   /// Places the frame and the legend: inside the frame where the legend hides nothing and is whole;
-  /// otherwise at the right of the frame or above it where there is enough space; otherwise where
-  /// it hides least.
+  /// otherwise at the right of the frame or above it where there is enough space; otherwise below
+  /// the axis; where the frame would be too low for that, where it hides least.
   void arrange() {
     // The minimum parts of the frame that stay beside a legend.
     constexpr float kMinWidth = 0.55F, kMinHeight = 0.6F;
@@ -212,7 +212,7 @@ class Panel {
       legend_ = beside;
       legendBox_ = {cell_.right() - beside.width, axes_.box.y, beside.width, beside.height};
       hidden_ = 0;
-    } else if (sizes_.isPrinted && (hidden_ > kLittleHidden || !legend_.isWhole)) {
+    } else if (hidden_ > kLittleHidden || (sizes_.isPrinted && !legend_.isWhole)) {
       arrangeBelow();
       if (axes_.box.height >= kLowest * sizes_.tick) return;
       below_ = 0;  // a legend that hides something is better than no curve
@@ -475,6 +475,12 @@ int heightInPrint(const DiagramSheet& english, const DiagramOptions& options) {
   const int height =
       lowestHeight(prepared(english, options), options, step, 3 * options.width, &Panel::isWhole);
   return height > 0 ? height : options.height;
+}
+
+bool isWhole(const DiagramSheet& english, const DiagramOptions& options) {
+  const DiagramSheet sheet = prepared(english, options);
+  DrawList list = emptyList(options);
+  return std::ranges::all_of(placePanels(sheet, options, list), &Panel::isWhole);
 }
 
 float lowestFrame(const DiagramSheet& english, const DiagramOptions& options) {

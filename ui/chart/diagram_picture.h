@@ -50,6 +50,10 @@ int heightForAll(const DiagramSheet& sheet, const DiagramOptions& options);
 /// title and legend complete. options.height where there is no such height.
 int heightInPrint(const DiagramSheet& sheet, const DiagramOptions& options);
 
+/// Returns whether every frame is high enough, and every title and legend complete; no legend lies
+/// over curves.
+bool isWhole(const DiagramSheet& sheet, const DiagramOptions& options);
+
 /// Returns the height of the lowest frame, in heights of the numbers beside it; 0 where a frame
 /// does not fit and would be left out.
 float lowestFrame(const DiagramSheet& sheet, const DiagramOptions& options);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/input_error.h"
+#include "core/base/number_text.h"
 #include "core/chart/comparison.h"
 #include "core/chart/curve_words.h"
 #include "core/fit/derivatives.h"
@@ -95,21 +96,32 @@ Message progressText(const CurveUpdate& curve) {
   return message("{} of {} lines", curve.realizationsDone, curve.realizationsTotal);
 }
 
-/// Returns an error with two digits: "0.00001" beside a value in decimals, because "10⁻⁵" looks
-/// like a bound there.
-QString errorLabel(double value, double error) {
-  constexpr double kLeast = 1e-7;  // smaller ones would have too many zeros
-  if (!(error >= kLeast && error < 1) || readingLabel(value).contains(QStringLiteral("10⁻")))
-    return readingLabel(error, 2);
-  const int decimals = 1 - static_cast<int>(std::floor(std::log10(error)));
-  QString text = QString::number(error, 'f', decimals);
-  while (text.endsWith('0')) text.chop(1);
-  return inLanguage(text);
+/// Returns the power of ten of a number's first digit.
+int decadeOf(double value) {
+  return static_cast<int>(std::floor(std::log10(std::abs(value))));
+}
+
+/// Returns "0.00116 ± 0.00012" or "(2.637 ± 0.012)×10⁻⁷": two digits of the error, and the value to
+/// the same place, with at least three digits.
+QString valueWithError(double value, double error) {
+  const QString alone = readingLabel(value);
+  if (!(std::isfinite(value) && std::isfinite(error) && error > 0 && value != 0)) return alone;
+  constexpr int kMaxDecimals = 15;
+  const bool isPower = alone.contains(QStringLiteral("10⁻")) || alone.contains(u'×');
+  const int power = isPower ? decadeOf(value) : 0;
+  const int last = std::min(decadeOf(error) - 1, decadeOf(value) - 2) - power;
+  const double unit = std::pow(10, power);
+  const auto text = [&](double number) {
+    const QString digits = QString::number(number / unit, 'f', std::clamp(-last, 0, kMaxDecimals));
+    return inLanguage(QString(digits).replace('-', u'−'));
+  };
+  const QString both = text(value) + QStringLiteral(" ± ") + text(error);
+  return isPower ? '(' + both + QStringLiteral(")×") + QString::fromStdString(powerOfTen(power))
+                 : both;
 }
 
 QString withError(const QString& name, double value, double error) {
-  const QString text = name + " = " + readingLabel(value);
-  return std::isfinite(error) ? text + " ± " + errorLabel(value, error) : text;
+  return name + " = " + valueWithError(value, error);
 }
 
 /// Removes what was computed for the scene of the comparisons. On an axis other than velocity, the

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "core/material/element_law.h"
 #include "ui/contact/contact_forces.h"
@@ -38,22 +41,33 @@ Tag rigidTag() {
   return {{{Words::tr("rigid body"), true}},
           ArrowDirection::None,
           {},
-          ContactHandle::None,
+          ContactHandle::Body,
           "rigid body"};
+}
+
+/// Returns "tangential force F", in a brief label "F". The index x follows.
+std::string frictionName(const Frame& frame, bool brief) {
+  if (hasInterface(frame))
+    return brief ? Words::tr("total F") : Words::tr("tangential force in total F");
+  return brief ? "F" : Words::tr("tangential force F");
+}
+
+std::string frictionSentence() {
+  return Words::tr("The force that sliding takes. It is a result and cannot be dragged.");
 }
 
 /// Returns the tag of friction. Arrows in tags show only the direction; where there is space,
 /// arrows to scale are drawn instead.
-Tag frictionTag(const Frame& frame, const ForceArrows& arrows) {
+Tag frictionTag(const Frame& frame, const ForceArrows& arrows, bool brief) {
   const bool toTheRight = pushesRight(frame);
-  Tag tag{{{hasInterface(frame) ? Words::tr("tangential force in total F")
-                                : Words::tr("tangential force F")},
+  Tag tag{{{frictionName(frame, brief)},
            {"x", false, true},
            {" = " + quantity(frictionForce(drawnState(frame)), "N")}},
           toTheRight ? ArrowDirection::Right : ArrowDirection::Left,
           {},
           ContactHandle::None,
-          hasInterface(frame) ? "total friction" : "tangential_force"};
+          hasInterface(frame) ? "total friction" : "tangential_force",
+          frictionSentence()};
   if (!(arrows.sideways > 0)) return tag;
   tag.arrow = ArrowDirection::None;
   if (arrows.enlarged > 1)
@@ -69,14 +83,14 @@ Tag pressingTag(const Frame& frame, const ForceArrows& arrows) {
           "load.normal_force"};
 }
 
-/// Returns the tags of the forces, the more important ones first.
-std::vector<Tag> forceTags(const Frame& frame, const ForceArrows& arrows) {
+/// Returns the tags of the forces, the more important ones first; brief ones have fewer words.
+std::vector<Tag> forceTags(const Frame& frame, const ForceArrows& arrows, bool brief) {
   std::vector<Tag> tags;
   const ContactState state = drawnState(frame);
   if (state.normalForce > 0) tags.push_back(pressingTag(frame, arrows));
   // Without steady friction (no friction, or a state without it) rounding errors get no arrow.
   if (totalFriction(state) > 0 && frictionForce(state) > 0)
-    tags.push_back(frictionTag(frame, arrows));
+    tags.push_back(frictionTag(frame, arrows, brief));
   return tags;
 }
 
@@ -124,9 +138,13 @@ void addRigidTagsBetweenCrests(TagPainter& painter, const Frame& frame, const Co
     left = std::round(*x) + width + gap;
     return true;
   };
-  const std::vector<Tag> forces = forceTags(frame, {});
-  float needed = -gap;
-  for (const Tag& force : forces) needed += painter.width(force) + gap;
+  const std::vector<Tag> forces = forceTags(frame, {}, false);
+  const std::vector<Tag> briefForces = forceTags(frame, {}, true);
+  const auto widthOf = [&](std::span<const Tag> tags) {
+    float width = -gap;
+    for (const Tag& tag : tags) width += painter.width(tag) + gap;
+    return width;
+  };
   place(rigidTag(), left, right);
   std::vector<Tag> motions;  // in ever fewer words
   if (const std::optional<Tag> motion = slidingTag(frame, false)) {
@@ -140,14 +158,29 @@ void addRigidTagsBetweenCrests(TagPainter& painter, const Frame& frame, const Co
       return place(motion, layout.plot.x + (layout.plot.width - painter.width(motion)) / 2, to);
     });
   };
-  // The label of the motion is shortened if necessary, so that the forces fit beside it.
-  if (!placeMotionTag(right - needed - gap)) placeMotionTag(right);
-  // The tags are placed from left to right; F_N, the first of them, is on the right.
-  for (auto force = forces.rbegin(); force != forces.rend(); ++force) {
-    const bool isLast = force + 1 == forces.rend();
-    if (isLast || right - left >= needed) place(*force, right - needed, right);
-    needed -= painter.width(*force) + gap;
-  }
+  // The labels of the motion and of the forces are shortened if necessary, so that all fit.
+  if (!placeMotionTag(right - widthOf(forces) - gap) &&
+      !placeMotionTag(right - widthOf(briefForces) - gap))
+    placeMotionTag(right);
+  // F_N, the first of the forces, is on the right; the next one is beside it.
+  std::vector<std::pair<float, float>> spaces{{left, right}};
+  const auto placeForce = [&](const Tag& tag) {
+    const float width = painter.width(tag);
+    for (auto& [from, to] : spaces) {
+      const auto free =
+          freeSpanAbove(line, {std::max(from, to - width), y, width, painter.height()}, from, to);
+      if (!free) continue;
+      const float x = std::round(*free);
+      painter.paint(tag, {x, y}, layout.theme.rigid);
+      const std::pair after{x + width + gap, to};
+      to = x - gap;
+      spaces.push_back(after);
+      return true;
+    }
+    return false;
+  };
+  for (std::size_t i = 0; i < forces.size(); ++i)
+    if (!placeForce(forces[i])) placeForce(briefForces[i]);
 }
 
 /// Returns where arrows may begin under the row of labels whose upper edge is at y.
@@ -177,7 +210,15 @@ void addRigidRow(TagPainter& painter, const Frame& frame, const ContactLayout& l
   }
   if (isThere) left += painter.width(name) + gap;
   const ForceArrows arrows = forceArrows(frame, layout, belowRow(painter, layout, y));
-  for (const Tag& force : forceTags(frame, arrows)) {
+  std::vector<Tag> forces = forceTags(frame, arrows, false);
+  const auto fitAll = [&] {
+    float all = motion ? painter.width(*motion) : 0;
+    for (const Tag& force : forces) all += gap + painter.width(force);
+    return all <= right - left;
+  };
+  if (!fitAll()) forces = forceTags(frame, arrows, true);
+  if (!fitAll() && motion) motion = slidingTag(frame, true);
+  for (const Tag& force : forces) {
     const float needed = painter.width(force) + gap;
     if (right - left < needed + (motion ? painter.width(*motion) + gap : 0)) break;
     painter.paint(force, {right - painter.width(force), y}, plate);
@@ -307,6 +348,15 @@ Notes addLabels(DrawList& list, const Frame& frame, const ContactLayout& layout,
                         "load.normal_force",
                         {},
                         ContactHandle::Force});
+      if (arrows.sideways > 0) {
+        const Tag friction = frictionTag(frame, arrows, false);
+        const float from = arrows.pointsRight ? foot.x : foot.x - arrows.sideways;
+        signs->push_back({{from, foot.y - reach, arrows.sideways, 2 * reach},
+                          plainText(friction.before),
+                          friction.id,
+                          friction.tip,
+                          friction.handle});
+      }
     }
   }
   list.layers.insert(list.layers.end() - 1, std::move(plates));  // the last layer has the curves

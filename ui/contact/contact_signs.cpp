@@ -101,21 +101,28 @@ double withFourDigits(double value) {
   return std::strtod(fmt::format("{:.4g}", value).c_str(), nullptr);
 }
 
-}  // namespace
-
-std::vector<ContactSign> contactHandles(const Frame& frame, const ContactPictureOptions& asked) {
+/// Returns the labels and arrows in the plot.
+std::vector<ContactSign> labelSigns(const Frame& frame, const ContactPictureOptions& asked) {
   PreparedPicture prepared = prepareContact(frame, asked);
   prepared.list.layers.emplace_back();  // in place of the bodies
   std::vector<ContactSign> labels;
   addLabels(prepared.list, frame, prepared.layout, &labels);
-  std::erase_if(labels,
-                [](const ContactSign& label) { return label.handle == ContactHandle::None; });
+  return labels;
+}
+
+}  // namespace
+
+std::vector<ContactSign> contactHandles(const Frame& frame, const ContactPictureOptions& options) {
+  std::vector<ContactSign> labels = labelSigns(frame, options);
+  std::erase_if(labels, [](const ContactSign& label) {
+    return label.handle == ContactHandle::None || label.handle == ContactHandle::Body;
+  });
   return labels;
 }
 
 ContactHandle handleAt(const Frame& frame, const ContactPictureOptions& asked, float x, float y) {
   constexpr float kReach = 5;  // units below the line that still belong to the rigid body
-  for (const ContactSign& sign : contactHandles(frame, asked))
+  for (const ContactSign& sign : labelSigns(frame, asked))
     if (sign.box.contains(x, y)) return sign.handle;
   const PreparedPicture prepared = prepareContact(frame, asked);
   const ContactPictureOptions& options = prepared.options;

@@ -31,7 +31,7 @@ float TagPainter::width(const Tag& tag) const {
 
 void TagPainter::paint(const Tag& tag, DrawPoint topLeft, const Rgba& plate) {
   const Box box{topLeft.x, topLeft.y, width(tag), height()};
-  signs_.push_back({box, plainText(tag.before), tag.id, {}, tag.handle});
+  signs_.push_back({box, plainText(tag.before), tag.id, tag.tip, tag.handle});
   // A tag that is covered in part would lose its words, but not its plate.
   const auto covers = [&box](const Box& cover) { return cover.width > 0 && cover.overlaps(box); };
   if (std::ranges::any_of(layout_.covered, covers)) return;

@@ -18,6 +18,7 @@ struct Tag {
   TextRuns after;
   ContactHandle handle = ContactHandle::None;  // what a drag of it changes
   std::string_view id{};                       // of its explanation
+  std::string tip{};                           // a sentence instead of that of the explanation
 };
 
 /// Paints tags, all in one size: their plates in one layer, their arrows in another. The list,

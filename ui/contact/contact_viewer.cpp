@@ -108,8 +108,9 @@ void ContactViewer::exaggerate(const ViewPosition& at, double steps) {
 }
 
 void ContactViewer::pan(double dx, double dy) {
-  // A view of all heights keeps them when it is moved.
-  navigation_ = navigation_.panned(dx, navigation_.hasFittedHeights() ? 0 : dy);
+  // A view of all heights keeps them when it is moved, and a view of the whole period its axis.
+  navigation_ = navigation_.panned(navigation_.enlargement() > 1 ? dx : 0,
+                                   navigation_.hasFittedHeights() ? 0 : dy);
 }
 
 void ContactViewer::fit() {

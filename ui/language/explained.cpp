@@ -3,6 +3,7 @@
 #include <QMap>
 #include <QRegularExpression>
 #include <algorithm>
+#include <utility>
 
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
@@ -11,14 +12,27 @@ namespace asperity {
 
 namespace {
 
+/// Returns a formula that breaks into lines at signs outside of its brackets, or before a plus.
+QString withoutBreaksInBrackets(QString formula) {
+  int depth = 0;
+  for (qsizetype i = 0; i < formula.size(); ++i) {
+    const QChar sign = formula[i];
+    if (QStringLiteral("([{").contains(sign)) ++depth;
+    if (QStringLiteral(")]}").contains(sign)) --depth;
+    const bool isBeforePlus = i + 1 < formula.size() && formula[i + 1] == u'+';
+    if (sign == u' ' && depth > 0 && !isBeforePlus) formula[i] = QChar::Nbsp;
+  }
+  return formula;
+}
+
 /// Returns a formula with its words and the number of its equation in the present language:
 /// "in Kontakt", "Gl. (2)".
 QString formulaInLanguage(std::string_view formula) {
   QString text = fromUtf8(formula);
   text.replace(QLatin1String("in contact"), QString::fromStdString(Words::tr("in contact")));
   static const QRegularExpression equation(QStringLiteral("Eq\\. \\((\\d+)\\)"));
-  return text.replace(equation,
-                      QString::fromStdString(Words::tr("Eq. (%1)")).arg(QStringLiteral("\\1")));
+  text.replace(equation, QString::fromStdString(Words::tr("Eq. (%1)")).arg(QStringLiteral("\\1")));
+  return withoutBreaksInBrackets(std::move(text));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <filesystem>
@@ -28,6 +29,7 @@ namespace asperity {
 namespace {
 
 constexpr int kMinWidth = 290, kDefaultWidth = 380;  // pixels
+constexpr int kRemarkDelay = 3000;                   // ms
 
 /// Returns the key's section; parameters of the averaging belong to the curve's section.
 QString panelSection(const Parameter& parameter) {
@@ -155,6 +157,10 @@ ParameterPanel::ParameterPanel(const Scene& scene, const std::vector<ParameterGr
   setMinimumWidth(kMinWidth);
   content->installEventFilter(this);
   if (bar_) bar_->installEventFilter(this);
+  remarkDelay_ = new QTimer(this);
+  remarkDelay_->setSingleShot(true);
+  remarkDelay_->setInterval(kRemarkDelay);
+  connect(remarkDelay_, &QTimer::timeout, this, &ParameterPanel::showWaitingRemarks);
   updateAxisRow();
   showTexts();
 }
@@ -330,15 +336,22 @@ void ParameterPanel::arrange() {
   const QStringList words = bar_ ? bar_->words() : QStringList();
   const std::vector<std::string_view> essentials = essentialKeys(scene_);
   const bool isWhole = showsAll(), isFiltered = !words.isEmpty();
+  const auto mayBeVisible = [&](const ParameterRow* row) {
+    return isApplicable(row->parameter(), scene_) &&
+           rowAccess(row->parameter().key) != RowAccess::Hidden;
+  };
+  // Words of everyday language are in the sentences; those of a name select no other row.
+  const bool inSentences = isFiltered && std::ranges::none_of(rows_, [&](const auto* row) {
+                             return mayBeVisible(row) && row->matches(words);
+                           });
   int found = 0;
   for (const Section& section : sections_) {
     const bool isOpen = !section.header || section.header->isOpen();
     int here = 0, changed = 0;  // rows that can be visible, and those with a changed value
     for (ParameterRow* row : section.rows) {
       const std::string_view key = row->parameter().key;
-      const bool isPossible =
-          isApplicable(row->parameter(), scene_) && rowAccess(key) != RowAccess::Hidden;
-      bool isSelected = isFiltered ? row->matches(words) : isWhole;
+      const bool isPossible = mayBeVisible(row);
+      bool isSelected = isFiltered ? row->matches(words, inSentences) : isWhole;
       if (isPossible && isSelected) ++here;
       // A scene's title differs from the default in any case.
       if (isPossible && isSelected && row->isChanged() && !panelSection(row->parameter()).isEmpty())
@@ -374,20 +387,39 @@ void ParameterPanel::showNotes(const NoteSet& notes) {
   updateRemarks();
 }
 
-/// Shows the present remarks or, while a slider is held, lets them wait for its release.
-void ParameterPanel::updateRemarks() {
-  areRemarksWaiting_ = std::ranges::any_of(rows_, [](const auto* row) { return row->isHeld(); });
-  if (!areRemarksWaiting_) showRemarks();
+bool ParameterPanel::isHeld() const {
+  return std::ranges::any_of(rows_, [](const auto* row) { return row->isHeld(); });
 }
 
-void ParameterPanel::showRemarks() {
+/// Shows the present remarks or, while a slider is held, lets them wait for its release. Warnings
+/// also wait until the pointer has left the panel or rests: they would move the row that it is
+/// about to reach.
+void ParameterPanel::updateRemarks() {
+  areRemarksWaiting_ = isHeld() || underMouse();
+  if (isHeld()) return;
+  showRemarks(!areRemarksWaiting_);
+  if (areRemarksWaiting_) remarkDelay_->start();
+}
+
+void ParameterPanel::showWaitingRemarks() {
+  if (!areRemarksWaiting_ || isHeld()) return;
+  areRemarksWaiting_ = false;
+  showRemarks();
+}
+
+void ParameterPanel::leaveEvent(QEvent* event) {
+  QWidget::leaveEvent(event);
+  showWaitingRemarks();
+}
+
+void ParameterPanel::showRemarks(bool withWarnings) {
   QMap<ParameterRow*, QStringList> warnings;
   for (const Note note : notes_.list())
     if (ParameterRow* row = rows_.value(fromUtf8(noteKey(note, scene_))))
       warnings[row] += QStringLiteral("⚠ ") + translatedText(noteSentence(note));
   keepInPlace([&] {
     for (ParameterRow* row : std::as_const(rows_)) {
-      row->showWarning(warnings.value(row).join('\n'));
+      if (withWarnings) row->showWarning(warnings.value(row).join('\n'));
       row->showRunError(runErrors_.value(fromUtf8(row->parameter().key)));
     }
     arrange();

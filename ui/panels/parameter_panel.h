@@ -24,6 +24,7 @@
 
 class QLabel;
 class QScrollArea;
+class QTimer;
 class QVBoxLayout;
 
 namespace asperity {
@@ -128,6 +129,7 @@ class ParameterPanel : public QWidget {
 
  protected:
   void changeEvent(QEvent* event) override;
+  void leaveEvent(QEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
@@ -150,8 +152,10 @@ class ParameterPanel : public QWidget {
   template <class Change>
   void keepInPlace(Change&& change);
   void arrange();
+  bool isHeld() const;
   void updateRemarks();
-  void showRemarks();
+  void showRemarks(bool withWarnings = true);
+  void showWaitingRemarks();
   ParameterRow* rowInUse() const;
   void updateWidth();
   bool showsAll() const;
@@ -169,7 +173,8 @@ class ParameterPanel : public QWidget {
   LineSize line_;  // of the present line, if it belongs to the scene
   FileChooser chooser_;
   QMap<QString, QString> runErrors_;   // texts of showError(), by key
-  bool areRemarksWaiting_ = false;     // until the slider that is held is released
+  bool areRemarksWaiting_ = false;     // until the rows may move
+  QTimer* remarkDelay_;                // from the last change of a waiting warning
   QMap<QString, ParameterRow*> rows_;  // by key
   std::vector<Section> sections_;
   std::map<std::string, RowAccess> access_;

@@ -377,9 +377,11 @@ void ParameterRow::takeFocus() {
     if (control && control->isVisibleTo(this)) return control->setFocus(Qt::ShortcutFocusReason);
 }
 
-bool ParameterRow::matches(const QStringList& words) const {
-  const QString text =
+bool ParameterRow::matches(const QStringList& words, bool inSentence) const {
+  QString text =
       labelText(parameter_) + ' ' + fromUtf8(parameter_.label) + ' ' + fromUtf8(parameter_.key);
+  if (inSentence)
+    text += ' ' + translatedText(parameter_.sentence) + ' ' + fromUtf8(parameter_.sentence);
   static const QRegularExpression tag(QStringLiteral("<[^>]*>"));
   const QString symbol = symbolHtml(parameter_.symbol).remove(tag);
   return std::ranges::all_of(words, [&](const QString& word) {

@@ -77,7 +77,8 @@ class ParameterRow : public QWidget {
   void takeFocus();
 
   /// Returns whether all words are found in the row's label, its key, its symbol or its unit.
-  bool matches(const QStringList& words) const;
+  /// inSentence: or in the sentence that describes it.
+  bool matches(const QStringList& words, bool inSentence = false) const;
 
   /// Returns whether the scene's value differs from that of the reset button.
   bool isChanged() const;

@@ -105,6 +105,21 @@ TEST(FrictionChartModelTest, KeepsErrorsAndStatesHowFarItIs) {
   EXPECT_DOUBLE_EQ(diagram.progress(), 37.0 / 200);
 }
 
+/// Two digits of the error, and the value to the same place, with at least three digits.
+TEST(FrictionChartModelTest, ValueAndErrorEndAtTheSamePlace) {
+  const auto reading = [](double mu, double error) {
+    FrictionChartModel diagram;
+    diagram.take(update({}, {point(1, mu, error)}));
+    return diagram.describe(kPresentCurve, 0).section('\n', 1, 1).toStdString();
+  };
+  EXPECT_EQ(reading(1e-3, 5.3e-6), "μ = 0.0010000 ± 0.0000053");
+  EXPECT_EQ(reading(1.1626e-3, 1.24e-4), "μ = 0.00116 ± 0.00012");
+  EXPECT_EQ(reading(1.1626e-3, 2.4e-3), "μ = 0.00116 ± 0.00240");
+  EXPECT_EQ(reading(2.6374e-7, 1.2e-9), "μ = (2.637 ± 0.012)×10⁻⁷");
+  EXPECT_EQ(reading(1e-7, 1.2e-9), "μ = (1.000 ± 0.012)×10⁻⁷");
+  EXPECT_EQ(reading(1.1626e-3, kNotApplicable), "μ = 0.00116");
+}
+
 TEST(FrictionChartModelTest, MarksThePresentVelocityOfTheFrame) {
   FrictionChartModel diagram;
   EXPECT_FALSE(diagramOf(diagram).marker);

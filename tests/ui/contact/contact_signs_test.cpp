@@ -14,6 +14,7 @@
 #include "tests/ui/contact/sample_frame.h"
 #include "ui/contact/contact_picture.h"
 #include "ui/draw/ticks.h"
+#include "ui/language/language.h"
 
 namespace asperity {
 namespace {
@@ -219,6 +220,50 @@ TEST(ContactHandles, LabelsAndArrowsAreWhereTheyAreDrawn) {
                        place.box.y + place.box.height / 2),
               place.handle);
   }
+}
+
+/// The friction is computed: its label and its arrow say so, and no drag of them presses harder.
+TEST(ContactHandles, TheTangentialForceIsNone) {
+  const auto frame = sampleFrame({});
+  int count = 0;
+  for (const ContactSign& sign : contactSigns(*frame, usual())) {
+    if (sign.id != "tangential_force") continue;
+    ++count;
+    EXPECT_FALSE(sign.tip.empty()) << sign.name;
+    const auto middle = [](float from, float size) { return from + size / 2; };
+    const float x = middle(sign.box.x, sign.box.width), y = middle(sign.box.y, sign.box.height);
+    EXPECT_EQ(handleAt(*frame, usual(), x, y), ContactHandle::None) << sign.name;
+  }
+  EXPECT_EQ(count, 2);
+  // The name of the rigid body is a part of it.
+  for (const ContactSign& sign : contactSigns(*frame, usual()))
+    if (sign.id == "rigid body") {
+      EXPECT_EQ(handleAt(*frame, usual(), sign.box.x + 3, sign.box.y + 3), ContactHandle::Body);
+    }
+}
+
+/// The picture of a window that is 1024 pixels wide, in the language with the longer words.
+TEST(ContactHandles, ANarrowPictureNamesAllForces) {
+  ContactPictureOptions options;
+  for (const char* code : {"en", "de"})
+    for (const auto& [width, height] :
+         {std::pair{670, 227}, std::pair{640, 260}, std::pair{670, 340}}) {
+      useLanguage(code);
+      options.width = width;
+      options.height = height;
+      const auto ids = idsOf(contactSigns(*sampleFrame({}), options));
+      for (const char* id : {"tangential_force", "load.normal_force", "sliding.velocity"})
+        EXPECT_TRUE(ids.contains(id)) << id << ' ' << height << ' ' << code;
+    }
+  // Where summits leave little space, the normal force has its place before the friction.
+  SampleOptions sample;
+  options.height = 200;
+  for (int i = 0; i < 12; ++i) {
+    sample.distance = 0.0017 * i;
+    const auto ids = idsOf(contactSigns(*sampleFrame(sample), options));
+    EXPECT_TRUE(ids.contains("load.normal_force") || !ids.contains("tangential_force")) << i;
+  }
+  useLanguage("en");
 }
 
 /// However low the picture of the window: no summit that passes moves or hides what is dragged.

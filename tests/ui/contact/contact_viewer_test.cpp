@@ -50,6 +50,17 @@ TEST(ContactViewer, FitsANewScenesHeightsWhileItIsZoomed) {
   EXPECT_GT(view.top - view.bottom, 0.2 * (whole.top - whole.bottom));
 }
 
+/// Nothing is hidden beside it, and its positions begin at 0.
+TEST(ContactViewer, AViewOfTheWholePeriodKeepsItsAxis) {
+  ContactViewer viewer = viewerOf(frameAt(0));
+  viewer.pan(0.15, 0);
+  EXPECT_TRUE(viewer.navigation().isFitted());
+  viewer.zoom({0.5, 0.5}, 4);
+  const double left = viewer.options().view.left;
+  viewer.pan(0.15, 0);
+  EXPECT_LT(viewer.options().view.left, left);
+}
+
 TEST(ContactViewer, AnotherLengthIsShownAsAWhole) {
   ContactViewer viewer = viewerOf(frameAt(0));
   viewer.zoom({0.5, 0.5}, 4);

@@ -138,6 +138,15 @@ TEST_F(Translated, FormulasNameTheirEquation) {
   EXPECT_EQ(formulaHtml("f = 4 Δx p, Eq. (2)"), QStringLiteral("f = 4 Δx p, Eq. (2)"));
 }
 
+/// "(h/(β" at the end of a line leaves the reader with half a quotient.
+TEST_F(Translated, FormulasBreakOnlyBesideBracketsOrBeforeAPlus) {
+  const QString law = formulaText(findExplanation(std::string_view("Eq. (11)"))->formula);
+  EXPECT_TRUE(law.contains(QStringLiteral("(h/(β\u00A0τ\u00A0∇z²\u00A0v)\u00A0(Fₙ/")))
+      << law.toStdString();
+  EXPECT_TRUE(law.contains(QStringLiteral(" +\u00A0(h/("))) << law.toStdString();
+  EXPECT_TRUE(law.startsWith(QStringLiteral("μ = [1/")));
+}
+
 /// A lowered letter that has no sign of its own stays behind its line: "L(c)" would be a function.
 TEST_F(Translated, FormulasInPlainTextHaveLoweredLettersWhereThereAreSome) {
   EXPECT_EQ(formulaText("μ = |F_x|/F_N"), QStringLiteral("μ = |Fₓ|/Fₙ"));

@@ -32,6 +32,11 @@ class PanelViewTest : public ParameterPanelTest {
   }
   bool hasRow(const QString& key) { return isShown("row:" + key); }
   FilterLine& filter() { return *control<FilterLine>("parameterFilter"); }
+  void leavePanel() {
+    panel_.setAttribute(Qt::WA_UnderMouse, false);
+    QEvent leave(QEvent::Leave);
+    QCoreApplication::sendEvent(&panel_, &leave);
+  }
   void filterBy(const QString& text) {
     filter().clear();
     QTest::keyClicks(&filter(), text);
@@ -100,6 +105,18 @@ TEST_F(PanelViewTest, TheFilterFindsLabelsKeysSymbolsAndUnits) {
   EXPECT_EQ(rowsShown(), 1);
   filterBy("scheme");  // also in a section that is folded
   EXPECT_TRUE(hasRow("accuracy.scheme"));
+}
+
+/// A beginner knows none of the names.
+TEST_F(PanelViewTest, TheFilterFindsEverydayWordsInTheSentences) {
+  for (const auto& [word, key] :
+       {std::pair{"rough", "surface.rms_height"}, std::pair{"speed", "sliding.velocity"},
+        std::pair{"stiff", "elastomer.shear_modulus"}, std::pair{"slope", "surface.hurst"}}) {
+    filterBy(word);
+    EXPECT_TRUE(hasRow(key)) << word;
+  }
+  filterBy("seed");  // the name of a row
+  EXPECT_EQ(rowsShown(), 1);
 }
 
 TEST_F(PanelViewTest, TheArrowDownLeavesTheFilterForTheFirstRowThatIsFound) {
@@ -189,6 +206,7 @@ TEST_F(PanelViewTest, NotesAreWarningsAtTheirRows) {
   NoteSet notes;
   notes.add(Note::SlopeAbove);
   notes.add(Note::FewContacts);
+  leavePanel();
   panel_.showNotes(notes);
   EXPECT_TRUE(control<QLabel>("warning:surface.rms_height")->text().contains("0.3"));
   EXPECT_TRUE(isShown("warning:load.normal_force"));
@@ -214,6 +232,7 @@ TEST_F(PanelViewTest, RemarksWaitWhileASliderIsHeld) {
   EXPECT_EQ(held.mapTo(&panel_, QPoint()), before);
   EXPECT_FALSE(isShown("warning:load.normal_force"));
   QTest::mouseRelease(&held, Qt::LeftButton, {}, middle);
+  leavePanel();
   EXPECT_TRUE(isShown("warning:load.normal_force"));
   EXPECT_TRUE(isShown("error:sliding.velocity"));
   QTest::mousePress(&held, Qt::LeftButton, {}, held.rect().center());
@@ -221,8 +240,33 @@ TEST_F(PanelViewTest, RemarksWaitWhileASliderIsHeld) {
   panel_.clearErrors();
   EXPECT_TRUE(isShown("warning:load.normal_force"));
   QTest::mouseRelease(&held, Qt::LeftButton, {}, held.rect().center());
+  leavePanel();
   EXPECT_FALSE(isShown("warning:load.normal_force"));
   EXPECT_FALSE(isShown("error:sliding.velocity"));
+}
+
+/// The next click after a slider is released hits the row that the pointer was going to.
+TEST_F(PanelViewTest, AWarningWaitsUntilThePointerLeaves) {
+  const auto enterPanel = [this] { panel_.setAttribute(Qt::WA_UnderMouse); };
+  NoteSet notes;
+  notes.add(Note::FewContacts);
+  enterPanel();
+  QTest::qWait(1);  // the layout is made with the first events
+  const int place = control<QWidget>("row:elastomer.shear_modulus")->y();
+  panel_.showNotes(notes);
+  panel_.showError("elastomer.relaxation_time", "too long");
+  QTest::qWait(1);
+  EXPECT_FALSE(isShown("warning:load.normal_force"));
+  EXPECT_TRUE(isShown("error:elastomer.relaxation_time")) << "an error is shown at once";
+  EXPECT_EQ(control<QWidget>("row:elastomer.shear_modulus")->y(), place);
+  leavePanel();
+  EXPECT_TRUE(isShown("warning:load.normal_force"));
+  enterPanel();
+  panel_.showNotes({});
+  EXPECT_TRUE(isShown("warning:load.normal_force"));
+  EXPECT_TRUE(QTest::qWaitFor([this] { return !isShown("warning:load.normal_force"); }, 10000))
+      << "or until it rests";
+  leavePanel();
 }
 
 /// Where the rows can be scrolled, the one with the focus does not move.
@@ -237,6 +281,7 @@ TEST_F(PanelViewTest, RemarksAboveDoNotMoveTheRowInUse) {
     return row->mapTo(&panel_, QPoint()).y();
   };
   const int before = place();
+  leavePanel();
   NoteSet notes;
   notes.add(Note::FewContacts);
   panel_.showNotes(notes);
@@ -355,7 +400,7 @@ TEST_F(PanelViewTest, TooltipsHaveTheFormulaAndTheMenuLeadsToTheGuide) {
 /// The sentence comes first, and the key last, for those who write files.
 TEST_F(PanelViewTest, TooltipsBeginWithTheSentence) {
   const QString tip = slider("sliding.velocity").toolTip();
-  const qsizetype sentence = tip.indexOf("Sliding velocity of the line"),
+  const qsizetype sentence = tip.indexOf("Speed at which the line slides"),
                   formula = tip.indexOf("f = 4"), keys = tip.indexOf("Arrow keys"),
                   key = tip.indexOf("sliding.velocity");
   EXPECT_GE(sentence, 0);

@@ -67,6 +67,29 @@ TEST_P(WindowInEachLanguage, NothingIsCutOff) {
   }
 }
 
+/// No page of a tab needs more width than the others: the views above stay where they are, and
+/// nothing on the page is cut off, also while a map is computed.
+TEST_P(WindowInEachLanguage, NoTabMovesTheViewsOfASmallWindow) {
+  WindowIn window(GetParam());
+  ASSERT_TRUE(window.waitForCurve());
+  window->resize(1024, 700);
+  auto& tabs = *window->findChild<QTabWidget*>("tabs");
+  QTest::qWait(100);
+  const QSize before = tabs.size();
+  for (int tab = 0; tab < tabs.count(); ++tab) {
+    if (!tabs.isTabVisible(tab)) continue;
+    tabs.setCurrentIndex(tab);
+    QTest::qWait(100);
+    EXPECT_EQ(tabs.width(), before.width()) << tabs.tabText(tab).toStdString();
+    EXPECT_EQ(cutOffIn(*window), "") << tabs.tabText(tab).toStdString();
+  }
+  const auto& progress = *window->findChild<QLabel*>("mapProgress");
+  const auto& quantity = *window->findChild<QWidget*>("mapQuantity");
+  EXPECT_GE(progress.minimumWidth(), progress.fontMetrics().horizontalAdvance("200/200, 38 %"));
+  EXPECT_EQ(progress.parentWidget()->width(), progress.width());
+  EXPECT_LE(quantity.geometry().right(), progress.parentWidget()->x());
+}
+
 /// Every tab is in sight, with a whole title, also that of a motion.
 TEST_P(WindowInEachLanguage, EveryTabIsInSightInASmallWindow) {
   WindowIn window(GetParam());

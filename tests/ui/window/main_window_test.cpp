@@ -368,6 +368,20 @@ TEST_F(MainWindowTest, AValueIsTypedWithItsUnit) {
   EXPECT_TRUE(control<ValueEntry>("entry:surface.length").hasError());
 }
 
+/// A part that was chosen for one line is none of another.
+TEST_F(MainWindowTest, AnOpenedSceneIsShownAsAWhole) {
+  ASSERT_TRUE(waitForFrame());
+  window_.canvas().zoom(5);
+  Scene edited = smallScene();
+  edited.load.normalForce *= 2;
+  window_.document().edit(edited);
+  EXPECT_FALSE(window_.canvas().viewer().navigation().isFitted());
+  Scene other = smallScene();
+  other.surface.seed += 1;
+  window_.document().open(other);
+  EXPECT_TRUE(window_.canvas().viewer().navigation().isFitted());
+}
+
 TEST_F(MainWindowTest, TheContactIsPainted) {
   EXPECT_EQ(window_.canvas().backendName(), QStringLiteral("software"));
   QSignalSpy painted(&window_.canvas(), &ContactCanvas::painted);

@@ -230,6 +230,26 @@ TEST(StatusLine, ADimensionlessVelocityThatIsMissingIsLeftOut) {
   EXPECT_TRUE(reason().contains("no roughness")) << reason().toStdString();
 }
 
+/// A curve over another axis than the velocity has no regions.
+TEST(StatusLine, TheForceKeepsItsPlaceWhereThereIsNoRegion) {
+  StatusLine line;
+  line.setFixedWidth(1440);
+  line.show();
+  const auto& force = *line.findChild<QLabel*>("factForce");
+  Frame frame = movingFrame(1);
+  CurveReading reading;
+  reading.regime = "region II, transition";
+  line.showFrame(frame, reading);
+  QTest::qWait(1);  // the layout is made with the first events
+  const int place = force.x();
+  Scene scene = *frame.scene;
+  scene.sweep.key = "load.normal_force";
+  frame.scene = std::make_shared<const Scene>(scene);
+  line.showFrame(frame, {});
+  QTest::qWait(1);
+  EXPECT_EQ(force.x(), place);
+}
+
 /// Between two points of the curve the mean is no computed one.
 TEST(StatusLine, AnInterpolatedMeanIsMarked) {
   StatusLine line;
@@ -252,7 +272,7 @@ TEST(StatusLine, AMessageHasThePlaceOfLesserReadings) {
   CurveReading reading;
   reading.regime = "region II, transition";
   line.showFrame(movingFrame(1), reading);
-  line.showMessage("Drag down to press harder, up to press less; sideways moves the view.");
+  line.showMessage("Drag down to press harder, up to press less; sideways moves a zoomed view.");
   QTest::qWait(1);
   const auto& said = *line.findChild<ElidedLabel*>("statusMessage");
   EXPECT_EQ(said.shownText(), said.text());

@@ -20,11 +20,11 @@ QString dragHint(ContactHandle handle, const Scene& scene) {
     return ContactCanvas::tr("Drag down to press harder, up to press less.");
   return scene.load.kind == LoadKind::Indentation
              ? ContactCanvas::tr(
-                   "Drag the body down into the elastomer or up; sideways moves the "
-                   "view.")
+                   "Drag the body down into the elastomer or up; sideways moves a "
+                   "zoomed view.")
              : ContactCanvas::tr(
-                   "Drag down to press harder, up to press less; sideways moves the "
-                   "view.");
+                   "Drag down to press harder, up to press less; sideways moves a "
+                   "zoomed view.");
 }
 
 namespace {

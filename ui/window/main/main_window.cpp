@@ -345,10 +345,12 @@ void MainWindow::openGallery() {
 
 void MainWindow::showScene(const Scene& scene, bool isOpened) {
   canvas_->setScene(scene);
-  if (isOpened)
+  if (isOpened) {
+    canvas_->fit();
     timeBar_->showOtherScene(scene);
-  else
+  } else {
     timeBar_->showScene(scene);
+  }
   tabs_->showScene(scene);
   showDescription();
   showTitle();

@@ -169,12 +169,12 @@ int SceneTabs::cornerWidth() const {
   return cornerWidget() ? cornerWidget()->sizeHint().width() : 0;
 }
 
-/// Returns the size in which all tabs fit; the dock of parameters becomes narrower first.
+/// Returns the size in which all tabs fit; the dock of parameters becomes narrower first. No page
+/// makes it wider, because the views would move when the page is shown for the first time.
 QSize SceneTabs::minimumSizeHint() const {
   QSize size = QTabWidget::minimumSizeHint();
   if (!mayScroll_ && !briefTitles_.isEmpty())
-    size.setWidth(std::max(
-        size.width(), tabsWidth(briefTitles_, kCrowdedTabPadding) + kFreeWidth + cornerWidth()));
+    size.setWidth(tabsWidth(briefTitles_, kCrowdedTabPadding) + kFreeWidth + cornerWidth());
   return size;
 }
 

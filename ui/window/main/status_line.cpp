@@ -285,7 +285,6 @@ void StatusLine::showWork(const Work& work) {
 }
 
 void StatusLine::showFrame(const Frame& frame, const CurveReading& reading) {
-  hasRegions_ = frame.scene->sweep.isOfVelocity();
   regime_->setText(reading.regime);
   QString mean;
   if (std::isfinite(reading.mu) && std::isfinite(reading.error)) mean = meanText(reading);
@@ -347,8 +346,9 @@ void StatusLine::fitReadings() {
     const bool isBehindMessage =
         messageTimer_->isActive() &&
         (reading == simulations_ || reading == rate_ || reading == backend_);
-    // Readings that appear only during work keep their space while they are empty.
-    const bool keepsSpace = reading == simulations_ || (reading == regime_ && hasRegions_);
+    // Readings that come and go keep their space while they are empty, so that no other one moves:
+    // that of work, and the region, which an unfinished curve and another axis do not have.
+    const bool keepsSpace = reading == simulations_ || reading == regime_;
     if ((reading->text().isEmpty() && !keepsSpace) || isBehindMessage) {
       reading->hide();
       continue;

@@ -68,7 +68,6 @@ class StatusLine : public QWidget {
 
   Work work_;
   int framesPerSecond_ = 0;
-  bool hasRegions_ = true;  // the horizontal axis of the curve is velocity
   ElidedLabel* message_;
   QTimer* messageTimer_;
   QLabel* regime_;

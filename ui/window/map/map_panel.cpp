@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <QStackedWidget>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -17,21 +18,23 @@
 #include "core/scene/provenance.h"
 #include "core/surface/line_source.h"
 #include "ui/draw/ticks.h"
+#include "ui/language/explained.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/choice_box.h"
+#include "ui/window/main/fitted_labels.h"
 #include "ui/window/map/map_view.h"
 
 namespace asperity {
 
 namespace {
 
-constexpr int kPoints = 64;                       // along each side
-constexpr int kPause = 40;                        // ms between two pictures
-constexpr double kSectionHeight = 0.42;           // height of the cut over that of the map
-constexpr int kDigits = 3;                        // of a value that the cross sets
-constexpr int kShorterName = 3, kLongerName = 4;  // shares of the row for the lists
-constexpr int kWidestList = 360;                  // pixels
+constexpr int kPoints = 64;              // along each side
+constexpr int kPause = 40;               // ms between two pictures
+constexpr double kSectionHeight = 0.42;  // height of the cut over that of the map
+constexpr int kDigits = 3;               // of a value that the cross sets
+constexpr int kErrorShare = 3;           // of the row; each list has 1
+constexpr int kWidestList = 360;         // pixels
 
 /// Returns whether two scenes are the same except for these two parameters.
 bool differOnlyIn(const Scene& a, const Scene& b, const Parameter& x, const Parameter& y) {
@@ -44,6 +47,11 @@ bool differOnlyIn(const Scene& a, const Scene& b, const Parameter& x, const Para
   same.chapter = b.chapter;
   same.comparison = b.comparison;
   return same == b;
+}
+
+/// Returns "10/200, 38 %".
+QString shortProgress(std::int64_t shown, std::int64_t lines, int percent) {
+  return QStringLiteral("%1/%2, ").arg(shown).arg(lines) + MapPanel::tr("%1 %").arg(percent);
 }
 
 bool holds(const MapAxis& axis, double value) {
@@ -97,6 +105,7 @@ MapPanel::MapPanel(QWidget* parent)
       errorLabel_(new QLabel),
       progressLabel_(new QLabel),
       save_(new QPushButton),
+      end_(new QStackedWidget),
       view_(new MapView) {
   setObjectName("mapPanel");
   x_->setObjectName("mapX");
@@ -115,22 +124,20 @@ MapPanel::MapPanel(QWidget* parent)
     label->setBuddy(box);
     // The longest names may be shortened; the list shows them whole.
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    box->setMinimumContentsLength(11);
-    if (row->count() > 0) row->addSpacing(6);
+    box->setMinimumContentsLength(6);
     row->addWidget(label);
     row->addWidget(box, 1);
   }
-  // The quantity has the longest names.
-  row->setStretchFactor(quantity_, kLongerName);
-  for (QComboBox* box : {x_, y_}) row->setStretchFactor(box, kShorterName);
   row->addStretch();  // what lists of full width leave over is not for the labels
   errorLabel_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   errorLabel_->hide();  // the lists use its space while there is no error
-  row->addWidget(errorLabel_, kShorterName);
+  row->addWidget(errorLabel_, kErrorShare);
   progressLabel_->setObjectName("mapProgress");
-  progressLabel_->hide();
-  row->addWidget(progressLabel_);
-  row->addWidget(save_);
+  progressLabel_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  end_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+  end_->addWidget(save_);
+  end_->addWidget(progressLabel_);
+  row->addWidget(end_);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(2);
@@ -157,6 +164,8 @@ void MapPanel::showTexts() {
   y_->setAccessibleName(tr("parameter along y"));
   quantityLabel_->setText(tr("Show:"));
   save_->setText(tr("Save…"));
+  // The place of the progress is wide enough for any, so that nothing beside it moves.
+  progressLabel_->setMinimumWidth(widestText(*progressLabel_, {shortProgress(2000, 2000, 100)}));
   view_->setAccessibleName(tr("friction over two parameters"));
   for (int i = 0; i < quantity_->count(); ++i)
     quantity_->setItemText(
@@ -335,22 +344,23 @@ void MapPanel::showError(const QString& text) {
 }
 
 /// Says of how many lines the shown values are the mean and how much of the map over all lines is
-/// computed, and why it cannot be saved before.
+/// computed, in the place of the button that saves the complete map.
 void MapPanel::showProgress() {
   const bool isWaiting = requested_ && !(map_ && map_->isFinal && isCoveredBy(*map_));
-  progressLabel_->setVisible(isWaiting);
+  end_->setCurrentWidget(isWaiting ? static_cast<QWidget*>(progressLabel_) : save_);
   if (!isWaiting)
     return save_->setToolTip(tr("Save the map as a picture or a table, once it is computed"));
   const bool isStage = map_ && !map_->isFinal && !map_->points.empty() && isCoveredBy(*map_);
   const std::int64_t shown = isStage ? map_->points.front().realizations : 0;
-  progressLabel_->setText(lines_ > 1
-                              ? tr("%1 of %2 lines, %3 %").arg(shown).arg(lines_).arg(percent_)
-                              : tr("%1 %").arg(percent_));
+  const QString percent = tr("%1 %").arg(percent_);
+  progressLabel_->setText(lines_ > 1 ? shortProgress(shown, lines_, percent_) : percent);
   const QString reason =
       tr("%1 % of the map over all lines are computed. It can be saved then: what is shown until "
          "then is a mean of fewer lines.")
           .arg(percent_);
-  progressLabel_->setToolTip(reason);
+  const QString lines =
+      lines_ > 1 ? tr("Shown: the mean of %1 of %2 lines. ").arg(shown).arg(lines_) : QString();
+  progressLabel_->setToolTip(wrappedTip(lines + reason));
   save_->setToolTip(reason);
 }
 

@@ -15,6 +15,7 @@
 class QComboBox;
 class QLabel;
 class QPushButton;
+class QStackedWidget;
 
 namespace asperity {
 
@@ -63,6 +64,7 @@ class MapPanel : public QWidget {
   QLabel *xLabel_, *yLabel_, *quantityLabel_;
   QLabel *errorLabel_, *progressLabel_;
   QPushButton* save_;
+  QStackedWidget* end_;  // of the row: the button or, while it computes, the progress
   MapView* view_;
   std::shared_ptr<const ParameterMap> map_;
   std::optional<ParameterMap> requested_;  // without points: axes and scene of the newest request
