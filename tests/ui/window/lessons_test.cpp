@@ -871,8 +871,6 @@ TEST_F(LessonsTest, AnUnsavedLessonInTheEditorOutlivesACrash) {
     EXPECT_EQ(again.lesson().title.english, "Mine");
     again.undo();
     EXPECT_EQ(again.lesson().title.english, "Sample");
-    EXPECT_TRUE(again.canClose());
-    again.redo();
   }
   MainWindow next(smallScene());
   next.show();
