@@ -359,6 +359,34 @@ TEST_F(LessonsTest, APointHasThreeDigits) {
       << point.accessibleName().toStdString();
 }
 
+TEST_F(LessonsTest, TheLabelOfAPointHidesNoLine) {
+  Json json = sampleLesson();
+  json["steps"][1]["prediction"] = {{"kind", "point"}, {"question", "Where?"}, {"x", 2e-3}};
+  lessons().start(lessonOf(json), 1);
+  PredictionPoint& point = lessons().point();
+  click("lessonShow");
+  ASSERT_TRUE(waitForAnswer());
+  ASSERT_TRUE(waitFor([&] { return showsCurve() && session().friction().progress() >= 1; }));
+  const auto isCrossed = [&] {
+    (void)point.grab();  // draws it
+    const QRectF label = point.label();
+    const double present = window_.plotView().mapToPosition(chart().marker->x, 1).x();
+    if (label.left() < present && present < label.right()) return true;
+    const auto pixel = [&](const DiagramPoint& each) {
+      return window_.plotView().mapToPosition(each.x, each.y);
+    };
+    for (const DiagramSeries& series : chart().series)
+      for (std::size_t i = 1; i < series.points.size(); ++i) {
+        const QLineF line(pixel(series.points[i - 1]), pixel(series.points[i]));
+        for (int part = 0; part <= 100; ++part)
+          if (label.contains(line.pointAt(part / 100.0))) return true;
+      }
+    return false;
+  };
+  EXPECT_TRUE(waitFor([&] { return !isCrossed(); }));
+  EXPECT_FALSE(point.label().isEmpty());
+}
+
 TEST_F(LessonsTest, ALongWordOfTheTitleIsShortenedWithDots) {
   Json json = sampleLesson();
   json["title"] = "Of " + std::string(300, 'M');
