@@ -359,14 +359,42 @@ TEST_F(LessonsTest, APointHasThreeDigits) {
       << point.accessibleName().toStdString();
 }
 
-TEST_F(LessonsTest, ALongTitleIsShortenedWithDots) {
+TEST_F(LessonsTest, TheLabelOfAPointHidesNoLine) {
   Json json = sampleLesson();
-  json["title"] = std::string(300, 'M');
+  json["steps"][1]["prediction"] = {{"kind", "point"}, {"question", "Where?"}, {"x", 2e-3}};
+  lessons().start(lessonOf(json), 1);
+  PredictionPoint& point = lessons().point();
+  click("lessonShow");
+  ASSERT_TRUE(waitForAnswer());
+  ASSERT_TRUE(waitFor([&] { return showsCurve() && session().friction().progress() >= 1; }));
+  const auto isCrossed = [&] {
+    (void)point.grab();  // draws it
+    const QRectF label = point.label();
+    const double present = window_.plotView().mapToPosition(chart().marker->x, 1).x();
+    if (label.left() < present && present < label.right()) return true;
+    const auto pixel = [&](const DiagramPoint& each) {
+      return window_.plotView().mapToPosition(each.x, each.y);
+    };
+    for (const DiagramSeries& series : chart().series)
+      for (std::size_t i = 1; i < series.points.size(); ++i) {
+        const QLineF line(pixel(series.points[i - 1]), pixel(series.points[i]));
+        for (int part = 0; part <= 100; ++part)
+          if (label.contains(line.pointAt(part / 100.0))) return true;
+      }
+    return false;
+  };
+  EXPECT_TRUE(waitFor([&] { return !isCrossed(); }));
+  EXPECT_FALSE(point.label().isEmpty());
+}
+
+TEST_F(LessonsTest, ALongWordOfTheTitleIsShortenedWithDots) {
+  Json json = sampleLesson();
+  json["title"] = "Of " + std::string(300, 'M');
   lessons().start(lessonOf(json));
-  const auto* title = window_.findChild<ElidedLabel*>("lessonTitle");
-  ASSERT_NE(title, nullptr);
-  EXPECT_TRUE(waitFor([&] { return title->shownText().contains(u'…'); }));
-  EXPECT_EQ(title->text().size(), 300);
+  const auto& title = dynamic_cast<WrappedLabel&>(control<QLabel>("lessonTitle"));
+  EXPECT_TRUE(waitFor([&] { return title.shownText().endsWith(u'…'); }));
+  EXPECT_TRUE(title.shownText().startsWith("Of MM"));
+  EXPECT_EQ(title.text().size(), 303);
 }
 
 TEST_F(LessonsTest, APointSaysHowCloselyItCounts) {
@@ -871,8 +899,6 @@ TEST_F(LessonsTest, AnUnsavedLessonInTheEditorOutlivesACrash) {
     EXPECT_EQ(again.lesson().title.english, "Mine");
     again.undo();
     EXPECT_EQ(again.lesson().title.english, "Sample");
-    EXPECT_TRUE(again.canClose());
-    again.redo();
   }
   MainWindow next(smallScene());
   next.show();

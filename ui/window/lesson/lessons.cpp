@@ -80,7 +80,7 @@ Lessons::Lessons(const Parts& parts)
     : QObject(&parts.window),
       parts_(parts),
       dock_(new QDockWidget),
-      title_(new ElidedLabel),
+      title_(new WrappedLabel),
       keep_(new QToolButton),
       close_(new QToolButton),
       pane_(new LessonPane),
@@ -456,6 +456,7 @@ QString Lessons::summary() const {
 void Lessons::showTitle() {
   const QString title = isRunning() ? plainText(lesson_->title) : QString();
   title_->setText(title);
+  title_->setToolTip(title);
   pane_->setAccessibleName(title.isEmpty() ? tr("Lesson") : tr("Lesson: %1").arg(title));
 }
 

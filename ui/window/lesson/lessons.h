@@ -23,13 +23,13 @@
 class QAction;
 class QDockWidget;
 class QMainWindow;
+class QLabel;
 class QToolButton;
 
 namespace asperity {
 
 class Appearance;
 class Commands;
-class ElidedLabel;
 class LessonEditor;
 class LessonList;
 class LessonPane;
@@ -139,7 +139,7 @@ class Lessons : public QObject {
 
   Parts parts_;
   QDockWidget* dock_;
-  ElidedLabel* title_;
+  QLabel* title_;
   QToolButton *keep_, *close_;
   LessonPane* pane_;
   PredictionPoint* point_;

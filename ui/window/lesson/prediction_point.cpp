@@ -3,6 +3,7 @@
 #include <QAccessible>
 #include <QEvent>
 #include <QKeyEvent>
+#include <QLineF>
 #include <QMouseEvent>
 #include <QPainter>
 #include <algorithm>
@@ -33,6 +34,23 @@ struct PixelAxis {
     return axisValue(scale, position);
   }
 };
+
+/// Returns the length of the part of a line that lies in a rectangle.
+double lengthIn(const QRectF& rectangle, const QLineF& line) {
+  double from = 0, to = 1;  // parts of the line
+  const auto clip = [&](double start, double change, double low, double high) {
+    if (change == 0) {
+      if (start < low || start > high) to = from;
+      return;
+    }
+    const double ends[] = {(low - start) / change, (high - start) / change};
+    from = std::max(from, std::min(ends[0], ends[1]));
+    to = std::min(to, std::max(ends[0], ends[1]));
+  };
+  clip(line.x1(), line.dx(), rectangle.left(), rectangle.right());
+  clip(line.y1(), line.dy(), rectangle.top(), rectangle.bottom());
+  return to > from ? (to - from) * line.length() : 0;  // also for a line without a place
+}
 
 QString valueText(double value, const std::string& unit) {
   return QString::fromStdString(quantity(value, unit, 3));
@@ -178,23 +196,40 @@ void PredictionPoint::paintEvent(QPaintEvent*) {
   const QString text = isDecided_ ? decided : height;
   const QFontMetricsF metrics(font());
   const auto [low, high] = axesCorners();
-  const QRectF label = labelRect(QSizeF(metrics.horizontalAdvance(text) + 6, metrics.height() + 2),
-                                 at, {low.x(), top, high.x() - low.x(), bottom - top});
+  label_ = labelRect(QSizeF(metrics.horizontalAdvance(text) + 6, metrics.height() + 2), at,
+                     {low.x(), top, high.x() - low.x(), bottom - top});
   QColor ground = palette().color(QPalette::Base);
   ground.setAlpha(210);
-  painter.fillRect(label, ground);
-  painter.drawText(label, Qt::AlignCenter, text);
+  painter.fillRect(label_, ground);
+  painter.drawText(label_, Qt::AlignCenter, text);
 }
 
-/// Returns the rectangle beside a point, within `frame`, in which a label hides the fewest points
-/// of the curves; above at the right where others are no better.
+/// Returns the length of the curves and of the line of the present state below a label, in pixels.
+double PredictionPoint::hiddenLength(const QRectF& label) const {
+  const Diagram& diagram = chart_.sheet().diagrams.front();
+  double length = 0;
+  for (const DiagramSeries& series : diagram.series)
+    for (std::size_t i = 1; i < series.points.size(); ++i) {
+      const DiagramPoint &from = series.points[i - 1], &to = series.points[i];
+      length += lengthIn(label, QLineF(toPixel({from.x, from.y}), toPixel({to.x, to.y})));
+    }
+  if (diagram.marker) {
+    const auto [low, high] = axesCorners();
+    const double x = toPixel({diagram.marker->x, point_.value_or(middle()).y()}).x();
+    length += lengthIn(label, QLineF(x, low.y(), x, high.y()));
+  }
+  return length;
+}
+
+/// Returns the rectangle beside a point, within `frame`, in which a label hides the least of the
+/// curves; above at the right where others are no better.
 QRectF PredictionPoint::labelRect(QSizeF label, QPointF at, const QRectF& frame) const {
   constexpr double kAside = 1.6 * kReach, kAbove = 0.4 * kReach;
   QRectF best(
       {std::clamp(at.x(), frame.left(), std::max(frame.left(), frame.right() - label.width())),
        frame.top()},
       label);  // where the label does not fit beside the point
-  int fewest = std::numeric_limits<int>::max();
+  double least = std::numeric_limits<double>::infinity();
   for (const bool isBelow : {false, true})
     for (const bool isLeft : {false, true}) {
       const double x = isLeft ? at.x() - kAside - label.width() : at.x() + kAside;
@@ -202,12 +237,9 @@ QRectF PredictionPoint::labelRect(QSizeF label, QPointF at, const QRectF& frame)
       if (x < frame.left() || x + label.width() > frame.right()) continue;
       const double highest = std::max(frame.top(), frame.bottom() - label.height());
       const QRectF candidate({x, std::clamp(y, frame.top(), highest)}, label);
-      int hidden = 0;
-      for (const DiagramSeries& series : chart_.sheet().diagrams.front().series)
-        for (const DiagramPoint& point : series.points)
-          if (candidate.contains(toPixel({point.x, point.y}))) ++hidden;
-      if (hidden >= fewest) continue;
-      fewest = hidden;
+      const double hidden = hiddenLength(candidate);
+      if (hidden >= least) continue;
+      least = hidden;
       best = candidate;
     }
   return best;

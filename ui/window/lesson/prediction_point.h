@@ -32,6 +32,8 @@ class PredictionPoint : public QWidget {
   /// Returns the position in the units of the axes, once the point was placed.
   std::optional<QPointF> point() const { return point_; }
   void setColour(const QColor& colour);
+  /// Returns the rectangle of the label as it was drawn last, in pixels.
+  QRectF label() const { return label_; }
 
  signals:
   void placed();
@@ -51,6 +53,7 @@ class PredictionPoint : public QWidget {
   QPointF valueAt(QPointF pixel) const;
   std::pair<QPointF, QPointF> axesCorners() const;
   QString placeText() const;
+  double hiddenLength(const QRectF& label) const;
   QRectF labelRect(QSizeF label, QPointF at, const QRectF& frame) const;
   QPointF middle() const;
   void place(QPointF value);
@@ -61,6 +64,7 @@ class PredictionPoint : public QWidget {
   std::optional<QPointF> point_;
   QString name_;
   QColor colour_;
+  QRectF label_;
   bool isDecided_ = false, isComputed_ = false, isDragged_ = false;
 };
 

@@ -2,6 +2,7 @@
 
 #include <QHelpEvent>
 #include <QPainter>
+#include <QRegularExpression>
 #include <QResizeEvent>
 #include <QStyle>
 #include <QToolTip>
@@ -42,6 +43,27 @@ WrappedLabel::WrappedLabel(QWidget* parent) : QLabel(parent) {
 
 QSize WrappedLabel::sizeHint() const {
   return {0, std::max(0, heightForWidth(width()))};
+}
+
+QString WrappedLabel::shownText() const {
+  static const QRegularExpression word(QStringLiteral("\\S+"));
+  QString shown;
+  qsizetype end = 0;
+  for (auto words = word.globalMatch(text()); words.hasNext();) {
+    const QRegularExpressionMatch each = words.next();
+    shown += text().mid(end, each.capturedStart() - end) +
+             fontMetrics().elidedText(each.captured(), Qt::ElideRight, contentsRect().width());
+    end = each.capturedEnd();
+  }
+  return shown + text().mid(end);
+}
+
+void WrappedLabel::paintEvent(QPaintEvent* event) {
+  const QString shown = shownText();
+  if (shown == text()) return QLabel::paintEvent(event);
+  QPainter painter(this);
+  style()->drawItemText(&painter, contentsRect(), static_cast<int>(alignment() | Qt::TextWordWrap),
+                        palette(), isEnabled(), shown, foregroundRole());
 }
 
 void WrappedLabel::resizeEvent(QResizeEvent* event) {

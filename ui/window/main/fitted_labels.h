@@ -22,8 +22,9 @@ class ElidedLabel : public QLabel {
   void paintEvent(QPaintEvent* event) override;
 };
 
-/// A text that breaks into lines. Its height is a fixed one for the present width, because
-/// QFormLayout of Qt 6.4 writes beyond its rows where a height depends on the width.
+/// A text that breaks into lines. A word that is wider than a line is shortened. Its height is a
+/// fixed one for the present width, because QFormLayout of Qt 6.4 writes beyond its rows where a
+/// height depends on the width.
 class WrappedLabel : public QLabel {
  public:
   explicit WrappedLabel(QWidget* parent = nullptr);
@@ -31,8 +32,11 @@ class WrappedLabel : public QLabel {
   bool hasHeightForWidth() const override { return false; }
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override { return sizeHint(); }
+  /// Returns the text as it is shown, perhaps with shortened words.
+  QString shownText() const;
 
  protected:
+  void paintEvent(QPaintEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 };
 
