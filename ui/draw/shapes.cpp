@@ -219,11 +219,22 @@ void addLabel(DrawList& list, std::string utf8, DrawPoint at, float size, TextAn
               const Rgba& colour, float angle) {
   if (utf8.empty()) return;
   const TextRuns runs = withLoweredN({{utf8}});
-  if (runs.size() > 1 && angle == 0) {
+  if (runs.size() > 1) {
     const float width = textWidth(runs, size);
-    if (anchor == TextAnchor::Centre) at.x -= width / 2;
-    if (anchor == TextAnchor::Right) at.x -= width;
-    addText(list, runs, at, size, colour);
+    const float before = anchor == TextAnchor::Left     ? 0
+                         : anchor == TextAnchor::Centre ? width / 2
+                                                        : width;
+    const std::size_t first = list.texts.size();
+    addText(list, runs, {at.x - before, at.y}, size, colour);
+    if (angle == 0) return;
+    // The pieces turn about the anchor, counterclockwise.
+    for (std::size_t i = first; i < list.texts.size(); ++i) {
+      DrawText& piece = list.texts[i];
+      const float along = piece.x - at.x, down = piece.y - at.y;
+      piece.x = at.x + along * std::cos(angle) + down * std::sin(angle);
+      piece.y = at.y - along * std::sin(angle) + down * std::cos(angle);
+      piece.angle = angle;
+    }
     return;
   }
   DrawText text;

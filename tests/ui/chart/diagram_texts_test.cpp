@@ -160,8 +160,7 @@ TEST(DiagramTexts, LegendAndLabelsHideNoCurve) {
   sheet.diagrams[0].marker = DiagramMarker{"this line, now", "v = 1 m/s", 1, 2.6e-3};
   ASSERT_EQ(sheet.diagrams[0].shades.size(), 1U);
   for (const char* code : {"en", "de"})
-    for (const Size& size :
-         {Size{1016, 760, 3.125F}, {1200, 800, 1}, {640, 480, 1}}) {
+    for (const Size& size : {Size{1016, 760, 3.125F}, {1200, 800, 1}, {640, 480, 1}}) {
       useLanguage(code);
       const DrawList list =
           composeDiagrams(sheet, {size.width, size.height, size.scale, printTheme()});

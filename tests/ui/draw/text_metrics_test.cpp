@@ -1,4 +1,5 @@
 #include "ui/draw/fonts.h"
+#include "ui/draw/shapes.h"
 
 #include <gtest/gtest.h>
 
@@ -58,6 +59,26 @@ TEST(TextMetrics, DamagedTextIsMeasuredAllTheSame) {
   EXPECT_GT(textWidth("\xFF\xC3", 10), 0);
   EXPECT_GT(textWidth("\xF0\x9F", 10), 0);
   EXPECT_EQ(textWidth("", 10), 0);
+}
+
+/// As the title of an axis: read from below, its pieces lie above each other.
+TEST(TextMetrics, AnUprightLabelHasALoweredN) {
+  DrawList list;
+  constexpr float kUpright = 1.57079633F;
+  addLabel(list, "normal force F\u2099 (N)", {20, 100}, 12, TextAnchor::Centre, {}, kUpright);
+  ASSERT_EQ(list.texts.size(), 3U);
+  EXPECT_EQ(list.texts[1].utf8, "N");
+  EXPECT_LT(list.texts[1].size, 12);
+  EXPECT_GT(list.texts[1].x, 21) << "lowered: to the right";
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(list.texts[i].angle, kUpright);
+    if (i > 0) {
+      EXPECT_LT(list.texts[i].y, list.texts[i - 1].y);
+    }
+  }
+  EXPECT_NEAR(list.texts[0].x, 20, 1e-3);
+  const float width = textWidth(TextRuns{{"normal force F"}, {"N", false, true}, {" (N)"}}, 12);
+  EXPECT_NEAR(list.texts[0].y, 100 + width / 2, 1e-3);
 }
 
 }  // namespace
