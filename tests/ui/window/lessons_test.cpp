@@ -1000,27 +1000,31 @@ TEST_F(LessonsTest, AStudentsResultsAreShownInWords) {
   EXPECT_FALSE(window_.messages().isVisible());
 }
 
+/// Of a lesson that the program does not know as well.
 TEST_F(LessonsTest, ThePlaceOfAPointInResultsHasItsUnit) {
   TemporaryFolder folder;
-  const Lesson lesson = readNamedLesson("rubber_is_not_coulomb", readNamedScene);
-  const auto step = std::ranges::find_if(lesson.steps, [](const LessonStep& each) {
-    return each.prediction && each.prediction->kind == PredictionKind::Point && !each.prediction->x;
-  });
-  ASSERT_NE(step, lesson.steps.end());
-  LessonResults results = emptyResults(lesson);
-  LessonResult one;
-  one.step = static_cast<int>(step - lesson.steps.begin());
-  one.kind = PredictionKind::Point;
-  one.given.number = 0.25;
-  one.given.x = 0.01;
-  one.expected.number = {0.5, ""};
-  one.expected.x = {0.03, "m/s"};
-  results.set(one);
-  writeResults(folder / "ada.json", results, lesson);
-  const QString html =
-      LessonResultsPage::html(QString::fromStdString((folder / "ada.json").string()));
-  EXPECT_TRUE(html.contains("0.25 at 10 mm/s")) << html.toStdString();
-  EXPECT_TRUE(html.contains("0.5 at 30 mm/s")) << html.toStdString();
+  for (const Lesson& lesson :
+       {readNamedLesson("rubber_is_not_coulomb", readNamedScene), sampleWithPoint(false)}) {
+    const auto step = std::ranges::find_if(lesson.steps, [](const LessonStep& each) {
+      return each.prediction && each.prediction->kind == PredictionKind::Point &&
+             !each.prediction->x;
+    });
+    ASSERT_NE(step, lesson.steps.end());
+    LessonResults results = emptyResults(lesson);
+    LessonResult one;
+    one.step = static_cast<int>(step - lesson.steps.begin());
+    one.kind = PredictionKind::Point;
+    one.given.number = 0.25;
+    one.given.x = 0.01;
+    one.expected.number = {0.5, ""};
+    one.expected.x = {0.03, "m/s"};
+    results.set(one);
+    writeResults(folder / "ada.json", results, lesson);
+    const QString html =
+        LessonResultsPage::html(QString::fromStdString((folder / "ada.json").string()));
+    EXPECT_TRUE(html.contains("0.25 at 10 mm/s")) << html.toStdString();
+    EXPECT_TRUE(html.contains("0.5 at 30 mm/s")) << html.toStdString();
+  }
 }
 
 TEST_F(LessonsTest, AClassIsATable) {
@@ -1051,24 +1055,6 @@ TEST_F(LessonsTest, AClassIsATable) {
   EXPECT_FALSE(
       lessons().openResults(files + QStringList(files[0].section('/', 0, -2) + "/lesson.json")));
   EXPECT_TRUE(window_.messages().text().contains("lesson.json has no results"));
-}
-
-TEST_F(LessonsTest, ThePlaceOfAPointInResultsOfAnyLessonHasItsUnit) {
-  TemporaryFolder folder;
-  const Lesson lesson = sampleWithPoint(false);
-  LessonResults results = emptyResults(lesson);
-  LessonResult one;
-  one.step = 1;
-  one.kind = PredictionKind::Point;
-  one.given.number = 0.25;
-  one.given.x = 0.01;
-  one.expected.number = {0.5, ""};
-  one.expected.x = {0.03, "m/s"};
-  results.set(one);
-  writeResults(folder / "ada.json", results, lesson);
-  const QString html =
-      LessonResultsPage::html(QString::fromStdString((folder / "ada.json").string()));
-  EXPECT_TRUE(html.contains("0.25 at 10 mm/s")) << html.toStdString();
 }
 
 /// The scene behind the gallery is not what the teacher sees.
