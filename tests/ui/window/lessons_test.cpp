@@ -1002,7 +1002,6 @@ TEST_F(LessonsTest, AStudentsResultsAreShownInWords) {
 
 /// Of a lesson that the program does not know as well.
 TEST_F(LessonsTest, ThePlaceOfAPointInResultsHasItsUnit) {
-  TemporaryFolder folder;
   for (const Lesson& lesson :
        {readNamedLesson("rubber_is_not_coulomb", readNamedScene), sampleWithPoint(false)}) {
     const auto step = std::ranges::find_if(lesson.steps, [](const LessonStep& each) {
@@ -1010,6 +1009,7 @@ TEST_F(LessonsTest, ThePlaceOfAPointInResultsHasItsUnit) {
              !each.prediction->x;
     });
     ASSERT_NE(step, lesson.steps.end());
+    TemporaryFolder folder;
     LessonResults results = emptyResults(lesson);
     LessonResult one;
     one.step = static_cast<int>(step - lesson.steps.begin());
