@@ -146,7 +146,7 @@ const std::array kTable{
               ASPERITY_CHOICE(elastomer, rheology, kRheologies)},
     Parameter{"elastomer.material", "material", "", "", "A shipped material or a material file, relative to the scene; it gives moduli, relaxation times and shift, and a key beside it replaces that one value.", kLive, {"elastomer.rheology", "prony"},
               TextField{ASPERITY_MEMBER(elastomer, material)}, {}, kUnlessDefault},
-    Parameter{"elastomer.shear_modulus", "shear modulus", "G", "Pa", "Static shear modulus: how stiff the elastomer is.", kLive, {"elastomer.rheology", "elastic kelvin"},
+    Parameter{"elastomer.shear_modulus", "shear modulus", "G", "Pa", "Static shear modulus: how stiff or soft the elastomer is.", kLive, {"elastomer.rheology", "elastic kelvin"},
               RealField{ASPERITY_MEMBER(elastomer, shearModulus), 1e-6, 1e15, 1e3, 1e9, kLog}},
     Parameter{"elastomer.relaxation_time", "relaxation time", "tau", "s", "Viscosity over shear modulus: how long the free surface takes to come back.", kLive, {"elastomer.rheology", "kelvin"},
               RealField{ASPERITY_MEMBER(elastomer, relaxationTime), 0, 1e12, 1e-7, 10, kLog}},
@@ -195,7 +195,7 @@ const std::array kTable{
 
     Parameter{"sliding.kind", "motion", "", "", "How the line moves.", kLive, {},
               ASPERITY_CHOICE(sliding, kind, kSlidingKinds)},
-    Parameter{"sliding.velocity", "velocity", "v", "m/s", "Speed at which the line slides; of an oscillation its mean.", kLive, {},
+    Parameter{"sliding.velocity", "velocity", "v", "m/s", "How fast or slowly the line slides: its speed; of an oscillation the mean.", kLive, {},
               RealField{ASPERITY_MEMBER(sliding, velocity), 0, 1e12, 1e-6, 1e4, kLog}},
     Parameter{"sliding.velocity_after", "velocity after", "v_2", "m/s", "Velocity from half of the duration on; below 0 the line goes back.", kLive, {"sliding.kind", "step"},
               RealField{ASPERITY_MEMBER(sliding, velocityAfter), -1e12, 1e12, -10, 10, kLin}},

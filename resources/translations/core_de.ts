@@ -1232,7 +1232,7 @@
     </message>
     <message>
         <source>How the roughness grows with length: 0 is rough at every scale alike, with steep slopes; 1 is smooth at short ones.</source>
-        <translation>Wie die Rauheit mit der Länge wächst: 0 ist auf jeder Skala gleich rau, mit großen Steigungen; 1 ist auf kurzen Skalen glatt.</translation>
+        <translation>Wie die Rauheit mit der Länge wächst: 0 ist auf jeder Skala gleich rau, mit steilen Steigungen; 1 ist auf kurzen Skalen glatt.</translation>
     </message>
     <message>
         <source>Hurst exponent</source>
@@ -1303,8 +1303,8 @@
         <translation>Sinuswellen in einer Periode der Linie.</translation>
     </message>
     <message>
-        <source>Speed at which the line slides; of an oscillation its mean.</source>
-        <translation>Tempo, mit dem die Linie gleitet; bei einer Schwingung dessen Mittel.</translation>
+        <source>How fast or slowly the line slides: its speed; of an oscillation the mean.</source>
+        <translation>Wie schnell oder langsam die Linie gleitet (Tempo); bei einer Schwingung der Mittelwert.</translation>
     </message>
     <message>
         <source>Slope of the wedge's two sides.</source>
@@ -1315,8 +1315,8 @@
         <translation>Federn und Dämpfer in Reihe: je ein Modul in Pa und eine Relaxationszeit in s; ein Standardkörper hat einen solchen Arm.</translation>
     </message>
     <message>
-        <source>Static shear modulus: how stiff the elastomer is.</source>
-        <translation>Statischer Schubmodul: wie steif das Elastomer ist.</translation>
+        <source>Static shear modulus: how stiff or soft the elastomer is.</source>
+        <translation>Statischer Schubmodul: wie steif oder weich (hart) das Elastomer ist.</translation>
     </message>
     <message>
         <source>Tangential load on each length in contact, instead of a local coefficient of friction; 0: none.</source>

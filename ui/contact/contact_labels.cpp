@@ -120,58 +120,30 @@ std::vector<Tag> elastomerTags(const Frame& frame) {
   return {whole, name};
 }
 
-/// Names the rigid body, its motion and the forces in spaces that the line leaves free now, as near
-/// to their usual positions as possible. A label that does not fit is left out, because the line
-/// would cross it. The labels of the forces contain their arrows.
-void addRigidTagsBetweenCrests(TagPainter& painter, const Frame& frame, const ContactLayout& layout,
-                               float y) {
+struct PlacedTag {
+  Tag tag;
+  float x = 0;
+};
+
+/// Places labels in a row where the line leaves space for them, as near to their usual positions
+/// as possible: the body on the left, the forces on the right, F_N outermost, the motion in the
+/// middle in as many of its words as fit. A label that does not fit is left out, because the line
+/// would cross it.
+std::vector<PlacedTag> placedBetweenCrests(const TagPainter& painter, const Frame& frame,
+                                           const ContactLayout& layout, float y, bool isBrief) {
   const float gap = std::round(10 * layout.sizes.unit);
+  const float left = layout.plot.x + gap, right = layout.plot.right() - gap;
   const CurveRows line = curveRows(frame, frame.lineHeight, layout);
-  float left = layout.plot.x + gap;
-  const float right = layout.plot.right() - gap;
-  const auto place = [&](const Tag& tag, float wanted, float to) {
-    const float width = painter.width(tag);
-    const Box box{std::clamp(wanted, left, std::max(left, to - width)), y, width, painter.height()};
-    const auto x = freeSpanAbove(line, box, left, to);
-    if (!x) return false;
-    painter.paint(tag, {std::round(*x), y}, layout.theme.rigid);
-    left = std::round(*x) + width + gap;
-    return true;
-  };
-  const std::vector<Tag> forces = forceTags(frame, {}, false);
-  const std::vector<Tag> briefForces = forceTags(frame, {}, true);
-  const auto widthOf = [&](std::span<const Tag> tags) {
-    float width = -gap;
-    for (const Tag& tag : tags) width += painter.width(tag) + gap;
-    return width;
-  };
-  place(rigidTag(), left, right);
-  std::vector<Tag> motions;  // in ever fewer words
-  if (const std::optional<Tag> motion = slidingTag(frame, false)) {
-    Tag brief = slidingTag(frame, true).value_or(*motion);
-    motions = {*motion, brief};
-    brief.after.clear();  // the header shows the velocity
-    motions.push_back(brief);
-  }
-  const auto placeMotionTag = [&](float to) {
-    return std::ranges::any_of(motions, [&](const Tag& motion) {
-      return place(motion, layout.plot.x + (layout.plot.width - painter.width(motion)) / 2, to);
-    });
-  };
-  // The labels of the motion and of the forces are shortened if necessary, so that all fit.
-  if (!placeMotionTag(right - widthOf(forces) - gap) &&
-      !placeMotionTag(right - widthOf(briefForces) - gap))
-    placeMotionTag(right);
-  // F_N, the first of the forces, is on the right; the next one is beside it.
   std::vector<std::pair<float, float>> spaces{{left, right}};
-  const auto placeForce = [&](const Tag& tag) {
+  std::vector<PlacedTag> placed;
+  const auto place = [&](const Tag& tag, float wanted) {
     const float width = painter.width(tag);
     for (auto& [from, to] : spaces) {
-      const auto free =
-          freeSpanAbove(line, {std::max(from, to - width), y, width, painter.height()}, from, to);
+      const float nearest = std::clamp(wanted, from, std::max(from, to - width));
+      const auto free = freeSpanAbove(line, {nearest, y, width, painter.height()}, from, to);
       if (!free) continue;
       const float x = std::round(*free);
-      painter.paint(tag, {x, y}, layout.theme.rigid);
+      placed.push_back({tag, x});
       const std::pair after{x + width + gap, to};
       to = x - gap;
       spaces.push_back(after);
@@ -179,8 +151,25 @@ void addRigidTagsBetweenCrests(TagPainter& painter, const Frame& frame, const Co
     }
     return false;
   };
-  for (std::size_t i = 0; i < forces.size(); ++i)
-    if (!placeForce(forces[i])) placeForce(briefForces[i]);
+  place(rigidTag(), left);
+  for (const Tag& force : forceTags(frame, {}, isBrief)) place(force, right);
+  if (const std::optional<Tag> motion = slidingTag(frame, false)) {
+    Tag brief = slidingTag(frame, true).value_or(*motion), briefest = brief;
+    briefest.after.clear();  // the header shows the velocity
+    for (const Tag& words : {*motion, brief, briefest})
+      if (place(words, layout.plot.x + (layout.plot.width - painter.width(words)) / 2)) break;
+  }
+  return placed;
+}
+
+/// Names the rigid body, its motion and the forces in spaces that the line leaves free now. The
+/// labels of the forces contain their arrows, and are shortened where that lets more labels fit.
+void addRigidTagsBetweenCrests(TagPainter& painter, const Frame& frame, const ContactLayout& layout,
+                               float y) {
+  std::vector<PlacedTag> labels = placedBetweenCrests(painter, frame, layout, y, false);
+  std::vector<PlacedTag> brief = placedBetweenCrests(painter, frame, layout, y, true);
+  if (brief.size() > labels.size()) labels = std::move(brief);
+  for (const PlacedTag& label : labels) painter.paint(label.tag, {label.x, y}, layout.theme.rigid);
 }
 
 /// Returns where arrows may begin under the row of labels whose upper edge is at y.
@@ -212,7 +201,7 @@ void addRigidRow(TagPainter& painter, const Frame& frame, const ContactLayout& l
   const ForceArrows arrows = forceArrows(frame, layout, belowRow(painter, layout, y));
   std::vector<Tag> forces = forceTags(frame, arrows, false);
   const auto fitAll = [&] {
-    float all = motion ? painter.width(*motion) : 0;
+    float all = motion ? painter.width(*motion) + gap : 0;
     for (const Tag& force : forces) all += gap + painter.width(force);
     return all <= right - left;
   };

@@ -122,7 +122,7 @@ class PairRow {
 
   void take(std::size_t k, const QString& typed) {
     const NumberRule& rule = editor_.kind_.rules[k];
-    const QString text = inShownUnit(withPoint(typed.trimmed()), entries_[k]->unit());
+    const QString text = inShownUnit(withoutGroups(typed.trimmed()), entries_[k]->unit());
     const QString refusal = validationError(text, rule);
     showError(refusal, entries_[k]);
     if (!refusal.isEmpty()) return;

@@ -87,14 +87,18 @@ int labelWidth(const QFont& font) {
   return width + 4;
 }
 
-/// Returns whether a word is found: a long one anywhere in the text, a short one at the beginning
-/// of a word, because one or two letters are found nearly everywhere.
-bool isWordIn(const QString& word, const QString& text) {
-  if (word.size() > 2) return text.contains(word, Qt::CaseInsensitive);
-  static const QRegularExpression between(QStringLiteral(R"([\s._-]+)"));
+/// Returns whether some word of the text begins with these letters.
+bool beginsWordIn(const QString& letters, const QString& text) {
+  static const QRegularExpression between(QStringLiteral(R"([\s._(-]+)"));
   const QStringList parts = text.split(between);
   return std::ranges::any_of(
-      parts, [&](const QString& part) { return part.startsWith(word, Qt::CaseInsensitive); });
+      parts, [&](const QString& part) { return part.startsWith(letters, Qt::CaseInsensitive); });
+}
+
+/// Returns whether a word is found in a name: a long one anywhere, a short one at the beginning of
+/// a word, because one or two letters are found nearly everywhere.
+bool isWordIn(const QString& word, const QString& text) {
+  return word.size() > 2 ? text.contains(word, Qt::CaseInsensitive) : beginsWordIn(word, text);
 }
 
 /// Returns whether a word is a unit in which the parameter may be typed: "mN", "°C".
@@ -378,15 +382,17 @@ void ParameterRow::takeFocus() {
 }
 
 bool ParameterRow::matches(const QStringList& words, bool inSentence) const {
-  QString text =
+  const QString text =
       labelText(parameter_) + ' ' + fromUtf8(parameter_.label) + ' ' + fromUtf8(parameter_.key);
-  if (inSentence)
-    text += ' ' + translatedText(parameter_.sentence) + ' ' + fromUtf8(parameter_.sentence);
+  const QString sentence =
+      inSentence ? translatedText(parameter_.sentence) + ' ' + fromUtf8(parameter_.sentence)
+                 : QString();
   static const QRegularExpression tag(QStringLiteral("<[^>]*>"));
   const QString symbol = symbolHtml(parameter_.symbol).remove(tag);
   return std::ranges::all_of(words, [&](const QString& word) {
-    return isWordIn(word, text) || (!symbol.isEmpty() && word == symbol) ||
-           word == fromUtf8(parameter_.symbol) || isUnit(word, parameter_);
+    return isWordIn(word, text) || beginsWordIn(word, sentence) ||
+           (!symbol.isEmpty() && word == symbol) || word == fromUtf8(parameter_.symbol) ||
+           isUnit(word, parameter_);
   });
 }
 
@@ -453,7 +459,7 @@ void ParameterRow::addNumber(QHBoxLayout& line, QVBoxLayout& column) {
   line.setStretchFactor(label_, 1);
   addEntry();
   connect(entry_, &ValueEntry::textCommitted, this, [this](const QString& text) {
-    emit textGiven(inShownUnit(withPoint(text.trimmed()), entry_->unit()));
+    emit textGiven(inShownUnit(withoutGroups(text.trimmed()), entry_->unit()));
   });
   line.addWidget(entry_);
 

@@ -111,10 +111,13 @@ TEST_F(PanelViewTest, TheFilterFindsLabelsKeysSymbolsAndUnits) {
 TEST_F(PanelViewTest, TheFilterFindsEverydayWordsInTheSentences) {
   for (const auto& [word, key] :
        {std::pair{"rough", "surface.rms_height"}, std::pair{"speed", "sliding.velocity"},
-        std::pair{"stiff", "elastomer.shear_modulus"}, std::pair{"slope", "surface.hurst"}}) {
+        std::pair{"stiff", "elastomer.shear_modulus"}, std::pair{"slope", "surface.hurst"},
+        std::pair{"slow", "sliding.velocity"}, std::pair{"soft", "elastomer.shear_modulus"}}) {
     filterBy(word);
     EXPECT_TRUE(hasRow(key)) << word;
   }
+  filterBy("oft");  // words of sentences are found by their beginnings
+  EXPECT_EQ(rowsShown(), 0);
   filterBy("seed");  // the name of a row
   EXPECT_EQ(rowsShown(), 1);
 }
@@ -403,7 +406,7 @@ TEST_F(PanelViewTest, TooltipsHaveTheFormulaAndTheMenuLeadsToTheGuide) {
 /// The sentence comes first, and the key last, for those who write files.
 TEST_F(PanelViewTest, TooltipsBeginWithTheSentence) {
   const QString tip = slider("sliding.velocity").toolTip();
-  const qsizetype sentence = tip.indexOf("Speed at which the line slides"),
+  const qsizetype sentence = tip.indexOf("How fast or slowly the line slides"),
                   formula = tip.indexOf("f = 4"), keys = tip.indexOf("Arrow keys"),
                   key = tip.indexOf("sliding.velocity");
   EXPECT_GE(sentence, 0);

@@ -192,7 +192,7 @@ void FitChoices::take(QTableWidgetItem& cell) {
   std::optional<double>& limit = column == kLow ? limits_[index].low : limits_[index].high;
   const Parameter& row = parameters_[index].row();
   const NumberRule rule = numberRule(row);
-  const QString typed = withPoint(cell.text().trimmed());
+  const QString typed = withoutGroups(cell.text().trimmed());
   const QString refusal = typed.isEmpty() ? QString() : validationError(typed, rule);
   limit.reset();
   if (!typed.isEmpty() && refusal.isEmpty()) limit = toPlainNumber(typed, rule).toDouble();

@@ -51,12 +51,12 @@ using Written = std::vector<std::pair<std::string, std::string>>;
 
 double kelvins(const QString& text, const char* option) {
   bool hasNoUnit = false;
-  (void)withPoint(text.trimmed()).toDouble(&hasNoUnit);
+  (void)withoutGroups(text.trimmed()).toDouble(&hasNoUnit);
   if (hasNoUnit)  // the page shows degrees Celsius, the command takes kelvins
     throw InputError(
         "", option,
         message("'{}' has no unit; \u00B0C, K or \u00B0F stands behind it", text.toStdString()));
-  const auto temperature = parseTemperature(withPoint(text.trimmed()).toStdString());
+  const auto temperature = parseTemperature(withoutGroups(text.trimmed()).toStdString());
   if (!temperature || !(*temperature > 0 && *temperature <= 2000))
     throw InputError("", option,
                      message("'{}' is not a temperature such as 20 \u00B0C, 293.15 K or 68 \u00B0F",
@@ -68,7 +68,7 @@ double kelvins(const QString& text, const char* option) {
 double pascals(const QString& text, const char* option) {
   bool isNumber = false;
   const double value =
-      toPlainNumber(withPoint(text), NumberRule{QStringLiteral("Pa")}).toDouble(&isNumber);
+      toPlainNumber(withoutGroups(text), NumberRule{QStringLiteral("Pa")}).toDouble(&isNumber);
   if (!isNumber || !(value > 0) || !std::isfinite(value))
     throw InputError("", option,
                      message("'{}' is not a modulus such as 2.3MPa", text.toStdString()));
@@ -268,7 +268,7 @@ MaterialChoices MaterialImport::choices() const {
   made.columns.lossTangentColumn = text(*lossTangentColumn_, "--tan-delta-column").toStdString();
   if (const QString typed = text(*poisson_, "--poisson-ratio"); !typed.isEmpty()) {
     bool isNumber = false;
-    made.columns.poissonRatio = withPoint(typed).toDouble(&isNumber);
+    made.columns.poissonRatio = withoutGroups(typed).toDouble(&isNumber);
     if (!isNumber || !(made.columns.poissonRatio >= 0 && made.columns.poissonRatio <= 0.5))
       throw InputError("", "--poisson-ratio",
                        message("'{}' is not a number from 0 to 0.5", typed.toStdString()));

@@ -1,4 +1,5 @@
 #include "ui/window/lesson/lessons.h"
+#include "ui/window/contact/contact_canvas.h"
 
 #include <QAction>
 #include <QDateTime>
@@ -366,11 +367,16 @@ void Lessons::start(const Lesson& lesson, int step, Purpose purpose) {
   end();
   parts_.document.endTrial();  // the tour may be running
   const FrictionChartModel& chart = parts_.session.friction();
-  Before before{{}, chart.quantity(), chart.isLinearY(), parts_.tabs.currentIndex(), false};
+  Before before{{}, chart.quantity(), chart.isLinearY(), parts_.tabs.currentIndex(), false, {}};
   for (const PinnedCurve& pinned : chart.pinned()) before.pinned.push_back(pinned.curve);
   if (auto* axes = parts_.window.findChild<QAction*>("dimensionlessAxes")) {
     before.hasDimensionlessAxes = axes->isChecked();
     axes->setChecked(false);
+  }
+  // The texts of lessons speak of the pressure that glows.
+  if (auto* canvas = parts_.window.findChild<ContactCanvas*>()) {
+    before.overlay = canvas->viewer().overlay();
+    canvas->setOverlay(ContactOverlay::Pressure);
   }
   before_ = std::move(before);
   written_ = lesson;
@@ -756,6 +762,7 @@ void Lessons::restore() {
   parts_.tabs.setCurrentIndex(before->tab);
   if (before->hasDimensionlessAxes)
     if (auto* axes = parts_.window.findChild<QAction*>("dimensionlessAxes")) axes->setChecked(true);
+  if (auto* canvas = parts_.window.findChild<ContactCanvas*>()) canvas->setOverlay(before->overlay);
 }
 
 }  // namespace asperity

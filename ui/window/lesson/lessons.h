@@ -17,6 +17,7 @@
 #include "core/lesson/lesson_file.h"
 #include "core/lesson/lesson_results.h"
 #include "ui/chart/friction_chart_model.h"
+#include "ui/contact/contact_picture.h"
 #include "ui/window/main/scene_document.h"
 #include "ui/window/tasks/background_work.h"
 
@@ -164,6 +165,7 @@ class Lessons : public QObject {
     bool isLinearY;
     int tab;
     bool hasDimensionlessAxes;
+    ContactOverlay overlay;
   };
   std::optional<Before> before_;
   BackgroundWork comparisons_;  // curves to compare with
