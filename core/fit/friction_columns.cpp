@@ -149,6 +149,19 @@ bool isAmbiguous(const std::string& word) {
   return std::ranges::find(kAmbiguous, word) != kAmbiguous.end();
 }
 
+/// Returns the quantity that a name states in words and by its symbol: "Normal force F_N",
+/// "Temperature T".
+std::optional<Quantity> namedTwice(const std::string& name) {
+  const std::vector<std::string> words = nameWords(name);
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    std::string front, back;
+    for (std::size_t j = 0; j < words.size(); ++j) (j < i ? front : back) += words[j];
+    const auto quantity = quantityNamed(front);
+    if (quantity && !isAmbiguous(front) && quantity == quantityNamed(back)) return quantity;
+  }
+  return {};
+}
+
 }  // namespace
 
 std::vector<std::string> blankSeparated(std::string_view text) {
@@ -228,6 +241,7 @@ std::optional<FrictionQuantity> findMeaning(const std::string& name, const std::
   if (const auto named = quantityNamed(word);
       named && (!isAmbiguous(word) || unit == kAnyUnit || measures(unit, *named)))
     return named;
+  if (const auto named = namedTwice(name)) return named;
   const std::string error = isRelativeError(name) ? withoutRelative(word) : word;
   std::optional<std::string> subject = withoutError(error);
   if (!subject) subject = withoutErrorLetter(error);

@@ -29,9 +29,9 @@ inline constexpr std::array<FrictionQuantity, 3> kLoadsAndTemperature{
 /// Returns "normal force", "error of the velocity", ...: the quantity in messages.
 const char* meaningOf(FrictionQuantity quantity);
 
-/// Returns the quantity of a column by its name: "v", "Reibwert", "Fz", "u(mu)", "std". A name with
-/// several meanings, such as t for temperature and time, needs a unit of its quantity, or kAnyUnit.
-/// Nothing where the name is not known.
+/// Returns the quantity of a column by its name: "v", "Reibwert", "Fz", "Normal force F_N",
+/// "u(mu)", "std". A name with several meanings, such as t for temperature and time, needs a unit
+/// of its quantity, or kAnyUnit. Nothing where the name is not known.
 std::optional<FrictionQuantity> findMeaning(const std::string& name, const std::string& unit);
 inline std::optional<FrictionQuantity> findMeaning(const TextColumn& column) {
   return findMeaning(column.name, column.unit);

@@ -257,7 +257,7 @@ class Reader {
       const auto number = parseQuantity(entry.value);
       if (entry.key.empty() || !number) continue;
       const TextColumn key = parseColumnName(entry.key);
-      const std::string& unit = key.unit.empty() ? number->unit : key.unit;
+      const std::string& unit = number->unit.empty() ? key.unit : number->unit;
       const std::optional<Quantity> meaning = findMeaning(key.name, unit);
       const auto isMeant = [&](Quantity quantity) { return meaning == quantity; };
       const auto isMeasured = [&](Quantity quantity) { return measures(unit, quantity); };

@@ -253,6 +253,23 @@ TEST(FrictionData, ReadsLoadsByTheirSymbols) {
     EXPECT_DOUBLE_EQ(first(name, "20").temperature, 293.15) << name;
 }
 
+/// FN is a symbol of the normal force, not femtonewtons, also where a unit stands behind it.
+TEST(FrictionData, ReadsNamesWithTheirSymbol) {
+  for (const char* name : {"Normalkraft FN", "Normalkraft Fn", "Normal load Fn", "Load FN",
+                           "load_FN", "Normalkraft FN [N]", "Normal force F_N (N)", "FN", "FN (N)"})
+    EXPECT_DOUBLE_EQ(parsed("v (mm/s);mu;" + std::string(name) + "\n1;0,5;30\n10;0,7;30\n")
+                         .points[0]
+                         .normalForce,
+                     30)
+        << name;
+  for (const char* line :
+       {"Normal force FN = 30 N", "Normalkraft (FN): 30 N", "Normalkraft F_N: 30 N",
+        "Normal force [kN]: 30 N", "FN: 30 N", "Normalkraft FN [N]: 30"})
+    EXPECT_DOUBLE_EQ(
+        parsed(std::string(line) + "\nv (mm/s);mu\n1;0,5\n10;0,7\n").points[0].normalForce, 30)
+        << line;
+}
+
 /// A load or temperature that is not understood is refused; other forces and stresses are left out.
 TEST(FrictionData, RefusesLoadsAndTemperaturesThatMayBeMeant) {
   for (const char* name : {"T_track (\u00B0C)", "T_road (\u00B0C)", "T_air [K]"})
