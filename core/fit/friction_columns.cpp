@@ -4,7 +4,6 @@
 #include <cctype>
 
 #include "core/base/text_dialect.h"
-#include "core/base/units.h"
 #include "core/material/dma_columns.h"
 
 namespace asperity {
@@ -189,11 +188,15 @@ std::optional<FrictionQuantity> quantityNamed(const std::string& word) {
   return {};
 }
 
+std::optional<Unit> unitOfQuantity(const std::string& unit, Quantity quantity) {
+  if (unit.empty()) return {};
+  if (quantity == Quantity::Force) return unitInAnyCase(unit, "N");
+  if (quantity == Quantity::Pressure) return unitInAnyCase(unit, "Pa");
+  return quantity == Quantity::Temperature ? temperatureUnit(unit) : std::nullopt;
+}
+
 bool measures(const std::string& unit, Quantity quantity) {
-  if (unit.empty()) return false;
-  if (quantity == Quantity::Force) return unitInAnyCase(unit, "N").has_value();
-  if (quantity == Quantity::Pressure) return unitInAnyCase(unit, "Pa").has_value();
-  return quantity == Quantity::Temperature && temperatureUnit(unit).has_value();
+  return unitOfQuantity(unit, quantity).has_value();
 }
 
 bool isAmbiguousName(const std::string& name) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/text_table.h"
+#include "core/base/units.h"
 
 namespace asperity {
 
@@ -51,6 +52,8 @@ bool isRelativeError(const std::string& name);
 /// Returns whether a unit is "% of mu", "% rel." or the like: a share of the quantity.
 bool isShareUnit(std::string_view unit);
 
+/// Returns the unit of this load or temperature; nothing where the text is none.
+std::optional<Unit> unitOfQuantity(const std::string& unit, FrictionQuantity quantity);
 /// Returns whether a unit measures this load or temperature.
 bool measures(const std::string& unit, FrictionQuantity quantity);
 /// Returns whether a force, stress or modulus with these words in its name is no normal load: the

@@ -322,6 +322,70 @@ TEST(FrictionData, ReadsLoadAndTemperatureAboveTheTable) {
   EXPECT_EQ(columns.notes[1].english(), "not used: Belastung [N]: 50");
 }
 
+/// A line may have several statements, without signs, with a tolerance or a remark.
+TEST(FrictionData, ReadsEachStatementOfALine) {
+  const auto first = [](const std::string& line, const std::string& rows) {
+    return parsed(line + "\n" + rows).points[0];
+  };
+  const std::string points = "v (mm/s),mu\n1,0.5\n10,0.7\n",
+                    commas = "v (mm/s);mu\n1;0,5\n10;0,7\n";
+  for (const std::string& rows : {points, commas, std::string("v (mm/s)\tmu\n1\t0.5\n10\t0.7\n"),
+                                  std::string("v_mm/s mu\n1 0.5\n10 0.7\n")}) {
+    for (const char* line : {"Load 30 N", "# Load = 30 N", "F = 30 N", "Load: 30 N \u00B1 1 N",
+                             "Load: 30 N (constant)", "Normal load at constant 30 N"})
+      EXPECT_DOUBLE_EQ(first(line, rows).normalForce, 30) << line << "\n" << rows;
+    for (const char* line : {"T = 23 \u00B0C", "T = 23 \u00B1 1 \u00B0C", "T = (23 +/- 1) \u00B0C",
+                             "Temperature T: 23 C", "T 23 \u00B0C",
+                             "Test conditions: T = 23 \u00B0C", "Temperature: 23 deg C"})
+      EXPECT_DOUBLE_EQ(first(line, rows).temperature, 296.15) << line << "\n" << rows;
+    for (const char* line : {"Load 30 N, T 23 \u00B0C", "Load = 30 N, T = 23 \u00B0C",
+                             "F = 30 N; T = 23 \u00B0C", "# T=23C; F=30N"}) {
+      EXPECT_DOUBLE_EQ(first(line, rows).normalForce, 30) << line << "\n" << rows;
+      EXPECT_DOUBLE_EQ(first(line, rows).temperature, 296.15) << line << "\n" << rows;
+    }
+    EXPECT_DOUBLE_EQ(first("Nominal pressure 0.2 MPa", rows).nominalPressure, 2e5) << rows;
+  }
+  for (const char* line : {"Temperatur: \u20135 \u00B0C", "Temperatur: - 5 \u00B0C",
+                           "Temperatur = \u2212 5 \u00B0C", "Temperatur: minus 5 \u00B0C"})
+    EXPECT_DOUBLE_EQ(first(line, commas).temperature, 268.15) << line;
+}
+
+/// A load or temperature above the table that is not understood is named.
+TEST(FrictionData, ListsStatementsThatItDoesNotUse) {
+  for (const char* line :
+       {"Track temperature: 23 \u00B0C", "Track: T = 23 \u00B0C", "Temperature: 23 \u00B0C (track)",
+        "Weight of 30 N", "30 N", "T = 20 - 25 \u00B0C", "T = 20...25 \u00B0C",
+        "Measured with 30 N on the sled", "Temperature - 5 \u00B0C", "Load: 300 g", "Load: 30"}) {
+    const FrictionData data = parsed(std::string(line) + "\nv (mm/s);mu\n1;0,5\n10;0,7\n");
+    EXPECT_TRUE(std::isnan(data.points[0].temperature)) << line;
+    EXPECT_TRUE(std::isnan(data.points[0].normalForce)) << line;
+    ASSERT_EQ(data.notes.size(), 2U) << line;
+    EXPECT_THAT(data.notes[1].english(), testing::StartsWith("not used: ")) << line;
+  }
+  EXPECT_EQ(
+      parsed("Track 5 \u00B0C, T = 23 \u00B0C\nv (mm/s);mu\n1;0,5\n10;0,7\n").notes[1].english(),
+      "not used: Track 5 \u00B0C");
+  for (const char* line : {"Sample 5, rough", "Radius: 5 mm", "Date: 2024-05-02", "v = 5 mm/s"})
+    EXPECT_EQ(parsed(std::string(line) + "\nv (mm/s);mu\n1;0,5\n10;0,7\n").notes.size(), 1U)
+        << line;
+}
+
+/// The decimal mark of the rows says what the marks above the table mean.
+TEST(FrictionData, ReadsThousandsAboveTheTable) {
+  for (const char* text : {"Last: 4.000 N\nv (mm/s);mu\n1;0,5\n10;0,7\n",
+                           "Last [N];4.000\nv (mm/s);mu\n1;0,5\n10;0,7\n",
+                           "Load: 4,000 N\nv (mm/s),mu\n1,0.5\n10,0.7\n"}) {
+    const FrictionData data = parsed(text);
+    EXPECT_DOUBLE_EQ(data.points[0].normalForce, 4000) << text;
+    ASSERT_EQ(data.notes.size(), 2U) << text;
+    EXPECT_THAT(data.notes[1].english(), HasSubstr("is read as 4000; the decimal mark")) << text;
+  }
+  EXPECT_DOUBLE_EQ(parsed("Last: 4,000 N\nv (mm/s);mu\n1;0,5\n10;0,7\n").points[0].normalForce, 4);
+  const FrictionData whole = parsed("Last: 4.000 N\nv (mm/s);mu (%)\n1;50\n10;70\n");
+  EXPECT_TRUE(std::isnan(whole.points[0].normalForce));
+  EXPECT_EQ(whole.notes[1].english(), "not used: Last: 4.000 N");
+}
+
 /// One point a hundred times too high or too low is named; a steep or noisy curve is not.
 TEST(FrictionData, NamesAPointWithASlipOfItsDecimalMark) {
   const auto text = [](std::size_t wrong, double factor) {
