@@ -39,7 +39,8 @@ inline std::optional<FrictionQuantity> findMeaning(const TextColumn& column) {
 }
 inline constexpr const char* kAnyUnit = "?";
 
-/// Returns whether a name has several meanings.
+/// Returns whether a name has several meanings or is that of a mean. Such a column does not count
+/// beside one with a clear name.
 bool isAmbiguousName(const std::string& name);
 
 /// Returns the quantity that a word names; the word has letters and digits in lower case alone.

@@ -327,12 +327,13 @@ class Reader {
 
   void add(Quantity quantity, std::size_t index) {
     const TextColumn& column = block_.columns[index];
-    if (const Column* other = find(quantity))
+    if (const Column* other = find(quantity); other && quantity != Quantity::Label)
       refuse(message("has two columns of the {}: {} and {}", Message(meaningOf(quantity)),
                      shortened(block_.columns[other->index].name), shortened(column.name)));
     if (column.isText && quantity != Quantity::Label)
       refuse(message("column {} has texts where numbers are expected", shortened(column.name)));
-    if (!column.isText && quantity == Quantity::Label) return;  // numbers of samples
+    // Numbers of samples and lengths of tracks are no labels.
+    if (quantity == Quantity::Label && (!column.isText || !column.unit.empty())) return;
     const Conversion conversion = conversionOf(quantity, column);
     Message unit = conversion.unitText;
     if (unit.empty())
@@ -442,7 +443,9 @@ class Reader {
                           "\"temperature (C)\"",
                           plain(point.temperature)));
     }
-    if (const Column* label = find(Quantity::Label)) point.label = block_.texts[label->index][row];
+    for (const Column& column : columns_)
+      if (column.quantity == Quantity::Label)
+        point.label += (point.label.empty() ? "" : ", ") + block_.texts[column.index][row];
     return point;
   }
 
@@ -552,7 +555,8 @@ bool isFrictionTable(const TextTable& table) {
 FrictionData parseFrictionData(std::string_view bytes, const std::string& name) {
   TextTableOptions options;
   options.keepsTexts = true;
-  options.textColumns = {"label", "sample", "name", "set", "series", "specimen"};
+  options.textColumns = {"label",  "sample",   "name",  "set",
+                         "series", "specimen", "track", "surface"};
   TextTable table = readTextTable(bytes, name, options);
   undoLogarithms(table, [](const std::string& quantity) {
     return findMeaning(quantity, kAnyUnit).has_value();

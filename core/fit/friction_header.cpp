@@ -218,6 +218,11 @@ std::vector<HeaderStatement> readStatements(const TextEntry& entry, HeaderMark m
   const std::vector<std::string_view> clauses = clausesOf(line);
   std::vector<HeaderStatement> statements;
   for (const std::string_view clause : clauses) {
+    // "Load: 30 N; 60 N" states two loads.
+    if (const auto value = readValue(clause, mark); value && !statements.empty()) {
+      HeaderStatement& before = statements.back();
+      if (before.quantity && measures(value->unit, *before.quantity)) before.quantity.reset();
+    }
     const std::string text = clauses.size() == 1 ? textOf(entry) : std::string(clause);
     if (const auto statement = readStatement(clause, mark))
       statements.push_back(complete(*statement, text));

@@ -322,6 +322,51 @@ TEST(FrictionData, ReadsLoadAndTemperatureAboveTheTable) {
   EXPECT_EQ(columns.notes[1].english(), "not used: Belastung [N]: 50");
 }
 
+/// Loads, temperatures and means under the names of test benches.
+TEST(FrictionData, ReadsUsualNamesOfTestBenches) {
+  const auto first = [](const std::string& name) {
+    return parsed("v (mm/s);mu;" + name + "\n1;0.5;25\n10;0.7;25\n").points[0];
+  };
+  for (const char* name :
+       {"Vertical force Fz [N]", "Vertical load (N)", "Normal force F_N (N)", "Fz mean (N)"})
+    EXPECT_DOUBLE_EQ(first(name).normalForce, 25) << name;
+  EXPECT_DOUBLE_EQ(first("Radlast [kN]").normalForce, 25e3);
+  EXPECT_DOUBLE_EQ(first("Contact pressure pN [kPa]").nominalPressure, 25e3);
+  for (const char* name :
+       {"Pr\u00FCftemperatur [\u00B0C]", "Test temperature [\u00B0C]", "Temperatur Gummi [\u00B0C]",
+        "Temperature (rubber) [\u00B0C]", "Temperature T (\u00B0C)"})
+    EXPECT_DOUBLE_EQ(first(name).temperature, 298.15) << name;
+  EXPECT_DOUBLE_EQ(
+      parsed("Pr\u00FCftemperatur: 25 \u00B0C\nVertical load: 5 N\nv;mu\n1;0,5\n2;0,6\n")
+          .points[0]
+          .temperature,
+      298.15);
+  for (const char* names : {"mu mean;mu std", "mu;mu std (n=3)", "mu;mu_err (1 sigma)",
+                            "mu (mean);std", "mu;mu_err (k=1)", "mean mu;mu std (N = 10)"}) {
+    const FrictionData data =
+        parsed("v [mm/s];" + std::string(names) + "\n1;0,60;0,05\n10;0,80;0,07\n");
+    EXPECT_DOUBLE_EQ(data.points[1].mu, 0.8) << names;
+    EXPECT_DOUBLE_EQ(data.points[1].muError, 0.07) << names;
+  }
+  EXPECT_EQ(parsed("v;mu;mu mean\n1;0,60;0,05\n10;0,80;0,07\n").notes[1].english(),
+            "not used: mu mean");
+  for (const char* name : {"mu_err (2 sigma)", "mu_err (k=2)"})
+    EXPECT_THAT(errorOf("v;mu;" + std::string(name) + "\n1;0,6;0,1\n10;0,8;0,1\n"),
+                HasSubstr("is unknown"))
+        << name;
+}
+
+/// Tracks tell repeated velocities apart, also beside other labels.
+TEST(FrictionData, TracksAreLabels) {
+  const FrictionData data =
+      parsed("Track;v [mm/s];mu\nwet asphalt;1;0,5\nwet asphalt;10;0,7\ndry concrete;10;0,9\n");
+  EXPECT_EQ(data.points[2].label, "dry concrete");
+  const FrictionData both =
+      parsed("Sample;Track;v [mm/s];mu\nA;wet;1;0,5\nA;wet;10;0,7\nA;dry;10;0,9\n");
+  EXPECT_EQ(both.points[2].label, "A, dry");
+  EXPECT_EQ(parsed("v;mu;Track (m)\n1;0,6;5\n10;0,8;5\n").points[0].label, "");
+}
+
 /// A line may have several statements, without signs, with a tolerance or a remark.
 TEST(FrictionData, ReadsEachStatementOfALine) {
   const auto first = [](const std::string& line, const std::string& rows) {
@@ -355,7 +400,8 @@ TEST(FrictionData, ListsStatementsThatItDoesNotUse) {
   for (const char* line :
        {"Track temperature: 23 \u00B0C", "Track: T = 23 \u00B0C", "Temperature: 23 \u00B0C (track)",
         "Weight of 30 N", "30 N", "T = 20 - 25 \u00B0C", "T = 20...25 \u00B0C",
-        "Measured with 30 N on the sled", "Temperature - 5 \u00B0C", "Load: 300 g", "Load: 30"}) {
+        "Measured with 30 N on the sled", "Temperature - 5 \u00B0C", "Load: 300 g", "Load: 30",
+        "Load: 30 N; 60 N", "Load = 30 N, 60 N", "Load: 30 N and 60 N"}) {
     const FrictionData data = parsed(std::string(line) + "\nv (mm/s);mu\n1;0,5\n10;0,7\n");
     EXPECT_TRUE(std::isnan(data.points[0].temperature)) << line;
     EXPECT_TRUE(std::isnan(data.points[0].normalForce)) << line;
