@@ -224,7 +224,8 @@ namespace {
 /// whether there is one.
 bool takeMinus(std::string_view& text) {
   constexpr std::array kSigns{"-"sv, kMinusSign, "\u2013"sv, "\u2010"sv, "\u2011"sv, "minus"sv};
-  const std::string lower = lowerCase(text);
+  constexpr std::size_t kLongest = 5;
+  const std::string lower = lowerCase(text.substr(0, kLongest));
   for (const std::string_view sign : kSigns) {
     if (!lower.starts_with(sign)) continue;
     const std::string_view rest = trimmedBlanks(text.substr(sign.size()));

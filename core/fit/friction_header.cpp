@@ -68,7 +68,9 @@ struct Value {
 /// Splits a text behind a number into a unit of a load or temperature and a remark. Units may have
 /// blanks, as in "deg C".
 void splitUnit(std::string_view text, Value& value) {
-  for (std::size_t end = text.size(); end != std::string_view::npos && end > 0;
+  constexpr std::size_t kLongest = 24;  // bytes of a unit and the blank behind it
+  const std::size_t most = text.size() > kLongest ? text.find_last_of(" (", kLongest) : text.size();
+  for (std::size_t end = most; end != std::string_view::npos && end > 0;
        end = text.find_last_of(" (", end - 1)) {
     const std::string unit(withoutBrackets(withoutEnd(trimmedBlanks(text.substr(0, end)), ".,;")));
     if (!isLoadUnit(unit)) continue;
@@ -140,12 +142,16 @@ bool endsWithDash(std::string_view text) {
       [text](std::string_view dash) { return text.ends_with(dash); });
 }
 
-/// Returns whether some number in the text has a unit of a load or temperature.
+/// Returns whether some number at the beginning of the text, which may be very long, has a unit of
+/// a load or temperature.
 bool hasLoadUnit(std::string_view text) {
+  constexpr std::size_t kMostBytes = 2000;
+  text = text.substr(0, kMostBytes);
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (!isDigit(text[i]) || (i > 0 && std::isalnum(static_cast<unsigned char>(text[i - 1])) != 0))
       continue;
-    const auto quantity = parseQuantity(text.substr(i));
+    constexpr std::size_t kLongest = 80;  // bytes of a number and its unit
+    const auto quantity = parseQuantity(text.substr(i, kLongest));
     Value value;
     if (quantity) splitUnit(quantity->unit, value);
     if (!value.unit.empty()) return true;
