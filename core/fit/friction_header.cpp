@@ -32,7 +32,7 @@ bool isFiller(const std::string& word) {
   return isOneOf(word, kFillers);
 }
 
-/// Headings in front of a statement: "Test conditions: T = 23 °C".
+/// Returns whether a word belongs to a heading in front of a statement, as in "Test 3: T = 23 °C".
 bool isHeading(const std::string& word) {
   constexpr std::array kHeadings{"test"sv,
                                  "tests"sv,
@@ -53,7 +53,7 @@ bool isHeading(const std::string& word) {
                                  "pruefbedingungen"sv,
                                  "versuchsbedingungen"sv,
                                  "randbedingungen"sv};
-  return isOneOf(word, kHeadings);
+  return isOneOf(word, kHeadings) || std::ranges::all_of(word, isDigit);
 }
 
 /// A value with its unit, and the words behind it: "30 N (constant)".
@@ -122,15 +122,16 @@ std::optional<Value> readValue(std::string_view text, HeaderMark mark) {
 }
 
 /// Returns the position of the first number that begins a word.
-std::size_t findNumber(std::string_view text, std::size_t from = 0) {
-  for (std::size_t i = from; i < text.size(); ++i) {
+std::size_t findNumber(std::string_view text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
     if (!isDigit(text[i])) continue;
     std::size_t begin = i;
+    // The bytes of all dashes are among these.
     constexpr std::string_view kSigns = "+-.,\xE2\x88\x92\x80\x90\x91\x93";
     while (begin > 0 && kSigns.find(text[begin - 1]) != std::string_view::npos) --begin;
     const auto before = static_cast<unsigned char>(begin > 0 ? text[begin - 1] : ' ');
     const bool isWithinWord = std::isalnum(before) != 0 || before == '_' || before >= 0x80;
-    if (!isWithinWord && begin >= from) return begin;
+    if (!isWithinWord) return begin;
     while (i + 1 < text.size() && isDigit(text[i + 1])) ++i;
   }
   return std::string_view::npos;
@@ -159,7 +160,7 @@ bool hasLoadUnit(std::string_view text) {
   return false;
 }
 
-/// Returns a text without fillers and signs around its words.
+/// Returns a text without its fillers.
 std::string withoutFillers(std::string_view text) {
   std::string kept;
   for (const std::string& word : blankSeparated(text)) {

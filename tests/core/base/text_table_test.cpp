@@ -282,6 +282,18 @@ TEST(TextTable, FindsKeysAndValues) {
   EXPECT_EQ(grid.largest().rows, 2u);
 }
 
+/// "Load 30 N" is a statement, not the key of what stands behind it, and not the name of a column.
+TEST(TextTable, AStatementIsNoKey) {
+  for (const char* line : {"Load 30 N, T 23 C", "Load 30 N; T 23 C", "# Load 30 N, T 23 C"}) {
+    const TextTable made = read(std::string(line) + "\nv m/s,mu\n1,0.5\n2,0.6\n");
+    const TextBlock& block = made.largest();
+    ASSERT_EQ(block.columns.size(), 2u) << line;
+    EXPECT_EQ(block.columns[1].name, "mu") << line;
+    ASSERT_GE(block.header.size(), 1u) << line;
+    EXPECT_EQ(block.header[0].key, "") << line;
+  }
+}
+
 /// The decimal mark of a file says which mark of a header separates thousands.
 TEST(TextTable, ReadsThousandsOfQuantities) {
   const auto number = [](const char* text, std::optional<char> decimal) {

@@ -379,9 +379,10 @@ TEST(FrictionData, ReadsEachStatementOfALine) {
     for (const char* line : {"Load 30 N", "# Load = 30 N", "F = 30 N", "Load: 30 N \u00B1 1 N",
                              "Load: 30 N (constant)", "Normal load at constant 30 N"})
       EXPECT_DOUBLE_EQ(first(line, rows).normalForce, 30) << line << "\n" << rows;
-    for (const char* line : {"T = 23 \u00B0C", "T = 23 \u00B1 1 \u00B0C", "T = (23 +/- 1) \u00B0C",
-                             "Temperature T: 23 C", "T 23 \u00B0C",
-                             "Test conditions: T = 23 \u00B0C", "Temperature: 23 deg C"})
+    for (const char* line :
+         {"T = 23 \u00B0C", "T = 23 \u00B1 1 \u00B0C", "T = (23 +/- 1) \u00B0C",
+          "Temperature T: 23 C", "T 23 \u00B0C", "Test conditions: T = 23 \u00B0C",
+          "Test 3: T = 23 \u00B0C", "Temperature: 23 deg C"})
       EXPECT_DOUBLE_EQ(first(line, rows).temperature, 296.15) << line << "\n" << rows;
     for (const char* line : {"Load 30 N, T 23 \u00B0C", "Load = 30 N, T = 23 \u00B0C",
                              "F = 30 N; T = 23 \u00B0C", "# T=23C; F=30N"}) {
