@@ -25,6 +25,18 @@ std::size_t keyEnd(std::string_view line) {
   return at == 0 ? std::string_view::npos : at;
 }
 
+namespace {
+
+/// Returns whether a text ends with a number and its unit, as "Load 30 N" does.
+bool statesQuantity(std::string_view text) {
+  const std::size_t number = text.find_first_of("0123456789");
+  if (number == 0 || number == std::string_view::npos || text[number - 1] != ' ') return false;
+  const auto quantity = parseQuantity(text.substr(number));
+  return quantity && !quantity->unit.empty() && isKnownUnit(quantity->unit);
+}
+
+}  // namespace
+
 TextEntry parseEntry(const TextLine& kept, const TextDialect& dialect) {
   const std::string_view line = withoutCommentMark(kept.text, dialect);
   TextEntry entry{{}, std::string(line), kept.number};
@@ -41,6 +53,11 @@ TextEntry parseEntry(const TextLine& kept, const TextDialect& dialect) {
   const std::size_t end = keyEnd(line);
   const std::size_t tab = line.find('\t');
   const bool isExact = dialect.isExact() && fields.size() > 1;
+  if (end == std::string_view::npos &&
+      statesQuantity(trimmedField(line.substr(0, line.find_first_of(",;\t"))))) {
+    // "Load 30 N; T 23 C" has statements, but no key.
+    return entry;
+  }
   if (isExact && end >= fields.front().size()) {
     // "Width;10;\u00B5m"
     std::string value;
@@ -312,13 +329,13 @@ bool areUnits(const Fields& fields) {
 }
 
 /// Returns whether fields are names with known units: one in brackets, or one in each of several
-/// fields.
+/// fields. "Load 30 N" states a load.
 bool haveUnits(const Fields& fields) {
   bool inBrackets = false, inEach = fields.size() > 1;
   for (const std::string& field : fields) {
     const bool hasUnit = isKnownUnit(parseColumnName(field).unit);
     inBrackets = inBrackets || (hasUnit && field.find_last_of(")]}") + 1 == field.size());
-    inEach = inEach && hasUnit;
+    inEach = inEach && hasUnit && !statesQuantity(field);
   }
   return inBrackets || inEach;
 }

@@ -218,16 +218,43 @@ bool beginsWithSpreadsheetError(std::string_view text) {
                              [text](std::string_view error) { return text.starts_with(error); });
 }
 
-std::optional<TextQuantity> parseQuantity(std::string_view text) {
+namespace {
+
+/// Removes the minus sign in front of a number, as people and word processors write it; returns
+/// whether there is one.
+bool takeMinus(std::string_view& text) {
+  constexpr std::array kSigns{"-"sv, kMinusSign, "\u2013"sv, "\u2010"sv, "\u2011"sv, "minus"sv};
+  constexpr std::size_t kLongest = 5;
+  const std::string lower = lowerCase(text.substr(0, kLongest));
+  for (const std::string_view sign : kSigns) {
+    if (!lower.starts_with(sign)) continue;
+    const std::string_view rest = trimmedBlanks(text.substr(sign.size()));
+    if (rest.empty() || !(isDigit(rest.front()) || rest.front() == '.' || rest.front() == ','))
+      return false;
+    text = rest;
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::optional<TextQuantity> parseQuantity(std::string_view text, std::optional<char> decimal) {
   text = trimmedField(text);
+  const double sign = takeMinus(text) ? -1 : 1;
+  std::string letters = "0123456789+-.,eEdD\xE2\x88\x92";
+  if (decimal)
+    for (const std::string_view mark : kThousands) letters += mark;
+  const char first = decimal.value_or('.');
   // The number is the longest beginning that is one, with either decimal mark.
-  const std::size_t most =
-      std::min(text.find_first_not_of("0123456789+-.,eEdD\xE2\x88\x92"), text.size());
+  const std::size_t most = std::min(text.find_first_not_of(letters), text.size());
   for (std::size_t size = most; size > 0; --size) {
     const std::string_view beginning = text.substr(0, size);
     double number = 0;
-    if (readTextNumber(beginning, '.', number) || readTextNumber(beginning, ',', number))
-      return TextQuantity{number, std::string(trimmedField(text.substr(size)))};
+    const bool isPlain = readTextNumber(beginning, first, number);
+    const bool isGrouped = !isPlain && decimal && readGroupedNumber(beginning, first, number);
+    if (isPlain || isGrouped || readTextNumber(beginning, first == '.' ? ',' : '.', number))
+      return TextQuantity{sign * number, std::string(trimmedField(text.substr(size))), isGrouped};
   }
   return {};
 }

@@ -135,7 +135,7 @@ std::optional<ScaledUnit> scaledUnit(std::string_view text) {
 
 bool isUnitWord(std::string_view text) {
   constexpr std::size_t kLongest = 14;
-  if (text.empty() || text.size() > kLongest) return false;
+  if (text.empty() || text.size() > kLongest || isFemto(text)) return false;
   // Letters of Greek and of the ring stay as they are.
   const std::string word = lowerCase(text);
   if (std::ranges::find(kOtherWords, word) != kOtherWords.end()) return true;

@@ -266,7 +266,13 @@ std::optional<Unit> findUnit(std::string_view name) {
   return {};
 }
 
+bool isFemto(std::string_view name) {
+  const std::string text = lowerCase(usualSpelling(name));
+  return isOneOf(text, {"fn"sv, "fpa"sv, "fm/s"sv});
+}
+
 std::optional<Unit> unitInAnyCase(std::string_view name, std::string_view si) {
+  if (isFemto(name)) return {};
   if (const auto exact = findUnit(name, si)) return exact;
   const std::string text = lowerCase(usualSpelling(name));
   for (const OtherUnit& one : kOthers)

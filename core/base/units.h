@@ -31,6 +31,10 @@ std::optional<Unit> findUnit(std::string_view name);
 /// times it may not be minutes: only units of `si` are looked at.
 std::optional<Unit> findUnit(std::string_view name, std::string_view si);
 
+/// Returns whether a name in any case would be femtonewtons, femtopascals or femtometres per
+/// second. Tables have none of these: "FN" and "Fn" are symbols of the normal force.
+bool isFemto(std::string_view name);
+
 /// Returns the same as instruments write it, in any case where that leaves no doubt: "KHZ", "MPA"
 /// and "mpa" (megapascals, for nobody measures rubber in millipascals), "MS" (milliseconds).
 std::optional<Unit> unitInAnyCase(std::string_view name, std::string_view si);

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "core/base/text.h"
 #include "core/base/text_dialect.h"
-#include "core/base/units.h"
 #include "core/material/dma_columns.h"
 
 namespace asperity {
@@ -30,8 +30,28 @@ const std::array<QuantityNames, 8>& knownNames() {
         "coefficient", "reibwert", "reibungszahl", "reibbeiwert", "reibungskoeffizient"}},
       {Quantity::Force,
        "normal force",
-       {"normalforce", "fn", "fz", "f", "force", "load", "normalload", "w", "n", "normalkraft",
-        "kraft", "last", "normallast", "belastung", "auflast", "anpresskraft"}},
+       {"normalforce",
+        "fn",
+        "fz",
+        "f",
+        "force",
+        "load",
+        "normalload",
+        "w",
+        "n",
+        "normalkraft",
+        "kraft",
+        "last",
+        "normallast",
+        "belastung",
+        "auflast",
+        "anpresskraft",
+        "radlast",
+        "wheelload",
+        "verticalforce",
+        "verticalload",
+        "vertikalkraft",
+        "vertikallast"}},
       {Quantity::Pressure,
        "nominal pressure",
        {"nominalpressure",
@@ -60,12 +80,34 @@ const std::array<QuantityNames, 8>& knownNames() {
         "nenndruck"}},
       {Quantity::Temperature,
        "temperature",
-       {"temperature", "temp", "t", "temperatur", "sampletemperature", "specimentemperature",
-        "rubbertemperature", "tsample", "tspecimen", "trubber", "probentemperatur",
-        "gummitemperatur", "tprobe", "tgummi"}},
+       {"temperature",
+        "temp",
+        "t",
+        "temperatur",
+        "sampletemperature",
+        "specimentemperature",
+        "rubbertemperature",
+        "tsample",
+        "tspecimen",
+        "trubber",
+        "probentemperatur",
+        "gummitemperatur",
+        "tprobe",
+        "tgummi",
+        "testtemperature",
+        "temperaturerubber",
+        "temperaturesample",
+        "temperaturespecimen",
+        "pr\u00FCftemperatur",
+        "prueftemperatur",
+        "temperaturgummi",
+        "temperaturprobe",
+        "messtemperatur",
+        "versuchstemperatur"}},
       {Quantity::Label,
        "label",
-       {"label", "sample", "name", "set", "series", "specimen", "probe", "bezeichnung", "comment"}},
+       {"label", "sample", "name", "set", "series", "specimen", "probe", "bezeichnung", "comment",
+        "track", "surface"}},
       {Quantity::MuError, "error of the coefficient of friction", {}},
       {Quantity::VelocityError, "error of the velocity", {}},
   }};
@@ -149,6 +191,45 @@ bool isAmbiguous(const std::string& word) {
   return std::ranges::find(kAmbiguous, word) != kAmbiguous.end();
 }
 
+/// Returns the words of a name without those of its average: "mu mean", "mu std (n=3)", "mu_err (1
+/// sigma)". Nothing where there are none. "(2 sigma)" stays, because it doubles the error.
+std::optional<std::string> withoutAverage(std::string name) {
+  const std::size_t all = nameWords(name).size();
+  const std::size_t open = name.find_last_of("([");
+  if (open != std::string::npos && open > 0) {
+    const std::string inner = plainWord(name.substr(open));
+    const bool isCount = inner.size() > 1 && inner.front() == 'n' &&
+                         inner.find_first_not_of("0123456789", 1) == std::string::npos;
+    if (isCount ||
+        isOneOf(inner, {"1sigma", "1\u03C3", "\u00B11sigma", "\u00B11\u03C3", "1s", "1sd", "k1"}))
+      name.resize(open);
+  }
+  std::vector<std::string> words = nameWords(name);
+  std::erase_if(words, [](const std::string& word) {
+    return isOneOf(word,
+                   {"mean", "average", "avg", "mittel", "mittelwert", "mittlere", "mittlerer"});
+  });
+  if (words.empty() || words.size() == all) return {};
+  std::string kept;
+  for (const std::string& word : words) kept += (kept.empty() ? "" : " ") + word;
+  return kept;
+}
+
+/// Returns the quantity that a name states in words and by its symbol: "Normal force F_N",
+/// "Temperature T".
+std::optional<Quantity> namedTwice(const std::string& name) {
+  constexpr std::size_t kMostWords = 8;
+  const std::vector<std::string> words = nameWords(name);
+  if (words.size() > kMostWords) return {};
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    std::string front, back;
+    for (std::size_t j = 0; j < words.size(); ++j) (j < i ? front : back) += words[j];
+    const auto quantity = quantityNamed(front);
+    if (quantity && !isAmbiguous(front) && quantity == quantityNamed(back)) return quantity;
+  }
+  return {};
+}
+
 }  // namespace
 
 std::vector<std::string> blankSeparated(std::string_view text) {
@@ -176,15 +257,19 @@ std::optional<FrictionQuantity> quantityNamed(const std::string& word) {
   return {};
 }
 
+std::optional<Unit> unitOfQuantity(const std::string& unit, Quantity quantity) {
+  if (unit.empty()) return {};
+  if (quantity == Quantity::Force) return unitInAnyCase(unit, "N");
+  if (quantity == Quantity::Pressure) return unitInAnyCase(unit, "Pa");
+  return quantity == Quantity::Temperature ? temperatureUnit(unit) : std::nullopt;
+}
+
 bool measures(const std::string& unit, Quantity quantity) {
-  if (unit.empty()) return false;
-  if (quantity == Quantity::Force) return unitInAnyCase(unit, "N").has_value();
-  if (quantity == Quantity::Pressure) return unitInAnyCase(unit, "Pa").has_value();
-  return quantity == Quantity::Temperature && temperatureUnit(unit).has_value();
+  return unitOfQuantity(unit, quantity).has_value();
 }
 
 bool isAmbiguousName(const std::string& name) {
-  return isAmbiguous(plainWord(name));
+  return isAmbiguous(plainWord(name)) || withoutAverage(name);
 }
 
 bool isRelativeError(const std::string& name) {
@@ -228,6 +313,8 @@ std::optional<FrictionQuantity> findMeaning(const std::string& name, const std::
   if (const auto named = quantityNamed(word);
       named && (!isAmbiguous(word) || unit == kAnyUnit || measures(unit, *named)))
     return named;
+  if (const auto named = namedTwice(name)) return named;
+  if (const auto plain = withoutAverage(name)) return findMeaning(*plain, unit);
   const std::string error = isRelativeError(name) ? withoutRelative(word) : word;
   std::optional<std::string> subject = withoutError(error);
   if (!subject) subject = withoutErrorLetter(error);

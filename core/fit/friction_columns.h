@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/text_table.h"
+#include "core/base/units.h"
 
 namespace asperity {
 
@@ -29,16 +30,17 @@ inline constexpr std::array<FrictionQuantity, 3> kLoadsAndTemperature{
 /// Returns "normal force", "error of the velocity", ...: the quantity in messages.
 const char* meaningOf(FrictionQuantity quantity);
 
-/// Returns the quantity of a column by its name: "v", "Reibwert", "Fz", "u(mu)", "std". A name with
-/// several meanings, such as t for temperature and time, needs a unit of its quantity, or kAnyUnit.
-/// Nothing where the name is not known.
+/// Returns the quantity of a column by its name: "v", "Reibwert", "Fz", "Normal force F_N",
+/// "u(mu)", "std". A name with several meanings, such as t for temperature and time, needs a unit
+/// of its quantity, or kAnyUnit. Nothing where the name is not known.
 std::optional<FrictionQuantity> findMeaning(const std::string& name, const std::string& unit);
 inline std::optional<FrictionQuantity> findMeaning(const TextColumn& column) {
   return findMeaning(column.name, column.unit);
 }
 inline constexpr const char* kAnyUnit = "?";
 
-/// Returns whether a name has several meanings.
+/// Returns whether a name has several meanings or is that of a mean. Such a column does not count
+/// beside one with a clear name.
 bool isAmbiguousName(const std::string& name);
 
 /// Returns the quantity that a word names; the word has letters and digits in lower case alone.
@@ -51,6 +53,8 @@ bool isRelativeError(const std::string& name);
 /// Returns whether a unit is "% of mu", "% rel." or the like: a share of the quantity.
 bool isShareUnit(std::string_view unit);
 
+/// Returns the unit of this load or temperature; nothing where the text is none.
+std::optional<Unit> unitOfQuantity(const std::string& unit, FrictionQuantity quantity);
 /// Returns whether a unit measures this load or temperature.
 bool measures(const std::string& unit, FrictionQuantity quantity);
 /// Returns whether a force, stress or modulus with these words in its name is no normal load: the

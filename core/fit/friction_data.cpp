@@ -14,6 +14,7 @@
 #include "core/base/text_number.h"
 #include "core/base/text_table.h"
 #include "core/fit/friction_columns.h"
+#include "core/fit/friction_header.h"
 #include "core/material/dma_columns.h"
 
 namespace asperity {
@@ -100,6 +101,15 @@ bool isOfFriction(const TextBlock& block) {
   return hasVelocity && hasMu;
 }
 
+/// Returns the decimal mark of a table. A table of whole numbers shows none; where it may be a mark
+/// of thousands, a note says which one is taken.
+HeaderMark markOf(const TextBlock& block, const TextDialect& dialect) {
+  const bool hasDecimals = std::ranges::any_of(block.values, [](double value) {
+    return std::isfinite(value) && value != std::floor(value);
+  });
+  return {dialect.decimal, hasDecimals || dialect.isUnclear};
+}
+
 /// The conversion of the numbers of a column to SI units.
 struct Conversion {
   Unit unit{};
@@ -109,7 +119,8 @@ struct Conversion {
 
 class Reader {
  public:
-  Reader(const TextBlock& block, std::string name) : block_(block), name_(std::move(name)) {}
+  Reader(const TextBlock& block, const TextDialect& dialect, std::string name)
+      : block_(block), name_(std::move(name)), mark_(markOf(block, dialect)) {}
 
   FrictionData read() {
     findColumns();
@@ -129,13 +140,6 @@ class Reader {
     std::size_t index;
     Conversion conversion;
     Message note;
-  };
-
-  /// A load or temperature above the table, of all points.
-  struct Common {
-    Quantity quantity;
-    double value;
-    const TextEntry* entry;
   };
 
   [[noreturn]] void refuse(const Message& what) const { throw InputError(name_, "", what); }
@@ -253,43 +257,26 @@ class Reader {
   /// Reads the loads and temperatures that lines above the table state for all points. What is not
   /// understood, or given by a column, is kept for the notes.
   void readHeader() {
-    for (const TextEntry& entry : block_.header) {
-      const auto number = parseQuantity(entry.value);
-      if (entry.key.empty() || !number) continue;
-      const TextColumn key = parseColumnName(entry.key);
-      const std::string& unit = key.unit.empty() ? number->unit : key.unit;
-      const std::optional<Quantity> meaning = findMeaning(key.name, unit);
-      const auto isMeant = [&](Quantity quantity) { return meaning == quantity; };
-      const auto isMeasured = [&](Quantity quantity) { return measures(unit, quantity); };
-      if (meaning ? std::ranges::none_of(kLoadsAndTemperature, isMeant)
-                  : std::ranges::none_of(kLoadsAndTemperature, isMeasured))
-        continue;
-      if (!meaning || !isMeasured(*meaning) || isGiven(*meaning)) {
-        unused_.push_back(&entry);
-        continue;
+    for (const TextEntry& entry : block_.header)
+      for (HeaderStatement& statement : readStatements(entry, mark_)) {
+        const bool isCommon = statement.quantity && !isGiven(*statement.quantity);
+        (isCommon ? common_ : unused_).push_back(std::move(statement));
       }
-      const Conversion in = conversionOf(*meaning, TextColumn{key.name, unit});
-      common_.push_back({*meaning, in.unit.toSi(number->number), &entry});
-    }
     // Two values of one quantity, or a force and a pressure, leave open which one is meant.
-    const auto isDoubtful = [this](const Common& one) {
-      return !(one.value > 0) || std::ranges::any_of(common_, [&one](const Common& other) {
+    const auto isDoubtful = [this](const HeaderStatement& one) {
+      return !(one.value > 0) || std::ranges::any_of(common_, [&one](const HeaderStatement& other) {
         const bool areLoads =
             one.quantity != Quantity::Temperature && other.quantity != Quantity::Temperature;
         return one.quantity == other.quantity ? one.value != other.value : areLoads;
       });
     };
-    hasTwoLoads_ = std::ranges::count(common_, true, [&](const Common& one) {
+    hasTwoLoads_ = std::ranges::count(common_, true, [&](const HeaderStatement& one) {
                      return one.quantity != Quantity::Temperature && isDoubtful(one);
                    }) > 1;
-    std::vector<Common> sure;
-    for (const Common& one : common_)
-      if (isDoubtful(one))
-        unused_.push_back(one.entry);
-      else
-        sure.push_back(one);
+    std::vector<HeaderStatement> sure;
+    for (const HeaderStatement& one : common_) (isDoubtful(one) ? unused_ : sure).push_back(one);
     common_ = std::move(sure);
-    std::ranges::sort(unused_, {}, &TextEntry::line);
+    std::ranges::stable_sort(unused_, {}, &HeaderStatement::line);
   }
 
   /// Returns notes on how the columns were understood, and which ones were ignored.
@@ -297,29 +284,33 @@ class Reader {
     std::vector<Message> notes{columns_.front().note};
     for (std::size_t i = 1; i < columns_.size(); ++i)
       notes.front() = message("{}; {}", notes.front(), columns_[i].note);
-    for (const Common& one : common_)
+    for (const HeaderStatement& one : common_)
       notes.front() =
           message("{}; {}", notes.front(),
-                  message("line {}: {} of all points ({})", one.entry->line,
-                          Message(meaningOf(one.quantity)), Message::name(entryText(*one.entry))));
+                  message("line {}: {} of all points ({})", one.line,
+                          Message(meaningOf(*one.quantity)), Message::name(shortened(one.text))));
     std::string unused;
     for (std::size_t i = 0; i < block_.columns.size(); ++i)
       if (std::ranges::find(columns_, i, &Column::index) == columns_.end())
         unused += (unused.empty() ? "" : ", ") + (block_.columns[i].name.empty()
                                                       ? std::to_string(i + 1)
                                                       : shortened(block_.columns[i].name));
-    for (const TextEntry* entry : unused_)
-      unused += (unused.empty() ? "" : ", ") + entryText(*entry);
+    for (const HeaderStatement& statement : unused_)
+      unused += (unused.empty() ? "" : ", ") + shortened(statement.text);
     if (!unused.empty()) notes.push_back(message("not used: {}", Message::name(unused)));
     if (hasTwoLoads_)
       notes.emplace_back(
           "the lines above the table state several loads; one normal force or one nominal pressure "
           "says the load");
+    for (const HeaderStatement& one : common_)
+      if (!one.groupedNumber.empty())
+        notes.push_back(
+            mark_.decimal == ','
+                ? message("line {}: {} is read as {}; the decimal mark of the table is a comma",
+                          one.line, one.groupedNumber, plain(one.number))
+                : message("line {}: {} is read as {}; the decimal mark of the table is a point",
+                          one.line, one.groupedNumber, plain(one.number)));
     return notes;
-  }
-
-  static std::string entryText(const TextEntry& entry) {
-    return shortened(entry.key + ": " + entry.value);
   }
 
   std::string namesOfColumns() const {
@@ -336,12 +327,13 @@ class Reader {
 
   void add(Quantity quantity, std::size_t index) {
     const TextColumn& column = block_.columns[index];
-    if (const Column* other = find(quantity))
+    if (const Column* other = find(quantity); other && quantity != Quantity::Label)
       refuse(message("has two columns of the {}: {} and {}", Message(meaningOf(quantity)),
                      shortened(block_.columns[other->index].name), shortened(column.name)));
     if (column.isText && quantity != Quantity::Label)
       refuse(message("column {} has texts where numbers are expected", shortened(column.name)));
-    if (!column.isText && quantity == Quantity::Label) return;  // numbers of samples
+    // Numbers of samples and lengths of tracks are no labels.
+    if (quantity == Quantity::Label && (!column.isText || !column.unit.empty())) return;
     const Conversion conversion = conversionOf(quantity, column);
     Message unit = conversion.unitText;
     if (unit.empty())
@@ -414,7 +406,7 @@ class Reader {
   double valueAt(std::size_t row, Quantity quantity, double whole = 1) const {
     const Column* column = find(quantity);
     if (!column) {
-      const auto common = std::ranges::find(common_, quantity, &Common::quantity);
+      const auto common = std::ranges::find(common_, quantity, &HeaderStatement::quantity);
       return common == common_.end() ? kNotApplicable : common->value;
     }
     const double number = block_.at(row, column->index);
@@ -451,7 +443,9 @@ class Reader {
                           "\"temperature (C)\"",
                           plain(point.temperature)));
     }
-    if (const Column* label = find(Quantity::Label)) point.label = block_.texts[label->index][row];
+    for (const Column& column : columns_)
+      if (column.quantity == Quantity::Label)
+        point.label += (point.label.empty() ? "" : ", ") + block_.texts[column.index][row];
     return point;
   }
 
@@ -546,9 +540,10 @@ class Reader {
   const TextBlock& block_;
   std::string name_;
   std::vector<Column> columns_;
-  std::vector<Common> common_;
-  std::vector<const TextEntry*> unused_;  // lines above the table
-  bool hasTwoLoads_ = false;              // above the table
+  HeaderMark mark_;
+  std::vector<HeaderStatement> common_;  // of all points
+  std::vector<HeaderStatement> unused_;
+  bool hasTwoLoads_ = false;  // above the table
 };
 
 }  // namespace
@@ -560,7 +555,8 @@ bool isFrictionTable(const TextTable& table) {
 FrictionData parseFrictionData(std::string_view bytes, const std::string& name) {
   TextTableOptions options;
   options.keepsTexts = true;
-  options.textColumns = {"label", "sample", "name", "set", "series", "specimen"};
+  options.textColumns = {"label",  "sample",   "name",  "set",
+                         "series", "specimen", "track", "surface"};
   TextTable table = readTextTable(bytes, name, options);
   undoLogarithms(table, [](const std::string& quantity) {
     return findMeaning(quantity, kAnyUnit).has_value();
@@ -580,7 +576,7 @@ FrictionData parseFrictionData(std::string_view bytes, const std::string& name) 
                                first->lines.front(), block.lines.front()));
     first = &block;
   }
-  FrictionData data = Reader(table.largest(), name).read();
+  FrictionData data = Reader(table.largest(), table.dialect, name).read();
   if (table.dialect.isUnclear) data.notes.push_back(unclearMark(table.dialect.decimal));
   return data;
 }

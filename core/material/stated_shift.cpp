@@ -5,12 +5,12 @@
 #include <numbers>
 #include <string_view>
 
+#include "core/base/header_clauses.h"
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/text.h"
 #include "core/base/text_number.h"
 #include "core/material/dma_columns.h"
-#include "core/material/header_clauses.h"
 #include "core/material/isotherms.h"
 #include "core/material/stated_temperature.h"
 #include "core/material/temperature_shift.h"

@@ -7,12 +7,12 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/header_clauses.h"
 #include "core/base/input_error.h"
 #include "core/base/text.h"
 #include "core/base/text_header.h"
 #include "core/base/text_number.h"
 #include "core/material/dma_columns.h"
-#include "core/material/header_clauses.h"
 #include "core/material/isotherms.h"
 
 namespace asperity {

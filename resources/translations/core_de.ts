@@ -6511,6 +6511,14 @@
         <translation>Zeile %1: die Reibungszahl %2 ist das %3-fache dessen, was die Punkte daneben ergeben; stimmt das Dezimalzeichen?</translation>
     </message>
     <message>
+        <source>line %1: %2 is read as %3; the decimal mark of the table is a comma</source>
+        <translation>Zeile %1: %2 wird als %3 gelesen; das Dezimalzeichen der Tabelle ist ein Komma</translation>
+    </message>
+    <message>
+        <source>line %1: %2 is read as %3; the decimal mark of the table is a point</source>
+        <translation>Zeile %1: %2 wird als %3 gelesen; das Dezimalzeichen der Tabelle ist ein Punkt</translation>
+    </message>
+    <message>
         <source>has results of another version of &apos;%1&apos; than %2; a table is of one version</source>
         <translation>hat Ergebnisse einer anderen Fassung von „%1“ als %2; eine Tabelle gilt für eine Fassung</translation>
     </message>

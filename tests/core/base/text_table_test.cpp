@@ -269,9 +269,49 @@ TEST(TextTable, FindsKeysAndValues) {
   EXPECT_EQ(parseQuantity("10 \u00B5m")->unit, "\u00B5m");
   EXPECT_EQ(parseQuantity("1.5e-3m")->number, 1.5e-3);
   EXPECT_FALSE(parseQuantity("mm").has_value());
+  for (const char* text :
+       {"-5 C", "- 5 C", "\u20135 C", "\u2212 5 C", "minus 5 C", "Minus 5,0 C"}) {
+    ASSERT_TRUE(parseQuantity(text).has_value()) << text;
+    EXPECT_EQ(parseQuantity(text)->number, -5) << text;
+    EXPECT_EQ(parseQuantity(text)->unit, "C") << text;
+  }
+  for (const char* text : {"- -5", "minus", "\u2013"})
+    EXPECT_FALSE(parseQuantity(text).has_value()) << text;
   const TextTable grid = read("ncols 4\nnrows 2\ncellsize 0.5\n1 2 3 4\n5 6 7 8\n");
   EXPECT_EQ(grid.entry("ncols", grid.largest()), "4");
   EXPECT_EQ(grid.largest().rows, 2u);
+}
+
+/// "Load 30 N" is a statement, not the key of what stands behind it, and not the name of a column.
+TEST(TextTable, AStatementIsNoKey) {
+  for (const char* line : {"Load 30 N, T 23 C", "Load 30 N; T 23 C", "# Load 30 N, T 23 C"}) {
+    const TextTable made = read(std::string(line) + "\nv m/s,mu\n1,0.5\n2,0.6\n");
+    const TextBlock& block = made.largest();
+    ASSERT_EQ(block.columns.size(), 2u) << line;
+    EXPECT_EQ(block.columns[1].name, "mu") << line;
+    ASSERT_GE(block.header.size(), 1u) << line;
+    EXPECT_EQ(block.header[0].key, "") << line;
+  }
+}
+
+/// The decimal mark of a file says which mark of a header separates thousands.
+TEST(TextTable, ReadsThousandsOfQuantities) {
+  const auto number = [](const char* text, std::optional<char> decimal) {
+    return parseQuantity(text, decimal).value_or(TextQuantity{}).number;
+  };
+  EXPECT_EQ(number("4.000 N", {}), 4);
+  EXPECT_EQ(number("4.000 N", '.'), 4);
+  EXPECT_EQ(number("4.000 N", ','), 4000);
+  EXPECT_EQ(number("1,000 N", '.'), 1000);
+  EXPECT_EQ(number("1,000 N", ','), 1);
+  EXPECT_EQ(number("\u20131.234,5 N", ','), -1234.5);
+  EXPECT_EQ(number("12 345 N", ','), 12345);
+  EXPECT_EQ(number("1'000 N", '.'), 1000);
+  EXPECT_EQ(number("0.200 N", ','), 0.2);
+  EXPECT_EQ(number("0,3 N", '.'), 0.3);
+  EXPECT_TRUE(parseQuantity("4.000 N", ',')->isGrouped);
+  EXPECT_FALSE(parseQuantity("30 N", ',')->isGrouped);
+  EXPECT_EQ(parseQuantity("12 345 N", ',')->unit, "N");
 }
 
 // ---- Several blocks ----------------------------------------------------------------------------

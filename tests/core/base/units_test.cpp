@@ -105,6 +105,9 @@ TEST(Units, AreReadInAnyCaseWhereThatLeavesNoDoubt) {
   EXPECT_EQ(size("mn", "N"), 0) << "millinewtons or meganewtons";
   EXPECT_EQ(size("\u00B0C", "K"), 0) << "has another zero, so no size says it all";
   EXPECT_EQ(unitInAnyCase("c", "K")->toSi(25), 298.15);
+  for (const char* symbol : {"FN", "Fn", "fN"}) EXPECT_EQ(size(symbol, "N"), 0) << symbol;
+  EXPECT_EQ(size("fPa", "Pa"), 0);
+  EXPECT_EQ(size("fm/s", "m/s"), 0);
 }
 
 /// Messages name what is read.

@@ -253,6 +253,23 @@ TEST(FrictionData, ReadsLoadsByTheirSymbols) {
     EXPECT_DOUBLE_EQ(first(name, "20").temperature, 293.15) << name;
 }
 
+/// FN is a symbol of the normal force, not femtonewtons, also where a unit stands behind it.
+TEST(FrictionData, ReadsNamesWithTheirSymbol) {
+  for (const char* name : {"Normalkraft FN", "Normalkraft Fn", "Normal load Fn", "Load FN",
+                           "load_FN", "Normalkraft FN [N]", "Normal force F_N (N)", "FN", "FN (N)"})
+    EXPECT_DOUBLE_EQ(parsed("v (mm/s);mu;" + std::string(name) + "\n1;0,5;30\n10;0,7;30\n")
+                         .points[0]
+                         .normalForce,
+                     30)
+        << name;
+  for (const char* line :
+       {"Normal force FN = 30 N", "Normalkraft (FN): 30 N", "Normalkraft F_N: 30 N",
+        "Normal force [kN]: 30 N", "FN: 30 N", "Normalkraft FN [N]: 30"})
+    EXPECT_DOUBLE_EQ(
+        parsed(std::string(line) + "\nv (mm/s);mu\n1;0,5\n10;0,7\n").points[0].normalForce, 30)
+        << line;
+}
+
 /// A load or temperature that is not understood is refused; other forces and stresses are left out.
 TEST(FrictionData, RefusesLoadsAndTemperaturesThatMayBeMeant) {
   for (const char* name : {"T_track (\u00B0C)", "T_road (\u00B0C)", "T_air [K]"})
@@ -303,6 +320,117 @@ TEST(FrictionData, ReadsLoadAndTemperatureAboveTheTable) {
       parsed("Belastung [N]: 50\nv (mm/s);mu;Belastung (N)\n1;0,45;60\n10;0,62;60\n");
   EXPECT_DOUBLE_EQ(columns.points[0].normalForce, 60);
   EXPECT_EQ(columns.notes[1].english(), "not used: Belastung [N]: 50");
+}
+
+/// Loads, temperatures and means under the names of test benches.
+TEST(FrictionData, ReadsUsualNamesOfTestBenches) {
+  const auto first = [](const std::string& name) {
+    return parsed("v (mm/s);mu;" + name + "\n1;0.5;25\n10;0.7;25\n").points[0];
+  };
+  for (const char* name :
+       {"Vertical force Fz [N]", "Vertical load (N)", "Normal force F_N (N)", "Fz mean (N)"})
+    EXPECT_DOUBLE_EQ(first(name).normalForce, 25) << name;
+  EXPECT_DOUBLE_EQ(first("Radlast [kN]").normalForce, 25e3);
+  EXPECT_DOUBLE_EQ(first("Contact pressure pN [kPa]").nominalPressure, 25e3);
+  for (const char* name :
+       {"Pr\u00FCftemperatur [\u00B0C]", "Test temperature [\u00B0C]", "Temperatur Gummi [\u00B0C]",
+        "Temperature (rubber) [\u00B0C]", "Temperature T (\u00B0C)"})
+    EXPECT_DOUBLE_EQ(first(name).temperature, 298.15) << name;
+  EXPECT_DOUBLE_EQ(
+      parsed("Pr\u00FCftemperatur: 25 \u00B0C\nVertical load: 5 N\nv;mu\n1;0,5\n2;0,6\n")
+          .points[0]
+          .temperature,
+      298.15);
+  for (const char* names : {"mu mean;mu std", "mu;mu std (n=3)", "mu;mu_err (1 sigma)",
+                            "mu (mean);std", "mu;mu_err (k=1)", "mean mu;mu std (N = 10)"}) {
+    const FrictionData data =
+        parsed("v [mm/s];" + std::string(names) + "\n1;0,60;0,05\n10;0,80;0,07\n");
+    EXPECT_DOUBLE_EQ(data.points[1].mu, 0.8) << names;
+    EXPECT_DOUBLE_EQ(data.points[1].muError, 0.07) << names;
+  }
+  EXPECT_EQ(parsed("v;mu;mu mean\n1;0,60;0,05\n10;0,80;0,07\n").notes[1].english(),
+            "not used: mu mean");
+  for (const char* name : {"mu_err (2 sigma)", "mu_err (k=2)"})
+    EXPECT_THAT(errorOf("v;mu;" + std::string(name) + "\n1;0,6;0,1\n10;0,8;0,1\n"),
+                HasSubstr("is unknown"))
+        << name;
+}
+
+/// Tracks tell repeated velocities apart, also beside other labels.
+TEST(FrictionData, TracksAreLabels) {
+  const FrictionData data =
+      parsed("Track;v [mm/s];mu\nwet asphalt;1;0,5\nwet asphalt;10;0,7\ndry concrete;10;0,9\n");
+  EXPECT_EQ(data.points[2].label, "dry concrete");
+  const FrictionData both =
+      parsed("Sample;Track;v [mm/s];mu\nA;wet;1;0,5\nA;wet;10;0,7\nA;dry;10;0,9\n");
+  EXPECT_EQ(both.points[2].label, "A, dry");
+  EXPECT_EQ(parsed("v;mu;Track (m)\n1;0,6;5\n10;0,8;5\n").points[0].label, "");
+}
+
+/// A line may have several statements, without signs, with a tolerance or a remark.
+TEST(FrictionData, ReadsEachStatementOfALine) {
+  const auto first = [](const std::string& line, const std::string& rows) {
+    return parsed(line + "\n" + rows).points[0];
+  };
+  const std::string points = "v (mm/s),mu\n1,0.5\n10,0.7\n",
+                    commas = "v (mm/s);mu\n1;0,5\n10;0,7\n";
+  for (const std::string& rows : {points, commas, std::string("v (mm/s)\tmu\n1\t0.5\n10\t0.7\n"),
+                                  std::string("v_mm/s mu\n1 0.5\n10 0.7\n")}) {
+    for (const char* line : {"Load 30 N", "# Load = 30 N", "F = 30 N", "Load: 30 N \u00B1 1 N",
+                             "Load: 30 N (constant)", "Normal load at constant 30 N"})
+      EXPECT_DOUBLE_EQ(first(line, rows).normalForce, 30) << line << "\n" << rows;
+    for (const char* line :
+         {"T = 23 \u00B0C", "T = 23 \u00B1 1 \u00B0C", "T = (23 +/- 1) \u00B0C",
+          "Temperature T: 23 C", "T 23 \u00B0C", "Test conditions: T = 23 \u00B0C",
+          "Test 3: T = 23 \u00B0C", "Temperature: 23 deg C"})
+      EXPECT_DOUBLE_EQ(first(line, rows).temperature, 296.15) << line << "\n" << rows;
+    for (const char* line : {"Load 30 N, T 23 \u00B0C", "Load = 30 N, T = 23 \u00B0C",
+                             "F = 30 N; T = 23 \u00B0C", "# T=23C; F=30N"}) {
+      EXPECT_DOUBLE_EQ(first(line, rows).normalForce, 30) << line << "\n" << rows;
+      EXPECT_DOUBLE_EQ(first(line, rows).temperature, 296.15) << line << "\n" << rows;
+    }
+    EXPECT_DOUBLE_EQ(first("Nominal pressure 0.2 MPa", rows).nominalPressure, 2e5) << rows;
+  }
+  for (const char* line : {"Temperatur: \u20135 \u00B0C", "Temperatur: - 5 \u00B0C",
+                           "Temperatur = \u2212 5 \u00B0C", "Temperatur: minus 5 \u00B0C"})
+    EXPECT_DOUBLE_EQ(first(line, commas).temperature, 268.15) << line;
+}
+
+/// A load or temperature above the table that is not understood is named.
+TEST(FrictionData, ListsStatementsThatItDoesNotUse) {
+  for (const char* line :
+       {"Track temperature: 23 \u00B0C", "Track: T = 23 \u00B0C", "Temperature: 23 \u00B0C (track)",
+        "Weight of 30 N", "30 N", "T = 20 - 25 \u00B0C", "T = 20...25 \u00B0C",
+        "Measured with 30 N on the sled", "Temperature - 5 \u00B0C", "Load: 300 g", "Load: 30",
+        "Load: 30 N; 60 N", "Load = 30 N, 60 N", "Load: 30 N and 60 N"}) {
+    const FrictionData data = parsed(std::string(line) + "\nv (mm/s);mu\n1;0,5\n10;0,7\n");
+    EXPECT_TRUE(std::isnan(data.points[0].temperature)) << line;
+    EXPECT_TRUE(std::isnan(data.points[0].normalForce)) << line;
+    ASSERT_EQ(data.notes.size(), 2U) << line;
+    EXPECT_THAT(data.notes[1].english(), testing::StartsWith("not used: ")) << line;
+  }
+  EXPECT_EQ(
+      parsed("Track 5 \u00B0C, T = 23 \u00B0C\nv (mm/s);mu\n1;0,5\n10;0,7\n").notes[1].english(),
+      "not used: Track 5 \u00B0C");
+  for (const char* line : {"Sample 5, rough", "Radius: 5 mm", "Date: 2024-05-02", "v = 5 mm/s"})
+    EXPECT_EQ(parsed(std::string(line) + "\nv (mm/s);mu\n1;0,5\n10;0,7\n").notes.size(), 1U)
+        << line;
+}
+
+/// The decimal mark of the rows says what the marks above the table mean.
+TEST(FrictionData, ReadsThousandsAboveTheTable) {
+  for (const char* text : {"Last: 4.000 N\nv (mm/s);mu\n1;0,5\n10;0,7\n",
+                           "Last [N];4.000\nv (mm/s);mu\n1;0,5\n10;0,7\n",
+                           "Load: 4,000 N\nv (mm/s),mu\n1,0.5\n10,0.7\n"}) {
+    const FrictionData data = parsed(text);
+    EXPECT_DOUBLE_EQ(data.points[0].normalForce, 4000) << text;
+    ASSERT_EQ(data.notes.size(), 2U) << text;
+    EXPECT_THAT(data.notes[1].english(), HasSubstr("is read as 4000; the decimal mark")) << text;
+  }
+  EXPECT_DOUBLE_EQ(parsed("Last: 4,000 N\nv (mm/s);mu\n1;0,5\n10;0,7\n").points[0].normalForce, 4);
+  const FrictionData whole = parsed("Last: 4.000 N\nv (mm/s);mu (%)\n1;50\n10;70\n");
+  EXPECT_TRUE(std::isnan(whole.points[0].normalForce));
+  EXPECT_EQ(whole.notes[1].english(), "not used: Last: 4.000 N");
 }
 
 /// One point a hundred times too high or too low is named; a steep or noisy curve is not.

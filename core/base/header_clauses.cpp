@@ -1,4 +1,4 @@
-#include "core/material/header_clauses.h"
+#include "core/base/header_clauses.h"
 
 #include <fmt/format.h>
 
