@@ -145,6 +145,9 @@ TEST_F(ViewTest, ALowPictureOfContactAndCurveIsWhole) {
   const std::string text = read("c.svg");
   EXPECT_THAT(text, AllOf(HasSubstr(">diese Linie, jetzt<"), HasSubstr(">Gl. (11)<"),
                           HasSubstr("± Standardfehler<"), Not(HasSubstr(" weitere<"))));
+  // A crest at the right end moves the normal force towards the middle, and all labels have room.
+  run("render figure_1 -o f.svg --layout both --size 670x420 --set ensemble.realizations=2");
+  EXPECT_THAT(read("f.svg"), AllOf(HasSubstr("200 mN"), HasSubstr("233 µN"), HasSubstr("slides")));
 }
 
 /// The panel of the difference is drawn or missed aloud.

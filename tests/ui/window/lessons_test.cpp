@@ -1027,6 +1027,16 @@ TEST_F(LessonsTest, ThePlaceOfAPointInResultsHasItsUnit) {
   }
 }
 
+/// Texts of lessons speak of the glow of the pressure, whatever the user had chosen before.
+TEST_F(LessonsTest, ShowsThePressureAndGivesTheChosenColoursBack) {
+  auto& canvas = *window_.findChild<ContactCanvas*>();
+  canvas.setOverlay(ContactOverlay::Power);
+  lessons().start(lessonOf(sampleLesson()));
+  EXPECT_EQ(canvas.viewer().overlay(), ContactOverlay::Pressure);
+  lessons().end();
+  EXPECT_EQ(canvas.viewer().overlay(), ContactOverlay::Power);
+}
+
 TEST_F(LessonsTest, AClassIsATable) {
   TemporaryFolder folder;
   const Lesson lesson = readNamedLesson("load_and_friction", readNamedScene);
