@@ -202,20 +202,50 @@ std::vector<StatedModulus> statedModuli(const TextTable& table, const TextBlock&
   return found;
 }
 
-/// Refuses a series some of whose moduli have a unit and some none: it is unclear whether it is
-/// that of all.
-void refuseMixedUnits(const TextColumn& weights, const RawSeries& series,
-                      const std::vector<StatedModulus>& stated, const std::string& name) {
-  for (const StatedModulus& one : stated) {
-    if (one.unit.empty() && series.isUnitKnown)
-      throw InputError(name, one.key,
-                       message("has no unit, and {} is in {}; write its unit behind the number",
-                               Message::name(weights.name), Message::name(weights.unit)));
-    if (!one.unit.empty() && !series.isUnitKnown && !series.isRelative)
+/// Returns whether the sum of the arms fits a stated modulus: they leave something of the
+/// instantaneous one, and an equilibrium modulus is between 1e-5 of theirs and 30 times theirs.
+bool fitsStated(double sum, double stated, bool isInstantaneous) {
+  const double ratio = sum / stated;
+  return isInstantaneous ? ratio >= 0.01 && ratio <= 1.02 : ratio >= 0.03 && ratio <= 1e5;
+}
+
+/// Gives moduli without a unit one where others have one: that of the others, or Pa, whichever
+/// alone makes both fit, which a note says. Throws InputError where neither or both would.
+/// sum: of the numbers of the arms.
+void assumeUnits(const TextColumn& weights, double sum, std::vector<StatedModulus>& stated,
+                 const std::string& name, RawSeries& series) {
+  if (series.isRelative) return;
+  const auto note = [&series](const std::string& key, const std::string& unit) {
+    series.notes.push_back(message("{} has no unit: {} is assumed, which fits the other moduli",
+                                   Message::name(key), Message::name(unit)));
+  };
+  for (StatedModulus& one : stated) {
+    if (one.number == 0 || one.unit.empty() == !series.isUnitKnown) continue;
+    if (series.isUnitKnown) {
+      const bool inOthers = fitsStated(sum, one.number, one.isInstantaneous);
+      const bool inPascals = fitsStated(sum * series.unit, one.number, one.isInstantaneous);
+      if (series.unit != 1 && inOthers == inPascals)
+        throw InputError(name, one.key,
+                         message("has no unit, and {} is in {}; write its unit behind the number",
+                                 Message::name(weights.name), Message::name(weights.unit)));
+      one.unit = inOthers ? weights.unit : "Pa";
+      note(one.key, one.unit);
+      continue;
+    }
+    const double size = modulusSize(one.unit, name, one.key);
+    const bool inOthers = fitsStated(sum, one.number, one.isInstantaneous);
+    const bool inPascals = fitsStated(sum, one.number * size, one.isInstantaneous);
+    // Small letters are those of parts, which may be in per cent.
+    const bool isPart = weights.name.starts_with('g') || weights.name.starts_with('e');
+    if (size != 1 && (inOthers == inPascals || (isPart && inOthers)))
       throw InputError(
           name, weights.name,
           message("has no unit, and {} is in {}; say with --modulus-unit which unit both have",
-                  one.key, one.unit));
+                  Message::name(one.key), Message::name(one.unit)));
+    series.unit = inOthers ? size : 1;
+    series.isUnitKnown = true;
+    note(weights.name, inOthers ? std::string(withoutBrackets(one.unit)) : "Pa");
+    return;
   }
 }
 
@@ -266,7 +296,6 @@ std::optional<RawSeries> tableSeries(const TextTable& table, const std::string& 
   const bool hasUnit = !weights.unit.empty() && weights.unit != "-" && weights.unit != "1";
   if (hasUnit && !isPercent) series.unit = modulusSize(weights.unit, name, weights.name);
   series.isUnitKnown = hasUnit && !isPercent;
-  const double wanted = unitSize(choices.modulusUnit, "Pa").value_or(series.unit);
   const double time = timeSizeOf(block.columns[timeAt], name, series);
 
   // A row without a relaxation time, or with an infinite one, is the equilibrium modulus.
@@ -293,7 +322,8 @@ std::optional<RawSeries> tableSeries(const TextTable& table, const std::string& 
     const bool isPart = series.isRelative && stated.unit.empty() && stated.number < 1;
     if (!isPart) above.push_back(stated);
   }
-  if (choices.modulusUnit.empty()) refuseMixedUnits(weights, series, above, name);
+  if (choices.modulusUnit.empty()) assumeUnits(weights, sum, above, name, series);
+  const double wanted = unitSize(choices.modulusUnit, "Pa").value_or(series.unit);
   // The letter g of a part says nothing about the modulus of which it is one.
   const ModulusKind ofColumn = kindOf(modulusLetter(weights.name));
   ModulusKind kind = series.isRelative ? ModulusKind::Unknown : ofColumn;

@@ -267,7 +267,8 @@ class HeaderReader {
     if (rank != Rank::Bare && isOfStep(words)) return false;
     // The temperature of "Curing: 10 min; T = 160 °C" is that of curing; the second of "Aging: 70
     // °C; Temperature: 20 °C" is not.
-    if (isOfMaking_ && !(rank != Rank::Bare && isMakingDone_)) return false;
+    const bool isOwn = rank == Rank::Reference || (rank != Rank::Bare && isMakingDone_);
+    if (isOfMaking_ && !isOwn) return false;
     const bool isOfTest = areOfTest(words);
     if (std::ranges::any_of(words, isVague)) {
       rank = Rank::Bare;
@@ -330,7 +331,7 @@ class HeaderReader {
     if (isShift) rank = Rank::ShiftReference;
     if (!quantity || rank == Rank::Bare || (areOfOther(words) && !isShift) || isOfStep(words))
       return;
-    if (isOfMaking_ && !isMakingDone_) return;
+    if (isOfMaking_ && !isMakingDone_ && rank != Rank::Reference) return;
     if (rank == Rank::Reference && isLineOfShift_) rank = Rank::ShiftReference;
     std::string unit = unit_.empty() ? quantity->unit : unit_;
     if (unit.empty()) unit = parseColumnName(key).unit;
