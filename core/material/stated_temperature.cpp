@@ -33,7 +33,7 @@ bool isOfMaking(const std::string& word) {
       "vulc",     "vulk",     "cure",         "curing",     "mix",      "misch",  "mold",
       "mould",    "press",    "aged",         "ageing",     "aging",    "alter",  "gealtert",
       "lager",    "gelager",  "melt",         "schmelz",    "extru",    "calib",  "kalib",
-      "getemper", "vernetz",  "verarbeit",    "process",    "crossli",  "drying", "dried",
+      "getemper", "vernetz",  "verarbeit",    "processing", "crossli",  "drying", "dried",
       "trockn",   "getrockn", "cuisson",      "stockage",   "anneal",   "mdr",    "t90",
       "tc90",     "ts2",      "r\u00E9ticul", "vorbehandl", "pretreat", "stored"};
   // "tempered", "Tempern", but not "temperature" and "temperiert" (held at a temperature).
@@ -75,7 +75,10 @@ bool areOfOther(const Words& words) {
     const bool isModulus =
         i + 1 < words.size() && (words[i + 1].starts_with("mod") ||
                                  isOneOf(words[i + 1], {"g", "e", "shear", "and", "und"}));
-    if (isOfOther(word) || (word == "storage" && !isModulus)) return true;
+    // "Process temperature"; a process may also be that of the test.
+    const bool isProcess =
+        word == "process" && i + 1 < words.size() && words[i + 1].starts_with("temp");
+    if (isOfOther(word) || isProcess || (word == "storage" && !isModulus)) return true;
   }
   return false;
 }
@@ -236,7 +239,8 @@ class HeaderReader {
     if (begin == 0) readPlainNumber(clause);
   }
 
-  /// Reads the first temperature of a text; returns whether it is one that counts.
+  /// Reads the first temperature of a text. Returns whether it may be that of the test; otherwise
+  /// what stands behind it is read, too.
   bool readTemperature(std::string_view clause, const TextTemperature& found) {
     std::string_view before = clause.substr(0, found.begin);
     if (beginsAsRange(clause.substr(found.end)) || endsWithinRange(before)) return false;
@@ -255,7 +259,7 @@ class HeaderReader {
     const std::string_view key = keyBefore(before);
     const Words words = wordsIn(before);
     if (isLineOfShift_ || isOfGlass(words)) {
-      if (addOfShift(words, kelvin)) return true;
+      if (addOfShift(words, kelvin)) return false;
     }
     if (areOfOther(words)) return false;
     Rank rank = rankOf(key);

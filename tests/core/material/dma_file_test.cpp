@@ -162,6 +162,7 @@ TEST(DmaFile, TheTemperatureOfTheTestIsFoundAmongOthers) {
            "Drying temperature: 80 \u00B0C\nMeasured at 20 \u00B0C\n",
            "Trocknungstemperatur: 80 \u00B0C\nMessung bei 20 \u00B0C\n",
            "Storage temperature: 5 \u00B0C\nMeasured at 20 \u00B0C\n",
+           "Process temperature: 160 \u00B0C\nProcess: sweep, 20 \u00B0C\n",
            "Storage modulus, temperature 20 \u00B0C\n",
            "Brittleness temperature: -55 \u00B0C\nMeasured at 20 \u00B0C\n",
            "Softening temperature: 90 \u00B0C\nMeasured at 20 \u00B0C\n",
