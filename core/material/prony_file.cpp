@@ -14,6 +14,7 @@
 #include "core/material/dma_columns.h"
 #include "core/material/element_law.h"
 #include "core/material/header_clauses.h"
+#include "core/material/isotherms.h"
 #include "core/material/prony_keywords.h"
 #include "core/material/stated_shift.h"
 #include "core/material/stated_temperature.h"
@@ -172,6 +173,9 @@ void readTemperature(const TextTable& table, const TextBlock& block, const std::
     const auto stated = statedTemperature(table, block, name, choices.temperatureUnit, true);
     const auto inFile = stated ? std::optional(stated->kelvin) : std::nullopt;
     if (!choices.temperature) series.temperature = inFile;
+    if (!choices.temperature && stated)
+      series.notes.push_back(message("temperature: {} (line {}: {})", celsius(stated->kelvin),
+                                     stated->line, Message::name(shortened(stated->text))));
     constexpr double kSame = 1e-6;  // K, of converted degrees
     if (inFile && !(reference && std::abs(*inFile - *reference) < kSame)) reference = inFile;
   } catch (const InputError&) {
