@@ -29,13 +29,13 @@ bool beginsWithAny(const std::string& word, const std::array<std::string_view, N
 
 /// Returns whether a word says that a temperature is one of making or storing the sample.
 bool isOfMaking(const std::string& word) {
-  constexpr std::array<std::string_view, 41> kStems{
-      "vulc",     "vulk",     "cure",         "curing",     "mix",      "misch",  "mold",
-      "mould",    "press",    "aged",         "ageing",     "aging",    "alter",  "gealtert",
-      "lager",    "gelager",  "melt",         "schmelz",    "extru",    "calib",  "kalib",
-      "getemper", "vernetz",  "verarbeit",    "processing", "crossli",  "drying", "dried",
-      "trockn",   "getrockn", "cuisson",      "stockage",   "anneal",   "mdr",    "t90",
-      "tc90",     "ts2",      "r\u00E9ticul", "vorbehandl", "pretreat", "stored"};
+  constexpr std::array<std::string_view, 37> kStems{
+      "vulc",     "vulk",     "cure",      "curing",     "mix",     "misch",        "mold",
+      "mould",    "press",    "aged",      "ageing",     "aging",   "alter",        "gealtert",
+      "lager",    "gelager",  "melt",      "schmelz",    "extru",   "calib",        "kalib",
+      "getemper", "vernetz",  "verarbeit", "processing", "crossli", "drying",       "dried",
+      "trockn",   "getrockn", "cuisson",   "stockage",   "anneal",  "r\u00E9ticul", "vorbehandl",
+      "pretreat", "stored"};
   // "tempered", "Tempern", but not "temperature" and "temperiert" (held at a temperature).
   const bool isTempering =
       word.starts_with("temper") && !word.starts_with("temperat") && !word.starts_with("temperier");
@@ -47,18 +47,18 @@ bool isOfMaking(const std::string& word) {
 /// Returns whether a word says that a temperature is none of the test: a property of the sample, a
 /// number of the program or of the oven, a constant of the shift.
 bool isOfOther(const std::string& word) {
-  constexpr std::array<std::string_view, 61> kStems{
-      "instrument",   "ger\u00E4t",   "device",      "glas",        "dens",        "dicht",
-      "hardn",        "h\u00E4rte",   "toler",       "oven",        "ofen",        "furnace",
-      "range",        "bereich",      "maxim",       "minim",       "limit",       "grenz",
-      "heat",         "heiz",         "aufheiz",     "cool",        "k\u00FChl",   "soak",
-      "halte",        "ramp",         "increment",   "schritt",     "differ",      "offset",
-      "gradient",     "accur",        "abk\u00FChl", "genauig",     "h\u00F6chst", "resolution",
-      "britt",        "verspr\u00F6", "spr\u00F6d",  "crystal",     "kristall",    "soften",
-      "erweich",      "precision",    "stabil",      "pr\u00E4zis", "uniform",     "deviation",
-      "abweich",      "fluctuat",     "schwank",     "variation",   "error",       "fehler",
-      "uncertain",    "unsicher",     "repeatab",    "sensor",      "f\u00FChler", "thermocouple",
-      "thermoelement"};
+  constexpr std::array<std::string_view, 65> kStems{
+      "instrument",    "ger\u00E4t",   "device",      "glas",        "dens",        "dicht",
+      "hardn",         "h\u00E4rte",   "toler",       "oven",        "ofen",        "furnace",
+      "range",         "bereich",      "maxim",       "minim",       "limit",       "grenz",
+      "heat",          "heiz",         "aufheiz",     "cool",        "k\u00FChl",   "soak",
+      "halte",         "ramp",         "increment",   "schritt",     "differ",      "offset",
+      "gradient",      "accur",        "abk\u00FChl", "genauig",     "h\u00F6chst", "resolution",
+      "britt",         "verspr\u00F6", "spr\u00F6d",  "crystal",     "kristall",    "soften",
+      "erweich",       "precision",    "stabil",      "pr\u00E4zis", "uniform",     "deviation",
+      "abweich",       "fluctuat",     "schwank",     "variation",   "error",       "fehler",
+      "uncertain",     "unsicher",     "repeatab",    "sensor",      "f\u00FChler", "thermocouple",
+      "thermoelement", "mdr",          "t90",         "tc90",        "ts2"};
   return isOfMaking(word) || beginsWithAny(word, kStems) ||
          isOneOf(word, {"bis",     "tg",      "rate",  "wlf",    "c1",       "c2",   "c\u2081",
                         "c\u2082", "max",     "min",   "tmax",   "tmin",     "dt",   "delta",

@@ -185,6 +185,7 @@ TEST(DmaFile, TheTemperatureOfTheTestIsFoundAmongOthers) {
            "Temperatur: 20 Grad Celsius\n",
            "Sample: NR 60C\nFrequency sweep 20 \u00B0C\n",
            "Run at 20 C\n",
+           "Probe: SBR T90; Temperature: 20 \u00B0C\n",
            "Probe: SBR T90; Tref: 20 \u00B0C; cure 10 min @ 170 \u00B0C\n",
        }) {
     SCOPED_TRACE(header);
