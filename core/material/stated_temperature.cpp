@@ -85,9 +85,9 @@ bool areOfOther(const Words& words) {
 
 /// Returns whether words say that something was measured.
 bool areOfTest(const Words& words) {
-  static constexpr std::array<std::string_view, 12> kStems{
-      "test",      "measur",      "gemess", "messung",  "messtemp", "mess",
-      "pr\u00FCf", "gepr\u00FCf", "mesur",  "isotherm", "sweep",    "ttest"};
+  static constexpr std::array<std::string_view, 10> kStems{
+      "test",        "measur", "gemess",   "mess",  "pr\u00FCf",
+      "gepr\u00FCf", "mesur",  "isotherm", "sweep", "ttest"};
   return std::ranges::any_of(words,
                              [](const std::string& word) { return beginsWithAny(word, kStems); });
 }
