@@ -35,12 +35,13 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 12> kGreek{
 /// blanks, "_", "-" and ".".
 std::string compact(std::string_view given) {
   std::string text = lowerCase(given);
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 24> kReplacements{{
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 28> kReplacements{{
       {"\u2033", "''"},    {"\u201D", "''"},    {"\u201C", "''"},     {"\"", "''"},
       {"\u2032", "'"},     {"\u2019", "'"},     {"\u2018", "'"},      {"\u00B4", "'"},
       {"`", "'"},          {"\u03B4", "delta"}, {"\u0394", "delta"},  {"\u03C9", "omega"},
       {"\u03A9", "omega"}, {"\u03B3", "gamma"}, {"\u03B5", "strain"}, {"\u03D1", "temp"},
       {"\u03B8", "temp"},  {"\u00E4", "ae"},    {"\u00F6", "oe"},     {"\u00FC", "ue"},
+      {"\u00E9", "e"},     {"\u00E8", "e"},     {"\u00C9", "e"},      {"\u00C8", "e"},
       {"\u00B7", ""},      {"\u00A0", ""},      {"\u2217", "*"},      {"\u00B0", ""},
   }};
   for (const auto& [from, to] : kReplacements) replaceAll(text, from, to);
@@ -71,6 +72,14 @@ ModulusKind modulusKind(std::string_view word) {
   return ModulusKind::Unknown;
 }
 
+/// Returns whether a name without blanks names a temperature: not "attempt", nor "temps", the time
+/// in French.
+bool namesTemperature(std::string_view word) {
+  if (word == "temps" || word.starts_with("tempsde")) return false;
+  return word.find("temp") != word.npos && word.find("ref") == word.npos &&
+         !containsAny(word, {"attempt", "template", "tempor", "contemp"});
+}
+
 DmaQuantity dmaQuantity(std::string_view word) {
   using enum DmaQuantity;
   if (word.empty()) return None;
@@ -92,9 +101,9 @@ DmaQuantity dmaQuantity(std::string_view word) {
                : Frequency;
   if (isOneOf(word, {"at*f", "atf", "fat", "f*at", "omega*at", "omegaat", "atomega", "at*omega"}))
     return ReducedFrequency;
-  if ((word.find("temp") != word.npos && word.find("ref") == word.npos) ||
+  if (namesTemperature(word) ||
       isOneOf(word, {"t", "tc", "tk", "tcelsius", "tkelvin", "tsample", "tprobe", "tset", "tsoll",
-                     "tist", "tactual", "tmeasured"}))
+                     "tist", "tactual", "tmeasured", "ttest", "tmess"}))
     return Temperature;
   if (containsAny(word, {"''", "lossmod", "gloss", "eloss", "verlustmodul", "doubleprime",
                          "viscousmod", "modulusloss", "dprime"}) ||
@@ -224,18 +233,36 @@ bool goesOnAsRate(std::string_view text) {
                  {"min", "minute", "s", "sec", "second", "h", "hr", "hour", "mm", "m"});
 }
 
+/// Returns the length of a sign with the blanks behind it that begins here, 0 where there is none:
+/// "-", "\u2212", an en dash, "minus". A dash before a blank is a sign at the beginning, behind a
+/// key and behind "at"; elsewhere it separates, as in "NR 60 - 20 \u00B0C".
+std::size_t signLength(std::string_view text, std::size_t begin, bool& isMinus) {
+  const std::string_view rest = text.substr(begin);
+  const std::string_view before = trimmedBlanks(text.substr(0, begin));
+  isMinus = true;
+  if (lowerCase(rest.substr(0, 6)) == "minus ")
+    return before.ends_with('/') || lowerCase(before).ends_with("plus") ? 0 : 6;
+  for (const std::string_view sign : {"-", "+", "\u2212", "\u2013"}) {
+    if (!rest.starts_with(sign)) continue;
+    isMinus = sign != "+";
+    // "20 +/-0.5" and "20 +-0.5" are tolerances.
+    if (before.ends_with('+') || before.ends_with('/')) return 0;
+    if (!rest.substr(sign.size()).starts_with(' ')) return sign.size();
+    const std::size_t word = before.find_last_of(" \t");
+    const bool isBehindKey =
+        before.empty() || std::string_view(":=(@[").find(before.back()) != before.npos ||
+        isOneOf(lowerCase(before.substr(word == before.npos ? 0 : word + 1)), {"at", "bei"});
+    return isBehindKey ? sign.size() + 1 : 0;
+  }
+  return 0;
+}
+
 /// Returns the temperature with its unit that begins at this position.
 std::optional<TextTemperature> temperatureAt(std::string_view text, std::size_t begin) {
-  std::size_t end = begin;
-  std::string number;
-  constexpr std::string_view kMinus = "\u2212";
-  if (text.substr(end).starts_with(kMinus)) {
-    number = "-";
-    end += kMinus.size();
-  } else if (text[end] == '-' || text[end] == '+') {
-    if (text[end] == '-') number = "-";
-    ++end;
-  }
+  bool isMinus = false;
+  const std::size_t sign = signLength(text, begin, isMinus);
+  std::size_t end = begin + sign;
+  std::string number = sign > 0 && isMinus ? "-" : "";
   const std::size_t digits = end;
   while (end < text.size() && (isDigit(text[end]) || text[end] == '.' || text[end] == ','))
     number += text[end] == ',' ? '.' : text[end], ++end;
@@ -244,14 +271,37 @@ std::optional<TextTemperature> temperatureAt(std::string_view text, std::size_t 
   if (!readTextNumber(number, '.', value)) return {};
   while (end < text.size() && (text[end] == ' ' || text[end] == '_')) ++end;
   // The longest unit is tried first; a letter behind it belongs to another word.
-  for (const std::string_view unit :
-       {"\u00B0C", "\u00BAC", "\u2103", "degC", "deg C", "\u00B0 C", "\u00B0F", "degF", "Celsius",
-        "celsius", "Kelvin", "C", "K", "F"}) {
-    if (!text.substr(end).starts_with(unit)) continue;
-    const std::size_t behind = end + unit.size();
+  constexpr std::pair<std::string_view, std::string_view> kUnits[] = {{"Grad Celsius", "C"},
+                                                                      {"grad Celsius", "C"},
+                                                                      {"degrees Celsius", "C"},
+                                                                      {"degrees C", "C"},
+                                                                      {"\u00B0Celsius", "C"},
+                                                                      {"\u00B0 Celsius", "C"},
+                                                                      {"Grad C", "C"},
+                                                                      {"deg. C", "C"},
+                                                                      {"\u00B0C", "C"},
+                                                                      {"\u00BAC", "C"},
+                                                                      {"\u2103", "C"},
+                                                                      {"degC", "C"},
+                                                                      {"deg C", "C"},
+                                                                      {"\u00B0 C", "C"},
+                                                                      {"\u00B0F", "F"},
+                                                                      {"degF", "F"},
+                                                                      {"Celsius", "C"},
+                                                                      {"celsius", "C"},
+                                                                      {"Kelvin", "K"},
+                                                                      {"kelvin", "K"},
+                                                                      {"C", "C"},
+                                                                      {"K", "K"},
+                                                                      {"F", "F"}};
+  for (const auto& [written, unit] : kUnits) {
+    if (!text.substr(end).starts_with(written)) continue;
+    const std::size_t behind = end + written.size();
     if (behind < text.size() && std::isalnum(static_cast<unsigned char>(text[behind]))) continue;
     if (goesOnAsRate(text.substr(behind))) return {};
-    return TextTemperature{temperatureUnit(unit)->toSi(value), begin, behind};
+    const bool isLetter = written == "C" || written == "F";
+    return TextTemperature{
+        temperatureUnit(unit)->toSi(value), begin, behind, value, unit, isLetter};
   }
   return {};
 }

@@ -58,6 +58,9 @@ inline constexpr double kColdestTest = 100;
 struct TextTemperature {
   double kelvin = 0;
   std::size_t begin = 0, end = 0;
+  double number = 0;        // as written, with its sign
+  std::string_view unit{};  // "C", "K" or "F"
+  bool isLetter = false;    // whether the unit is written as the letter C or F alone
 };
 
 /// Returns the first temperature in a text; it needs a unit: "sweep at 20 \u00B0C", "T = 293 K". A

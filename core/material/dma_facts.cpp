@@ -4,7 +4,9 @@
 
 #include "core/base/number_text.h"
 #include "core/base/statistics.h"
+#include "core/base/text.h"
 #include "core/base/units.h"
+#include "core/material/isotherms.h"
 
 namespace asperity {
 namespace {
@@ -30,6 +32,9 @@ std::vector<Message> factsOf(const DmaFacts& facts) {
                                   : message("frequency: {}", frequency));
   if (!facts.temperature.name.empty())
     lines.push_back(message("temperature: {}", describeColumn(facts.temperature)));
+  else if (facts.stated && facts.sweeps == 1)
+    lines.push_back(message("temperature: {} (line {}: {})", celsius(facts.stated->kelvin),
+                            facts.stated->line, Message::name(shortened(facts.stated->text))));
   const Message storage = describeColumn(facts.storage), loss = describeColumn(facts.loss);
   lines.push_back(facts.modulus == ModulusKind::Tension
                       ? message("moduli of tension: {}, {}", storage, loss)

@@ -9,6 +9,7 @@
 #include "core/base/message.h"
 #include "core/base/text_table.h"
 #include "core/material/dma_columns.h"
+#include "core/material/stated_temperature.h"
 
 namespace asperity {
 
@@ -23,7 +24,8 @@ struct DmaColumnFact {
 
 struct DmaFacts {
   DmaColumnFact frequency, storage, loss;
-  DmaColumnFact temperature;     // without a name where each sweep has one temperature
+  DmaColumnFact temperature;                  // without a name where each sweep has one temperature
+  std::optional<HeaderTemperature> stated{};  // where a line above the table states it
   std::size_t sweeps = 0;        // tables that were read; the columns are those of the last one
   bool hasOtherColumns = false;  // whether other sweeps have other columns or units
   ModulusKind modulus = ModulusKind::Shear;

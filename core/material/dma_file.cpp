@@ -236,9 +236,13 @@ class Reader {
       scale = temperatureScale(block, columns[Temperature]);
     } else {
       if (choices_.temperature) oneTemperature = choices_.temperature;
+      file_.facts.stated.reset();
       if (!oneTemperature)
-        oneTemperature =
-            statedTemperature(table_, block, name_, choices_.temperatureUnit, isReduced);
+        if (auto stated =
+                statedTemperature(table_, block, name_, choices_.temperatureUnit, isReduced)) {
+          oneTemperature = stated->kelvin;
+          file_.facts.stated = std::move(stated);
+        }
       if (!oneTemperature)
         throw InputError(name_, "temperature",
                          "is stated nowhere; say at which the moduli were measured with "

@@ -13,6 +13,8 @@
 #include "core/base/text_number.h"
 #include "core/material/dma_columns.h"
 #include "core/material/element_law.h"
+#include "core/material/header_clauses.h"
+#include "core/material/isotherms.h"
 #include "core/material/prony_keywords.h"
 #include "core/material/stated_shift.h"
 #include "core/material/stated_temperature.h"
@@ -48,11 +50,24 @@ bool isInstantaneous(const std::string& word) {
              "eglassy", "ginst", "einst", "ginstantaneous", "einstantaneous"});
 }
 
+/// Returns the plain name of a column of moduli without the words around its letter: "g" for
+/// "Schubmodul G", "ei" for "Young's modulus E_i". A name of such words alone stays.
+std::string modulusLetter(std::string_view name) {
+  const std::string whole = plainWord(name);
+  std::string word = whole;
+  for (const std::string_view part :
+       {"young's", "youngs", "young", "shear", "tensile", "relaxations", "relaxation", "schub",
+        "zug", "elastizit\u00E4ts", "moduli", "modulus", "modul", "of"})
+    replaceAll(word, part, "");
+  return word.empty() ? whole : word;
+}
+
 /// Returns the kind of modulus that a plain word names: "e0", "einf", "gi", "youngsmodulus".
 ModulusKind kindOf(const std::string& word) {
   if (word.find("young") != word.npos || word.find("tensile") != word.npos)
     return ModulusKind::Tension;
-  if (word.find("shear") != word.npos) return ModulusKind::Shear;
+  if (word.starts_with("zug")) return ModulusKind::Tension;
+  if (word.find("shear") != word.npos || word.find("schub") != word.npos) return ModulusKind::Shear;
   if (word.starts_with("e") && !word.starts_with("equilibrium")) return ModulusKind::Tension;
   if (word.starts_with("g") && !word.starts_with("glassy")) return ModulusKind::Shear;
   return ModulusKind::Unknown;
@@ -68,10 +83,13 @@ struct StatedModulus {
 };
 
 /// Reads "E0 = 600 MPa", "Young's modulus E_inf: 3 MPa", "G_inf (MPa): 1".
-std::optional<StatedModulus> statedModulus(const TextEntry& entry) {
-  const auto quantity = parseQuantity(entry.value);
+std::optional<StatedModulus> statedModulus(std::string_view clause) {
+  const std::size_t end = clause.find_last_of(":=");
+  if (end == clause.npos) return {};
+  const auto quantity = parseQuantity(trimmedBlanks(clause.substr(end + 1)));
   if (!quantity) return {};
-  const TextColumn key = parseColumnName(entry.key);
+  const std::string name(keyBefore(clause.substr(0, end)));
+  const TextColumn key = parseColumnName(name);
   const std::string whole = plainWord(key.name);
   std::string word = whole;
   for (const std::string_view kind : {"young's", "youngs", "young", "shear", "tensile"})
@@ -82,14 +100,15 @@ std::optional<StatedModulus> statedModulus(const TextEntry& entry) {
   const ModulusKind ofWord = kindOf(word);
   return StatedModulus{quantity->number, quantity->unit.empty() ? key.unit : quantity->unit,
                        ofWord == ModulusKind::Unknown ? kindOf(whole) : ofWord,
-                       isInstantaneous(word), entry.key};
+                       isInstantaneous(word), name};
 }
 
 /// Returns the size of a unit of modulus in Pa; what stands behind it in a header does not count:
 /// "3 MPa (at 20 °C)". Throws InputError where it is none.
 double modulusSize(const std::string& unit, const std::string& name, const std::string& key) {
   for (const std::string_view text :
-       {std::string_view(unit), std::string_view(unit).substr(0, unit.find_first_of(" ,;(["))})
+       {std::string_view(unit), withoutBrackets(unit),
+        std::string_view(unit).substr(0, unit.find_first_of(" ,;(["))})
     if (const auto size = unitSize(text, "Pa")) return *size;
   throw InputError(
       name, key,
@@ -151,8 +170,12 @@ void readTemperature(const TextTable& table, const TextBlock& block, const std::
   series.temperature = choices.temperature;
   std::optional<double> reference = choices.temperature;
   try {
-    const auto inFile = statedTemperature(table, block, name, choices.temperatureUnit, true);
+    const auto stated = statedTemperature(table, block, name, choices.temperatureUnit, true);
+    const auto inFile = stated ? std::optional(stated->kelvin) : std::nullopt;
     if (!choices.temperature) series.temperature = inFile;
+    if (!choices.temperature && stated)
+      series.notes.push_back(message("temperature: {} (line {}: {})", celsius(stated->kelvin),
+                                     stated->line, Message::name(shortened(stated->text))));
     constexpr double kSame = 1e-6;  // K, of converted degrees
     if (inFile && !(reference && std::abs(*inFile - *reference) < kSame)) reference = inFile;
   } catch (const InputError&) {
@@ -162,6 +185,72 @@ void readTemperature(const TextTable& table, const TextBlock& block, const std::
   StatedShift stated = statedShift(table, *reference, name, choices.temperatureUnit);
   series.shift = std::move(stated.shift);
   std::ranges::move(stated.notes, std::back_inserter(series.notes));
+}
+
+/// Returns the moduli that the lines around the table of a series state: above and below it, and
+/// above a table of shift factors. Other tables have headers of their own.
+std::vector<StatedModulus> statedModuli(const TextTable& table, const TextBlock& block) {
+  const bool isOnly = std::ranges::all_of(
+      table.blocks, [&block](const TextBlock& one) { return &one == &block || isShiftTable(one); });
+  std::vector<StatedModulus> found;
+  const auto read = [&found](const std::vector<TextEntry>& entries) {
+    for (const TextEntry& entry : entries) {
+      const std::string line = lineOf(entry);
+      for (const std::string_view clause : clausesOf(line))
+        if (auto stated = statedModulus(clause)) found.push_back(std::move(*stated));
+    }
+  };
+  for (const TextBlock& one : table.blocks)
+    if (isOnly || &one == &block) read(one.header);
+  if (isOnly) read(table.trailer);
+  return found;
+}
+
+/// Returns whether the sum of the arms fits a stated modulus: they leave something of the
+/// instantaneous one, and an equilibrium modulus is between 1e-5 of theirs and 30 times theirs.
+bool fitsStated(double sum, double stated, bool isInstantaneous) {
+  const double ratio = sum / stated;
+  return isInstantaneous ? ratio >= 0.01 && ratio <= 1.02 : ratio >= 0.03 && ratio <= 1e5;
+}
+
+/// Gives moduli without a unit one where others have one: that of the others, or Pa, whichever
+/// alone makes both fit, which a note says. Throws InputError where neither or both would.
+/// sum: of the numbers of the arms.
+void assumeUnits(const TextColumn& weights, double sum, std::vector<StatedModulus>& stated,
+                 const std::string& name, RawSeries& series) {
+  if (series.isRelative) return;
+  const auto note = [&series](const std::string& key, const std::string& unit) {
+    series.notes.push_back(message("{} has no unit: {} is assumed, which fits the other moduli",
+                                   Message::name(key), Message::name(unit)));
+  };
+  for (StatedModulus& one : stated) {
+    if (one.number == 0 || one.unit.empty() == !series.isUnitKnown) continue;
+    if (series.isUnitKnown) {
+      const bool inOthers = fitsStated(sum, one.number, one.isInstantaneous);
+      const bool inPascals = fitsStated(sum * series.unit, one.number, one.isInstantaneous);
+      if (series.unit != 1 && inOthers == inPascals)
+        throw InputError(name, one.key,
+                         message("has no unit, and {} is in {}; write its unit behind the number",
+                                 Message::name(weights.name), Message::name(weights.unit)));
+      one.unit = inOthers ? weights.unit : "Pa";
+      note(one.key, one.unit);
+      continue;
+    }
+    const double size = modulusSize(one.unit, name, one.key);
+    const bool inOthers = fitsStated(sum, one.number, one.isInstantaneous);
+    const bool inPascals = fitsStated(sum, one.number * size, one.isInstantaneous);
+    // Small letters are those of parts, which may be in per cent.
+    const bool isPart = weights.name.starts_with('g') || weights.name.starts_with('e');
+    if (size != 1 && (inOthers == inPascals || (isPart && inOthers)))
+      throw InputError(
+          name, weights.name,
+          message("has no unit, and {} is in {}; say with --modulus-unit which unit both have",
+                  Message::name(one.key), Message::name(one.unit)));
+    series.unit = inOthers ? size : 1;
+    series.isUnitKnown = true;
+    note(weights.name, inOthers ? std::string(withoutBrackets(one.unit)) : "Pa");
+    return;
+  }
 }
 
 std::optional<RawSeries> tableSeries(const TextTable& table, const std::string& name,
@@ -182,7 +271,8 @@ std::optional<RawSeries> tableSeries(const TextTable& table, const std::string& 
                             word.starts_with("relaxationszeit") || isOneOf(word, {"ti", "times"})))
       timeAt = i;
     else if (weightAt == kNone &&
-             (isOneOf(word, {"g", "gi", "e", "ei", "modulus", "moduli", "alpha", "alphai", "gimod",
+             (isOneOf(modulusLetter(block.columns[i].name), {"g", "gi", "e", "ei"}) ||
+              isOneOf(word, {"g", "gi", "e", "ei", "modulus", "moduli", "alpha", "alphai", "gimod",
                              "shearmodulus", "relativemodulus", "gi/g0", "ei/e0", "g/g0", "e/e0",
                              "gk", "ek"})))
       weightAt = i;
@@ -210,7 +300,6 @@ std::optional<RawSeries> tableSeries(const TextTable& table, const std::string& 
   const bool hasUnit = !weights.unit.empty() && weights.unit != "-" && weights.unit != "1";
   if (hasUnit && !isPercent) series.unit = modulusSize(weights.unit, name, weights.name);
   series.isUnitKnown = hasUnit && !isPercent;
-  const double wanted = unitSize(choices.modulusUnit, "Pa").value_or(series.unit);
   const double time = timeSizeOf(block.columns[timeAt], name, series);
 
   // A row without a relaxation time, or with an infinite one, is the equilibrium modulus.
@@ -231,19 +320,20 @@ std::optional<RawSeries> tableSeries(const TextTable& table, const std::string& 
   series.isRelative = !series.isUnitKnown && most < 1 && sum <= 1 + 1e-6;
 
   std::vector<StatedModulus> above;
-  for (const TextEntry& entry : block.header)
-    if (const auto stated = statedModulus(entry)) {
-      // Without a unit and below 1 it is a part of the instantaneous modulus, which the others
-      // leave.
-      const bool isPart = series.isRelative && stated->unit.empty() && stated->number < 1;
-      if (!isPart) above.push_back(*stated);
-    }
+  for (const StatedModulus& stated : statedModuli(table, block)) {
+    // Without a unit and below 1 it is a part of the instantaneous modulus, which the others
+    // leave.
+    const bool isPart = series.isRelative && stated.unit.empty() && stated.number < 1;
+    if (!isPart) above.push_back(stated);
+  }
+  if (choices.modulusUnit.empty()) assumeUnits(weights, sum, above, name, series);
+  const double wanted = unitSize(choices.modulusUnit, "Pa").value_or(series.unit);
   // The letter g of a part says nothing about the modulus of which it is one.
-  ModulusKind kind = series.isRelative ? ModulusKind::Unknown : kindOf(plainWord(weights.name));
+  const ModulusKind ofColumn = kindOf(modulusLetter(weights.name));
+  ModulusKind kind = series.isRelative ? ModulusKind::Unknown : ofColumn;
   for (const StatedModulus& stated : above)
     if (kind == ModulusKind::Unknown) kind = stated.kind;
-  if (kind == ModulusKind::Unknown && kindOf(plainWord(weights.name)) == ModulusKind::Tension)
-    kind = ModulusKind::Tension;
+  if (kind == ModulusKind::Unknown && ofColumn == ModulusKind::Tension) kind = ModulusKind::Tension;
   const bool isGiven =
       std::isfinite(choices.instantaneousModulus) || std::isfinite(choices.equilibriumModulus);
   if (!series.isRelative || !above.empty() || !isGiven) kind = kindOfSeries(kind, choices, series);
@@ -341,6 +431,16 @@ PronyFile finished(const RawSeries& series, const std::string& name, const Prony
       file.arms.push_back({term.weight * (series.isRelative ? instantaneous : unit), term.time});
   if (file.arms.empty()) throw InputError(name, "", "has no arm with a modulus above 0");
   file.arms = joinedArms(std::move(file.arms));
+  if (std::isfinite(equilibrium) && std::isfinite(instantaneous)) {
+    const double left = series.isRelative ? instantaneous * rest : instantaneous - sum * unit;
+    constexpr double kSame = 0.02;  // of the instantaneous modulus
+    if (std::abs(left - equilibrium) > kSame * instantaneous)
+      file.notes.push_back(
+          message("the moduli contradict each other: the arms leave {} MPa of the instantaneous "
+                  "modulus, and an equilibrium modulus of {} MPa is stated, which is taken",
+                  PrintedNumber{printedNumber(left / 1e6, 4)},
+                  PrintedNumber{printedNumber(equilibrium / 1e6, 4)}));
+  }
   if (std::isfinite(equilibrium))
     file.equilibriumModulus = equilibrium;
   else if (series.isRelative)

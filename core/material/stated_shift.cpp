@@ -9,6 +9,7 @@
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/text.h"
+#include "core/base/text_header.h"
 #include "core/base/text_number.h"
 #include "core/material/dma_columns.h"
 #include "core/material/isotherms.h"
@@ -23,6 +24,7 @@ struct ShiftColumns {
   std::size_t temperature = 0, factor = 0;
   double base = 10;         // of the logarithm
   bool isLogarithm = true;  // otherwise the factor itself
+  double sign = 1;          // -1 of "-log aT"
 };
 
 std::optional<ShiftColumns> shiftColumns(const TextBlock& block) {
@@ -42,6 +44,8 @@ std::optional<ShiftColumns> shiftColumns(const TextBlock& block) {
     factor = i;
     found.isLogarithm = isTen || isNatural;
     if (isNatural) found.base = std::numbers::e;
+    for (const std::string_view minus : {"-", "\u2212", "\u2013"})
+      if (trimmedBlanks(block.columns[i].name).starts_with(minus)) found.sign = -1;
   }
   if (!temperature || !factor) return {};
   found.temperature = *temperature;
@@ -65,7 +69,8 @@ std::vector<ShiftPoint> shiftRows(const TextBlock& block, const ShiftColumns& co
   for (std::size_t row = 0; row < block.rows; ++row) {
     if (!columns.isLogarithm && !(factors[row] > 0)) return {};
     const double decades =
-        columns.isLogarithm ? factors[row] * std::log10(columns.base) : std::log10(factors[row]);
+        columns.sign *
+        (columns.isLogarithm ? factors[row] * std::log10(columns.base) : std::log10(factors[row]));
     const double kelvin = scale->toSi(temperatures[row]);
     if (!(kelvin >= kColdestTest && std::abs(decades) <= kMostDecades)) return {};
     rows.push_back({kelvin, decades});
@@ -102,6 +107,11 @@ void readShiftTable(const TextBlock& block, double temperature, const std::strin
         line, celsius(temperature)));
     return;
   }
+  if (shift.table.back().log10Shift > shift.table.front().log10Shift)
+    stated.notes.push_back(
+        message("the shift factors from line {} on rise with temperature, and those of a rubber "
+                "fall; check their sign",
+                line));
   stated.shift = tableShift(shift.table, temperature);
   stated.notes.push_back(message("shift factors from line {} on: {} from {} to {}", line,
                                  shift.table.size(), celsius(shift.table.front().temperature),
@@ -111,13 +121,13 @@ void readShiftTable(const TextBlock& block, double temperature, const std::strin
 /// The constants of Williams, Landel and Ferry as a header states them.
 struct WlfConstants {
   std::optional<double> c1{}, c2{};
-  std::optional<double> reference{};  // K
-  std::optional<std::size_t> line{};  // of the last line with words about a shift
+  std::optional<double> reference{};         // K
+  std::optional<std::size_t> line{};         // of the last line with words about a shift
+  std::optional<std::size_t> naturalLine{};  // of a line with constants of ln aT
 };
 
 WlfConstants wlfConstants(const TextTable& table, const std::string& unit) {
   WlfConstants found;
-  found.reference = statedReference(table, unit);
   for (const TextBlock& block : table.blocks) {
     for (const TextEntry& entry : block.header) {
       const std::string line = lineOf(entry);
@@ -127,14 +137,21 @@ WlfConstants wlfConstants(const TextTable& table, const std::string& unit) {
       for (const std::string_view clause : clausesOf(line)) {
         const std::size_t end = clause.find_last_of(":=");
         if (end == clause.npos) continue;
-        const Words words = wordsIn(keyBefore(clause.substr(0, end)));
+        // "C2 (K)"
+        const Words words = wordsIn(parseColumnName(keyBefore(clause.substr(0, end))).name);
         const auto quantity = parseQuantity(clause.substr(end + 1));
         if (words.empty() || !quantity) continue;
         if (isOneOf(words.back(), {"c1", "c\u2081"})) found.c1 = quantity->number;
         if (isOneOf(words.back(), {"c2", "c\u2082"})) found.c2 = quantity->number;
+        if (isOneOf(words.back(), {"c1", "c\u2081"}) && isOneOf("ln", wordsIn(line)))
+          found.naturalLine = entry.line;
       }
     }
   }
+  // The universal constants are those of the glass transition.
+  const bool isUniversal =
+      found.c1 && found.c2 && std::abs(*found.c1 - 17.44) < 0.1 && std::abs(*found.c2 - 51.6) < 0.5;
+  found.reference = statedShiftReference(table, unit, isUniversal);
   return found;
 }
 
@@ -147,6 +164,18 @@ void readWlf(const WlfConstants& constants, double temperature, const std::strin
         message("C1 is {} and C2 is {} K; allowed is C1 above 0 to {}, C2 from {} to "
                 "{} K",
                 plain(c1), plain(c2), plain(kMostC1), plain(kLeastC2), plain(kMostC2)));
+  if (constants.naturalLine) {
+    stated.notes.push_back(
+        message("the constants C1 and C2 are not read: line {} is about ln aT, and C1 is expected "
+                "to be that of log10 aT, which is C1 / 2.303",
+                *constants.naturalLine));
+    return;
+  }
+  if (!constants.reference)
+    stated.notes.push_back(
+        message("the constants C1 and C2 are taken as those at {}, the temperature of the curve: "
+                "no reference temperature is stated for them",
+                celsius(temperature)));
   TemperatureShift shift;
   shift.referenceTemperature = temperature;
   // The same curve from another reference: C2' = C2 + T - T_r, C1' = C1 C2 / C2'.

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <initializer_list>
+#include <iterator>
 #include <string_view>
 #include <vector>
 
@@ -24,30 +27,87 @@ bool beginsWithAny(const std::string& word, const std::array<std::string_view, N
                              [&word](std::string_view stem) { return word.starts_with(stem); });
 }
 
-/// Returns whether a word says that a temperature is one of making the sample: all of the line is
-/// about it.
+/// Returns whether a word says that a temperature is one of making or storing the sample.
 bool isOfMaking(const std::string& word) {
-  constexpr std::array<std::string_view, 19> kStems{
-      "vulc",   "vulk",  "cure",  "curing", "mix",  "misch",   "mold",  "mould", "press", "aged",
-      "ageing", "aging", "alter", "lager",  "melt", "schmelz", "extru", "calib", "kalib"};
-  return beginsWithAny(word, kStems);
+  constexpr std::array<std::string_view, 37> kStems{
+      "vulc",     "vulk",     "cure",      "curing",     "mix",     "misch",        "mold",
+      "mould",    "press",    "aged",      "ageing",     "aging",   "alter",        "gealtert",
+      "lager",    "gelager",  "melt",      "schmelz",    "extru",   "calib",        "kalib",
+      "getemper", "vernetz",  "verarbeit", "processing", "crossli", "drying",       "dried",
+      "trockn",   "getrockn", "cuisson",   "stockage",   "anneal",  "r\u00E9ticul", "vorbehandl",
+      "pretreat", "stored"};
+  // "tempered", "Tempern", but not "temperature" and "temperiert" (held at a temperature).
+  const bool isTempering =
+      word.starts_with("temper") && !word.starts_with("temperat") && !word.starts_with("temperier");
+  // "T_cure"
+  const bool isIndex = word.starts_with('t') && beginsWithAny(word.substr(1), kStems);
+  return isTempering || isIndex || beginsWithAny(word, kStems);
 }
 
 /// Returns whether a word says that a temperature is none of the test: a property of the sample, a
 /// number of the program or of the oven, a constant of the shift.
 bool isOfOther(const std::string& word) {
-  constexpr std::array<std::string_view, 36> kStems{
-      "instrument", "ger\u00E4t", "device",      "glas",    "dens",        "dicht",
-      "hardn",      "h\u00E4rte", "toler",       "oven",    "ofen",        "furnace",
-      "range",      "bereich",    "maxim",       "minim",   "limit",       "grenz",
-      "heat",       "heiz",       "aufheiz",     "cool",    "k\u00FChl",   "soak",
-      "halte",      "ramp",       "increment",   "schritt", "differ",      "offset",
-      "gradient",   "accur",      "abk\u00FChl", "genauig", "h\u00F6chst", "resolution"};
+  constexpr std::array<std::string_view, 65> kStems{
+      "instrument",    "ger\u00E4t",   "device",      "glas",        "dens",        "dicht",
+      "hardn",         "h\u00E4rte",   "toler",       "oven",        "ofen",        "furnace",
+      "range",         "bereich",      "maxim",       "minim",       "limit",       "grenz",
+      "heat",          "heiz",         "aufheiz",     "cool",        "k\u00FChl",   "soak",
+      "halte",         "ramp",         "increment",   "schritt",     "differ",      "offset",
+      "gradient",      "accur",        "abk\u00FChl", "genauig",     "h\u00F6chst", "resolution",
+      "britt",         "verspr\u00F6", "spr\u00F6d",  "crystal",     "kristall",    "soften",
+      "erweich",       "precision",    "stabil",      "pr\u00E4zis", "uniform",     "deviation",
+      "abweich",       "fluctuat",     "schwank",     "variation",   "error",       "fehler",
+      "uncertain",     "unsicher",     "repeatab",    "sensor",      "f\u00FChler", "thermocouple",
+      "thermoelement", "mdr",          "t90",         "tc90",        "ts2"};
   return isOfMaking(word) || beginsWithAny(word, kStems) ||
-         isOneOf(word, {"bis",     "tg",      "rate",  "wlf",    "c1",      "c2",   "c\u2081",
-                        "c\u2082", "max",     "min",   "tmax",   "tmin",    "dt",   "delta",
-                        "\u03B4t", "\u0394t", "start", "end",    "final",   "stop", "anfang",
-                        "ende",    "tm",      "drift", "limits", "heizrate"});
+         isOneOf(word, {"bis",     "tg",      "rate",  "wlf",    "c1",       "c2",   "c\u2081",
+                        "c\u2082", "max",     "min",   "tmax",   "tmin",     "dt",   "delta",
+                        "\u03B4t", "\u0394t", "start", "end",    "final",    "stop", "anfang",
+                        "ende",    "tm",      "drift", "limits", "heizrate", "twlf"});
+}
+
+/// Returns whether words say that a temperature is none of the test. The storage modulus is no
+/// storage, 5 min are minutes, and a rheometer may be that of the test.
+bool areOfOther(const Words& words) {
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string& word = words[i];
+    if (word == "min" && i > 0 && isDigit(words[i - 1].back())) continue;
+    const bool isModulus =
+        i + 1 < words.size() && (words[i + 1].starts_with("mod") ||
+                                 isOneOf(words[i + 1], {"g", "e", "shear", "and", "und"}));
+    // "Process temperature"; a process may also be that of the test.
+    const bool isProcess =
+        word == "process" && i + 1 < words.size() && words[i + 1].starts_with("temp");
+    if (isOfOther(word) || isProcess || (word == "storage" && !isModulus)) return true;
+  }
+  return false;
+}
+
+/// Returns whether words say that something was measured.
+bool areOfTest(const Words& words) {
+  static constexpr std::array<std::string_view, 10> kStems{
+      "test",        "measur", "gemess",   "mess",  "pr\u00FCf",
+      "gepr\u00FCf", "mesur",  "isotherm", "sweep", "ttest"};
+  return std::ranges::any_of(words,
+                             [](const std::string& word) { return beginsWithAny(word, kStems); });
+}
+
+/// Returns whether words are about the constants of a shift.
+bool areOfShift(const Words& words) {
+  return std::ranges::any_of(words, [](const std::string& word) {
+    return isOneOf(word, {"wlf", "twlf", "c1", "c2", "c\u2081", "c\u2082"});
+  });
+}
+
+bool hasWord(const Words& words, std::initializer_list<std::string_view> some) {
+  return std::ranges::any_of(words,
+                             [&some](const std::string& word) { return isOneOf(word, some); });
+}
+
+bool isOfGlass(const Words& words) {
+  return std::ranges::any_of(words, [](const std::string& word) {
+    return isOneOf(word, {"tg", "tglas", "tglass"}) || word.starts_with("glas");
+  });
 }
 
 /// Returns whether a word says that a temperature need not be the sample's.
@@ -74,13 +134,40 @@ bool isTemperatureWord(std::string_view key) {
   return dmaColumn(key, "").quantity == DmaQuantity::Temperature;
 }
 
-/// How certainly a statement is about the test.
-enum class Rank { Test, Reference, Bare };
+/// Returns whether a key is of one temperature, so that a number without a unit is one too:
+/// "Temperature", "T", "Messtemperatur", "Temp. of the sample", but not "Number of temperatures",
+/// "Temperature sensor".
+bool namesOneTemperature(std::string_view key) {
+  if (key == "T") return true;
+  const Words words = wordsIn(parseColumnName(key).name);
+  const auto isNamed = [](std::string_view word) {
+    constexpr std::array<std::string_view, 4> kEnds{"temp", "temperature", "temperatur",
+                                                    "temp\u00E9rature"};
+    return std::ranges::any_of(kEnds, [word](std::string_view end) { return word.ends_with(end); });
+  };
+  if (words.empty()) return false;
+  for (const std::string& word : words) {
+    constexpr std::array<std::string_view, 13> kStems{
+        "number", "anzahl", "point", "punkt", "sensor",  "profil", "control",
+        "regel",  "chann",  "kanal", "count", "program", "nombre"};
+    if (beginsWithAny(word, kStems)) return false;
+  }
+  const bool isOfSomething =
+      words.size() > 1 && isNamed(words[0]) && isOneOf(words[1], {"of", "de", "du", "der", "des"});
+  return isNamed(words.back()) || words.back() == "tref" || isOfSomething;
+}
+
+/// How certainly a statement is about the test: an entry with a key, a reference of the curve, the
+/// temperature of a sentence about the test, one of any other sentence. Those of a shift are the
+/// reference of its constants, a temperature beside them, and a glass transition, which is that of
+/// no test.
+enum class Rank { Test, Reference, Measured, Bare, ShiftReference, BesideShift, Glass };
 
 struct Statement {
   double kelvin = 0;
   std::size_t line = 0;
   Rank rank = Rank::Bare;
+  std::string text{};  // the line
 };
 
 /// Returns whether a text goes on from one end of a range to the other: "to 60 °C", "... 60 °C".
@@ -120,77 +207,146 @@ class HeaderReader {
 
  private:
   void readEntry(const TextEntry& entry) {
-    const std::string line = lineOf(entry);
-    const std::string_view head =
-        std::string_view(line).substr(0, std::min(line.find_first_of(":="), line.size()));
-    const bool hasHead = head.size() < line.size();
-    if (hasHead && std::ranges::any_of(wordsIn(head), isOfMaking)) return;
-    const Words words = wordsIn(line);
-    bool isOther = false;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-      // "5 min" are minutes.
-      const bool isTime = words[i] == "min" && i > 0 && isDigit(words[i - 1].back());
-      isOther = isOther || (!isTime && isOfOther(words[i]));
+    text_ = lineOf(entry);
+    line_ = entry.line;
+    const Words words = wordsIn(text_);
+    isLineOfOther_ = areOfOther(words);
+    isLineOfShift_ = areOfShift(words);
+    isOfMaking_ = isMakingDone_ = false;
+    for (const std::string_view clause : clausesOf(text_)) {
+      // What a clause says about making holds for the next ones, too, until one is about the test.
+      const Words own = wordsIn(clause);
+      if (areOfTest(own) && !std::ranges::any_of(own, isOfMaking)) isOfMaking_ = false;
+      readClause(clause);
+      if (std::ranges::any_of(own, isOfMaking)) isOfMaking_ = true;
+      if (isOfMaking_ && firstTemperature(clause)) isMakingDone_ = true;
     }
-    for (const std::string_view clause : clausesOf(line)) readClause(clause, entry.line, isOther);
   }
 
-  void readClause(std::string_view clause, std::size_t line, bool isLineOfOther) {
-    const auto found = firstTemperature(clause);
-    if (!found) return readPlainNumber(clause, line);
-    std::string_view before = clause.substr(0, found->begin);
-    if (beginsAsRange(clause.substr(found->end)) || endsWithinRange(before)) return;
-    double kelvin = found->kelvin;
-    auto quantity = parseQuantity(clause.substr(found->begin, found->end - found->begin));
+  void readClause(std::string_view clause) {
+    std::size_t begin = 0;
+    while (const auto found = firstTemperature(clause.substr(begin))) {
+      if (readTemperature(clause.substr(begin), *found)) return;
+      begin += found->end;
+      // The second temperature of "cured at 160 °C and tested at 20 °C" has words of its own.
+      const auto next = firstTemperature(clause.substr(begin));
+      if (!next) return;
+      const Words words = wordsIn(clause.substr(begin, next->begin));
+      if (!areOfTest(words) && !(isLineOfShift_ && hasWord(words, {"at", "bei", "tref", "tg"})))
+        return;
+      isOfMaking_ = false;
+    }
+    if (begin == 0) readPlainNumber(clause);
+  }
+
+  /// Reads the first temperature of a text. Returns whether it may be that of the test; otherwise
+  /// what stands behind it is read, too.
+  bool readTemperature(std::string_view clause, const TextTemperature& found) {
+    std::string_view before = clause.substr(0, found.begin);
+    if (beginsAsRange(clause.substr(found.end)) || endsWithinRange(before)) return false;
+    double kelvin = found.kelvin, number = found.number;
     for (const std::string_view sign : {"\u00B1", "+/-", "+-"})
       if (trimmedBlanks(before).ends_with(sign)) {
         // "20 ± 0.5 °C"
-        const std::string_view number = trimmedBlanks(withoutEnd(trimmedBlanks(before), sign));
-        const std::size_t begin = number.find_last_of(" :=") + 1;
-        const auto middle = parseQuantity(number.substr(begin));
-        const auto scale = quantity ? temperatureUnit(quantity->unit) : std::nullopt;
-        if (!middle || !scale) return;
+        const std::string_view whole = trimmedBlanks(withoutEnd(trimmedBlanks(before), sign));
+        const std::size_t begin = whole.find_last_of(" :=") + 1;
+        const auto middle = parseQuantity(whole.substr(begin));
+        if (!middle) return false;
         before = before.substr(0, begin);
-        kelvin = scale->toSi(middle->number);
-        quantity = middle;
+        number = middle->number;
+        kelvin = temperatureUnit(found.unit)->toSi(number);
       }
     const std::string_view key = keyBefore(before);
     const Words words = wordsIn(before);
-    if (std::ranges::any_of(words, isOfOther)) return;
+    if (isLineOfShift_ || isOfGlass(words)) {
+      if (addOfShift(words, kelvin)) return false;
+    }
+    if (areOfOther(words)) return false;
     Rank rank = rankOf(key);
-    if (rank != Rank::Bare && quantity)
+    if (rank == Rank::Reference && isLineOfShift_ && !hasWord(words, {"master", "curve", "kurve"}))
+      rank = Rank::ShiftReference;
+    if (rank != Rank::Bare)
       if (const auto scale = unit_.empty() ? std::nullopt : temperatureUnit(unit_))
-        kelvin = scale->toSi(quantity->number);
-    if (rank != Rank::Bare && isOfStep(words)) return;
-    if (std::ranges::any_of(words, isVague)) rank = Rank::Bare;
-    // "DMA 242 C" is an instrument.
-    if (rank == Rank::Bare && (isLineOfOther || (!words.empty() && words.back() == "dma"))) return;
-    add(kelvin, line, rank);
+        kelvin = scale->toSi(number);
+    if (rank != Rank::Bare && isOfStep(words)) return false;
+    // The temperature of "Curing: 10 min; T = 160 °C" is that of curing; the second of "Aging: 70
+    // °C; Temperature: 20 °C" is not.
+    const bool isOwn = rank == Rank::Reference || (rank != Rank::Bare && isMakingDone_);
+    if (isOfMaking_ && !isOwn) return false;
+    const bool isOfTest = areOfTest(words);
+    if (std::ranges::any_of(words, isVague)) {
+      rank = Rank::Bare;
+    } else if (rank == Rank::Bare && isOfTest) {
+      rank = Rank::Measured;
+    }
+    if (rank == Rank::Bare && !isBareTemperature(before, found, words)) return false;
+    add(kelvin, rank);
+    return true;
+  }
+
+  /// Returns whether a temperature in a line without a key for it may be that of the test. "DMA 242
+  /// C", "N330 C" and "Build 120 C" are names.
+  bool isBareTemperature(std::string_view before, const TextTemperature& found,
+                         const Words& words) const {
+    if (isLineOfOther_ || hasWord(words, {"rheometer"})) return false;
+    if (!words.empty() && words.back() == "dma") return false;
+    const bool isBehindLetter =
+        !before.empty() && std::isalpha(static_cast<unsigned char>(before.back())) != 0;
+    const bool isT = isBehindLetter && lowerCase(before.substr(before.size() - 1)) == "t" &&
+                     (before.size() == 1 ||
+                      std::isalnum(static_cast<unsigned char>(before[before.size() - 2])) == 0);
+    if (isBehindLetter && !isT) return false;
+    return !found.isLetter || isT || before.ends_with('@') || before.ends_with('(') ||
+           before.ends_with('_') ||
+           (!words.empty() && isOneOf(words.back(), {"at", "bei", "\u00E0"})) ||
+           trimmedBlanks(before).empty();
+  }
+
+  /// Adds a temperature in a line about a shift, or of a glass transition. Returns whether it is
+  /// one.
+  bool addOfShift(const Words& words, double kelvin) {
+    if (hasWord(words, {"c1", "c2", "c\u2081", "c\u2082"}) && !hasWord(words, {"at", "bei"}))
+      return false;
+    const bool isShift = hasWord(words, {"wlf"}), isGlass = isOfGlass(words);
+    if (hasWord(words, {"twlf"}) || (isShift && std::ranges::any_of(words, isOfReference)))
+      add(kelvin, Rank::ShiftReference);
+    else if (isGlass && !isShift)
+      add(kelvin, Rank::Glass);
+    else if (isGlass || isShift ||
+             (isLineOfShift_ && hasWord(words, {"at", "bei"}) && !areOfTest(words) &&
+              !hasWord(words, {"master", "curve", "kurve"})))
+      add(kelvin, Rank::BesideShift);
+    else
+      return false;
+    return true;
   }
 
   /// Reads "Temperature [°C]: 20", "T/K = 293" and "Temperature: 20". Without a unit, numbers above
   /// 200 are kelvins, as in columns.
-  void readPlainNumber(std::string_view clause, std::size_t line) {
+  void readPlainNumber(std::string_view clause) {
     const std::size_t end = clause.find_last_of(":=");
     if (end == clause.npos) return;
     const std::string_view key = keyBefore(clause.substr(0, end));
     const auto quantity = parseQuantity(clause.substr(end + 1));
-    const Rank rank = rankOf(key);
+    Rank rank = rankOf(key);
     const Words words = wordsIn(clause);
-    if (!quantity || rank == Rank::Bare || std::ranges::any_of(words, isOfOther) || isOfStep(words))
+    const bool isShift = isLineOfShift_ && hasWord(words, {"wlf", "twlf"}) &&
+                         (rank == Rank::Reference || hasWord(words, {"twlf"}));
+    if (isShift) rank = Rank::ShiftReference;
+    if (!quantity || rank == Rank::Bare || (areOfOther(words) && !isShift) || isOfStep(words))
       return;
+    if (isOfMaking_ && !isMakingDone_ && rank != Rank::Reference) return;
+    if (rank == Rank::Reference && isLineOfShift_) rank = Rank::ShiftReference;
     std::string unit = unit_.empty() ? quantity->unit : unit_;
     if (unit.empty()) unit = parseColumnName(key).unit;
     if (unit.empty()) {
       // "Reference: 2041" is no temperature, and t may be a time.
-      const bool isNamed = lowerCase(key).find("temp") != std::string::npos || key == "T" ||
-                           std::ranges::find(words, "tref") != words.end();
-      if (!isNamed) return;
+      if (!namesOneTemperature(key)) return;
       unit = quantity->number >= 200 ? "K" : "C";
     }
     const auto scale = temperatureUnit(unit);
     if (!scale) return;
-    add(scale->toSi(quantity->number), line,
+    add(scale->toSi(quantity->number),
         std::ranges::any_of(wordsIn(key), isVague) ? Rank::Bare : rank);
   }
 
@@ -201,11 +357,12 @@ class HeaderReader {
     return !words.empty() && isTemperatureWord(words.back()) ? Rank::Test : Rank::Bare;
   }
 
-  void add(double kelvin, std::size_t line, Rank rank) {
+  void add(double kelvin, Rank rank) {
+    const bool isOfTest = rank == Rank::Test || rank == Rank::Reference;
     if (kelvin >= kColdestTest) {
-      found_.push_back({kelvin, line, rank});
-    } else if (rank != Rank::Bare && isStrict_) {
-      throw InputError(name_, fmt::format("line {}", line),
+      found_.push_back({kelvin, line_, rank, text_});
+    } else if (isOfTest && isStrict_) {
+      throw InputError(name_, fmt::format("line {}", line_),
                        message("states a temperature of {:.6g} K, at which no rubber is measured; "
                                "correct it, or state that of the test with --temperature",
                                kelvin));
@@ -215,10 +372,17 @@ class HeaderReader {
   std::string name_, unit_;
   bool isStrict_;
   std::vector<Statement> found_;
+  // Of the line that is read:
+  std::string text_{};
+  std::size_t line_ = 0;
+  bool isLineOfOther_ = false, isLineOfShift_ = false;
+  bool isOfMaking_ = false;    // whether the clauses before are about making
+  bool isMakingDone_ = false;  // whether these have stated their temperature
 };
 
 /// Returns the one temperature of these statements. Throws InputError where they differ.
-double onlyTemperature(const std::vector<Statement>& statements, const std::string& name) {
+HeaderTemperature onlyTemperature(const std::vector<Statement>& statements,
+                                  const std::string& name) {
   const auto [coldest, warmest] = std::ranges::minmax(statements, {}, &Statement::kelvin);
   if (warmest.kelvin - coldest.kelvin > kIsothermTolerance) {
     const auto& [first, second] = std::minmax(
@@ -229,24 +393,32 @@ double onlyTemperature(const std::vector<Statement>& statements, const std::stri
                 "that of the test",
                 celsius(first.kelvin), first.line, celsius(second.kelvin), second.line));
   }
-  return statements.back().kelvin;
+  const Statement& last = statements.back();
+  return {last.kelvin, last.line, last.text};
 }
 
 }  // namespace
 
-std::optional<double> statedReference(const TextTable& table, const std::string& unit) {
-  std::optional<double> reference;
+std::optional<double> statedShiftReference(const TextTable& table, const std::string& unit,
+                                           bool isOfGlass) {
+  std::vector<Statement> all;
   HeaderReader reader({}, unit, false);
-  for (const TextBlock& block : table.blocks)
-    for (const Statement& statement : reader.read(block.header))
-      if (statement.rank == Rank::Reference) reference = statement.kelvin;
-  return reference;
+  const auto read = [&](const std::vector<TextEntry>& header) {
+    std::ranges::move(reader.read(header), std::back_inserter(all));
+  };
+  for (const TextBlock& block : table.blocks) read(block.header);
+  std::vector<Rank> order{Rank::ShiftReference, Rank::BesideShift, Rank::Reference};
+  if (isOfGlass) order.push_back(Rank::Glass);
+  for (const Rank rank : order)
+    for (auto one = all.rbegin(); one != all.rend(); ++one)
+      if (one->rank == rank) return one->kelvin;
+  return {};
 }
 
-std::optional<double> statedTemperature(const TextTable& table, const TextBlock& block,
-                                        const std::string& name, const std::string& unit,
-                                        bool isReduced) {
-  std::array order{Rank::Test, Rank::Reference, Rank::Bare};
+std::optional<HeaderTemperature> statedTemperature(const TextTable& table, const TextBlock& block,
+                                                   const std::string& name, const std::string& unit,
+                                                   bool isReduced) {
+  std::array order{Rank::Test, Rank::Reference, Rank::Measured, Rank::Bare, Rank::ShiftReference};
   if (isReduced) std::swap(order[0], order[1]);
   HeaderReader reader(name, unit, true);
   for (const TextBlock* current = &block;; --current) {

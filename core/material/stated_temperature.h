@@ -3,6 +3,7 @@
 // Failure: InputError that names the file and the line.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -10,19 +11,31 @@
 
 namespace asperity {
 
-/// Returns the temperature (K) that is stated above a block, in its own header or else in the
-/// nearest earlier one. An entry with a key for it ("Temperature: 20 °C", "T/K = 293", "Tref = 20
-/// °C") precedes a temperature in any other line ("sweep at 20 °C"). Temperatures of other things
-/// do not count: rates, tolerances, ranges, limits, glass transition, vulcanization, oven and the
-/// constants of a shift. unit: the user's choice, or empty. isReduced: whether the table is a
-/// master curve, for which a reference temperature precedes one of the test. Throws InputError
-/// where two different temperatures are stated, or one below kColdestTest.
-std::optional<double> statedTemperature(const TextTable& table, const TextBlock& block,
-                                        const std::string& name, const std::string& unit,
-                                        bool isReduced);
+/// A temperature above a table, and the line that states it.
+struct HeaderTemperature {
+  double kelvin = 0;
+  std::size_t line = 0;
+  std::string text{};
+};
 
-/// Returns the reference temperature (K) that any header of the text states; the last one of
-/// several.
-std::optional<double> statedReference(const TextTable& table, const std::string& unit);
+/// Returns the temperature that is stated above a block, in its own header or else in the nearest
+/// earlier one. An entry with a key for it ("Temperature: 20 °C", "T/K = 293", "Tref = 20 °C")
+/// precedes a sentence about the test ("measured at 20 °C"), and this one any other line. Each
+/// clause of a line counts for itself. Temperatures of other things do not count: rates,
+/// tolerances, ranges, limits, glass transition, making and storing the sample, and names; the
+/// reference of the constants of a shift counts where nothing else is stated. unit: the user's
+/// choice, or empty. isReduced: whether the table is a master curve, for which a reference
+/// temperature precedes one of the test. Throws InputError where two different temperatures are
+/// stated, or one below kColdestTest.
+std::optional<HeaderTemperature> statedTemperature(const TextTable& table, const TextBlock& block,
+                                                   const std::string& name, const std::string& unit,
+                                                   bool isReduced);
+
+/// Returns the reference temperature (K) of the constants C1 and C2 of a shift: one in a line about
+/// them ("WLF: Tref = 20 °C; C1 = 10"), else the reference temperature of any header. isOfGlass:
+/// whether a glass transition temperature is one where nothing else is stated. The last of several
+/// counts.
+std::optional<double> statedShiftReference(const TextTable& table, const std::string& unit,
+                                           bool isOfGlass);
 
 }  // namespace asperity

@@ -4119,6 +4119,18 @@
         <translation>hat Teile eines Moduls und nicht den Modul selbst; den Momentan-Schubmodul mit --instantaneous-modulus angeben, oder --equilibrium-modulus</translation>
     </message>
     <message>
+        <source>%1 has no unit: %2 is assumed, which fits the other moduli</source>
+        <translation>%1 hat keine Einheit: angenommen ist %2, was zu den anderen Moduln passt</translation>
+    </message>
+    <message>
+        <source>has no unit, and %1 is in %2; write its unit behind the number</source>
+        <translation>hat keine Einheit, und %1 ist in %2; die Einheit hinter die Zahl schreiben</translation>
+    </message>
+    <message>
+        <source>the moduli contradict each other: the arms leave %1 MPa of the instantaneous modulus, and an equilibrium modulus of %2 MPa is stated, which is taken</source>
+        <translation>die Moduln widersprechen sich: die Arme lassen vom Momentanmodul %1 MPa übrig, und angegeben ist ein Gleichgewichtsmodul von %2 MPa, der genommen wird</translation>
+    </message>
+    <message>
         <source>has parts that add up to 1, so that its long-term modulus is 0; give --instantaneous-modulus, and --liquid if that is meant</source>
         <translation>hat Teile, die zusammen 1 ergeben, so dass der Langzeitmodul 0 ist; --instantaneous-modulus angeben, und --liquid, wenn das gemeint ist</translation>
     </message>
@@ -4283,6 +4295,10 @@
         <translation>reduzierte Frequenz: %1</translation>
     </message>
     <message>
+        <source>temperature: %1 (line %2: %3)</source>
+        <translation>Temperatur: %1 (Zeile %2: %3)</translation>
+    </message>
+    <message>
         <source>temperature: %1</source>
         <translation>Temperatur: %1</translation>
     </message>
@@ -4321,6 +4337,18 @@
     <message>
         <source>the constants C1 and C2 are not read: they hold above %1</source>
         <translation>die Konstanten C1 und C2 werden nicht gelesen: sie gelten oberhalb von %1</translation>
+    </message>
+    <message>
+        <source>the constants C1 and C2 are not read: line %1 is about ln aT, and C1 is expected to be that of log10 aT, which is C1 / 2.303</source>
+        <translation>die Konstanten C1 und C2 werden nicht gelesen: Zeile %1 handelt von ln aT, und C1 muss das von log10 aT sein, also C1 / 2.303</translation>
+    </message>
+    <message>
+        <source>the constants C1 and C2 are taken as those at %1, the temperature of the curve: no reference temperature is stated for them</source>
+        <translation>die Konstanten C1 und C2 gelten als die bei %1, der Temperatur der Kurve: für sie ist keine Bezugstemperatur angegeben</translation>
+    </message>
+    <message>
+        <source>the shift factors from line %1 on rise with temperature, and those of a rubber fall; check their sign</source>
+        <translation>die Verschiebungsfaktoren ab Zeile %1 steigen mit der Temperatur, die eines Gummis fallen; bitte das Vorzeichen prüfen</translation>
     </message>
     <message>
         <source>shift of the file: Williams, Landel and Ferry with C1 = %1, C2 = %2 K at %3</source>

@@ -152,6 +152,41 @@ TEST(DmaFile, TheTemperatureOfTheTestIsFoundAmongOthers) {
            "Temperature: 20\n",
            "Reference: 2041\nt = 300\nStep 3: 20 \u00B0C\nTemperature step: 5 K\n",
            "NETZSCH DMA 242 C\nfrequency sweep (20.0 \u00B0C)\n",
+           "Tempered 24 h at 70 \u00B0C\nTest at 20 \u00B0C\n",
+           "Getempert 24 h bei 70 \u00B0C\nTest bei 20 \u00B0C\n",
+           "Tempern 70 \u00B0C\nMessung bei 20 \u00B0C\n",
+           "Vernetzungstemperatur: 160 \u00B0C\nMessung bei 20 \u00B0C\n",
+           "Verarbeitungstemperatur 160 \u00B0C\nMessung bei 20 \u00B0C\n",
+           "Processing temperature: 160 \u00B0C\nMeasured at 20 \u00B0C\n",
+           "Crosslinking temperature: 160 \u00B0C\nMeasured at 20 \u00B0C\n",
+           "Drying temperature: 80 \u00B0C\nMeasured at 20 \u00B0C\n",
+           "Trocknungstemperatur: 80 \u00B0C\nMessung bei 20 \u00B0C\n",
+           "Storage temperature: 5 \u00B0C\nMeasured at 20 \u00B0C\n",
+           "Process temperature: 160 \u00B0C\nProcess: sweep, 20 \u00B0C\n",
+           "Storage modulus, temperature 20 \u00B0C\n",
+           "Brittleness temperature: -55 \u00B0C\nMeasured at 20 \u00B0C\n",
+           "Softening temperature: 90 \u00B0C\nMeasured at 20 \u00B0C\n",
+           "Kristallisation: -35 \u00B0C\ngemessen bei 20 \u00B0C\n",
+           "Temp\u00E9rature de cuisson : 150 \u00B0C\nMesure \u00E0 20 \u00B0C\n",
+           "Number of temperatures: 9\nMeasured at 20 \u00B0C\n",
+           "Temperature sensor: 2\nMeasured at 20 \u00B0C\n",
+           "Attempt: 2\nTemperature: 20 \u00B0C\n",
+           "Temperature program: 1\nMeasured at 20 \u00B0C\n",
+           "Temperature: 20 \u00B0C\nTemperature precision 0.1 K\nTemperature stability: 0.1 "
+           "\u00B0C\n",
+           "Aging: 7 d, 70 \u00B0C; Temperature: 20 \u00B0C\n",
+           "SBR, cure 10 min @ 170 \u00B0C, tested at 20 \u00B0C\n",
+           "SBR, cured at 160 \u00B0C and tested at 20 \u00B0C\n",
+           "Vulkanisation 170\u00B0C/10min; Messung 20\u00B0C\n",
+           "Test: 20 \u00B0C, press 160 \u00B0C 10 min\n",
+           "Press: 160 \u00B0C, 10 min, Test: 20 \u00B0C\n",
+           "T_test = 20 \u00B0C\nT_cure = 160 \u00B0C\n",
+           "Ttest: 20 \u00B0C\nTcure: 160 \u00B0C\nTg: -50 \u00B0C\n",
+           "Temperatur: 20 Grad Celsius\n",
+           "Sample: NR 60C\nFrequency sweep 20 \u00B0C\n",
+           "Run at 20 C\n",
+           "Probe: SBR T90; Temperature: 20 \u00B0C\n",
+           "Probe: SBR T90; Tref: 20 \u00B0C; cure 10 min @ 170 \u00B0C\n",
        }) {
     SCOPED_TRACE(header);
     EXPECT_NEAR(read(header + table).rows.front().temperature, 293.15, 1e-9);
@@ -163,11 +198,37 @@ TEST(DmaFile, TheTemperatureOfTheTestIsFoundAmongOthers) {
               293.15, 1e-9);
 }
 
+/// People and word processors write a minus in many ways; a dash between words is none.
+TEST(DmaFile, MinusSignsOfTemperaturesAreRead) {
+  const std::string table = "f [Hz];G' [Pa];G'' [Pa]\n1;2e6;2e5\n10;3e6;4e5\n";
+  const auto kelvin = [&](const std::string& header) {
+    return read(header + "\n" + table).rows.front().temperature;
+  };
+  for (const char* header :
+       {"T = \u201320 \u00B0C", "Temperature: - 20 \u00B0C", "Temperature: \u2212 20 \u00B0C",
+        "\u201320 \u00B0C", "Temperature: minus 20 \u00B0C", "measured at - 20 \u00B0C"})
+    EXPECT_NEAR(kelvin(header), 253.15, 1e-9) << header;
+  for (const char* header : {"Sample A \u2013 20 \u00B0C", "Frequency sweep - 20 \u00B0C",
+                             "Temperature: 20 +/- 1 \u00B0C", "Temperature: 20 +/-1 \u00B0C"})
+    EXPECT_NEAR(kelvin(header), 293.15, 1e-9) << header;
+}
+
+TEST(DmaFile, FrenchNamesOfColumnsAreKnown) {
+  const DmaFile file = read(
+      "Temp\u00E9rature (\u00B0C)\tFr\u00E9quence (Hz)\tG' (MPa)\tG'' (MPa)\n"
+      "20\t1\t2\t0.2\n20\t10\t3\t0.4\n");
+  expectRow(file.rows[0], 293.15, 1, 2e6, 2e5);
+}
+
 TEST(DmaFile, WithoutATemperatureOfTheTestTheFileIsRefused) {
   const std::string table = "f [Hz];G' [Pa];G'' [Pa]\n1;2e6;2e5\n10;3e6;4e5\n";
   for (const std::string header :
        {"Sample: NR, cured 12 min at 160 \u00B0C\n", "Temperature range: -40 to 60 \u00B0C\n",
-        "Heating rate: 2 K/min\n", "Oven -150 \u00B0C to 600 \u00B0C\n", "B = 12 K\n"})
+        "Heating rate: 2 K/min\n", "Oven -150 \u00B0C to 600 \u00B0C\n", "B = 12 K\n",
+        "Temperature points: 9\n", "Temperature profile: 3\n", "Temperature control: 1\n",
+        "Temps : 12\n", "Attempt: 2\n", "Sample: NR N330 C\n",
+        "Rheometer MDR 160 \u00B0C: t90 = 8.2 min\n", "MDR 2000, 170 \u00B0C, ts2 1.3 min\n",
+        "Build 120 C\n", "Curing: 10 min; T = 160 \u00B0C\n"})
     EXPECT_THAT(errorOf(header + table),
                 HasSubstr("temperature: is stated nowhere; say at which the moduli were measured "
                           "with --temperature"))
@@ -412,6 +473,8 @@ TEST(DmaFile, TheFactsNameColumnsUnitsAndKind) {
                   "moduli of shear: G1 in MPa, G2 in MPa"));
   EXPECT_THAT(factsIn("Tref = 20 C\naT*f (Hz),G',G''\n1,2e6,2e5\n10,3e6,4e5\n"),
               ElementsAre("reduced frequency: aT*f in Hz",
+                          "temperature: 20.0 \u00B0"
+                          "C (line 1: Tref = 20 C)",
                           "moduli of shear: G' in Pa (assumed), G'' in Pa (assumed)"));
   const std::string block = "C\nf (Hz),G' (MPa),G'' (MPa)\n1,2,0.2\n10,3,0.4\n\n";
   EXPECT_EQ(factsIn("T = 20 " + block + "T = 30 " + block).size(), 2U);
@@ -458,6 +521,46 @@ TEST(DmaFile, TheShiftBesideAMasterCurveIsRead) {
     EXPECT_EQ(*file.shift, (TemperatureShift{10, 120, 293.15}));
     EXPECT_THAT(factsIn(head + constants + curve), testing::Contains(HasSubstr("C1 = 10")));
   }
+  // Constants of another temperature than the curve's: 60 C + 120 K - 20 C.
+  const std::string reduced = "aT*f (Hz);G' (Pa);G'' (Pa)\n1;2e6;2e5\n10;3e6;4e5\n100;4e6;6e5\n";
+  for (const std::string constants :
+       {"WLF: Tref = 20 \u00B0C; C1 = 10; C2 = 120 K\n",
+        "WLF: C1 = 10, C2 = 120 K, Tref = 20 \u00B0C\n",
+        "WLF fit: C1 = 10 ; C2 = 120 K ; T0 = 20 \u00B0C\n",
+        "WLF Tref = 20 \u00B0C; WLF C1 = 10; WLF C2 = 120 K\n",
+        "WLF reference temperature: 20 \u00B0C\nC1 = 10\nC2 (K): 120\n",
+        "WLF parameters (Tref = 20 \u00B0C):\nC1 = 10\nC2 = 120\n",
+        "WLF parameters, Tref = 20 \u00B0C:\nC1 = 10\nC2 = 120\n",
+        "WLF at 20 \u00B0C: C1 = 10, C2 = 120 K\n",
+        "WLF (C1 = 10, C2 = 120 K) at 20 \u00B0C\nC1 = 10\n",
+        "T_WLF = 20 \u00B0C\nC1 = 10\nC2 = 120\n",
+        "WLF Tref [\u00B0C]: 20\nWLF C1: 10\nWLF C2: 120\n"}) {
+    const DmaFile file = read("Master curve at 60 \u00B0C\n" + constants + reduced);
+    ASSERT_TRUE(file.shift.has_value()) << constants;
+    EXPECT_NEAR(file.shift->c1, 7.5, 1e-9) << constants;
+    EXPECT_NEAR(file.shift->c2, 160, 1e-9) << constants;
+    EXPECT_NEAR(file.shift->referenceTemperature, 333.15, 1e-9) << constants;
+  }
+  // The universal constants are those of the glass transition: 20 C + 51.6 K + 50 C.
+  for (const std::string constants :
+       {"WLF (Tg = -50 \u00B0C): C1 = 17.44; C2 = 51.6\n",
+        "WLF at Tg = -50 \u00B0C: C1 = 17.44, C2 = 51.6\n",
+        "C1: 17.44\nC2: 51.6\nReference temperature of WLF: -50 \u00B0C\n",
+        "WLF C1: 17.44\nWLF C2: 51.6 K\nTg: -50 \u00B0C\n"})
+    for (const std::string curveAt :
+         {"Master curve at 20 \u00B0C\n", "Master curve, T = 20 \u00B0C\n"}) {
+      const DmaFile file = read(curveAt + constants + reduced);
+      ASSERT_TRUE(file.shift.has_value()) << constants;
+      EXPECT_NEAR(file.shift->c2, 121.6, 1e-9) << constants;
+      EXPECT_NEAR(file.shift->c1, 17.44 * 51.6 / 121.6, 1e-9) << constants;
+    }
+  // Other constants are not: the curve's temperature is theirs, which is said.
+  const std::string other =
+      "Master curve at 20 \u00B0C\nTg: -50 \u00B0C\nC1 = 10\nC2 = 120\n" + reduced;
+  EXPECT_EQ(read(other).shift->c2, 120);
+  EXPECT_THAT(factsIn(other), testing::Contains(HasSubstr("no reference temperature is stated")));
+  EXPECT_THAT(factsIn(head + "ln aT form: C1 = 23.03, C2 = 120\n" + curve),
+              testing::Contains(HasSubstr("not read: line 2 is about ln aT")));
   // The same curve from 50 C on.
   const DmaFile apart = read("Temperature: 50 C\n" + head + "C1 = 10\nC2 = 120\n" + curve);
   EXPECT_NEAR(apart.shift->c2, 150, 1e-9);
@@ -475,6 +578,12 @@ TEST(DmaFile, TheShiftBesideAMasterCurveIsRead) {
     EXPECT_NEAR(file.shift->table.front().log10Shift, 10, 1e-9);
     EXPECT_EQ(file.shift->table[1], (ShiftPoint{293.15, 0}));
   }
+  const std::string turned = "T [\u00B0C];-log aT\n50;2\n20;0\n-40;-10\n";
+  EXPECT_NEAR(read(table + turned).shift->table.front().log10Shift, 10, 1e-9);
+  EXPECT_THAT(factsIn(table + turned),
+              testing::Not(testing::Contains(HasSubstr("check their sign"))));
+  EXPECT_THAT(factsIn(table + "T [\u00B0C];log aT\n50;2\n20;0\n-40;-10\n"),
+              testing::Contains(HasSubstr("rise with temperature")));
   for (const std::string row : {"20;", "20;NaN", "20;0", "20;-1", "-300;1", "50;1"})
     EXPECT_THAT(factsIn(table + "T;aT\n-40;1e10\n" + row + "\n50;0.01\n"),
                 testing::Contains(HasSubstr("are not read: they are no rising table")))

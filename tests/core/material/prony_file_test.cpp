@@ -257,6 +257,46 @@ TEST(PronyFile, TablesOfTimesAndModuli) {
   expectSeries(read("tau,g_i\n0.1,0.5\n10,0.25\n", choices));
 }
 
+/// The moduli around a table, in every place and form.
+TEST(PronyFile, ModuliStandAroundTheTable) {
+  for (const std::string text :
+       {"Tref = 20 C\nG_inf = 1 MPa\nT (C);log aT\n0;1.5\n20;0\n40;-1\n\ntau (s);G_i "
+        "(MPa)\n0.1;2\n10;1\n",
+        "Tref = 20 C\ntau (s);G_i (MPa)\n0.1;2\n10;1\n\nG_inf = 1 MPa\n",
+        "# T_ref = 20 C, G_inf = 1 MPa\ntau (s),G (MPa)\n0.1,2\n10,1\n",
+        "G0: 4 (MPa)\ntau (s);g_i\n0.1;0.5\n10;0.25\n",
+        "Schubmodul G0 = 4 MPa\nRelaxationszeit tau [s];Schubmodul G [MPa]\n0.1;2\n10;1\n",
+        "Gleichgewichtsmodul G_inf = 1 MPa\nRelaxationszeit [s];Modul G [MPa]\n0.1;2\n10;1\n"}) {
+    SCOPED_TRACE(text);
+    expectSeries(read(text));
+  }
+}
+
+TEST(PronyFile, AMissingUnitIsThatWhichFits) {
+  for (const std::string text : {"G_inf = 1 MPa\ntau (s);G_i\n0.1;2\n10;1\n",
+                                 "G_inf = 1 MPa\ntau (s);G_i\n0.1;2e6\n10;1e6\n",
+                                 "G_inf = 1\ntau (s);G_i (MPa)\n0.1;2\n10;1\n",
+                                 "G0 = 4e6\ntau (s);G_i (MPa)\n0.1;2\n10;1\n"}) {
+    SCOPED_TRACE(text);
+    const auto file = read(text);
+    expectSeries(file);
+    EXPECT_THAT(notesOf(file), testing::Contains(HasSubstr("is assumed, which fits")));
+  }
+  EXPECT_THAT(errorOf("Ginf = 1 MPa\ntau (s);g_i\n1e-3;50\n1e-1;30\n"),
+              HasSubstr("g_i: has no unit, and Ginf is in MPa; say with --modulus-unit"));
+  EXPECT_THAT(errorOf("G0 = 4e9\ntau (s);G_i (MPa)\n0.1;2\n10;1\n"),
+              HasSubstr("G0: has no unit, and G_i is in MPa; write its unit"));
+}
+
+TEST(PronyFile, ModuliThatContradictEachOtherAreSaid) {
+  const std::string table = "tau (s),g\n1e-3,0.5\n1e-1,0.3\n";
+  EXPECT_THAT(notesOf(read("G0 = 10 MPa\nG_inf = 3 MPa\n" + table)),
+              testing::Contains(HasSubstr("the arms leave 2 MPa of the instantaneous modulus, and "
+                                          "an equilibrium modulus of 3 MPa")));
+  EXPECT_THAT(notesOf(read("G0 = 10 MPa\nG_inf = 2 MPa\n" + table)),
+              testing::Not(testing::Contains(HasSubstr("contradict"))));
+}
+
 /// Found by random input: of a liquid whose only arm is empty nothing is left.
 TEST(PronyFile, ASeriesNeedsAnArm) {
   PronyChoices liquid;
