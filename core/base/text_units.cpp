@@ -23,8 +23,8 @@ constexpr std::array kOtherWords{
 /// Symbols in lower case that may have a prefix, in any case: "KHZ", "MM/S".
 constexpr std::array kSymbols{"m"sv,   "s"sv, "hz"sv,    "pa"sv,   "n"sv,
                               "m/s"sv, "v"sv, "m/sec"sv, "m.s-1"sv};
-constexpr std::array kPrefixes{""sv,       "f"sv, "p"sv, "n"sv, "u"sv, "\u00B5"sv,
-                               "\u03BC"sv, "m"sv, "c"sv, "d"sv, "k"sv, "g"sv};
+constexpr std::array kLowerCasePrefixes{""sv,       "f"sv, "p"sv, "n"sv, "u"sv, "\u00B5"sv,
+                                        "\u03BC"sv, "m"sv, "c"sv, "d"sv, "k"sv, "g"sv};
 
 struct NamedLength {
   std::string_view name;
@@ -147,7 +147,7 @@ bool isUnitWord(std::string_view text) {
   return std::ranges::any_of(kSymbols, [&word](std::string_view symbol) {
     if (!word.ends_with(symbol)) return false;
     const std::string_view prefix = std::string_view(word).substr(0, word.size() - symbol.size());
-    return std::ranges::find(kPrefixes, prefix) != kPrefixes.end();
+    return std::ranges::find(kLowerCasePrefixes, prefix) != kLowerCasePrefixes.end();
   });
 }
 

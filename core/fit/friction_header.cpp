@@ -207,7 +207,7 @@ std::optional<HeaderStatement> readStatement(std::string_view clause, HeaderMark
 }
 
 /// Returns an entry as people write it.
-std::string textOf(const TextEntry& entry) {
+std::string asWritten(const TextEntry& entry) {
   return entry.key.empty() ? entry.value : entry.key + ": " + entry.value;
 }
 
@@ -221,7 +221,7 @@ std::vector<HeaderStatement> readStatements(const TextEntry& entry, HeaderMark m
     return statement;
   };
   const auto whole = readStatement(line, mark);
-  if (whole && whole->quantity) return {complete(*whole, textOf(entry))};
+  if (whole && whole->quantity) return {complete(*whole, asWritten(entry))};
   const std::vector<std::string_view> clauses = clausesOf(line);
   std::vector<HeaderStatement> statements;
   for (const std::string_view clause : clauses) {
@@ -230,13 +230,13 @@ std::vector<HeaderStatement> readStatements(const TextEntry& entry, HeaderMark m
       HeaderStatement& before = statements.back();
       if (before.quantity && measures(value->unit, *before.quantity)) before.quantity.reset();
     }
-    const std::string text = clauses.size() == 1 ? textOf(entry) : std::string(clause);
+    const std::string text = clauses.size() == 1 ? asWritten(entry) : std::string(clause);
     if (const auto statement = readStatement(clause, mark))
       statements.push_back(complete(*statement, text));
     else if (hasLoadUnit(clause))
       statements.push_back(complete({}, text));
   }
-  if (statements.empty() && whole) statements.push_back(complete(*whole, textOf(entry)));
+  if (statements.empty() && whole) statements.push_back(complete(*whole, asWritten(entry)));
   return statements;
 }
 

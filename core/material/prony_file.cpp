@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "core/base/header_clauses.h"
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/text.h"
@@ -13,7 +14,6 @@
 #include "core/base/text_number.h"
 #include "core/material/dma_columns.h"
 #include "core/material/element_law.h"
-#include "core/material/header_clauses.h"
 #include "core/material/isotherms.h"
 #include "core/material/prony_keywords.h"
 #include "core/material/stated_shift.h"
