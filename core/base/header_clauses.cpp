@@ -8,8 +8,8 @@
 
 namespace asperity {
 
-Words wordsIn(std::string_view text) {
-  Words words;
+WordList wordsIn(std::string_view text) {
+  WordList words;
   bool isOpen = false;
   for (const char letter : lowerCase(text)) {
     if (letter == '_') continue;
@@ -22,8 +22,8 @@ Words wordsIn(std::string_view text) {
   return words;
 }
 
-std::string lineOf(const TextEntry& entry) {
-  return entry.key.empty() ? entry.value : fmt::format("{} = {}", entry.key, entry.value);
+std::string lineOf(const TextEntry& entry, std::string_view between) {
+  return entry.key.empty() ? entry.value : fmt::format("{}{}{}", entry.key, between, entry.value);
 }
 
 std::vector<std::string_view> clausesOf(std::string_view line) {

@@ -10,13 +10,14 @@
 
 namespace asperity {
 
-using Words = std::vector<std::string>;
+using WordList = std::vector<std::string>;
 
 /// Returns the words of a text in lower case; "T_ref" is one of them.
-Words wordsIn(std::string_view text);
+WordList wordsIn(std::string_view text);
 
-/// Returns an entry as a line, "key = value".
-std::string lineOf(const TextEntry& entry);
+/// Returns an entry as a line, "key = value", or with another text between them; the value alone
+/// where it has no key.
+std::string lineOf(const TextEntry& entry, std::string_view between = " = ");
 
 /// Splits a line at semicolons, tabs and commas before a blank.
 std::vector<std::string_view> clausesOf(std::string_view line);

@@ -35,8 +35,8 @@ inline double upperMedian(std::vector<double> values) {
 /// Returns the probability that a value deviates by less than t standard errors, which were
 /// estimated from residuals with this many degrees of freedom (Student's distribution). For a whole
 /// freedom it is a sum of few terms (Abramowitz and Stegun, 26.7.3 and 26.7.4); for any other it is
-/// 1 less the terms that would follow, which are many for a small t. freedom: above 0; where it is
-/// no whole number, t is 0.1 or more.
+/// 1 minus the sum of the terms that follow, which are many for a small t. freedom: above 0; where
+/// it is no whole number, t is 0.1 or more.
 inline double studentProbability(double t, double freedom) {
   const double angle = std::atan(t / std::sqrt(freedom));
   const double cosine = std::cos(angle), sine = std::sin(angle);

@@ -131,6 +131,7 @@ class Fitting {
     fit_.scene = objective_.sceneAt(best.coordinates);
     setParameters(best.coordinates);
     setCombinations();
+    stateProfiles();
     fit_.evaluations = objective_.evaluations();
     addNotes();
     return std::move(fit_);
@@ -364,25 +365,31 @@ class Fitting {
 
   /// Sets the profiles around a minimum, and returns the lowest of their points.
   Minimum setProfiles(const Minimum& best) {
-    fit_.profiles.clear();
     profiles_.clear();
     Minimum lowest = best;
     for (const int k : all_) {
-      const VariedParameter& parameter = parameters_[static_cast<std::size_t>(k)];
       std::vector<Minimum> points = profileToOneSide(k, -1, best);
       std::ranges::reverse(points);
       points.push_back(best);
       for (Minimum& point : profileToOneSide(k, 1, best)) points.push_back(std::move(point));
-      ObjectiveProfile profile{std::string(parameter.key()), {}, {}};
-      for (const Minimum& point : points) {
-        profile.values.push_back(parameter.value(point.coordinates[k]));
-        profile.chiSquared.push_back(point.chiSquared);
+      for (const Minimum& point : points)
         if (point.chiSquared < lowest.chiSquared) lowest = point;
-      }
-      fit_.profiles.push_back(std::move(profile));
       profiles_.push_back(std::move(points));
     }
     return lowest;
+  }
+
+  /// States the profiles of the final minimum by the values of their parameters.
+  void stateProfiles() {
+    for (std::size_t k = 0; k < profiles_.size(); ++k) {
+      const VariedParameter& parameter = parameters_[k];
+      ObjectiveProfile& profile = fit_.profiles.emplace_back();
+      profile.key = parameter.key();
+      for (const Minimum& point : profiles_[k]) {
+        profile.values.push_back(parameter.value(point.coordinates[static_cast<Eigen::Index>(k)]));
+        profile.chiSquared.push_back(point.chiSquared);
+      }
+    }
   }
 
   /// Holds one parameter at values on one side of the best one, and minimizes over the others. They
@@ -466,8 +473,8 @@ class Fitting {
     if (fit_.hasFoundPoints && isByLines_ && lines < kFewLines)
       fit_.notes.push_back(message(
           "the spread of the {} random lines is a larger part of the errors than the points "
-          "are, and so few lines state it badly: values two or three errors away are no "
-          "surprise; more lines (ensemble.realizations) make the errors smaller and better "
+          "are, and so few lines estimate it poorly: the true values may be two or three standard "
+          "errors away; more lines (ensemble.realizations) make the errors smaller and better "
           "known",
           lines));
     for (const ObjectiveProfile& profile : fit_.profiles) {

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <optional>
 
+#include "core/base/header_clauses.h"
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/regular_file.h"
@@ -59,10 +60,6 @@ bool namesQuantity(const std::string& line) {
   return false;
 }
 
-std::string textOf(const TextEntry& entry) {
-  return entry.key.empty() ? entry.value : entry.key + " " + entry.value;
-}
-
 /// Gives names to columns whose line of names has blanks within the names as well: "velocity (mm/s)
 /// mu normal force (mN)". The line nearest to the numbers is taken.
 void nameColumns(TextBlock& block) {
@@ -71,7 +68,7 @@ void nameColumns(TextBlock& block) {
   if (hasNames || block.header.empty()) return;
   std::vector<std::vector<TextColumn>> ways;
   std::vector<TextColumn> made;
-  findNames(blankSeparated(textOf(block.header.back())), 0, block.columns.size(), made, ways);
+  findNames(blankSeparated(lineOf(block.header.back(), " ")), 0, block.columns.size(), made, ways);
   if (ways.size() != 1) return;
   for (std::size_t i = 0; i < block.columns.size(); ++i) {
     block.columns[i].name = ways.front()[i].name;
@@ -153,11 +150,11 @@ class Reader {
         block_.columns, [](const TextColumn& column) { return !column.name.empty(); });
     if (!hasNames) {
       for (const TextEntry& entry : block_.header)
-        if (namesQuantity(textOf(entry)))
+        if (namesQuantity(lineOf(entry, " ")))
           refuse(
               message("line {}: '{}' does not name {} columns; separate the names as the "
                       "numbers are, or write each one without blanks, such as velocity_mm/s",
-                      entry.line, shortened(textOf(entry)), count));
+                      entry.line, shortened(lineOf(entry, " ")), count));
       if (count != 2 && count != 3)
         refuse(
             message("has {} columns without names; name them: velocity, mu, and where there are "

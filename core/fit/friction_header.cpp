@@ -206,22 +206,17 @@ std::optional<HeaderStatement> readStatement(std::string_view clause, HeaderMark
   return statement;
 }
 
-/// Returns an entry as people write it.
-std::string asWritten(const TextEntry& entry) {
-  return entry.key.empty() ? entry.value : entry.key + ": " + entry.value;
-}
-
 }  // namespace
 
 std::vector<HeaderStatement> readStatements(const TextEntry& entry, HeaderMark mark) {
-  const std::string line = lineOf(entry);
+  const std::string line = lineOf(entry), asWritten = lineOf(entry, ": ");
   const auto complete = [&entry](HeaderStatement statement, std::string text) {
     statement.text = std::move(text);
     statement.line = entry.line;
     return statement;
   };
   const auto whole = readStatement(line, mark);
-  if (whole && whole->quantity) return {complete(*whole, asWritten(entry))};
+  if (whole && whole->quantity) return {complete(*whole, asWritten)};
   const std::vector<std::string_view> clauses = clausesOf(line);
   std::vector<HeaderStatement> statements;
   for (const std::string_view clause : clauses) {
@@ -230,13 +225,13 @@ std::vector<HeaderStatement> readStatements(const TextEntry& entry, HeaderMark m
       HeaderStatement& before = statements.back();
       if (before.quantity && measures(value->unit, *before.quantity)) before.quantity.reset();
     }
-    const std::string text = clauses.size() == 1 ? asWritten(entry) : std::string(clause);
+    const std::string text = clauses.size() == 1 ? asWritten : std::string(clause);
     if (const auto statement = readStatement(clause, mark))
       statements.push_back(complete(*statement, text));
     else if (hasLoadUnit(clause))
       statements.push_back(complete({}, text));
   }
-  if (statements.empty() && whole) statements.push_back(complete(*whole, asWritten(entry)));
+  if (statements.empty() && whole) statements.push_back(complete(*whole, asWritten));
   return statements;
 }
 

@@ -22,9 +22,8 @@ namespace {
 /// The columns of a table of shift factors.
 struct ShiftColumns {
   std::size_t temperature = 0, factor = 0;
-  double base = 10;         // of the logarithm
   bool isLogarithm = true;  // otherwise the factor itself
-  double sign = 1;          // -1 of "-log aT"
+  double decades = 1;       // of log10 aT for 1 in the column: 0.434 of "ln aT", -1 of "-log aT"
 };
 
 std::optional<ShiftColumns> shiftColumns(const TextBlock& block) {
@@ -43,9 +42,9 @@ std::optional<ShiftColumns> shiftColumns(const TextBlock& block) {
       continue;
     factor = i;
     found.isLogarithm = isTen || isNatural;
-    if (isNatural) found.base = std::numbers::e;
+    if (isNatural) found.decades = std::numbers::log10e;
     for (const std::string_view minus : {"-", "\u2212", "\u2013"})
-      if (trimmedBlanks(block.columns[i].name).starts_with(minus)) found.sign = -1;
+      if (trimmedBlanks(block.columns[i].name).starts_with(minus)) found.decades *= -1;
   }
   if (!temperature || !factor) return {};
   found.temperature = *temperature;
@@ -69,8 +68,7 @@ std::vector<ShiftPoint> shiftRows(const TextBlock& block, const ShiftColumns& co
   for (std::size_t row = 0; row < block.rows; ++row) {
     if (!columns.isLogarithm && !(factors[row] > 0)) return {};
     const double decades =
-        columns.sign *
-        (columns.isLogarithm ? factors[row] * std::log10(columns.base) : std::log10(factors[row]));
+        columns.decades * (columns.isLogarithm ? factors[row] : std::log10(factors[row]));
     const double kelvin = scale->toSi(temperatures[row]);
     if (!(kelvin >= kColdestTest && std::abs(decades) <= kMostDecades)) return {};
     rows.push_back({kelvin, decades});
@@ -138,7 +136,7 @@ WlfConstants wlfConstants(const TextTable& table, const std::string& unit) {
         const std::size_t end = clause.find_last_of(":=");
         if (end == clause.npos) continue;
         // "C2 (K)"
-        const Words words = wordsIn(parseColumnName(keyBefore(clause.substr(0, end))).name);
+        const WordList words = wordsIn(parseColumnName(keyBefore(clause.substr(0, end))).name);
         const auto quantity = parseQuantity(clause.substr(end + 1));
         if (words.empty() || !quantity) continue;
         if (isOneOf(words.back(), {"c1", "c\u2081"})) found.c1 = quantity->number;

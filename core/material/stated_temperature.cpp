@@ -68,7 +68,7 @@ bool isOfOther(const std::string& word) {
 
 /// Returns whether words say that a temperature is none of the test. The storage modulus is no
 /// storage, 5 min are minutes, and a rheometer may be that of the test.
-bool areOfOther(const Words& words) {
+bool areOfOther(const WordList& words) {
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string& word = words[i];
     if (word == "min" && i > 0 && isDigit(words[i - 1].back())) continue;
@@ -84,7 +84,7 @@ bool areOfOther(const Words& words) {
 }
 
 /// Returns whether words say that something was measured.
-bool areOfTest(const Words& words) {
+bool areOfTest(const WordList& words) {
   static constexpr std::array<std::string_view, 10> kStems{
       "test",        "measur", "gemess",   "mess",  "pr\u00FCf",
       "gepr\u00FCf", "mesur",  "isotherm", "sweep", "ttest"};
@@ -93,18 +93,18 @@ bool areOfTest(const Words& words) {
 }
 
 /// Returns whether words are about the constants of a shift.
-bool areOfShift(const Words& words) {
+bool areOfShift(const WordList& words) {
   return std::ranges::any_of(words, [](const std::string& word) {
     return isOneOf(word, {"wlf", "twlf", "c1", "c2", "c\u2081", "c\u2082"});
   });
 }
 
-bool hasWord(const Words& words, std::initializer_list<std::string_view> some) {
+bool hasWord(const WordList& words, std::initializer_list<std::string_view> some) {
   return std::ranges::any_of(words,
                              [&some](const std::string& word) { return isOneOf(word, some); });
 }
 
-bool isOfGlass(const Words& words) {
+bool isOfGlass(const WordList& words) {
   return std::ranges::any_of(words, [](const std::string& word) {
     return isOneOf(word, {"tg", "tglas", "tglass"}) || word.starts_with("glas");
   });
@@ -124,7 +124,7 @@ bool isOfReference(const std::string& word) {
 }
 
 /// Returns whether words name a step from one temperature to the next.
-bool isOfStep(const Words& words) {
+bool isOfStep(const WordList& words) {
   return std::ranges::any_of(words, [](const std::string& word) {
     return isOneOf(word, {"step", "steps"});
   });
@@ -139,7 +139,7 @@ bool isTemperatureWord(std::string_view key) {
 /// "Temperature sensor".
 bool namesOneTemperature(std::string_view key) {
   if (key == "T") return true;
-  const Words words = wordsIn(parseColumnName(key).name);
+  const WordList words = wordsIn(parseColumnName(key).name);
   const auto isNamed = [](std::string_view word) {
     constexpr std::array<std::string_view, 4> kEnds{"temp", "temperature", "temperatur",
                                                     "temp\u00E9rature"};
@@ -209,13 +209,13 @@ class HeaderReader {
   void readEntry(const TextEntry& entry) {
     text_ = lineOf(entry);
     line_ = entry.line;
-    const Words words = wordsIn(text_);
+    const WordList words = wordsIn(text_);
     isLineOfOther_ = areOfOther(words);
     isLineOfShift_ = areOfShift(words);
     isOfMaking_ = isMakingDone_ = false;
     for (const std::string_view clause : clausesOf(text_)) {
       // What a clause says about making holds for the next ones, too, until one is about the test.
-      const Words own = wordsIn(clause);
+      const WordList own = wordsIn(clause);
       if (areOfTest(own) && !std::ranges::any_of(own, isOfMaking)) isOfMaking_ = false;
       readClause(clause);
       if (std::ranges::any_of(own, isOfMaking)) isOfMaking_ = true;
@@ -231,7 +231,7 @@ class HeaderReader {
       // The second temperature of "cured at 160 °C and tested at 20 °C" has words of its own.
       const auto next = firstTemperature(clause.substr(begin));
       if (!next) return;
-      const Words words = wordsIn(clause.substr(begin, next->begin));
+      const WordList words = wordsIn(clause.substr(begin, next->begin));
       if (!areOfTest(words) && !(isLineOfShift_ && hasWord(words, {"at", "bei", "tref", "tg"})))
         return;
       isOfMaking_ = false;
@@ -257,7 +257,7 @@ class HeaderReader {
         kelvin = temperatureUnit(found.unit)->toSi(number);
       }
     const std::string_view key = keyBefore(before);
-    const Words words = wordsIn(before);
+    const WordList words = wordsIn(before);
     if (isLineOfShift_ || isOfGlass(words)) {
       if (addOfShift(words, kelvin)) return false;
     }
@@ -287,7 +287,7 @@ class HeaderReader {
   /// Returns whether a temperature in a line without a key for it may be that of the test. "DMA 242
   /// C", "N330 C" and "Build 120 C" are names.
   bool isBareTemperature(std::string_view before, const TextTemperature& found,
-                         const Words& words) const {
+                         const WordList& words) const {
     if (isLineOfOther_ || hasWord(words, {"rheometer"})) return false;
     if (!words.empty() && words.back() == "dma") return false;
     const bool isBehindLetter =
@@ -304,7 +304,7 @@ class HeaderReader {
 
   /// Adds a temperature in a line about a shift, or of a glass transition. Returns whether it is
   /// one.
-  bool addOfShift(const Words& words, double kelvin) {
+  bool addOfShift(const WordList& words, double kelvin) {
     if (hasWord(words, {"c1", "c2", "c\u2081", "c\u2082"}) && !hasWord(words, {"at", "bei"}))
       return false;
     const bool isShift = hasWord(words, {"wlf"}), isGlass = isOfGlass(words);
@@ -329,7 +329,7 @@ class HeaderReader {
     const std::string_view key = keyBefore(clause.substr(0, end));
     const auto quantity = parseQuantity(clause.substr(end + 1));
     Rank rank = rankOf(key);
-    const Words words = wordsIn(clause);
+    const WordList words = wordsIn(clause);
     const bool isShift = isLineOfShift_ && hasWord(words, {"wlf", "twlf"}) &&
                          (rank == Rank::Reference || hasWord(words, {"twlf"}));
     if (isShift) rank = Rank::ShiftReference;
@@ -351,7 +351,7 @@ class HeaderReader {
   }
 
   static Rank rankOf(std::string_view key) {
-    const Words words = wordsIn(key);
+    const WordList words = wordsIn(key);
     if (std::ranges::any_of(words, isOfReference)) return Rank::Reference;
     if (isTemperatureWord(key) || isTemperatureWord(parseColumnName(key).name)) return Rank::Test;
     return !words.empty() && isTemperatureWord(words.back()) ? Rank::Test : Rank::Bare;

@@ -243,8 +243,8 @@
         <translation>die Summe der Quadrate ist entlang von %1 keine Parabel: der Bereich reicht bis dorthin, wo das Profil um einen Standardfehler steigt, und der Standardfehler ist die Hälfte davon</translation>
     </message>
     <message>
-        <source>the spread of the %1 random lines is a larger part of the errors than the points are, and so few lines state it badly: values two or three errors away are no surprise; more lines (ensemble.realizations) make the errors smaller and better known</source>
-        <translation>die Streuung der %1 zufälligen Linien ist ein größerer Teil der Fehler als die Punkte, und so wenige Linien geben sie schlecht an: Werte, die zwei oder drei Fehler entfernt sind, überraschen nicht; mehr Linien (ensemble.realizations) machen die Fehler kleiner und genauer bekannt</translation>
+        <source>the spread of the %1 random lines is a larger part of the errors than the points are, and so few lines estimate it poorly: the true values may be two or three standard errors away; more lines (ensemble.realizations) make the errors smaller and better known</source>
+        <translation>die Streuung der %1 zufälligen Linien ist ein größerer Teil der Fehler als die Punkte, und so wenige Linien schätzen sie schlecht: die wahren Werte können zwei oder drei Standardfehler entfernt sein; mehr Linien (ensemble.realizations) machen die Fehler kleiner und genauer bekannt</translation>
     </message>
     <message>
         <source>the sum of squares is lower at %1 = %2, by %3: the fit has not reached its minimum; begin again from that value</source>

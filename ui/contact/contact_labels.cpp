@@ -130,7 +130,8 @@ struct PlacedTag {
 /// middle in as many of its words as fit. A label that does not fit is left out, because the line
 /// would cross it.
 std::vector<PlacedTag> placedBetweenCrests(const TagPainter& painter, const Frame& frame,
-                                           const ContactLayout& layout, float y, bool isBrief) {
+                                           const ContactLayout& layout, float y,
+                                           std::span<const Tag> forces) {
   const float gap = std::round(10 * layout.sizes.unit);
   const float left = layout.plot.x + gap, right = layout.plot.right() - gap;
   const CurveRows line = curveRows(frame, frame.lineHeight, layout);
@@ -152,7 +153,7 @@ std::vector<PlacedTag> placedBetweenCrests(const TagPainter& painter, const Fram
     return false;
   };
   place(rigidTag(), left);
-  for (const Tag& force : forceTags(frame, {}, isBrief)) place(force, right);
+  for (const Tag& force : forces) place(force, right);
   if (const std::optional<Tag> motion = slidingTag(frame, false)) {
     Tag brief = slidingTag(frame, true).value_or(*motion), briefest = brief;
     briefest.after.clear();  // the header shows the velocity
@@ -166,9 +167,14 @@ std::vector<PlacedTag> placedBetweenCrests(const TagPainter& painter, const Fram
 /// labels of the forces contain their arrows, and are shortened where that lets more labels fit.
 void addRigidTagsBetweenCrests(TagPainter& painter, const Frame& frame, const ContactLayout& layout,
                                float y) {
-  std::vector<PlacedTag> labels = placedBetweenCrests(painter, frame, layout, y, false);
-  std::vector<PlacedTag> brief = placedBetweenCrests(painter, frame, layout, y, true);
-  if (brief.size() > labels.size()) labels = std::move(brief);
+  const std::vector<Tag> forces = forceTags(frame, {}, false);
+  std::vector<PlacedTag> labels = placedBetweenCrests(painter, frame, layout, y, forces);
+  const std::size_t all = 1 + forces.size() + (slidingTag(frame, false) ? 1 : 0);
+  if (labels.size() < all) {
+    std::vector<PlacedTag> brief =
+        placedBetweenCrests(painter, frame, layout, y, forceTags(frame, {}, true));
+    if (brief.size() > labels.size()) labels = std::move(brief);
+  }
   for (const PlacedTag& label : labels) painter.paint(label.tag, {label.x, y}, layout.theme.rigid);
 }
 
@@ -332,19 +338,12 @@ Notes addLabels(DrawList& list, const Frame& frame, const ContactLayout& layout,
     if (arrows.down > 0) {
       const DrawPoint foot = arrowFoot(arrows, layout, top);
       const float reach = 9 * layout.sizes.unit;
-      signs->push_back({{foot.x - reach, foot.y, 2 * reach, arrows.down + reach},
-                        plainText(pressingTag(frame, arrows).before),
-                        "load.normal_force",
-                        {},
-                        ContactHandle::Force});
+      signs->push_back(signOf(pressingTag(frame, arrows),
+                              {foot.x - reach, foot.y, 2 * reach, arrows.down + reach}));
       if (arrows.sideways > 0) {
-        const Tag friction = frictionTag(frame, arrows, false);
         const float from = arrows.pointsRight ? foot.x : foot.x - arrows.sideways;
-        signs->push_back({{from, foot.y - reach, arrows.sideways, 2 * reach},
-                          plainText(friction.before),
-                          friction.id,
-                          friction.tip,
-                          friction.handle});
+        signs->push_back(signOf(frictionTag(frame, arrows, false),
+                                {from, foot.y - reach, arrows.sideways, 2 * reach}));
       }
     }
   }

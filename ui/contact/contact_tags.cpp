@@ -9,6 +9,10 @@
 
 namespace asperity {
 
+ContactSign signOf(const Tag& tag, const Box& box) {
+  return {box, plainText(tag.before), tag.id, tag.tip, tag.handle};
+}
+
 TagPainter::TagPainter(DrawList& list, DrawLayer& plates, DrawLayer& arrows,
                        const ContactLayout& layout)
     : list_(list),
@@ -31,7 +35,7 @@ float TagPainter::width(const Tag& tag) const {
 
 void TagPainter::paint(const Tag& tag, DrawPoint topLeft, const Rgba& plate) {
   const Box box{topLeft.x, topLeft.y, width(tag), height()};
-  signs_.push_back({box, plainText(tag.before), tag.id, tag.tip, tag.handle});
+  signs_.push_back(signOf(tag, box));
   // A tag that is covered in part would lose its words, but not its plate.
   const auto covers = [&box](const Box& cover) { return cover.width > 0 && cover.overlaps(box); };
   if (std::ranges::any_of(layout_.covered, covers)) return;

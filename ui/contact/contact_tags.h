@@ -21,6 +21,9 @@ struct Tag {
   std::string tip{};                           // a sentence instead of that of the explanation
 };
 
+/// Returns the sign that a tag, or its arrow, is in this box.
+ContactSign signOf(const Tag& tag, const Box& box);
+
 /// Paints tags, all in one size: their plates in one layer, their arrows in another. The list,
 /// layers and layout must outlive it.
 class TagPainter {

@@ -1,5 +1,4 @@
 #include "ui/window/lesson/lessons.h"
-#include "ui/window/contact/contact_canvas.h"
 
 #include <QAction>
 #include <QDateTime>
@@ -26,6 +25,7 @@
 #include "ui/panels/number_text.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/panels/scene_files.h"
+#include "ui/window/contact/contact_canvas.h"
 #include "ui/window/curve/curve_commands.h"
 #include "ui/window/figures/figure_pages.h"
 #include "ui/window/lesson/kept_lessons.h"
