@@ -11,6 +11,7 @@
 namespace asperity {
 namespace {
 
+constexpr const char* kForProgram = "ASPERITY_PROGRESS";  // requests numbers
 constexpr int kWidth = 30;
 constexpr std::chrono::milliseconds kInterval{50}, kLineInterval{10000};
 
@@ -20,7 +21,7 @@ ProgressBar::ProgressBar(std::string what, bool quiet)
     : what_(std::move(what)),
       isQuiet_(quiet),
       isTerminal_(::isatty(STDERR_FILENO) == 1),
-      isForProgram_(std::getenv("ASPERITY_PROGRESS") != nullptr) {
+      isForProgram_(std::getenv(kForProgram) != nullptr) {
   if (!isTerminal_) drawn_ = std::chrono::steady_clock::now();  // short work has no line
 }
 
@@ -52,6 +53,11 @@ void ProgressBar::show(std::int64_t done, std::int64_t total, const std::string&
                                        std::string(kWidth - part, ' '), count);
   std::fputs(line.c_str(), stderr);
   std::fflush(stderr);
+}
+
+void tellNeededHeight(int given, int enough) {
+  if (std::getenv(kForProgram) != nullptr)
+    std::fputs(fmt::format("height {} {}\n", given, enough).c_str(), stderr);
 }
 
 }  // namespace asperity

@@ -1,6 +1,7 @@
 // Progress on stderr: a bar on a terminal; into a pipe a line every ten seconds, so that the log of
 // a long computation shows its progress; with the environment variable ASPERITY_PROGRESS, for a
-// program that shows its own bar, lines "progress DONE TOTAL WHAT". One thread at a time.
+// program that runs this one, lines of numbers: "progress DONE TOTAL WHAT", and "height GIVEN
+// ENOUGH" of a picture that is too low. One thread at a time.
 #pragma once
 
 #include <chrono>
@@ -25,8 +26,11 @@ class ProgressBar {
  private:
   std::string what_;
   bool isQuiet_, isTerminal_;
-  bool isForProgram_;  // the environment variable ASPERITY_PROGRESS requests numbers
+  bool isForProgram_;  // numbers are requested
   std::chrono::steady_clock::time_point drawn_{};
 };
+
+/// Tells a program that runs this one which height (pixels) a refused picture needs.
+void tellNeededHeight(int given, int enough);
 
 }  // namespace asperity

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/progress_bar.h"
 #include "core/base/input_error.h"
 #include "core/base/named_choices.h"
 #include "core/chart/curve_diagram.h"
@@ -59,6 +60,7 @@ void checkPanels(const DiagramSheet& sheet, const PictureSettings& settings, int
   if (needed == 0)
     throw InputError("", "--size", given + " is too narrow for the curve and the difference");
   const int least = 10 * ((needed * settings.height / available + 19) / 10);
+  tellNeededHeight(settings.height, least);
   throw InputError("", "--size",
                    message("{} leaves no room for the difference under the curve; {}x{} does",
                            given, settings.width, least));
@@ -164,6 +166,7 @@ void PictureComposer::checkStrips(const Scene& scene) {
   if (height >= kHighest)
     throw InputError("", "--size", given + " is too narrow for strips over time");
   const int least = kStep * (static_cast<int>(height / (1 - kContactPart)) / kStep + 1);
+  tellNeededHeight(settings_.height, least);
   throw InputError("", "--size",
                    message("{} leaves no room for the strips over time; {}x{} does", given,
                            settings_.width, least));

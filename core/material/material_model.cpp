@@ -206,13 +206,14 @@ Json measurementJson(const Material& material) {
 void addOneTemperature(const Material& material, std::vector<Message>& lines) {
   if (material.shift.kind != ShiftKind::Table || material.shift.table.size() > 1) return;
   const double kelvin = material.shift.table.front().temperature;
+  constexpr int kDigits = 15;  // -20 degrees are 253.15 K, not 253.14999999999998
   if (kelvin == Elastomer{}.temperature)
     lines.push_back("one temperature alone: there is no shift");
   else
     lines.push_back(
         message("one temperature alone: there is no shift, and scenes need "
                 "elastomer.temperature={}",
-                plain(kelvin)));
+                plain(roundedToDigits(kelvin, kDigits))));
 }
 
 /// Fits both formulas to a table of shifts and takes the shift that the user wants, or the good

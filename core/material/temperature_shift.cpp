@@ -26,9 +26,12 @@ double arrheniusDecades(const TemperatureShift& shift, double temperature) {
          (1 / temperature - 1 / shift.referenceTemperature);
 }
 
+/// Degrees that were converted to kelvins differ in the last digit.
+constexpr double kRounding = 1e-9;  // K
+
 bool isWithinTable(const TemperatureShift& shift, double temperature) {
-  return !shift.table.empty() && temperature >= shift.table.front().temperature &&
-         temperature <= shift.table.back().temperature;
+  return !shift.table.empty() && temperature >= shift.table.front().temperature - kRounding &&
+         temperature <= shift.table.back().temperature + kRounding;
 }
 
 double tableDecades(const TemperatureShift& shift, double temperature) {
@@ -38,6 +41,7 @@ double tableDecades(const TemperatureShift& shift, double temperature) {
     throw InputError("", "elastomer.temperature",
                      message("{} K is outside the shift table, {} to {} K", temperature,
                              table.front().temperature, table.back().temperature));
+  temperature = std::clamp(temperature, table.front().temperature, table.back().temperature);
   const auto above = std::ranges::lower_bound(table, temperature, {}, &ShiftPoint::temperature);
   if (above->temperature == temperature) return above->log10Shift;
   const ShiftPoint &low = *std::prev(above), &high = *above;

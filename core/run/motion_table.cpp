@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <mutex>
+#include <set>
 
 #include "core/base/input_error.h"
 #include "core/base/jobs.h"
@@ -21,6 +21,7 @@
 #include "core/run/transient_diagram.h"
 #include "core/scene/columns.h"
 #include "core/scene/provenance.h"
+#include "core/surface/line_source.h"
 
 namespace asperity {
 namespace {
@@ -230,18 +231,31 @@ void marchLine(Transient transient, std::int64_t every, const MotionOptions& opt
   }
 }
 
-void checkOptions(const Scene& scene, const MotionOptions& options) {
+/// Returns the realizations of the first different lines: with a target accuracy rows of a
+/// topography are drawn with replacement.
+std::vector<std::int64_t> differentLines(const Scene& scene, std::int64_t lines) {
+  std::vector<std::int64_t> realizations{0};
+  if (lines < 2) return realizations;
+  const LineSource source(scene, 1);
+  source.requireLines(lines, "--lines");
+  std::set<std::int64_t> rows{source.rowOf(0)};
+  for (std::int64_t next = 1; std::ssize(realizations) < lines; ++next)
+    if (!source.hasRows() || rows.insert(source.rowOf(next)).second) realizations.push_back(next);
+  return realizations;
+}
+
+void checkOptions(const Scene& scene) {
   if (scene.sliding.kind == SlidingKind::Steady)
     throw InputError("", "sliding.kind",
                      "is steady, where nothing changes in time; asperity motion is of start, step, "
                      "oscillation and reversal");
-  if (options.lines > 1) LineSource(scene, 1).requireLines(options.lines, "--lines");
 }
 
 }  // namespace
 
 MotionTable marchMotion(const Scene& scene, const MotionOptions& options) {
-  checkOptions(scene, options);
+  checkOptions(scene);
+  const std::vector<std::int64_t> realizations = differentLines(scene, options.lines);
   const auto first = std::make_shared<const RigidLine>(scene);
   Transient beginning(scene, first);
   const double steps = beginning.countSteps();
@@ -270,7 +284,8 @@ MotionTable marchMotion(const Scene& scene, const MotionOptions& options) {
     if (options.stop.stop_requested()) return;
     const auto index = static_cast<std::size_t>(line);
     Transient transient =
-        line == 0 ? beginning : Transient(scene, std::make_shared<const RigidLine>(scene, line));
+        line == 0 ? beginning
+                  : Transient(scene, std::make_shared<const RigidLine>(scene, realizations[index]));
     counter.add(0);  // making the coarser lines takes long, too
     transient.estimateErrors(scene);
     marchLine(std::move(transient), table.every, options, counter, table.lines[index], means[index],

@@ -109,7 +109,9 @@ Scene surfaceFileScene(const std::filesystem::path& file,
 
 std::int64_t writtenPointsPerElement(const Scene& scene, bool isOfFile) {
   const SurfaceKind kind = scene.surface.kind;
-  const bool isExact = isOfFile || kind == SurfaceKind::Measured || kind == SurfaceKind::Spectrum;
+  const bool isExact =
+      isOfFile || kind == SurfaceKind::Measured || kind == SurfaceKind::Spectrum ||
+      (kind == SurfaceKind::Profile && isWrittenLine(scene.folder / scene.surface.file));
   return isExact ? 1 : pointsPerElement(scene);
 }
 

@@ -23,8 +23,8 @@ Scene surfaceFileScene(const std::filesystem::path& file,
                        const std::vector<std::string>& assignments);
 
 /// Returns the points per element of a written line. A line from a file is written with its
-/// elements alone: read as a profile it is the same line. isOfFile: the scene is
-/// surfaceFileScene().
+/// elements alone, and so is a line that this program wrote: read as a profile it is the same line.
+/// isOfFile: the scene is surfaceFileScene().
 std::int64_t writtenPointsPerElement(const Scene& scene, bool isOfFile);
 
 /// Returns a table "position,height" in metres.

@@ -238,7 +238,12 @@ TEST_F(ExportTest, StripsWithoutRoomAreRefused) {
   // The size that it names is enough.
   const std::string said = program.run("render s.json -o t.png --size 320x160" + start).err;
   const std::size_t from = said.find("; ") + 2, to = said.find(" does");
-  run("render s.json -o t.png --size " + said.substr(from, to - from) + start);
+  const std::string enough = said.substr(from, to - from);
+  run("render s.json -o t.png --size " + enough + start);
+  // A program that runs this one gets the height as a number.
+  EXPECT_THAT(
+      program.run("render s.json -o t.png --size 320x160" + start, "ASPERITY_PROGRESS=1").err,
+      HasSubstr("height 160 " + enough.substr(enough.find('x') + 1) + "\n"));
 }
 
 TEST_F(ExportTest, ADashIsNoFolder) {

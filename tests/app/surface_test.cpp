@@ -102,6 +102,10 @@ TEST_F(SurfaceCommandTest, TakesALineThatItWroteAsItStands) {
     EXPECT_NEAR(height(rowB), height(rowA), 1e-15) << rows;  // m
   EXPECT_EQ(rows, 600);
   EXPECT_FALSE(std::getline(again, rowB));
+  const std::string before = read("again.csv");
+  const Said remade = program.run("open again.csv --remake");
+  EXPECT_EQ(remade.status, 0) << remade.err;
+  EXPECT_EQ(read("again.csv"), before);
 }
 
 TEST_F(SurfaceCommandTest, WorksWithEveryVerb) {

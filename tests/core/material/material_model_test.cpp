@@ -19,6 +19,7 @@ namespace asperity {
 namespace {
 
 using testing::Contains;
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::ResultOf;
 
@@ -171,6 +172,8 @@ TEST(MaterialModel, AMaterialOfOneTemperatureSaysWhichScenesNeed) {
   };
   EXPECT_THAT(linesAt(293.15), Contains(HasSubstr("elastomer.temperature=293.15")));
   EXPECT_THAT(linesAt(293.15), Contains(HasSubstr("one arm, G")));
+  // Degrees that were converted to kelvins are said without their rounding error.
+  EXPECT_THAT(linesAt(-20 + 273.15), Contains(EndsWith("elastomer.temperature=253.15")));
   EXPECT_THAT(linesAt(298.15), Contains("one temperature alone: there is no shift"));
 }
 

@@ -52,6 +52,16 @@ TEST(TemperatureShift, ATableIsLinearBetweenItsRows) {
   EXPECT_THROW(shiftFactor(shift, 320.001), InputError);
 }
 
+/// -20 degrees are 253.14999999999998 K in a table of degrees, and 253.15 K in a scene.
+TEST(TemperatureShift, ATableEndsWhereItsDegreesDo) {
+  TemperatureShift shift;
+  shift.kind = ShiftKind::Table;
+  shift.table = {{-20 + 273.15, 0}};
+  ASSERT_NE(shift.table.front().temperature, 253.15);
+  EXPECT_EQ(shiftFactor(shift, 253.15), 1);
+  EXPECT_THROW(shiftFactor(shift, 253.16), InputError);
+}
+
 // ---- Fits
 
 /// log10 a_T = -c1 (T - T_r) / (c2 + T - T_r), Williams, Landel and Ferry (1955).

@@ -7,10 +7,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <sstream>
 
 #include "core/base/input_error.h"
 #include "core/scene/columns.h"
+#include "tests/core/temporary_folder.h"
 
 namespace asperity {
 namespace {
@@ -323,6 +325,32 @@ TEST(MotionTable, TellsEachStepOfALongLine) {
   EXPECT_EQ(told[0], 0);  // the line is prepared
   EXPECT_LE(told[1], 31);
   EXPECT_LE(told[2] - told[1], 31);
+}
+
+/// With a target accuracy rows are drawn with replacement; a motion still has each of them once.
+TEST(MotionTable, TheLinesOfATargetAreDifferentRows) {
+  std::ostringstream matrix;
+  matrix << "# Channel: Topo\n# Width: 100 \u00B5m\n# Height: 4 \u00B5m\n# Value units: m\n";
+  for (int row = 0; row < 4; ++row)
+    for (int i = 0; i < 100; ++i)
+      matrix << 1e-7 * (row + 1) * std::sin(0.21 * i + row) << (i == 99 ? "\n" : "\t");
+  const TemporaryFolder folder;
+  Scene scene = someMotion(SlidingKind::Start);
+  scene.surface = {};
+  scene.surface.kind = SurfaceKind::Measured;
+  scene.surface.file = folder.write("rows.txt", matrix.str()).string();
+  scene.surface.length = 0;
+  scene.surface.elements = 0;
+  scene.accuracy = {};
+  scene.accuracy.targetRelativeError = 0.05;
+  scene.ensemble.realizations = 0;
+  scene.sliding.duration = 1e-4;
+  MotionOptions options;
+  options.lines = 4;
+  std::set<double> depths;
+  for (const std::vector<TransientSample>& line : marchMotion(scene, options).lines)
+    depths.insert(line.back().indentation);
+  EXPECT_EQ(depths.size(), 4U);
 }
 
 TEST(MotionTable, RefusesWhatItCannotDo) {

@@ -23,6 +23,7 @@ CommandRun::~CommandRun() {
 void CommandRun::run(const QStringList& words, const QString& folder) {
   cancel();
   errors_.clear();
+  height_ = {};
   auto* process = new QProcess(this);
   process_ = process;
   QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
@@ -40,7 +41,7 @@ void CommandRun::run(const QStringList& words, const QString& folder) {
     if (error != QProcess::FailedToStart || !process_) return;
     process_->deleteLater();
     process_ = nullptr;
-    emit failed(tr("The program %1 cannot be started").arg(program_));
+    emit failed(tr("The program %1 cannot be started").arg(program_), {});
   });
   process->start();
 }
@@ -61,16 +62,23 @@ void CommandRun::cancel() {
   QTimer::singleShot(kTimeToEnd, process, &QProcess::kill);
 }
 
-/// Reads complete lines: progress lines contain numbers, the others are error messages.
+/// Reads complete lines: those of progress and of a needed height contain numbers, the others are
+/// error messages.
 void CommandRun::readErrors() {
   if (!process_) return;
   errors_ += process_->readAllStandardError();
-  for (qsizetype end = 0; (end = errors_.indexOf('\n')) >= 0 && errors_.startsWith("progress ");) {
+  const auto hasNumbers = [this] {
+    return errors_.startsWith("progress ") || errors_.startsWith("height ");
+  };
+  for (qsizetype end = 0; (end = errors_.indexOf('\n')) >= 0 && hasNumbers();) {
     const QString line = QString::fromUtf8(errors_.left(end));
     errors_.remove(0, end + 1);
     const double done = line.section(' ', 1, 1).toDouble(),
                  total = line.section(' ', 2, 2).toDouble();
-    if (total > 0) emit progressed(done / total, line.section(' ', 3));
+    if (line.startsWith("height "))
+      height_ = {static_cast<int>(done), static_cast<int>(total)};
+    else if (total > 0)
+      emit progressed(done / total, line.section(' ', 3));
   }
 }
 
@@ -85,7 +93,7 @@ void CommandRun::finish(int status, bool hasCrashed) {
   for (const QByteArray& line : errors_.split('\n'))
     if (line.startsWith("asperity: ")) reason = QString::fromUtf8(line.mid(10));
   if (reason.isEmpty()) reason = tr("The program ended without a reason");
-  emit failed(reason);
+  emit failed(reason, height_);
 }
 
 }  // namespace asperity

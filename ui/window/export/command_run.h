@@ -12,6 +12,12 @@
 
 namespace asperity {
 
+/// The height of a picture that was refused, and one that is enough, in pixels. 0: it was not too
+/// low.
+struct NeededHeight {
+  int given = 0, enough = 0;
+};
+
 class CommandRun : public QObject {
   Q_OBJECT
 
@@ -29,7 +35,7 @@ class CommandRun : public QObject {
   /// Emitted when the newest call has ended well, with its standard output.
   void done(const QByteArray& output);
   /// Emitted when it has failed.
-  void failed(const QString& reason);
+  void failed(const QString& reason, const NeededHeight& height);
   /// Emitted with the finished part, 0 to 1, and the name of what is counted, such as "frames".
   void progressed(double part, const QString& of);
 
@@ -40,6 +46,7 @@ class CommandRun : public QObject {
   QString program_;
   QPointer<QProcess> process_;
   QByteArray errors_;
+  NeededHeight height_;
 };
 
 }  // namespace asperity

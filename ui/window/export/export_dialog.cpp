@@ -106,11 +106,12 @@ ExportDialog::ExportDialog(Subject subject, ExportKind kind, const QString& prog
     emit exported(written);
     QDialog::accept();
   });
-  connect(writing_, &CommandRun::failed, this, [this](const QString& reason) {
-    showRunning(false);
-    showFailure(form_->inWords(reason));
-    hasWriteFailed_ = true;
-  });
+  connect(writing_, &CommandRun::failed, this,
+          [this](const QString& reason, const NeededHeight& needed) {
+            showRunning(false);
+            showFailure(form_->inWords(reason, needed));
+            hasWriteFailed_ = true;
+          });
   extension_ = form_->extension();
   defaultName_ = defaultName();
   setFile(QDir(defaultFolder()).filePath(defaultName_));
@@ -321,9 +322,9 @@ void ExportDialog::requestPreview() {
 }
 
 /// Makes the usual size as high as its diagrams need, and says so; other refusals are shown.
-void ExportDialog::previewFailed(const QString& reason) {
-  const std::optional<double> height = form_->heightEnough(reason);
-  if (!height || !form_->raiseHeight(*height)) return refuse(form_->inWords(reason));
+void ExportDialog::previewFailed(const QString& reason, const NeededHeight& needed) {
+  const std::optional<double> height = form_->heightEnough(needed);
+  if (!height || !form_->raiseHeight(*height)) return refuse(form_->inWords(reason, needed));
   raised_ = tr("The picture is %1 pixels high, because its diagrams need that.").arg(*height);
   showCommand();
   requestPreview();

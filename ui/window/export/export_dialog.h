@@ -8,6 +8,7 @@
 #include <QTemporaryDir>
 
 #include "ui/window/export/asperity_command.h"
+#include "ui/window/export/command_run.h"
 
 class QFileInfo;
 class QLabel;
@@ -19,7 +20,6 @@ class QTimer;
 
 namespace asperity {
 
-class CommandRun;
 class ExportForm;
 class ExportPreview;
 
@@ -73,7 +73,7 @@ class ExportDialog : public QDialog {
   ExportRequest previewOfFigure(ExportRequest request, QStringList& notes) const;
   void requestPreview();
   void takePreview();
-  void previewFailed(const QString& reason);
+  void previewFailed(const QString& reason, const NeededHeight& needed);
   void refuse(const QString& reason);
   void showFailure(const QString& reason);
   void showRunning(bool isRunning);

@@ -6,7 +6,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QProcess>
-#include <QRegularExpression>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -457,16 +456,11 @@ void ExportForm::chooseExtension(const QString& extension) {
 
 /// The command names the size that it was given and one that is enough, "640x444" and "640x530",
 /// in pixels of the preview.
-std::optional<double> ExportForm::heightEnough(const QString& reason) const {
-  static const QRegularExpression size(QStringLiteral("\\b(\\d+)x(\\d+)\\b"));
-  std::vector<double> heights;
-  for (auto match = size.globalMatch(reason); match.hasNext();)
-    heights.push_back(match.next().captured(2).toDouble());
+std::optional<double> ExportForm::heightEnough(const NeededHeight& needed) const {
   const bool isTyped = further_->text().contains("--size");
-  if (isTyped || !reason.startsWith("--size") || heights.size() != 2) return std::nullopt;
   const double height = machineNumber(*height_).toDouble();
-  if (!(heights[0] > 0 && heights[1] > heights[0] && height > 0)) return std::nullopt;
-  return std::ceil(height * heights[1] / heights[0]);
+  if (isTyped || needed.enough <= needed.given || !(height > 0)) return std::nullopt;
+  return std::ceil(height * needed.enough / needed.given);
 }
 
 bool ExportForm::raiseHeight(double height) {
@@ -509,12 +503,12 @@ QString ExportForm::sizeError() const {
   return {};
 }
 
-QString ExportForm::inWords(const QString& reason) const {
+QString ExportForm::inWords(const QString& reason, const NeededHeight& needed) const {
   const QString option = reason.section(':', 0, 0);
   for (const QString& typed : request().further)
     if (typed.section('=', 0, 0) == option) return reason;
   if (option == "--size") {
-    if (const auto height = heightEnough(reason))
+    if (const auto height = heightEnough(needed))
       return tr("The picture is too small for its diagrams; %1 × %2 %3 are enough.")
           .arg(width_->text(), QString::number(*height), unit_->currentText());
     return tr("The picture is too small for its diagrams; make it higher or wider.");

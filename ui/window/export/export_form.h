@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ui/window/export/asperity_command.h"
+#include "ui/window/export/command_run.h"
 
 class QCheckBox;
 class QComboBox;
@@ -37,9 +38,9 @@ class ExportForm : public QWidget {
   /// Chooses the format of files with this extension, if the kind has one.
   void chooseExtension(const QString& extension);
 
-  /// Returns the least height that holds the picture's diagrams, in the unit of the form, where the
-  /// reason of a command names one.
-  std::optional<double> heightEnough(const QString& reason) const;
+  /// Returns the least height that holds the picture's diagrams, in the unit of the form, where a
+  /// command refused the present one.
+  std::optional<double> heightEnough(const NeededHeight& needed) const;
   /// Sets this height where the size is the usual one, which the user did not choose. Returns
   /// whether it is.
   bool raiseHeight(double height);
@@ -50,7 +51,7 @@ class ExportForm : public QWidget {
   /// Returns the reason that a command gave, with the label of a control in place of its option.
   /// Options that the user typed keep their names. The numbers of a size are those of the preview;
   /// they are told as those of the form.
-  QString inWords(const QString& reason) const;
+  QString inWords(const QString& reason, const NeededHeight& needed) const;
 
   /// Returns the width and height in pixels as far as they are known; empty where the style or the
   /// command chooses them.
