@@ -18,7 +18,7 @@
 #include "app/vector_target.h"
 #include "core/base/input_error.h"
 #include "core/base/text.h"
-#include "core/scene/parameter_help.h"
+#include "core/scene/parameters.h"
 #include "ui/language/language.h"
 
 namespace asperity {

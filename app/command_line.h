@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/common_options.h"
+#include "app/command_options.h"
 #include "app/curve_options.h"
 #include "app/material_options.h"
 #include "app/picture_options.h"

@@ -1,16 +1,22 @@
 // Options of the command line: ranges FROM:TO, numbers within limits, the options that shape a
-// file, and errors of the parser in the words of this program. An invalid value gives one sentence
+// file, those that every command takes with the scene that they name, and errors of the parser in
+// the words of this program. An invalid value gives one sentence
 // that names the option, the fault and the allowed values. Main thread.
 #pragma once
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
+#include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/base/input_error.h"
+#include "core/scene/notes.h"
+#include "core/scene/provenance.h"
+#include "core/scene/scene.h"
 
 namespace asperity {
 
@@ -65,5 +71,52 @@ InputError parseError(const CLI::App& app, const CLI::ParseError& error);
 /// Throws InputError where options of the program are given before a command, which would ignore
 /// them.
 void refuseWordsBeforeCommand(const CLI::App& app);
+
+struct CommonOptions {
+  std::string scene;
+  std::vector<std::string> assignments;  // --set KEY=VALUE
+  std::string language;                  // language of texts; empty: English, or the window's own
+  int threads = 0;                       // 0: as many as the machine has
+  bool quiet = false;
+  bool json = false;
+  bool timing = false;
+  std::vector<GivenOption> given;  // that shape outputs
+  // instead of the file `scene`, which names it in errors
+  std::optional<FoundScene> remade = {};
+  bool isPart = false;  // the output folder is temporary: one of its files is kept
+
+  bool hidesSummary() const { return quiet || isPart; }
+};
+
+/// Returns the scene of a command with its assignments. The scene comes from a file or, where no
+/// file has the name, from the shipped scenes. Throws InputError.
+Scene loadScene(const CommonOptions& options);
+
+/// Returns the files that were read for the scene; no output may replace them.
+std::vector<std::filesystem::path> inputFiles(const CommonOptions& options, const Scene& scene);
+
+/// Runs the work of a command. Where an InputError names neither a file nor an option, it gets the
+/// name of the scene's file.
+template <class Work>
+auto withSceneContext(const CommonOptions& options, const Work& work) {
+  try {
+    return work();
+  } catch (const InputError& error) {
+    throw error.file().empty() && !error.isOfOption() ? error.in(options.scene) : error;
+  }
+}
+
+/// Reads the scene's measured surface, if it has one, and finds its lines with a progress bar. Both
+/// are then cached for the code that makes lines of the scene (core/surface/measured_lines.h). That
+/// code also reports errors, because it knows their context.
+void findLinesWithProgress(const Scene& scene, bool quiet);
+
+/// Returns the assumptions about the scene's measured surface, if it has one, that its file does
+/// not state: "they are taken as metres", and what is left out or interpolated. Sentences in the
+/// present language.
+std::vector<std::string> surfaceAssumptions(const Scene& scene);
+
+/// Returns a line for each note: its word and its sentence in the present language.
+std::string noteLines(const NoteSet& notes);
 
 }  // namespace asperity

@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include "core/scene/columns.h"
-#include "core/scene/parameter_help.h"
 #include "core/scene/parameters.h"
 
 namespace asperity {

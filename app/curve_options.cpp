@@ -9,7 +9,7 @@
 #include <sstream>
 #include <utility>
 
-#include "app/common_options.h"
+#include "app/command_options.h"
 #include "app/output.h"
 #include "app/progress_bar.h"
 #include "core/accuracy/compute_curve.h"
@@ -19,7 +19,7 @@
 #include "core/base/named_choices.h"
 #include "core/base/number_text.h"
 #include "core/base/text.h"
-#include "core/chart/comparison.h"
+#include "core/chart/curve_set.h"
 #include "core/chart/curve_words.h"
 #include "core/fit/friction_data.h"
 #include "core/friction/curve_file.h"

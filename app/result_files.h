@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/common_options.h"
+#include "app/command_options.h"
 #include "app/picture_options.h"
 #include "core/chart/diagram.h"
 #include "core/scene/data_table.h"

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "app/batch/contact_sheets.h"
+#include "app/batch/batch_page.h"
 #include "app/pictures/picture_composer.h"
 #include "core/base/input_error.h"
 #include "core/base/json_text.h"

@@ -12,7 +12,6 @@
 #include "app/batch/batch_file.h"
 #include "app/batch/batch_page.h"
 #include "app/batch/batch_progress.h"
-#include "app/batch/contact_sheets.h"
 #include "app/command_line.h"
 #include "app/output.h"
 #include "app/pictures/frame_source.h"

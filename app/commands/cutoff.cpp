@@ -2,7 +2,7 @@
 #include "app/command_line.h"
 #include "app/progress_bar.h"
 #include "app/result_files.h"
-#include "core/chart/cutoff_sheet.h"
+#include "core/chart/influence_sheets.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_check.h"
 #include "ui/language/language.h"

@@ -10,7 +10,7 @@
 #include "app/result_files.h"
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
-#include "core/chart/comparison.h"
+#include "core/chart/curve_set.h"
 #include "core/chart/fit_report.h"
 #include "core/scene/data_table.h"
 #include "core/scene/provenance.h"

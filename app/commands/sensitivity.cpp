@@ -3,7 +3,7 @@
 #include "app/progress_bar.h"
 #include "app/result_files.h"
 #include "core/base/input_error.h"
-#include "core/chart/sensitivity_sheet.h"
+#include "core/chart/influence_sheets.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_check.h"
 #include "ui/language/language.h"

@@ -16,7 +16,6 @@
 #include "core/base/named_choices.h"
 #include "core/base/number_text.h"
 #include "core/scene/provenance.h"
-#include "core/study/study_merge.h"
 #include "core/study/study_report.h"
 #include "core/study/study_run.h"
 #include "core/study/study_table.h"

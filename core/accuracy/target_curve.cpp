@@ -5,7 +5,7 @@
 #include <limits>
 #include <optional>
 
-#include "core/accuracy/level_sampler.h"
+#include "core/accuracy/levels.h"
 #include "core/accuracy/pilot.h"
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"

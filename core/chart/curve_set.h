@@ -1,6 +1,7 @@
 // Friction curves that are shown together: the present scene's, others to compare with, the
 // difference of two settings; on axes with units or dimensionless. The content of a chart as plain
-// values, and as a table. Pure; any thread.
+// values, and as a table; and what the scene names to be shown beside its curve: theories and
+// measured friction. Any thread; pure but for reading tables.
 #pragma once
 
 #include <limits>
@@ -14,6 +15,7 @@
 #include "core/friction/curve_difference.h"
 #include "core/friction/curve_point.h"
 #include "core/friction/curve_quantity.h"
+#include "core/friction/steady_states.h"
 #include "core/friction/theories/theory.h"
 #include "core/scene/scene.h"
 
@@ -139,5 +141,32 @@ int measuredColour(int index);
 /// series: the scene's title, the differences of a pinned scene, the setting of the comparison,
 /// "Eq. (11)".
 std::string curveSetCsv(const CurveSet& set);
+
+/// Reads the tables that the scene names, in its order. known: the last ones of them, if they have
+/// been read already.
+std::vector<FrictionData> readComparisonData(const Scene& scene,
+                                             const std::vector<FrictionData>& known = {});
+
+/// Adds tables, named from the present folder, to those that the scene names from its own. Reads
+/// each once, so that an error names the file as it was given. Throws InputError (--data) where
+/// there are too many.
+std::vector<FrictionData> addComparisonData(Scene& scene, const std::vector<std::string>& files);
+
+/// Returns whether there is something to add: another theory than Eq. (11), a table, or an axis on
+/// which Eq. (11) is not part of the curve's points.
+bool hasComparisons(const CurveSet& set);
+
+/// Places measured points on the horizontal axis of the present scene, and finds whether it is that
+/// of the reduced velocity. Throws InputError where its elastomer has no shift at a measured
+/// temperature.
+void placeMeasured(CurveSet& set);
+
+/// Adds the theories and the measured friction to a set whose present curve is that of its scene;
+/// Eq. (11) is part of the curve where the axes are velocity and friction. Over another key than
+/// velocity, a table is shown where it has a column of that key (force, nominal pressure,
+/// temperature), with the rows whose other values are those of the scene; a note says what is not
+/// shown and why. The computed values are missing where `options.stop` was requested.
+void addComparisons(CurveSet& set, std::vector<FrictionData> data,
+                    const StateOptions& options = {});
 
 }  // namespace asperity

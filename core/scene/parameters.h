@@ -1,6 +1,6 @@
 // The table of parameters: every scene key is declared in one row of parameters.cpp, which scene
-// files, --set, the sliders, --help and the guide all use. The table is constant; any thread may
-// read it.
+// files, --set, the sliders, --help and the guide all use; and the table as text for the last two.
+// The table is constant; any thread may read it.
 #pragma once
 
 #include <cstdint>
@@ -189,5 +189,15 @@ Message allowedText(const Parameter& parameter);
 /// Returns whether this number of the parameter means "as in the surface's file": a 0 of the length
 /// or the elements of a line that has a file, or of the realizations of a measured surface.
 bool isLeftToProfile(const Parameter& parameter, const Scene& scene, double number);
+
+/// Returns one line for each key: key, allowed values, unit, default, sentence.
+std::string parameterTableText();
+
+/// Returns the text with a backslash before every character that is a mark of Markdown.
+std::string escapedMarkdown(std::string_view text);
+
+/// Returns the same as a definition list of pandoc's Markdown, in which surface.hurst has the
+/// anchor key-surface-hurst.
+std::string parameterListMarkdown();
 
 }  // namespace asperity

@@ -1,13 +1,16 @@
 // Runs a study: chunks of simulations as states on common lines, several chunks at once, each
 // stored as soon as it is computed. The results of a chunk depend on the study and the chunk's
 // number alone: they are the same for any number of threads, processes and shards. Threading: a
-// function of its arguments, which uses several threads. Failure: the store keeps the message of a
+// function of its arguments, which uses several threads. The parts of a study that several
+// processes computed become one store. Failure: the store keeps the message of a
 // simulation that cannot run; std::runtime_error where the store cannot be written.
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <stop_token>
+#include <vector>
 
 #include "core/study/study_store.h"
 
@@ -40,5 +43,19 @@ struct StudyBudget {
 /// not be computed; all: number of those that the store will hold.
 StudyBudget studyBudget(const ParameterStudy& study, std::int64_t all, std::int64_t done,
                         int threads, double trialSeconds = 0.5);
+
+/// The result of a merge.
+struct MergedStores {
+  std::int64_t chunks = 0, chunksWanted = 0;
+  std::vector<Shard> missingShards;         // those without a store, where the stores are shards
+  std::vector<std::int64_t> missingChunks;  // the first ones
+
+  bool isWhole() const { return chunks == chunksWanted; }
+};
+
+/// Merges stores of one study in any order, together with a store that exists at `output`. Throws
+/// InputError where one of them belongs to another study, or two have different results of a chunk.
+MergedStores mergeStores(const std::vector<std::filesystem::path>& inputs,
+                         const std::filesystem::path& output);
 
 }  // namespace asperity

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "tests/app/program_test.h"
+#include "tests/app/program.h"
 
 namespace asperity {
 namespace {
@@ -15,12 +15,7 @@ using testing::StartsWith;
 using testing::UnorderedElementsAre;
 using Json = nlohmann::json;
 
-class AccuracyCommandTest : public ProgramTest {
- protected:
-  std::string read(const std::string& name) const {
-    return TemporaryFolder::read(program.folder / name);
-  }
-};
+using AccuracyCommandTest = ProgramTest;
 
 TEST_F(AccuracyCommandTest, WritesTablesAndDiagrams) {
   const Said said = program.run("accuracy s.json -o out --json");

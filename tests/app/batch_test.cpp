@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "core/base/embedded_provenance.h"
-#include "tests/app/program_test.h"
+#include "tests/app/program.h"
 
 namespace asperity {
 namespace {
@@ -24,9 +24,6 @@ class BatchTest : public ProgramTest {
     program.folder.write("b.json", R"({"schema": "asperity-batch/1", "title": "Two & more",
                                        "size": "400x400", "entries": [)" +
                                        entries + "]}");
-  }
-  std::string read(const std::string& name) const {
-    return TemporaryFolder::read(program.folder / name);
   }
 };
 

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "tests/app/program_test.h"
+#include "tests/app/program.h"
 
 namespace asperity {
 namespace {
@@ -21,9 +21,6 @@ constexpr const char* kSmall = " --size 320x200 --set surface.elements=64 ";
 
 class ExportTest : public ProgramTest {
  protected:
-  std::string read(const std::string& name) const {
-    return TemporaryFolder::read(program.folder / name);
-  }
   bool has(const std::string& name) const { return std::filesystem::exists(program.folder / name); }
   /// What another program says of our files; a missing one skips the test.
   std::string other(const std::string& line) const {
@@ -34,10 +31,6 @@ class ExportTest : public ProgramTest {
     std::filesystem::remove(out);
     EXPECT_EQ(status, 0) << line << "\n" << said;
     return said;
-  }
-  void run(const std::string& arguments, const std::string& before = "") {
-    const Said said = program.run(arguments, before);
-    ASSERT_EQ(said.status, 0) << arguments << "\n" << said.err;
   }
 };
 

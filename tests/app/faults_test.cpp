@@ -9,7 +9,7 @@
 #include <map>
 #include <random>
 
-#include "tests/app/program_test.h"
+#include "tests/app/program.h"
 
 namespace asperity {
 namespace {

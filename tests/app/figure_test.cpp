@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "tests/app/program_test.h"
+#include "tests/app/program.h"
 
 namespace asperity {
 namespace {
@@ -13,12 +13,7 @@ using testing::HasSubstr;
 using testing::StartsWith;
 using testing::UnorderedElementsAre;
 
-class FigureCommandTest : public ProgramTest {
- protected:
-  std::string read(const std::string& name) const {
-    return TemporaryFolder::read(program.folder / name);
-  }
-};
+using FigureCommandTest = ProgramTest;
 
 constexpr const char* kQuick = " --realizations 3 --set surface.elements=300";
 

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "tests/app/program_test.h"
+#include "tests/app/program.h"
 
 namespace asperity {
 namespace {
@@ -41,10 +41,6 @@ class FitCommandTest : public ProgramTest {
       data += row.str();
     }
     program.folder.write("data.csv", data);
-  }
-
-  std::string read(const std::string& name) const {
-    return TemporaryFolder::read(program.folder / name);
   }
 };
 

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "tests/app/program_test.h"
+#include "tests/app/program.h"
 
 namespace asperity {
 namespace {

@@ -8,7 +8,7 @@
 #include <sstream>
 #include <vector>
 
-#include "tests/app/program_test.h"
+#include "tests/app/program.h"
 
 namespace asperity {
 namespace {
@@ -20,13 +20,6 @@ using testing::Not;
 
 class LanguageTest : public ProgramTest {
  protected:
-  std::string read(const std::string& name) const {
-    return TemporaryFolder::read(program.folder / name);
-  }
-  void run(const std::string& arguments) const {
-    const Said said = program.run(arguments, "");
-    ASSERT_EQ(said.status, 0) << arguments << "\n" << said.err;
-  }
   /// The texts of an SVG that have a word in them, and not only a symbol or a unit.
   std::set<std::string> wordsIn(const std::string& name) const {
     static const std::regex text("<text[^>]*>([^<]*)</text>"), word("[A-Za-z]{4}");

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tests/app/program_test.h"
+#include "tests/app/program.h"
 #include "tests/core/lesson/lesson_samples.h"
 
 namespace asperity {
@@ -19,7 +19,6 @@ class LessonProgramTest : public ProgramTest {
     ProgramTest::SetUp();
     program.folder.write("lesson.json", sampleLesson().dump());
   }
-  std::string read(const char* name) { return TemporaryFolder::read(program.folder / name); }
 };
 
 TEST_F(LessonProgramTest, ListsTheShippedLessons) {

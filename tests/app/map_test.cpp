@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "core/scene/provenance.h"
-#include "tests/app/program_test.h"
+#include "tests/app/program.h"
 
 namespace asperity {
 namespace {
@@ -19,10 +19,6 @@ using Json = nlohmann::json;
 
 class MapCommandTest : public ProgramTest {
  protected:
-  std::string read(const std::string& name) const {
-    return TemporaryFolder::read(program.folder / name);
-  }
-
   static constexpr const char* kMap =
       "map s.json --x sliding.velocity=1e-4:10:12 --y load.normal_force=1mN:1N:7";
 };

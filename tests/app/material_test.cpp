@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "tests/app/program_test.h"
+#include "tests/app/program.h"
 
 namespace asperity {
 namespace {

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "core/scene/provenance.h"
-#include "tests/app/program_test.h"
+#include "tests/app/program.h"
 
 namespace asperity {
 namespace {
@@ -32,10 +32,6 @@ class MotionCommandTest : public ProgramTest {
         R"({"title":"A stop","surface":{"elements":200},"load":{"normal_force":0.02},
                              "sliding":{"kind":"step","velocity":0.5,"velocity_after":0,
                              "duration":0.004}})");
-  }
-
-  std::string read(const std::string& name) const {
-    return TemporaryFolder::read(program.folder / name);
   }
 
   std::size_t rows(const std::string& csv) const {

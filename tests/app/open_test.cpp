@@ -1,7 +1,7 @@
 // asperity open: the scene that made a file, back from it.
 #include <gmock/gmock.h>
 
-#include "tests/app/program_test.h"
+#include "tests/app/program.h"
 
 namespace asperity {
 namespace {

@@ -1,8 +1,11 @@
-// Runs the program as a user does: a shell line, its exit status, what it said.
+// Runs the program as a user does: a shell line, its exit status, what it said. And what tests of
+// the program share: a folder with a small scene, and what a refusal looks like.
 #pragma once
 
+#include <gmock/gmock.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <string>
 
@@ -53,6 +56,41 @@ class Program {
   }
 
   TemporaryFolder folder;
+};
+
+inline constexpr const char* kScene =
+    R"({"schema":"asperity-scene/1","title":"A scene","surface":{"elements":200},)"
+    R"("sweep":{"points":5},"ensemble":{"realizations":6}})";
+
+class ProgramTest : public testing::Test {
+ protected:
+  void SetUp() override { program.folder.write("s.json", kScene); }
+
+  /// Runs the program, which must succeed. Returns what it printed.
+  std::string run(const std::string& arguments, const std::string& before = "") const {
+    const Said said = program.run(arguments, before);
+    EXPECT_EQ(said.status, 0) << arguments << "\n" << said.err;
+    return said.out;
+  }
+
+  std::string read(const std::string& name) const {
+    return TemporaryFolder::read(program.folder / name);
+  }
+
+  /// One line on stderr, nothing on stdout, nothing written.
+  void expectRefused(const std::string& arguments, int status, const std::string& says,
+                     const std::string& before = "") {
+    SCOPED_TRACE(arguments);
+    const auto names = program.folder.names();
+    const Said said = program.run(arguments, before);
+    EXPECT_EQ(said.status, status);
+    EXPECT_THAT(said.err, testing::StartsWith("asperity: "));
+    EXPECT_THAT(said.err, testing::HasSubstr(says));
+    EXPECT_EQ(std::count(said.err.begin(), said.err.end(), '\n'), 1) << said.err;
+    EXPECT_THAT(program.folder.names(), testing::UnorderedElementsAreArray(names));
+  }
+
+  Program program;
 };
 
 }  // namespace asperity

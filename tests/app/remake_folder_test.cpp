@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "core/base/embedded_provenance.h"
-#include "tests/app/program_test.h"
+#include "tests/app/program.h"
 
 namespace asperity {
 namespace {
@@ -58,9 +58,6 @@ class RemakeFolderTest : public ProgramTest {
     program.folder.write("study.json", kStudy);
     // Temporary folders are made here, so that what is left is seen.
     fs::create_directory(program.folder / "tmp");
-  }
-  std::string read(const std::string& name) const {
-    return TemporaryFolder::read(program.folder / name);
   }
   Said remake(const std::string& arguments) const {
     const std::string place = (program.folder / "tmp").string();

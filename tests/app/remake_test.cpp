@@ -3,23 +3,14 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tests/app/program_test.h"
+#include "tests/app/program.h"
 
 namespace asperity {
 namespace {
 
 using testing::HasSubstr;
 
-class RemakeTest : public ProgramTest {
- protected:
-  std::string read(const std::string& name) const {
-    return TemporaryFolder::read(program.folder / name);
-  }
-  void run(const std::string& arguments) {
-    const Said said = program.run(arguments);
-    EXPECT_EQ(said.status, 0) << arguments << "\n" << said.err;
-  }
-};
+using RemakeTest = ProgramTest;
 
 TEST_F(RemakeTest, EveryKindOfFileIsTheSameAgain) {
   const std::vector<std::pair<std::string, std::string>> made{

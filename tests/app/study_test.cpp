@@ -11,7 +11,7 @@
 #include <random>
 #include <thread>
 
-#include "tests/app/program_test.h"
+#include "tests/app/program.h"
 
 namespace asperity {
 namespace {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "tests/app/program_test.h"
+#include "tests/app/program.h"
 
 namespace asperity {
 namespace {
@@ -32,10 +32,6 @@ class SurfaceCommandTest : public ProgramTest {
         "elastomer":{"rheology":"kelvin","shear_modulus":1e6,"relaxation_time":1e-3},
         "load":{"kind":"pressure","nominal_pressure":1e5,"width":1e-4},
         "sweep":{"velocity_from":0.01,"velocity_to":1,"points":3}})");
-  }
-
-  std::string read(const std::string& name) const {
-    return TemporaryFolder::read(program.folder / name);
   }
 };
 

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "core/scene/columns.h"
-#include "tests/app/program_test.h"
+#include "tests/app/program.h"
 
 namespace asperity {
 namespace {
@@ -17,14 +17,6 @@ using testing::StartsWith;
 
 class TablesTest : public ProgramTest {
  protected:
-  std::string read(const std::string& name) const {
-    return TemporaryFolder::read(program.folder / name);
-  }
-  std::string run(const std::string& arguments) {
-    const Said said = program.run(arguments);
-    EXPECT_EQ(said.status, 0) << arguments << "\n" << said.err;
-    return said.out;
-  }
   /// The lines after the comment.
   static std::vector<std::string> lines(const std::string& csv) {
     std::vector<std::string> all;

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/app/program_test.h"
+#include "tests/app/program.h"
 
 namespace asperity {
 namespace {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "tests/app/program_test.h"
+#include "tests/app/program.h"
 
 namespace asperity {
 namespace {
@@ -23,13 +23,6 @@ constexpr const char* kMotion =
 
 class ViewTest : public ProgramTest {
  protected:
-  std::string read(const std::string& name) const {
-    return TemporaryFolder::read(program.folder / name);
-  }
-  void run(const std::string& arguments) {
-    const Said said = program.run(arguments);
-    ASSERT_EQ(said.status, 0) << arguments << "\n" << said.err;
-  }
   /// The SVG of the contact without what it says of itself and without fonts.
   std::string drawing(const std::string& arguments) {
     run("render s.json -o c.svg" + std::string(kPicture) + arguments);

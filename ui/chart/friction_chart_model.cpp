@@ -6,7 +6,7 @@
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
-#include "core/chart/comparison.h"
+#include "core/chart/curve_set.h"
 #include "core/chart/curve_words.h"
 #include "core/fit/derivatives.h"
 #include "core/run/transient_diagram.h"

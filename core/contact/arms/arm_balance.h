@@ -13,17 +13,53 @@
 // exception; the status of the result tells whether force and period are met.
 #pragma once
 
+#include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
+#include <tuple>
 #include <vector>
 
+#include "core/contact/arms/arm_coefficients.h"
 #include "core/contact/arms/arm_kernel.h"
 #include "core/contact/arms/arm_pass.h"
-#include "core/contact/arms/arm_tables.h"
+#include "core/contact/arms/arm_vectors.h"
 #include "core/contact/force_balance.h"
+#include "core/contact/line/prepared_profile.h"
 #include "core/contact/steady_sliding.h"
+#include "core/material/element_law.h"
 
 namespace asperity {
+
+/// The coefficients at one velocity for lines of one length, spacing and number of block levels.
+struct ArmTable {
+  ArmTable(const ElementLaw& law, const RetardationModes& modes, double velocity,
+           const PreparedProfile& line)
+      : coefficients(law, modes, velocity, line.spacing, line.length, line.blocks.size()),
+        vectors(coefficients) {}
+
+  ArmCoefficients coefficients;
+  ArmVectors vectors;
+};
+
+class ArmTables {
+ public:
+  /// The object refers to both arguments.
+  ArmTables(const ElementLaw& law, const RetardationModes& modes) : law_(law), modes_(modes) {}
+
+  /// velocity: m/s, > 0.
+  std::shared_ptr<const ArmTable> at(double velocity, const PreparedProfile& line);
+
+  const ElementLaw& law() const { return law_; }
+
+ private:
+  using Key = std::tuple<double, double, double, std::size_t>;
+
+  const ElementLaw& law_;
+  const RetardationModes& modes_;
+  std::mutex mutex_;
+  std::map<Key, std::shared_ptr<const ArmTable>> known_;
+};
 
 struct ArmBalance {
   Balance force;                 // depth, all passes, residual of F_N (0 at a given depth)

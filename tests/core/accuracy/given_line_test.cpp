@@ -13,7 +13,7 @@
 #include "core/accuracy/target_curve.h"
 #include "core/contact/steady_solver.h"
 #include "core/surface/line_source.h"
-#include "tests/core/contact/csv_table.h"
+#include "tests/core/contact/lines.h"
 #include "tests/core/temporary_folder.h"
 
 namespace asperity {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <set>
 
-#include "core/chart/comparison.h"
+#include "core/chart/curve_set.h"
 #include "core/friction/ensemble.h"
 #include "core/friction/steady_states.h"
 #include "core/material/temperature_shift.h"

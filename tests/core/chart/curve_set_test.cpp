@@ -6,7 +6,6 @@
 #include <sstream>
 #include <tuple>
 
-#include "core/chart/comparison.h"
 #include "core/material/temperature_shift.h"
 
 namespace asperity {

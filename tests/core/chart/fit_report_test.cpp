@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
-#include "core/chart/comparison.h"
 #include "core/chart/curve_diagram.h"
+#include "core/chart/curve_set.h"
 #include "core/friction/ensemble.h"
 #include "tests/core/small_scene.h"
 

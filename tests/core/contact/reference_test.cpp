@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/core/contact/csv_table.h"
 #include "tests/core/contact/lines.h"
 
 namespace asperity {

@@ -11,7 +11,6 @@
 #include "core/contact/kernels/kernels.h"
 #include "core/surface/line.h"
 #include "tests/core/contact/allocation_counter.h"
-#include "tests/core/contact/csv_table.h"
 #include "tests/core/contact/fixed_depths.h"
 #include "tests/core/contact/instruction_sets.h"
 #include "tests/core/contact/lines.h"

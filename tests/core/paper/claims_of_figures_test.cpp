@@ -12,7 +12,6 @@
 #include "core/friction/ensemble.h"
 #include "core/paper/figure.h"
 #include "core/paper/figure_parts.h"
-#include "core/paper/readings.h"
 #include "tests/core/small_scene.h"
 
 namespace asperity {

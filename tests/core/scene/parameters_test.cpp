@@ -7,7 +7,6 @@
 #include <set>
 
 #include "core/base/input_error.h"
-#include "core/scene/parameter_help.h"
 
 namespace asperity {
 namespace {

@@ -14,7 +14,6 @@
 #include "core/scene/columns.h"
 #include "core/scene/sweep.h"
 #include "core/study/curve_fits.h"
-#include "core/study/study_merge.h"
 #include "core/study/study_table.h"
 #include "tests/core/temporary_folder.h"
 

@@ -11,7 +11,7 @@
 #include <limits>
 
 #include "core/base/input_error.h"
-#include "core/study/study_merge.h"
+#include "core/study/study_run.h"
 #include "tests/core/error_from.h"
 #include "tests/core/temporary_folder.h"
 

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "core/chart/comparison.h"
+#include "core/chart/curve_set.h"
 #include "ui/window/main/session.h"
 
 namespace asperity {

@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "core/chart/cutoff_sheet.h"
-#include "core/chart/sensitivity_sheet.h"
+#include "core/chart/influence_sheets.h"
 #include "core/friction/short_wave_cutoff.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_check.h"

@@ -17,7 +17,7 @@
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
-#include "core/chart/comparison.h"
+#include "core/chart/curve_set.h"
 #include "core/scene/provenance.h"
 #include "ui/draw/png_file.h"
 #include "ui/language/language.h"

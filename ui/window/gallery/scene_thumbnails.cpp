@@ -14,8 +14,8 @@
 
 #include "core/accuracy/compute_curve.h"
 #include "core/base/stop.h"
-#include "core/chart/comparison.h"
 #include "core/chart/curve_diagram.h"
+#include "core/chart/curve_set.h"
 #include "core/run/simulation.h"
 #include "core/run/steady_frames.h"
 #include "core/run/transient_diagram.h"

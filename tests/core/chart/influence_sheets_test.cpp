@@ -1,4 +1,4 @@
-#include "core/chart/sensitivity_sheet.h"
+#include "core/chart/influence_sheets.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Contact sheets of any number of pictures of any proportions.
-#include "app/batch/contact_sheets.h"
+#include "app/batch/batch_page.h"
 
 #include <gtest/gtest.h>
 

@@ -1,14 +1,17 @@
-// The influence of each parameter on friction at a scene's own state (core/fit/derivatives.h), as a
-// picture and as tables, sorted by size. Pure; any thread.
+// What friction depends on at a scene's own state, as pictures and as tables: the exponent of each
+// parameter (core/fit/derivatives.h), sorted by size, and the waves of the line
+// (core/friction/short_wave_cutoff.h). Pure; any thread.
 #pragma once
 
 #include <array>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/chart/diagram.h"
 #include "core/fit/derivatives.h"
+#include "core/friction/short_wave_cutoff.h"
 
 namespace asperity {
 
@@ -34,5 +37,12 @@ std::string sensitivityText(const std::vector<Exponent>& all,
                             const std::array<std::string, 4>& head);
 std::string sensitivityCsv(const std::vector<Exponent>& all);
 std::string sensitivityJson(const Scene& scene, const std::vector<Exponent>& all);
+
+/// Returns the friction of the lines without the waves below lambda_c, and below it the part of all
+/// friction that each decade of wavelengths makes.
+DiagramSheet cutoffSheet(const Scene& scene, const std::vector<CutoffPoint>& points);
+
+std::string cutoffCsv(const std::vector<CutoffPoint>& points);
+std::string cutoffJson(const Scene& scene, const std::vector<CutoffPoint>& points);
 
 }  // namespace asperity

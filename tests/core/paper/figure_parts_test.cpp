@@ -1,6 +1,6 @@
 // What is read from the curves, against the table of converged figures (N = 5000, 200 lines):
 // alpha, beta and the plateau for each Hurst exponent, each within 3 % or three standard errors.
-#include "core/paper/readings.h"
+#include "core/paper/figure_parts.h"
 
 #include <gtest/gtest.h>
 
