@@ -10,7 +10,6 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "app/command_options.h"
 #include "app/command_reference.h"
 #include "app/command_table.h"
 #include "app/output.h"

@@ -12,7 +12,6 @@
 
 #include "app/output.h"
 #include "app/progress_bar.h"
-#include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/text.h"
 #include "core/scene/parameters.h"

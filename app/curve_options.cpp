@@ -19,7 +19,6 @@
 #include "core/base/named_choices.h"
 #include "core/base/number_text.h"
 #include "core/base/text.h"
-#include "core/chart/curve_set.h"
 #include "core/chart/curve_words.h"
 #include "core/fit/friction_data.h"
 #include "core/friction/curve_file.h"

@@ -13,7 +13,6 @@
 #include "core/base/text.h"
 #include "ui/contact/contact_overlay.h"
 #include "ui/draw/font_choice.h"
-#include "ui/draw/png_file.h"
 #include "ui/language/language.h"
 
 namespace asperity {

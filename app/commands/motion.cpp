@@ -2,7 +2,6 @@
 // as a table and as a picture.
 #include "core/run/motion_table.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "app/command_line.h"

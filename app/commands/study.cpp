@@ -21,7 +21,6 @@
 #include "core/study/study_table.h"
 #include "ui/draw/ticks.h"
 #include "ui/language/language.h"
-#include "ui/language/translated.h"
 #include "ui/window/main/scene_library.h"
 
 namespace asperity {

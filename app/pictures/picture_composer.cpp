@@ -11,9 +11,7 @@
 #include "core/chart/curve_diagram.h"
 #include "core/chart/curve_regions.h"
 #include "core/run/transient_diagram.h"
-#include "ui/chart/diagram_picture.h"
 #include "ui/contact/contact_overlay.h"
-#include "ui/contact/contact_picture.h"
 #include "ui/draw/shapes.h"
 #include "ui/language/language.h"
 

@@ -7,7 +7,6 @@
 #include <pybind11/pybind11.h>
 
 #include <nlohmann/json_fwd.hpp>
-#include <span>
 #include <vector>
 
 #include "core/friction/curve_point.h"

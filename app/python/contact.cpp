@@ -1,8 +1,6 @@
 // Contacts, motions and surfaces for Python.
 #include <pybind11/stl.h>
 
-#include <cmath>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "app/python/arrays.h"

@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <ctime>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "app/python/arrays.h"

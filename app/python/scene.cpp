@@ -2,8 +2,6 @@
 // program's own validation.
 #include <pybind11/stl.h>
 
-#include <nlohmann/json.hpp>
-
 #include "app/python/module.h"
 #include "core/base/input_error.h"
 #include "core/scene/list_text.h"

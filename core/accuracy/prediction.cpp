@@ -12,7 +12,6 @@
 #include "core/base/statistics.h"
 #include "core/base/stop.h"
 #include "core/contact/steady_solver.h"
-#include "core/friction/curve_point.h"
 #include "core/friction/ensemble.h"
 #include "core/friction/line_mean.h"
 #include "core/surface/line_source.h"

@@ -5,9 +5,7 @@
 #include <limits>
 #include <optional>
 
-#include "core/accuracy/levels.h"
 #include "core/accuracy/pilot.h"
-#include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/processor_time.h"
 #include "core/base/statistics.h"

@@ -11,7 +11,6 @@
 #include "core/contact/steady_sliding.h"
 #include "core/contact/steady_solver.h"
 #include "core/friction/curve_features.h"
-#include "core/friction/curve_point.h"
 #include "core/friction/ensemble.h"
 #include "core/material/element_law.h"
 #include "core/paper/literal_march.h"

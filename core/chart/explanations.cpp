@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <string>
 
 #include "core/chart/curve_regions.h"
 #include "core/friction/theories/theory.h"

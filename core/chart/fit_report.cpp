@@ -11,7 +11,6 @@
 #include "core/base/number_text.h"
 #include "core/base/stop.h"
 #include "core/chart/curve_diagram.h"
-#include "core/chart/curve_set.h"
 #include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"
 #include "core/scene/columns.h"

@@ -8,8 +8,6 @@
 // met, `residual` how well.
 #pragma once
 
-#include <string>
-
 #include "core/base/input_error.h"
 #include "core/contact/force_balance.h"
 #include "core/contact/kernels/nodal_balance.h"

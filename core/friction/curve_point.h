@@ -3,7 +3,6 @@
 // values; one thread at a time.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <memory>

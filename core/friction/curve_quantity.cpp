@@ -1,6 +1,5 @@
 #include "core/friction/curve_quantity.h"
 
-#include <algorithm>
 #include <array>
 
 namespace asperity {

@@ -1,7 +1,6 @@
 #include "core/friction/ensemble.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/contact/complete_contact.h"
 #include "core/contact/steady_solver.h"

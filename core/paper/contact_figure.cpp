@@ -7,7 +7,6 @@
 
 #include "core/base/number_text.h"
 #include "core/contact/steady_sliding.h"
-#include "core/friction/curve_file.h"
 #include "core/paper/figure_parts.h"
 #include "core/scene/columns.h"
 #include "core/surface/line_source.h"

@@ -7,7 +7,6 @@
 #include "core/base/stop.h"
 #include "core/contact/march/time_march.h"
 #include "core/friction/curve_features.h"
-#include "core/friction/jackknife.h"
 #include "core/paper/literal_march.h"
 #include "core/surface/line_source.h"
 

@@ -1,7 +1,6 @@
 #include "core/paper/figure.h"
 
 #include <array>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "core/base/input_error.h"

@@ -1,12 +1,9 @@
 #include "core/paper/figure_parts.h"
 
-#include <fmt/ranges.h>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "core/base/number_text.h"
-#include "core/friction/curve_features.h"
 #include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"
 

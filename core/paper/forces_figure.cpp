@@ -1,8 +1,6 @@
 // Fig. 4: twenty normal forces; partial contact (zone 1) and complete contact (zone 2).
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"
 #include "core/paper/figure_parts.h"

@@ -5,7 +5,6 @@
 
 #include "core/base/jobs.h"
 #include "core/base/stop.h"
-#include "core/friction/jackknife.h"
 
 namespace asperity {
 

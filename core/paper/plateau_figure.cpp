@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "core/base/number_text.h"
-#include "core/friction/curve_file.h"
 #include "core/paper/figure_parts.h"
 #include "core/scene/columns.h"
 #include "core/surface/line_source.h"

@@ -12,7 +12,6 @@
 // Threading: one thread at a time (time is measured). Failure: as Transient; StopRequested.
 #pragma once
 
-#include <cstdint>
 #include <stop_token>
 
 #include "core/accuracy/explanation.h"

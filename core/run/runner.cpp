@@ -12,7 +12,6 @@
 #include "core/accuracy/compute_curve.h"
 #include "core/accuracy/target_curve.h"
 #include "core/base/input_error.h"
-#include "core/friction/ensemble.h"
 #include "core/run/simulation.h"
 #include "core/scene/sweep.h"
 

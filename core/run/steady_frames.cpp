@@ -6,7 +6,6 @@
 
 #include "core/contact/march/time_march.h"
 #include "core/contact/steady_sliding.h"
-#include "core/contact/steady_solver.h"
 #include "core/scene/scene_check.h"
 #include "core/surface/line_source.h"
 

@@ -3,7 +3,6 @@
 #include <atomic>
 
 #include "core/base/number_text.h"
-#include "core/material/element_law.h"
 #include "core/material/temperature_shift.h"
 #include "core/scene/scene_check.h"
 

@@ -1,7 +1,6 @@
 #include "core/scene/provenance.h"
 
 #include <algorithm>
-#include <functional>
 #include <system_error>
 #include <utility>
 

@@ -3,11 +3,9 @@
 // table under its own name. Pure; any thread.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
-#include <string_view>
 
 #include "core/friction/curve_point.h"
 #include "core/scene/columns.h"

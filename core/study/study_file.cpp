@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 #include "core/base/file_digest.h"
@@ -16,7 +15,6 @@
 #include "core/friction/curve_file.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_check.h"
-#include "core/scene/scene_file.h"
 #include "core/scene/sweep.h"
 #include "core/study/sobol_sequence.h"
 #include "core/study/study_axes.h"

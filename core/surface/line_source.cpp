@@ -9,9 +9,7 @@
 #include "core/base/number_text.h"
 #include "core/scene/parameters.h"
 #include "core/scene/plan.h"
-#include "core/surface/profile_file.h"
 #include "core/surface/random_phases.h"
-#include "core/surface/spectrum.h"
 #include "core/surface/spectrum_file.h"
 
 namespace asperity {

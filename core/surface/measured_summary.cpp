@@ -1,6 +1,5 @@
 #include "core/surface/measured_summary.h"
 
-#include <cmath>
 #include <numbers>
 
 #include "core/base/number_text.h"

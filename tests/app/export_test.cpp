@@ -1,7 +1,6 @@
 // Pictures, films and sequences as other programs see them.
 #include <gmock/gmock.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 

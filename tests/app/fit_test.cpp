@@ -1,8 +1,6 @@
 // asperity fit and measured friction beside a curve: files, values, refusals.
 #include <gmock/gmock.h>
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "core/contact/line/segment_bounds.h"
-
 namespace asperity {
 namespace {
 

@@ -4,10 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <cmath>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "core/base/input_error.h"

@@ -1,5 +1,4 @@
 // What the diagram of work against precision says of the scene's own method.
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -3,13 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <string>
 #include <thread>
 #include <vector>
 
-#include "core/base/input_error.h"
 #include "core/contact/steady_sliding.h"
 #include "core/friction/curve_file.h"
 #include "core/surface/line_source.h"

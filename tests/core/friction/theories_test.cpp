@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <complex>
-#include <cstdio>
 #include <fstream>
 #include <numbers>
 #include <string>

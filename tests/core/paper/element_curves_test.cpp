@@ -2,10 +2,8 @@
 // one, and a curve in fine steps is resolved or ends.
 #include "core/paper/element_curves.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "core/friction/ensemble.h"

@@ -4,7 +4,6 @@
 
 #include <limits>
 
-#include "core/base/input_error.h"
 #include "tests/core/error_from.h"
 
 namespace asperity {

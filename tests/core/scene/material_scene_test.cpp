@@ -1,10 +1,7 @@
 // Scenes that name a material, and the kinds of shift.
 #include <gmock/gmock.h>
 
-#include <nlohmann/json.hpp>
-
 #include "core/base/file_digest.h"
-#include "core/base/input_error.h"
 #include "core/material/element_law.h"
 #include "core/material/material_library.h"
 #include "core/scene/provenance.h"

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <string>
 
-#include "core/base/input_error.h"
 #include "tests/core/error_from.h"
 
 namespace asperity {

@@ -1,8 +1,6 @@
 // How many points resolve a line where the scene leaves it open.
 #include <gmock/gmock.h>
 
-#include <cmath>
-
 #include "core/base/input_error.h"
 #include "core/scene/parameters.h"
 #include "core/scene/provenance.h"

@@ -9,8 +9,6 @@
 #include <numbers>
 #include <vector>
 
-#include "core/scene/sweep.h"
-
 namespace asperity {
 namespace {
 

@@ -1,13 +1,10 @@
 // The analysis of a study, by functions whose sensitivity indices are known in closed form.
 #include "core/study/study_analysis.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
-
-#include "core/study/study_report.h"
 
 namespace asperity {
 namespace {

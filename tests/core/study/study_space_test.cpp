@@ -2,7 +2,6 @@
 // function of the study and its number alone.
 #include "core/study/study_space.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

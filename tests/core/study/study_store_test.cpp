@@ -6,8 +6,6 @@
 #include <sqlite3.h>
 
 #include <cmath>
-#include <fstream>
-#include <functional>
 #include <limits>
 
 #include "core/base/input_error.h"

@@ -3,8 +3,6 @@
 #include "core/surface/measured_lines.h"
 #include "core/base/stop.h"
 
-#include <gmock/gmock.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
