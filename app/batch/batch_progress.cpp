@@ -76,10 +76,9 @@ const BatchProgressEntry* BatchProgress::find(const std::string& key) const {
 void BatchProgress::add(const std::string& key, const BatchProgressEntry& entry) {
   Json json = {{"key", key}, {"files", entry.result.files}, {"mean", nullptr}};
   if (entry.result.mean) json["mean"] = hexOf(*entry.result.mean);
-  CurvePoint shown;
-  shown.mu = entry.result.lineMu;
-  shown.indentation = entry.result.lineIndentation;
-  shown.contactFraction = entry.result.lineContactFraction;
+  CurvePoint shown{.mu = entry.result.lineMu,
+                   .contactFraction = entry.result.lineContactFraction,
+                   .indentation = entry.result.lineIndentation};
   json["line"] = hexOf(shown);
   Json& curve = json["curve"] = Json::array();
   for (const CurvePoint& point : entry.curve) curve.push_back(hexOf(point));

@@ -259,9 +259,7 @@ class BatchRun {
       result.files.push_back(name + ".csv");
     }
     if (layoutFrom(result.item.show) == PictureLayout::Transient) {
-      MotionOptions motion;
-      motion.mostRows = kMotionRows;
-      motion.threads = command_.common.threads;
+      MotionOptions motion{.mostRows = kMotionRows, .threads = command_.common.threads};
       const MotionTable table = marchMotion(scene, motion);
       writeFileAtomically(
           fileIn(name + ".csv"),

@@ -15,9 +15,8 @@ int runCutoff(const TableCommand& command) {
   const PictureSettings settings = checkTableOutputs(command, scene, {1200, 1000, "print"});
   const std::vector<CutoffPoint> points = withSceneContext(command.common, [&] {
     ProgressBar bar(Words::tr("states"), command.common.quiet);
-    StateOptions options;
-    options.threads = command.common.threads;
-    options.progress = [&bar](double part) { bar.showPart(part); };
+    StateOptions options{.threads = command.common.threads,
+                         .progress = [&bar](double part) { bar.showPart(part); }};
     return frictionOverCutoff(scene, options);
   });
   const auto origin = [&] { return provenance("cutoff", scene); };

@@ -131,11 +131,10 @@ ComputedFigures makeFigures(const FigureCommand& command, const std::vector<Figu
     const auto start = std::chrono::steady_clock::now();
     ProgressBar bar(filled(Words::tr("figure %1"), {std::string(figureEntry(name).word)}),
                     command.common.quiet);
-    FigureOptions options;
-    options.realizations = command.realizations;
-    options.assignments = command.common.assignments;
-    options.threads = command.common.threads;
-    options.progress = [&bar](double part) { bar.showPart(part); };
+    FigureOptions options{.realizations = command.realizations,
+                          .assignments = command.common.assignments,
+                          .threads = command.common.threads,
+                          .progress = [&bar](double part) { bar.showPart(part); }};
     writeFigure(command, made.figures.emplace_back(makeFigure(name, options)), pictures);
     made.seconds.push_back(
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
@@ -166,9 +165,8 @@ std::string summaryText(const FigureCommand& command, const ComputedFigures& mad
 
 int runFigure(const FigureCommand& command) {
   const std::vector<FigureName> names = figureNames(command.names);
-  FigureOptions options;
-  options.realizations = command.realizations;
-  options.assignments = command.common.assignments;
+  FigureOptions options{.realizations = command.realizations,
+                        .assignments = command.common.assignments};
   for (const FigureName name : names) figureScene(name, options);
   for (const FigureName name : names) {
     // A picture of a contact has none of the parts of charts.

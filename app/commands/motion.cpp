@@ -21,11 +21,11 @@ constexpr float kMotionText = 0.6F;
 
 MotionTable compute(const Scene& scene, const MotionCommand& command) {
   ProgressBar bar(Words::tr("time steps"), command.common.quiet);
-  MotionOptions options;
-  options.every = command.every;
-  options.lines = command.lines;
-  options.threads = command.common.threads;
-  options.progress = [&bar](std::int64_t done, std::int64_t total) { bar.show(done, total); };
+  MotionOptions options{
+      .every = command.every,
+      .lines = command.lines,
+      .threads = command.common.threads,
+      .progress = [&bar](std::int64_t done, std::int64_t total) { bar.show(done, total); }};
   return withSceneContext(command.common, [&] { return marchMotion(scene, options); });
 }
 

@@ -20,9 +20,8 @@ int runSensitivity(const TableCommand& command) {
                        "differences need the same lines on both sides; give accuracy.scheme and "
                        "ensemble.realizations instead of a target");
     ProgressBar bar(Words::tr("states"), command.common.quiet);
-    StateOptions options;
-    options.threads = command.common.threads;
-    options.progress = [&bar](double part) { bar.showPart(part); };
+    StateOptions options{.threads = command.common.threads,
+                         .progress = [&bar](double part) { bar.showPart(part); }};
     return sensitivityExponents(scene, sensitivities(scene, options));
   });
   const auto origin = [&] { return provenance("sensitivity", scene); };

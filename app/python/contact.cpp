@@ -116,12 +116,12 @@ std::shared_ptr<MotionOfScene> motionOf(const Scene& scene, std::int64_t every, 
   if (every < 1) throw InputError("", "--every", "is below 1");
   if (lines < 1) throw InputError("", "--lines", "is below 1");
   return compute(progress, [scene, every, lines, threads](const Call& call) {
-    MotionOptions options;
-    options.every = every;
-    options.lines = lines;
-    options.threads = threads;
-    options.stop = call.stop();
-    options.progress = [&call](std::int64_t done, std::int64_t total) { call.report(done, total); };
+    MotionOptions options{
+        .every = every,
+        .lines = lines,
+        .threads = threads,
+        .stop = call.stop(),
+        .progress = [&call](std::int64_t done, std::int64_t total) { call.report(done, total); }};
     return std::make_shared<MotionOfScene>(MotionOfScene{scene, marchMotion(scene, options)});
   });
 }

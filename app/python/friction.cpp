@@ -43,12 +43,10 @@ std::shared_ptr<CurveOfScene> curveOf(const Scene& scene, int threads, const py:
   checkThreads(threads);
   requireSteadySliding(scene, "asperity.curve");
   return compute(progress, [scene, threads](const Call& call) {
-    CurveOptions options;
-    options.threads = threads;
-    options.stop = call.stop();
-    options.progress = [&call](const CurveProgress& done) {
-      call.report(done.realizationsDone, done.realizationsTotal);
-    };
+    CurveOptions options{
+        .threads = threads, .stop = call.stop(), .progress = [&call](const CurveProgress& done) {
+          call.report(done.realizationsDone, done.realizationsTotal);
+        }};
     return std::make_shared<CurveOfScene>(CurveOfScene{scene, computeCurve(scene, options)});
   });
 }
@@ -122,10 +120,9 @@ py::tuple friction(const Scene& scene, const Texts& keys, const std::vector<Numb
   }
   FoundStates found = compute(progress, [scene, overrides, count, threads](const Call& call) {
     const std::vector<Scene> states = statesOf(scene, overrides, count, call.stop());
-    StateOptions options;
-    options.threads = threads;
-    options.stop = call.stop();
-    options.progress = [&call](double part) { call.report(part); };
+    StateOptions options{.threads = threads, .stop = call.stop(), .progress = [&call](double part) {
+                           call.report(part);
+                         }};
     const double before = processSeconds();
     SteadyStates slid = slideStates(states, options);
     return FoundStates{std::move(slid.points), slid.computed, processSeconds() - before};
@@ -143,10 +140,9 @@ std::shared_ptr<ParameterMap> mapOf(const Scene& scene, const Texts& x, const Te
   const MapAxis alongX = mapAxis(scene, xRange, &yRange);
   const MapAxis alongY = mapAxis(scene, yRange, &xRange);
   return compute(progress, [scene, alongX, alongY, threads](const Call& call) {
-    MapOptions options;
-    options.threads = threads;
-    options.stop = call.stop();
-    options.progress = [&call](double part) { call.report(part); };
+    MapOptions options{.threads = threads, .stop = call.stop(), .progress = [&call](double part) {
+                         call.report(part);
+                       }};
     return std::make_shared<ParameterMap>(parameterMap(scene, alongX, alongY, options));
   });
 }
@@ -175,10 +171,9 @@ std::shared_ptr<SensitivityOfScene> sensitivityOf(const Scene& scene, int thread
                      "differences need the same lines on both sides; give accuracy.scheme and "
                      "ensemble.realizations instead of a target");
   return compute(progress, [scene, threads](const Call& call) {
-    StateOptions options;
-    options.threads = threads;
-    options.stop = call.stop();
-    options.progress = [&call](double part) { call.report(part); };
+    StateOptions options{.threads = threads, .stop = call.stop(), .progress = [&call](double part) {
+                           call.report(part);
+                         }};
     std::vector<Sensitivity> all = sensitivities(scene, options);
     std::vector<Exponent> exponents = sensitivityExponents(scene, all);
     return std::make_shared<SensitivityOfScene>(

@@ -25,9 +25,7 @@ void setSwept(std::vector<CurvePoint>& points, const std::vector<double>& values
 
 Curve slideSweep(const std::vector<Scene>& states, const std::vector<double>& values,
                  const CurveOptions& options) {
-  StateOptions slide;
-  slide.threads = options.threads;
-  slide.stop = options.stop;
+  StateOptions slide{.threads = options.threads, .stop = options.stop};
   if (options.progress)
     slide.partial = [&](std::int64_t done, std::int64_t total, std::vector<CurvePoint> points) {
       setSwept(points, values);
@@ -54,9 +52,7 @@ Curve targetSweep(const std::vector<Scene>& states, const std::vector<double>& v
     Scene state = states[i];
     state.sweep.velocityFrom = state.sweep.velocityTo = state.sliding.velocity;
     state.sweep.points = 1;
-    CurveOptions one;
-    one.threads = options.threads;
-    one.stop = options.stop;
+    CurveOptions one{.threads = options.threads, .stop = options.stop};
     const Curve found =
         choosesAccuracy(state) ? targetCurve(state, one).curve : frictionCurve(state, one);
     if (!found.isComplete) {

@@ -318,9 +318,7 @@ struct Trial {
 
 Trial runTrial(MapStage stage, const Scene& scene, const MapAxis& x, const MapAxis& y,
                const std::stop_token& stop) {
-  MapOptions options;
-  options.threads = 1;
-  options.stop = stop;
+  MapOptions options{.threads = 1, .stop = stop};
   const double begin = threadSeconds();
   Trial trial{mapStage(stage, scene, x, y, options)};
   if (!trial.map.isComplete) throw StopRequested{};

@@ -77,8 +77,8 @@ struct WorkPrecision {
 struct WorkPrecisionOptions {
   std::int64_t lines = 6;  // maximum number; one where nothing is random
   int repeats = 7;
-  std::stop_token stop;
-  std::function<void(double part)> progress;
+  std::stop_token stop{};
+  std::function<void(double part)> progress{};
 };
 
 /// Compares all methods on the scene's lines.

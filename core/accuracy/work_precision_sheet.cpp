@@ -27,10 +27,7 @@ const WorkPrecisionPoint* findPoint(const RegionPrecision& region, const MethodC
 
 DiagramSeries methodSeries(const RegionPrecision& region, Method method, const char* name,
                            SeriesMark mark, int colour) {
-  DiagramSeries series;
-  series.name = name;
-  series.mark = mark;
-  series.colour = colour;
+  DiagramSeries series{.name = name, .mark = mark, .colour = colour};
   for (const WorkPrecisionPoint& point : region.points)
     if (point.choice.method == method)
       series.points.push_back({point.secondsWithLine, point.error});
@@ -43,10 +40,8 @@ DiagramSeries frontSeries(const RegionPrecision& region) {
     if (point.isOnFront) front.push_back(point);
   std::sort(front.begin(), front.end(),
             [](const auto& a, const auto& b) { return a.secondsWithLine < b.secondsWithLine; });
-  DiagramSeries series;
-  series.name = "best for the time";
-  series.isTheory = true;
-  series.stroke = SeriesStroke::Dashed;
+  DiagramSeries series{
+      .name = "best for the time", .stroke = SeriesStroke::Dashed, .isTheory = true};
   for (const WorkPrecisionPoint& point : front)
     series.points.push_back({point.secondsWithLine, point.error});
   return series;
@@ -66,22 +61,20 @@ Message printedName(const MethodChoice& choice) {
 
 /// Returns a ring around the scene's present method.
 DiagramSeries presentSeries(const WorkPrecisionPoint& present) {
-  DiagramSeries series;
-  series.name = message("this scene: {}", printedName(present.choice));
-  series.mark = SeriesMark::Ring;
-  series.stroke = SeriesStroke::None;
+  DiagramSeries series{.name = message("this scene: {}", printedName(present.choice)),
+                       .mark = SeriesMark::Ring,
+                       .stroke = SeriesStroke::None};
   series.isTheory = true;  // drawn in the colour of texts, which no method has
   series.points = {{present.secondsWithLine, present.error}};
   return series;
 }
 
 Diagram regionDiagram(const WorkPrecision& comparison, const RegionPrecision& region) {
-  Diagram diagram;
-  diagram.title = message("region {}: {} to {} m/s", region.region,
-                          PrintedNumber{printedNumber(region.velocities.front(), 2)},
-                          PrintedNumber{printedNumber(region.velocities.back(), 2)});
-  diagram.x = {"time of one velocity", "s"};
-  diagram.y = {"relative error of \u03BC", ""};
+  Diagram diagram{.title = message("region {}: {} to {} m/s", region.region,
+                                   PrintedNumber{printedNumber(region.velocities.front(), 2)},
+                                   PrintedNumber{printedNumber(region.velocities.back(), 2)}),
+                  .x = {"time of one velocity", "s"},
+                  .y = {"relative error of \u03BC", ""}};
   diagram.series = {
       frontSeries(region),
       methodSeries(region, Method::Literal, "literal march (difference)", SeriesMark::Square, 0),
@@ -94,10 +87,9 @@ Diagram regionDiagram(const WorkPrecision& comparison, const RegionPrecision& re
     diagram.series.push_back(presentSeries(*present));
   const double target = comparison.scene.accuracy.targetRelativeError;
   if (target > 0) {
-    DiagramSeries line;
-    line.name = message("target {}", PrintedNumber{printedNumber(target)});
-    line.isTheory = true;
-    line.stroke = SeriesStroke::Dotted;
+    DiagramSeries line{.name = message("target {}", PrintedNumber{printedNumber(target)}),
+                       .stroke = SeriesStroke::Dotted,
+                       .isTheory = true};
     double fastest = region.points.front().secondsWithLine, slowest = fastest;
     for (const WorkPrecisionPoint& point : region.points) {
       fastest = std::min(fastest, point.secondsWithLine);
@@ -125,10 +117,10 @@ Diagram spreadDiagram(const WorkPrecision& comparison, bool overSeconds) {
   int colour = 0;
   for (const RegionPrecision& region : comparison.regions) {
     const double each = overSeconds ? secondsOfLine(comparison, region) : 1;
-    DiagramSeries measured, law;
-    measured.name = message("region {}", region.region);
-    measured.mark = SeriesMark::Circle;
-    measured.stroke = SeriesStroke::None;
+    DiagramSeries measured{.name = message("region {}", region.region),
+                           .mark = SeriesMark::Circle,
+                           .stroke = SeriesStroke::None};
+    DiagramSeries law;
     measured.colour = law.colour = colour++;
     law.stroke = SeriesStroke::Dashed;
     for (std::size_t k = 0; k < region.lineCounts.size(); ++k) {
@@ -211,9 +203,8 @@ std::string workPrecisionJson(const WorkPrecision& comparison) {
 }
 
 DiagramSheet workPrecisionSheet(const WorkPrecision& comparison) {
-  DiagramSheet sheet;
-  sheet.title = "What accuracy costs in time";
-  sheet.subtitle = comparisonSubtitle(comparison);
+  DiagramSheet sheet{.title = "What accuracy costs in time",
+                     .subtitle = comparisonSubtitle(comparison)};
   for (const RegionPrecision& region : comparison.regions)
     sheet.diagrams.push_back(regionDiagram(comparison, region));
   sheet.columns = sheet.diagrams.size() > 3 ? 2 : 0;
@@ -227,10 +218,10 @@ DiagramSheet workPrecisionSheet(const WorkPrecision& comparison) {
 }
 
 DiagramSheet standardErrorSheet(const WorkPrecision& comparison) {
-  DiagramSheet sheet;
-  sheet.title = "What realizations cost in time";
-  sheet.subtitle = listed({comparisonSubtitle(comparison), printedName(comparison.present)});
-  sheet.diagrams = {spreadDiagram(comparison, false), spreadDiagram(comparison, true)};
+  DiagramSheet sheet{
+      .title = "What realizations cost in time",
+      .subtitle = listed({comparisonSubtitle(comparison), printedName(comparison.present)}),
+      .diagrams = {spreadDiagram(comparison, false), spreadDiagram(comparison, true)}};
   sheet.note =
       "Circles: spread of the means over groups of so many lines. Lines: one over the square root.";
   return sheet;

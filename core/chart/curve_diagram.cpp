@@ -65,12 +65,11 @@ DiagramSeries meanSeries(const NamedCurve& curve, const CurveSet& set) {
 
 /// Returns what is measured: friction with local friction, beside that of the deformation.
 DiagramSeries totalSeries(const CurveSet& set) {
-  DiagramSeries series;
-  series.name = "with local friction";
-  series.colour = 0;
-  series.stroke = SeriesStroke::Dashed;
-  series.mark = SeriesMark::Diamond;
-  series.id = kTotalCurve;
+  DiagramSeries series{.name = "with local friction",
+                       .mark = SeriesMark::Diamond,
+                       .stroke = SeriesStroke::Dashed,
+                       .colour = 0,
+                       .id = kTotalCurve};
   for (std::size_t i = 0; i < set.present.points.size(); ++i) {
     const CurvePoint& point = set.present.points[i];
     const double factor = perFriction(set.quantity(), point);
@@ -94,10 +93,7 @@ double lawBetween(const CurvePoint& a, const CurvePoint& b, double velocity) {
 /// visible.
 DiagramSeries lawSeries(const NamedCurve& curve, CurveAxes axes) {
   const auto [velocity, friction] = axesFactors(curve.points, axes);
-  DiagramSeries law;
-  law.name = "Eq. (11)";
-  law.isTheory = true;
-  law.id = kLawCurve;
+  DiagramSeries law{.name = "Eq. (11)", .isTheory = true, .id = kLawCurve};
   const CurvePoint* before = nullptr;
   const int steps = std::max(1, kLawPoints / std::max(1, static_cast<int>(curve.points.size())));
   for (const CurvePoint& point : curve.points) {
@@ -253,12 +249,12 @@ void addTheories(Diagram& diagram, const CurveSet& set) {
   const auto [velocity, friction] = axesFactors(set.present.points, set.axes);
   for (std::size_t k = 0; k < set.theories.size(); ++k) {
     const TheoryCurve& theory = set.theories[k];
-    DiagramSeries series;
-    series.name = theoryEntry(theory.theory).name;
-    series.isTheory = theory.theory != Theory::PerssonHalfSpace;
-    series.stroke = theory.theory == Theory::Eq11              ? SeriesStroke::Solid
-                    : theory.theory == Theory::CompleteContact ? SeriesStroke::Dotted
-                                                               : SeriesStroke::Dashed;
+    DiagramSeries series{.name = theoryEntry(theory.theory).name,
+                         .stroke = theory.theory == Theory::Eq11 ? SeriesStroke::Solid
+                                   : theory.theory == Theory::CompleteContact
+                                       ? SeriesStroke::Dotted
+                                       : SeriesStroke::Dashed,
+                         .isTheory = theory.theory != Theory::PerssonHalfSpace};
     if (!series.isTheory) series.colour = kColourOfHalfSpace;
     series.id = theory.theory == Theory::Eq11 ? kLawCurve : kTheoryCurves - static_cast<int>(k);
     for (const TheoryPoint& point : theory.points) {
@@ -352,10 +348,8 @@ void fixRatioAxis(DiagramAxis& axis, const std::vector<DiagramSeries>& series) {
 /// Makes the diagram of measured over computed friction at each measured point, over the axis of
 /// the curves.
 Diagram residualDiagram(const CurveSet& set, const DiagramAxis& x) {
-  Diagram diagram;
-  diagram.height = kDifferenceHeight;
-  diagram.x = x;
-  diagram.y = {"measured / computed", "", AxisScale::Linear};
+  Diagram diagram{
+      .x = x, .y = {"measured / computed", "", AxisScale::Linear}, .height = kDifferenceHeight};
   const double factor = axesFactors(set.present.points, set.axes).velocity;
   addMeasuredSeries(diagram, set, [&](std::size_t k, std::size_t i) {
     const MeasuredCurve& measured = set.measured[k];
@@ -371,9 +365,7 @@ Diagram residualDiagram(const CurveSet& set, const DiagramAxis& x) {
     series.id = -1;
   }
   fixRatioAxis(diagram.y, diagram.series);
-  DiagramSeries one;
-  one.isTheory = true;
-  one.points = {{x.from, 1}, {x.to, 1}};
+  DiagramSeries one{.isTheory = true, .points = {{x.from, 1}, {x.to, 1}}};
   diagram.series.insert(diagram.series.begin(), std::move(one));
   return diagram;
 }
@@ -470,17 +462,15 @@ void fixDifferenceAxis(DiagramAxis& axis, const DiagramSeries& series) {
 /// Makes the diagram of the difference in per cent, over the axis of the curves. A value beyond the
 /// axis is a triangle at its end.
 Diagram differenceDiagram(const CurveSet& set, const DiagramAxis& x) {
-  Diagram diagram;
-  diagram.height = kDifferenceHeight;
-  diagram.x = x;
-  diagram.y = {"difference \u0394", "%", AxisScale::Linear};
+  Diagram diagram{
+      .x = x, .y = {"difference \u0394", "%", AxisScale::Linear}, .height = kDifferenceHeight};
   const double factor = axesFactors(set.present.points, set.axes).velocity;
-  DiagramSeries series, zero;
-  series.name = message("{} minus the curve above", settingName(set.difference->setting));
-  series.mark = SeriesMark::Diamond;
-  series.colour = pinColour(kPinColours - 1);
-  series.id = kDifferenceCurve;
-  zero.isTheory = true;
+  DiagramSeries series{
+      .name = message("{} minus the curve above", settingName(set.difference->setting)),
+      .mark = SeriesMark::Diamond,
+      .colour = pinColour(kPinColours - 1),
+      .id = kDifferenceCurve};
+  DiagramSeries zero{.isTheory = true};
   for (std::size_t i = 0; i < set.difference->points.size(); ++i) {
     const DifferencePoint& point = set.difference->points[i];
     const double value = 100 * point.relative, error = 100 * point.standardError;

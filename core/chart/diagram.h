@@ -138,11 +138,11 @@ struct DiagramBar {
 
 struct Diagram {
   Message title{};  // over this diagram; may be empty
-  DiagramAxis x, y;
-  std::vector<DiagramSeries> series;  // later ones over earlier ones
-  std::vector<DiagramSpan> spans;     // every second one is shaded, names are above the frame
-  std::vector<DiagramLabel> labels;
-  std::optional<DiagramRamp> ramp;
+  DiagramAxis x{}, y{};
+  std::vector<DiagramSeries> series{};  // later ones over earlier ones
+  std::vector<DiagramSpan> spans{};     // every second one is shaded, names are above the frame
+  std::vector<DiagramLabel> labels{};
+  std::optional<DiagramRamp> ramp{};
   double height = 1;                  // relative height of its row in a sheet with one column
   std::vector<DiagramSpan> shades{};  // tinted over the spans, named inside the frame at its foot
   std::optional<DiagramMarker> marker{};
@@ -162,7 +162,7 @@ struct DiagramSheet {
   Message title{};     // "Fig. 3: six Hurst exponents"
   Message subtitle{};  // the parameters, one line
   Message note{};      // small text below: information for the reader
-  std::vector<Diagram> diagrams;
+  std::vector<Diagram> diagrams{};
   int columns = 0;          // diagrams in a row; 0: up to three in one row, more in a square
   bool sharesAxis = false;  // of one column: all share the x-axis and are aligned
   Message status{};         // of work in progress: "37 of 200 realizations"; not in pictures

@@ -225,10 +225,7 @@ DiagramSheet fitSheet(const Fit& fit, const CurveSet& set) {
   std::vector<Message> values;
   for (const FittedParameter& parameter : fit.parameters) values.push_back(labelled(parameter));
   sheet.subtitle = message("{} (\u00B1 standard error)", listed(values));
-  DiagramSeries band;
-  band.name = "fit \u00B1 standard error";
-  band.isBand = true;
-  band.colour = 0;
+  DiagramSeries band{.name = "fit \u00B1 standard error", .isBand = true, .colour = 0};
   const std::vector<RelativeError> errors = relativeErrors(fit, set);
   // What was fitted is friction as it is measured: with local friction (showsTotal).
   for (const CurvePoint& point : set.present.points) {
@@ -251,19 +248,16 @@ DiagramSheet profileSheet(const Fit& fit) {
   for (std::size_t k = 0; k < fit.profiles.size(); ++k) {
     const ObjectiveProfile& profile = fit.profiles[k];
     const Parameter& row = *findParameter(profile.key);
-    Diagram diagram;
-    diagram.x = {Message(row.label), std::string(row.unit),
-                 profileScale(fit.parameters[k], profile)};
-    diagram.y = {"chi squared above its least", "", AxisScale::Linear};
+    Diagram diagram{
+        .x = {Message(row.label), std::string(row.unit), profileScale(fit.parameters[k], profile)},
+        .y = {"chi squared above its least", "", AxisScale::Linear}};
     DiagramSeries series;
     series.mark = SeriesMark::Circle;
     for (std::size_t i = 0; i < profile.values.size(); ++i)
       series.points.push_back({profile.values[i], (profile.chiSquared[i] - fit.chiSquared) / unit});
     diagram.series = {std::move(series)};
-    DiagramMarker best;
-    best.x = fit.parameters[k].value;
-    best.isFixed = true;
-    best.label = labelled(fit.parameters[k]);
+    DiagramMarker best{
+        .label = labelled(fit.parameters[k]), .x = fit.parameters[k].value, .isFixed = true};
     diagram.marker = best;
     sheet.diagrams.push_back(std::move(diagram));
   }
@@ -280,13 +274,9 @@ FittedCurve fitWithCurve(const Scene& scene, const std::vector<FrictionData>& da
   fitted.start = scene;
   fitted.hasProfiles = options.hasProfiles;
   fitted.fit = fitFriction(scene, data, parameters, options);
-  CurveOptions curve;
-  curve.threads = options.threads;
-  curve.stop = options.stop;
+  CurveOptions curve{.threads = options.threads, .stop = options.stop};
   fitted.set.present = {{}, fitted.fit.scene, frictionCurve(fitted.fit.scene, curve).points, 0};
-  StateOptions states;
-  states.threads = options.threads;
-  states.stop = options.stop;
+  StateOptions states{.threads = options.threads, .stop = options.stop};
   addComparisons(fitted.set, data, states);
   throwIfStopped(options.stop);
   return fitted;

@@ -46,12 +46,9 @@ std::vector<Exponent> sensitivityExponents(const Scene& scene,
 }
 
 DiagramSheet sensitivitySheet(const Scene& scene, const std::vector<Exponent>& all) {
-  DiagramSheet sheet;
-  sheet.title = "What friction depends on";
-  sheet.subtitle = describeScene(scene);
-  Diagram diagram;
-  diagram.x = {"exponent d ln \u03BC / d ln p", "", AxisScale::Linear};
-  diagram.y = {"", "", AxisScale::Linear};
+  DiagramSheet sheet{.title = "What friction depends on", .subtitle = describeScene(scene)};
+  Diagram diagram{.x = {"exponent d ln \u03BC / d ln p", "", AxisScale::Linear},
+                  .y = {"", "", AxisScale::Linear}};
   for (const Exponent& one : all)
     if (std::isfinite(one.exponent.value))
       diagram.bars.push_back(
@@ -115,11 +112,10 @@ std::string sensitivityJson(const Scene& scene, const std::vector<Exponent>& all
 }
 
 DiagramSheet cutoffSheet(const Scene& scene, const std::vector<CutoffPoint>& points) {
-  DiagramSheet sheet;
-  sheet.title = "Friction against the short-wave cut-off";
-  sheet.subtitle = describeScene(scene);
-  sheet.columns = 1;
-  sheet.sharesAxis = true;
+  DiagramSheet sheet{.title = "Friction against the short-wave cut-off",
+                     .subtitle = describeScene(scene),
+                     .columns = 1,
+                     .sharesAxis = true};
   Diagram friction, share;
   friction.x = share.x = wavelengthAxis();
   friction.y = {"coefficient of friction \u03BC", "", AxisScale::Logarithmic};

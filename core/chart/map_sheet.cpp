@@ -264,11 +264,10 @@ bool isFinite(const DiagramPoint& point) {
 }
 
 DiagramSeries borderSeries(std::vector<DiagramPoint> points) {
-  DiagramSeries series;
-  series.isTheory = true;
-  series.stroke = SeriesStroke::Dashed;
-  series.id = kRegionBorder;
-  series.points = std::move(points);
+  DiagramSeries series{.stroke = SeriesStroke::Dashed,
+                       .isTheory = true,
+                       .points = std::move(points),
+                       .id = kRegionBorder};
   return series;
 }
 
@@ -357,10 +356,7 @@ Message addRegionBorders(Diagram& diagram, const ParameterMap& given, const Risi
 std::optional<DiagramMarker> makeCross(const ParameterMap& map, const Diagram& diagram) {
   const double x = axisNumber(map.scene, map.x), y = axisNumber(map.scene, map.y);
   if (x < diagram.x.from || x > diagram.x.to || y < diagram.y.from || y > diagram.y.to) return {};
-  DiagramMarker cross;
-  cross.x = x;
-  cross.y = y;
-  cross.isCross = true;
+  DiagramMarker cross{.x = x, .y = y, .isCross = true};
   return cross;
 }
 
@@ -373,13 +369,10 @@ Message mapQuantityTitle(std::string_view quantity) {
 }
 
 DiagramSheet mapSheet(const ParameterMap& map, std::string_view quantity) {
-  DiagramSheet sheet;
-  sheet.title = message("Friction over {} and {}", Message(map.x.range.row->label),
-                        Message(map.y.range.row->label));
-  sheet.subtitle = describeScene(map.scene, {map.x.key(), map.y.key()});
-  Diagram diagram;
-  diagram.x = diagramAxis(map.x);
-  diagram.y = diagramAxis(map.y);
+  DiagramSheet sheet{.title = message("Friction over {} and {}", Message(map.x.range.row->label),
+                                      Message(map.y.range.row->label)),
+                     .subtitle = describeScene(map.scene, {map.x.key(), map.y.key()})};
+  Diagram diagram{.x = diagramAxis(map.x), .y = diagramAxis(map.y)};
   const RisingMap rising(map, quantity);
   diagram.field = makeField(rising, diagram, quantity);
   diagram.marker = makeCross(map, diagram);
@@ -410,13 +403,9 @@ Diagram mapCut(const ParameterMap& map, std::string_view quantity, bool alongX) 
   const auto last = static_cast<std::size_t>(
       std::clamp<std::ptrdiff_t>(above - others.begin(), 1, std::ssize(others) - 1));
   const double part = (at - others[last - 1]) / (others[last] - others[last - 1]);
-  Diagram diagram;
-  diagram.x = diagramAxis(along);
-  diagram.y = colourAxis(rising.values, quantity);
+  Diagram diagram{.x = diagramAxis(along), .y = colourAxis(rising.values, quantity)};
   diagram.y.from = diagram.y.to = 0;
-  DiagramSeries series;
-  series.colour = 0;
-  series.mark = SeriesMark::Circle;
+  DiagramSeries series{.mark = SeriesMark::Circle, .colour = 0};
   const std::size_t columns = rising.x.size();
   for (std::size_t i = 0; i < abscissas.size(); ++i) {
     const auto value = [&](std::size_t other) {

@@ -64,13 +64,9 @@ double readTangent(const DynamicModulus& modulus) {
 /// Returns the measured values: a line with marks for each temperature.
 Diagram isothermDiagram(const Material& material, Message title, const char* unit,
                         Reading reading) {
-  Diagram diagram;
-  diagram.x = frequencyAxis("frequency f");
-  diagram.y = {std::move(title), unit};
+  Diagram diagram{.x = frequencyAxis("frequency f"), .y = {std::move(title), unit}};
   for (std::size_t i = 0; i < material.isotherms.size(); ++i) {
-    DiagramSeries series;
-    series.mark = SeriesMark::Circle;
-    series.ramp = rampPosition(material, i);
+    DiagramSeries series{.mark = SeriesMark::Circle, .ramp = rampPosition(material, i)};
     for (const DynamicModulus& point : material.isotherms[i].points)
       series.points.push_back({point.frequency, reading(point)});
     diagram.series.push_back(std::move(series));
@@ -94,10 +90,7 @@ void addMasterPoints(const Material& material, Diagram& diagram, Reading reading
 
 DiagramSeries fittedSeries(const Material& material, double from, double to, Reading reading,
                            Message name, SeriesStroke stroke) {
-  DiagramSeries series;
-  series.name = std::move(name);
-  series.isTheory = true;
-  series.stroke = stroke;
+  DiagramSeries series{.name = std::move(name), .stroke = stroke, .isTheory = true};
   for (const double frequency : frequencies(from, to))
     series.points.push_back({frequency, reading(modulusAt(material.series, frequency))});
   return series;
@@ -122,20 +115,18 @@ Message reducedFrequency(const Material& material) {
 }
 
 NamedSheet isothermsSheet(const Material& material) {
-  DiagramSheet sheet;
-  sheet.title = message("{}: isotherms", material.name);
-  sheet.subtitle = material.source.empty() ? Message() : Message::name(material.source);
-  sheet.diagrams = {isothermDiagram(material, "storage modulus G'", "Pa", readStorage),
-                    isothermDiagram(material, "loss modulus G''", "Pa", readLoss)};
+  DiagramSheet sheet{
+      .title = message("{}: isotherms", material.name),
+      .subtitle = material.source.empty() ? Message() : Message::name(material.source),
+      .diagrams = {isothermDiagram(material, "storage modulus G'", "Pa", readStorage),
+                   isothermDiagram(material, "loss modulus G''", "Pa", readLoss)}};
   return {"isotherms", std::move(sheet)};
 }
 
 Diagram masterDiagram(const Material& material) {
   const FrequencyRange range = fittedRange(material);
-  Diagram diagram;
-  diagram.x = frequencyAxis(reducedFrequency(material));
-  diagram.y = {"modulus G', G''", "Pa"};
-  diagram.height = 2;
+  Diagram diagram{
+      .x = frequencyAxis(reducedFrequency(material)), .y = {"modulus G', G''", "Pa"}, .height = 2};
   addMasterPoints(material, diagram, readStorage, SeriesMark::Circle);
   addMasterPoints(material, diagram, readLoss, SeriesMark::Triangle);
   diagram.series.push_back(fittedSeries(material, range.from, range.to, readStorage,
@@ -147,15 +138,12 @@ Diagram masterDiagram(const Material& material) {
 }
 
 Diagram residualDiagram(const Material& material, const DiagramAxis& along) {
-  Diagram diagram;
-  diagram.x = along;
-  diagram.y = {"residual", "%", AxisScale::Linear};
+  Diagram diagram{.x = along, .y = {"residual", "%", AxisScale::Linear}};
   double largest = 0;
   for (const bool isLoss : {false, true}) {
-    DiagramSeries series;
-    series.name = isLoss ? "G''" : "G'";
-    series.mark = isLoss ? SeriesMark::Triangle : SeriesMark::Circle;
-    series.stroke = SeriesStroke::None;
+    DiagramSeries series{.name = isLoss ? "G''" : "G'",
+                         .mark = isLoss ? SeriesMark::Triangle : SeriesMark::Circle,
+                         .stroke = SeriesStroke::None};
     for (const MasterPoint& point : material.curve.points) {
       const DynamicModulus fitted = modulusAt(material.series, point.modulus.frequency);
       const double part =
@@ -170,19 +158,18 @@ Diagram residualDiagram(const Material& material, const DiagramAxis& along) {
     diagram.y.from = -kAir * largest;
     diagram.y.to = kAir * largest;
   }
-  DiagramSeries zero;
-  zero.isTheory = true;
-  zero.points = {{material.curve.lowestFrequency(), 0}, {material.curve.highestFrequency(), 0}};
+  DiagramSeries zero{
+      .isTheory = true,
+      .points = {{material.curve.lowestFrequency(), 0}, {material.curve.highestFrequency(), 0}}};
   diagram.series.push_back(std::move(zero));
   return diagram;
 }
 
 NamedSheet masterSheet(const Material& material) {
-  DiagramSheet sheet;
-  sheet.title = message("{}: master curve", material.name);
-  sheet.subtitle = sentences({});
-  sheet.diagrams = {masterDiagram(material)};
-  sheet.columns = 1;
+  DiagramSheet sheet{.title = message("{}: master curve", material.name),
+                     .subtitle = sentences({}),
+                     .diagrams = {masterDiagram(material)},
+                     .columns = 1};
   if (material.isMeasured()) {
     const FrequencyRange range = fittedRange(material);
     sheet.subtitle =
@@ -220,9 +207,8 @@ NamedSheet tangentSheet(const Material& material) {
   const FrequencyRange range = fittedRange(material);
   DiagramSheet sheet;
   sheet.title = message("{}: loss tangent", material.name);
-  Diagram diagram;
-  diagram.x = frequencyAxis(reducedFrequency(material));
-  diagram.y = {"loss tangent tan \u03B4", ""};
+  Diagram diagram{.x = frequencyAxis(reducedFrequency(material)),
+                  .y = {"loss tangent tan \u03B4", ""}};
   addMasterPoints(material, diagram, readTangent, SeriesMark::Circle);
   diagram.series.push_back(fittedSeries(material, range.from, range.to, readTangent, "Prony series",
                                         SeriesStroke::Solid));
@@ -236,10 +222,7 @@ NamedSheet tangentSheet(const Material& material) {
 DiagramSeries formulaSeries(const Material& material, const TemperatureFit& fit, Message name,
                             SeriesStroke stroke) {
   constexpr int kPoints = 100;
-  DiagramSeries series;
-  series.name = std::move(name);
-  series.isTheory = true;
-  series.stroke = stroke;
+  DiagramSeries series{.name = std::move(name), .stroke = stroke, .isTheory = true};
   const double from = material.isotherms.front().temperature;
   const double to = material.isotherms.back().temperature;
   for (int i = 0; i <= kPoints; ++i) {
@@ -257,9 +240,8 @@ DiagramSeries formulaSeries(const Material& material, const TemperatureFit& fit,
 NamedSheet shiftsSheet(const Material& material) {
   DiagramSheet sheet;
   sheet.title = message("{}: shifts with temperature", material.name);
-  Diagram diagram;
-  diagram.x = {"temperature T", "\u00B0C", AxisScale::Linear};
-  diagram.y = {"shift log\u2081\u2080 a\u1D1B", "", AxisScale::Linear};
+  Diagram diagram{.x = {"temperature T", "\u00B0C", AxisScale::Linear},
+                  .y = {"shift log\u2081\u2080 a\u1D1B", "", AxisScale::Linear}};
   DiagramSeries both{.name = "from both moduli", .mark = SeriesMark::Circle};
   DiagramSeries storage{
       .name = "from G' alone", .mark = SeriesMark::Square, .stroke = SeriesStroke::Dotted};

@@ -27,11 +27,10 @@ void CurveAverages::add(const SteadyResult& result) {
 }
 
 CurvePoint CurveAverages::point(double velocity) const {
-  CurvePoint point;
-  point.velocity = velocity;
-  point.mu = mu.mean();
-  point.muStandardError = mu.error().standardError;
-  point.muInterface = muInterface.mean();
+  CurvePoint point{.velocity = velocity,
+                   .mu = mu.mean(),
+                   .muStandardError = mu.error().standardError,
+                   .muInterface = muInterface.mean()};
   if (normalForce.mean() != 0) point.muRatioOfMeans = tangentialForce.mean() / normalForce.mean();
   point.contactFraction = contactFraction.mean();
   point.contactSpots = contactSpots.mean();

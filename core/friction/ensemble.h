@@ -26,12 +26,12 @@ struct CurveProgress {
 
 struct CurveOptions {
   int threads = 0;  // 0: as many as the machine has
-  std::stop_token stop;
-  std::function<void(const CurveProgress&)> progress;  // from one thread at a time; may be empty
+  std::stop_token stop{};
+  std::function<void(const CurveProgress&)> progress{};  // from one thread at a time; may be empty
   /// Called with the results of each realization at the velocities of the sweep, in their order,
   /// from one thread; may be empty. A curve to a target accuracy, whose lines differ from velocity
   /// to velocity, does not call it.
-  std::function<void(std::int64_t realization, std::span<const SteadyResult>)> eachLine;
+  std::function<void(std::int64_t realization, std::span<const SteadyResult>)> eachLine{};
   /// Computes a curve over linearly spaced velocities also at those of `logVelocitiesBeside`.
   bool addsLogVelocities = false;
 };

@@ -91,9 +91,7 @@ void checkMap(const Scene& scene, const MapAxis& x, const MapAxis& y) {
 }
 
 StateOptions stateOptions(const MapOptions& options) {
-  StateOptions work;
-  work.threads = options.threads;
-  work.stop = options.stop;
+  StateOptions work{.threads = options.threads, .stop = options.stop};
   return work;
 }
 

@@ -66,11 +66,11 @@ struct ParameterMap {
 
 struct MapOptions {
   int threads = 0;  // 0: as many as the machine has
-  std::stop_token stop;
+  std::stop_token stop{};
   /// Called with the part of the work that is done, from one thread at a time; may be empty.
-  std::function<void(double part)> progress;
+  std::function<void(double part)> progress{};
   /// Called with each stage before the last one; may be empty, which leaves these stages out.
-  std::function<void(ParameterMap stage)> preview;
+  std::function<void(ParameterMap stage)> preview{};
 };
 
 /// Computes the map. Throws InputError where the axes have the same key, or more cells than are

@@ -28,9 +28,9 @@ namespace asperity {
 
 struct StateOptions {
   int threads = 0;  // 0: as many as the machine has
-  std::stop_token stop;
+  std::stop_token stop{};
   /// Called with the part of the work that is done, from one thread at a time; may be empty.
-  std::function<void(double part)> progress;
+  std::function<void(double part)> progress{};
   bool keepsLines = false;  // whether `muOfLines` is wanted
   /// Called like `progress` with the lines slid of all and the states so far, averaged over the
   /// lines slid; a state without realizations is not yet known. May be empty.

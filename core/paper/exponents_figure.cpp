@@ -68,10 +68,9 @@ DiagramPoint estimatePoint(double x, const Estimate& estimate) {
 }
 
 Diagram emptyDiagram(const char* title, const char* name) {
-  Diagram diagram;
-  diagram.title = title;
-  diagram.x = {"Hurst exponent H", "", AxisScale::Linear, -0.05, 1.05};
-  diagram.y = {name, "", AxisScale::Linear};
+  Diagram diagram{.title = title,
+                  .x = {"Hurst exponent H", "", AxisScale::Linear, -0.05, 1.05},
+                  .y = {name, "", AxisScale::Linear}};
   return diagram;
 }
 

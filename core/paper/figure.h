@@ -41,10 +41,10 @@ const FigureEntry& figureEntry(FigureName name);
 struct FigureOptions {
   std::int64_t realizations = 200;
   /// Assignments to scene keys, applied to the paper's parameters: "surface.seed=2".
-  std::vector<std::string> assignments;
+  std::vector<std::string> assignments{};
   int threads = 0;
-  std::stop_token stop;
-  std::function<void(double part)> progress;  // 0 to 1; from one thread at a time; may be empty
+  std::stop_token stop{};
+  std::function<void(double part)> progress{};  // 0 to 1; from one thread at a time; may be empty
 };
 
 struct Figure {

@@ -188,9 +188,7 @@ DiagramSeries frictionSeries(const GroupedMeans& means, std::size_t j, Message n
 }
 
 DiagramSeries lawSeries(const GroupedMeans& means, std::size_t j, Message name) {
-  DiagramSeries series;
-  series.name = std::move(name);
-  series.isTheory = true;
+  DiagramSeries series{.name = std::move(name), .isTheory = true};
   LawInput in = means.lawInput(j, 0);
   const std::vector<double>& velocities = means.velocities(j);
   for (const double velocity : logSpaced(velocities.front(), velocities.back(), 161)) {
@@ -209,9 +207,7 @@ DiagramAxis normalizedFrictionAxis() {
 }
 
 Diagram frictionDiagram() {
-  Diagram diagram;
-  diagram.x = velocityAxis();
-  diagram.y = normalizedFrictionAxis();
+  Diagram diagram{.x = velocityAxis(), .y = normalizedFrictionAxis()};
   return diagram;
 }
 

@@ -43,9 +43,8 @@ Top findTop(const GroupedMeans& means, std::size_t j) {
 }
 
 Diagram plateauDiagram(const std::vector<Tops>& all) {
-  Diagram diagram;
-  diagram.x = {"normal force F\u2099", "N"};
-  diagram.y = {"plateau of \u03BC/\u2207z", "", AxisScale::Linear, 0, 1.6};
+  Diagram diagram{.x = {"normal force F\u2099", "N"},
+                  .y = {"plateau of \u03BC/\u2207z", "", AxisScale::Linear, 0, 1.6}};
   DiagramSeries theory{"\u221A2, Eq. (9)"};
   theory.isTheory = true;
   theory.stroke = SeriesStroke::Dashed;

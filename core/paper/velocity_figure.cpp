@@ -45,11 +45,10 @@ Curves computeCurves(const Scene& scene, const FigureOptions& options, FigureWor
 DiagramSeries elementSeries(const std::vector<ElementPoint>& points, const char* name,
                             SeriesMark mark) {
   const std::size_t lines = points.front().normalizedMu.size();
-  DiagramSeries series;
-  series.name = lines == 1 ? message("{} (1 line)", Message(name))
-                           : message("{} ({} lines)", Message(name), lines);
-  series.mark = mark;
-  series.stroke = SeriesStroke::Dotted;
+  DiagramSeries series{.name = lines == 1 ? message("{} (1 line)", Message(name))
+                                          : message("{} ({} lines)", Message(name), lines),
+                       .mark = mark,
+                       .stroke = SeriesStroke::Dotted};
   for (const ElementPoint& point : points) {
     const auto [value, error] = point.estimate();
     series.points.push_back({point.velocity, value, value - error, value + error});

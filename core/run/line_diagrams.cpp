@@ -108,9 +108,7 @@ DiagramSeries seriesOf(const Spectrum& spectrum, Message name) {
 
 /// Returns a histogram as a curve with vertical sides.
 DiagramSeries stepsOf(const Histogram& histogram, Message name, int colour) {
-  DiagramSeries series;
-  series.name = std::move(name);
-  series.colour = colour;
+  DiagramSeries series{.name = std::move(name), .colour = colour};
   double edge = histogram.from;
   series.points.push_back({edge, 0});
   for (const double share : histogram.share) {
@@ -173,9 +171,8 @@ double belowWhichMostIs(const std::vector<double>& values, const std::vector<dou
 }
 
 Diagram pressureDiagram(const Frame& frame) {
-  Diagram diagram;
-  diagram.x = {"contact pressure p", "N/m", AxisScale::Linear};
-  diagram.y = {"share of length", "%", AxisScale::Linear};
+  Diagram diagram{.x = {"contact pressure p", "N/m", AxisScale::Linear},
+                  .y = {"share of length", "%", AxisScale::Linear}};
   const std::vector<double> cover = coverOf(frame);
   std::vector<double> pressures, weights;
   for (std::size_t i = 0; i < cover.size(); ++i) {
@@ -199,10 +196,10 @@ Diagram pressureDiagram(const Frame& frame) {
 }
 
 Diagram slopeDiagram(const SlopeStatistics& slopes) {
-  Diagram diagram;
-  diagram.x = {"slope z\u2032 / rms slope", "", AxisScale::Linear, -kMostSlopes, kMostSlopes};
-  diagram.y = {"share", "%", AxisScale::Linear};
-  diagram.series = {stepsOf(slopes.whole, "whole line", 1)};
+  Diagram diagram{
+      .x = {"slope z\u2032 / rms slope", "", AxisScale::Linear, -kMostSlopes, kMostSlopes},
+      .y = {"share", "%", AxisScale::Linear},
+      .series = {stepsOf(slopes.whole, "whole line", 1)}};
   if (!slopes.contact.share.empty())
     diagram.series.push_back(stepsOf(slopes.contact, "in contact", 0));
   diagram.series.push_back(normalDistribution(kMostSlopes, slopes.whole.width()));
@@ -214,9 +211,8 @@ Diagram heightDiagram(const Line& line) {
   constexpr std::size_t kPoints = 2000;
   constexpr double kBelow = 0.08, kAbove = 0.2;  // of the range of heights
   constexpr double kFlatHalfHeight = 1e-6;       // m, shown around a line without heights
-  Diagram diagram;
-  diagram.x = {"position", "m", AxisScale::Linear, 0, line.length};
-  diagram.y = {"height", "m", AxisScale::Linear};
+  Diagram diagram{.x = {"position", "m", AxisScale::Linear, 0, line.length},
+                  .y = {"height", "m", AxisScale::Linear}};
   const std::vector<LinePoint> points = sampledLine(line, kPoints);
   if (points.empty()) return diagram;
   auto [low, high] = std::ranges::minmax(points, {}, &LinePoint::height);
@@ -310,9 +306,8 @@ SpectrumReading readSpectrum(const Scene& scene) {
 
 DiagramSheet spectrumSheet(const Scene& scene) {
   const SpectrumReading reading = readSpectrum(scene);
-  Diagram diagram;
-  diagram.x = {"wave number q", "1/m", AxisScale::Logarithmic};
-  diagram.y = {"spectral density C", "m\u00B3", AxisScale::Logarithmic};
+  Diagram diagram{.x = {"wave number q", "1/m", AxisScale::Logarithmic},
+                  .y = {"spectral density C", "m\u00B3", AxisScale::Logarithmic}};
   DiagramSheet sheet;
   DiagramSeries line = seriesOf({reading.waveNumber, reading.density}, "this line");
   line.mark = SeriesMark::Circle;
@@ -326,10 +321,9 @@ DiagramSheet spectrumSheet(const Scene& scene) {
   }
   diagram.series.push_back(std::move(line));
   if (reading.hasFit) {
-    DiagramSeries fitted;
-    fitted.name = message("fitted, H = {:.3f}", reading.hurst());
-    fitted.stroke = SeriesStroke::Dashed;
-    fitted.colour = 1;
+    DiagramSeries fitted{.name = message("fitted, H = {:.3f}", reading.hurst()),
+                         .stroke = SeriesStroke::Dashed,
+                         .colour = 1};
     for (const double q : reading.waveNumber)
       if (reading.isFitted(q))
         fitted.points.push_back(

@@ -49,10 +49,7 @@ double meanWithoutGaps(std::span<const double> heights) {
 }
 
 DiagramSeries seriesNamed(const char* name, int colour, std::vector<DiagramPoint> points) {
-  DiagramSeries series;
-  series.name = name;
-  series.colour = colour;
-  series.points = std::move(points);
+  DiagramSeries series{.name = name, .colour = colour, .points = std::move(points)};
   return series;
 }
 
@@ -65,9 +62,8 @@ std::vector<Diagram> profileDiagrams(const MeasuredSummary& summary) {
       seriesNamed("raw, about its mean", 1,
                   profilePoints(profile.raw, profile.spacing, meanWithoutGaps(profile.raw)));
   DiagramSeries used = seriesNamed("used", 0, profilePoints(profile.used, profile.spacing, 0));
-  Diagram frame;
-  frame.x = {"position", "m", AxisScale::Linear, 0, summary.used.length};
-  frame.y = {"height", "m", AxisScale::Linear};
+  Diagram frame{.x = {"position", "m", AxisScale::Linear, 0, summary.used.length},
+                .y = {"height", "m", AxisScale::Linear}};
   if (summary.raw.pt <= kDwarfs * summary.used.pt) {
     raw.stroke = SeriesStroke::Dashed;
     frame.series = {std::move(used), std::move(raw)};
@@ -101,9 +97,8 @@ std::vector<DiagramPoint> spectrumPoints(const SpectralDensity& spectrum) {
 }
 
 Diagram spectrumDiagram(const MeasuredSummary& summary) {
-  Diagram diagram;
-  diagram.x = {"wave number q", "1/m", AxisScale::Logarithmic};
-  diagram.y = {"spectral density C", "m\u00B3", AxisScale::Logarithmic};
+  Diagram diagram{.x = {"wave number q", "1/m", AxisScale::Logarithmic},
+                  .y = {"spectral density C", "m\u00B3", AxisScale::Logarithmic}};
   std::vector<DiagramPoint> raw = spectrumPoints(summary.rawSpectrum);
   std::vector<DiagramPoint> used = spectrumPoints(summary.usedSpectrum);
   // A part that a filter has removed completely would extend the axis to rounding errors.
@@ -137,10 +132,9 @@ Diagram spectrumDiagram(const MeasuredSummary& summary) {
 /// Makes the diagram of the distribution of heights, in rms heights of the used profile.
 Diagram heightDistribution(const MeasuredSummary& summary) {
   constexpr double kMost = 5;
-  Diagram diagram;
-  diagram.x = {summary.isRoughness ? "height z / Rq" : "height z / Pq", "", AxisScale::Linear,
-               -kMost, kMost};
-  diagram.y = {"share", "%", AxisScale::Linear};
+  Diagram diagram{.x = {summary.isRoughness ? "height z / Rq" : "height z / Pq", "",
+                        AxisScale::Linear, -kMost, kMost},
+                  .y = {"share", "%", AxisScale::Linear}};
   std::vector<double> heights;
   const double mean = meanWithoutGaps(summary.profile.used);
   if (!(summary.used.pq > 0)) {

@@ -23,9 +23,9 @@ struct MotionOptions {
   std::int64_t mostRows = 0;  // maximum for a line: `every` grows to meet it; 0: no limit
   std::int64_t lines = 1;     // realizations 0, 1, ...
   int threads = 0;
-  std::stop_token stop;
+  std::stop_token stop{};
   /// Called with the steps of all lines; from one thread at a time. May be empty.
-  std::function<void(std::int64_t done, std::int64_t total)> progress;
+  std::function<void(std::int64_t done, std::int64_t total)> progress{};
 };
 
 struct MotionTable {

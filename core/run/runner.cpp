@@ -187,9 +187,7 @@ struct Runner::Body {
         if (stop.stop_requested()) return;
         work = curves.begin();
       }
-      CurveOptions curveOptions;
-      curveOptions.stop = work.stop;
-      curveOptions.threads = options.threads;
+      CurveOptions curveOptions{.threads = options.threads, .stop = work.stop};
       // What is read at the present velocity must not depend on the axis of the diagram.
       curveOptions.addsLogVelocities = true;
       run(work, curveOptions);

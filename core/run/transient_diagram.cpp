@@ -23,9 +23,8 @@ constexpr std::size_t kLongestTrace = 2000;  // samples of a motion
 
 Diagram strip(const Scene& scene, std::span<const TransientSample> samples, DiagramAxis yAxis,
               double TransientSample::*member, double least) {
-  Diagram diagram;
-  diagram.x = {"time t", "s", AxisScale::Linear, 0, scene.sliding.duration};
-  diagram.y = std::move(yAxis);
+  Diagram diagram{.x = {"time t", "s", AxisScale::Linear, 0, scene.sliding.duration},
+                  .y = std::move(yAxis)};
   DiagramSeries series;
   series.colour = 0;
   double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -47,10 +46,7 @@ Diagram strip(const Scene& scene, std::span<const TransientSample> samples, Diag
 /// Adds the known error as a band around the values, under their line; the axis includes it where
 /// it reaches 0, as for a body without friction.
 void addErrorBand(Diagram& diagram, std::span<const TransientSample> samples) {
-  DiagramSeries band;
-  band.isBand = true;
-  band.stroke = SeriesStroke::None;
-  band.colour = 0;
+  DiagramSeries band{.stroke = SeriesStroke::None, .isBand = true, .colour = 0};
   for (const TransientSample& sample : samples)
     if (std::isfinite(sample.muError))
       band.points.push_back({sample.time, sample.mu, std::max(sample.mu - sample.muError, 0.0),
@@ -90,9 +86,7 @@ bool isKnown(const TransientSample& sample) {
 DiagramSheet transientSheet(const Scene& scene, std::span<const TransientSample> samples,
                             double spacing, double period) {
   const MinimumSpan floors = minimumSpan(samples, spacing, period);
-  DiagramSheet sheet;
-  sheet.columns = 1;
-  sheet.sharesAxis = true;
+  DiagramSheet sheet{.columns = 1, .sharesAxis = true};
   sheet.diagrams = {
       strip(scene, samples, {"velocity v", "m/s", AxisScale::Linear}, &TransientSample::velocity,
             0),
@@ -121,9 +115,8 @@ DiagramSheet transientSheet(const Scene& scene, std::span<const TransientSample>
 }
 
 DiagramSheet frictionLoopSheet(std::span<const TransientSample> samples) {
-  Diagram diagram;
-  diagram.x = {"velocity v", "m/s", AxisScale::Linear};
-  diagram.y = {"\u03BC with its sign", "", AxisScale::Linear};
+  Diagram diagram{.x = {"velocity v", "m/s", AxisScale::Linear},
+                  .y = {"\u03BC with its sign", "", AxisScale::Linear}};
   DiagramSeries loop{.colour = 0};
   double slowest = 0, fastest = 0, low = 0, high = 0;
   for (const TransientSample& sample : samples) {

@@ -178,13 +178,9 @@ DiagramSheet sensitivitySheet(const ParameterStudy& study, const StudyAnalysis& 
     diagram.title = outputTitle(output.name);
     addNames(diagram, names, shortNames);
     diagram.y = {"share of the variance", "", AxisScale::Linear};
-    DiagramSeries first, total;
-    first.name = "first order";
-    first.mark = SeriesMark::Circle;
-    first.stroke = SeriesStroke::None;
-    total.name = "total";
-    total.mark = SeriesMark::Square;
-    total.stroke = SeriesStroke::None;
+    DiagramSeries first{
+        .name = "first order", .mark = SeriesMark::Circle, .stroke = SeriesStroke::None};
+    DiagramSeries total{.name = "total", .mark = SeriesMark::Square, .stroke = SeriesStroke::None};
     for (const SobolIndex& index : output.indices) {
       constexpr double kAside = 0.12;
       const double x = static_cast<double>(index.axis) + 1;
@@ -211,13 +207,10 @@ DiagramSheet correlationSheet(const ParameterStudy& study, const StudyAnalysis& 
     Diagram diagram;
     diagram.title = outputTitle(output.name);
     std::vector<std::string> names, shortNames;
-    DiagramSeries values, ranks;
-    values.name = "of the values";
-    values.mark = SeriesMark::Circle;
-    values.stroke = SeriesStroke::None;
-    ranks.name = "of the ranks";
-    ranks.mark = SeriesMark::Diamond;
-    ranks.stroke = SeriesStroke::None;
+    DiagramSeries values{
+        .name = "of the values", .mark = SeriesMark::Circle, .stroke = SeriesStroke::None};
+    DiagramSeries ranks{
+        .name = "of the ranks", .mark = SeriesMark::Diamond, .stroke = SeriesStroke::None};
     for (const ColumnEffect& effect : output.effects) {
       const StudyColumn& column = study.space.column(effect.column);
       if (column.hasWords()) continue;  // words have no order
@@ -243,15 +236,14 @@ DiagramSheet effectsSheet(const ParameterStudy& study, const OutputAnalysis& out
       "Points: single simulations. Line: mean over all other parameters, with its standard error.";
   for (const ColumnEffect& effect : output.effects) {
     const StudyColumn& column = study.space.column(effect.column);
-    Diagram diagram;
-    diagram.x = {Message(column.row->label), std::string(column.row->unit),
-                 effect.isLogarithmic ? AxisScale::Logarithmic : AxisScale::Linear};
-    diagram.y = {Message::name(output.name), "", AxisScale::Linear};
-    DiagramSeries single, mean;
-    single.name = "single simulations";
-    single.mark = SeriesMark::Circle;
-    single.stroke = SeriesStroke::None;
-    single.isFaded = true;
+    Diagram diagram{.x = {Message(column.row->label), std::string(column.row->unit),
+                          effect.isLogarithmic ? AxisScale::Logarithmic : AxisScale::Linear},
+                    .y = {Message::name(output.name), "", AxisScale::Linear}};
+    DiagramSeries single{.name = "single simulations",
+                         .mark = SeriesMark::Circle,
+                         .stroke = SeriesStroke::None,
+                         .isFaded = true};
+    DiagramSeries mean;
     const std::size_t step = effect.sample.size() / kMostDots + 1;
     for (std::size_t i = 0; i < effect.sample.size(); i += step)
       single.points.push_back({effect.sample[i].first, effect.sample[i].second});
@@ -278,10 +270,7 @@ DiagramSheet bandSheet(const ParameterStudy& study, const CurveBand& band) {
                isLogarithmic ? AxisScale::Logarithmic : AxisScale::Linear};
   diagram.y = {Message::name(band.name.substr(band.name.find('.') + 1)), "", AxisScale::Linear};
   const auto series = [&](const Message& name, std::size_t low, std::size_t high, bool isBand) {
-    DiagramSeries one;
-    one.name = name;
-    one.isBand = isBand;
-    one.colour = 0;
+    DiagramSeries one{.name = name, .isBand = isBand, .colour = 0};
     if (isBand) one.stroke = SeriesStroke::None;
     for (std::size_t v = 0; v < band.values.size(); ++v) {
       const auto& at = band.percentiles[v];

@@ -199,9 +199,8 @@ TEST(TargetCurve, IntervalsAreHonest) {
 
 TEST(TargetCurve, StopsOnRequest) {
   std::stop_source source;
-  CurveOptions options;
-  options.stop = source.get_token();
-  options.progress = [&](const CurveProgress&) { source.request_stop(); };
+  CurveOptions options{.stop = source.get_token(),
+                       .progress = [&](const CurveProgress&) { source.request_stop(); }};
   const TargetCurve result = targetCurve(targetScene(1e-3), options);
   EXPECT_FALSE(result.curve.isComplete);
   EXPECT_FALSE(result.curve.isTargetMet);

@@ -61,9 +61,7 @@ TEST(WorkPrecisionSheet, EveryEntryOfTheLegendHasACurve) {
 /// A finer line takes longer to make, too.
 TEST(WorkPrecisionSheet, TheMakingOfTheLineIsCounted) {
   Scene scene = sceneOfSize(200, 9, 2);
-  WorkPrecisionOptions options;
-  options.lines = 1;
-  options.repeats = 1;
+  WorkPrecisionOptions options{.lines = 1, .repeats = 1};
   const WorkPrecision made = workPrecision(scene, options);
   for (const RegionPrecision& region : made.regions)
     for (const WorkPrecisionPoint& point : region.points) {

@@ -312,10 +312,7 @@ TEST(CurveDiagram, OnTheReducedAxisEveryCurveIsShiftedByItsOwnFactor) {
   for (CurvePoint& point : set.pinned[0].points) point.velocity /= factor;
   MeasuredCurve measured;
   for (const CurvePoint& point : set.pinned[0].points) {
-    MeasuredPoint seen;
-    seen.velocity = point.velocity;
-    seen.mu = point.mu;
-    seen.temperature = 298.15;
+    MeasuredPoint seen{.velocity = point.velocity, .mu = point.mu, .temperature = 298.15};
     measured.data.points.push_back(seen);
   }
   set.measured = {measured};
@@ -348,10 +345,7 @@ TEST(CurveDiagram, AMeasuredTableKeepsItsColourAndTellsItsTemperaturesApart) {
   measured.data.name = "friction";
   for (const double temperature : {278.15, 293.15, 318.15})
     for (const double velocity : {0.1, 1.0}) {
-      MeasuredPoint seen;
-      seen.velocity = velocity;
-      seen.mu = 0.5;
-      seen.temperature = temperature;
+      MeasuredPoint seen{.velocity = velocity, .mu = 0.5, .temperature = temperature};
       measured.data.points.push_back(seen);
     }
   set.measured = {measured};

@@ -20,10 +20,9 @@ using testing::ElementsAre;
 std::vector<CurvePoint> lawBetween(double from, double to, double fall = INFINITY) {
   std::vector<CurvePoint> points;
   for (const double velocity : logSpaced(from, to, 61)) {
-    CurvePoint point;
-    point.velocity = velocity;
-    point.mu = 1 / std::hypot(1.0, 1 / velocity) / std::hypot(1.0, velocity / fall);
-    point.realizations = 1;
+    CurvePoint point{.velocity = velocity,
+                     .mu = 1 / std::hypot(1.0, 1 / velocity) / std::hypot(1.0, velocity / fall),
+                     .realizations = 1};
     points.push_back(point);
   }
   return points;
@@ -63,10 +62,7 @@ TEST(CurveRegions, APlateauBetweenTwoPointsEndsBeforeTheSecond) {
   std::vector<CurvePoint> points;
   for (const auto& [velocity, mu] : std::vector<std::pair<double, double>>{
            {1e-3, 5e-5}, {1e-2, 5e-4}, {1e-1, 2.9e-3}, {1, 2.7e-3}, {10, 1.1e-3}, {100, 3.6e-4}}) {
-    CurvePoint point;
-    point.velocity = velocity;
-    point.mu = mu;
-    point.realizations = 1;
+    CurvePoint point{.velocity = velocity, .mu = mu, .realizations = 1};
     points.push_back(point);
   }
   const auto regions = findRegions({}, points);

@@ -12,13 +12,12 @@ namespace asperity {
 namespace {
 
 CurvePoint point(double velocity, double mu) {
-  CurvePoint made;
-  made.velocity = velocity;
-  made.mu = mu;
-  made.muStandardError = mu / 8;
-  made.dimensionlessVelocity = 4 * velocity;
-  made.normalizedMu = 2 * mu;
-  made.realizations = 3;
+  CurvePoint made{.velocity = velocity,
+                  .mu = mu,
+                  .muStandardError = mu / 8,
+                  .normalizedMu = 2 * mu,
+                  .dimensionlessVelocity = 4 * velocity,
+                  .realizations = 3};
   return made;
 }
 

@@ -33,17 +33,14 @@ DiagramSheet twoCurves() {
   Diagram diagram;
   diagram.x.title = "velocity";
   diagram.spans.push_back({1, 2, "I", "I"});
-  DiagramSeries law, first, second;
-  law.name = "Eq. (11)";
-  law.isTheory = true;
-  first.name = "one";
-  second.name = "two";
+  DiagramSeries law{.name = "Eq. (11)", .isTheory = true};
+  DiagramSeries first{.name = "one"};
+  DiagramSeries second{.name = "two"};
   diagram.series = {law, first, second};
-  DiagramSheet sheet;
-  sheet.title = "A title";
-  sheet.subtitle = "parameters";
-  sheet.note = sentences({"Regions as read from the curve: so.", "Another remark."});
-  sheet.diagrams = {diagram};
+  DiagramSheet sheet{.title = "A title",
+                     .subtitle = "parameters",
+                     .note = sentences({"Regions as read from the curve: so.", "Another remark."}),
+                     .diagrams = {diagram}};
   return sheet;
 }
 

@@ -31,9 +31,7 @@ TEST(UnmetBalance, SaysWhereAndByHowMuch) {
 
 /// The balance is met, but the two ways to the force differ.
 TEST(UnmetBalance, TellsWhenDigitsRanOut) {
-  SteadyResult result;
-  result.status = SteadyStatus::NotBalanced;
-  result.residual = 0;
+  SteadyResult result{.status = SteadyStatus::NotBalanced, .residual = 0};
   EXPECT_STREQ(balanceError(result, 2).what(),
                "contact is too short, or moduli are too far apart, for the digits that numbers "
                "have, at velocity 2 m/s");

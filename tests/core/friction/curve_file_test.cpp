@@ -12,10 +12,7 @@ namespace {
 using testing::HasSubstr;
 
 CurvePoint somePoint() {
-  CurvePoint point;
-  point.velocity = 0.1;
-  point.mu = 1.0 / 3;
-  point.realizations = 7;
+  CurvePoint point{.velocity = 0.1, .mu = 1.0 / 3, .realizations = 7};
   return point;
 }
 

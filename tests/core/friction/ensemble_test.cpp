@@ -130,9 +130,8 @@ TEST(Ensemble, ProgressCountsUpToTheWhole) {
 
 TEST(Ensemble, CancellingStopsWithWhatIsDone) {
   std::stop_source source;
-  CurveOptions options;
-  options.stop = source.get_token();
-  options.progress = [&](const CurveProgress&) { source.request_stop(); };
+  CurveOptions options{.stop = source.get_token(),
+                       .progress = [&](const CurveProgress&) { source.request_stop(); }};
   const Curve curve = frictionCurve(smallScene(), options);
   EXPECT_FALSE(curve.isComplete);
   EXPECT_LT(curve.points.front().realizations, 21);

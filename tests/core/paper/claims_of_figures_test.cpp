@@ -20,9 +20,7 @@ namespace {
 using testing::HasSubstr;
 
 FigureOptions optionsOf(std::int64_t realizations, std::vector<std::string> assignments) {
-  FigureOptions options;
-  options.realizations = realizations;
-  options.assignments = std::move(assignments);
+  FigureOptions options{.realizations = realizations, .assignments = std::move(assignments)};
   return options;
 }
 

@@ -18,9 +18,7 @@ namespace {
 using testing::HasSubstr;
 
 FigureOptions quickOptions() {
-  FigureOptions options;
-  options.realizations = 4;
-  options.assignments = {"surface.elements=300"};
+  FigureOptions options{.realizations = 4, .assignments = {"surface.elements=300"}};
   return options;
 }
 

@@ -100,9 +100,7 @@ TEST(MotionTable, RowsSayWhatTheirColumnsMean) {
 
 TEST(MotionTable, ColumnsAreThoseOfTheTextLineAfterLine) {
   Scene scene = someMotion(SlidingKind::Start);
-  MotionOptions options;
-  options.lines = 2;
-  options.every = 50;
+  MotionOptions options{.every = 50, .lines = 2};
   for (const double interfaceFriction : {0.0, 0.1}) {
     scene.interface.frictionCoefficient = interfaceFriction;
     const MotionTable table = marchMotion(scene, options);

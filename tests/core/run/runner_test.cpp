@@ -20,9 +20,7 @@ PostedScene posted(std::uint64_t number, double force, double velocity = 1) {
 
 /// Offers an average over `done` of 9 realizations, all of this coefficient of friction.
 bool offer(CurveRequests& orders, std::uint64_t curve, std::int64_t done, double mu) {
-  CurvePoint point;
-  point.mu = mu;
-  point.realizations = done;
+  CurvePoint point{.mu = mu, .realizations = done};
   CurveUpdate update;
   update.realizationsDone = done;
   update.realizationsTotal = 9;

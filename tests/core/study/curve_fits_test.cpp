@@ -24,10 +24,7 @@ double valueOf(const CurveFitValues& fits, std::string_view name) {
 std::vector<CurvePoint> pointsOf(const std::vector<double>& x, const Function& mu) {
   std::vector<CurvePoint> points;
   for (const double value : x) {
-    CurvePoint point;
-    point.velocity = value;
-    point.mu = mu(value);
-    point.realizations = 1;
+    CurvePoint point{.velocity = value, .mu = mu(value), .realizations = 1};
     points.push_back(point);
   }
   return points;
