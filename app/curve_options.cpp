@@ -325,10 +325,10 @@ void checkUseful(const CurveArguments& arguments, const std::vector<std::string>
 
 Curve computeCurve(const Scene& scene, const CommonOptions& common, RealizationTable* lines) {
   ProgressBar bar(Words::tr("realizations"), common.quiet);
-  CurveOptions options{.threads = common.threads,
-                       .progress = [&bar](const CurveProgress& progress) {
-                         bar.show(progress.realizationsDone, progress.realizationsTotal);
-                       }};
+  CurveOptions options{.threads = common.threads};
+  options.progress = [&bar](const CurveProgress& progress) {
+    bar.show(progress.realizationsDone, progress.realizationsTotal);
+  };
   if (lines)
     options.eachLine = [lines](std::int64_t realization, std::span<const SteadyResult> results) {
       lines->add(realization, results);

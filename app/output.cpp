@@ -116,7 +116,7 @@ void makeFolder(const std::string& folder) {
 }
 
 std::string wroteLine(const std::string& file) {
-  return filled(Words::tr("wrote %1"), {printable(file)}) + "\n";
+  return filledLine(Words::tr("wrote %1"), printable(file));
 }
 
 std::string wroteLines(const std::vector<std::string>& files) {

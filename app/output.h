@@ -2,11 +2,15 @@
 // Main thread.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "core/base/message.h"
 
 namespace asperity {
 
@@ -56,6 +60,12 @@ void checkFolder(const std::string& folder);
 
 /// Makes the folder and its parents where they are missing. Throws InputError.
 void makeFolder(const std::string& folder);
+
+/// Returns a text of the present language with its values, texts and integers, as a line.
+template <class... Values>
+std::string filledLine(std::string_view form, const Values&... values) {
+  return filled(form, {fmt::format("{}", values)...}) + "\n";
+}
 
 /// Returns "wrote a.png" in the current language, with a line break.
 std::string wroteLine(const std::string& file);

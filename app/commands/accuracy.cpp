@@ -104,10 +104,9 @@ std::string marchLine(const RegionPrecision& region) {
 std::string summaryText(const WorkPrecision& comparison, const std::string& folder) {
   std::string text;
   for (const RegionPrecision& region : comparison.regions) {
-    text += filled(Words::tr("region %1, %2 to %3 m/s"),
-                   {region.region, shortNumber(region.velocities.front(), 2),
-                    shortNumber(region.velocities.back(), 2)}) +
-            "\n";
+    text += filledLine(Words::tr("region %1, %2 to %3 m/s"), region.region,
+                       shortNumber(region.velocities.front(), 2),
+                       shortNumber(region.velocities.back(), 2));
     std::size_t width = 0;
     for (const WorkPrecisionPoint& point : region.points)
       width = std::max(width, letterCount(translated(methodName(point.choice))));

@@ -107,10 +107,8 @@ void checkLesson(const CommonOptions& command, bool isOneOfMany,
   printSummary(command.json, command.quiet,
                (isOneOfMany ? command.scene + ": " : "") +
                    printable(lesson.title.in(presentLanguage())) + "\n  " +
-                   filled(Words::tr("%1 minutes, %2 steps, %3 predictions"),
-                          {std::to_string(lesson.minutes), std::to_string(lesson.steps.size()),
-                           std::to_string(predictionCount(lesson))}) +
-                   "\n");
+                   filledLine(Words::tr("%1 minutes, %2 steps, %3 predictions"), lesson.minutes,
+                              lesson.steps.size(), predictionCount(lesson)));
   answers.push_back({{"schema", "asperity-check/1"}});
   if (isOneOfMany) answers.back()["file"] = command.scene;
   answers.back()["lesson"] = lesson.title.english;

@@ -91,8 +91,7 @@ int runContactTable(const RenderCommand& command) {
   if (command.common.json) fmt::print("{}", json);
   if (command.output != "-")
     printSummary(command.common.json, command.common.quiet,
-                 filled(Words::tr("%1 rows"), {std::to_string(table.rows.size())}) + "\n" +
-                     wroteLine(command.output));
+                 filledLine(Words::tr("%1 rows"), table.rows.size()) + wroteLine(command.output));
   return kDone;
 }
 

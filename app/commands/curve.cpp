@@ -45,19 +45,18 @@ std::string summaryText(const Curve& curve, const CurveSet& set) {
                           {shortNumber(100 * curve.marginalFraction, 2)});
   text += "\n";
   if (std::isfinite(curve.achievedError))
-    text += filled(curve.isTargetMet
+    text +=
+        filledLine(curve.isTargetMet
                        ? Words::tr("relative error at most %1 at every velocity, target met")
                        : Words::tr("relative error at most %1 at every velocity, target not met"),
-                   {shortNumber(curve.achievedError, 2)}) +
-            "\n";
+                   shortNumber(curve.achievedError, 2));
   const auto unresolved = std::ranges::count_if(curve.points, [](const CurvePoint& point) {
     return pointNoteSet(point).has(Note::UnresolvedFriction);
   });
   const CurvePoint& first = curve.points.front();
   if (std::isfinite(first.normalForce) && scene.sweep.isOfVelocity())
-    text += filled(Words::tr("F_N = %1 N on one period; results depend on the width"),
-                   {shortNumber(first.normalForce, 6)}) +
-            "\n";
+    text += filledLine(Words::tr("F_N = %1 N on one period; results depend on the width"),
+                       shortNumber(first.normalForce, 6));
   for (const MeasuredCurve& measured : set.measured)
     for (const Message& note : measured.data.notes)
       text += measured.data.name + ": " + translated(note) + "\n";
@@ -67,11 +66,10 @@ std::string summaryText(const Curve& curve, const CurveSet& set) {
   for (const CurvePoint& point : curve.points) notes.add(point.notes);
   text += noteLines(notes);
   if (unresolved > 0)
-    text +=
-        filled(Words::tr("at %1 velocities friction is below what the elements resolve, see the "
-                         "column notes"),
-               {std::to_string(unresolved)}) +
-        "\n";
+    text += filledLine(
+        Words::tr("at %1 velocities friction is below what the elements resolve, see the "
+                  "column notes"),
+        unresolved);
   return text;
 }
 

@@ -65,7 +65,7 @@ std::string stageLines(const std::vector<PlanStage>& stages, bool running) {
     if (stage.runs != running) continue;
     const std::string name = translated(stage.name), reason = translated(stage.reason);
     text += running ? fmt::format("  {:>2}. {}: {}\n", ++number, name, reason)
-                    : "   -  " + filled(Words::tr("no %1: %2"), {name, reason}) + "\n";
+                    : "   -  " + filledLine(Words::tr("no %1: %2"), name, reason);
   }
   return text;
 }
@@ -104,28 +104,26 @@ std::string explanationText(const Explanation& explanation) {
   const Scene& scene = explanation.scene;
   std::string text =
       scene.title.empty() ? std::string() : printable(translated(scene.title)) + "\n";
-  text += filled(Words::tr("asperity %1 runs"), {explanation.verb}) + "\n" +
+  text += filledLine(Words::tr("asperity %1 runs"), explanation.verb) +
           stageLines(explanation.stages, true) + Words::tr("and leaves out") + "\n" +
           stageLines(explanation.stages, false);
   if (std::isfinite(explanation.fewSummitsVelocity))
-    text +=
-        filled(Words::tr("above %1 few summits carry the load (region IV): F_N / (4 eta v), the "
-                         "height that the contacts of one period climb together, is below 0.1 "
-                         "h; the border belongs to the finite period and moves with it"),
-               {quantity(explanation.fewSummitsVelocity, "m/s")}) +
-        "\n";
+    text += filledLine(
+        Words::tr("above %1 few summits carry the load (region IV): F_N / (4 eta v), the "
+                  "height that the contacts of one period climb together, is below 0.1 "
+                  "h; the border belongs to the finite period and moves with it"),
+        quantity(explanation.fewSummitsVelocity, "m/s"));
   if (!explanation.excitation.empty()) text += translated(explanation.excitation) + "\n";
   const bool isMirrored =
       scene.surface.kind == SurfaceKind::Measured && scene.surface.processing.seam == Seam::Mirror;
   if (std::isfinite(explanation.normalForce) &&
       (isMirrored || scene.load.kind == LoadKind::Pressure))
-    text +=
-        filled(isMirrored ? Words::tr("F_N = %1 on one period of %2, which is twice the file's; "
-                                      "F_N / L = %3")
-                          : Words::tr("F_N = %1 on one period of %2; F_N / L = %3"),
-               {quantity(explanation.normalForce, "N"), quantity(explanation.length, "m"),
-                quantity(explanation.normalForce / explanation.length, "N/m")}) +
-        "\n";
+    text += filledLine(isMirrored
+                           ? Words::tr("F_N = %1 on one period of %2, which is twice the file's; "
+                                       "F_N / L = %3")
+                           : Words::tr("F_N = %1 on one period of %2; F_N / L = %3"),
+                       quantity(explanation.normalForce, "N"), quantity(explanation.length, "m"),
+                       quantity(explanation.normalForce / explanation.length, "N/m"));
   for (const Theory theory : theoriesBeside(scene))
     text += translated(message("{}: {}", Message(theoryEntry(theory).name),
                                Message(theoryEntry(theory).range))) +

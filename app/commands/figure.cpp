@@ -151,10 +151,8 @@ std::string summaryText(const FigureCommand& command, const ComputedFigures& mad
     const Figure& figure = made.figures[i];
     text += fmt::format("{}\n{}", translated(figure.sheet.title), claimLines(figure));
     if (made.figures.size() > 1)
-      text += "  " +
-              filled(Words::tr("%1 % of the run time"),
-                     {fmt::format("{:.0f}", 100 * made.seconds[i] / total)}) +
-              "\n";
+      text += "  " + filledLine(Words::tr("%1 % of the run time"),
+                                fmt::format("{:.0f}", 100 * made.seconds[i] / total));
   }
   for (const Figure& figure : made.figures)
     text += wroteLine(figureOutput(command, figure.name, ".csv") + " (.png, .svg, .pdf)");

@@ -19,23 +19,20 @@ ParameterMap compute(const Scene& scene, const MapCommand& command) {
   const MapAxis x = mapAxis(scene, xRange, &yRange), y = mapAxis(scene, yRange, &xRange);
   ProgressBar bar(Words::tr("states"), command.common.quiet);
   const auto cells = static_cast<double>(x.values.size() * y.values.size());
-  MapOptions options{.threads = command.common.threads, .progress = [&](double part) {
-                       bar.show(static_cast<std::int64_t>(part * cells),
-                                static_cast<std::int64_t>(cells));
-                     }};
+  MapOptions options{.threads = command.common.threads};
+  options.progress = [&](double part) {
+    bar.show(static_cast<std::int64_t>(part * cells), static_cast<std::int64_t>(cells));
+  };
   return parameterMap(scene, x, y, options);
 }
 
 std::string summaryText(const ParameterMap& map) {
-  std::string text = filled(Words::tr("%1 times %2 states, %3 of them different"),
-                            {std::to_string(map.x.values.size()),
-                             std::to_string(map.y.values.size()), std::to_string(map.computed)}) +
-                     "\n";
+  std::string text = filledLine(Words::tr("%1 times %2 states, %3 of them different"),
+                                map.x.values.size(), map.y.values.size(), map.computed);
   for (const bool alongX : {true, false})
     if (isWithoutEffect(map, alongX))
-      text += filled(Words::tr("friction does not depend on %1 in this scene"),
-                     {std::string((alongX ? map.x : map.y).key())}) +
-              "\n";
+      text += filledLine(Words::tr("friction does not depend on %1 in this scene"),
+                         std::string((alongX ? map.x : map.y).key()));
   return text;
 }
 

@@ -78,23 +78,15 @@ class StudyProgress {
 
 std::string planText(const StudyBudget& budget) {
   std::string text =
-      filled(Words::tr("%1 simulations of %2 states on %3 lines each, in chunks of %4"),
-             {std::to_string(budget.simulations),
-              std::to_string(budget.states / std::max<std::int64_t>(1, budget.simulations)),
-              std::to_string(budget.lines), std::to_string(budget.chunk)}) +
-      "\n";
-  if (budget.done > 0)
-    text += filled(Words::tr("%1 of them are done"), {std::to_string(budget.done)}) + "\n";
-  text += filled(Words::tr("about %1 on %2 threads, by a trial of %3 simulations"),
-                 {durationText(budget.seconds), std::to_string(budget.threads),
-                  std::to_string(budget.trial)}) +
-          "\n";
+      filledLine(Words::tr("%1 simulations of %2 states on %3 lines each, in chunks of %4"),
+                 budget.simulations, budget.states / std::max<std::int64_t>(1, budget.simulations),
+                 budget.lines, budget.chunk);
+  if (budget.done > 0) text += filledLine(Words::tr("%1 of them are done"), budget.done);
+  text += filledLine(Words::tr("about %1 on %2 threads, by a trial of %3 simulations"),
+                     durationText(budget.seconds), budget.threads, budget.trial);
   if (budget.trialFailures > 0)
-    text += filled(Words::tr("%1 of the trial cannot be computed"),
-                   {std::to_string(budget.trialFailures)}) +
-            "\n";
-  text +=
-      filled(Words::tr("about %1 MB in the store"), {shortNumber(budget.bytes / 1e6, 2)}) + "\n";
+    text += filledLine(Words::tr("%1 of the trial cannot be computed"), budget.trialFailures);
+  text += filledLine(Words::tr("about %1 MB in the store"), shortNumber(budget.bytes / 1e6, 2));
   return text;
 }
 
@@ -144,9 +136,8 @@ void checkReadable(const StudyStore& store) {
 
 std::string stateText(const StudyStore& store, std::int64_t added, std::int64_t total) {
   const std::int64_t done = store.simulationsDone();
-  std::string text = filled(Words::tr("%1 of %2 simulations done, %3 of them now"),
-                            {std::to_string(done), std::to_string(total), std::to_string(added)}) +
-                     "\n";
+  std::string text =
+      filledLine(Words::tr("%1 of %2 simulations done, %3 of them now"), done, total, added);
   if (done < total) text += Words::tr("other processes work on the rest") + "\n";
   if (store.hasFailures())
     text += Words::tr("some simulations failed: 'asperity study show' says why") + "\n";
@@ -249,9 +240,9 @@ int runStudyMerge(const StudyCommand& command) {
   }
   if (!merged.isWhole())
     throw TextError(Message::name(missingText(merged, store.study())), {command.output});
-  printSummary(command.common.json, command.common.quiet,
-               filled(Words::tr("%1 simulations"), {std::to_string(store.simulationsDone())}) +
-                   "\n" + wroteLine(command.output));
+  printSummary(
+      command.common.json, command.common.quiet,
+      filledLine(Words::tr("%1 simulations"), store.simulationsDone()) + wroteLine(command.output));
   return kDone;
 }
 
@@ -289,8 +280,7 @@ int runStudyTable(const StudyCommand& command) {
                stderr);
   if (!isStdout) {
     printSummary(command.common.json || hasStandardOutput(command.outputs), command.common.quiet,
-                 filled(Words::tr("%1 simulations"), {std::to_string(rows)}) + "\n" +
-                     wroteLines(command.outputs));
+                 filledLine(Words::tr("%1 simulations"), rows) + wroteLines(command.outputs));
   }
   return kDone;
 }
@@ -321,27 +311,18 @@ int runStudyShow(const StudyCommand& command) {
   }
   std::string text = study.title.empty() ? "" : study.title + "\n";
   if (!store.shard().isWhole())
-    text += filled(Words::tr("shard %1 of %2"),
-                   {std::to_string(store.shard().number), std::to_string(store.shard().count)}) +
-            "\n";
-  text += filled(Words::tr("%1 of %2 simulations done"),
-                 {std::to_string(done), std::to_string(total)}) +
-          "\n";
+    text += filledLine(Words::tr("shard %1 of %2"), store.shard().number, store.shard().count);
+  text += filledLine(Words::tr("%1 of %2 simulations done"), done, total);
   if (done > 0 && seconds > 0)
-    text += filled(Words::tr("%1 simulations a second on one thread"),
-                   {shortNumber(static_cast<double>(done) / seconds, 3)}) +
-            "\n";
+    text += filledLine(Words::tr("%1 simulations a second on one thread"),
+                       shortNumber(static_cast<double>(done) / seconds, 3));
   if (done < total && done > 0)
-    text += filled(Words::tr("the rest takes about %1 of one thread"),
-                   {durationText(seconds / static_cast<double>(done) *
-                                 static_cast<double>(total - done))}) +
-            "\n";
-  if (failed > 0)
-    text += filled(Words::tr("%1 simulations failed:"), {std::to_string(failed)}) + "\n";
+    text += filledLine(
+        Words::tr("the rest takes about %1 of one thread"),
+        durationText(seconds / static_cast<double>(done) * static_cast<double>(total - done)));
+  if (failed > 0) text += filledLine(Words::tr("%1 simulations failed:"), failed);
   for (const auto& [why, count] : failures)
-    text += filled(Words::tr("  %1 times, first %2: %3"),
-                   {std::to_string(count.count), std::to_string(count.first), why}) +
-            "\n";
+    text += filledLine(Words::tr("  %1 times, first %2: %3"), count.count, count.first, why);
   printSummary(command.common.json, command.common.quiet, text);
   return kDone;
 }
@@ -374,19 +355,15 @@ int runStudyAnalyse(const StudyCommand& command) {
     output.addSheet(sheet.name, std::move(sheet.sheet));
   output.write(command.common.given, origin);
   std::string text =
-      filled(Words::tr("%1 of %2 simulations"),
-             {std::to_string(analysis.simulations), std::to_string(study.simulations())}) +
-      "\n";
+      filledLine(Words::tr("%1 of %2 simulations"), analysis.simulations, study.simulations());
   for (const OutputAnalysis& one : analysis.outputs) {
     for (const SobolIndex& index : one.indices)
-      text += filled(Words::tr("%1, %2: first order %3, total %4"),
-                     {one.name, axisName(study.space.axes()[index.axis]),
-                      shortNumber(index.first.value, 2), shortNumber(index.total.value, 2)}) +
-              "\n";
+      text += filledLine(Words::tr("%1, %2: first order %3, total %4"), one.name,
+                         axisName(study.space.axes()[index.axis]),
+                         shortNumber(index.first.value, 2), shortNumber(index.total.value, 2));
     if (one.failed > 0)
-      text += filled(Words::tr("%1: %2 simulations without a number are left out"),
-                     {one.name, std::to_string(one.failed)}) +
-              "\n";
+      text += filledLine(Words::tr("%1: %2 simulations without a number are left out"), one.name,
+                         one.failed);
   }
   if (study.space.sampling() != Sampling::Saltelli)
     text += Words::tr("no Sobol indices: they need sampling saltelli") + "\n";

@@ -33,10 +33,9 @@ namespace {
 
 std::string summaryText(const Line& line, const std::vector<std::string>& outputs) {
   const auto number = [](double value) { return shortNumber(value, 6); };
-  std::string text = filled(Words::tr("length %1 m, %2 points, rms height %3 m, rms slope %4"),
-                            {number(line.length), std::to_string(line.nodes()),
-                             number(line.rmsHeight), number(line.rmsSlope)}) +
-                     "\n";
+  std::string text =
+      filledLine(Words::tr("length %1 m, %2 points, rms height %3 m, rms slope %4"),
+                 number(line.length), line.nodes(), number(line.rmsHeight), number(line.rmsSlope));
   return text + wroteLines(outputs);
 }
 

@@ -31,6 +31,14 @@ using Json = nlohmann::ordered_json;
 using Texts = std::vector<std::string>;
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
+/// Returns the options of a computation of states that Python waits for.
+template <class Options>
+Options optionsOf(const Call& call, int threads) {
+  return {.threads = threads, .stop = call.stop(), .progress = [&call](double part) {
+            call.report(part);
+          }};
+}
+
 // ---- curves
 
 /// A curve with the scene that it belongs to.
@@ -43,10 +51,10 @@ std::shared_ptr<CurveOfScene> curveOf(const Scene& scene, int threads, const py:
   checkThreads(threads);
   requireSteadySliding(scene, "asperity.curve");
   return compute(progress, [scene, threads](const Call& call) {
-    CurveOptions options{
-        .threads = threads, .stop = call.stop(), .progress = [&call](const CurveProgress& done) {
-          call.report(done.realizationsDone, done.realizationsTotal);
-        }};
+    CurveOptions options{.threads = threads, .stop = call.stop()};
+    options.progress = [&call](const CurveProgress& done) {
+      call.report(done.realizationsDone, done.realizationsTotal);
+    };
     return std::make_shared<CurveOfScene>(CurveOfScene{scene, computeCurve(scene, options)});
   });
 }
@@ -102,10 +110,9 @@ py::tuple friction(const Scene& scene, const Texts& keys, const std::vector<Numb
                    int threads, const py::object& progress) {
   checkThreads(threads);
   requireSteadySliding(scene, "asperity.friction");
-  if (choosesAccuracy(scene))
-    throw InputError("", "accuracy.target_relative_error",
-                     "states side by side have the same lines; give accuracy.scheme and "
-                     "ensemble.realizations instead of a target");
+  requireNoTarget(scene,
+                  "states side by side have the same lines; give accuracy.scheme and "
+                  "ensemble.realizations instead of a target");
   std::vector<Override> overrides;
   std::size_t count = 1;
   for (std::size_t k = 0; k < keys.size(); ++k) {
@@ -120,9 +127,7 @@ py::tuple friction(const Scene& scene, const Texts& keys, const std::vector<Numb
   }
   FoundStates found = compute(progress, [scene, overrides, count, threads](const Call& call) {
     const std::vector<Scene> states = statesOf(scene, overrides, count, call.stop());
-    StateOptions options{.threads = threads, .stop = call.stop(), .progress = [&call](double part) {
-                           call.report(part);
-                         }};
+    const auto options = optionsOf<StateOptions>(call, threads);
     const double before = processSeconds();
     SteadyStates slid = slideStates(states, options);
     return FoundStates{std::move(slid.points), slid.computed, processSeconds() - before};
@@ -140,9 +145,7 @@ std::shared_ptr<ParameterMap> mapOf(const Scene& scene, const Texts& x, const Te
   const MapAxis alongX = mapAxis(scene, xRange, &yRange);
   const MapAxis alongY = mapAxis(scene, yRange, &xRange);
   return compute(progress, [scene, alongX, alongY, threads](const Call& call) {
-    MapOptions options{.threads = threads, .stop = call.stop(), .progress = [&call](double part) {
-                         call.report(part);
-                       }};
+    const auto options = optionsOf<MapOptions>(call, threads);
     return std::make_shared<ParameterMap>(parameterMap(scene, alongX, alongY, options));
   });
 }
@@ -166,14 +169,11 @@ std::shared_ptr<SensitivityOfScene> sensitivityOf(const Scene& scene, int thread
                                                   const py::object& progress) {
   checkThreads(threads);
   requireSteadySliding(scene, "asperity.sensitivity");
-  if (choosesAccuracy(scene))
-    throw InputError("", "accuracy.target_relative_error",
-                     "differences need the same lines on both sides; give accuracy.scheme and "
-                     "ensemble.realizations instead of a target");
+  requireNoTarget(scene,
+                  "differences need the same lines on both sides; give accuracy.scheme and "
+                  "ensemble.realizations instead of a target");
   return compute(progress, [scene, threads](const Call& call) {
-    StateOptions options{.threads = threads, .stop = call.stop(), .progress = [&call](double part) {
-                           call.report(part);
-                         }};
+    const auto options = optionsOf<StateOptions>(call, threads);
     std::vector<Sensitivity> all = sensitivities(scene, options);
     std::vector<Exponent> exponents = sensitivityExponents(scene, all);
     return std::make_shared<SensitivityOfScene>(
@@ -224,9 +224,7 @@ std::shared_ptr<FitOfScene> fitOf(const Scene& given, const Texts& files,
   if (scene.comparison.data.empty() && tables.empty())
     throw InputError("", "--data", "no measured friction is given, nor named by the scene");
   requireSteadySliding(scene, "a fit");
-  if (choosesAccuracy(scene))
-    throw InputError("", "accuracy.target_relative_error",
-                     "a fit needs the same lines everywhere, not a target");
+  requireNoTarget(scene, "a fit needs the same lines everywhere, not a target");
   const std::vector<VariedParameter> parameters = parseVariedParameters(varied, scene);
   std::vector<FrictionData> data = readComparisonData(scene, read);
   for (const auto& [name, text] : tables) data.push_back(parseFrictionData(text, name));

@@ -267,9 +267,7 @@ DiagramSheet profileSheet(const Fit& fit) {
 FittedCurve fitWithCurve(const Scene& scene, const std::vector<FrictionData>& data,
                          std::span<const VariedParameter> parameters, const FitOptions& options) {
   requireSteadySliding(scene, "a fit");
-  if (choosesAccuracy(scene))
-    throw InputError("", "accuracy.target_relative_error",
-                     "a fit needs the same lines everywhere, not a target");
+  requireNoTarget(scene, "a fit needs the same lines everywhere, not a target");
   FittedCurve fitted;
   fitted.start = scene;
   fitted.hasProfiles = options.hasProfiles;

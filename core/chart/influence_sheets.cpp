@@ -11,6 +11,7 @@
 #include "core/chart/curve_words.h"
 #include "core/friction/curve_file.h"
 #include "core/scene/columns.h"
+#include "core/scene/data_table.h"
 #include "core/scene/provenance.h"
 
 namespace asperity {
@@ -18,8 +19,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr ColumnName kKey = "key", kValue = "value", kExponent = "mu_exponent",
-                     kError = "mu_exponent_standard_error";
+DataTable sensitivityTable(const std::vector<Exponent>& all) {
+  DataTable table{columnNames({"key", "value", "mu_exponent", "mu_exponent_standard_error"}), {}};
+  for (const Exponent& one : all)
+    table.rows.push_back(
+        {std::string(one.key), one.value, one.exponent.value, one.exponent.standardError});
+  return table;
+}
 
 constexpr ColumnName kWavelength = "cutoff_wavelength", kShare = "share_of_decade",
                      kShareError = "share_of_decade_standard_error";
@@ -92,22 +98,12 @@ std::string sensitivityText(const std::vector<Exponent>& all,
 }
 
 std::string sensitivityCsv(const std::vector<Exponent>& all) {
-  std::string text = joinedColumns({kKey, kValue, kExponent, kError}) + "\n";
-  for (const Exponent& one : all)
-    text += fmt::format("{},{},{},{}\n", one.key, one.value, csvNumber(one.exponent.value),
-                        csvNumber(one.exponent.standardError));
-  return text;
+  return tableCsv(sensitivityTable(all));
 }
 
 std::string sensitivityJson(const Scene& scene, const std::vector<Exponent>& all) {
   Json root = provenance("sensitivity", scene);
-  Json rows = Json::array();
-  for (const Exponent& one : all)
-    rows.push_back({{kKey.text(), one.key},
-                    {kValue.text(), one.value},
-                    {kExponent.text(), numberOrNull(one.exponent.value)},
-                    {kError.text(), numberOrNull(one.exponent.standardError)}});
-  root["parameters"] = std::move(rows);
+  root["parameters"] = tableJson(sensitivityTable(all));
   return root.dump(2) + "\n";
 }
 

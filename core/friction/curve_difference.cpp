@@ -122,9 +122,7 @@ Scene withSetting(Scene scene, const CurveSetting& setting) {
 CurveDifference curveDifference(const Scene& scene, const CurveSetting& setting,
                                 const DifferenceOptions& options) {
   requireSteadySliding(scene, "a comparison of curves");
-  if (choosesAccuracy(scene))
-    throw InputError("", "accuracy.target_relative_error",
-                     "a comparison needs the same resolution at every velocity, not a target");
+  requireNoTarget(scene, "a comparison needs the same resolution at every velocity, not a target");
   const std::vector<double> velocities = sweepVelocities(scene.sweep);
   Side own(scene, velocities), other(withSetting(scene, setting), velocities);
   CurveDifference difference{

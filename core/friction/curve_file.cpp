@@ -227,14 +227,11 @@ std::string curveJson(const std::vector<CurvePoint>& points, const Scene& scene,
 }
 
 RealizationTable::RealizationTable(std::vector<double> velocities)
-    : velocities_(std::move(velocities)) {
-  for (const ColumnName column :
-       {ColumnName("realization"), ColumnName("velocity"), ColumnName("mu"),
-        ColumnName("mu_interface"), ColumnName("contact_fraction"), ColumnName("rms_slope_contact"),
-        ColumnName("indentation"), ColumnName("normal_force"), ColumnName("tangential_force"),
-        ColumnName("rms_slope")})
-    table_.columns.push_back(column.text());
-}
+    : velocities_(std::move(velocities)),
+      table_{columnNames({"realization", "velocity", "mu", "mu_interface", "contact_fraction",
+                          "rms_slope_contact", "indentation", "normal_force", "tangential_force",
+                          "rms_slope"}),
+             {}} {}
 
 void RealizationTable::add(std::int64_t realization, std::span<const SteadyResult> results) {
   for (std::size_t i = 0; i < std::min(results.size(), velocities_.size()); ++i) {

@@ -16,6 +16,7 @@
 #include "core/friction/steady_states.h"
 #include "core/scene/columns.h"
 #include "core/scene/provenance.h"
+#include "core/scene/scene_check.h"
 #include "core/scene/sweep.h"
 
 namespace asperity {
@@ -84,10 +85,9 @@ void checkMap(const Scene& scene, const MapAxis& x, const MapAxis& y) {
     throw InputError("", std::string(y.key()),
                      message("{} times {} points are more than {} cells", x.values.size(),
                              y.values.size(), kMostCells));
-  if (choosesAccuracy(scene))
-    throw InputError("", "accuracy.target_relative_error",
-                     "a map has the same lines in every cell; give accuracy.scheme and "
-                     "ensemble.realizations instead of a target");
+  requireNoTarget(scene,
+                  "a map has the same lines in every cell; give accuracy.scheme and "
+                  "ensemble.realizations instead of a target");
 }
 
 StateOptions stateOptions(const MapOptions& options) {

@@ -6,6 +6,7 @@
 #include "core/base/input_error.h"
 #include "core/base/stop.h"
 #include "core/scene/parameters.h"
+#include "core/scene/scene_check.h"
 #include "core/surface/line_source.h"
 #include "core/surface/spectrum.h"
 
@@ -61,10 +62,9 @@ std::vector<CutoffPoint> frictionOverCutoff(const Scene& scene, const StateOptio
     throw InputError("", "surface.kind",
                      "has no short waves to remove; a random line, a profile, a spectrum or a "
                      "measured surface has");
-  if (choosesAccuracy(scene))
-    throw InputError("", "accuracy.target_relative_error",
-                     "all cut-offs have the same lines; give accuracy.scheme and "
-                     "ensemble.realizations instead of a target");
+  requireNoTarget(scene,
+                  "all cut-offs have the same lines; give accuracy.scheme and "
+                  "ensemble.realizations instead of a target");
   const LineExtent extent = lineExtent(scene);
   const std::size_t all = modeCount(static_cast<std::size_t>(extent.elements));
   const double before = hasSurfaceFile(scene.surface) && scene.surface.kind != SurfaceKind::Profile

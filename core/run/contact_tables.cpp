@@ -25,12 +25,6 @@ double valueAt(const Frame& frame, const std::vector<double>& field, std::size_t
   return field.size() == frame.pressure.size() ? field[i] : kNotApplicable;
 }
 
-std::vector<std::string> names(std::initializer_list<ColumnName> columns) {
-  std::vector<std::string> words;
-  for (const ColumnName column : columns) words.push_back(column.text());
-  return words;
-}
-
 /// Calls `use` with each point of a stretch.
 template <class Use>
 void forEachPoint(const Frame& frame, const ContactStretch& stretch, const Use& use) {
@@ -134,8 +128,8 @@ std::vector<double> timeInContact(const Frame& frame) {
 }
 
 DataTable shapeTable(const Frame& frame) {
-  DataTable table{names({"position", "rigid_height", "surface_height", "gap", "line_load",
-                         "time_in_contact", "power", "time_since_contact"}),
+  DataTable table{columnNames({"position", "rigid_height", "surface_height", "gap", "line_load",
+                               "time_in_contact", "power", "time_since_contact"}),
                   {}};
   const std::vector<double> inContact = timeInContact(frame);
   for (std::size_t i = 0; i < frame.pressure.size(); ++i)
@@ -146,8 +140,8 @@ DataTable shapeTable(const Frame& frame) {
 }
 
 DataTable contactsTable(const Frame& frame) {
-  DataTable table{names({"start", "length", "normal_force", "tangential_force", "mean_line_load",
-                         "largest_line_load"}),
+  DataTable table{columnNames({"start", "length", "normal_force", "tangential_force",
+                               "mean_line_load", "largest_line_load"}),
                   {}};
   for (const ContactStretch& contact : findStretches(frame, false)) {
     const StretchForces forces = forcesOf(frame, contact);
@@ -158,7 +152,7 @@ DataTable contactsTable(const Frame& frame) {
 }
 
 DataTable gapsTable(const Frame& frame) {
-  DataTable table{names({"start", "length", "mean_gap", "largest_gap", "area"}), {}};
+  DataTable table{columnNames({"start", "length", "mean_gap", "largest_gap", "area"}), {}};
   for (const ContactStretch& gap : findStretches(frame, true)) {
     const GapSize size = sizeOf(frame, gap);
     table.rows.push_back({gap.start, gap.length, size.area / gap.length, size.largest, size.area});
@@ -168,8 +162,8 @@ DataTable gapsTable(const Frame& frame) {
 
 DataTable powerTable(const Frame& frame) {
   const PowerBalance balance = powerOf(frame);
-  return {names({"velocity", "power_in", "power_contact", "power_free", "power_interface",
-                 "power_dissipated", "power_difference"}),
+  return {columnNames({"velocity", "power_in", "power_contact", "power_free", "power_interface",
+                       "power_dissipated", "power_difference"}),
           {{frame.velocity, balance.in, balance.contact, balance.free, balance.interface,
             balance.dissipated(), balance.in - balance.dissipated()}}};
 }

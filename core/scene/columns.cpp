@@ -1,6 +1,7 @@
 #include "core/scene/columns.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
 #include <set>
@@ -42,10 +43,14 @@ void forEachColumn(const Use& use) {
 
 }  // namespace
 
+std::vector<std::string> columnNames(std::initializer_list<ColumnName> names) {
+  std::vector<std::string> words;
+  for (const ColumnName name : names) words.push_back(name.text());
+  return words;
+}
+
 std::string joinedColumns(std::initializer_list<ColumnName> names) {
-  std::string text;
-  for (const std::string_view name : names) text += (text.empty() ? "" : ",") + std::string(name);
-  return text;
+  return fmt::format("{}", fmt::join(columnNames(names), ","));
 }
 
 std::string columnsText() {

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace asperity {
 
@@ -20,16 +21,21 @@ struct Column {
   std::string_view tables;    // that have it, separated by ", "
 };
 
+/// Tables of curves and of other states; the figures of the paper beside them.
+inline constexpr std::string_view kCurveTables = "curve, curves, map, cutoff",
+                                  kFrictionTables =
+                                      "curve, curves, map, cutoff, figure 2, figure 3, figure 4, "
+                                      "figure master, figure spacing";
+
 // Symbols in equations: z(x) the rigid line, x along the line, u <= 0 the surface of the elastomer,
 // y = -u, d the indentation, p the line load, L the period, L_c the length in contact, F_N the
 // normal force, F_x the tangential force, h the rms height, grad the rms slope.
 inline constexpr auto kColumns = std::to_array<Column>({
     // ---- friction over velocity
     {"velocity", "m/s", "Velocity of steady sliding.", "v_i = from (to/from)^(i/(points - 1))",
-     "curve, curves, map, cutoff, figure 2, figure 3, figure 4, figure master, figure spacing"},
+     kFrictionTables},
     {"mu", "", "Coefficient of friction of the deformation: mean over the realizations.",
-     "mu = |F_x|/F_N, F_x = -integral p z' dx",
-     "curve, curves, map, cutoff, figure 2, figure 3, figure 4, figure master, figure spacing"},
+     "mu = |F_x|/F_N, F_x = -integral p z' dx", kFrictionTables},
     {"mu_standard_error", "",
      "Standard error of that mean, for rows of a topography with their correlation; empty for one "
      "realization.",
@@ -39,25 +45,21 @@ inline constexpr auto kColumns = std::to_array<Column>({
     {"mu_law", "",
      "Friction by Eq. (11) of Li et al. (2013) with the rms slope of the whole line and the "
      "tabulated beta.",
-     "Eq. (11), alpha = H/(1 + H)",
-     "curve, curves, map, cutoff, figure 2, figure 3, figure 4, figure master, figure spacing"},
+     "Eq. (11), alpha = H/(1 + H)", kFrictionTables},
     {"contact_fraction", "", "Share of the period that is in contact.", "L_c/L",
      "curve, curves, map, cutoff, figure 2, figure 3, figure 4, figure 6, figure master, figure "
      "spacing, "
      "batch"},
     {"rms_slope_contact", "", "Root mean square of the line's slope where it is in contact.",
-     "sqrt(integral over contact of z'^2 dx / L_c)",
-     "curve, curves, map, cutoff, figure 2, figure 3, figure 4, figure master, figure spacing"},
+     "sqrt(integral over contact of z'^2 dx / L_c)", kFrictionTables},
     {"indentation", "m",
      "Indentation of the line: how deep its lowest point lies below the undeformed surface.", "d",
      "curve, curves, map, cutoff, figure 2, figure 3, figure 4, figure master, figure spacing, "
      "batch"},
     {"normalized_mu", "", "Coefficient of friction over the rms slope of the whole line.",
-     "mu/grad",
-     "curve, curves, map, cutoff, figure 2, figure 3, figure 4, figure master, figure spacing"},
+     "mu/grad", kFrictionTables},
     {"dimensionless_velocity", "", "Velocity without a dimension.",
-     "Eq. (13): tau v grad/(sqrt(2) h)",
-     "curve, curves, map, cutoff, figure 2, figure 3, figure 4, figure master, figure spacing"},
+     "Eq. (13): tau v grad/(sqrt(2) h)", kFrictionTables},
     {"dimensionless_force", "", "Normal force without a dimension.", "Eq. (14): F_N/(G h L)",
      "curve, curves, map, cutoff, figure 2, figure 3, figure 4, figure 6, figure master, figure "
      "spacing"},
@@ -68,7 +70,7 @@ inline constexpr auto kColumns = std::to_array<Column>({
     {"mu_interface", "",
      "Coefficient of local friction in contact, beside that of the deformation; only in scenes "
      "that have some.",
-     "friction_coefficient, or shear_stress L_c/F_N", "curve, curves, map, cutoff"},
+     "friction_coefficient, or shear_stress L_c/F_N", kCurveTables},
     {"reduced_velocity", "m/s",
      "Velocity at which the rubber is as fast at the temperature of the scene; only where measured "
      "friction is of another temperature.",
@@ -78,28 +80,28 @@ inline constexpr auto kColumns = std::to_array<Column>({
      "another temperature.",
      "T", "curves"},
     {"mu_total", "", "Friction of deformation and interface together.", "mu + mu_interface",
-     "curve, curves, map, cutoff"},
+     kCurveTables},
     {"mu_mean_of_ratios", "",
      "Mean over the lines of each line's own coefficient, which is mu; only at a constant "
      "indentation.",
-     "<F_x/F_N>", "curve, curves, map, cutoff"},
+     "<F_x/F_N>", kCurveTables},
     {"mu_ratio_of_means", "",
      "Mean tangential force over mean normal force; only at a constant indentation.", "<F_x>/<F_N>",
-     "curve, curves, map, cutoff"},
+     kCurveTables},
     {"marginal_share", "",
      "Share of its load that the element on the edge of contact carries, mean over the lines; 1 "
      "where the force does not jump; only with the scheme nodal.",
-     "", "curve, curves, map, cutoff"},
+     "", kCurveTables},
     {"mu_low", "",
      "Lower end of the 95 % confidence interval of mu, errors of resolution included; only with a "
      "target accuracy.",
-     "", "curve, curves, map, cutoff"},
-    {"mu_high", "", "Upper end of the same interval.", "", "curve, curves, map, cutoff"},
+     "", kCurveTables},
+    {"mu_high", "", "Upper end of the same interval.", "", kCurveTables},
     {"extrapolated", "",
      "1 where more than a tenth of the friction rests on frequencies at which the elastomer was "
      "not "
      "measured, else 0; only where the measured ones are known.",
-     "share of q C1(q) G''(q v) dq", "curve, curves, map, cutoff"},
+     "share of q C1(q) G''(q v) dq", kCurveTables},
     {"notes", "",
      "What to know before the row is used, separated by blanks; only where there is something. "
      "unresolved_friction: the elements are too few in contact for the tangential force; "
@@ -110,26 +112,26 @@ inline constexpr auto kColumns = std::to_array<Column>({
      "ten independent lines, and the standard error is only roughly known; extrapolated_material, "
      "extrapolated_temperature, strain_beyond_measured: the elastomer was not measured at the "
      "frequencies that friction rests on, at this temperature, at strains as large as the slopes.",
-     "", "curve, curves, map, cutoff"},
+     "", kCurveTables},
     {"normal_force", "N",
      "Normal force on one period; only where a nominal pressure means it, over another key than "
      "velocity, and in maps.",
-     "F_N = p_0 L width", "curve, curves, map, cutoff"},
+     "F_N = p_0 L width", kCurveTables},
     {"tangential_force", "N",
      "Mean tangential force of the deformation on one period; only over another key than velocity, "
      "where a chart shows forces, and in maps.",
-     "|F_x| = mu F_N", "curve, curves, map, cutoff"},
+     "|F_x| = mu F_N", kCurveTables},
     {"power", "W",
      "Mean power that sliding puts into the deformation on one period; where tangential_force is.",
-     "|F_x| v", "curve, curves, map, cutoff"},
+     "|F_x| v", kCurveTables},
     {"nominal_pressure", "Pa", "Normal force over the area of one period and the width.", "p_0",
-     "curve, curves, map, cutoff"},
+     kCurveTables},
     {"mean_pressure", "Pa", "Normal force over the area in contact: contact length times width.",
-     "p_0 L/L_c", "curve, curves, map, cutoff"},
+     "p_0 L/L_c", kCurveTables},
     {"contact_spots", "",
      "Separate stretches in contact in one period: mean over the realizations; only in scenes with "
      "a measured surface or spectrum, a nominal pressure, or a measured material.",
-     "", "curve, curves, map, cutoff"},
+     "", kCurveTables},
     {"exponent", "",
      "Exponent of friction along the first parameter, by a parabola through neighbouring cells.",
      "d ln mu / d ln x", "map"},
@@ -473,6 +475,9 @@ class ColumnName {
 constexpr std::string_view columnOfKey(std::string_view key) {
   return key.substr(key.rfind('.') + 1);
 }
+
+/// Returns the names as the columns of a table.
+std::vector<std::string> columnNames(std::initializer_list<ColumnName> names);
 
 /// "a,b,c", without a line end.
 std::string joinedColumns(std::initializer_list<ColumnName> names);

@@ -62,4 +62,8 @@ void requireEquilibrium(const Scene& scene) {
                      "or not the elastomer sinks for ever; it needs more than 0");
 }
 
+void requireNoTarget(const Scene& scene, const Message& why) {
+  if (choosesAccuracy(scene)) throw InputError("", "accuracy.target_relative_error", why);
+}
+
 }  // namespace asperity

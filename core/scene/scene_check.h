@@ -24,4 +24,8 @@ void requireEquilibrium(const Scene& scene);
 /// elastomer would sink for ever; `what` needs steady sliding, e.g. "asperity curve".
 void requireSteadySliding(const Scene& scene, const Message& what);
 
+/// Throws InputError (accuracy.target_relative_error) where the scene has a target, with the reason
+/// why there can be none.
+void requireNoTarget(const Scene& scene, const Message& why);
+
 }  // namespace asperity

@@ -123,8 +123,7 @@ std::string lineCsv(const Line& line) {
 }
 
 DataTable spectrumTable(const LineSource& source) {
-  DataTable table{{ColumnName("wave_number").text(), ColumnName("power_spectral_density").text()},
-                  {}};
+  DataTable table{columnNames({"wave_number", "power_spectral_density"}), {}};
   const SpectralDensity spectrum = lineSpectrum(source.spectrum(0));
   for (std::size_t j = 0; j < spectrum.density.size(); ++j)
     table.rows.push_back({spectrum.waveNumber[j], spectrum.density[j]});
@@ -134,9 +133,7 @@ DataTable spectrumTable(const LineSource& source) {
 DataTable statisticsTable(const Scene& scene, const LineSource& source, const Line& line) {
   const auto [lowest, highest] = std::minmax_element(line.height.begin(), line.height.end());
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  DataTable table{{ColumnName("quantity").text(), ColumnName("unit").text(),
-                   ColumnName("value").text(), ColumnName("raw").text()},
-                  {}};
+  DataTable table{columnNames({"quantity", "unit", "value", "raw"}), {}};
   const auto add = [&](const char* name, const char* unit, TableCell value) {
     table.rows.push_back({std::string(name), std::string(unit), std::move(value), kNone});
   };
