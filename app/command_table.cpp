@@ -143,9 +143,8 @@ void CommandTable::addMap() {
                    "d ln mu / d ln x")
       ->capture_default_str();
   addOutputs(command, map_.outputs,
-             "FILE.csv (one row a cell, x fastest), .json, .png, .svg, .pdf, .eps or .tif; may "
-             "be repeated "
-             "(default: CSV to standard output)");
+             "FILE.csv (one row a cell, x fastest), .json, .png, .svg, .pdf, .eps or .tif; may be "
+             "repeated (default: CSV to standard output)");
   addPictureOptions(*command, map_.picture, "1200x900", "print", FigurePart::Chart);
   addColumnChoice(command, map_.columns);
 }
@@ -156,8 +155,7 @@ void CommandTable::addSensitivity() {
                  sensitivity_.common, [this] { return runSensitivity(sensitivity_); });
   addOutputs(command, sensitivity_.outputs,
              "FILE.csv, .json, .png, .svg, .pdf, .eps or .tif; may be repeated (default: a table "
-             "for people "
-             "to standard output)");
+             "for people to standard output)");
   addPictureOptions(*command, sensitivity_.picture, "1200x800", "print", FigurePart::Chart);
 }
 
@@ -167,8 +165,7 @@ void CommandTable::addCutoff() {
       cutoff_.common, [this] { return runCutoff(cutoff_); });
   addOutputs(command, cutoff_.outputs,
              "FILE.csv, .json, .png, .svg, .pdf, .eps or .tif; may be repeated (default: CSV to "
-             "standard "
-             "output)");
+             "standard output)");
   addPictureOptions(*command, cutoff_.picture, "1200x1000", "print", FigurePart::Chart);
 }
 
@@ -202,9 +199,8 @@ void CommandTable::addRender() {
   command
       ->add_option("-o,--output", render_.output,
                    "FILE.png, .svg, .pdf, .eps or .tif for one picture; FILE.mp4, .webm, .gif or "
-                   ".webp for a "
-                   "film; a folder for frame_0001.png and on; FILE.csv, .json or - (CSV to "
-                   "standard output) for a table of the contact")
+                   ".webp for a film; a folder for frame_0001.png and on; FILE.csv, .json or - "
+                   "(CSV to standard output) for a table of the contact")
       ->required();
   command
       ->add_option("--layout", render_.layout,

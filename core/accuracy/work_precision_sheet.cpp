@@ -212,8 +212,7 @@ DiagramSheet workPrecisionSheet(const WorkPrecision& comparison) {
       "Errors against cubic at two high resolutions, extrapolated. The literal march and nodal are "
       "other models at the smallest scale: theirs is a difference, not an error. Processor time of "
       "one thread, medians of repeated runs, with the share of one velocity of the sweep in making "
-      "the "
-      "line.";
+      "the line.";
   return sheet;
 }
 

@@ -403,9 +403,8 @@ std::vector<std::string_view> shippedStyles() {
 FigureStyle styleFromJson(std::string_view text, const std::string& file) {
   constexpr int kDeepest = 4;
   try {
-    const Json json = parseJson(text, kDeepest,
-                                "a style is JSON: {\"schema\": "
-                                "\"asperity-style/1\", ...}");
+    const Json json =
+        parseJson(text, kDeepest, "a style is JSON: {\"schema\": \"asperity-style/1\", ...}");
     if (!json.is_object()) throw InputError("", "", "a style is an object of options");
     FigureStyle style;
     std::vector<std::string> known{"schema"};

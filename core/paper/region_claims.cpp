@@ -76,8 +76,7 @@ Claim followClaim(const GroupedMeans& means, const LoadShares& shares) {
   claim.note = message(
       "Friction itself falls to {:.2g} of its maximum. Over the slope in contact it goes from "
       "{:.3f} to {:.3f}. On a smooth summit, where the slope in contact is evenly distributed, it "
-      "is "
-      "2/\u221A3 = {:.3f}.",
+      "is 2/\u221A3 = {:.3f}.",
       means.normalizedMu(0, last) / findPlateau(means, 0).normalizedMu,
       shares.frictionOverSlope(0, kAtMaximum), shares.frictionOverSlope(0, kAtTheEnd),
       2 / std::numbers::sqrt3);

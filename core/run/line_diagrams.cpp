@@ -335,9 +335,8 @@ DiagramSheet spectrumSheet(const Scene& scene) {
       hasExponent
           ? Message(
                 "C(q) ~ q\u207B\u00B2\u1D34\u207B\u00B9 is two-sided, h\u00B2 = 2 \u222B C dq; cut "
-                "off at "
-                "\u03C0 over the element spacing. "
-                "Points are means over equal stretches of log q.")
+                "off at \u03C0 over the element spacing. Points are means over equal stretches of "
+                "log q.")
           : Message(
                 "C(q) is two-sided, h\u00B2 = 2 \u222B C dq; cut off at \u03C0 over the element "
                 "spacing. Points are means over equal stretches of log q.");

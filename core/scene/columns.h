@@ -48,8 +48,7 @@ inline constexpr auto kColumns = std::to_array<Column>({
      "Eq. (11), alpha = H/(1 + H)", kFrictionTables},
     {"contact_fraction", "", "Share of the period that is in contact.", "L_c/L",
      "curve, curves, map, cutoff, figure 2, figure 3, figure 4, figure 6, figure master, figure "
-     "spacing, "
-     "batch"},
+     "spacing, batch"},
     {"rms_slope_contact", "", "Root mean square of the line's slope where it is in contact.",
      "sqrt(integral over contact of z'^2 dx / L_c)", kFrictionTables},
     {"indentation", "m",
@@ -65,8 +64,7 @@ inline constexpr auto kColumns = std::to_array<Column>({
      "spacing"},
     {"realizations", "", "Random lines that were averaged over.", "",
      "curve, curves, map, cutoff, figure 2, figure 3, figure 4, figure 5, figure 6, figure master, "
-     "figure "
-     "spacing, batch"},
+     "figure spacing, batch"},
     {"mu_interface", "",
      "Coefficient of local friction in contact, beside that of the deformation; only in scenes "
      "that have some.",
@@ -99,19 +97,18 @@ inline constexpr auto kColumns = std::to_array<Column>({
     {"mu_high", "", "Upper end of the same interval.", "", kCurveTables},
     {"extrapolated", "",
      "1 where more than a tenth of the friction rests on frequencies at which the elastomer was "
-     "not "
-     "measured, else 0; only where the measured ones are known.",
+     "not measured, else 0; only where the measured ones are known.",
      "share of q C1(q) G''(q v) dq", kCurveTables},
     {"notes", "",
      "What to know before the row is used, separated by blanks; only where there is something. "
      "unresolved_friction: the elements are too few in contact for the tangential force; "
      "slope_above_0.3: the model takes slopes for small; few_contacts: single summits carry the "
      "load; seam_jump: the period repeats with a step; spikes: single points of the measured "
-     "surface "
-     "stand far out of their neighbours; few_independent_rows: its rows count as fewer than about "
-     "ten independent lines, and the standard error is only roughly known; extrapolated_material, "
-     "extrapolated_temperature, strain_beyond_measured: the elastomer was not measured at the "
-     "frequencies that friction rests on, at this temperature, at strains as large as the slopes.",
+     "surface stand far out of their neighbours; few_independent_rows: its rows count as fewer "
+     "than about ten independent lines, and the standard error is only roughly known; "
+     "extrapolated_material, extrapolated_temperature, strain_beyond_measured: the elastomer was "
+     "not measured at the frequencies that friction rests on, at this temperature, at strains as "
+     "large as the slopes.",
      "", kCurveTables},
     {"normal_force", "N",
      "Normal force on one period; only where a nominal pressure means it, over another key than "
@@ -166,8 +163,7 @@ inline constexpr auto kColumns = std::to_array<Column>({
      "motion"},
     {"tangential_force", "N",
      "Force of the elastomer on the line along x, below 0 while it resists motion towards +x. It "
-     "is "
-     "defined at rest, too, where contact is still one-sided.",
+     "is defined at rest, too, where contact is still one-sided.",
      "F_x = -integral p z' dx, z' over the way of the time step", "motion"},
     {"mu", "", "Coefficient of friction of the deformation in the time step.", "mu = |F_x|/F_N",
      "motion"},
@@ -424,8 +420,7 @@ inline constexpr auto kColumns = std::to_array<Column>({
      "", "study"},
     {"fit.begin_of_region_2", "m/s",
      "Velocity from which on mu is 20 % below its line through region I; empty where the curve "
-     "does "
-     "not show it.",
+     "does not show it.",
      "", "study"},
     {"fit.begin_of_region_3", "m/s",
      "Velocity at which 95 % of the maximum is reached; empty where the curve does not show it.",

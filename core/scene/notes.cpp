@@ -13,8 +13,7 @@ struct NoteText {
 constexpr std::array<NoteText, kNotes> kTexts{{
     {"slope_above_0.3",
      "the rms slope of the line is above 0.3: the model takes slopes for small, and beyond this "
-     "its "
-     "friction is an estimate"},
+     "its friction is an estimate"},
     {"few_contacts",
      "few contacts carry the load: results depend on the single summits of this line and on its "
      "length"},
@@ -31,8 +30,7 @@ constexpr std::array<NoteText, kNotes> kTexts{{
      "carry load: where they are errors of the measurement, surface.outliers=6 replaces them"},
     {"few_independent_rows",
      "the rows of the surface are so much alike that they count as fewer than about ten "
-     "independent "
-     "lines: the standard error of the mean is only roughly known"},
+     "independent lines: the standard error of the mean is only roughly known"},
     {"fast_enough_to_heat",
      "so much power is dissipated that the elastomer would become warmer, which is not computed"},
     {"unresolved_friction",
