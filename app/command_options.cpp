@@ -126,6 +126,15 @@ void setIntegerRange(CLI::Option* option, std::int64_t least, std::int64_t most)
   setRange(option, least, most, "whole number", fmt::format("{} to {}", least, most));
 }
 
+const char* firstGiven(std::initializer_list<OptionGiven> options) {
+  const auto* found = std::ranges::find(options, true, &OptionGiven::second);
+  return found == options.end() ? nullptr : found->first;
+}
+
+void refuseGiven(std::initializer_list<OptionGiven> options, const Message& why) {
+  if (const char* option = firstGiven(options)) throw InputError("", option, why);
+}
+
 void refuseEmptyWords(CLI::App& app) {
   const CLI::Validator hasText(
       [](const std::string& text) { return text.empty() ? "is empty" : std::string(); }, "");

@@ -7,10 +7,12 @@
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <filesystem>
+#include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/base/input_error.h"
@@ -32,6 +34,15 @@ NumberRange rangeFrom(const std::string& option, const std::string& text, const 
 /// with their unit.
 void setNumberRange(CLI::Option* option, double least, double most, std::string_view unit = {});
 void setIntegerRange(CLI::Option* option, std::int64_t least, std::int64_t most);
+
+/// An option and whether it is given.
+using OptionGiven = std::pair<const char*, bool>;
+
+/// Returns the first of the options that is given; null: none.
+const char* firstGiven(std::initializer_list<OptionGiven> options);
+
+/// Throws InputError with the first of the options that is given.
+void refuseGiven(std::initializer_list<OptionGiven> options, const Message& why);
 
 /// Forbids empty text for options and files, and values for flags; CLI11 would accept both
 /// silently. Call it once, after all options have been added.

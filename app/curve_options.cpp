@@ -173,18 +173,18 @@ std::vector<FamilyMember> familyOf(const CurveArguments& arguments, const Scene&
 }  // namespace
 
 const char* CurveArguments::firstOption() const {
-  if (!over.empty()) return kOver;
-  if (axes != "physical") return kAxes;
-  if (y != "mu") return kY;
-  if (!xScale.empty()) return kXScale;
-  if (!yScale.empty()) return kYScale;
-  if (!family.empty()) return kFamily;
-  if (!xRange.empty()) return kXRange;
-  if (!yRange.empty()) return kYRange;
-  if (!compare.empty()) return kCompare;
-  if (!data.empty()) return kData;
-  if (!theory.empty()) return kTheory;
-  return with.empty() ? nullptr : kWith;
+  return firstGiven({{kOver, !over.empty()},
+                     {kAxes, axes != "physical"},
+                     {kY, y != "mu"},
+                     {kXScale, !xScale.empty()},
+                     {kYScale, !yScale.empty()},
+                     {kFamily, !family.empty()},
+                     {kXRange, !xRange.empty()},
+                     {kYRange, !yRange.empty()},
+                     {kCompare, !compare.empty()},
+                     {kData, !data.empty()},
+                     {kTheory, !theory.empty()},
+                     {kWith, !with.empty()}});
 }
 
 bool CurveArguments::hasMore(const Scene& scene) const {
@@ -315,12 +315,12 @@ std::vector<std::filesystem::path> filesReadBeside(const CurveArguments& argumen
 
 void checkUseful(const CurveArguments& arguments, const std::vector<std::string>& files) {
   if (!std::ranges::all_of(files, isTableFile)) return;
-  for (const auto& [option, given] : {std::pair{kAxes, arguments.axes != "physical"},
-                                      {kXScale, !arguments.xScale.empty()},
-                                      {kYScale, !arguments.yScale.empty()},
-                                      {kXRange, !arguments.xRange.empty()},
-                                      {kYRange, !arguments.yRange.empty()}})
-    if (given) throw InputError("", option, "belongs to pictures, and no output is one");
+  refuseGiven({{kAxes, arguments.axes != "physical"},
+               {kXScale, !arguments.xScale.empty()},
+               {kYScale, !arguments.yScale.empty()},
+               {kXRange, !arguments.xRange.empty()},
+               {kYRange, !arguments.yRange.empty()}},
+              "belongs to pictures, and no output is one");
 }
 
 Curve computeCurve(const Scene& scene, const CommonOptions& common, RealizationTable* lines) {

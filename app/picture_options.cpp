@@ -138,23 +138,20 @@ void checkUseful(const PictureArguments& arguments, const std::vector<std::strin
     hasPixels |=
         !isTableFile(file) && extension != ".svg" && extension != ".pdf" && extension != ".eps";
   }
-  const auto refuse = [](const char* option, bool given, const char* why) {
-    if (given) throw InputError("", option, why);
-  };
   if (!hasPicture)
-    for (const auto& [option, given] : {std::pair{"--size", !arguments.size.empty()},
-                                        {"--scale", !arguments.scale.empty()},
-                                        {"--theme", !arguments.theme.empty()},
-                                        {"--style", !arguments.style.empty()},
-                                        {"--transparent", arguments.transparent},
-                                        {"--backend", !arguments.backend.empty()}})
-      refuse(option, given, "belongs to pictures, and no output is one");
+    refuseGiven({{"--size", !arguments.size.empty()},
+                 {"--scale", !arguments.scale.empty()},
+                 {"--theme", !arguments.theme.empty()},
+                 {"--style", !arguments.style.empty()},
+                 {"--transparent", arguments.transparent},
+                 {"--backend", !arguments.backend.empty()}},
+                "belongs to pictures, and no output is one");
   if (!hasPicture && !arguments.figure.empty())
-    refuse(("--" + arguments.figure.front().first).c_str(), true,
-           "belongs to pictures, and no output is one");
+    throw InputError("", "--" + arguments.figure.front().first,
+                     "belongs to pictures, and no output is one");
   if (!hasPixels)
-    refuse("--backend", !arguments.backend.empty(),
-           "draws pixels; .svg, .pdf and .eps are written without them");
+    refuseGiven({{"--backend", !arguments.backend.empty()}},
+                "draws pixels; .svg, .pdf and .eps are written without them");
 }
 
 void addPictureOptions(CLI::App& command, PictureArguments& arguments,

@@ -38,13 +38,13 @@ void checkUsage(const RenderCommand& command) {
   if (const char* option = command.view.firstOption()) refuse(option);
   if (const char* option = command.curves.firstOption()) refuse(option);
   const TimeArguments& time = command.time;
-  for (const auto& [option, given] : {std::pair{"--frames", time.frames > 0},
-                                      {"--fps", time.framesPerSecond > 0},
-                                      {"--duration", time.duration > 0},
-                                      {"--cycles", time.cycles > 0},
-                                      {"--slow-motion", time.slowMotion > 0},
-                                      {"--resume", command.resume}})
-    if (given) throw InputError("", option, "belongs to films; a table is of one moment, see --at");
+  refuseGiven({{"--frames", time.frames > 0},
+               {"--fps", time.framesPerSecond > 0},
+               {"--duration", time.duration > 0},
+               {"--cycles", time.cycles > 0},
+               {"--slow-motion", time.slowMotion > 0},
+               {"--resume", command.resume}},
+              "belongs to films; a table is of one moment, see --at");
 }
 
 Json tableAnswer(const Scene& scene, const RenderCommand& command, const Frame& frame,

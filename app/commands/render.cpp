@@ -170,14 +170,12 @@ class Rendering {
   /// Throws for options of time, which a single picture does not have.
   void checkStill() const {
     const TimeArguments& time = command_.time;
-    for (const auto& [option, given] : {std::pair{"--frames", time.frames > 1},
-                                        {"--fps", time.framesPerSecond > 0},
-                                        {"--duration", time.duration > 0},
-                                        {"--cycles", time.cycles > 0},
-                                        {"--slow-motion", time.slowMotion > 0}})
-      if (given)
-        throw InputError("", option,
-                         command_.output + " is one picture; frames need a folder or a film");
+    refuseGiven({{"--frames", time.frames > 1},
+                 {"--fps", time.framesPerSecond > 0},
+                 {"--duration", time.duration > 0},
+                 {"--cycles", time.cycles > 0},
+                 {"--slow-motion", time.slowMotion > 0}},
+                command_.output + " is one picture; frames need a folder or a film");
   }
 
   bool showsCurve() const {
@@ -385,9 +383,8 @@ class Rendering {
 
 int runRender(const RenderCommand& command) {
   if (isTableFile(command.output)) return runContactTable(command);
-  for (const auto& [option, given] :
-       {std::pair{"--table", !command.table.empty()}, {"--columns", !command.columns.empty()}})
-    if (given) throw InputError("", option, "belongs to tables, and the output is none");
+  refuseGiven({{"--table", !command.table.empty()}, {"--columns", !command.columns.empty()}},
+              "belongs to tables, and the output is none");
   Rendering rendering(command);
   rendering.run();
   printSummary(command.common.json, command.common.quiet, rendering.summary());

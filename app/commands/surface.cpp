@@ -124,10 +124,9 @@ void checkTable(const SurfaceCommand& command) {
   const bool hasTable = std::ranges::any_of(command.outputs, [](const std::string& output) {
     return output == "-" || fileExtension(output) == ".csv";
   });
-  for (const auto& [option, given] :
-       {std::pair{"--table", table != SurfaceTable::Line}, {"--columns", !command.columns.empty()}})
-    if (given && !hasTable)
-      throw InputError("", option, "belongs to .csv tables, and no output is one");
+  if (!hasTable)
+    refuseGiven({{"--table", table != SurfaceTable::Line}, {"--columns", !command.columns.empty()}},
+                "belongs to .csv tables, and no output is one");
 }
 
 /// Runs `work`. Where the command line names the file itself, an error of it names the file once,

@@ -122,6 +122,17 @@ Message addCurve(FigureStyle& style, const std::string& text) {
   return {};
 }
 
+template <const auto& kChoices, auto kMember>
+Message setChoice(FigureStyle& style, const std::string& text) {
+  return choose(kChoices, text, style.*kMember);
+}
+
+template <auto kMember>
+Message setText(FigureStyle& style, const std::string& text) {
+  style.*kMember = text;
+  return {};
+}
+
 constexpr std::array<FigureOption, 18> kOptions{{
     {"size", "WxH", "Width and height, in pixels or as 86mmx60mm (px, mm, cm, in, pt)",
      FigurePart::Picture,
@@ -136,17 +147,9 @@ constexpr std::array<FigureOption, 18> kOptions{{
        return setNumber(style.dotsPerInch, text, 24, 1536, "dpi");
      }},
     {"theme", "NAME", "light, dark, print, or paper: a contact in light tints for print",
-     FigurePart::Picture,
-     [](FigureStyle& style, const std::string& text) -> Message {
-       style.theme = text;
-       return {};
-     }},
+     FigurePart::Picture, setText<&FigureStyle::theme>},
     {"font", "FAMILY", "Font of all texts, by the name of its family (default: DejaVu Sans)",
-     FigurePart::Picture,
-     [](FigureStyle& style, const std::string& text) -> Message {
-       style.font = text;
-       return {};
-     }},
+     FigurePart::Picture, setText<&FigureStyle::font>},
     {"font-size", "PT", "Size of the numbers at the axes, in points; other texts follow",
      FigurePart::Picture,
      [](FigureStyle& style, const std::string& text) {
@@ -163,28 +166,17 @@ constexpr std::array<FigureOption, 18> kOptions{{
        return {};
      }},
     {"greyscale", "on|off", "Shades of grey; lines differ in strokes and markers",
-     FigurePart::Picture,
-     [](FigureStyle& style, const std::string& text) {
-       return choose(kOnOff, text, style.isGrey);
-     }},
+     FigurePart::Picture, setChoice<kOnOff, &FigureStyle::isGrey>},
     {"legend", "PLACE", "none, inside the frame, below it, or auto", FigurePart::Chart,
-     [](FigureStyle& style, const std::string& text) {
-       return choose(kLegends, text, style.legend);
-     }},
+     setChoice<kLegends, &FigureStyle::legend>},
     {"footnote", "on|off", "The remark under a chart", FigurePart::Chart,
-     [](FigureStyle& style, const std::string& text) {
-       return choose(kOnOff, text, style.hasFootnote);
-     }},
+     setChoice<kOnOff, &FigureStyle::hasFootnote>},
     {"ticks", "SIDE", "Tick marks inside or outside of the frame, or none", FigurePart::Chart,
-     [](FigureStyle& style, const std::string& text) { return choose(kTicks, text, style.ticks); }},
+     setChoice<kTicks, &FigureStyle::ticks>},
     {"x-scale", "SCALE", "x-axis log or linear", FigurePart::Chart,
-     [](FigureStyle& style, const std::string& text) {
-       return choose(kAxisScales, text, style.xScale);
-     }},
+     setChoice<kAxisScales, &FigureStyle::xScale>},
     {"y-scale", "SCALE", "y-axis log or linear", FigurePart::Chart,
-     [](FigureStyle& style, const std::string& text) {
-       return choose(kAxisScales, text, style.yScale);
-     }},
+     setChoice<kAxisScales, &FigureStyle::yScale>},
     {"labels", "KEY=TEXT",
      "Another text: KEY is x, y (of the second panel x2, y2), the number of a curve in the legend, "
      "or its present text; may be repeated",
@@ -202,17 +194,11 @@ constexpr std::array<FigureOption, 18> kOptions{{
      "be repeated",
      FigurePart::Chart, addCurve, true},
     {"panel-letters", "FORM", "a, A or (a) before the names of panels, or none", FigurePart::Chart,
-     [](FigureStyle& style, const std::string& text) {
-       return choose(kLetters, text, style.letters);
-     }},
+     setChoice<kLetters, &FigureStyle::letters>},
     {"regions", "on|off", "Regions I to IV of a friction curve", FigurePart::Curve,
-     [](FigureStyle& style, const std::string& text) {
-       return choose(kOnOff, text, style.hasRegions);
-     }},
+     setChoice<kOnOff, &FigureStyle::hasRegions>},
     {"law", "on|off", "The line of Eq. (11)", FigurePart::Curve,
-     [](FigureStyle& style, const std::string& text) {
-       return choose(kOnOff, text, style.hasLaw);
-     }},
+     setChoice<kOnOff, &FigureStyle::hasLaw>},
 }};
 
 std::string optionKey(const FigureOption& option) {
