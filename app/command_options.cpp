@@ -228,8 +228,7 @@ std::string standardInput() {
 
 Scene loadScene(const CommonOptions& options) {
   if (options.remade)
-    return readScene(writeScene(options.remade->scene), options.scene, options.remade->scene.folder,
-                     options.assignments);
+    return changedScene(options.remade->scene, options.assignments, options.scene);
   if (options.scene.empty()) return readScene("{}", "--set", {}, options.assignments);
   if (options.scene == "-")
     return readScene(standardInput(), "standard input", {}, options.assignments);

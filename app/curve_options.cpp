@@ -124,7 +124,7 @@ Scene sceneWith(const Scene& scene, const std::string& assignments) {
                                "value is written \\;",
                                shortened(assignment)));
   try {
-    Scene other = readScene(writeScene(scene), kWith, scene.folder, each);
+    Scene other = changedScene(scene, each, kWith);
     if (other.sliding.kind != scene.sliding.kind) requireSteadySliding(other, "a curve");
     if (other.sweep.key != scene.sweep.key)
       throw InputError("", "sweep.key", "all curves of a chart go over the same key");
@@ -274,8 +274,7 @@ void addCurveOptions(CLI::App& command, CurveArguments& arguments) {
 
 ComparedScene withCurveOptions(Scene scene, const CurveArguments& arguments) {
   if (!arguments.over.empty()) try {
-      const Scene over = sceneOver(parseRangeOption(kOver, arguments.over), scene);
-      scene = readScene(writeScene(over), "", scene.folder);
+      scene = changedScene(sceneOver(parseRangeOption(kOver, arguments.over), scene), {}, "");
     } catch (const InputError& error) {
       throw error.key() == kOver ? error : InputError(kOver, error.key(), error.message());
     }

@@ -230,10 +230,8 @@ std::vector<fs::path> addInputs(Remake& remake, FoundScene& found, const std::st
   remake.words.push_back(file);
   if (found.verb == "fit" && found.origin.contains("start"))
     found.scene = readScene(found.origin["start"].dump(), file, found.scene.folder);
-  if (!remake.hasSeveralScenes) {
-    const fs::path folder = found.scene.folder;
-    found.scene = readScene(writeScene(found.scene), file, folder, command.common.assignments);
-  }
+  if (!remake.hasSeveralScenes)
+    found.scene = changedScene(found.scene, command.common.assignments, file);
   remake.found = std::move(found);
   return inputs;
 }

@@ -75,8 +75,7 @@ int runWindowCommand(const CommonOptions& command) {
 int runOpen(const OpenCommand& command) {
   const CommonOptions& common = command.common;
   FoundScene found = findScene(common.scene);
-  found.scene =
-      readScene(writeScene(found.scene), common.scene, found.scene.folder, common.assignments);
+  found.scene = changedScene(found.scene, common.assignments, common.scene);
   if (common.json) {
     fmt::print("{}", writeScene(found.scene));
     return kDone;

@@ -96,7 +96,7 @@ void addScene(py::module_& module) {
       .def(py::init([](const Scene& scene) { return std::make_shared<Scene>(scene); }))
       .def("assign",
            [](Scene& scene, const Assignments& assignments) {
-             scene = readScene(writeScene(scene), "", scene.folder, assignments);
+             scene = changedScene(scene, assignments, "");
            })
       .def("value", &valueIn)
       .def("keys", &keysOf)

@@ -44,7 +44,7 @@ std::string_view assignmentKey(std::string_view assignment) {
 
 Scene withKeys(const Scene& scene, const std::vector<std::string>& assignments) {
   if (assignments.empty()) return scene;
-  return readScene(writeScene(scene), "", scene.folder, assignments);
+  return changedScene(scene, assignments, "");
 }
 
 std::vector<std::string_view> lockedChanges(const LessonControls& controls, const Scene& step,

@@ -475,6 +475,11 @@ bool differs(const Parameter& row, const Scene& base, const Scene& scene) {
 
 }  // namespace
 
+Scene changedScene(const Scene& scene, const std::vector<std::string>& assignments,
+                   const std::string& name) {
+  return readScene(writeScene(scene), name, scene.folder, assignments);
+}
+
 std::vector<std::string> differingAssignments(const Scene& base, const Scene& scene) {
   std::vector<std::string> assignments;
   for (const Parameter& row : parameters())

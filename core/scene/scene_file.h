@@ -40,6 +40,10 @@ using SceneReader =
 /// form that reads back to the same value. readScene(writeScene(s)) == s up to the folder.
 std::string writeScene(const Scene& scene);
 
+/// Returns the scene with these keys changed, and checked as if it were read. name: in errors.
+Scene changedScene(const Scene& scene, const std::vector<std::string>& assignments,
+                   const std::string& name);
+
 /// Returns "KEY=VALUE" of every key that differs, in the table's order: readScene(text of base,
 /// ..., assignments) is `scene` up to the folder and to keys that have no meaning in it.
 std::vector<std::string> differingAssignments(const Scene& base, const Scene& scene);

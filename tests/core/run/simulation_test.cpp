@@ -16,6 +16,16 @@ std::shared_ptr<Scene> someScene() {
   return scene;
 }
 
+/// The same in a motion of this duration (s); frequency in Hz.
+std::shared_ptr<Scene> movingScene(SlidingKind kind, double duration,
+                                   double frequency = Sliding{}.frequency) {
+  auto scene = someScene();
+  scene->sliding.kind = kind;
+  scene->sliding.duration = duration;
+  scene->sliding.frequency = frequency;
+  return scene;
+}
+
 TEST(Simulation, StartsInTheSteadyStateAndStaysThere) {
   auto fine = someScene();
   fine->accuracy.oversampling = 8;
@@ -149,12 +159,9 @@ TEST(Simulation, AStepByHandMovesTheLineAsFarAsItIsAskedFor) {
 }
 
 TEST(Simulation, AStepByHandOfAMotionIsAsFarAndNoSmallPartOfItIsPassedOver) {
-  auto scene = someScene();
-  scene->sliding.kind = SlidingKind::Oscillation;
+  auto scene = movingScene(SlidingKind::Oscillation, 0.04, 100);
   scene->sliding.velocity = 0;
   scene->sliding.amplitude = 1;
-  scene->sliding.frequency = 100;
-  scene->sliding.duration = 0.04;
   Simulation simulation(scene, 1);
   const double length = simulation.frame().length;
   int steps = 0;
@@ -202,10 +209,7 @@ TEST(Simulation, AMomentOfAMotionIsFoundAgain) {
   constexpr double kPart = 1.0 / 72, kWall = 1.0 / 60;
   for (const SlidingKind kind :
        {SlidingKind::Start, SlidingKind::Step, SlidingKind::Oscillation, SlidingKind::Reversal}) {
-    auto scene = someScene();
-    scene->sliding.kind = kind;
-    scene->sliding.duration = 0.004;
-    scene->sliding.frequency = 600;
+    auto scene = movingScene(kind, 0.004, 600);
     Simulation simulation(scene, 1);
     for (const int more : {0, 1, 16, 19, 1, 40}) {
       for (int i = 0; i < more; ++i) simulation.advance(kPart, kWall);
@@ -235,10 +239,7 @@ TEST(Simulation, AMomentIsTheSameFromBothSides) {
   constexpr double kPart = 1.0 / 72, kWall = 1.0 / 60;
   for (const SlidingKind kind :
        {SlidingKind::Start, SlidingKind::Step, SlidingKind::Oscillation, SlidingKind::Reversal}) {
-    auto scene = someScene();
-    scene->sliding.kind = kind;
-    scene->sliding.duration = 0.004;
-    scene->sliding.frequency = 600;
+    auto scene = movingScene(kind, 0.004, 600);
     const auto goTo = [&](Simulation& simulation, double time) {
       for (int i = 0; i < 1000; ++i)
         if (simulation.seek(time, kPart, kWall)) return simulation.frame();
@@ -269,10 +270,8 @@ TEST(Simulation, AMomentIsTheSameFromBothSides) {
 
 /// The contact at the beginning is the one at rest, without friction.
 TEST(Simulation, AStartBeginsAtRest) {
-  auto scene = someScene();
-  scene->sliding.kind = SlidingKind::Start;
+  auto scene = movingScene(SlidingKind::Start, 0.004);
   scene->sliding.velocity = 0.5;
-  scene->sliding.duration = 0.004;
   Simulation simulation(scene, 1);
   EXPECT_EQ(simulation.frame().velocity, 0);
   EXPECT_LT(simulation.frame().muMarch, 1e-6);
@@ -291,11 +290,9 @@ TEST(Simulation, SteadySlidingHasNoMoments) {
 
 /// Where the budget of steps binds, a line that becomes faster passes by faster.
 TEST(Simulation, AMotionHasOneTimeScale) {
-  auto scene = someScene();
-  scene->sliding.kind = SlidingKind::Step;
+  auto scene = movingScene(SlidingKind::Step, 0.1);
   scene->sliding.velocity = 0.3;
   scene->sliding.velocityAfter = 0.6;
-  scene->sliding.duration = 0.1;
   const std::size_t nodes = Simulation(scene, 1).frame().lineHeight.size();
   Simulation simulation(scene, 1, 8.0 * static_cast<double>(nodes));  // 8 steps a frame
   const double node = simulation.frame().spacing / 0.6;
@@ -330,11 +327,8 @@ TEST(Simulation, ALiveChangeGoesOnFromThePresentShape) {
 /// A title, a sweep or a table beside the curve moves nothing.
 TEST(Simulation, WhatDoesNotSlideLeavesThePictureAlone) {
   for (const SlidingKind kind : {SlidingKind::Steady, SlidingKind::Oscillation}) {
-    auto scene = someScene();
-    scene->sliding.kind = kind;
+    auto scene = movingScene(kind, 0.01, 100);
     scene->sliding.amplitude = 0.5;
-    scene->sliding.frequency = 100;
-    scene->sliding.duration = 0.01;
     Simulation simulation(scene, 1);
     for (int i = 0; i < 7; ++i) simulation.advance(1e-2, 1.0 / 60);
     const Frame before = simulation.frame();
@@ -491,10 +485,8 @@ TEST(Simulation, AChangeBeginsWithThePictureBeforeIt) {
 
 /// Friction is there from the first frame of a motion on and through rest, with its error.
 TEST(Simulation, AMotionThatStopsHasFrictionAtAllTimes) {
-  auto scene = someScene();
-  scene->sliding.kind = SlidingKind::Step;
+  auto scene = movingScene(SlidingKind::Step, 0.004);
   scene->sliding.velocityAfter = 0;
-  scene->sliding.duration = 0.004;
   Simulation simulation(scene, 1);
   EXPECT_GT(simulation.frame().muMarch, 0);
   double sliding = 0, resting = 0;
@@ -552,12 +544,9 @@ TEST(Simulation, AnotherLineUnderAPressureIsPressedInByItsForce) {
 /// The strips of a motion begin at time 0 and show its extremes, whether few or many frames are
 /// shown of it.
 TEST(Simulation, TheSamplesOfAMotionDoNotDependOnItsPace) {
-  auto scene = someScene();
-  scene->sliding.kind = SlidingKind::Oscillation;
+  auto scene = movingScene(SlidingKind::Oscillation, 0.06, 50);
   scene->sliding.velocity = 0;
   scene->sliding.amplitude = 0.5;
-  scene->sliding.frequency = 50;
-  scene->sliding.duration = 0.06;
   struct Extremes {
     double leastSpeed = 1, greatestSpeed = 0, leastMu = 1;
     double longest = 0;  // s, between samples
