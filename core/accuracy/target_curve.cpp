@@ -398,10 +398,9 @@ class Targeting {
 
   AchievedAccuracy achievedBy(const VelocityState& state) const {
     const LevelPlan& plan = state.plan;
-    AchievedAccuracy achieved;
-    achieved.oversampling = levelOversampling(plan.last);
-    achieved.coarsest = levelOversampling(plan.first);
-    achieved.resolutionError = plan.resolutionError;
+    AchievedAccuracy achieved{.resolutionError = plan.resolutionError,
+                              .oversampling = levelOversampling(plan.last),
+                              .coarsest = levelOversampling(plan.first)};
     double mean = 0, random = 0;
     if (isRandom_) {
       const LevelEstimate estimate = withErrorOfRows(estimateMean(state.halves, plan), state);

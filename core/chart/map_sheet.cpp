@@ -185,11 +185,8 @@ std::vector<double> withPlateaus(std::vector<double> levels, const std::vector<d
 /// Returns the map as colours with contour lines. These are interpolated as the colours are: in the
 /// logarithm of the quantity on a logarithmic scale.
 DiagramField makeField(const RisingMap& map, const Diagram& diagram, std::string_view quantity) {
-  DiagramField field;
-  field.colours = colourAxis(map.values, quantity);
-  field.x = map.x;
-  field.y = map.y;
-  field.values = map.values;
+  DiagramField field{
+      .colours = colourAxis(map.values, quantity), .x = map.x, .y = map.y, .values = map.values};
   const bool isLogarithmic = field.colours.scale == AxisScale::Logarithmic;
   std::vector<double> heights = map.values;
   if (isLogarithmic)

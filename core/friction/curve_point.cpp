@@ -58,13 +58,12 @@ bool listsContacts(const Scene& scene) {
 }
 
 LineProperties lineProperties(const LineSource& source, const Elastomer& elastomer) {
-  LineProperties lines;
-  lines.rmsHeight = source.statistics().rmsHeight;
-  lines.rmsSlope = source.statistics().rmsSlope;
-  lines.length = source.length();
-  lines.slopesDiffer = source.slopesDiffer();
-  lines.hasRows = source.hasRows();
-  lines.notes = lineNotes(source);
+  LineProperties lines{.rmsHeight = source.statistics().rmsHeight,
+                       .rmsSlope = source.statistics().rmsSlope,
+                       .length = source.length(),
+                       .slopesDiffer = source.slopesDiffer(),
+                       .hasRows = source.hasRows(),
+                       .notes = lineNotes(source)};
   if (measuredFrequencies(elastomer)) lines.waves = excitedWaves(source);
   return lines;
 }

@@ -463,11 +463,10 @@ void Simulation::addSteady(Frame& frame) const {
 
 ContactState Simulation::drawnState(const Frame& frame) const {
   const Pressed pressed = pressedIn(frame);
-  ContactState drawn;
-  drawn.indentation = march_->indentation();
-  drawn.normalForce = pressed.force;
-  drawn.contactFraction = pressed.fraction;
-  drawn.mu = frame.muMarch;
+  ContactState drawn{.indentation = march_->indentation(),
+                     .normalForce = pressed.force,
+                     .contactFraction = pressed.fraction,
+                     .mu = frame.muMarch};
   drawn.tangentialForce = std::abs(drawn.mu) * drawn.normalForce;
   if (hasLocalFriction(*ready_->scene))
     drawn.muInterface = localFriction(interfaceAt(*ready_->scene, frame.velocity),

@@ -155,11 +155,10 @@ AxesFactors axesFactors(const Frame& frame, CurveAxes axes) {
   factors.friction = 1 / frame.rmsSlope;
   const ElementLaw law = elementLaw(frame.scene->elastomer);
   if (law.kind() != ElementKind::Kelvin) return factors;
-  LawInput in;
-  in.relaxationTime = law.relaxationTime;
-  in.rmsHeight = frame.rmsHeight;
-  in.rmsSlope = frame.rmsSlope;
-  in.velocity = 1;
+  LawInput in{.relaxationTime = law.relaxationTime,
+              .rmsHeight = frame.rmsHeight,
+              .rmsSlope = frame.rmsSlope,
+              .velocity = 1};
   factors.velocity = dimensionlessVelocity(in);
   return factors;
 }

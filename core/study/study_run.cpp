@@ -235,12 +235,11 @@ std::int64_t runStudy(StudyStore& store, const StudyRunOptions& options) {
 
 StudyBudget studyBudget(const ParameterStudy& study, std::int64_t all, std::int64_t done,
                         int threads, double trialSeconds) {
-  StudyBudget budget;
-  budget.simulations = all;
-  budget.done = done;
-  budget.chunks = study.chunks();
-  budget.chunk = study.chunk;
-  budget.threads = threadCount(threads);
+  StudyBudget budget{.simulations = all,
+                     .done = done,
+                     .chunks = study.chunks(),
+                     .chunk = study.chunk,
+                     .threads = threadCount(threads)};
   const std::size_t each = study.curveValues().size() + (study.wantsPoint() ? 1 : 0);
   budget.states = all * static_cast<std::int64_t>(each);
   budget.lines = mayHaveManyLines(study.base.surface) ? study.base.ensemble.realizations : 1;

@@ -25,17 +25,16 @@ MeasuredSummary measuredSummary(const Scene& scene, const LineSource& source) {
   const MeasuredLines& lines = *source.measured();
   const Topography& topography = lines.file().topography;
   const ProcessingChoices& processing = scene.surface.processing;
-  MeasuredSummary summary;
-  summary.facts = lines.file().facts;
-  summary.columns = topography.columns;
-  summary.rows = topography.rows;
-  summary.spacing = topography.columnSpacing;
-  summary.rowSpacing = topography.rowSpacing;
-  summary.rowInFile = lines.numberInFile(source.rowOf(0));
-  summary.rowsUsed = lines.rows();
-  summary.missing = lines.missingHeights();
-  summary.spikes = lines.spikes();
-  summary.profile = lines.profile(source.rowOf(0));
+  MeasuredSummary summary{.facts = lines.file().facts,
+                          .columns = topography.columns,
+                          .rows = topography.rows,
+                          .spacing = topography.columnSpacing,
+                          .rowSpacing = topography.rowSpacing,
+                          .rowInFile = lines.numberInFile(source.rowOf(0)),
+                          .rowsUsed = lines.rows(),
+                          .missing = lines.missingHeights(),
+                          .profile = lines.profile(source.rowOf(0)),
+                          .spikes = lines.spikes()};
   const ProcessedProfile& profile = summary.profile;
   summary.isRoughness = processing.longWaveCut > 0;
   summary.longWaveCut = processing.longWaveCut;

@@ -36,10 +36,7 @@ TEST(ElementCurves, LiteralIsWhatManyPeriodsFromAFlatElastomerEndWith) {
 
 /// As many steps at every velocity, whether they are enough or not.
 FineSteps fixedSteps(std::int64_t perSpacing) {
-  FineSteps steps;
-  steps.first = perSpacing / 2;
-  steps.most = perSpacing;
-  steps.tolerance = 1e9;
+  FineSteps steps{.first = perSpacing / 2, .most = perSpacing, .tolerance = 1e9};
   return steps;
 }
 

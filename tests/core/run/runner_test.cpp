@@ -366,9 +366,7 @@ TEST(Runner, ACurveToATargetBecomesCompleteOnce) {
 /// Orders are obeyed one after the other: an answer to one shows that nothing else has happened
 /// since. So many frames a second that any turn of the runner would make one.
 TEST(Runner, UnseenItStandsStillAndItsCurveGoesOn) {
-  RunnerOptions options;
-  options.framesPerSecond = 1e6;
-  options.secondsPerPeriod = 1e-3;
+  RunnerOptions options{.framesPerSecond = 1e6, .secondsPerPeriod = 1e-3};
   Runner runner(options);
   const std::uint64_t number = runner.post(smallScene());
   waitFor([&] { return runner.newestFrame() && runner.newestFrame()->step > 3; });

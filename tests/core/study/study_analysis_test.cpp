@@ -13,9 +13,8 @@ using std::numbers::pi;
 
 StudyAxis axisOf(const char* key, double from, double to, bool isLogarithmic = false) {
   const Parameter* row = findParameter(key);
-  StudyAxis axis;
-  axis.columns = {{row, {}, {}}};
-  axis.range = ParameterRange{row, from, to, 1, isLogarithmic};
+  StudyAxis axis{.columns = {{row, {}, {}}},
+                 .range = ParameterRange{row, from, to, 1, isLogarithmic}};
   return axis;
 }
 
