@@ -399,8 +399,7 @@ class Targeting {
   AchievedAccuracy achievedBy(const VelocityState& state) const {
     const LevelPlan& plan = state.plan;
     AchievedAccuracy achieved{.resolutionError = plan.resolutionError,
-                              .oversampling = levelOversampling(plan.last),
-                              .coarsest = levelOversampling(plan.first)};
+                              .oversampling = levelOversampling(plan.last)};
     double mean = 0, random = 0;
     if (isRandom_) {
       const LevelEstimate estimate = withErrorOfRows(estimateMean(state.halves, plan), state);

@@ -22,7 +22,6 @@ struct AchievedAccuracy {
   double resolutionError = 0;     // absolute error of mu, an upper estimate
   double low = 0, high = 0;       // 95 % confidence interval of mu, both errors together
   std::int64_t oversampling = 1;  // of the finest level
-  std::int64_t coarsest = 1;      // of the coarsest level: equal for plain averaging
   std::int64_t lines = 1;
 };
 
