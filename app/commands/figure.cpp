@@ -21,7 +21,7 @@
 #include "ui/draw/png_file.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
-#include "ui/window/figures/claim_text.h"
+#include "ui/window/figures/figure_gallery.h"
 
 namespace asperity {
 namespace {

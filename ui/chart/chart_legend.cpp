@@ -10,8 +10,8 @@
 #include <array>
 #include <iterator>
 
-#include "ui/language/explained.h"
 #include "ui/language/language.h"
+#include "ui/language/translated.h"
 
 namespace asperity {
 

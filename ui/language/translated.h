@@ -1,8 +1,8 @@
-// Texts that core makes (core/base/message.h), in the current language. Core has only English, so
-// each text is translated where it is shown: its template is looked up in
-// resources/translations/core_de.ts, where the values are written as %1, %2, ... Numbers get the
-// language's decimal sign, and machine numbers such as 1e-10 are formatted as all others
-// (core/base/number_text.h). Pure once the language is chosen; any thread.
+// Texts that core makes, in the current language: messages (core/base/message.h) and explanations
+// (core/chart/explanations.h). Core has only English, so each text is translated where it is shown:
+// its template is looked up in resources/translations/core_de.ts, where the values are written as
+// %1, %2, ... Numbers get the language's decimal sign, and machine numbers such as 1e-10 are
+// formatted as all others (core/base/number_text.h). Pure once the language is chosen; any thread.
 #pragma once
 
 #include <QString>
@@ -13,6 +13,8 @@
 
 #include "core/base/message.h"
 #include "core/chart/diagram.h"
+#include "core/chart/explanations.h"
+#include "ui/language/language.h"
 
 namespace asperity {
 
@@ -40,5 +42,23 @@ bool isTranslatedScene(std::string_view text);
 
 /// Translates all titles, names and labels, which then have only their text.
 DiagramSheet translated(DiagramSheet sheet);
+
+/// Returns a formula as rich text: "F_N" with a lowered N, "h^2" with a raised 2.
+QString formulaHtml(std::string_view formula);
+
+/// Returns a formula as plain text: "Fₙ", and "L_c" where there is no small lowered letter.
+QString formulaText(std::string_view formula);
+
+/// Returns title, sentence and formula as rich text for a tooltip; an empty title is left out.
+/// sentence: replaces the sentence of the explanation; may be empty.
+QString explanationHtml(const HoverExplanation& explanation, const QString& title = {},
+                        const QString& sentence = {});
+
+/// Returns a tooltip as rich text, which Qt breaks into lines as it does not break plain text.
+QString wrappedTip(const QString& text);
+
+inline QString anchorText(const HoverExplanation& explanation) {
+  return fromUtf8(explanation.guideAnchor);
+}
 
 }  // namespace asperity

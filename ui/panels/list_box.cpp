@@ -6,7 +6,6 @@
 
 #include "core/friction/theories/theory.h"
 #include "core/scene/list_text.h"
-#include "ui/language/explained.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/number_text.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/scene/parameters.h"
-#include "ui/panels/choice_box.h"
+#include "ui/panels/controls.h"
 
 class QMenu;
 

@@ -9,7 +9,6 @@
 #include <QPainterPath>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "core/material/element_law.h"
 #include "core/material/material_library.h"
@@ -31,9 +30,7 @@ QJsonObject shippedObject(std::string_view json) {
 Elastomer shippedElastomer(std::string_view json) {
   const QJsonObject root = shippedObject(json);
   Elastomer elastomer;
-  elastomer.rheology = Rheology::Prony;
   elastomer.equilibriumModulus = root["equilibrium_modulus"].toDouble();
-  elastomer.viscosity = root["viscosity"].toDouble();
   elastomer.arms.clear();
   for (const auto& arm : root["arms"].toArray())
     elastomer.arms.push_back(
@@ -41,8 +38,8 @@ Elastomer shippedElastomer(std::string_view json) {
   return elastomer;
 }
 
-}  // namespace
-
+/// Draws storage modulus (solid) and loss modulus (pale) of an elastomer over all frequencies at
+/// which its arms relax, both logarithmic.
 QIcon modulusIcon(const Elastomer& elastomer, const QSize& size, const QPalette& palette) {
   if (elastomer.arms.empty()) return {};
   double shortest = HUGE_VAL, longest = 0;
@@ -54,19 +51,14 @@ QIcon modulusIcon(const Elastomer& elastomer, const QSize& size, const QPalette&
   if (!(longest > 0)) return {};
   const double from = std::log10(0.1 / longest), to = std::log10(10 / shortest);
   constexpr int kPoints = 48;
-  struct Point {
-    double storage, loss;
-  };
-  std::vector<Point> points;
+  ElementLaw law;
+  law.equilibriumModulus = elastomer.equilibriumModulus;
+  law.arms = elastomer.arms;
+  std::vector<ComplexModulus> points;  // their decimal logarithms
   double lowest = HUGE_VAL, highest = -HUGE_VAL;
   for (int i = 0; i < kPoints; ++i) {
-    const double w = std::pow(10, from + (to - from) * i / (kPoints - 1));
-    double storage = elastomer.equilibriumModulus, loss = 0;
-    for (const Arm& arm : elastomer.arms) {
-      const double wt = w * arm.relaxationTime, part = arm.modulus * wt / (1 + wt * wt);
-      storage += part * wt;
-      loss += part;
-    }
+    const auto [storage, loss] =
+        complexModulus(law, std::pow(10, from + (to - from) * i / (kPoints - 1)));
     points.push_back({std::log10(std::max(storage, 1e-30)), std::log10(std::max(loss, 1e-30))});
     lowest = std::min({lowest, points.back().storage, points.back().loss});
     highest = std::max({highest, points.back().storage, points.back().loss});
@@ -77,7 +69,7 @@ QIcon modulusIcon(const Elastomer& elastomer, const QSize& size, const QPalette&
   pixmap.fill(Qt::transparent);
   QPainter painter(&pixmap);
   painter.setRenderHint(QPainter::Antialiasing);
-  const auto draw = [&](double Point::*value, const QPen& pen) {
+  const auto draw = [&](double ComplexModulus::*value, const QPen& pen) {
     QPainterPath path;
     for (int i = 0; i < kPoints; ++i) {
       const double share =
@@ -92,10 +84,12 @@ QIcon modulusIcon(const Elastomer& elastomer, const QSize& size, const QPalette&
     painter.setPen(pen);
     painter.drawPath(path);
   };
-  draw(&Point::loss, QPen(palette.color(QPalette::PlaceholderText), 1.4));
-  draw(&Point::storage, QPen(palette.color(QPalette::Highlight), 1.8));
+  draw(&ComplexModulus::loss, QPen(palette.color(QPalette::PlaceholderText), 1.4));
+  draw(&ComplexModulus::storage, QPen(palette.color(QPalette::Highlight), 1.8));
   return pixmap;
 }
+
+}  // namespace
 
 MaterialBox::MaterialBox(QWidget* parent) : ChoiceBox(parent) {
   setIconSize(kPreview);

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/material/elastomer.h"
-#include "ui/panels/choice_box.h"
+#include "ui/panels/controls.h"
 
 namespace asperity {
 
@@ -32,9 +32,5 @@ class MaterialBox : public ChoiceBox {
 
   Elastomer elastomer_;
 };
-
-/// Draws storage modulus (solid) and loss modulus (pale) of an elastomer over all frequencies at
-/// which its arms relax, both logarithmic.
-QIcon modulusIcon(const Elastomer& elastomer, const QSize& size, const QPalette& palette);
 
 }  // namespace asperity

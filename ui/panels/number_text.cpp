@@ -31,6 +31,10 @@ QString shownNumber(double value) {
   return inLanguage(numberText(value));
 }
 
+QString quantityLabel(double value, std::string_view unit, int digits) {
+  return inLanguage(QString::fromStdString(printedQuantity(value, unit, digits)));
+}
+
 QString valueText(const ParameterValue& value) {
   if (const auto* real = std::get_if<double>(&value)) return shownNumber(*real);
   if (const auto* integer = std::get_if<std::int64_t>(&value)) return QString::number(*integer);
@@ -204,7 +208,7 @@ namespace {
 
 QString endInWords(double value, const NumberRule& rule) {
   if (rule.isWhole) return QString::number(static_cast<qint64>(value));
-  return inLanguage(QString::fromStdString(printedQuantity(value, rule.unit.toStdString())));
+  return quantityLabel(value, rule.unit.toStdString());
 }
 
 TypedQuantity readQuantity(const QString& text, const NumberRule& rule) {

@@ -10,10 +10,10 @@
 #include <algorithm>
 
 #include "core/base/input_error.h"
-#include "core/base/number_text.h"
 #include "core/base/text_table.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
+#include "ui/panels/controls.h"
 #include "ui/panels/value_entry.h"
 
 namespace asperity {
@@ -21,9 +21,8 @@ namespace asperity {
 namespace {
 
 constexpr std::size_t kShort = 4;  // rows; a list of at most so many is folded only by the user
-constexpr int kColumns = 6;        // number, two values with their units, button
+constexpr int kGridColumns = 6;    // number, two values with their units, button
 constexpr int kUnitDigits = 4;     // width of a unit, in digits
-constexpr int kFoldDigits = 3;
 
 }  // namespace
 
@@ -45,13 +44,12 @@ class PairRow {
     QObject::connect(
         remove_, &QToolButton::clicked, &editor_, [&editor, index] { editor.remove(index); },
         Qt::QueuedConnection);
-    grid.addWidget(remove_, line, kColumns - 1);
-    error_ = new QLabel;
-    error_->setObjectName(editor.objectName("Error:%1").arg(index));
+    grid.addWidget(remove_, line, kGridColumns - 1);
+    error_ = named<QLabel>(editor.objectName("Error:%1").arg(index));
     error_->setProperty("role", "error");
     error_->setWordWrap(true);
     error_->hide();
-    grid.addWidget(error_, line + 1, 1, 1, kColumns - 1);
+    grid.addWidget(error_, line + 1, 1, 1, kGridColumns - 1);
     // Widgets are shown at once: a layout would show them later, and hidden ones cannot get the
     // focus.
     for (QWidget* widget : widgets()) widget->show();
@@ -149,12 +147,11 @@ class PairRow {
 PairEditor::PairEditor(const Kind& kind, QWidget* parent)
     : QWidget(parent),
       kind_(kind),
-      fold_(new QToolButton),
+      fold_(named<QToolButton>(objectName("sFold"))),
       table_(new QWidget),
-      add_(new QToolButton),
-      paste_(new QToolButton),
-      refusal_(new QLabel) {
-  fold_->setObjectName(objectName("sFold"));
+      add_(named<QToolButton>(objectName("sAdd"))),
+      paste_(named<QToolButton>(objectName("sPaste"))),
+      refusal_(named<QLabel>(objectName("sRefusal"))) {
   fold_->setProperty("role", "browse");
   fold_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   fold_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -163,8 +160,7 @@ PairEditor::PairEditor(const Kind& kind, QWidget* parent)
     opened_ = !isOpen();
     showFold();
   });
-  grid_ = new QGridLayout(table_);
-  grid_->setContentsMargins(0, 0, 0, 0);
+  grid_ = flush<QGridLayout>(table_);
   grid_->setHorizontalSpacing(5);
   grid_->setVerticalSpacing(2);
   grid_->setColumnStretch(1, 1);
@@ -174,7 +170,6 @@ PairEditor::PairEditor(const Kind& kind, QWidget* parent)
     headings_[k]->setProperty("role", "unit");
     grid_->addWidget(headings_[k], 0, static_cast<int>(1 + 2 * k), 1, 2);
   }
-  add_->setObjectName(objectName("sAdd"));
   add_->setProperty("role", "browse");
   add_->setFocusPolicy(Qt::StrongFocus);
   connect(add_, &QToolButton::clicked, this, &PairEditor::add);
@@ -182,7 +177,6 @@ PairEditor::PairEditor(const Kind& kind, QWidget* parent)
   column->setContentsMargins(14, 2, 0, 4);
   column->setSpacing(4);
   column->addWidget(table_);
-  paste_->setObjectName(objectName("sPaste"));
   paste_->setProperty("role", "browse");
   paste_->setFocusPolicy(Qt::StrongFocus);
   connect(paste_, &QToolButton::clicked, this, &PairEditor::paste);
@@ -192,7 +186,6 @@ PairEditor::PairEditor(const Kind& kind, QWidget* parent)
   buttons->addWidget(paste_);
   buttons->addStretch(1);
   column->addLayout(buttons);
-  refusal_->setObjectName(objectName("sRefusal"));
   refusal_->setProperty("role", "error");
   refusal_->setWordWrap(true);
   refusal_->hide();
@@ -250,7 +243,7 @@ void PairEditor::showPairs(Pairs pairs, std::optional<std::size_t> prescribed, b
 
 /// Gives the sorted rows to the panel, whose scene the editor then shows.
 void PairEditor::pass(Pairs pairs) {
-  give(sorted(std::move(pairs)));
+  emit listGiven(toValue(sorted(std::move(pairs))));
 }
 
 void PairEditor::change(std::size_t index, const Pair& pair) {
@@ -332,8 +325,7 @@ void PairEditor::showFold() {
   if (pairs_.size() == 1) text = texts().one;
   if (pairs_.size() > 1) {
     const auto end = [this](const Pair& pair) {
-      return inLanguage(QString::fromStdString(printedQuantity(
-          pair[kind_.sortedBy], kind_.rules[kind_.sortedBy].unit.toStdString(), kFoldDigits)));
+      return quantityLabel(pair[kind_.sortedBy], kind_.rules[kind_.sortedBy].unit.toStdString());
     };
     text = tr("%1, %2 to %3").arg(pairs_.size()).arg(end(pairs_.front()), end(pairs_.back()));
   }

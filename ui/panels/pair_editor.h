@@ -1,8 +1,8 @@
 // A list of pairs of numbers as a table: two values in each row in engineering units, in a certain
 // order, with buttons to add, to remove and to paste a table; a long table is folded under a line
 // that summarizes it. A refused value stays as it was typed, with the reason below it. Every
-// accepted change passes on the whole list. A kind of list derives from it: arms_editor.h,
-// shift_editor.h. Object names, where the names of the kind are "arm" and "armTime", for example:
+// accepted change passes on the whole list. Kinds of lists derive from it: elastomer_tables.h.
+// Object names, where the names of the kind are "arm" and "armTime", for example:
 // "armsFold", "armsAdd", "armsPaste", "armsRefusal", and from 0 "armTime:I", "armRemove:I",
 // "armError:I". GUI thread; owned by its parent.
 #pragma once
@@ -54,6 +54,13 @@ class PairEditor : public QWidget {
   /// Returns the line with the fold, for the row of the panel.
   QToolButton& fold() { return *fold_; }
 
+  /// Shows the list of the scene. `replace` also overwrites refused input.
+  virtual void showScene(const Scene& scene, bool replace) = 0;
+
+ signals:
+  /// Emitted with the list, in its order, as the scene's JSON text.
+  void listGiven(const asperity::ParameterValue& json);
+
  protected:
   /// The differences between the kinds of lists; the texts are requested again after a change of
   /// the language.
@@ -86,8 +93,8 @@ class PairEditor : public QWidget {
   virtual Pair next(const Pairs& pairs) const = 0;
   /// Reads a table from the clipboard. Throws InputError.
   virtual Pairs fromTable(std::string_view text) const = 0;
-  /// Passes on the list, in its order.
-  virtual void give(const Pairs& pairs) = 0;
+  /// Returns the list as the scene's JSON text.
+  virtual ParameterValue toValue(const Pairs& pairs) const = 0;
 
   /// Replaces all rows by a table that is pasted into one of the entries.
   bool eventFilter(QObject* watched, QEvent* event) override;

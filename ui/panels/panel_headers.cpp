@@ -8,6 +8,8 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "ui/panels/controls.h"
+
 namespace asperity {
 
 // ---- The bar
@@ -54,9 +56,9 @@ void FilterLine::keyPressEvent(QKeyEvent* event) {
 
 PanelBar::PanelBar(QWidget* parent)
     : QWidget(parent),
-      essentials_(new QToolButton),
-      all_(new QToolButton),
-      filter_(new FilterLine) {
+      essentials_(named<QToolButton>("showEssentials")),
+      all_(named<QToolButton>("showAllParameters")),
+      filter_(named<FilterLine>("parameterFilter")) {
   setObjectName("panelBar");
   auto* line = new QHBoxLayout(this);
   line->setContentsMargins(14, 6, 14, 6);
@@ -69,15 +71,12 @@ PanelBar::PanelBar(QWidget* parent)
     choice->addButton(button);
     line->addWidget(button);
   }
-  essentials_->setObjectName("showEssentials");
   essentials_->setProperty("role", "segmentLeft");
-  all_->setObjectName("showAllParameters");
   all_->setProperty("role", "segmentRight");
   essentials_->setChecked(true);
   connect(choice, &QButtonGroup::idToggled, this, [this](int, bool isOn) {
     if (isOn) emit changed();
   });
-  filter_->setObjectName("parameterFilter");
   connect(filter_, &QLineEdit::textChanged, this, &PanelBar::changed);
   line->addSpacing(8);
   line->addWidget(filter_, 1);

@@ -17,8 +17,6 @@
 #include "core/scene/parameters.h"
 #include "core/scene/sweep.h"
 #include "ui/language/translated.h"
-#include "ui/panels/arms_editor.h"
-#include "ui/panels/choice_box.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/panel_headers.h"
 #include "ui/panels/parameter_row.h"
@@ -110,20 +108,18 @@ ParameterPanel::ParameterPanel(const Scene& scene, const std::vector<ParameterGr
       sizes_(scene.surface),
       chooser_(askForTable),
       bar_(bar),
-      noMatch_(new QLabel),
+      noMatch_(named<QLabel>("noParameterFound")),
       scroll_(new QScrollArea) {
   // The style sheet is set before there are rows, because Qt evaluates it again for all existing
   // widgets and for all that get another parent. For the same reason the rows are added to the
   // panel last, all at once.
   applyStyle();
-  auto* content = new QWidget;
-  content->setObjectName("parameterRows");
+  auto* content = named<QWidget>("parameterRows");
   content->setFocusPolicy(Qt::ClickFocus);
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(14, 5, 8, 5);
   column->setSpacing(3);
   for (const ParameterGroup& group : groups) addGroup(*column, group);
-  noMatch_->setObjectName("noParameterFound");
   noMatch_->setProperty("role", "unit");
   noMatch_->setWordWrap(true);
   noMatch_->hide();
@@ -134,9 +130,7 @@ ParameterPanel::ParameterPanel(const Scene& scene, const std::vector<ParameterGr
   scroll_->setFocusPolicy(Qt::NoFocus);  // its rows take the focus
   scroll_->setFrameShape(QFrame::NoFrame);
   scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
+  auto* layout = flush<QVBoxLayout>(this, 0);
   if (bar_) {
     layout->addWidget(bar_);
     connect(bar_, &PanelBar::changed, this, [this] {

@@ -19,6 +19,7 @@
 
 #include "core/scene/notes.h"
 #include "core/scene/scene.h"
+#include "ui/panels/controls.h"
 #include "ui/panels/profile_defaults.h"
 #include "ui/panels/value_entry.h"
 
@@ -33,9 +34,6 @@ class PanelBar;
 class ParameterRow;
 class SectionHeader;
 struct Parameter;
-
-/// Asks the user for a file, beginning in a folder; empty where none was chosen.
-using FileChooser = std::function<QString(QWidget* parent, const QString& folder)>;
 
 /// Rows under one heading, in this order. `title` is asked again for another language; without it
 /// the rows have no heading. A group with a name can be folded, and the name outlives versions of

@@ -1,7 +1,6 @@
 #include "ui/panels/parameter_row.h"
 
 #include <QAbstractItemView>
-#include <QAction>
 #include <QContextMenuEvent>
 #include <QCoreApplication>
 #include <QHBoxLayout>
@@ -14,16 +13,13 @@
 #include <array>
 #include <cmath>
 
-#include "core/scene/list_text.h"
-#include "ui/language/explained.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
-#include "ui/panels/arms_editor.h"
-#include "ui/panels/choice_box.h"
+#include "ui/panels/controls.h"
+#include "ui/panels/elastomer_tables.h"
 #include "ui/panels/list_box.h"
 #include "ui/panels/material_box.h"
 #include "ui/panels/number_text.h"
-#include "ui/panels/shift_editor.h"
 #include "ui/panels/value_entry.h"
 #include "ui/panels/value_slider.h"
 
@@ -127,12 +123,6 @@ QString rangeText(const Parameter& parameter) {
   return words.join(QStringLiteral(", "));
 }
 
-/// Returns the number of arms: a standard solid has one, a Prony series any number.
-std::optional<std::size_t> requestedArmCount(const Scene& scene) {
-  return scene.elastomer.rheology == Rheology::StandardSolid ? std::optional<std::size_t>(1)
-                                                             : std::nullopt;
-}
-
 /// Returns the default's arms in words, any other value as its row shows it.
 QString resetText(const Parameter& parameter, const QString& value) {
   if (std::holds_alternative<ArmsField>(parameter.field))
@@ -168,9 +158,7 @@ double asNumber(const ParameterValue& value) {
 ParameterRow::ParameterRow(const Parameter& parameter, QWidget* parent)
     : QWidget(parent), parameter_(parameter) {
   setObjectName("row:" + fromUtf8(parameter.key));
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
+  auto* column = flush<QVBoxLayout>(this, 0);
   auto* line = new QHBoxLayout;
   line->setSpacing(kGap);
   column->addLayout(line);
@@ -181,9 +169,9 @@ ParameterRow::ParameterRow(const Parameter& parameter, QWidget* parent)
   else if (isMaterial(parameter))
     addMaterials(*line);
   else if (std::holds_alternative<ArmsField>(parameter.field))
-    addArms(*line, *column);
+    addTable(*line, *column, *new ArmsEditor, "arms");
   else if (std::holds_alternative<ShiftTableField>(parameter.field))
-    addShifts(*line, *column);
+    addTable(*line, *column, *new ShiftEditor, "shifts");
   else if (isList(parameter))
     addListBox(*line);
   else if (std::holds_alternative<TextField>(parameter.field))
@@ -199,13 +187,11 @@ ParameterRow::ParameterRow(const Parameter& parameter, QWidget* parent)
 void ParameterRow::showTexts() {
   label_->setText(labelWithSymbol(parameter_));
   label_->setToolTip(meaning());
-  for (QWidget* control : std::initializer_list<QWidget*>{slider_, entry_, choice_, arms_, shifts_,
-                                                          material_, list_, text_})
+  for (QWidget* control : Widgets{slider_, entry_, choice_, table_, material_, list_, text_})
     if (control) describe(*control);
   if (material_) material_->showTexts();
   if (list_) list_->showTexts();
-  for (QWidget* table : std::initializer_list<QWidget*>{arms_, shifts_})
-    if (table) table->setToolTip({});  // its parts have their own tooltips
+  if (table_) table_->setToolTip({});  // its parts have their own tooltips
   if (choice_) {
     choice_->view()->setAccessibleName(choice_->accessibleName());
     const auto& words = std::get<ChoiceField>(parameter_.field).choices;
@@ -278,8 +264,7 @@ void ParameterRow::showScene(const Scene& scene, const LineSize& known, bool rep
     else
       text_->showText(text);
   }
-  if (arms_) arms_->showArms(scene.elastomer.arms, requestedArmCount(scene), replace);
-  if (shifts_) shifts_->showShifts(scene.elastomer.shift.table, replace);
+  if (table_) table_->showScene(scene, replace);
   if (material_) material_->showMaterial(scene.elastomer);
   if (list_) list_->showScene(scene);
   if (choice_) choice_->setCurrentIndex(std::get<ChoiceField>(parameter_.field).read(scene));
@@ -375,9 +360,8 @@ void ParameterRow::showEnabled() {
 }
 
 void ParameterRow::takeFocus() {
-  for (QWidget* control : std::initializer_list<QWidget*>{
-           slider_, choice_, material_, list_, entry_, text_, arms_ ? &arms_->fold() : nullptr,
-           shifts_ ? &shifts_->fold() : nullptr})
+  for (QWidget* control : Widgets{slider_, choice_, material_, list_, entry_, text_,
+                                  table_ ? &table_->fold() : nullptr})
     if (control && control->isVisibleTo(this)) return control->setFocus(Qt::ShortcutFocusReason);
 }
 
@@ -402,8 +386,7 @@ bool ParameterRow::isChanged() const {
 
 void ParameterRow::addRemarks(QVBoxLayout& column) {
   const auto remark = [&](const char* role) {
-    auto* label = new QLabel;
-    label->setObjectName(QString(role) + ":" + fromUtf8(parameter_.key));
+    auto* label = named<QLabel>(nameFor(role));
     label->setProperty("role", role);
     label->setWordWrap(true);
     label->setIndent(0);  // a padding of the style sheet would indent it
@@ -449,8 +432,7 @@ void ParameterRow::addLabel(QHBoxLayout& line) {
 }
 
 void ParameterRow::addEntry() {
-  entry_ = new ValueEntry;
-  name(*entry_, "entry");
+  entry_ = named<ValueEntry>(nameFor("entry"));
   connect(entry_, &ValueEntry::entryRestored, this, [this] { showRefusal({}); });
 }
 
@@ -463,16 +445,14 @@ void ParameterRow::addNumber(QHBoxLayout& line, QVBoxLayout& column) {
   });
   line.addWidget(entry_);
 
-  auto* unit = new QLabel;
-  unit->setObjectName("unit:" + fromUtf8(parameter_.key));
+  auto* unit = named<QLabel>(nameFor("unit"));
   unit->setProperty("role", "unit");
   connect(entry_, &ValueEntry::unitShown, unit, &QLabel::setText);
   unit_ = unit;
   line.addWidget(unit);
 
   // The slider follows the entry in the order of the tab key, too.
-  slider_ = new ValueSlider(SliderScale(parameter_));
-  name(*slider_, "slider");
+  slider_ = named<ValueSlider>(nameFor("slider"), SliderScale(parameter_));
   connect(slider_, &ValueSlider::valuePicked, this,
           [this](double value) { emit valueGiven(sliderValue(parameter_, value)); });
   connect(slider_, &QSlider::sliderReleased, this, &ParameterRow::released);
@@ -486,8 +466,7 @@ void ParameterRow::addNumber(QHBoxLayout& line, QVBoxLayout& column) {
 }
 
 void ParameterRow::addChoice(QHBoxLayout& line, const ChoiceField& field) {
-  choice_ = new ChoiceBox;
-  name(*choice_, "choice");
+  choice_ = named<ChoiceBox>(nameFor("choice"));
   for (const std::string_view word : field.choices)
     choice_->addItem(wordText(word, parameter_.key), fromUtf8(word));
   choice_->setEnabled(field.choices.size() > 1);
@@ -506,35 +485,24 @@ void ParameterRow::addText(QHBoxLayout& line) {
 }
 
 void ParameterRow::addLongText(QHBoxLayout& line) {
-  text_ = new TextBox;
-  name(*text_, "text");
+  text_ = named<TextBox>(nameFor("text"));
   connect(text_, &TextBox::textCommitted, this, &ParameterRow::textGiven);
   line.addWidget(text_, 1);
   line.setAlignment(label_, Qt::AlignTop);
 }
 
 /// Adds the fold's line to the row and the table below it.
-void ParameterRow::addArms(QHBoxLayout& line, QVBoxLayout& column) {
-  arms_ = new ArmsEditor;
-  name(*arms_, "arms");
-  connect(arms_, &ArmsEditor::armsGiven, this,
-          [this](const std::vector<Arm>& arms) { emit valueGiven(listText(arms)); });
-  line.addWidget(&arms_->fold(), 1);
-  column.addWidget(arms_);
-}
-
-void ParameterRow::addShifts(QHBoxLayout& line, QVBoxLayout& column) {
-  shifts_ = new ShiftEditor;
-  name(*shifts_, "shifts");
-  connect(shifts_, &ShiftEditor::shiftsGiven, this,
-          [this](const std::vector<ShiftPoint>& table) { emit valueGiven(listText(table)); });
-  line.addWidget(&shifts_->fold(), 1);
-  column.addWidget(shifts_);
+void ParameterRow::addTable(QHBoxLayout& line, QVBoxLayout& column, PairEditor& table,
+                            const char* kind) {
+  table_ = &table;
+  table_->setObjectName(nameFor(kind));
+  connect(table_, &PairEditor::listGiven, this, &ParameterRow::valueGiven);
+  line.addWidget(&table.fold(), 1);
+  column.addWidget(table_);
 }
 
 void ParameterRow::addMaterials(QHBoxLayout& line) {
-  material_ = new MaterialBox;
-  name(*material_, "material");
+  material_ = named<MaterialBox>(nameFor("material"));
   connect(material_, &MaterialBox::nameGiven, this,
           [this](const QString& given) { emit valueGiven(given.toStdString()); });
   connect(material_, &MaterialBox::fileRequested, this, &ParameterRow::fileRequested);
@@ -542,8 +510,7 @@ void ParameterRow::addMaterials(QHBoxLayout& line) {
 }
 
 void ParameterRow::addListBox(QHBoxLayout& line) {
-  list_ = new ListBox(std::string(parameter_.key));
-  name(*list_, "list");
+  list_ = named<ListBox>(nameFor("list"), std::string(parameter_.key));
   connect(list_, &ListBox::listGiven, this, &ParameterRow::valueGiven);
   connect(list_, &ListBox::fileRequested, this, &ParameterRow::fileRequested);
   line.addWidget(list_, 1);
@@ -552,8 +519,7 @@ void ParameterRow::addListBox(QHBoxLayout& line) {
 /// Adds the button for files. The entry shows the end of a path, which is more informative.
 void ParameterRow::addBrowse(QHBoxLayout& line) {
   entry_->setShownEnd(Qt::RightEdge);
-  browse_ = new QToolButton;
-  browse_->setObjectName("browse:" + fromUtf8(parameter_.key));
+  browse_ = named<QToolButton>(nameFor("browse"));
   browse_->setProperty("role", "browse");
   browse_->setFocusPolicy(Qt::TabFocus);
   connect(browse_, &QToolButton::clicked, this, &ParameterRow::fileRequested);
@@ -561,17 +527,16 @@ void ParameterRow::addBrowse(QHBoxLayout& line) {
 }
 
 void ParameterRow::addReset(QHBoxLayout& line) {
-  reset_ = new QToolButton;
+  reset_ = named<QToolButton>(nameFor("reset"));
   reset_->setText(QStringLiteral("↺"));
-  reset_->setObjectName("reset:" + fromUtf8(parameter_.key));
   reset_->setProperty("role", "reset");
   reset_->setFocusPolicy(Qt::NoFocus);
   connect(reset_, &QToolButton::clicked, this, [this] { emit valueGiven(resetValue_); });
   line.addWidget(reset_);
 }
 
-void ParameterRow::name(QWidget& control, const char* kind) {
-  control.setObjectName(QString(kind) + ":" + fromUtf8(parameter_.key));
+QString ParameterRow::nameFor(const char* kind) const {
+  return QString(kind) + ":" + fromUtf8(parameter_.key);
 }
 
 void ParameterRow::describe(QWidget& control) {

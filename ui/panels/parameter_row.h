@@ -20,11 +20,10 @@ class QVBoxLayout;
 
 namespace asperity {
 
-class ArmsEditor;
 class ChoiceBox;
 class ListBox;
 class MaterialBox;
-class ShiftEditor;
+class PairEditor;
 class TextBox;
 class ValueEntry;
 class ValueSlider;
@@ -103,8 +102,7 @@ class ParameterRow : public QWidget {
   void addChoice(QHBoxLayout& line, const ChoiceField& field);
   void addText(QHBoxLayout& line);
   void addLongText(QHBoxLayout& line);
-  void addArms(QHBoxLayout& line, QVBoxLayout& column);
-  void addShifts(QHBoxLayout& line, QVBoxLayout& column);
+  void addTable(QHBoxLayout& line, QVBoxLayout& column, PairEditor& table, const char* kind);
   void addMaterials(QHBoxLayout& line);
   void addListBox(QHBoxLayout& line);
   void addBrowse(QHBoxLayout& line);
@@ -118,7 +116,7 @@ class ParameterRow : public QWidget {
   void showEntry(const ParameterValue& value, const std::optional<Placeholder>& placeholder,
                  bool replace);
   void showReset(const ParameterValue& value, const ParameterValue& initial);
-  void name(QWidget& control, const char* kind);
+  QString nameFor(const char* kind) const;
   void describe(QWidget& control);
   QString explanationText() const;
   QString meaning() const;
@@ -133,8 +131,7 @@ class ParameterRow : public QWidget {
   ValueSlider* slider_ = nullptr;
   ValueEntry* entry_ = nullptr;
   ChoiceBox* choice_ = nullptr;
-  ArmsEditor* arms_ = nullptr;
-  ShiftEditor* shifts_ = nullptr;
+  PairEditor* table_ = nullptr;  // of arms or shifts
   MaterialBox* material_ = nullptr;
   ListBox* list_ = nullptr;
   TextBox* text_ = nullptr;  // for several sentences

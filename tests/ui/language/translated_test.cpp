@@ -5,7 +5,6 @@
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
-#include "ui/language/explained.h"
 #include "ui/language/language.h"
 
 namespace asperity {

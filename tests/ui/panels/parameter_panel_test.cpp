@@ -15,7 +15,7 @@
 #include "core/scene/parameters.h"
 #include "tests/ui/panels/parameter_panel_fixture.h"
 #include "tests/ui/window/qt_application.h"
-#include "ui/panels/choice_box.h"
+#include "ui/panels/controls.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/profile_defaults.h"
 #include "ui/panels/value_entry.h"

@@ -151,7 +151,7 @@ TEST_F(AccuracyPanelTest, TheComparisonIsShownRegionByRegion) {
 }
 
 TEST_F(AccuracyPanelTest, MeasuredNumbersGoWithTheirScene) {
-  panel_.showMeasured(2, 0.015);
+  panel_.showMeasured({2, 0.015});
   EXPECT_EQ(text("accuracyMeasured"),
             "measured: 2 s on the clock, standard error of the curve 1.5\u00A0%");
   panel_.showScene(sceneOfThePanel());

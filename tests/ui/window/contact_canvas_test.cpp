@@ -20,9 +20,7 @@
 #include "qt_application.h"
 #include "tests/ui/window/window_in.h"
 #include "ui/contact/contact_signs.h"
-#include "ui/language/explained.h"
 #include "ui/language/translated.h"
-#include "ui/window/contact/contact_view_actions.h"
 
 namespace asperity {
 namespace {

@@ -15,7 +15,7 @@
 #include "tests/core/elastomers.h"
 #include "tests/ui/window/qt_application.h"
 #include "tests/ui/window/window_in.h"
-#include "ui/panels/choice_box.h"
+#include "ui/panels/controls.h"
 #include "ui/panels/value_slider.h"
 #include "ui/window/accuracy/accuracy_panel.h"
 #include "ui/window/figures/figure_list.h"

@@ -1,6 +1,4 @@
 // Help > Guide: which file it opens, and what it says where there is none.
-#include "ui/window/main/guide.h"
-
 #include <gtest/gtest.h>
 
 #include <QDesktopServices>

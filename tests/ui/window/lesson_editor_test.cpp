@@ -23,11 +23,11 @@
 #include "tests/core/temporary_folder.h"
 #include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
+#include "ui/panels/controls.h"
 #include "ui/window/lesson/handout.h"
 #include "ui/window/lesson/lesson_editor.h"
 #include "ui/window/lesson/lesson_text.h"
 #include "ui/window/lesson/lessons.h"
-#include "ui/window/main/fitted_labels.h"
 #include "ui/window/main/scene_library.h"
 
 namespace asperity {

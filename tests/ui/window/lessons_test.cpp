@@ -30,6 +30,7 @@
 #include "tests/ui/window/qt_application.h"
 #include "tests/ui/window/window_in.h"
 #include "ui/language/language.h"
+#include "ui/panels/controls.h"
 #include "ui/window/lesson/handout.h"
 #include "ui/window/lesson/kept_lessons.h"
 #include "ui/window/lesson/lesson_editor.h"
@@ -38,7 +39,6 @@
 #include "ui/window/lesson/lesson_results_page.h"
 #include "ui/window/lesson/lesson_text.h"
 #include "ui/window/lesson/prediction_point.h"
-#include "ui/window/main/fitted_labels.h"
 #include "ui/window/main/scene_library.h"
 #include "ui/window/main/scene_tabs.h"
 

@@ -20,7 +20,6 @@
 #include "qt_application.h"
 #include "tests/ui/window/main_window_fixture.h"
 #include "ui/window/figures/diagram_view.h"
-#include "ui/window/import/file_kind.h"
 #include "ui/window/import/import_commands.h"
 #include "ui/window/main/scene_tabs.h"
 

@@ -9,7 +9,6 @@
 #include "core/chart/curve_diagram.h"
 #include "qt_application.h"
 #include "tests/ui/window/main_window_fixture.h"
-#include "ui/window/import/file_kind.h"
 #include "ui/window/import/import_commands.h"
 #include "ui/window/main/session.h"
 

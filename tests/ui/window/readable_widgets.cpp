@@ -30,7 +30,7 @@
 #include <QTreeView>
 #include <algorithm>
 
-#include "ui/panels/choice_box.h"
+#include "ui/panels/controls.h"
 
 namespace asperity {
 

@@ -18,6 +18,7 @@
 #include "main_window_fixture.h"
 #include "qt_application.h"
 #include "ui/window/contact/motion_view.h"
+#include "ui/window/figures/diagram_view.h"
 #include "ui/window/main/scene_tabs.h"
 
 namespace asperity {
@@ -281,10 +282,12 @@ TEST_F(TimeInTheWindow, StripsAndLoopReadMomentsAndSaveThem) {
               1e-15);
   // What is saved are the samples that are shown.
   QTemporaryDir folder;
-  QSignalSpy saved(&motion, &MotionView::saved);
-  for (const char* name : {"/a.csv", "/a.png", "/a.svg"}) motion.saveStrips(folder.path() + name);
-  motion.saveLoop(folder.path() + "/loop.pdf");
-  ASSERT_TRUE(waitFor([&] { return saved.size() == 4; }));
+  QSignalSpy saved(&motion.stripFiles(), &DiagramView::saved);
+  QSignalSpy loopSaved(&motion.loopFiles(), &DiagramView::saved);
+  for (const char* name : {"/a.csv", "/a.png", "/a.svg"})
+    motion.stripFiles().save(folder.path() + name);
+  motion.loopFiles().save(folder.path() + "/loop.pdf");
+  ASSERT_TRUE(waitFor([&] { return saved.size() == 3 && loopSaved.size() == 1; }));
   std::ifstream file((folder.path() + "/a.csv").toStdString());
   std::size_t rows = 0;
   std::string record;

@@ -31,20 +31,20 @@ class TourTest : public MainWindowTest {
 };
 
 TEST_F(TourTest, SixStepsEachWithASceneThatRuns) {
-  ASSERT_EQ(tourSteps().size(), 6U);
+  ASSERT_EQ(Tour::steps().size(), 6U);
   EXPECT_FALSE(bar().isVisible());
   action("tour").trigger();
   EXPECT_TRUE(bar().isVisible());
-  for (std::size_t i = 0; i < tourSteps().size(); ++i) {
-    const TourStep& step = tourSteps()[i];
+  for (std::size_t i = 0; i < Tour::steps().size(); ++i) {
+    const TourStep& step = Tour::steps()[i];
     EXPECT_EQ(window_.document().origin().shipped, step.scene);
     EXPECT_TRUE(said().contains(QStringLiteral("%1 of 6").arg(i + 1)));
-    EXPECT_TRUE(said().contains(tourText(step.title)));
+    EXPECT_TRUE(said().contains(Tour::tr(step.title)));
     ASSERT_TRUE(waitForFrame()) << step.scene;
     EXPECT_EQ(frameError(*frame()), QString()) << step.scene;
     EXPECT_EQ(button("tourBack").isEnabled(), i > 0);
-    EXPECT_EQ(button("tourNext").isEnabled(), i + 1 < tourSteps().size());
-    if (i + 1 < tourSteps().size()) click("tourNext");
+    EXPECT_EQ(button("tourNext").isEnabled(), i + 1 < Tour::steps().size());
+    if (i + 1 < Tour::steps().size()) click("tourNext");
   }
   click("tourEnd");
   EXPECT_FALSE(bar().isVisible());
@@ -78,7 +78,7 @@ TEST_F(TourTest, TheButtonsStayWhereTheyAre) {
   settle();
   needed.clear();
   const QPoint first = place();
-  for (std::size_t i = 0; i + 1 < tourSteps().size(); ++i) {
+  for (std::size_t i = 0; i + 1 < Tour::steps().size(); ++i) {
     action("tourStepNext").trigger();
     settle();
     EXPECT_EQ(place(), first) << i;
@@ -139,17 +139,17 @@ TEST_F(TourTest, AFrameSurroundsTheControlOfEachStep) {
              halo.width() < place.width() + 30 && halo.height() < place.height() + 30;
     });
   };
-  for (std::size_t i = 0; i < tourSteps().size(); ++i) {
-    EXPECT_TRUE(surrounds(tourSteps()[i].key)) << tourSteps()[i].key;
-    if (i + 1 < tourSteps().size()) click("tourNext");
+  for (std::size_t i = 0; i < Tour::steps().size(); ++i) {
+    EXPECT_TRUE(surrounds(Tour::steps()[i].key)) << Tour::steps()[i].key;
+    if (i + 1 < Tour::steps().size()) click("tourNext");
   }
   window_.resize(window_.width() + 120, window_.height() - 60);
-  EXPECT_TRUE(surrounds(tourSteps().back().key)) << "after a resize";
+  EXPECT_TRUE(surrounds(Tour::steps().back().key)) << "after a resize";
   EXPECT_EQ(window_.childAt(halo.geometry().center()) == &halo, false) << "takes no mouse";
   window_.findChild<QWidget*>("parameterDock")->hide();
   EXPECT_TRUE(waitFor([&] { return !halo.isVisible(); }));
   window_.findChild<QWidget*>("parameterDock")->show();
-  EXPECT_TRUE(surrounds(tourSteps().back().key)) << "when the panel is back";
+  EXPECT_TRUE(surrounds(Tour::steps().back().key)) << "when the panel is back";
   click("tourEnd");
   EXPECT_TRUE(waitFor([&] { return !halo.isVisible(); }));
 }

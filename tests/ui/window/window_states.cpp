@@ -213,7 +213,7 @@ std::vector<WindowState> windowStates() {
   add("measured_essentials", kMeasuredScene);
   add("measured_spectrum", kMeasuredScene, running("go:spectrumView"));
   // ---- the tour has scenes of its own
-  for (std::size_t step = 0; step < tourSteps().size(); ++step)
+  for (std::size_t step = 0; step < Tour::steps().size(); ++step)
     add("tour_" + std::to_string(step + 1), kUsualScene, [step](MainWindow& window) {
       run(window, "tour");
       for (std::size_t i = 0; i < step; ++i) run(window, "tourStepNext");

@@ -1,11 +1,15 @@
 #include "ui/window/accuracy/accuracy_panel.h"
 
+#include <QCheckBox>
+#include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSlider>
+#include <QSpinBox>
+#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -13,16 +17,124 @@
 #include "core/accuracy/work_precision_sheet.h"
 #include "core/base/number_text.h"
 #include "core/run/motion_accuracy.h"
+#include "core/scene/parameters.h"
 #include "ui/chart/friction_chart_model.h"
 #include "ui/draw/ticks.h"
-#include "ui/language/explained.h"
+#include "ui/language/language.h"
 #include "ui/language/translated.h"
+#include "ui/panels/controls.h"
 #include "ui/panels/number_text.h"
-#include "ui/window/accuracy/comparison_box.h"
-#include "ui/window/accuracy/region_pictures.h"
-#include "ui/window/figures/computed_figure.h"
+#include "ui/window/figures/figure_gallery.h"
+#include "ui/window/figures/figure_picture.h"
 
 namespace asperity {
+
+// ---- The setting to compare with
+
+namespace {
+
+constexpr int kHeight = 24;  // height in pixels of its entries
+constexpr int kMaxOversampling = 64, kMaxLines = 10000;
+
+QSpinBox* makeSpinBox(const char* name, int value, int most) {
+  auto* box = named<SpinBox>(name);
+  box->setRange(1, most);
+  box->setValue(value);
+  box->setKeyboardTracking(false);  // typing a number gives one change
+  return box;
+}
+
+const auto& schemes() {
+  return std::get<ChoiceField>(findParameter("accuracy.scheme")->field).choices;
+}
+
+}  // namespace
+
+ComparisonBox::ComparisonBox(QWidget* parent)
+    : QWidget(parent),
+      compare_(named<QCheckBox>("comparisonWanted")),
+      scheme_(named<ChoiceBox>("comparisonScheme")) {
+  setObjectName("comparisonBox");
+  for (const auto& word : schemes()) scheme_->addItem(wordText(word));
+  scheme_->setCurrentIndex(static_cast<int>(Scheme::Cubic));
+  scheme_->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);  // its texts are not elided
+  const CurveSetting usual;
+  oversampling_ =
+      makeSpinBox("comparisonOversampling", static_cast<int>(usual.oversampling), kMaxOversampling);
+  oversampling_->setPrefix(QStringLiteral("×"));
+  suggested_ = static_cast<int>(usual.realizations);
+  lines_ = makeSpinBox("comparisonLines", suggested_, kMaxLines);
+  connect(lines_, &QSpinBox::valueChanged, this, &ComparisonBox::showLines);
+
+  for (QWidget* entry : {static_cast<QWidget*>(scheme_), static_cast<QWidget*>(oversampling_),
+                         static_cast<QWidget*>(lines_)})
+    entry->setMinimumHeight(kHeight);
+  auto* choice = new QHBoxLayout;
+  choice->setContentsMargins(22, 0, 0, 0);
+  choice->addWidget(scheme_);
+  choice->addWidget(oversampling_);
+  choice->addWidget(lines_, 1);
+  auto* column = flush<QVBoxLayout>(this, 4);
+  column->addWidget(compare_);
+  column->addLayout(choice);
+
+  const auto changed = [this] {
+    oversampling_->setEnabled(scheme_->currentIndex() != static_cast<int>(Scheme::Nodal));
+    emit settingChanged();
+  };
+  connect(compare_, &QCheckBox::toggled, this, changed);
+  connect(scheme_, &QComboBox::currentIndexChanged, this, changed);
+  connect(oversampling_, &QSpinBox::valueChanged, this, changed);
+  connect(lines_, &QSpinBox::valueChanged, this, changed);
+  keepTranslated(*this, [this] { showTexts(); });
+}
+
+void ComparisonBox::showTexts() {
+  compare_->setText(isEnabled() ? tr("Compare the curve with")
+                                : tr("Compare the curve (only without a target accuracy)"));
+  compare_->setToolTip(
+      tr("Computes the curve in this way, too, on the same lines, and plots the "
+         "difference below it"));
+  compare_->setAccessibleName(tr("Compare the curve with"));
+  scheme_->setAccessibleName(tr("scheme to compare with"));
+  for (int i = 0; i < scheme_->count(); ++i)
+    scheme_->setItemText(i, wordText(schemes()[static_cast<std::size_t>(i)]));
+  for (const auto& [box, label] :
+       {std::pair{oversampling_, tr("points per element to compare with")},
+        {lines_, tr("lines to compare with")}}) {
+    box->setAccessibleName(label);
+    box->setToolTip(label);
+  }
+  showLines();
+}
+
+void ComparisonBox::showLines() {
+  lines_->setSuffix(lines_->value() == 1 ? tr(" line") : tr(" lines"));
+}
+
+std::optional<CurveSetting> ComparisonBox::setting() const {
+  if (!compare_->isChecked() || !isEnabled()) return std::nullopt;
+  CurveSetting setting;
+  setting.scheme = static_cast<Scheme>(scheme_->currentIndex());
+  setting.oversampling = setting.scheme == Scheme::Nodal ? 1 : oversampling_->value();
+  setting.realizations = lines_->value();
+  return setting;
+}
+
+void ComparisonBox::suggestLines(std::int64_t lines) {
+  if (lines_->value() != suggested_) return;
+  suggested_ = static_cast<int>(std::min<std::int64_t>(lines, kMaxLines));
+  lines_->setValue(suggested_);
+}
+
+void ComparisonBox::allow(bool allowed) {
+  if (allowed == isEnabled()) return;
+  setEnabled(allowed);
+  showTexts();
+  emit settingChanged();
+}
+
+// ---- The panel
 
 namespace {
 
@@ -30,18 +142,12 @@ constexpr double kQuick = 0.2, kDecades = 2;  // targets from 20 % to 0.2 %
 constexpr int kControlsWidth = 320;
 
 QString percent(double part) {
-  return std::isfinite(part)
-             ? QString::fromStdString(shortNumber(100 * part, 2)) + QStringLiteral("\u00A0%")
-             : QStringLiteral("–");
-}
-
-QString seconds(double time) {
-  return QString::fromStdString(quantity(time, "s", 2));
+  return std::isfinite(part) ? readingLabel(100 * part, 2) + QStringLiteral("\u00A0%")
+                             : QStringLiteral("–");
 }
 
 QLabel* addLine(QVBoxLayout& column, const char* name) {
-  auto* label = new QLabel;
-  label->setObjectName(name);
+  auto* label = named<QLabel>(name);
   label->setWordWrap(true);
   column.addWidget(label);
   return label;
@@ -107,12 +213,14 @@ int sliderPosition(double target) {
 }
 
 AccuracyPanel::AccuracyPanel(QWidget* parent)
-    : QWidget(parent), slider_(new QSlider), quick_(new QLabel), exact_(new QLabel) {
+    : QWidget(parent),
+      slider_(named<QSlider>("accuracySlider")),
+      quick_(new QLabel),
+      exact_(new QLabel) {
   setObjectName("accuracyPanel");
   auto* controls = new QWidget;
   auto* column = new QVBoxLayout(controls);
   column->setContentsMargins(14, 8, 10, 8);
-  slider_->setObjectName("accuracySlider");
   slider_->setOrientation(Qt::Horizontal);
   slider_->setRange(0, kAccuracySteps);
   connect(slider_, &QSlider::valueChanged, this,
@@ -129,11 +237,9 @@ AccuracyPanel::AccuracyPanel(QWidget* parent)
   comparisonBox_ = new ComparisonBox;
   connect(comparisonBox_, &ComparisonBox::settingChanged, this, &AccuracyPanel::comparisonChanged);
   column->addWidget(comparisonBox_);
-  free_ = new QPushButton;
-  free_->setObjectName("accuracyFree");
+  free_ = named<QPushButton>("accuracyFree");
   connect(free_, &QPushButton::clicked, this, [this] { setTarget(0); });
-  compare_ = new QPushButton;
-  compare_->setObjectName("accuracyCompare");
+  compare_ = named<QPushButton>("accuracyCompare");
   connect(compare_, &QPushButton::clicked, this, &AccuracyPanel::compareMethods);
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(free_);
@@ -142,8 +248,7 @@ AccuracyPanel::AccuracyPanel(QWidget* parent)
 
   picture_ = new RegionPictures;
   showInvitation();
-  auto* line = new QHBoxLayout(this);
-  line->setContentsMargins(0, 0, 0, 0);
+  auto* line = flush<QHBoxLayout>(this);
   scrolled_ = new ControlColumn(controls);
   line->addWidget(scrolled_);
   line->addWidget(picture_, 1);
@@ -171,8 +276,7 @@ void AccuracyPanel::changeEvent(QEvent* event) {
   if (event->type() != QEvent::LanguageChange) return;
   showTexts();
   showTarget();
-  if (measuredCurve_)
-    showMeasured(measuredCurve_->seconds, measuredCurve_->standardError, measuredCurve_->interval);
+  if (measuredCurve_) showMeasured(*measuredCurve_);
   if (isComparing_) {
     picture_->showText(comparingText());
   } else if (!picture_->figure()) {
@@ -202,13 +306,14 @@ void AccuracyPanel::showTarget() {
   free_->setEnabled(target > 0);
 }
 
-void AccuracyPanel::showMeasured(double time, double standardError, double interval) {
-  measuredCurve_ = {time, standardError, interval};
+void AccuracyPanel::showMeasured(const CurveCost& measured) {
+  measuredCurve_ = measured;
+  const auto& [time, standardError, interval] = *measuredCurve_;
   const bool isSingle = !std::isfinite(standardError) && std::isfinite(interval);
   measured_->setText(isSingle ? tr("measured: %1 on the clock, error of friction %2")
-                                    .arg(seconds(time), percent(interval))
+                                    .arg(quantityLabel(time, "s", 2), percent(interval))
                               : tr("measured: %1 on the clock, standard error of the curve %2")
-                                    .arg(seconds(time), percent(standardError)));
+                                    .arg(quantityLabel(time, "s", 2), percent(standardError)));
 }
 
 std::optional<CurveSetting> AccuracyPanel::comparison() const {
@@ -253,13 +358,13 @@ void AccuracyPanel::showPrediction(const Prediction& prediction) {
     return predicted_->setText(
         tr("predicted motion: %1 on free processors for %2 steps, error of friction %3 (time step "
            "%4, resolution %5, settling %6)")
-            .arg(seconds(prediction.seconds))
+            .arg(quantityLabel(prediction.seconds, "s", 2))
             .arg(prediction.steps, 0, 'f', 0)
             .arg(percent(prediction.error.total()), percent(prediction.error.timeStep),
                  percent(prediction.error.resolution), percent(prediction.error.settling)));
   predicted_->setText(
       tr("predicted: %1 on free processors, error of friction %2 (resolution %3, lines %4)")
-          .arg(seconds(prediction.seconds), percent(prediction.error.total()),
+          .arg(quantityLabel(prediction.seconds, "s", 2), percent(prediction.error.total()),
                percent(prediction.error.resolution), percent(prediction.error.standardError)));
 }
 

@@ -14,20 +14,60 @@
 #include "ui/contact/contact_picture.h"
 #include "ui/window/tasks/background_work.h"
 
+class QCheckBox;
+class QComboBox;
 class QLabel;
 class QPushButton;
 class QSlider;
+class QSpinBox;
 
 namespace asperity {
 
-class ComparisonBox;
 class RegionPictures;
+
+/// The setting with which the friction curve is compared: another scheme, oversampling and number
+/// of lines.
+class ComparisonBox : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ComparisonBox(QWidget* parent = nullptr);
+
+  /// Returns the setting, or nothing where the box is not ticked.
+  std::optional<CurveSetting> setting() const;
+  /// Enables the box. With a target accuracy there is no single resolution to compare with.
+  void allow(bool allowed);
+  /// Proposes as many lines as the scene has, unless the user chose another number: fewer lines
+  /// would add their own scatter to the difference.
+  void suggestLines(std::int64_t lines);
+
+ signals:
+  void settingChanged();
+
+ private:
+  void showTexts();
+  void showLines();
+
+  QCheckBox* compare_;
+  QComboBox* scheme_;
+  QSpinBox* oversampling_;
+  QSpinBox* lines_;
+  int suggested_ = 0;  // number of lines that was proposed, not chosen
+};
 
 /// The slider's positions: target 20 % at 0 (quick), 0.2 % at kAccuracySteps (exact).
 inline constexpr int kAccuracySteps = 20;
 double targetAt(int position);
 /// Returns the slider position nearest to a target (> 0).
 int sliderPosition(double target);
+
+/// Time and error of a finished curve; errors are relative, root mean square.
+struct CurveCost {
+  double seconds = 0, standardError = kNotApplicable;
+  /// Half of the confidence interval, shown where there is no standard error, for example for a
+  /// single line with a target.
+  double interval = kNotApplicable;
+};
 
 class AccuracyPanel : public QWidget {
   Q_OBJECT
@@ -36,10 +76,8 @@ class AccuracyPanel : public QWidget {
   explicit AccuracyPanel(QWidget* parent = nullptr);
 
   void showScene(const Scene& scene);
-  /// Shows time and error of the finished curve of this scene; errors are relative, root mean
-  /// square. interval: half of the confidence interval, shown where there is no standard error, for
-  /// example for a single line with a target.
-  void showMeasured(double seconds, double standardError, double interval = kNotApplicable);
+  /// Shows time and error of the finished curve of this scene.
+  void showMeasured(const CurveCost& measured);
   void setTheme(const Theme& theme);
 
   /// Returns the setting with which the curve is compared; none: no comparison.
@@ -66,11 +104,6 @@ class AccuracyPanel : public QWidget {
   void showInvitation();
   void endComparison();
 
-  /// Time and error of a finished curve, kept to show them again in another language.
-  struct Measured {
-    double seconds, standardError, interval;
-  };
-
   Scene scene_;
   QSlider* slider_;
   QLabel *quick_, *exact_;  // labels at the slider's ends
@@ -83,8 +116,8 @@ class AccuracyPanel : public QWidget {
   QWidget* scrolled_;     // the controls
   RegionPictures* picture_;
   bool isComparing_ = false;
-  std::optional<Scene> pictured_;  // scene of the comparison in the picture
-  std::optional<Measured> measuredCurve_;
+  std::optional<Scene> pictured_;           // scene of the comparison in the picture
+  std::optional<CurveCost> measuredCurve_;  // to show it again in another language
   BackgroundWork comparison_,
       prediction_;  // last: their threads end before other members are destroyed
 };

@@ -16,6 +16,7 @@
 
 #include "ui/draw/fonts.h"
 #include "ui/language/language.h"
+#include "ui/panels/controls.h"
 #include "ui/window/contact/contact_tips.h"
 
 namespace asperity {
@@ -44,14 +45,13 @@ bool prefersOpenGl() {
 }  // namespace
 
 ContactCanvas::ContactCanvas(QWidget* parent)
-    : QWidget(parent), layout_(new QVBoxLayout(this)), veil_(new QLabel(this)) {
+    : QWidget(parent), layout_(new QVBoxLayout(this)), veil_(named<QLabel>("contactVeil", this)) {
   layout_->setContentsMargins(0, 0, 0, 0);
   setMinimumSize(320, 160);
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   setContextMenuPolicy(Qt::ActionsContextMenu);
   grabGesture(Qt::PinchGesture);
-  veil_->setObjectName("contactVeil");
   veil_->setAlignment(Qt::AlignCenter);
   veil_->setWordWrap(true);
   veil_->setAttribute(Qt::WA_TransparentForMouseEvents);

@@ -8,7 +8,7 @@
 // show this before and during the drag, and Escape undoes it. The cursor is a crosshair with a
 // readout. Keys while it has the focus: arrows move the view, with Ctrl they move the crosshair by
 // an element (with Shift by ten), with Shift the up and down arrows change the exaggeration;
-// contact_view_actions.h has the other keys. GUI thread; owned by its parent. Failure: where
+// contact_view_actions.cpp has the other keys. GUI thread; owned by its parent. Failure: where
 // nothing can draw, it shows a message and stays empty.
 #pragma once
 
@@ -25,6 +25,7 @@
 #include "ui/window/contact/canvas_backend.h"
 
 class QLabel;
+class QMenu;
 class QVBoxLayout;
 
 namespace asperity {
@@ -154,5 +155,10 @@ class ContactCanvas : public QWidget {
   QElapsedTimer clock_;
   mutable std::deque<qint64> pictures_;  // the times when they were shown, ms
 };
+
+/// Adds the commands of the canvas to it, for its context menu and their keys, and to a menu: zoom,
+/// exaggeration, loads and velocity, following the line, the magnifier, the quantity shown by
+/// colours. They belong to the canvas and show its state. Call it once.
+void addContactViewActions(ContactCanvas& canvas, QMenu& menu);
 
 }  // namespace asperity

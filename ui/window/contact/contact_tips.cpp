@@ -2,9 +2,8 @@
 
 #include "core/scene/parameters.h"
 #include "core/scene/sweep.h"
-#include "ui/draw/ticks.h"
-#include "ui/language/explained.h"
 #include "ui/language/translated.h"
+#include "ui/panels/number_text.h"
 #include "ui/panels/parameter_row.h"
 #include "ui/window/contact/contact_canvas.h"
 
@@ -48,8 +47,7 @@ ContactTip signTip(const ContactSign& sign, Rheology rheology) {
 QString draggedText(ContactHandle handle, const Scene& scene) {
   const Parameter parameter = parameterIn(knownParameter(draggedKey(handle, scene)), scene);
   const double value = std::get<double>(parameterValue(parameter, scene));
-  return ParameterRow::labelText(parameter) + ": " +
-         QString::fromStdString(quantity(value, parameter.unit, 4));
+  return ParameterRow::labelText(parameter) + ": " + quantityLabel(value, parameter.unit, 4);
 }
 
 ContactHandle contactHandleAt(const Frame& frame, const ContactPictureOptions& options,

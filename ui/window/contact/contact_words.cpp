@@ -12,6 +12,7 @@
 
 #include "core/run/contact_state.h"
 #include "ui/language/translated.h"
+#include "ui/panels/controls.h"
 #include "ui/window/contact/contact_canvas.h"
 #include "ui/window/curve/curve_reading.h"
 #include "ui/window/main/session.h"
@@ -50,25 +51,24 @@ void ContactWords::showFor(const Session& session, ContactCanvas& canvas, QWidge
 }
 
 ContactWords::ContactWords(const Session& session, ContactCanvas& canvas, QWidget* parent)
-    : QDialog(parent), session_(session), canvas_(canvas), text_(new QPlainTextEdit) {
+    : QDialog(parent),
+      session_(session),
+      canvas_(canvas),
+      text_(named<QPlainTextEdit>("contactWordsText")) {
   setObjectName("contactWords");
   setWindowTitle(tr("The contact in words"));
   setAttribute(Qt::WA_DeleteOnClose);
-  text_->setObjectName("contactWordsText");
   text_->setAccessibleName(tr("state of the contact"));
   text_->setReadOnly(true);
   text_->setTabChangesFocus(true);
   // The text has a caret, with which the sentences are read line by line and selected.
   text_->setTextInteractionFlags(Qt::TextSelectableByKeyboard | Qt::TextSelectableByMouse);
-  auto* renew = new QPushButton(tr("&Renew"));
-  renew->setObjectName("contactWordsAgain");
+  auto* renew = named<QPushButton>("contactWordsAgain", tr("&Renew"));
   renew->setToolTip(
       tr("The state at this moment (%1)")
           .arg(QKeySequence(Qt::CTRL | Qt::Key_D).toString(QKeySequence::NativeText)));
-  auto* copy = new QPushButton(tr("&Copy"));
-  copy->setObjectName("contactWordsCopy");
-  auto* close = new QPushButton(tr("C&lose"));
-  close->setObjectName("contactWordsClose");
+  auto* copy = named<QPushButton>("contactWordsCopy", tr("&Copy"));
+  auto* close = named<QPushButton>("contactWordsClose", tr("C&lose"));
   connect(renew, &QPushButton::clicked, this, &ContactWords::refresh);
   connect(new QShortcut(Qt::CTRL | Qt::Key_D, this), &QShortcut::activated, this,
           &ContactWords::refresh);

@@ -4,7 +4,6 @@
 #include <QHBoxLayout>
 #include <QMouseEvent>
 #include <QToolTip>
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -15,6 +14,8 @@
 #include "ui/draw/png_file.h"
 #include "ui/draw/ticks.h"
 #include "ui/language/language.h"
+#include "ui/panels/controls.h"
+#include "ui/panels/number_text.h"
 #include "ui/window/figures/diagram_view.h"
 
 namespace asperity {
@@ -25,30 +26,22 @@ constexpr double kReach = 24;  // pixels from a point of the loop
 
 /// Returns "t = 0.2 s".
 QString named(const QString& name, double value, const char* unit) {
-  return name + " = " + QString::fromStdString(quantity(value, unit));
+  return name + " = " + quantityLabel(value, unit);
 }
 
 }  // namespace
 
 MotionView::MotionView(QWidget* parent)
     : QWidget(parent),
-      strips_(new ChartView),
-      loop_(new ChartView),
+      strips_(named<ChartView>("motionStrips")),
+      loop_(named<ChartView>("frictionLoop")),
       stripFiles_(new DiagramView(this)),
       loopFiles_(new DiagramView(this)) {
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(0);
+  auto* row = flush<QHBoxLayout>(this, 0);
   row->addWidget(strips_, 3);
   row->addWidget(loop_, 2);
-  strips_->setObjectName("motionStrips");
-  loop_->setObjectName("frictionLoop");
   loop_->hide();
-  for (DiagramView* files : {stripFiles_, loopFiles_}) {
-    files->hide();
-    connect(files, &DiagramView::saved, this, &MotionView::saved);
-    connect(files, &DiagramView::failed, this, &MotionView::failed);
-  }
+  for (DiagramView* files : {stripFiles_, loopFiles_}) files->hide();
   for (ChartView* chart : {strips_, loop_}) {
     chart->setFocusPolicy(Qt::NoFocus);
     chart->setMouseTracking(true);
@@ -60,10 +53,8 @@ MotionView::MotionView(QWidget* parent)
 }
 
 void MotionView::addMenu(ChartView& chart, DiagramView& files) {
-  auto* copy = new QAction(&chart);
-  auto* save = new QAction(&chart);
-  copy->setObjectName("copyMotion");
-  save->setObjectName("saveMotion");
+  auto* copy = named<QAction>("copyMotion", &chart);
+  auto* save = named<QAction>("saveMotion", &chart);
   connect(copy, &QAction::triggered, &files, &DiagramView::copy);
   connect(save, &QAction::triggered, &files, &DiagramView::saveAs);
   chart.addActions({copy, save});
@@ -73,7 +64,7 @@ void MotionView::addMenu(ChartView& chart, DiagramView& files) {
 void MotionView::showTexts() {
   strips_->setAccessibleName(tr("velocity, friction, indentation and length per contact in time"));
   loop_->setAccessibleName(tr("loop of friction over velocity"));
-  for (QWidget* chart : std::initializer_list<QWidget*>{strips_, loop_}) {
+  for (QWidget* chart : Widgets{strips_, loop_}) {
     chart->findChild<QAction*>("copyMotion")->setText(tr("Copy picture"));
     chart->findChild<QAction*>("saveMotion")->setText(tr("Save picture or data…"));
   }
@@ -115,14 +106,6 @@ void MotionView::setTheme(const Theme& theme) {
   for (DiagramView* files : {stripFiles_, loopFiles_}) files->setTheme(theme);
 }
 
-void MotionView::saveStrips(const QString& file) {
-  stripFiles_->save(file);
-}
-
-void MotionView::saveLoop(const QString& file) {
-  loopFiles_->save(file);
-}
-
 const TransientSample* MotionView::sampleAt(const ChartView& chart, QPointF position) const {
   if (!samples_ || samples_->empty() || chart.sheet().diagrams.empty()) return nullptr;
   const bool isLoop = &chart == loop_;
@@ -156,12 +139,10 @@ const TransientSample* MotionView::sampleAt(const ChartView& chart, QPointF posi
 
 QString MotionView::reading(const TransientSample& sample) const {
   QStringList lines{named("t", sample.time, "s"), named("v", sample.velocity, "m/s")};
-  if (std::isfinite(sample.mu))
-    lines += QStringLiteral("μ = ") + QString::fromStdString(shortNumber(sample.mu));
+  if (std::isfinite(sample.mu)) lines += QStringLiteral("μ = ") + readingLabel(sample.mu);
   lines += named("d", sample.indentation, "m");
-  lines += tr("normal force %1").arg(QString::fromStdString(quantity(sample.normalForce, "N")));
-  lines +=
-      tr("in contact %1 %").arg(QString::fromStdString(shortNumber(100 * sample.contactFraction)));
+  lines += tr("normal force %1").arg(quantityLabel(sample.normalForce, "N"));
+  lines += tr("in contact %1 %").arg(readingLabel(100 * sample.contactFraction));
   return lines.join('\n');
 }
 

@@ -34,17 +34,13 @@ class MotionView : public QWidget {
   /// where the pointer is not near one.
   const TransientSample* sampleAt(const ChartView& chart, QPointF position) const;
 
-  /// Writes the strips or the loop: .png, .svg, .pdf, or .csv with all samples. saved() or failed()
-  /// follows.
-  void saveStrips(const QString& file);
-  void saveLoop(const QString& file);
+  /// Returns what writes the strips or the loop: .png, .svg, .pdf, or .csv with all samples.
+  DiagramView& stripFiles() { return *stripFiles_; }
+  DiagramView& loopFiles() { return *loopFiles_; }
 
  signals:
   /// Emitted when a moment of the strips is clicked, s.
   void seekRequested(double time);
-  /// Emitted when a picture or table was saved, or put on the clipboard (no file), or could not be.
-  void saved(const QString& file);
-  void failed(const QString& reason);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

@@ -17,10 +17,10 @@
 
 #include "core/run/runner.h"
 #include "ui/draw/ticks.h"
-#include "ui/language/explained.h"
 #include "ui/language/language.h"
+#include "ui/language/translated.h"
+#include "ui/panels/controls.h"
 #include "ui/panels/number_text.h"
-#include "ui/window/main/fitted_labels.h"
 
 namespace asperity {
 
@@ -47,10 +47,6 @@ double paceAt(int position) {
   return kSlowest * std::pow(kFastest / kSlowest, static_cast<double>(position) / kPositions);
 }
 
-QString quantityText(double seconds) {
-  return QString::fromStdString(quantity(seconds, "s"));
-}
-
 QString slowerText(const QString& number) {
   return TimeBar::tr("%1× slower").arg(number);
 }
@@ -75,33 +71,27 @@ TimeBar::TimeBar(QWidget* parent)
     : QWidget(parent),
       pace_(RunnerOptions{}.secondsPerPeriod),
       chosen_(pace_),
-      moment_(new QSlider(Qt::Horizontal)),
-      slider_(new QSlider(Qt::Horizontal)),
-      momentText_(new QLabel),
-      behindText_(new QLabel),
+      moment_(named<QSlider>("moment", Qt::Horizontal)),
+      slider_(named<QSlider>("paceSlider", Qt::Horizontal)),
+      momentText_(named<QLabel>("momentText")),
+      behindText_(named<QLabel>("behindText")),
       name_(new QLabel),
-      factor_(new QLineEdit),
-      keep_(new QCheckBox) {
+      factor_(named<QLineEdit>("slowMotion")),
+      keep_(named<QCheckBox>("keepPace")) {
   setObjectName("timeBar");
   setAttribute(Qt::WA_StyledBackground);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(14, 2, 14, 2);
   row->setSpacing(8);
-  moment_->setObjectName("moment");
   moment_->setRange(0, kMoments);
   moment_->setPageStep(kMoments / 20);
-  momentText_->setObjectName("momentText");
-  slider_->setObjectName("paceSlider");
   slider_->setRange(0, kPositions);
   slider_->setPageStep(kPositions / 12);
   slider_->setFixedWidth(110);
-  factor_->setObjectName("slowMotion");
-  keep_->setObjectName("keepPace");
   keep_->setChecked(true);
   row->addWidget(moment_, 1);
   row->addWidget(momentText_);
   row->addStretch(0);
-  behindText_->setObjectName("behindText");
   behindText_->hide();
   row->addWidget(behindText_);
   row->addSpacing(8);
@@ -149,8 +139,7 @@ void TimeBar::showTexts() {
   const QString tip = wrappedTip(
       tr("How many times slower or faster than in reality the picture moves; to the right faster. "
          "A number alone, such as 600, means slower."));
-  for (QWidget* part : std::initializer_list<QWidget*>{name_, slider_, factor_})
-    part->setToolTip(tip);
+  for (QWidget* part : Widgets{name_, slider_, factor_}) part->setToolTip(tip);
   factor_->setAccessibleName(tr("pace of the picture, times slower or faster than in reality"));
   name_->setText(tr("pace"));
   behindText_->setText(tr("the computer cannot keep up"));
@@ -171,7 +160,7 @@ void TimeBar::setWidths() {
   factor_->setFixedWidth(widestText(*this, {slowerText(usual), fasterText(usual), shown_}) +
                          kEntryMargin);
   momentText_->setMinimumWidth(
-      widestText(*this, {momentText(QStringLiteral("000.0 ms"), quantityText(duration_))}));
+      widestText(*this, {momentText(QStringLiteral("000.0 ms"), quantityLabel(duration_, "s"))}));
 }
 
 void TimeBar::changeEvent(QEvent* event) {
@@ -198,8 +187,7 @@ double TimeBar::slowMotion() const {
 void TimeBar::takeScene(const Scene& scene) {
   scene_ = scene;
   duration_ = scene.sliding.kind == SlidingKind::Steady ? 0 : scene.sliding.duration;
-  for (QWidget* part : std::initializer_list<QWidget*>{moment_, momentText_})
-    part->setVisible(duration_ > 0);
+  for (QWidget* part : Widgets{moment_, momentText_}) part->setVisible(duration_ > 0);
   setWidths();
 }
 
@@ -231,7 +219,7 @@ void TimeBar::showFrame(const Frame& frame) {
     const QSignalBlocker blocker(moment_);
     moment_->setValue(static_cast<int>(std::lround(kMoments * time_ / duration_)));
   }
-  momentText_->setText(momentText(quantityText(time_), quantityText(duration_)));
+  momentText_->setText(momentText(quantityLabel(time_, "s"), quantityLabel(duration_, "s")));
 }
 
 /// Shows the pace that the picture has where that is much slower than the requested one, so that

@@ -11,9 +11,9 @@
 #include "core/chart/fit_report.h"
 #include "core/friction/theories/theory.h"
 #include "core/scene/list_text.h"
-#include "ui/language/explained.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
+#include "ui/panels/controls.h"
 #include "ui/panels/list_box.h"
 #include "ui/panels/number_text.h"
 #include "ui/window/fit/fit_page.h"
@@ -50,8 +50,7 @@ bool isShown(const Scene& scene, Theory theory) {
 }  // namespace
 
 ComparisonCommands::ComparisonCommands(const Parts& parts)
-    : QObject(&parts.window), parts_(parts), button_(new QToolButton) {
-  button_->setObjectName("fitButton");
+    : QObject(&parts.window), parts_(parts), button_(named<QToolButton>("fitButton")) {
   button_->setAutoRaise(true);
   button_->setFocusPolicy(Qt::TabFocus);
   connect(button_, &QToolButton::clicked, this, &ComparisonCommands::openFit);

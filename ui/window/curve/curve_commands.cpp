@@ -24,7 +24,7 @@
 #include "ui/draw/png_file.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
-#include "ui/panels/choice_box.h"
+#include "ui/panels/controls.h"
 #include "ui/window/main/picture_files.h"
 #include "ui/window/main/session.h"
 
@@ -86,8 +86,7 @@ CurveCommands::CurveCommands(Session& session, ChartView& view, Export run, QObj
 }
 
 QAction* CurveCommands::add(const char* name, std::function<void()> run) {
-  auto* action = new QAction(this);
-  action->setObjectName(name);
+  auto* action = named<QAction>(name, this);
   connect(action, &QAction::triggered, this, std::move(run));
   return action;
 }

@@ -4,7 +4,6 @@
 #include <QLabel>
 #include <QScrollArea>
 #include <QVBoxLayout>
-#include <algorithm>
 #include <stdexcept>
 
 #include "core/chart/influence_sheets.h"
@@ -15,7 +14,7 @@
 #include "ui/draw/png_file.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
-#include "ui/panels/choice_box.h"
+#include "ui/panels/controls.h"
 #include "ui/window/figures/diagram_view.h"
 
 namespace asperity {
@@ -50,12 +49,13 @@ Result computeCutoff(const Scene& scene, const StateOptions& options) {
 }  // namespace
 
 InfluencePage::InfluencePage(QWidget* parent)
-    : QWidget(parent), choice_(new ChoiceBox), hint_(new QLabel), view_(new DiagramView) {
+    : QWidget(parent),
+      choice_(named<ChoiceBox>("influenceChoice")),
+      hint_(new QLabel),
+      view_(named<DiagramView>("influenceView")) {
   setObjectName("influencePage");
-  choice_->setObjectName("influenceChoice");
   choice_->addItem(QString(), false);
   choice_->addItem(QString(), true);
-  view_->setObjectName("influenceView");
   hint_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   hint_->setWordWrap(true);
   auto* row = new QHBoxLayout;
@@ -63,22 +63,15 @@ InfluencePage::InfluencePage(QWidget* parent)
   row->addWidget(choice_);
   row->addSpacing(6);
   row->addWidget(hint_, 1);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(2);
+  auto* column = flush<QVBoxLayout>(this, 2);
   column->addLayout(row);
-  auto* scroll = new QScrollArea;
-  scroll->setWidget(view_);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
+  auto* scroll = scrolled(view_);
   scroll->setFocusPolicy(Qt::NoFocus);
   column->addWidget(scroll, 1);
   connect(choice_, &QComboBox::currentIndexChanged, this, [this] {
     showTexts();
     compute();
   });
-  connect(view_, &DiagramView::saved, this, &InfluencePage::saved);
-  connect(view_, &DiagramView::failed, this, &InfluencePage::failed);
   keepTranslated(*this, [this] { showTexts(); });
 }
 

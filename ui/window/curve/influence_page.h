@@ -30,10 +30,6 @@ class InfluencePage : public QWidget {
   void setTheme(const Theme& theme);
   DiagramView& view() { return *view_; }
 
- signals:
-  void saved(const QString& file);
-  void failed(const QString& reason);
-
  protected:
   void showEvent(QShowEvent* event) override;
   void hideEvent(QHideEvent* event) override;

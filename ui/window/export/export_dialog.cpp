@@ -5,27 +5,26 @@
 #include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QFontDatabase>
 #include <QGridLayout>
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSettings>
-#include <QStandardPaths>
 #include <QTimer>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "ui/window/export/command_run.h"
+#include "ui/panels/controls.h"
+#include "ui/window/export/asperity_command.h"
 #include "ui/window/export/export_form.h"
 #include "ui/window/export/export_preview.h"
+#include "ui/window/main/picture_files.h"
 
 namespace asperity {
 
@@ -40,12 +39,6 @@ constexpr int kFigureLines = 4;        // of a figure of the paper in a preview
 constexpr int kSteps = 1000;           // of the progress bar
 constexpr qint64 kTableBytes = 16000;  // of a table that are shown
 const QString kFolder = QStringLiteral("export/folder");
-
-QString defaultFolder() {
-  const QString last = QSettings().value(kFolder).toString();
-  if (!last.isEmpty() && QFileInfo(last).isDir()) return last;
-  return QStandardPaths::writableLocation(QStandardPaths::HomeLocation);
-}
 
 /// Returns the beginning of a table, up to the end of a line.
 QString firstLines(QFile& table) {
@@ -62,10 +55,10 @@ ExportDialog::ExportDialog(Subject subject, ExportKind kind, const QString& prog
       subject_(std::move(subject)),
       form_(new ExportForm(subject_.scene.sliding.kind != SlidingKind::Steady, subject_.shown)),
       preview_(new ExportPreview),
-      file_(new QLineEdit),
-      command_(new QPlainTextEdit),
-      failure_(new QLabel),
-      progress_(new QProgressBar),
+      file_(named<QLineEdit>("exportFile")),
+      command_(fixedText("exportCommand")),
+      failure_(named<QLabel>("exportFailure")),
+      progress_(named<QProgressBar>("exportProgress")),
       quiet_(new QTimer(this)),
       previews_(new CommandRun(program, this)),
       writing_(new CommandRun(program, this)) {
@@ -73,11 +66,7 @@ ExportDialog::ExportDialog(Subject subject, ExportKind kind, const QString& prog
   setWindowTitle(tr("Export"));
   form_->setKind(kind);
 
-  auto* scroll = new QScrollArea;
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setWidget(form_);
+  auto* scroll = scrolled(form_, Qt::ScrollBarAlwaysOff);
   scroll->setMinimumWidth(form_->minimumWidth() + 16);
   auto* middle = new QHBoxLayout;
   middle->setSpacing(14);
@@ -114,7 +103,7 @@ ExportDialog::ExportDialog(Subject subject, ExportKind kind, const QString& prog
           });
   extension_ = form_->extension();
   defaultName_ = defaultName();
-  setFile(QDir(defaultFolder()).filePath(defaultName_));
+  setFile(QDir(lastFolder(kFolder)).filePath(defaultName_));
   resize(940, 620);
   requestChanged();
 }
@@ -128,10 +117,8 @@ QWidget* ExportDialog::makeBottom() {
   grid->setContentsMargins(0, 4, 0, 0);
   auto* fileLabel = new QLabel(tr("File &name"));
   fileLabel->setBuddy(file_);
-  file_->setObjectName("exportFile");
   file_->setAccessibleName(tr("file name"));
-  auto* browse = new QPushButton(tr("&Browse…"));
-  browse->setObjectName("exportBrowse");
+  auto* browse = named<QPushButton>("exportBrowse", tr("&Browse…"));
   connect(browse, &QPushButton::clicked, this, &ExportDialog::askFile);
   grid->addWidget(fileLabel, 0, 0);
   grid->addWidget(file_, 0, 1);
@@ -139,36 +126,28 @@ QWidget* ExportDialog::makeBottom() {
 
   auto* commandLabel = new QLabel(tr("Command line"));
   commandLabel->setAlignment(Qt::AlignTop);
-  command_->setObjectName("exportCommand");
   command_->setAccessibleName(tr("command line that writes the same file"));
-  command_->setReadOnly(true);
   command_->setTabChangesFocus(true);
-  command_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
   command_->setFixedHeight(4 * QFontMetrics(command_->font()).lineSpacing() + 14);
-  auto* copy = new QPushButton(tr("&Copy"));
-  copy->setObjectName("exportCopy");
+  auto* copy = named<QPushButton>("exportCopy", tr("&Copy"));
   connect(copy, &QPushButton::clicked, this,
           [this] { QGuiApplication::clipboard()->setText(command_->toPlainText()); });
   grid->addWidget(commandLabel, 1, 0);
   grid->addWidget(command_, 1, 1);
   grid->addWidget(copy, 1, 2, Qt::AlignTop);
 
-  failure_->setObjectName("exportFailure");
   failure_->setWordWrap(true);
   failure_->setTextFormat(Qt::PlainText);
   failure_->setMinimumHeight(2 * QFontMetrics(failure_->font()).lineSpacing());
-  progress_->setObjectName("exportProgress");
   progress_->setAccessibleName(tr("progress of the export"));
   progress_->setTextVisible(true);
   auto* row = new QHBoxLayout;
   row->addStrut(failure_->minimumHeight());  // so that nothing moves while the bar is shown
   row->addWidget(failure_, 1);
   row->addWidget(progress_, 1);
-  write_ = new QPushButton(tr("&Export"));
-  write_->setObjectName("exportWrite");
+  write_ = named<QPushButton>("exportWrite", tr("&Export"));
   connect(write_, &QPushButton::clicked, this, &ExportDialog::write);
-  close_ = new QPushButton;
-  close_->setObjectName("exportClose");
+  close_ = named<QPushButton>("exportClose");
   connect(close_, &QPushButton::clicked, this, &ExportDialog::reject);
   row->addWidget(write_);
   row->addWidget(close_);
@@ -205,7 +184,7 @@ void ExportDialog::fileChanged() {
 QStringList ExportDialog::words() const {
   const QString name = file().isEmpty() ? defaultName() : file();
   return exportWords(subject_.origin, subject_.scene, form_->request(), subject_.shown,
-                     QFileInfo(QDir(defaultFolder()), name).absoluteFilePath());
+                     QFileInfo(QDir(lastFolder(kFolder)), name).absoluteFilePath());
 }
 
 void ExportDialog::askFile() {
@@ -365,14 +344,9 @@ bool ExportDialog::confirmReplace(const QFileInfo& target) {
   else if (target.exists() && !target.isDir() && target.absoluteFilePath() != chosenFile_)
     question = tr("%1 exists already. Replace it?");
   if (question.isEmpty()) return true;
-  QMessageBox box(QMessageBox::Question, windowTitle(), question.arg(target.fileName()),
-                  QMessageBox::Yes | QMessageBox::Cancel, this);
-  box.setObjectName("replaceQuestion");
-  box.setTextFormat(Qt::PlainText);
-  box.button(QMessageBox::Yes)->setText(tr("&Replace"));
-  box.button(QMessageBox::Cancel)->setText(tr("&Cancel"));
-  box.setDefaultButton(QMessageBox::Cancel);
-  return box.exec() == QMessageBox::Yes;
+  return ask(this, {"replaceQuestion", windowTitle(), question.arg(target.fileName())},
+             {{QMessageBox::Yes, tr("&Replace")}, {QMessageBox::Cancel, tr("&Cancel")}},
+             QMessageBox::Cancel) == QMessageBox::Yes;
 }
 
 void ExportDialog::write() {

@@ -15,7 +15,7 @@
 #include "core/paper/figure.h"
 #include "ui/draw/ticks.h"
 #include "ui/language/translated.h"
-#include "ui/panels/choice_box.h"
+#include "ui/panels/controls.h"
 #include "ui/panels/number_text.h"
 #include "ui/window/figures/figure_gallery.h"
 
@@ -81,79 +81,64 @@ ExportForm::ExportForm(bool isMotion, const RenderCommandOptions& shown, QWidget
   setObjectName("exportForm");
   rows_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   rows_->setContentsMargins(0, 0, 6, 0);
-  kind_ = addChoice("exportKind", [] { return tr("&Kind"); });
+  kind_ = addChoice("exportKind", tr("&Kind"));
   kind_->addItem(tr("Picture"), "picture");
   kind_->addItem(tr("Film"), "film");
   kind_->addItem(tr("Table"), "table");
   kind_->addItem(tr("Figures of the paper"), "figure");
-  content_ = addChoice("exportContent", [] { return tr("&What"); });
-  format_ = addChoice("exportFormat", [] { return tr("&Format"); });
-  style_ = addChoice("exportStyle", [] { return tr("St&yle"); });
+  content_ = addChoice("exportContent", tr("&What"));
+  format_ = addChoice("exportFormat", tr("&Format"));
+  style_ = addChoice("exportStyle", tr("St&yle"));
   style_->addItem(tr("none"), "");
   for (const std::string_view name : shippedStyles())
     style_->addItem(fromUtf8(name), fromUtf8(name));
   addSize();
-  density_ = addEntry(
-      "exportDensity", [] { return tr("&Resolution (dpi)"); },
-      [] {
-        return tr(
-            "Pixels per inch. More of them make texts and lines of a picture in pixels "
-            "larger, and a picture on paper finer.");
-      });
-  theme_ = addChoice("exportTheme", [] { return tr("&Theme"); });
+  density_ =
+      addEntry("exportDensity", tr("&Resolution (dpi)"),
+               tr("Pixels per inch. More of them make texts and lines of a picture in pixels "
+                  "larger, and a picture on paper finer."));
+  theme_ = addChoice("exportTheme", tr("&Theme"));
   theme_->addItem(tr("automatic"), "");
   theme_->addItem(tr("light"), "light");
   theme_->addItem(tr("dark"), "dark");
   theme_->addItem(tr("print"), "print");
   theme_->addItem(tr("paper, in light tints"), "paper");
-  transparent_ = new QCheckBox(tr("Trans&parent background"));
-  transparent_->setObjectName("exportTransparent");
+  transparent_ = named<QCheckBox>("exportTransparent", tr("Trans&parent background"));
   rows_->addRow(transparent_);
-  asShown_ = new QCheckBox(tr("Same p&art of the line and moment as in the window"));
-  asShown_->setObjectName("exportAsShown");
+  asShown_ =
+      named<QCheckBox>("exportAsShown", tr("Same p&art of the line and moment as in the window"));
   asShown_->setChecked(true);
   rows_->addRow(asShown_);
-  duration_ = addEntry(
-      "exportDuration", [] { return tr("&Duration (s)"); },
-      [] { return tr("Length of the film in seconds"); });
+  duration_ = addEntry("exportDuration", tr("&Duration (s)"), tr("Length of the film in seconds"));
   duration_->setText("6");
-  rate_ = addEntry(
-      "exportRate", [] { return tr("Fra&mes per s"); }, [] { return tr("0.001 to 1000"); });
+  rate_ = addEntry("exportRate", tr("Fra&mes per s"), tr("0.001 to 1000"));
   rate_->setText("25");
   speedRow_ = new QWidget;
-  auto* speed = new QHBoxLayout(speedRow_);
-  speed->setContentsMargins(0, 0, 0, 0);
-  speed_ = new ChoiceBox;
-  speed_->setObjectName("exportSpeed");
+  auto* speed = flush<QHBoxLayout>(speedRow_);
+  speed_ = named<ChoiceBox>("exportSpeed");
   speed_->setAccessibleName(tr("speed"));
   if (isMotion_)
     speed_->addItem(tr("the whole motion"), "whole");
   else
     speed_->addItem(tr("periods of the line"), "cycles");
   speed_->addItem(tr("times slower"), "slow");
-  speedValue_ = new QLineEdit("1");
-  speedValue_->setObjectName("exportSpeedValue");
+  speedValue_ = named<QLineEdit>("exportSpeedValue", "1");
   speedValue_->setAccessibleName(tr("value of the speed"));
   speedValue_->setMaximumWidth(90);
   speed->addWidget(speedValue_);
   speed->addWidget(speed_, 1);
   rows_->addRow(tr("&Speed"), speedRow_);
-  columns_ = addEntry(
-      "exportColumns", [] { return tr("Co&lumns"); },
-      [] { return tr("Names of columns, separated by commas; empty: all"); });
+  columns_ = addEntry("exportColumns", tr("Co&lumns"),
+                      tr("Names of columns, separated by commas; empty: all"));
   columns_->setPlaceholderText(tr("all"));
-  realizations_ = addEntry(
-      "exportRealizations", [] { return tr("A&verage of lines"); },
-      [] { return tr("Random lines over which each point is a mean; the paper has 200"); });
+  realizations_ = addEntry("exportRealizations", tr("A&verage of lines"),
+                           tr("Random lines over which each point is a mean; the paper has 200"));
   realizations_->setText("200");
 
-  further_ = addEntry(
-      "exportFurther", [] { return tr("&Other options"); },
-      [] {
-        return tr(
-            "Any other options of the command, such as --font-size 9 --title none; asperity "
-            "render --help lists them");
-      });
+  further_ =
+      addEntry("exportFurther", tr("&Other options"),
+               tr("Any other options of the command, such as --font-size 9 --title none; asperity "
+                  "render --help lists them"));
 
   fillContents();
   choose(*theme_, shown_.dark ? "dark" : "");
@@ -192,38 +177,32 @@ ExportForm::ExportForm(bool isMotion, const RenderCommandOptions& shown, QWidget
   showRows();
 }
 
-QComboBox* ExportForm::addChoice(const char* name, QString (*label)()) {
-  auto* box = new ChoiceBox;
-  box->setObjectName(name);
-  rows_->addRow(label(), box);
-  box->setAccessibleName(label().remove('&'));
+QComboBox* ExportForm::addChoice(const char* name, const QString& label) {
+  auto* box = named<ChoiceBox>(name);
+  rows_->addRow(label, box);
+  box->setAccessibleName(QString(label).remove('&'));
   return box;
 }
 
-QLineEdit* ExportForm::addEntry(const char* name, QString (*label)(), QString (*tip)()) {
-  auto* entry = new QLineEdit;
-  entry->setObjectName(name);
-  entry->setToolTip(tip());
-  rows_->addRow(label(), entry);
-  entry->setAccessibleName(label().remove('&'));
-  entry->setAccessibleDescription(tip());
+QLineEdit* ExportForm::addEntry(const char* name, const QString& label, const QString& tip) {
+  auto* entry = named<QLineEdit>(name);
+  entry->setToolTip(tip);
+  rows_->addRow(label, entry);
+  entry->setAccessibleName(QString(label).remove('&'));
+  entry->setAccessibleDescription(tip);
   return entry;
 }
 
 /// Adds the named sizes, and below them width, height and unit in one row.
 void ExportForm::addSize() {
-  preset_ = addChoice("exportPreset", [] { return tr("S&ize"); });
+  preset_ = addChoice("exportPreset", tr("S&ize"));
   size_ = new QWidget;
-  auto* row = new QHBoxLayout(size_);
-  row->setContentsMargins(0, 0, 0, 0);
-  width_ = new QLineEdit;
-  width_->setObjectName("exportWidth");
+  auto* row = flush<QHBoxLayout>(size_);
+  width_ = named<QLineEdit>("exportWidth");
   width_->setAccessibleName(tr("width"));
-  height_ = new QLineEdit;
-  height_->setObjectName("exportHeight");
+  height_ = named<QLineEdit>("exportHeight");
   height_->setAccessibleName(tr("height"));
-  unit_ = new ChoiceBox;
-  unit_->setObjectName("exportUnit");
+  unit_ = named<ChoiceBox>("exportUnit");
   unit_->setAccessibleName(tr("unit of width and height"));
   unit_->addItem(tr("pixels"), "");
   unit_->addItem("mm", "mm");
@@ -394,11 +373,9 @@ void ExportForm::showRows() {
     field->setVisible(isShown);
     if (QWidget* label = rows_->labelForField(field)) label->setVisible(isShown);
   };
-  for (QWidget* field :
-       std::initializer_list<QWidget*>{style_, preset_, size_, density_, theme_, transparent_})
+  for (QWidget* field : Widgets{style_, preset_, size_, density_, theme_, transparent_})
     show(field, !isTable);
-  for (QWidget* field : std::initializer_list<QWidget*>{width_, height_, unit_, density_})
-    field->setEnabled(!hasOwnSize());
+  for (QWidget* field : Widgets{width_, height_, unit_, density_}) field->setEnabled(!hasOwnSize());
   show(asShown_, hasContact);
   asShown_->setText(isFilm ? tr("Same p&art of the line as in the window")
                            : tr("Same p&art of the line and moment as in the window"));
@@ -406,8 +383,7 @@ void ExportForm::showRows() {
   transparent_->setToolTip(canBeTransparent()
                                ? QString()
                                : tr("MP4 knows no transparency. WebM, GIF and WebP know it."));
-  for (QWidget* field : std::initializer_list<QWidget*>{duration_, rate_, speedRow_})
-    show(field, isFilm);
+  for (QWidget* field : Widgets{duration_, rate_, speedRow_}) show(field, isFilm);
   duration_->setEnabled(!(isMotion_ && isSlow));
   speedValue_->setEnabled(chosen(*speed_) != "whole");
   show(columns_, isTable);
@@ -497,7 +473,7 @@ QString ExportForm::sizeError() const {
        {std::pair(tr("width"), size.width()), std::pair(tr("height"), size.height())})
     if (side < kSmallestPicture - 0.5 || side >= kLargestPicture + 0.5)
       return tr("The picture has a %1 of %2 pixels; %3 to %4 are allowed.")
-          .arg(name, QString::fromStdString(shortNumber(side)))
+          .arg(name, readingLabel(side))
           .arg(kSmallestPicture)
           .arg(kLargestPicture);
   return {};

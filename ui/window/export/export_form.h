@@ -61,8 +61,8 @@ class ExportForm : public QWidget {
   void changed();
 
  private:
-  QComboBox* addChoice(const char* name, QString (*label)());
-  QLineEdit* addEntry(const char* name, QString (*label)(), QString (*tip)());
+  QComboBox* addChoice(const char* name, const QString& label);
+  QLineEdit* addEntry(const char* name, const QString& label, const QString& tip);
   void addSize();
   void fillContents();
   void fillFormats();

@@ -1,6 +1,5 @@
 #include "ui/window/export/export_preview.h"
 
-#include <QFontDatabase>
 #include <QLabel>
 #include <QPainter>
 #include <QPlainTextEdit>
@@ -8,6 +7,7 @@
 #include <QVBoxLayout>
 
 #include "ui/language/language.h"
+#include "ui/panels/controls.h"
 
 namespace asperity {
 
@@ -61,22 +61,17 @@ ExportPreview::ExportPreview(QWidget* parent)
     : QWidget(parent),
       pages_(new QStackedLayout),
       picture_(new Picture(*this)),
-      table_(new QPlainTextEdit),
-      note_(new QLabel) {
+      table_(fixedText("exportTableText")),
+      note_(named<QLabel>("exportNote")) {
   setObjectName("exportPreview");
-  table_->setObjectName("exportTableText");
-  table_->setReadOnly(true);
   table_->setLineWrapMode(QPlainTextEdit::NoWrap);
-  table_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
-  note_->setObjectName("exportNote");
   note_->setWordWrap(true);
   // Two lines are kept free, so that nothing moves when a note comes and goes.
   note_->setMinimumHeight(2 * QFontMetrics(note_->font()).lineSpacing());
   note_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   pages_->addWidget(picture_);
   pages_->addWidget(table_);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* column = flush<QVBoxLayout>(this);
   column->addLayout(pages_, 1);
   column->addWidget(note_);
   keepTranslated(*this, [this] {

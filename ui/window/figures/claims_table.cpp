@@ -11,7 +11,7 @@
 
 #include "ui/draw/ticks.h"
 #include "ui/language/translated.h"
-#include "ui/window/figures/claim_text.h"
+#include "ui/window/figures/figure_gallery.h"
 
 namespace asperity {
 

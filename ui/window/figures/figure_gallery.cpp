@@ -1,10 +1,103 @@
 #include "ui/window/figures/figure_gallery.h"
 
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <thread>
 #include <utility>
 
+#include "core/base/atomic_file.h"
+#include "core/base/input_error.h"
+#include "core/base/number_text.h"
+#include "core/scene/provenance.h"
+#include "ui/chart/figure_drawing.h"
+#include "ui/draw/png_file.h"
+#include "ui/draw/ticks.h"
+#include "ui/language/language.h"
+#include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
+#include "ui/window/main/picture_files.h"
 
 namespace asperity {
+
+std::shared_ptr<const ComputedFigure> computeFigure(const BackgroundWork::Run& run,
+                                                    const FigureMaker& maker, FigureName name,
+                                                    std::int64_t realizations,
+                                                    const std::function<void(double)>& progressed) {
+  FigureOptions options;
+  options.realizations = realizations;
+  options.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1);
+  options.stop = run.stop();
+  options.progress = [&run, progressed, lastStep = -1](double part) mutable {
+    const int step = static_cast<int>(std::clamp(part, 0.0, 1.0) * 1000);
+    if (step == lastStep) return;
+    lastStep = step;
+    run.post([progressed, step] { progressed(step / 1000.0); });
+  };
+  ComputedFigure made{maker(name, options), realizations, nullptr};
+  made.contact = contactFrame(made.figure);
+  return std::make_shared<const ComputedFigure>(std::move(made));
+}
+
+namespace {
+
+/// Returns the provenance that `asperity figure` writes, so that the file opens as its scene.
+std::string originOf(const Figure& figure) {
+  return pictureOrigin("figure", figure.scene);
+}
+
+}  // namespace
+
+QString figureFile(FigureName name, const QString& extension) {
+  return "figure_" + fromUtf8(figureEntry(name).word) + extension;
+}
+
+void writeFigurePicture(const std::filesystem::path& file, const ComputedFigure& made) {
+  const Figure& figure = made.figure;
+  writePicture(file, composeFigure(figure, made.contact.get(), printOptions(figure.sheet)),
+               {translated(figure.sheet.title), originOf(figure)});
+}
+
+void writeFigureData(const std::filesystem::path& file, const ComputedFigure& made) {
+  const std::string extension = file.extension().string();
+  if (extension == ".csv")
+    writeFileAtomically(file, provenanceComment("figure", made.figure.scene) + made.figure.csv);
+  else if (extension == ".json")
+    writeFileAtomically(file, claimsJson({&made.figure, 1}));
+  else
+    throw unknownExtension(file.string(), extension, {".csv", ".json"});
+}
+
+// ---- Verdicts
+
+QString verdictText(const Claim& claim) {
+  if (claim.holds == Verdict::OnlyForScheme)
+    return QString::fromStdString(
+        filled(Words::tr("only for scheme %1"), {translated(claim.scheme)}));
+  if (claim.holds == Verdict::Undecided) return QString::fromStdString(Words::tr("undecided"));
+  return QString::fromStdString(claim.holds == Verdict::Yes ? Words::tr("yes") : Words::tr("no"));
+}
+
+QString estimateText(const Estimate& estimate) {
+  const double error = estimate.standardError;
+  const double size = std::max(std::abs(estimate.value), error);
+  if (!std::isfinite(estimate.value) || !std::isfinite(error) || error <= 0)
+    return readingLabel(estimate.value);
+  if (size >= 1e5 || size < 1e-3) {  // one power of ten for both numbers
+    const int power = static_cast<int>(std::floor(std::log10(size)));
+    const double unit = std::pow(10, power);
+    return '(' + estimateText({estimate.value / unit, error / unit}) + QStringLiteral(")×") +
+           QString::fromStdString(powerOfTen(power));
+  }
+  // An uncertainty that begins with 1 has two digits, any other one has one.
+  const int exponent = static_cast<int>(std::floor(std::log10(error)));
+  const int digits = error / std::pow(10, exponent) < 1.95 ? 1 - exponent : -exponent;
+  const int decimals = std::clamp(digits, 0, 6);
+  return inLanguage(QString::number(estimate.value, 'f', decimals).replace('-', u'−') +
+                    QStringLiteral(" ± ") + QString::number(error, 'f', decimals));
+}
+
+// ---- All figures
 
 QString figureLabel(FigureName name) {
   if (name == FigureName::Master) return FigureGallery::tr("Master curve");

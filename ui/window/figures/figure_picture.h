@@ -1,6 +1,6 @@
 // Shows one of the paper's figures, drawn again for each size and theme, or a line of text where
-// there is none. Pictures are made in the background. GUI thread; owned by its parent.
-// Failure: a signal, where no picture can be made.
+// there is none: as a whole, or its diagrams one at a time. Pictures are made in the background.
+// GUI thread; owned by its parent. Failure: a signal, where no picture can be made.
 #pragma once
 
 #include <QImage>
@@ -9,11 +9,16 @@
 #include <memory>
 
 #include "ui/contact/contact_picture.h"
-#include "ui/window/figures/computed_figure.h"
+#include "ui/window/figures/figure_gallery.h"
 #include "ui/window/tasks/background_work.h"
+
+class QButtonGroup;
+class QHBoxLayout;
+class QLabel;
 
 namespace asperity {
 
+/// Shows a figure as a whole.
 class FigurePicture : public QWidget {
   Q_OBJECT
 
@@ -57,6 +62,40 @@ class FigurePicture : public QWidget {
   std::uint64_t first_ = 0;              // request of the present figure; older ones are dropped
   // Last: its thread ends before other members are destroyed.
   BackgroundWork pictures_{RequestPolicy::ReplaceWaiting};
+};
+
+/// Shows the diagrams of a figure as large as possible, with a button for each above them:
+/// work-precision diagrams by region.
+class RegionPictures : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit RegionPictures(QWidget* parent = nullptr);
+
+  /// Shows a figure. The diagram that was chosen last comes first, if there is one with its name.
+  void showFigure(std::shared_ptr<const ComputedFigure> made);
+  void showText(const QString& text);
+  void setTheme(const Theme& theme);
+
+  /// Returns the index of the visible diagram; -1: there is none. Choosing a missing one does
+  /// nothing.
+  int chosen() const;
+  void choose(int index);
+
+  /// Returns the figure; null where there is text.
+  std::shared_ptr<const ComputedFigure> figure() const { return figure_; }
+  FigurePicture& picture() { return *picture_; }
+
+ private:
+  void clearButtons();
+
+  std::shared_ptr<const ComputedFigure> figure_;
+  QWidget* bar_;
+  QHBoxLayout* places_;
+  QButtonGroup* buttons_;
+  QLabel* range_;  // rest of the chosen diagram's title after its name
+  FigurePicture* picture_;
+  QString chosen_;  // name of the chosen diagram
 };
 
 }  // namespace asperity

@@ -16,9 +16,10 @@
 #include <QToolButton>
 
 #include "ui/language/language.h"
+#include "ui/panels/controls.h"
 #include "ui/panels/number_text.h"
 #include "ui/window/figures/claims_table.h"
-#include "ui/window/figures/computed_figure.h"
+#include "ui/window/figures/figure_gallery.h"
 #include "ui/window/figures/figure_list.h"
 #include "ui/window/figures/figure_picture.h"
 #include "ui/window/main/appearance.h"
@@ -80,9 +81,7 @@ GalleryPage::GalleryPage(FigureMaker maker, QWidget* parent)
   splitter->setStretchFactor(1, 1);
   splitter->setSizes({270, 1000});
 
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
+  auto* column = flush<QVBoxLayout>(this, 0);
   column->addWidget(makeHeading());
   column->addWidget(messages_);
   column->addWidget(splitter, 1);
@@ -113,32 +112,20 @@ void GalleryPage::changeEvent(QEvent* event) {
 GalleryPage::~GalleryPage() = default;
 
 QWidget* GalleryPage::makeHeading() {
-  auto* heading = new QWidget;
-  heading->setObjectName("dockTitle");
-  heading->setAttribute(Qt::WA_StyledBackground);
-  auto* row = new QHBoxLayout(heading);
-  row->setContentsMargins(14, 5, 8, 5);
-  auto* title = new QLabel;
-  row->addWidget(title, 1);
-  auto* close = new QToolButton;
-  close->setObjectName("closeGallery");
-  close->setText(QStringLiteral("✕"));
-  close->setFocusPolicy(Qt::NoFocus);
-  connect(close, &QToolButton::clicked, this, &GalleryPage::closed);
-  row->addWidget(close);
-  keepTranslated(*heading, [title, close] {
-    title->setText(tr("Figures of Li et al. (2013), computed here and now"));
-    close->setToolTip(tr("Back to the contact (Esc)"));
-    close->setAccessibleName(tr("back to the contact"));
+  auto* heading = new TitleBar("closeGallery");
+  QToolButton& close = heading->closeButton();
+  connect(&close, &QToolButton::clicked, this, &GalleryPage::closed);
+  keepTranslated(*heading, [heading, &close] {
+    heading->title().setText(tr("Figures of Li et al. (2013), computed here and now"));
+    close.setToolTip(tr("Back to the contact (Esc)"));
+    close.setAccessibleName(tr("back to the contact"));
   });
   return heading;
 }
 
 QWidget* GalleryPage::makeLeft() {
   auto* left = new QWidget;
-  auto* column = new QVBoxLayout(left);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
+  auto* column = flush<QVBoxLayout>(left, 0);
   list_ = new FigureList;
   column->addWidget(list_, 1);
   column->addWidget(makeChoices());
@@ -147,15 +134,13 @@ QWidget* GalleryPage::makeLeft() {
 
 /// Makes the choice of the number of lines, and the button that computes all figures.
 QWidget* GalleryPage::makeChoices() {
-  auto* choices = new QWidget;
-  choices->setObjectName("galleryBar");
+  auto* choices = named<QWidget>("galleryBar");
   choices->setAttribute(Qt::WA_StyledBackground);
   auto* column = new QVBoxLayout(choices);
   column->setContentsMargins(12, 10, 12, 10);
   auto* row = new QHBoxLayout;
   auto* label = new QLabel;
-  realizations_ = new QSpinBox;
-  realizations_->setObjectName("realizations");
+  realizations_ = named<QSpinBox>("realizations");
   realizations_->setRange(1, kMaxRealizations);
   realizations_->setValue(kQuick);
   label->setBuddy(realizations_);
@@ -195,17 +180,14 @@ QWidget* GalleryPage::makeRight() {
   splitter->setSizes({700, 300});
 
   auto* right = new QWidget;
-  auto* column = new QVBoxLayout(right);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
+  auto* column = flush<QVBoxLayout>(right, 0);
   column->addWidget(splitter, 1);
   column->addWidget(makeCommands());
   return right;
 }
 
 QWidget* GalleryPage::makeCommands() {
-  auto* commands = new QWidget;
-  commands->setObjectName("galleryBar");
+  auto* commands = named<QWidget>("galleryBar");
   commands->setAttribute(Qt::WA_StyledBackground);
   auto* row = new QHBoxLayout(commands);
   row->setContentsMargins(12, 10, 12, 10);
@@ -216,14 +198,12 @@ QWidget* GalleryPage::makeCommands() {
   cancel_ = addButton(
       *row, "cancel", [] { return tr("Ca&ncel"); },
       [] { return tr("Stops this computation and all that wait"); }, &GalleryPage::cancel);
-  progress_ = new QProgressBar;
-  progress_->setObjectName("figureProgress");
+  progress_ = named<QProgressBar>("figureProgress");
   progress_->setRange(0, kSteps);
   progress_->setFormat(QStringLiteral("%p %"));
   progress_->setMinimumWidth(60);
   row->addWidget(progress_, 1);
-  note_ = new QLabel;
-  note_->setObjectName("galleryNote");
+  note_ = named<QLabel>("galleryNote");
   note_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   row->addWidget(note_, 1);
   openScene_ = addButton(
@@ -243,8 +223,7 @@ QWidget* GalleryPage::makeCommands() {
 
 QPushButton* GalleryPage::addButton(QLayout& row, const char* name, QString (*text)(),
                                     QString (*tip)(), void (GalleryPage::*run)()) {
-  auto* button = new QPushButton;
-  button->setObjectName(name);
+  auto* button = named<QPushButton>(name);
   keepTranslated(*button, [button, text, tip] {
     button->setText(text());
     button->setToolTip(tip());

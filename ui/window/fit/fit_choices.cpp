@@ -14,7 +14,7 @@
 
 #include "core/base/number_text.h"
 #include "ui/language/language.h"
-#include "ui/panels/choice_box.h"
+#include "ui/panels/controls.h"
 #include "ui/panels/list_box.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/parameter_row.h"
@@ -69,20 +69,17 @@ FitChoices::FitChoices(const Scene& scene, const FitSelection& before, QWidget* 
       scene_(scene),
       parameters_(fittable(scene)),
       limits_(parameters_.size()),
-      keys_(new QTableWidget),
-      tables_(new QListWidget),
-      lines_(new SpinBox),
-      profiles_(new QCheckBox(tr("profile along each parameter"))) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(6);
+      keys_(named<QTableWidget>("fitKeys")),
+      tables_(named<QListWidget>("fitTables")),
+      lines_(named<SpinBox>("fitLines")),
+      profiles_(named<QCheckBox>("fitProfiles", tr("profile along each parameter"))) {
+  auto* column = flush<QVBoxLayout>(this, 6);
   column->addWidget(heading(tr("Parameters to fit")));
   column->addWidget(keys_, 3);
   column->addWidget(heading(tr("Measured friction")));
   column->addWidget(tables_);
   tables_->setFixedHeight(3 * (fontMetrics().lineSpacing() + 4) + 4);
-  auto* form = new QFormLayout;
-  form->setContentsMargins(0, 0, 0, 0);
+  auto* form = flush<QFormLayout>();
   form->addRow(tr("random lines"), lines_);
   column->addLayout(form);
   column->addWidget(profiles_);
@@ -100,17 +97,15 @@ FitChoices::FitChoices(const Scene& scene, const FitSelection& before, QWidget* 
     for (const int cell : {kLow, kHigh}) take(*keys_->item(row, cell));
   }
   fillTables();
-  lines_->setObjectName("fitLines");
   lines_->setRange(2, 1000000);
   lines_->setValue(choosesAccuracy(scene) ? kDefaultLines
                                           : static_cast<int>(scene.ensemble.realizations));
   // The lines of a measured surface are its rows.
   lines_->setEnabled(hasRandomPhases(scene.surface));
-  for (QWidget* part : std::initializer_list<QWidget*>{lines_, form->labelForField(lines_)})
+  for (QWidget* part : Widgets{lines_, form->labelForField(lines_)})
     part->setVisible(hasRandomPhases(scene.surface));
   lines_->setToolTip(
       tr("Every trial uses the same random lines; their scatter is part of the errors"));
-  profiles_->setObjectName("fitProfiles");
   profiles_->setChecked(true);
   profiles_->setToolTip(
       tr("The least sum of squares with one parameter held: flat where the data leave it open"));
@@ -120,7 +115,7 @@ FitChoices::FitChoices(const Scene& scene, const FitSelection& before, QWidget* 
   });
   connect(tables_, &QListWidget::itemChanged, this, &FitChoices::changed);
   // Boxes to tick take their outline from this colour, which is faint on a dark base.
-  for (QWidget* list : std::initializer_list<QWidget*>{keys_, tables_}) {
+  for (QWidget* list : Widgets{keys_, tables_}) {
     QPalette outlined = list->palette();
     outlined.setColor(QPalette::Window, outlined.color(QPalette::PlaceholderText));
     list->setPalette(outlined);
@@ -128,7 +123,6 @@ FitChoices::FitChoices(const Scene& scene, const FitSelection& before, QWidget* 
 }
 
 void FitChoices::fillKeys() {
-  keys_->setObjectName("fitKeys");
   keys_->setAccessibleName(tr("parameters to vary"));
   keys_->setColumnCount(4);
   keys_->setRowCount(static_cast<int>(parameters_.size()));
@@ -174,7 +168,6 @@ void FitChoices::fillKeys() {
 }
 
 void FitChoices::fillTables() {
-  tables_->setObjectName("fitTables");
   tables_->setAccessibleName(tr("measured friction"));
   for (const DataFile& table : scene_.comparison.data) {
     auto* item = new QListWidgetItem(tableName(table), tables_);

@@ -8,18 +8,17 @@
 #include <QMessageBox>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QScreen>
 #include <QScrollArea>
 #include <QTabBar>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <optional>
+#include <stdexcept>
 
 #include "core/base/input_error.h"
-#include "core/base/number_text.h"
 #include "core/chart/curve_set.h"
 #include "core/scene/provenance.h"
 #include "ui/draw/png_file.h"
+#include "ui/draw/ticks.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
@@ -37,12 +36,6 @@ constexpr QSize kDefault(1180, 760);  // pixels
 constexpr int kChoicesWidth = 342;    // pixels
 
 enum Sheet { kCurve, kProfiles, kProgress };
-
-/// The result of a fit in the background: the fit, or an error message.
-struct Outcome {
-  std::shared_ptr<const FittedCurve> fitted{};
-  QString errorText{};
-};
 
 /// Returns the error message with the name of its parameter instead of the key.
 QString withParameterNames(const InputError& error) {
@@ -70,23 +63,22 @@ FitPage::FitPage(const Scene& scene, const FitSelection& before, const Theme& th
       scene_(scene),
       chooser_(askFolder),
       choices_(new FitChoices(scene, before)),
-      run_(new QPushButton),
-      save_(new QPushButton(tr("&Save report…"))),
-      use_(new QPushButton(tr("&Use these values"))),
-      close_(new QPushButton(tr("&Close"))),
-      table_(new QLabel),
-      notes_(new QLabel),
-      errorLabel_(new QLabel),
+      run_(named<QPushButton>("fitRun")),
+      save_(named<QPushButton>("fitSave", tr("&Save report…"))),
+      use_(named<QPushButton>("fitUse", tr("&Use these values"))),
+      close_(named<QPushButton>("fitClose", tr("&Close"))),
+      table_(named<QLabel>("fitTable")),
+      notes_(named<QLabel>("fitNotes")),
+      errorLabel_(textLabel("fitComplaint")),
       progressText_(new QLabel),
-      progress_(new QProgressBar),
-      sheets_(new QTabBar),
-      sheet_(new DiagramView) {
+      progress_(thinProgress("fitProgress")),
+      sheets_(named<QTabBar>("fitSheets")),
+      sheet_(named<DiagramView>("fitSheet")) {
   setObjectName("fitPage");
   setWindowTitle(tr("Fit to measured friction"));
   setAttribute(Qt::WA_DeleteOnClose);
   auto* left = new QVBoxLayout;
   left->addWidget(choices_, 1);
-  run_->setObjectName("fitRun");
   run_->setAutoDefault(false);
   connect(run_, &QPushButton::clicked, this, &FitPage::pressRun);
   left->addWidget(run_);
@@ -99,15 +91,11 @@ FitPage::FitPage(const Scene& scene, const FitSelection& before, const Theme& th
   halves->addLayout(right, 1);
   buildResult(theme);
   auto* texts = new QWidget;
-  auto* column = new QVBoxLayout(texts);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* column = flush<QVBoxLayout>(texts);
   column->addWidget(table_);
   column->addWidget(notes_);
   column->addStretch(1);
-  auto* scroll = new QScrollArea;
-  scroll->setWidget(texts);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
+  auto* scroll = scrolled(texts);
   scroll->setFixedHeight(10 * fontMetrics().lineSpacing());
   right->addWidget(scroll);
   right->addWidget(sheets_);
@@ -116,7 +104,7 @@ FitPage::FitPage(const Scene& scene, const FitSelection& before, const Theme& th
   all->setContentsMargins(14, 12, 14, 12);
   all->addLayout(halves, 1);
   all->addLayout(foot());
-  resize(pageSize(kDefault, *(parent ? parent->screen() : screen())));
+  resizePage(*this, kDefault);
   connect(choices_, &FitChoices::changed, this, [this] {
     if (!isFitting_) finish(choices_->refusal());
   });
@@ -129,8 +117,6 @@ FitPage::FitPage(const Scene& scene, const FitSelection& before, const Theme& th
 }
 
 void FitPage::buildResult(const Theme& theme) {
-  table_->setObjectName("fitTable");
-  notes_->setObjectName("fitNotes");
   notes_->setTextFormat(Qt::RichText);
   notes_->setWordWrap(true);
   for (QLabel* label : {table_, notes_}) {
@@ -138,33 +124,21 @@ void FitPage::buildResult(const Theme& theme) {
     label->setTextInteractionFlags(Qt::TextSelectableByMouse);
   }
   table_->hide();
-  sheets_->setObjectName("fitSheets");
   sheets_->setDrawBase(false);
   sheets_->setExpanding(false);
   sheets_->addTab(tr("Curve"));
   sheets_->addTab(tr("Profiles"));
   sheets_->addTab(tr("Progress"));
   connect(sheets_, &QTabBar::currentChanged, this, &FitPage::showSheet);
-  sheet_->setObjectName("fitSheet");
   sheet_->setAccessibleName(tr("the fit as a diagram"));
   sheet_->setTheme(theme);
   connect(sheet_, &DiagramView::failed, this, [this](const QString& reason) { finish(reason); });
 }
 
 QLayout* FitPage::foot() {
-  errorLabel_->setObjectName("fitComplaint");
-  errorLabel_->setWordWrap(true);
-  errorLabel_->setTextFormat(Qt::PlainText);
-  errorLabel_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   errorLabel_->setMinimumHeight(2 * fontMetrics().lineSpacing());
-  progress_->setObjectName("fitProgress");
-  progress_->setTextVisible(false);
   progress_->setRange(0, 0);
-  progress_->setFixedSize(120, 6);
   progress_->setAccessibleName(tr("progress of the fit"));
-  save_->setObjectName("fitSave");
-  use_->setObjectName("fitUse");
-  close_->setObjectName("fitClose");
   for (QPushButton* button : {save_, use_, close_}) button->setAutoDefault(false);
   connect(save_, &QPushButton::clicked, this, &FitPage::saveReport);
   connect(use_, &QPushButton::clicked, this, &FitPage::useValues);
@@ -212,7 +186,6 @@ void FitPage::begin() {
   work_.request(
       [this, scene, varied, texts = variedTexts(selection),
        hasProfiles = choices_->needsProfiles()](const BackgroundWork::Run& run) {
-        Outcome outcome;
         try {
           FitOptions options;
           options.stop = run.stop();
@@ -220,20 +193,17 @@ void FitPage::begin() {
           options.progress = [this, &run](int evaluations, double chiSquared) {
             run.post([this, evaluations, chiSquared] { showProgress(evaluations, chiSquared); });
           };
-          FittedCurve fitted = fitWithCurve(scene, readComparisonData(scene), varied, options);
-          fitted.varied = texts;
-          outcome.fitted = std::make_shared<const FittedCurve>(std::move(fitted));
+          auto fitted = std::make_shared<FittedCurve>(
+              fitWithCurve(scene, readComparisonData(scene), varied, options));
+          fitted->varied = texts;
+          return fitted;
         } catch (const InputError& error) {
-          outcome.errorText = withParameterNames(error);
+          throw std::runtime_error(withParameterNames(error).toStdString());
         }
-        return outcome;
       },
-      [this](const Outcome& outcome) {
+      [this](const std::shared_ptr<FittedCurve>& fitted) {
         isFitting_ = false;
-        if (outcome.fitted)
-          take(outcome.fitted);
-        else
-          finish(outcome.errorText);
+        take(fitted);
       },
       [this](const QString& reason) {
         isFitting_ = false;
@@ -254,8 +224,7 @@ void FitPage::showProgress(int evaluations, double chiSquared) {
                              ? tr("reading…")
                              : tr("evaluation %1, χ² = %2")
                                    .arg(evaluations)
-                                   .arg(inLanguage(QString::fromStdString(
-                                       printedNumber(*std::ranges::min_element(chiSquared_), 3)))));
+                                   .arg(readingLabel(*std::ranges::min_element(chiSquared_))));
   if (sheets_->currentIndex() == kProgress) showSheet();
 }
 
@@ -281,8 +250,7 @@ void FitPage::showState() {
   run_->setText(isFitting_ ? tr("&Stop") : fitted_ ? tr("&Fit again") : tr("&Fit"));
   run_->setEnabled(isFitting_ || choices_->isEnough());
   choices_->setEnabled(!isFitting_);
-  for (QWidget* part : std::initializer_list<QWidget*>{progress_, progressText_})
-    part->setVisible(isFitting_);
+  for (QWidget* part : Widgets{progress_, progressText_}) part->setVisible(isFitting_);
   for (QPushButton* button : {save_, use_})
     button->setEnabled(fitted_ && !isFitting_ && !isSaving_);
 }

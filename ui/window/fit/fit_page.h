@@ -8,12 +8,12 @@
 #pragma once
 
 #include <QDialog>
-#include <functional>
 #include <memory>
 #include <vector>
 
 #include "core/chart/fit_report.h"
 #include "ui/draw/theme.h"
+#include "ui/panels/controls.h"
 #include "ui/window/fit/fit_choices.h"
 #include "ui/window/tasks/background_work.h"
 
@@ -25,10 +25,6 @@ class QTabBar;
 namespace asperity {
 
 class DiagramView;
-
-/// Returns the folder that the user chooses for a report, beginning with a proposal; empty where
-/// the user cancels.
-using FolderChooser = std::function<QString(QWidget* parent, const QString& proposed)>;
 
 class FitPage : public QDialog {
   Q_OBJECT
@@ -45,7 +41,7 @@ class FitPage : public QDialog {
   QString errorText() const;
 
   /// Replaces the usual dialog.
-  void setFolderChooser(FolderChooser chooser) { chooser_ = std::move(chooser); }
+  void setFolderChooser(FileChooser chooser) { chooser_ = std::move(chooser); }
 
  signals:
   /// Emitted where the user takes the fitted values; the page closes then.
@@ -70,7 +66,7 @@ class FitPage : public QDialog {
   void saveReport();
 
   Scene scene_;
-  FolderChooser chooser_;
+  FileChooser chooser_;
   std::shared_ptr<const FittedCurve> fitted_;
   std::vector<double> chiSquared_;  // of each evaluation so far
   bool isFitting_ = false, isSaving_ = false;

@@ -13,6 +13,7 @@
 #include "core/scene/provenance.h"
 #include "ui/chart/diagram_picture.h"
 #include "ui/draw/png_file.h"
+#include "ui/draw/ticks.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
@@ -26,26 +27,18 @@ namespace asperity {
 
 namespace {
 
-QString number(double value, int digits) {
-  return inLanguage(QString::fromStdString(printedNumber(value, digits)));
-}
-
-QString quantity(double value, std::string_view unit) {
-  return inLanguage(QString::fromStdString(printedQuantity(value, unit, 3)));
-}
-
 /// "± 3 %" of a value that is varied by its logarithm, "×÷ 6.7" where that is much.
 QString errorText(const FittedParameter& parameter) {
   constexpr double kMuch = 0.3;  // of the natural logarithm
   if (!std::isfinite(parameter.standardError)) return QStringLiteral("–");
   if (!parameter.isLogarithmic)
     return QStringLiteral("± ") +
-           quantity(parameter.standardError, findParameter(parameter.key)->unit);
+           quantityLabel(parameter.standardError, findParameter(parameter.key)->unit);
   if (parameter.standardError < kMuch)
-    return QStringLiteral("± %1 %").arg(number(100 * parameter.standardError, 2));
+    return QStringLiteral("± %1 %").arg(readingLabel(100 * parameter.standardError, 2));
   constexpr double kMaxExponent = 20;  // e to this power is more than any table decides
   if (parameter.standardError > kMaxExponent) return QStringLiteral("×÷ ∞");
-  return QStringLiteral("×÷ ") + number(std::exp(parameter.standardError), 2);
+  return QStringLiteral("×÷ ") + readingLabel(std::exp(parameter.standardError), 2);
 }
 
 QString stateText(const FittedParameter& parameter, const Fit& fit) {
@@ -82,11 +75,12 @@ QString combinationText(const Fit& fit) {
     const double exponent = best.exponents[k];
     if (std::abs(exponent) < kNothing) continue;
     QString factor = shortName(fit.parameters[k]);
-    if (std::abs(exponent - 1) >= kNothing) factor += "<sup>" + number(exponent, 2) + "</sup>";
+    if (std::abs(exponent - 1) >= kNothing)
+      factor += "<sup>" + readingLabel(exponent, 2) + "</sup>";
     factors += factor;
   }
   return FitPage::tr("best determined together: %1 (± %2 %)")
-      .arg(factors.join(QStringLiteral(" · ")), number(100 * best.standardError, 2));
+      .arg(factors.join(QStringLiteral(" · ")), readingLabel(100 * best.standardError, 2));
 }
 
 }  // namespace
@@ -111,9 +105,10 @@ QString fittedTable(const Fit& fit) {
     const Parameter& row = *findParameter(parameter.key);
     QString name = ParameterRow::labelText(row).toHtmlEscaped();
     if (!row.symbol.empty()) name += "&nbsp; " + symbolHtml(row.symbol);
-    rows += "<tr>" + cell(name, "left") +
-            cell("<b>" + quantity(parameter.value, row.unit).toHtmlEscaped() + "</b>", "right") +
-            cell(errorText(parameter), "right") + cell(stateText(parameter, fit), "left");
+    rows +=
+        "<tr>" + cell(name, "left") +
+        cell("<b>" + quantityLabel(parameter.value, row.unit).toHtmlEscaped() + "</b>", "right") +
+        cell(errorText(parameter), "right") + cell(stateText(parameter, fit), "left");
     if (hasOthers)
       for (std::size_t j = 0; j < fit.parameters.size(); ++j) {
         const double value =
@@ -132,10 +127,10 @@ QString fittedNotes(const Fit& fit) {
   QStringList lines;
   if (fit.relativeScatter > 0)
     lines += FitPage::tr("the points have no errors; they scatter by %1 % about the fit")
-                 .arg(number(100 * fit.relativeScatter, 2));
+                 .arg(readingLabel(100 * fit.relativeScatter, 2));
   else
     lines += FitPage::tr("χ² = %1 for %2 degrees of freedom, %3 evaluations")
-                 .arg(number(fit.chiSquared, 4))
+                 .arg(readingLabel(fit.chiSquared, 4))
                  .arg(fit.freedom)
                  .arg(fit.evaluations);
   const bool isOpen = !std::ranges::all_of(fit.parameters, &FittedParameter::isDetermined);

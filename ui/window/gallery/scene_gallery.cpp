@@ -10,6 +10,7 @@
 
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
+#include "ui/panels/controls.h"
 #include "ui/window/gallery/card_list.h"
 #include "ui/window/gallery/scene_cards.h"
 #include "ui/window/gallery/scene_thumbnails.h"
@@ -43,13 +44,10 @@ SceneGallery::SceneGallery(QWidget* parent)
     : QWidget(parent), thumbnails_(new SceneThumbnails(drawScenePicture, {}, this)) {
   setObjectName("sceneGallery");
   cards_ = new CardList([this](const QString& name) { return thumbnails_->picture(name); });
-  none_ = new QLabel;
-  none_->setObjectName("noScene");
+  none_ = named<QLabel>("noScene");
   none_->setAlignment(Qt::AlignCenter);
   none_->setWordWrap(true);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
+  auto* column = flush<QVBoxLayout>(this, 0);
   column->addWidget(makeHeading());
   column->addWidget(cards_, 1);
   column->addWidget(none_, 1);
@@ -72,29 +70,18 @@ SceneGallery::SceneGallery(QWidget* parent)
 }
 
 QWidget* SceneGallery::makeHeading() {
-  auto* heading = new QWidget;
-  heading->setObjectName("dockTitle");
-  heading->setAttribute(Qt::WA_StyledBackground);
-  auto* row = new QHBoxLayout(heading);
-  row->setContentsMargins(14, 5, 8, 5);
-  row->setSpacing(10);
-  title_ = new QLabel;
-  row->addWidget(title_, 1);
-  filter_ = new QLineEdit;
-  filter_->setObjectName("sceneFilter");
+  auto* heading = new TitleBar("closeScenes");
+  title_ = &heading->title();
+  filter_ = named<QLineEdit>("sceneFilter");
   filter_->setClearButtonEnabled(true);
   filter_->setMinimumWidth(200);
   filter_->setTextMargins(4, 0, 0, 0);
-  row->addWidget(filter_);
-  auto* close = new QToolButton;
-  close->setObjectName("closeScenes");
-  close->setText(QStringLiteral("✕"));
-  close->setFocusPolicy(Qt::NoFocus);
-  connect(close, &QToolButton::clicked, this, &SceneGallery::closed);
-  row->addWidget(close);
-  keepTranslated(*heading, [close] {
-    close->setToolTip(tr("Back to the contact (Esc)"));
-    close->setAccessibleName(tr("back to the contact"));
+  heading->insert(*filter_);
+  QToolButton& close = heading->closeButton();
+  connect(&close, &QToolButton::clicked, this, &SceneGallery::closed);
+  keepTranslated(*heading, [&close] {
+    close.setToolTip(tr("Back to the contact (Esc)"));
+    close.setAccessibleName(tr("back to the contact"));
   });
   return heading;
 }

@@ -245,10 +245,9 @@ void SceneThumbnails::drawNext() {
   if (isDrawing_ || waiting_.empty()) return;
   const QString name = waiting_.front();
   waiting_.pop_front();
-  const std::vector<LibraryScene>& library = libraryScenes();
-  const auto found = std::ranges::find(library, name, &LibraryScene::name);
+  const LibraryScene* found = findLibraryScene(name);
   const SceneCard* card = findCard(name);
-  if (found == library.end() || !card) return drawNext();
+  if (!found || !card) return drawNext();
   isDrawing_ = true;
   const auto done = [this, name](const QImage& image) {
     isDrawing_ = false;

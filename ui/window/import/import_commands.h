@@ -6,9 +6,9 @@
 
 #include <QObject>
 #include <QString>
+#include <filesystem>
 
 #include "core/scene/scene.h"
-#include "ui/window/import/file_kind.h"
 #include "ui/window/tasks/background_work.h"
 
 class QWidget;
@@ -23,6 +23,17 @@ class MessageBar;
 class ParameterPanel;
 class SceneDocument;
 class SurfaceImport;
+
+enum class FileKind {
+  Scene,     // a scene, or what the program made from one; also what cannot be read at all
+  Material,  // material.json
+  Moduli,    // measured moduli, or a ready Prony series
+  Friction,  // measured coefficients of friction
+  Surface,   // anything else
+};
+
+/// Returns the kind of a file from its content. It only reads the file; any thread.
+FileKind kindOfFile(const std::filesystem::path& file);
 
 class ImportCommands : public QObject {
   Q_OBJECT

@@ -2,13 +2,11 @@
 
 #include <QDir>
 #include <QFileInfo>
-#include <QFontDatabase>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QScreen>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -16,7 +14,7 @@
 #include "core/base/regular_file.h"
 #include "core/base/text_encoding.h"
 #include "ui/language/translated.h"
-#include "ui/panels/choice_box.h"
+#include "ui/panels/controls.h"
 #include "ui/window/main/window_keys.h"
 #include "ui/window/main/window_layout.h"
 
@@ -48,15 +46,14 @@ ImportPage::ImportPage(const QString& file, const QString& accept, QWidget* pare
       file_(file),
       shown_(new QWidget),
       views_(new QVBoxLayout(shown_)),
-      beginning_(new QPlainTextEdit),
+      beginning_(fixedText("importBeginning")),
       halves_(new QHBoxLayout),
-      errorLabel_(new QLabel),
-      progress_(new QProgressBar),
-      stop_(new QToolButton),
-      accept_(new QPushButton(accept)),
-      cancel_(new QPushButton(tr("&Cancel"))) {
-  auto* name = new QLabel(QFileInfo(file).fileName());
-  name->setObjectName("importFile");
+      errorLabel_(textLabel("importComplaint")),
+      progress_(thinProgress("importProgress")),
+      stop_(named<QToolButton>("importStop")),
+      accept_(named<QPushButton>("importAccept", accept)),
+      cancel_(named<QPushButton>("importCancel", tr("&Cancel"))) {
+  auto* name = named<QLabel>("importFile", QFileInfo(file).fileName());
   name->setToolTip(QDir::toNativeSeparators(file));
   name->setTextFormat(Qt::PlainText);
   name->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
@@ -65,11 +62,8 @@ ImportPage::ImportPage(const QString& file, const QString& accept, QWidget* pare
   name->setFont(bold);
   views_->setSpacing(8);
   views_->setContentsMargins(0, 0, 0, 0);
-  beginning_->setObjectName("importBeginning");
   beginning_->setAccessibleName(tr("the first lines of the file"));
-  beginning_->setReadOnly(true);
   beginning_->setLineWrapMode(QPlainTextEdit::NoWrap);
-  beginning_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
   beginning_->hide();
   auto* left = new QVBoxLayout;
   left->setSpacing(8);
@@ -80,24 +74,14 @@ ImportPage::ImportPage(const QString& file, const QString& accept, QWidget* pare
   halves_->setSpacing(12);
   halves_->addLayout(left, 1);
 
-  errorLabel_->setObjectName("importComplaint");
   errorLabel_->setProperty("role", "error");
   errorLabel_->setStyleSheet(panelStyleSheet(palette()));
-  errorLabel_->setWordWrap(true);
-  errorLabel_->setTextFormat(Qt::PlainText);
-  errorLabel_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   errorLabel_->setMinimumHeight(3 * fontMetrics().lineSpacing());
-  progress_->setObjectName("importProgress");
-  progress_->setTextVisible(false);
   progress_->setRange(0, 1000);
-  progress_->setFixedSize(120, 6);
   progress_->setAccessibleName(tr("progress of reading"));
-  stop_->setObjectName("importStop");
   stop_->setAutoRaise(true);
   connect(stop_, &QToolButton::clicked, this, &ImportPage::pressStop);
-  accept_->setObjectName("importAccept");
   accept_->setDefault(true);
-  cancel_->setObjectName("importCancel");
   cancel_->setAutoDefault(false);
   connect(accept_, &QPushButton::clicked, this, &QDialog::accept);
   connect(cancel_, &QPushButton::clicked, this, &QDialog::reject);
@@ -113,7 +97,7 @@ ImportPage::ImportPage(const QString& file, const QString& accept, QWidget* pare
   all->setContentsMargins(14, 12, 14, 12);
   all->addLayout(halves_, 1);
   all->addLayout(foot);
-  resize(pageSize(kDefault, *(parent ? parent->screen() : screen())));
+  resizePage(*this, kDefault);
   connect(this, &QDialog::finished, this, &ImportPage::deleteWhenFinished);
 }
 

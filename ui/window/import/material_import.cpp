@@ -7,7 +7,6 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QPushButton>
 #include <QRegularExpression>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -15,7 +14,6 @@
 #include <QTabBar>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <tuple>
@@ -28,7 +26,6 @@
 #include "core/scene/columns.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
-#include "ui/panels/choice_box.h"
 #include "ui/panels/number_text.h"
 #include "ui/window/figures/diagram_view.h"
 #include "ui/window/main/picture_files.h"
@@ -85,9 +82,9 @@ QString askForMaterial(QWidget* parent, const QString& proposed) {
 MaterialImport::MaterialImport(const QString& file, const Theme& theme, QWidget* parent)
     : ImportPage(file, tr("&Save and use…"), parent),
       chooser_(askForMaterial),
-      sheet_(new DiagramView),
-      sheets_(new QTabBar),
-      summary_(new QLabel) {
+      sheet_(named<DiagramView>("dmaSheet")),
+      sheets_(named<QTabBar>("dmaSheets")),
+      summary_(textLabel("dmaSummary")) {
   setObjectName("materialImport");
   setWindowTitle(tr("Open material"));
   buildViews(theme);
@@ -96,34 +93,23 @@ MaterialImport::MaterialImport(const QString& file, const Theme& theme, QWidget*
 }
 
 void MaterialImport::buildViews(const Theme& theme) {
-  sheets_->setObjectName("dmaSheets");
   sheets_->setDrawBase(false);
   sheets_->setExpanding(false);
   sheets_->setUsesScrollButtons(true);
   connect(sheets_, &QTabBar::currentChanged, this, &MaterialImport::showSheet);
-  sheet_->setObjectName("dmaSheet");
   sheet_->setTheme(theme);
   sheet_->setAccessibleName(tr("the measured moduli and their fit"));
-  summary_->setObjectName("dmaSummary");
-  summary_->setWordWrap(true);
-  summary_->setTextFormat(Qt::PlainText);
   summary_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-  summary_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  auto* scroll = new QScrollArea;
-  scroll->setWidget(summary_);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* scroll = scrolled(summary_, Qt::ScrollBarAlwaysOff);
   scroll->setFixedHeight(8 * fontMetrics().lineSpacing());
   views().addWidget(sheets_);
   views().addWidget(sheet_, 1);
   views().addWidget(scroll);
 }
 
-QLineEdit* MaterialImport::addEntry(QFormLayout& form, const char* name, const QString& label,
-                                    const QString& tip) {
-  auto* entry = new QLineEdit;
-  entry->setObjectName(name);
+QLineEdit* MaterialImport::addEntry(QFormLayout& form, const char* option, const char* name,
+                                    const QString& label, const QString& tip) {
+  auto* entry = named<QLineEdit>(name);
   entry->setToolTip(tip);
   entry->setAccessibleName(label);
   connect(entry, &QLineEdit::editingFinished, this, [this, entry] {
@@ -132,27 +118,37 @@ QLineEdit* MaterialImport::addEntry(QFormLayout& form, const char* name, const Q
     restart();
   });
   form.addRow(label, entry);
+  if (option) controls_.emplace_back(option, entry);
   return entry;
 }
 
-QComboBox* MaterialImport::addChoice(QFormLayout& form, const char* name, const QString& label,
-                                     const QString& tip, const QString& automatic,
-                                     const QStringList& words) {
-  auto* box = new ChoiceBox;
-  box->setObjectName(name);
+QComboBox* MaterialImport::addChoice(QFormLayout& form, const char* option, const char* name,
+                                     const QString& label, const QString& tip,
+                                     const QString& automatic, const QStringList& words) {
+  auto* box = named<ChoiceBox>(name);
   box->setToolTip(tip);
   box->setAccessibleName(label);
   box->addItem(automatic, QString());
   for (const QString& word : words) box->addItem(wordText(word.toStdString()), word);
   connect(box, &QComboBox::activated, this, [this] { restart(); });
   form.addRow(label, box);
+  controls_.emplace_back(option, box);
+  return box;
+}
+
+QCheckBox* MaterialImport::addCheck(QFormLayout& form, const char* option, const char* name,
+                                    const QString& label) {
+  auto* box = named<QCheckBox>(name, label);
+  box->setAccessibleName(label);
+  connect(box, &QCheckBox::toggled, this, [this] { restart(); });
+  form.addRow(QString(), box);
+  controls_.emplace_back(option, box);
   return box;
 }
 
 void MaterialImport::buildChoices() {
   auto* content = new QWidget;
-  auto* form = new QFormLayout(content);
-  form->setContentsMargins(0, 0, 0, 0);
+  auto* form = flush<QFormLayout>(content);
   form->setVerticalSpacing(5);
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   const auto heading = [&](const QString& text) {
@@ -161,81 +157,75 @@ void MaterialImport::buildChoices() {
   };
   const QString fromFile = tr("from the file");
   heading(tr("The measurement"));
-  frequencyUnit_ = addChoice(*form, "dmaFrequencyUnit", tr("unit of frequency"),
+  frequencyUnit_ = addChoice(*form, "--frequency-unit", "dmaFrequencyUnit", tr("unit of frequency"),
                              tr("Unit of the frequencies"), fromFile, {"Hz", "rad/s"});
-  temperatureUnit_ = addChoice(*form, "dmaTemperatureUnit", tr("unit of temperature"),
-                               tr("Unit of the temperatures"), fromFile, {"C", "K", "F"});
-  modulusUnit_ = addChoice(*form, "dmaModulusUnit", tr("unit of modulus"), tr("Unit of the moduli"),
-                           fromFile, {"Pa", "kPa", "MPa", "GPa"});
-  modulus_ = addChoice(*form, "dmaModulus", tr("kind of modulus"),
+  temperatureUnit_ =
+      addChoice(*form, "--temperature-unit", "dmaTemperatureUnit", tr("unit of temperature"),
+                tr("Unit of the temperatures"), fromFile, {"C", "K", "F"});
+  modulusUnit_ = addChoice(*form, "--modulus-unit", "dmaModulusUnit", tr("unit of modulus"),
+                           tr("Unit of the moduli"), fromFile, {"Pa", "kPa", "MPa", "GPa"});
+  modulus_ = addChoice(*form, "--modulus", "dmaModulus", tr("kind of modulus"),
                        tr("Whether the moduli are of shear (G) or of tension (E)"), fromFile,
                        {"shear", "tension"});
-  poisson_ = addEntry(*form, "dmaPoisson", tr("Poisson's ratio"),
+  poisson_ = addEntry(*form, "--poisson-ratio", "dmaPoisson", tr("Poisson's ratio"),
                       tr("Turns moduli of tension into those of shear: G = E / (2 (1 + ν))"));
   poisson_->setPlaceholderText(inLanguage(QStringLiteral("0.5")));
-  temperature_ = addEntry(*form, "dmaTemperature", tr("test temperature"),
+  temperature_ = addEntry(*form, "--temperature", "dmaTemperature", tr("test temperature"),
                           tr("Temperature of a file that does not state one, such as 20 °C"));
   temperature_->setPlaceholderText(fromFile);
-  instantaneous_ = addEntry(*form, "dmaInstantaneous", tr("instantaneous modulus G₀"),
-                            tr("Shear modulus in Pa or MPa of a series that gives parts of it"));
+  instantaneous_ =
+      addEntry(*form, "--instantaneous-modulus", "dmaInstantaneous", tr("instantaneous modulus G₀"),
+               tr("Shear modulus in Pa or MPa of a series that gives parts of it"));
   instantaneous_->setPlaceholderText(fromFile);
   heading(tr("Columns of the table"));
   const QString column = tr("Name of the column, or its number from 1 on");
-  for (const auto& [entry, name, label] :
-       std::initializer_list<std::tuple<QLineEdit**, const char*, QString>>{
-           {&frequencyColumn_, "dmaFrequencyColumn", tr("frequency column")},
-           {&temperatureColumn_, "dmaTemperatureColumn", tr("temperature column")},
-           {&storageColumn_, "dmaStorageColumn", tr("storage modulus column")},
-           {&lossColumn_, "dmaLossColumn", tr("loss modulus column")},
-           {&lossTangentColumn_, "dmaLossTangentColumn", tr("loss tangent column")}}) {
-    *entry = addEntry(*form, name, label, column);
+  for (const auto& [entry, option, name, label] :
+       std::initializer_list<std::tuple<QLineEdit**, const char*, const char*, QString>>{
+           {&frequencyColumn_, "--frequency-column", "dmaFrequencyColumn", tr("frequency column")},
+           {&temperatureColumn_, "--temperature-column", "dmaTemperatureColumn",
+            tr("temperature column")},
+           {&storageColumn_, "--storage-column", "dmaStorageColumn", tr("storage modulus column")},
+           {&lossColumn_, "--loss-column", "dmaLossColumn", tr("loss modulus column")},
+           {&lossTangentColumn_, "--tan-delta-column", "dmaLossTangentColumn",
+            tr("loss tangent column")}}) {
+    *entry = addEntry(*form, option, name, label, column);
     (*entry)->setPlaceholderText(tr("found by its name"));
   }
   heading(tr("Master curve"));
-  reference_ = addEntry(*form, "dmaReference", tr("reference temperature"),
-                        tr("Temperature to which all isotherms are shifted, such as 20 °C"));
+  reference_ =
+      addEntry(*form, "--reference-temperature", "dmaReference", tr("reference temperature"),
+               tr("Temperature to which all isotherms are shifted, such as 20 °C"));
   reference_->setPlaceholderText(tr("near 25 °C"));
-  vertical_ = new QCheckBox(tr("vertical shifts, too"));
-  vertical_->setObjectName("dmaVertical");
-  vertical_->setAccessibleName(tr("vertical shifts, too"));
-  connect(vertical_, &QCheckBox::toggled, this, [this] { restart(); });
-  form->addRow(QString(), vertical_);
-  shift_ = addChoice(*form, "dmaShift", tr("temperature shift"),
+  vertical_ = addCheck(*form, "--vertical-shifts", "dmaVertical", tr("vertical shifts, too"));
+  shift_ = addChoice(*form, "--shift", "dmaShift", tr("temperature shift"),
                      tr("How the material keeps the shifts with temperature: by the formula of "
                         "Williams, Landel and Ferry, by that of Arrhenius, or as their table"),
                      tr("automatic"), {"wlf", "arrhenius", "table"});
   heading(tr("Prony series"));
-  terms_ = new SpinBox;
-  terms_->setObjectName("dmaTerms");
+  terms_ = named<SpinBox>("dmaTerms");
   terms_->setRange(0, kMostChosenTerms);
   terms_->setSpecialValueText(tr("as few as needed"));
   terms_->setToolTip(tr("Relaxation times, evenly spaced in their logarithm"));
   terms_->setAccessibleName(tr("number of terms"));
   connect(terms_, &QSpinBox::valueChanged, this, [this] { restart(); });
   form->addRow(tr("number of terms"), terms_);
-  equilibrium_ = addEntry(*form, "dmaEquilibrium", tr("equilibrium modulus G∞"),
-                          tr("Shear modulus in Pa or MPa where it is known from elsewhere"));
+  controls_.emplace_back("--terms", terms_);
+  equilibrium_ =
+      addEntry(*form, "--equilibrium-modulus", "dmaEquilibrium", tr("equilibrium modulus G∞"),
+               tr("Shear modulus in Pa or MPa where it is known from elsewhere"));
   equilibrium_->setPlaceholderText(tr("from the fit"));
-  liquid_ = new QCheckBox(tr("allow G∞ = 0 (a liquid)"));
-  liquid_->setObjectName("dmaLiquid");
-  liquid_->setAccessibleName(tr("allow G∞ = 0 (a liquid)"));
+  liquid_ = addCheck(*form, "--liquid", "dmaLiquid", tr("allow G∞ = 0 (a liquid)"));
   liquid_->setToolTip(tr("Whether the material may flow, without an equilibrium modulus"));
-  connect(liquid_, &QCheckBox::toggled, this, [this] { restart(); });
-  form->addRow(QString(), liquid_);
   heading(tr("The material file"));
-  name_ = addEntry(*form, "dmaName", tr("name"), tr("Name of the material"));
+  name_ = addEntry(*form, nullptr, "dmaName", tr("name"), tr("Name of the material"));
   name_->setPlaceholderText(QFileInfo(file()).completeBaseName());
-  source_ = addEntry(*form, "dmaSource", tr("source"),
+  source_ = addEntry(*form, nullptr, "dmaSource", tr("source"),
                      tr("Where the measurements come from, so that a reader can look it up"));
-  auto* scroll = new QScrollArea;
-  scroll->setWidget(content);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* scroll = scrolled(content, Qt::ScrollBarAlwaysOff);
+  scroll->setObjectName("dmaChoices");
   constexpr int kMinWidth = 330;
   scroll->setFixedWidth(std::max(kMinWidth, content->minimumSizeHint().width() +
                                                 scroll->verticalScrollBar()->sizeHint().width()));
-  scroll->setObjectName("dmaChoices");
   content->setObjectName("parameterRows");
   scroll->setStyleSheet(panelStyleSheet(palette()));
   halves().addWidget(scroll);
@@ -297,32 +287,10 @@ MaterialChoices MaterialImport::choices() const {
   return made;
 }
 
-/// The options of the command with the names of their controls on the page.
-std::vector<std::pair<const char*, const QWidget*>> MaterialImport::controls() const {
-  return {{"--frequency-unit", frequencyUnit_},
-          {"--temperature-unit", temperatureUnit_},
-          {"--modulus-unit", modulusUnit_},
-          {"--modulus", modulus_},
-          {"--poisson-ratio", poisson_},
-          {"--frequency-column", frequencyColumn_},
-          {"--temperature-column", temperatureColumn_},
-          {"--storage-column", storageColumn_},
-          {"--loss-column", lossColumn_},
-          {"--tan-delta-column", lossTangentColumn_},
-          {"--temperature", temperature_},
-          {"--instantaneous-modulus", instantaneous_},
-          {"--equilibrium-modulus", equilibrium_},
-          {"--liquid", liquid_},
-          {"--reference-temperature", reference_},
-          {"--vertical-shifts", vertical_},
-          {"--shift", shift_},
-          {"--terms", terms_}};
-}
-
 /// Returns an error message of core with the names of the page's controls instead of options.
 QString MaterialImport::withControlNames(const std::string& option, QString text) const {
   QString subject = option.empty() ? QString() : translatedText(option);
-  for (const auto& [name, control] : controls()) {
+  for (const auto& [name, control] : controls_) {
     const QString label = control->accessibleName();
     if (option == name) subject = label;
     // Not the beginning of a longer option.

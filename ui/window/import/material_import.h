@@ -8,11 +8,11 @@
 // on the page.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <string>
 
 #include "core/material/material_model.h"
+#include "ui/panels/controls.h"
 #include "ui/window/import/import_page.h"
 
 class QCheckBox;
@@ -27,9 +27,6 @@ namespace asperity {
 
 class DiagramView;
 
-/// Asks where the material goes, beginning with a name; empty where nowhere.
-using MaterialFileChooser = std::function<QString(QWidget* parent, const QString& proposed)>;
-
 class MaterialImport : public ImportPage {
   Q_OBJECT
 
@@ -40,7 +37,7 @@ class MaterialImport : public ImportPage {
   const Material* material() const { return material_.get(); }
 
   /// Replaces the usual file dialog.
-  void setFileChooser(MaterialFileChooser chooser) { chooser_ = std::move(chooser); }
+  void setFileChooser(FileChooser chooser) { chooser_ = std::move(chooser); }
 
   void accept() override;
 
@@ -56,17 +53,20 @@ class MaterialImport : public ImportPage {
   struct Preview;
   void buildViews(const Theme& theme);
   void buildChoices();
-  QLineEdit* addEntry(QFormLayout& form, const char* name, const QString& label,
+  /// Adds controls with the option of the command that each stands for; null: none.
+  QLineEdit* addEntry(QFormLayout& form, const char* option, const char* name, const QString& label,
                       const QString& tip);
-  QComboBox* addChoice(QFormLayout& form, const char* name, const QString& label,
-                       const QString& tip, const QString& automatic, const QStringList& words);
+  QComboBox* addChoice(QFormLayout& form, const char* option, const char* name,
+                       const QString& label, const QString& tip, const QString& automatic,
+                       const QStringList& words);
+  QCheckBox* addCheck(QFormLayout& form, const char* option, const char* name,
+                      const QString& label);
   MaterialChoices choices() const;
-  std::vector<std::pair<const char*, const QWidget*>> controls() const;
   QString withControlNames(const std::string& option, QString text) const;
   void take(const Preview& preview);
   void showSheet();
 
-  MaterialFileChooser chooser_;
+  FileChooser chooser_;
   std::shared_ptr<const std::string> bytes_;  // of the file, once it is read
   std::shared_ptr<const Material> material_;
   DiagramView* sheet_;
@@ -80,6 +80,7 @@ class MaterialImport : public ImportPage {
             *temperatureUnit_ = nullptr, *modulusUnit_ = nullptr;
   QSpinBox* terms_ = nullptr;
   QCheckBox *vertical_ = nullptr, *liquid_ = nullptr;
+  std::vector<std::pair<const char*, const QWidget*>> controls_;  // by the option of the command
   // Last: its thread ends before other members are destroyed.
   BackgroundWork work_{RequestPolicy::CancelRunning};
 };

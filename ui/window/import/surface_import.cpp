@@ -3,10 +3,12 @@
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QPushButton>
+#include <QPainter>
 #include <QScrollArea>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
@@ -16,7 +18,7 @@
 #include "core/surface/line_source.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
-#include "ui/panels/choice_box.h"
+#include "ui/panels/controls.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/panels/parameter_row.h"
@@ -24,6 +26,135 @@
 #include "ui/window/figures/diagram_view.h"
 
 namespace asperity {
+
+// ---- The topography from above
+
+namespace {
+
+/// Shades that stay apart in print and for colour-blind eyes: from dark blue over green to yellow.
+QRgb shadeOf(double part) {
+  static constexpr struct {
+    double red, green, blue;
+  } kStops[] = {{45, 20, 80}, {50, 80, 140}, {35, 140, 140}, {95, 200, 100}, {250, 230, 60}};
+  constexpr int kLast = 4;
+  const double position = std::clamp(part, 0.0, 1.0) * kLast;
+  const int below = std::min(static_cast<int>(position), kLast - 1);
+  const double share = position - below;
+  const auto mix = [&](double a, double b) { return static_cast<int>(a + (b - a) * share + 0.5); };
+  const auto &a = kStops[below], &b = kStops[below + 1];
+  return qRgb(mix(a.red, b.red), mix(a.green, b.green), mix(a.blue, b.blue));
+}
+
+/// Returns the mean height of each patch of the grid; NaN where nothing was measured.
+std::vector<double> patches(const Topography& topography, int width, int height) {
+  std::vector<double> means;
+  means.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  for (int y = 0; y < height; ++y) {
+    const std::int64_t top = y * topography.rows / height;
+    const std::int64_t bottom = std::max(top + 1, (y + 1) * topography.rows / height);
+    for (int x = 0; x < width; ++x) {
+      const std::int64_t left = x * topography.columns / width;
+      const std::int64_t right = std::max(left + 1, (x + 1) * topography.columns / width);
+      double sum = 0;
+      int count = 0;
+      for (std::int64_t row = top; row < bottom; ++row)
+        for (std::int64_t column = left; column < right; ++column)
+          if (const double value = topography.at(row, column); !std::isnan(value)) {
+            sum += value;
+            ++count;
+          }
+      means.push_back(count > 0 ? sum / count : std::nan(""));
+    }
+  }
+  return means;
+}
+
+}  // namespace
+
+TopographyImage topographyImage(const Topography& topography, bool isTurned, int maxPixels) {
+  TopographyImage made;
+  if (topography.isProfile()) return made;
+  const int width = static_cast<int>(std::min<std::int64_t>(topography.columns, maxPixels));
+  const int height = static_cast<int>(std::min<std::int64_t>(topography.rows, maxPixels));
+  const std::vector<double> means = patches(topography, width, height);
+  std::vector<double> sorted;
+  for (const double value : means)
+    if (!std::isnan(value)) sorted.push_back(value);
+  if (sorted.empty()) return made;
+  std::ranges::sort(sorted);
+  const std::size_t edge = sorted.size() / 100;
+  made.lowest = sorted[edge];
+  made.highest = sorted[sorted.size() - 1 - edge];
+  const double range = made.highest > made.lowest ? made.highest - made.lowest : 1;
+  QImage image(width, height, QImage::Format_ARGB32);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const double value = means[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                                 static_cast<std::size_t>(x)];
+      image.setPixel(
+          x, y, std::isnan(value) ? qRgba(0, 0, 0, 0) : shadeOf((value - made.lowest) / range));
+    }
+  made.isTurned = isTurned;
+  made.image = isTurned ? image.transformed(QTransform(0, 1, 1, 0, 0, 0)) : image;
+  made.width = isTurned ? topography.width() : topography.length();
+  made.height = isTurned ? topography.length() : topography.width();
+  return made;
+}
+
+TopographyPicture::TopographyPicture(QWidget* parent) : QWidget(parent) {
+  setObjectName("topographyPicture");
+}
+
+void TopographyPicture::show(const TopographyImage& image, double row) {
+  shown_ = image;
+  row_ = row;
+  setAccessibleName(tr("topography"));
+  if (!image.image.isNull())
+    setToolTip(tr("%1 × %2, heights over %3")
+                   .arg(quantityLabel(image.width, "m"), quantityLabel(image.height, "m"),
+                        quantityLabel(image.highest - image.lowest, "m")));
+  setVisible(!image.image.isNull());
+  update();
+}
+
+void TopographyPicture::paintEvent(QPaintEvent*) {
+  if (shown_.image.isNull()) return;
+  QPainter painter(this);
+  const QString text = QStringLiteral("%1 × %2").arg(quantityLabel(shown_.width, "m"),
+                                                     quantityLabel(shown_.height, "m"));
+  const int line = fontMetrics().height();
+  // Very long and narrow surfaces are shown less narrow than they are.
+  constexpr double kNarrowest = 4;
+  const QRectF available = QRectF(rect()).adjusted(1, 1, -1, -line - 4);
+  const double ratio = std::clamp(shown_.width / shown_.height, 1 / kNarrowest, kNarrowest);
+  QSizeF frame(available.width(), available.width() / ratio);
+  if (frame.height() > available.height()) frame = {available.height() * ratio, available.height()};
+  const QRectF imageRect({available.left(), available.top()}, frame);
+  painter.setRenderHint(QPainter::SmoothPixmapTransform);
+  painter.drawImage(imageRect, shown_.image);
+  painter.setPen(palette().color(QPalette::Mid));
+  painter.drawRect(imageRect);
+  const QColor mark(255, 60, 60);
+  if (row_ >= 0) {
+    painter.setPen(QPen(mark, 2));
+    if (shown_.isTurned) {
+      const double x = imageRect.left() + row_ * imageRect.width();
+      painter.drawLine(QPointF(x, imageRect.top()), QPointF(x, imageRect.bottom()));
+    } else {
+      const double y = imageRect.top() + row_ * imageRect.height();
+      painter.drawLine(QPointF(imageRect.left(), y), QPointF(imageRect.right(), y));
+    }
+  } else {
+    painter.setPen(QPen(mark, 2));
+    painter.drawRect(imageRect.adjusted(1, 1, -1, -1));
+  }
+  painter.setPen(palette().color(QPalette::WindowText));
+  painter.drawText(QRectF(0, height() - line - 2, width(), line + 2),
+                   Qt::AlignLeft | Qt::AlignVCenter,
+                   fontMetrics().elidedText(text, Qt::ElideRight, width()));
+}
+
+// ---- The page
 
 /// The result of preparing a scene in the background.
 struct SurfaceImport::Preview {
@@ -52,10 +183,7 @@ std::vector<ParameterGroup> groups() {
 }
 
 QString valueText(double value, const std::string& unit) {
-  if (!std::isfinite(value)) return QStringLiteral("–");
-  return inLanguage(QString::fromStdString(unit.empty() ? printedNumber(value, 4)
-                                                        : printedQuantity(value, unit, 4)))
-      .toHtmlEscaped();
+  return quantityLabel(value, unit, 4).toHtmlEscaped();
 }
 
 /// A table of the values before and after.
@@ -71,11 +199,7 @@ QString valuesTable(const MeasuredSummary& summary) {
 }
 
 QLabel* addText(QVBoxLayout& column, const char* name) {
-  auto* label = new QLabel;
-  label->setObjectName(name);
-  label->setWordWrap(true);
-  label->setTextFormat(Qt::PlainText);
-  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  QLabel* label = textLabel(name);
   column.addWidget(label);
   return label;
 }
@@ -103,21 +227,14 @@ void SurfaceImport::buildViews(const Theme& theme) {
   topography_ = new TopographyPicture;
   topography_->hide();
   auto* texts = new QWidget;
-  auto* column = new QVBoxLayout(texts);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(4);
+  auto* column = flush<QVBoxLayout>(texts, 4);
   notes_ = addText(*column, "surfaceNotes");
   notes_->setProperty("role", "warning");
   notes_->setStyleSheet(panelStyleSheet(palette()));
   facts_ = addText(*column, "surfaceFacts");
   column->addStretch(1);
-  auto* scroll = new QScrollArea;
-  scroll->setWidget(texts);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  values_ = new QLabel;
-  values_->setObjectName("surfaceValues");
+  auto* scroll = scrolled(texts, Qt::ScrollBarAlwaysOff);
+  values_ = named<QLabel>("surfaceValues");
   values_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   values_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   auto* head = new QHBoxLayout;
@@ -126,11 +243,9 @@ void SurfaceImport::buildViews(const Theme& theme) {
   head->addWidget(values_);
   head->addWidget(scroll, 1);
   scroll->setFixedHeight(10 * fontMetrics().lineSpacing());  // the views below stay where they are
-  profile_ = new DiagramView;
-  profile_->setObjectName("surfaceProfile");
+  profile_ = named<DiagramView>("surfaceProfile");
   profile_->setAccessibleName(tr("the profile, raw and used"));
-  spectrum_ = new DiagramView;
-  spectrum_->setObjectName("surfaceSpectrum");
+  spectrum_ = named<DiagramView>("surfaceSpectrum");
   spectrum_->setAccessibleName(tr("spectrum and distribution of the heights, raw and used"));
   for (DiagramView* view : {profile_, spectrum_}) view->setTheme(theme);
   views().addLayout(head);
@@ -197,12 +312,10 @@ void SurfaceImport::showSummary(const MeasuredSummary& summary) {
   // A mirrored period is twice the file, and the force stays that on one period.
   const Load load = loadOn(scene_.load, summary.period);
   if (load.kind == LoadKind::Force) {
-    const auto quantity = [](double value, const char* unit) {
-      return inLanguage(QString::fromStdString(printedQuantity(value, unit, 4)));
-    };
-    facts += tr("Normal force %1 on one period of %2, F_N/L = %3.")
-                 .arg(quantity(load.normalForce, "N"), quantity(summary.period, "m"),
-                      quantity(load.normalForce / summary.period, "N/m"));
+    facts +=
+        tr("Normal force %1 on one period of %2, F_N/L = %3.")
+            .arg(quantityLabel(load.normalForce, "N", 4), quantityLabel(summary.period, "m", 4),
+                 quantityLabel(load.normalForce / summary.period, "N/m", 4));
   }
   for (const Note note : summary.notes.list())
     notes += QStringLiteral("⚠ ") + sentence(withLabels(translatedText(noteSentence(note))));

@@ -16,7 +16,7 @@
 #include "core/scene/sweep.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
-#include "ui/panels/choice_box.h"
+#include "ui/panels/controls.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/parameter_row.h"
 #include "ui/window/lesson/lesson_form.h"

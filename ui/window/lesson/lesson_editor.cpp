@@ -37,8 +37,8 @@
 #include "ui/window/lesson/lesson_pages.h"
 #include "ui/window/lesson/lesson_text.h"
 #include "ui/window/main/document_commands.h"
-#include "ui/window/main/last_session.h"
 #include "ui/window/main/picture_files.h"
+#include "ui/window/main/run_window.h"
 #include "ui/window/main/scene_library.h"
 
 namespace asperity {

@@ -9,7 +9,7 @@
 #include <QTextDocument>
 
 #include "core/scene/parameters.h"
-#include "ui/panels/choice_box.h"
+#include "ui/panels/controls.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/window/lesson/assignment_list.h"

@@ -18,13 +18,12 @@
 #include "core/friction/curve_quantity.h"
 #include "core/scene/parameters.h"
 #include "ui/language/translated.h"
-#include "ui/panels/choice_box.h"
+#include "ui/panels/controls.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/parameter_row.h"
 #include "ui/window/lesson/assignment_list.h"
 #include "ui/window/lesson/lesson_value_fields.h"
 #include "ui/window/lesson/prediction_fields.h"
-#include "ui/window/main/fitted_labels.h"
 
 namespace asperity {
 

@@ -18,9 +18,9 @@
 #include "core/base/units.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
+#include "ui/panels/controls.h"
 #include "ui/panels/number_text.h"
 #include "ui/window/lesson/lesson_text.h"
-#include "ui/window/main/fitted_labels.h"
 
 namespace asperity {
 

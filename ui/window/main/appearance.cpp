@@ -13,7 +13,7 @@
 #include "ui/chart/diagram_style.h"
 #include "ui/draw/fonts.h"
 #include "ui/language/language.h"
-#include "ui/panels/choice_box.h"
+#include "ui/panels/controls.h"
 #include "ui/panels/value_slider.h"
 #include "ui/window/main/commands.h"
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ui/language/language.h"
+#include "ui/panels/controls.h"
 
 namespace asperity {
 
@@ -21,8 +22,7 @@ Commands::Commands(QMainWindow& window) : QObject(&window), window_(window) {
 }
 
 QAction* Commands::add(Command command) {
-  auto* action = new QAction(this);
-  action->setObjectName(QString::fromStdString(command.name));
+  auto* action = named<QAction>(QString::fromStdString(command.name), this);
   action->setShortcuts(command.keys);
   action->setIconVisibleInMenu(false);
   connect(action, &QAction::triggered, this, [run = command.run] { run(); });

@@ -5,8 +5,6 @@
 #include <QFileInfo>
 #include <QLocale>
 #include <QMenu>
-#include <QMessageBox>
-#include <QPushButton>
 #include <QSettings>
 #include <exception>
 #include <filesystem>
@@ -20,6 +18,7 @@
 #include "core/scene/scene_file.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
+#include "ui/panels/controls.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/panels/scene_files.h"
 #include "ui/window/main/commands.h"
@@ -147,16 +146,15 @@ bool DocumentCommands::confirmOpen(const QString& file, const FoundScene& found)
   if (demands.seconds > 0)
     reasons += tr("Its curve takes about %1 minutes of processor time.")
                    .arg(QLocale().toString(demands.seconds / 60, 'g', 2));
-  QMessageBox box(QMessageBox::Warning, tr("Asperity"), {}, QMessageBox::Open | QMessageBox::Cancel,
-                  &window_);
-  box.setObjectName("demandQuestion");
-  box.setTextFormat(Qt::PlainText);  // file names are not markup
-  box.setText(tr("Open the scene in “%1”?").arg(QFileInfo(file).fileName()) + "\n\n" +
-              reasons.join('\n'));
-  box.setDefaultButton(QMessageBox::Cancel);
-  box.button(QMessageBox::Open)->setText(tr("&Open"));
-  box.button(QMessageBox::Cancel)->setText(tr("&Cancel"));
-  return box.exec() == QMessageBox::Open;
+  const Question question{
+      "demandQuestion",
+      tr("Asperity"),
+      tr("Open the scene in “%1”?").arg(QFileInfo(file).fileName()) + "\n\n" + reasons.join('\n'),
+      {},
+      QMessageBox::Warning};
+  return ask(&window_, question,
+             {{QMessageBox::Open, tr("&Open")}, {QMessageBox::Cancel, tr("&Cancel")}},
+             QMessageBox::Cancel) == QMessageBox::Open;
 }
 
 // ---- Saving
@@ -227,18 +225,11 @@ bool DocumentCommands::maybeSave(const SceneState& state) {
 
 SaveAnswer askSaveChanges(QWidget* parent, const QString& name, const QString& title,
                           const QString& question, const QString& explanation) {
-  QMessageBox box(QMessageBox::Question, title, {},
-                  QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, parent);
-  box.setObjectName(name);
-  box.setTextFormat(Qt::PlainText);  // titles and file names are not markup
-  box.setText(question);
-  box.setInformativeText(explanation);
-  box.setDefaultButton(QMessageBox::Save);
-  // Not every desktop gives its standard buttons a shortcut letter.
-  box.button(QMessageBox::Save)->setText(DocumentCommands::tr("&Save"));
-  box.button(QMessageBox::Discard)->setText(DocumentCommands::tr("&Discard"));
-  box.button(QMessageBox::Cancel)->setText(DocumentCommands::tr("&Cancel"));
-  switch (box.exec()) {
+  switch (ask(parent, {name, title, question, explanation},
+              {{QMessageBox::Save, DocumentCommands::tr("&Save")},
+               {QMessageBox::Discard, DocumentCommands::tr("&Discard")},
+               {QMessageBox::Cancel, DocumentCommands::tr("&Cancel")}},
+              QMessageBox::Save)) {
     case QMessageBox::Save:
       return SaveAnswer::Save;
     case QMessageBox::Discard:

@@ -5,7 +5,6 @@
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QImage>
-#include <string>
 #include <utility>
 
 #include "ui/chart/chart_view.h"
@@ -159,11 +158,12 @@ void Exports::askPicture() {
 void Exports::savePicture(const QString& file) {
   const std::optional<ContactShot> present = shot();
   if (!present) return;
-  run([shot = *present, file] { writeContact(file, shot); },
-      [this, file] {
-        parts_.status.showMessage(tr("Saved %1").arg(QFileInfo(file).fileName()));
-        emit exported(file);
-      });
+  run([shot = *present, file] { writeContact(file, shot); }, [this, file] { showSaved(file); });
+}
+
+void Exports::showSaved(const QString& file) {
+  parts_.status.showMessage(tr("Saved %1").arg(QFileInfo(file).fileName()));
+  emit exported(file);
 }
 
 CurveCommandOptions Exports::shownCurves() const {
@@ -210,10 +210,7 @@ ExportDialog& Exports::openDialog(ExportKind kind) {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   if (kind == ExportKind::Figure && parts_.figures.isShowingFigures())
     dialog->form().setContent(fromUtf8(figureEntry(parts_.figures.gallery().chosen()).word));
-  connect(dialog, &ExportDialog::exported, this, [this](const QString& file) {
-    parts_.status.showMessage(tr("Saved %1").arg(QFileInfo(file).fileName()));
-    emit exported(file);
-  });
+  connect(dialog, &ExportDialog::exported, this, &Exports::showSaved);
   dialog->open();
   return *dialog;
 }

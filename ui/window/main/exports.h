@@ -82,6 +82,7 @@ class Exports : public QObject {
   std::optional<ContactShot> shot() const;
   void copyPicture();
   void askPicture();
+  void showSaved(const QString& file);
   void enableCommands(Commands& commands) const;
   CurveCommandOptions shownCurves() const;
   RenderCommandOptions shownOptions() const;

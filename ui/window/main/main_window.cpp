@@ -22,6 +22,7 @@
 #include "ui/chart/friction_chart_model.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
+#include "ui/panels/controls.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/window/accuracy/accuracy_panel.h"
 #include "ui/window/accuracy/plan_list.h"
@@ -29,10 +30,8 @@
 #include "ui/window/contact/contact_words.h"
 #include "ui/window/contact/motion_view.h"
 #include "ui/window/contact/time_bar.h"
-#include "ui/window/curve/axis_choosers.h"
 #include "ui/window/curve/comparison_commands.h"
 #include "ui/window/curve/curve_commands.h"
-#include "ui/window/curve/curve_comparisons.h"
 #include "ui/window/curve/curve_display.h"
 #include "ui/window/curve/curve_reading.h"
 #include "ui/window/figures/diagram_view.h"
@@ -45,8 +44,8 @@
 #include "ui/window/main/commands.h"
 #include "ui/window/main/document_commands.h"
 #include "ui/window/main/exports.h"
-#include "ui/window/main/last_session.h"
 #include "ui/window/main/message_bar.h"
+#include "ui/window/main/run_window.h"
 #include "ui/window/main/scene_document.h"
 #include "ui/window/main/scene_library.h"
 #include "ui/window/main/scene_tabs.h"
@@ -86,24 +85,14 @@ void translateButtons(const QDockWidget& dock) {
 
 /// Makes a title bar for a dock in the window's own style.
 QWidget* dockTitle(QDockWidget& dock) {
-  auto* title = new QWidget;
-  title->setObjectName("dockTitle");
-  title->setAttribute(Qt::WA_StyledBackground);
-  auto* layout = new QHBoxLayout(title);
-  layout->setContentsMargins(14, 5, 8, 5);
-  auto* label = new QLabel;
-  layout->addWidget(label, 1);
-  auto* close = new QToolButton;
-  close->setText(QStringLiteral("✕"));
-  close->setFocusPolicy(Qt::NoFocus);
-  QObject::connect(close, &QToolButton::clicked, &dock, &QDockWidget::close);
-  layout->addWidget(close);
-  keepTranslated(dock, [&dock, label, close] {
+  auto* bar = new TitleBar;
+  QObject::connect(&bar->closeButton(), &QToolButton::clicked, &dock, &QDockWidget::close);
+  keepTranslated(dock, [&dock, bar] {
     dock.setWindowTitle(MainWindow::tr("Parameters"));
-    label->setText(dock.windowTitle());
-    close->setAccessibleName(MainWindow::tr("close"));
+    bar->title().setText(dock.windowTitle());
+    bar->closeButton().setAccessibleName(MainWindow::tr("close"));
   });
-  return title;
+  return bar;
 }
 
 LineSize lineSize(const Frame& frame) {
@@ -114,9 +103,7 @@ LineSize lineSize(const Frame& frame) {
 /// Puts widgets below each other without a gap; the last one takes the remaining height.
 QWidget* inColumn(std::initializer_list<QWidget*> widgets) {
   auto* all = new QWidget;
-  auto* column = new QVBoxLayout(all);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
+  auto* column = flush<QVBoxLayout>(all, 0);
   for (QWidget* widget : widgets) column->addWidget(widget);
   column->setStretchFactor(*std::rbegin(widgets), 1);
   return all;
@@ -172,16 +159,12 @@ ChartView& MainWindow::plotView() {
 
 void MainWindow::buildViews() {
   tabs_ = new SceneTabs(*session_);
-  splitter_ = new QSplitter(Qt::Vertical);
-  splitter_->setObjectName("viewSplitter");
+  splitter_ = named<QSplitter>("viewSplitter", Qt::Vertical);
   splitter_->setHandleWidth(1);
   splitter_->setChildrenCollapsible(false);
   timeBar_ = new TimeBar;
-  auto* contact = new QWidget;
-  contact->setObjectName("contactPage");
-  auto* column = new QVBoxLayout(contact);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
+  auto* contact = named<QWidget>("contactPage");
+  auto* column = flush<QVBoxLayout>(contact, 0);
   column->addWidget(canvas_, 1);
   column->addWidget(timeBar_);
   splitter_->addWidget(contact);
@@ -189,12 +172,10 @@ void MainWindow::buildViews() {
   splitter_->setStretchFactor(0, 58);
   splitter_->setStretchFactor(1, 42);
 
-  description_ = new MessageBar;
-  description_->setObjectName("descriptionBar");
+  description_ = named<MessageBar>("descriptionBar");
   figures_ = new FigurePages(inColumn({description_, splitter_}));
   messages_ = new MessageBar;
-  hint_ = new MessageBar;
-  hint_->setObjectName("hintBar");
+  hint_ = named<MessageBar>("hintBar");
   tourBar_ = new TourBar;
   setCentralWidget(inColumn({messages_, hint_, tourBar_, figures_}));
 
@@ -204,8 +185,7 @@ void MainWindow::buildViews() {
   statusBar()->setSizeGripEnabled(false);
   statusBar()->setContentsMargins(0, 0, 0, 0);
 
-  dock_ = new QDockWidget;
-  dock_->setObjectName("parameterDock");
+  dock_ = named<QDockWidget>("parameterDock");
   dock_->setTitleBarWidget(dockTitle(*dock_));
   addDockWidget(Qt::RightDockWidgetArea, dock_);
   // The panel gets its final parent at once: Qt evaluates the style of its rows for each parent.
@@ -335,8 +315,7 @@ void MainWindow::connectScene() {
 }
 
 void MainWindow::openShipped(const QString& name) {
-  for (const LibraryScene& entry : libraryScenes())
-    if (entry.name == name) document_->open({entry.name, {}, entry.scene});
+  if (const LibraryScene* entry = findLibraryScene(name)) document_->open({name, {}, entry->scene});
 }
 
 void MainWindow::openGallery() {
@@ -513,15 +492,16 @@ void MainWindow::connectCurve() {
   const auto succeeds = [this](MessageBar::Failure source) {
     return [this, source] { messages_->end(source); };
   };
-  connect(curveCommands_, &CurveCommands::exported, this, [this](const QString& file) {
-    status_->showMessage(file.isEmpty() ? tr("The curve's picture is on the clipboard")
-                                        : tr("Saved %1").arg(QFileInfo(file).fileName()));
+  const auto showSaved = [this](const QString& file, const QString& copied) {
+    status_->showMessage(file.isEmpty() ? copied : tr("Saved %1").arg(QFileInfo(file).fileName()));
+  };
+  connect(curveCommands_, &CurveCommands::exported, this, [this, showSaved](const QString& file) {
+    showSaved(file, tr("The curve's picture is on the clipboard"));
     emit exports_->exported(file);
   });
-  connect(tabs_, &SceneTabs::saved, this, [this](const QString& file) {
+  connect(tabs_, &SceneTabs::saved, this, [this, showSaved](const QString& file) {
     messages_->end(MessageBar::Failure::Export);
-    status_->showMessage(file.isEmpty() ? tr("The picture is on the clipboard")
-                                        : tr("Saved %1").arg(QFileInfo(file).fileName()));
+    showSaved(file, tr("The picture is on the clipboard"));
   });
   connect(tabs_, &SceneTabs::failed, this, fails(MessageBar::Failure::Export));
   auto* display = new CurveDisplay(*session_, tabs_->plot(), this);

@@ -142,4 +142,12 @@ class MainWindow : public QMainWindow {
   std::optional<std::string> described_;  // the last text in the description bar
 };
 
+/// Returns the guide of the program in this folder: one HTML file that is installed beside the
+/// program, or made in its build folder; empty where there is none.
+QString guideFile(const QString& programFolder);
+
+/// Opens the guide in the reader's own browser, at an anchor ("eq-11") or at its beginning. Returns
+/// the error message; empty on success.
+QString openGuideFile(const QString& programFolder, const QString& anchor = {});
+
 }  // namespace asperity

@@ -4,22 +4,26 @@
 #include <QActionGroup>
 #include <QCoreApplication>
 #include <QCursor>
+#include <QDesktopServices>
+#include <QDir>
 #include <QEvent>
+#include <QFileInfo>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QToolBar>
 #include <QToolButton>
+#include <QUrl>
 #include <algorithm>
 #include <functional>
 #include <string>
 #include <utility>
 
-#include "ui/language/explained.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
+#include "ui/panels/controls.h"
 #include "ui/panels/number_text.h"
-#include "ui/window/contact/contact_view_actions.h"
+#include "ui/window/contact/contact_canvas.h"
 #include "ui/window/curve/comparison_commands.h"
 #include "ui/window/curve/curve_commands.h"
 #include "ui/window/figures/figure_pages.h"
@@ -28,7 +32,6 @@
 #include "ui/window/main/appearance.h"
 #include "ui/window/main/commands.h"
 #include "ui/window/main/document_commands.h"
-#include "ui/window/main/guide.h"
 #include "ui/window/main/main_window.h"
 #include "ui/window/main/message_bar.h"
 #include "ui/window/main/run_window.h"
@@ -210,8 +213,7 @@ void MainWindow::buildToolBar(QMenu& scenesMenu) {
     new SteadyWidth(*play, [] { return QStringList{tr("Play"), tr("Pause")}; });
   bar->addSeparator();
 
-  auto* scenes = new QToolButton;
-  scenes->setObjectName("scenesButton");
+  auto* scenes = named<QToolButton>("scenesButton");
   scenes->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   scenes->setPopupMode(QToolButton::InstantPopup);
   scenes->setMenu(&scenesMenu);
@@ -257,6 +259,26 @@ void MainWindow::showShortcuts() {
   auto* sheet = new ShortcutSheet(*this, this);
   sheet->setAttribute(Qt::WA_DeleteOnClose);
   sheet->open();
+}
+
+QString guideFile(const QString& programFolder) {
+  for (const char* path : {"../share/asperity/guide.html", "../resources/guide/guide.html"}) {
+    const QFileInfo file(QDir(programFolder).filePath(QString::fromLatin1(path)));
+    if (file.isFile() && file.isReadable()) return file.canonicalFilePath();
+  }
+  return {};
+}
+
+QString openGuideFile(const QString& programFolder, const QString& anchor) {
+  const QString file = guideFile(programFolder);
+  if (file.isEmpty())
+    return MessageBar::tr("The guide is not part of this build. Its text is in resources/guide.");
+  QUrl path = QUrl::fromLocalFile(file);
+  if (!anchor.isEmpty()) path.setFragment(anchor);
+  if (!QDesktopServices::openUrl(path))
+    return MessageBar::tr("No browser opens the guide; it is the file %1.")
+        .arg(QDir::toNativeSeparators(file));
+  return {};
 }
 
 void MainWindow::openGuide(const QString& anchor) {

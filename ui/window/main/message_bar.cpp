@@ -8,23 +8,21 @@
 
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
+#include "ui/panels/controls.h"
 #include "ui/panels/parameter_row.h"
 
 namespace asperity {
 
 MessageBar::MessageBar(QWidget* parent)
-    : QFrame(parent), label_(new QLabel), accept_(new QPushButton), close_(new QToolButton) {
+    : QFrame(parent),
+      label_(textLabel("messageText")),
+      accept_(named<QPushButton>("acceptOffer")),
+      close_(named<QToolButton>("closeMessage")) {
   setObjectName("messageBar");
-  label_->setObjectName("messageText");
-  label_->setWordWrap(true);
-  label_->setTextFormat(Qt::PlainText);
-  label_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  accept_->setObjectName("acceptOffer");
   accept_->setAutoDefault(false);
   accept_->setFocusPolicy(Qt::TabFocus);
   accept_->hide();
   connect(accept_, &QPushButton::clicked, this, &MessageBar::accepted);
-  close_->setObjectName("closeMessage");
   close_->setText(QStringLiteral("✕"));
   close_->setFocusPolicy(Qt::TabFocus);
   connect(close_, &QToolButton::clicked, this, [this] {

@@ -25,17 +25,16 @@ QString firstExtension(const QString& filter) {
 
 const QString kSaveFolder = QStringLiteral("files/saveFolder");
 
-/// Returns the folder of the file that was saved last, or the home folder.
-QString lastSaveFolder() {
-  const QString last = QSettings().value(kSaveFolder).toString();
+}  // namespace
+
+QString lastFolder(const QString& key) {
+  const QString last = QSettings().value(key).toString();
   return !last.isEmpty() && QFileInfo(last).isDir() ? last : QDir::homePath();
 }
 
-}  // namespace
-
 QString askSaveFile(QWidget* parent, const QString& title, const QString& name,
                     const QString& filters, bool asksToReplace) {
-  QFileDialog dialog(parent, title, lastSaveFolder(), filters);
+  QFileDialog dialog(parent, title, lastFolder(kSaveFolder), filters);
   dialog.setAcceptMode(QFileDialog::AcceptSave);
   dialog.setOption(QFileDialog::DontConfirmOverwrite, !asksToReplace);
   dialog.setDefaultSuffix(firstExtension(filters));

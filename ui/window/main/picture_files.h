@@ -20,6 +20,9 @@ namespace asperity {
 QString askSaveFile(QWidget* parent, const QString& title, const QString& name,
                     const QString& filters, bool asksToReplace = true);
 
+/// Returns the folder that the settings keep under this key, or the home folder.
+QString lastFolder(const QString& key);
+
 /// Writes PNG, SVG or PDF, by the extension. Throws InputError for any other one, and as
 /// writeFileAtomically.
 void writePicture(const std::filesystem::path& file, const DrawList& picture,

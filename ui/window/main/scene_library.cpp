@@ -77,4 +77,10 @@ const std::vector<LibraryScene>& libraryScenes() {
   return scenes;
 }
 
+const LibraryScene* findLibraryScene(const QString& name) {
+  const std::vector<LibraryScene>& scenes = libraryScenes();
+  const auto found = std::ranges::find(scenes, name, &LibraryScene::name);
+  return found == scenes.end() ? nullptr : &*found;
+}
+
 }  // namespace asperity

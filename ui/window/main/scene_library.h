@@ -20,6 +20,9 @@ struct LibraryScene {
 /// files. A scene that cannot be read is left out. They are read at the first call.
 const std::vector<LibraryScene>& libraryScenes();
 
+/// Returns the shipped scene of this name; null where there is none.
+const LibraryScene* findLibraryScene(const QString& name);
+
 /// Reads the scene file of this name in the folder (empty: the current one) or, where there is
 /// none, the shipped scene of this name, with or without ".json". Throws InputError where it cannot
 /// be read.

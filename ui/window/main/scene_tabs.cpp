@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
-#include <type_traits>
 
 #include "core/chart/material_sheets.h"
 #include "core/run/line_diagrams.h"
@@ -20,6 +19,7 @@
 #include "ui/chart/chart_view.h"
 #include "ui/draw/png_file.h"
 #include "ui/language/language.h"
+#include "ui/panels/controls.h"
 #include "ui/window/accuracy/accuracy_panel.h"
 #include "ui/window/accuracy/plan_list.h"
 #include "ui/window/contact/motion_view.h"
@@ -78,11 +78,11 @@ class ExcitationCache {
 SceneTabs::SceneTabs(Session& session, QWidget* parent)
     : QTabWidget(parent),
       session_(session),
-      plot_(new ChartView),
-      motion_(new MotionView),
-      spectrum_(new DiagramView),
-      statistics_(new DiagramView),
-      material_(new DiagramView),
+      plot_(named<ChartView>("frictionPlot")),
+      motion_(named<MotionView>("transientStrips")),  // as in settings of earlier versions
+      spectrum_(named<DiagramView>("spectrumView")),
+      statistics_(named<DiagramView>("statisticsView")),
+      material_(named<DiagramView>("materialView")),
       accuracy_(new AccuracyPanel),
       plan_(new PlanList),
       map_(new MapPanel),
@@ -97,20 +97,14 @@ SceneTabs::SceneTabs(Session& session, QWidget* parent)
   tabBar()->setElideMode(Qt::ElideRight);
   // Clicking here leaves an entry, so that the window gets the keys again.
   plot_->setFocusPolicy(Qt::ClickFocus);
-  plot_->setObjectName("frictionPlot");
   plot_->setMinimumHeight(kOnePlot);
-  motion_->setObjectName("transientStrips");  // as in settings of earlier versions
-  spectrum_->setObjectName("spectrumView");
-  statistics_->setObjectName("statisticsView");
-  material_->setObjectName("materialView");
   // Newer tabs are last, so that the keys of the others stay.
-  for (QWidget* page : std::initializer_list<QWidget*>{
-           plot_, motion_, spectrum_, statistics_, material_, accuracy_, plan_, map_, influences_})
+  for (QWidget* page : Widgets{plot_, motion_, spectrum_, statistics_, material_, accuracy_, plan_,
+                               map_, influences_})
     addTab(page, QString());
   setTabVisible(kMotionTab, false);
   for (int i = 0; i < count(); ++i) {
-    auto* action = new QAction(this);
-    action->setObjectName("tab:" + widget(i)->objectName());
+    auto* action = named<QAction>("tab:" + widget(i)->objectName(), this);
     action->setCheckable(true);
     action->setChecked(true);
     action->setVisible(i != kMotionTab);
@@ -119,15 +113,10 @@ SceneTabs::SceneTabs(Session& session, QWidget* parent)
   }
   keepTranslated(*this, [this] { showTexts(); });
   connect(accuracy_, &AccuracyPanel::comparisonChanged, this, &SceneTabs::updatePlotHeight);
-  const auto passOn = [this](auto* page) {
-    using Page = std::remove_pointer_t<decltype(page)>;
-    connect(page, &Page::saved, this, &SceneTabs::saved);
-    connect(page, &Page::failed, this, &SceneTabs::failed);
-  };
-  for (DiagramView* view : {spectrum_, statistics_, material_}) passOn(view);
-  passOn(motion_);
-  passOn(map_);
-  passOn(influences_);
+  for (DiagramView* view : findChildren<DiagramView*>()) {
+    connect(view, &DiagramView::saved, this, &SceneTabs::saved);
+    connect(view, &DiagramView::failed, this, &SceneTabs::failed);
+  }
   connect(statistics_, &DiagramView::visibilityChanged, this, &SceneTabs::fieldsChanged);
   connect(&session_, &Session::plotChanged, this, &SceneTabs::showMeasuredCurve);
 }
@@ -271,7 +260,7 @@ void SceneTabs::bringToFront(const QString& name) {
 }
 
 void SceneTabs::setCurveHidden(bool isHidden) {
-  for (QWidget* page : std::initializer_list<QWidget*>{map_, influences_})
+  for (QWidget* page : Widgets{map_, influences_})
     setTabEnabled(indexOf(page), !isHidden || page == currentWidget());
   fitTitles();
 }
@@ -319,7 +308,7 @@ void SceneTabs::showScene(const Scene& scene) {
     measured_.reset();
     beginCurve();
   } else if (measured_) {
-    accuracy_->showMeasured(measured_->seconds, measured_->standardError, measured_->interval);
+    accuracy_->showMeasured(*measured_);
   }
 }
 
@@ -354,7 +343,7 @@ void SceneTabs::showMeasuredCurve() {
       rootMeanSquare(points, [](const CurvePoint& at) { return at.muStandardError / at.mu; }),
       rootMeanSquare(points,
                      [](const CurvePoint& at) { return (at.muHigh - at.muLow) / 2 / at.mu; })};
-  accuracy_->showMeasured(measured_->seconds, measured_->standardError, measured_->interval);
+  accuracy_->showMeasured(*measured_);
   curveTime_.invalidate();
 }
 

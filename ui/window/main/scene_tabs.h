@@ -8,20 +8,19 @@
 #include <QList>
 #include <QStringList>
 #include <QTabWidget>
-#include <functional>
 #include <memory>
 #include <optional>
 
 #include "core/run/frame.h"
 #include "core/scene/scene.h"
 #include "ui/contact/contact_picture.h"
+#include "ui/window/accuracy/accuracy_panel.h"
 
 class QAction;
 class QMenu;
 
 namespace asperity {
 
-class AccuracyPanel;
 class ChartView;
 class Commands;
 class DiagramView;
@@ -117,11 +116,7 @@ class SceneTabs : public QTabWidget {
   bool mayScroll_ = false;
   bool hasMeasuredFriction_ = false;  // its ratio to the curve is a plot of its own
   QElapsedTimer curveTime_;  // since the request for the curve; invalid once it is complete
-  /// Results for the present curve; errors are relative, root mean square.
-  struct Measured {
-    double seconds, standardError, interval;
-  };
-  std::optional<Measured> measured_;
+  std::optional<CurveCost> measured_;  // results for the present curve
   std::shared_ptr<ExcitationCache> excitation_;
 };
 

@@ -15,9 +15,9 @@
 #include "core/material/element_law.h"
 #include "ui/chart/friction_chart_model.h"
 #include "ui/draw/ticks.h"
-#include "ui/language/explained.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
+#include "ui/panels/controls.h"
 #include "ui/panels/number_text.h"
 #include "ui/window/contact/contact_canvas.h"
 #include "ui/window/curve/curve_reading.h"
@@ -126,8 +126,7 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
   regime_ = addReading(*line, "factRegime");
   force_ = addReading(*line, "factForce");
   velocity_ = addReading(*line, "factVelocity");
-  notes_ = new QToolButton;
-  notes_->setObjectName("factNotes");
+  notes_ = named<QToolButton>("factNotes");
   notes_->setAutoRaise(true);
   notes_->setFocusPolicy(Qt::TabFocus);
   notes_->hide();
@@ -140,9 +139,8 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
   });
   line->addWidget(notes_);
   settling_ = addReading(*line, "factSettling");
-  message_ = new ElidedLabel;
+  message_ = named<ElidedLabel>("statusMessage");
   message_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  message_->setObjectName("statusMessage");
   line->addWidget(message_, 1);
   messageTimer_ = new QTimer(this);
   messageTimer_->setSingleShot(true);
@@ -160,8 +158,7 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
 }
 
 QLabel* StatusLine::addReading(QHBoxLayout& line, const char* name) {
-  auto* label = new QLabel;
-  label->setObjectName(name);
+  auto* label = named<QLabel>(name);
   line.addWidget(label);
   return label;
 }
@@ -203,7 +200,7 @@ void StatusLine::reserveWidths() {
     reading->setMinimumWidth(widestText(*this, texts));
   for (QLabel* reading : {simulations_, rate_})
     reading->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  for (QWidget* widget : std::initializer_list<QWidget*>{progress_, stop_}) {
+  for (QWidget* widget : Widgets{progress_, stop_}) {
     QSizePolicy policy = widget->sizePolicy();
     policy.setRetainSizeWhenHidden(true);
     widget->setSizePolicy(policy);
@@ -234,12 +231,8 @@ void StatusLine::monitor(const Session& session, const ContactCanvas& canvas) {
 /// Adds the progress bar. It is thin, and visible only during work, but its height is kept: the
 /// views above must not move when a curve begins or ends.
 void StatusLine::addWork(QHBoxLayout& line) {
-  progress_ = new QProgressBar;
-  progress_->setObjectName("workProgress");
-  progress_->setTextVisible(false);
-  progress_->setFixedSize(90, 6);
-  stop_ = new QToolButton;
-  stop_->setObjectName("workStop");
+  progress_ = thinProgress("workProgress", 90);
+  stop_ = named<QToolButton>("workStop");
   stop_->setAutoRaise(true);
   stop_->setFocusPolicy(Qt::TabFocus);
   connect(stop_, &QToolButton::clicked, this, &StatusLine::workButtonClicked);
@@ -327,7 +320,7 @@ void StatusLine::fitReadings() {
   // A message takes the place of work that does not run, and of the less important readings.
   const bool hasMessage = messageTimer_->isActive();
   const bool keepsWork = !hasMessage || work_.state != Work::State::Idle;
-  for (QWidget* work : std::initializer_list<QWidget*>{progress_, stop_}) {
+  for (QWidget* work : Widgets{progress_, stop_}) {
     QSizePolicy policy = work->sizePolicy();
     policy.setRetainSizeWhenHidden(keepsWork);
     work->setSizePolicy(policy);

@@ -7,7 +7,7 @@
 #include <QWidget>
 
 #include "core/run/frame.h"
-#include "ui/window/main/fitted_labels.h"
+#include "ui/panels/controls.h"
 
 class QHBoxLayout;
 class QProgressBar;

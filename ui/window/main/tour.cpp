@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "ui/language/translated.h"
+#include "ui/panels/controls.h"
 #include "ui/window/main/commands.h"
 #include "ui/window/main/message_bar.h"
 #include "ui/window/main/scene_document.h"
@@ -25,62 +26,45 @@ namespace {
 
 const QString kOffered = QStringLiteral("tour/offered");
 
-constexpr std::array kSteps{
-    TourStep{"pressed", QT_TRANSLATE_NOOP("asperity::Tour", "Press"),
-             QT_TRANSLATE_NOOP("asperity::Tour",
-                               "A rough line rests on rubber: only its highest summits touch."),
-             QT_TRANSLATE_NOOP("asperity::Tour",
-                               "Drag the normal force up: contacts grow in number and length."),
-             "load.normal_force"},
-    TourStep{"region_1", QT_TRANSLATE_NOOP("asperity::Tour", "Slide slowly"),
-             QT_TRANSLATE_NOOP("asperity::Tour",
-                               "The rubber has time to come back behind every summit, and friction "
-                               "grows in proportion to the velocity."),
-             QT_TRANSLATE_NOOP("asperity::Tour",
-                               "Double the velocity: the coefficient of friction doubles."),
-             "sliding.velocity"},
-    TourStep{"region_3", QT_TRANSLATE_NOOP("asperity::Tour", "The plateau"),
-             QT_TRANSLATE_NOOP("asperity::Tour",
-                               "At higher velocity friction stops growing: it is now set by the "
-                               "slope of the line, not by the rubber."),
-             QT_TRANSLATE_NOOP("asperity::Tour",
-                               "Change the shear modulus or the force: the height of the "
-                               "plateau stays, but its place on the axis moves."),
-             "elastomer.shear_modulus"},
-    TourStep{"one_sided", QT_TRANSLATE_NOOP("asperity::Tour", "One-sided contact"),
-             QT_TRANSLATE_NOOP("asperity::Tour",
-                               "A single summit shows why: the rubber is too slow to touch its "
-                               "trailing side, so it pushes only from the front."),
-             QT_TRANSLATE_NOOP("asperity::Tour",
-                               "Lower the velocity to 0.001 m/s: contact becomes even on both "
-                               "sides, and friction vanishes."),
-             "sliding.velocity"},
-    TourStep{"region_4", QT_TRANSLATE_NOOP("asperity::Tour", "Region IV"),
-             QT_TRANSLATE_NOOP("asperity::Tour",
-                               "Faster still, only the tips of the highest summits touch, and they "
-                               "are smooth: friction falls again."),
-             QT_TRANSLATE_NOOP("asperity::Tour",
-                               "Raise the number of elements: finer tips move the fall "
-                               "to higher velocities."),
-             "surface.elements"},
-    TourStep{"full_contact", QT_TRANSLATE_NOOP("asperity::Tour", "Full contact"),
-             QT_TRANSLATE_NOOP("asperity::Tour",
-                               "Under a high load the rubber fills every valley, and friction is "
-                               "known exactly."),
-             QT_TRANSLATE_NOOP("asperity::Tour",
-                               "Raise the velocity until the first valleys open: there the "
-                               "straight line ends."),
-             "sliding.velocity"},
-};
-
 }  // namespace
 
-std::span<const TourStep> tourSteps() {
+std::span<const TourStep> Tour::steps() {
+  static constexpr std::array kSteps{
+      TourStep{"pressed", QT_TR_NOOP("Press"),
+               QT_TR_NOOP("A rough line rests on rubber: only its highest summits touch."),
+               QT_TR_NOOP("Drag the normal force up: contacts grow in number and length."),
+               "load.normal_force"},
+      TourStep{"region_1", QT_TR_NOOP("Slide slowly"),
+               QT_TR_NOOP("The rubber has time to come back behind every summit, and friction "
+                          "grows in proportion to the velocity."),
+               QT_TR_NOOP("Double the velocity: the coefficient of friction doubles."),
+               "sliding.velocity"},
+      TourStep{"region_3", QT_TR_NOOP("The plateau"),
+               QT_TR_NOOP("At higher velocity friction stops growing: it is now set by the "
+                          "slope of the line, not by the rubber."),
+               QT_TR_NOOP("Change the shear modulus or the force: the height of the "
+                          "plateau stays, but its place on the axis moves."),
+               "elastomer.shear_modulus"},
+      TourStep{"one_sided", QT_TR_NOOP("One-sided contact"),
+               QT_TR_NOOP("A single summit shows why: the rubber is too slow to touch its "
+                          "trailing side, so it pushes only from the front."),
+               QT_TR_NOOP("Lower the velocity to 0.001 m/s: contact becomes even on both "
+                          "sides, and friction vanishes."),
+               "sliding.velocity"},
+      TourStep{"region_4", QT_TR_NOOP("Region IV"),
+               QT_TR_NOOP("Faster still, only the tips of the highest summits touch, and they "
+                          "are smooth: friction falls again."),
+               QT_TR_NOOP("Raise the number of elements: finer tips move the fall "
+                          "to higher velocities."),
+               "surface.elements"},
+      TourStep{"full_contact", QT_TR_NOOP("Full contact"),
+               QT_TR_NOOP("Under a high load the rubber fills every valley, and friction is "
+                          "known exactly."),
+               QT_TR_NOOP("Raise the velocity until the first valleys open: there the "
+                          "straight line ends."),
+               "sliding.velocity"},
+  };
   return kSteps;
-}
-
-QString tourText(const char* text) {
-  return Tour::tr(text);
 }
 
 // ---- The bar
@@ -88,24 +72,23 @@ QString tourText(const char* text) {
 namespace {
 
 int stepCount() {
-  return static_cast<int>(tourSteps().size());
+  return static_cast<int>(Tour::steps().size());
 }
 
 QString stepText(int index) {
-  const TourStep& step = tourSteps()[static_cast<std::size_t>(index)];
+  const TourStep& step = Tour::steps()[static_cast<std::size_t>(index)];
   return keptTogether(TourBar::tr("%1 of %2&ensp;<b>%3.</b> %4 <i>Try: %5</i>")
                           .arg(index + 1)
                           .arg(stepCount())
-                          .arg(tourText(step.title).toHtmlEscaped(),
-                               tourText(step.sentence).toHtmlEscaped(),
-                               tourText(step.attempt).toHtmlEscaped()));
+                          .arg(Tour::tr(step.title).toHtmlEscaped(),
+                               Tour::tr(step.sentence).toHtmlEscaped(),
+                               Tour::tr(step.attempt).toHtmlEscaped()));
 }
 
 }  // namespace
 
-TourBar::TourBar(QWidget* parent) : QFrame(parent), text_(new QLabel) {
+TourBar::TourBar(QWidget* parent) : QFrame(parent), text_(named<QLabel>("tourText")) {
   setObjectName("tourBar");
-  text_->setObjectName("tourText");
   text_->setWordWrap(true);
   text_->setTextFormat(Qt::RichText);
   auto* layout = new QHBoxLayout(this);
@@ -130,8 +113,7 @@ void TourBar::showTexts() {
 }
 
 QPushButton* TourBar::addButton(const char* name) {
-  auto* button = new QPushButton;
-  button->setObjectName(name);
+  auto* button = named<QPushButton>(name);
   button->setAutoDefault(false);
   button->setFocusPolicy(Qt::TabFocus);
   layout()->addWidget(button);
@@ -338,11 +320,10 @@ void Tour::start() {
 /// Shows a step. Changes that were tried in a step are discarded.
 void Tour::show(int step) {
   if (!isRunning_ || step < 0 || step >= stepCount()) return;
-  const TourStep& shown = tourSteps()[static_cast<std::size_t>(step)];
+  const TourStep& shown = steps()[static_cast<std::size_t>(step)];
   const QString name = QString::fromLatin1(shown.scene);
-  const std::vector<LibraryScene>& library = libraryScenes();
-  const auto found = std::ranges::find(library, name, &LibraryScene::name);
-  if (found == library.end()) return end();
+  const LibraryScene* found = findLibraryScene(name);
+  if (!found) return end();
   document_.openTrial({name, {}, found->scene});
   bar_.showStep(step);
   commands_->get("tourStepBack")->setEnabled(step > 0);

@@ -27,11 +27,6 @@ struct TourStep {
   const char* key;       // the parameter to try it with
 };
 
-std::span<const TourStep> tourSteps();
-
-/// Translates one of a step's texts into the language of the window.
-QString tourText(const char* text);
-
 /// Shows the number of the step, what can be seen and what to try, with the buttons to go on.
 class TourBar : public QFrame {
   Q_OBJECT
@@ -66,6 +61,9 @@ class Tour : public QObject {
   Q_OBJECT
 
  public:
+  /// Returns the steps in English; tr() translates their texts.
+  static std::span<const TourStep> steps();
+
   /// `hint`: the bar that shows the offer. `window`: contains the controls.
   Tour(SceneDocument& document, TourBar& bar, MessageBar& hint, QWidget& window);
 

@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "ui/chart/chart_view.h"
+#include "ui/panels/controls.h"
 #include "ui/window/lesson/prediction_point.h"
 #include "ui/window/main/window_layout.h"
 
@@ -180,8 +181,7 @@ QWidget* groupWidget(const ShortcutGroup& group) {
   grid->addWidget(title, 0, 0, 1, 2);
   int row = 1;
   for (const ShortcutGroup::Entry& entry : group.entries) {
-    auto* keys = new QLabel(entry.keys);
-    keys->setObjectName("shortcutKeys");
+    auto* keys = named<QLabel>("shortcutKeys", entry.keys);
     grid->addWidget(keys, row, 0, Qt::AlignLeft);
     grid->addWidget(new QLabel(entry.text), row++, 1);
   }
@@ -270,10 +270,7 @@ ShortcutSheet::ShortcutSheet(const QMainWindow& window, QWidget* parent) : QDial
     column->addStretch(1);
     row->addLayout(column);
   }
-  auto* scroll = new QScrollArea;
-  scroll->setWidget(content_);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
+  auto* scroll = scrolled(content_);
   scroll->setAccessibleName(windowTitle());
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(scroll);

@@ -14,6 +14,7 @@
 #include <QToolBar>
 #include <algorithm>
 
+#include "ui/panels/controls.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/window/contact/contact_canvas.h"
 #include "ui/window/figures/figure_pages.h"
@@ -161,8 +162,7 @@ void WindowLayout::beginPresentation() {
   parts_.canvas.setTextScale(scale);
   parts_.tabs.setMayScroll(true);
   for (QToolBar* bar : window.findChildren<QToolBar*>(Qt::FindDirectChildrenOnly)) bar->hide();
-  for (QWidget* around :
-       std::initializer_list<QWidget*>{window.menuBar(), window.statusBar(), &parts_.dock})
+  for (QWidget* around : Widgets{window.menuBar(), window.statusBar(), &parts_.dock})
     around->hide();
   // The style sheet is set again for what was painted with the other font.
   parts_.appearance.setDark(parts_.appearance.isDark());
@@ -287,10 +287,11 @@ void WindowLayout::fitToScreen() {
   window.setWindowState(state);
 }
 
-QSize pageSize(QSize usual, const QScreen& screen) {
+void resizePage(QWidget& page, QSize usual) {
   constexpr double kScreenShare = 0.7;  // of a large screen
-  const QSize available = screen.availableSize();
-  return usual.expandedTo(kScreenShare * available).boundedTo(available - kWindowFrame);
+  const QWidget& window = page.parentWidget() ? *page.parentWidget() : page;
+  const QSize available = window.screen()->availableSize();
+  page.resize(usual.expandedTo(kScreenShare * available).boundedTo(available - kWindowFrame));
 }
 
 }  // namespace asperity

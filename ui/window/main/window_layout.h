@@ -15,8 +15,8 @@
 class QDockWidget;
 class QMainWindow;
 class QMenu;
-class QScreen;
 class QSplitter;
+class QWidget;
 
 namespace asperity {
 
@@ -35,9 +35,9 @@ inline constexpr QSize kMinWindowSize{900, 560};
 /// Pixels around a page that stay free for the frame of the window manager.
 inline constexpr QSize kWindowFrame{40, 80};
 
-/// Returns the size of a page over the window: the usual one, more on a large screen, and never
-/// more than a small one has.
-QSize pageSize(QSize usual, const QScreen& screen);
+/// Gives a page over the window its size: the usual one, more on a large screen, and never more
+/// than a small one has.
+void resizePage(QWidget& page, QSize usual);
 
 struct LayoutParts {
   QMainWindow& window;

@@ -18,11 +18,10 @@
 #include "core/scene/provenance.h"
 #include "core/surface/line_source.h"
 #include "ui/draw/ticks.h"
-#include "ui/language/explained.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
-#include "ui/panels/choice_box.h"
-#include "ui/window/main/fitted_labels.h"
+#include "ui/panels/controls.h"
+#include "ui/panels/number_text.h"
 #include "ui/window/map/map_view.h"
 
 namespace asperity {
@@ -96,25 +95,19 @@ DiagramSheet mapSheetWithSection(const ParameterMap& map, const std::string& qua
 
 MapPanel::MapPanel(QWidget* parent)
     : QWidget(parent),
-      x_(new ChoiceBox),
-      y_(new ChoiceBox),
-      quantity_(new ChoiceBox),
+      x_(named<ChoiceBox>("mapX")),
+      y_(named<ChoiceBox>("mapY")),
+      quantity_(named<ChoiceBox>("mapQuantity")),
       xLabel_(new QLabel),
       yLabel_(new QLabel),
       quantityLabel_(new QLabel),
-      errorLabel_(new QLabel),
-      progressLabel_(new QLabel),
-      save_(new QPushButton),
+      errorLabel_(named<QLabel>("mapComplaint")),
+      progressLabel_(named<QLabel>("mapProgress")),
+      save_(named<QPushButton>("mapSave")),
       end_(new QStackedWidget),
-      view_(new MapView) {
+      view_(named<MapView>("mapView")) {
   setObjectName("mapPanel");
-  x_->setObjectName("mapX");
-  y_->setObjectName("mapY");
-  quantity_->setObjectName("mapQuantity");
-  errorLabel_->setObjectName("mapComplaint");
-  save_->setObjectName("mapSave");
   save_->setEnabled(false);  // until there is a map
-  view_->setObjectName("mapView");
   view_->setPause(kPause);
   for (QComboBox* box : {x_, y_, quantity_}) box->setMaximumWidth(kWidestList);
   auto* row = new QHBoxLayout;
@@ -132,15 +125,12 @@ MapPanel::MapPanel(QWidget* parent)
   errorLabel_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   errorLabel_->hide();  // the lists use its space while there is no error
   row->addWidget(errorLabel_, kErrorShare);
-  progressLabel_->setObjectName("mapProgress");
   progressLabel_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   end_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
   end_->addWidget(save_);
   end_->addWidget(progressLabel_);
   row->addWidget(end_);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(2);
+  auto* column = flush<QVBoxLayout>(this, 2);
   column->addLayout(row);
   column->addWidget(view_, 1);
   for (const std::string_view name : mapQuantities()) quantity_->addItem(QString(), fromUtf8(name));
@@ -153,8 +143,6 @@ MapPanel::MapPanel(QWidget* parent)
   connect(view_, &MapView::crossMoved, this, &MapPanel::moveTo);
   connect(view_, &MapView::pointedAt, this, &MapPanel::read);
   connect(view_, &MapView::left, view_, [this] { view_->setReading({}); });
-  connect(view_, &MapView::saved, this, &MapPanel::saved);
-  connect(view_, &MapView::failed, this, &MapPanel::failed);
 }
 
 void MapPanel::showTexts() {
@@ -384,14 +372,11 @@ void MapPanel::read(double x, double y) {
   const std::size_t i = nearest(map_->x, x), j = nearest(map_->y, y);
   const std::string shown = quantity().toStdString();
   const double value = mapValues(*map_, shown)[j * map_->x.values.size() + i];
-  const auto text = [](double number, std::string_view unit) {
-    return QString::fromStdString(asperity::quantity(number, std::string(unit)));
-  };
   view_->setReading(QStringLiteral("%1, %2: %3%4")
-                        .arg(text(map_->x.values[i], map_->x.range.row->unit),
-                             text(map_->y.values[j], map_->y.range.row->unit),
+                        .arg(quantityLabel(map_->x.values[i], map_->x.range.row->unit),
+                             quantityLabel(map_->y.values[j], map_->y.range.row->unit),
                              map_->isFinal ? QString() : QStringLiteral("\u2248 "),
-                             text(value, mapQuantityUnit(shown))));
+                             quantityLabel(value, mapQuantityUnit(shown))));
 }
 
 }  // namespace asperity

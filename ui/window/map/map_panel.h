@@ -37,8 +37,6 @@ class MapPanel : public QWidget {
  signals:
   /// Emitted with the scene at the cross, while this is dragged.
   void sceneEdited(const asperity::Scene& scene);
-  void saved(const QString& file);
-  void failed(const QString& reason);
 
  protected:
   void showEvent(QShowEvent* event) override;

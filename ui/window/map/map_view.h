@@ -3,8 +3,6 @@
 // thread; owned by its parent.
 #pragma once
 
-#include <optional>
-
 #include "ui/window/figures/diagram_view.h"
 
 class QPainter;

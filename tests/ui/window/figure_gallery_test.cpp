@@ -1,4 +1,4 @@
-#include "ui/window/figures/claim_text.h"
+#include "ui/window/figures/figure_gallery.h"
 
 #include <gtest/gtest.h>
 

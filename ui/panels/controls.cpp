@@ -1,16 +1,93 @@
-#include "ui/panels/choice_box.h"
+#include "ui/panels/controls.h"
 
+#include <QFontDatabase>
+#include <QHBoxLayout>
+#include <QHelpEvent>
 #include <QKeyEvent>
 #include <QPainter>
 #include <QPainterPath>
 #include <QPalette>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QRegularExpression>
 #include <QResizeEvent>
+#include <QScrollArea>
 #include <QScrollBar>
+#include <QStyle>
+#include <QToolButton>
+#include <QToolTip>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
 
+#include "ui/language/translated.h"
+
 namespace asperity {
+
+QScrollArea* scrolled(QWidget* content, Qt::ScrollBarPolicy sideways) {
+  auto* area = new QScrollArea;
+  area->setWidget(content);
+  area->setWidgetResizable(true);
+  area->setFrameShape(QFrame::NoFrame);
+  area->setHorizontalScrollBarPolicy(sideways);
+  return area;
+}
+
+QLabel* textLabel(const QString& name) {
+  auto* label = named<QLabel>(name);
+  label->setWordWrap(true);
+  label->setTextFormat(Qt::PlainText);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  return label;
+}
+
+QProgressBar* thinProgress(const QString& name, int width) {
+  auto* bar = named<QProgressBar>(name);
+  bar->setTextVisible(false);
+  bar->setFixedSize(width, 6);
+  return bar;
+}
+
+QPlainTextEdit* fixedText(const QString& name) {
+  auto* text = named<QPlainTextEdit>(name);
+  text->setReadOnly(true);
+  text->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+  return text;
+}
+
+QMessageBox::StandardButton ask(
+    QWidget* parent, const Question& question,
+    std::initializer_list<std::pair<QMessageBox::StandardButton, QString>> answers,
+    QMessageBox::StandardButton usual) {
+  QMessageBox box(question.icon, question.title, {}, QMessageBox::NoButton, parent);
+  box.setObjectName(question.name);
+  box.setTextFormat(Qt::PlainText);
+  box.setText(question.text);
+  box.setInformativeText(question.explanation);
+  for (const auto& [button, text] : answers) box.addButton(button)->setText(text);
+  box.setDefaultButton(usual);
+  return static_cast<QMessageBox::StandardButton>(box.exec());
+}
+
+TitleBar::TitleBar(const QString& closeName, QWidget* parent)
+    : QWidget(parent), title_(new QLabel), close_(named<QToolButton>(closeName)) {
+  setObjectName("dockTitle");
+  setAttribute(Qt::WA_StyledBackground);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(14, 5, 8, 5);
+  row->addWidget(title_, 1);
+  row->addWidget(close_);
+  close_->setText(QStringLiteral("✕"));
+  close_->setFocusPolicy(Qt::NoFocus);
+}
+
+void TitleBar::insert(QWidget& control) {
+  auto* row = static_cast<QHBoxLayout*>(layout());
+  row->setSpacing(10);
+  row->insertWidget(1, &control);
+}
+
+// ---- Boxes
 
 ChoiceBox::ChoiceBox(QWidget* parent) : QComboBox(parent) {
   setFocusPolicy(Qt::StrongFocus);
@@ -181,6 +258,74 @@ QString panelStyleSheet(const QPalette& palette) {
            faultColour(palette).name(), name(QPalette::Base), name(QPalette::Mid),
            name(QPalette::Highlight),
            isDark(palette) ? QStringLiteral("#e3b341") : QStringLiteral("#8a5a00"));
+}
+
+// ---- Labels
+
+ElidedLabel::ElidedLabel(QWidget* parent) : QLabel(parent) {
+  setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+}
+
+QString ElidedLabel::shownText() const {
+  const int available = contentsRect().width();
+  return fontMetrics().elidedText(text(), Qt::ElideMiddle, available);
+}
+
+bool ElidedLabel::event(QEvent* event) {
+  if (event->type() != QEvent::ToolTip) return QLabel::event(event);
+  const bool isCut = shownText() != text();
+  QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(),
+                     isCut ? wrappedTip(text()) : QString(), this);
+  return true;
+}
+
+void ElidedLabel::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  style()->drawItemText(&painter, contentsRect(), static_cast<int>(alignment()), palette(),
+                        isEnabled(), shownText(), foregroundRole());
+}
+
+WrappedLabel::WrappedLabel(QWidget* parent) : QLabel(parent) {
+  setTextFormat(Qt::PlainText);
+  setWordWrap(true);
+  setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+}
+
+QSize WrappedLabel::sizeHint() const {
+  return {0, std::max(0, heightForWidth(width()))};
+}
+
+QString WrappedLabel::shownText() const {
+  static const QRegularExpression word(QStringLiteral("\\S+"));
+  QString shown;
+  qsizetype end = 0;
+  for (auto words = word.globalMatch(text()); words.hasNext();) {
+    const QRegularExpressionMatch each = words.next();
+    shown += text().mid(end, each.capturedStart() - end) +
+             fontMetrics().elidedText(each.captured(), Qt::ElideRight, contentsRect().width());
+    end = each.capturedEnd();
+  }
+  return shown + text().mid(end);
+}
+
+void WrappedLabel::paintEvent(QPaintEvent* event) {
+  const QString shown = shownText();
+  if (shown == text()) return QLabel::paintEvent(event);
+  QPainter painter(this);
+  style()->drawItemText(&painter, contentsRect(), static_cast<int>(alignment() | Qt::TextWordWrap),
+                        palette(), isEnabled(), shown, foregroundRole());
+}
+
+void WrappedLabel::resizeEvent(QResizeEvent* event) {
+  QLabel::resizeEvent(event);
+  if (event->oldSize().width() != event->size().width()) updateGeometry();
+}
+
+int widestText(const QWidget& widget, const QStringList& texts) {
+  int widest = 0;
+  for (const QString& text : texts)
+    widest = std::max(widest, widget.fontMetrics().horizontalAdvance(text));
+  return widest;
 }
 
 }  // namespace asperity

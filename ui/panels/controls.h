@@ -1,0 +1,191 @@
+// The controls that all panels and pages share: short ways to make usual ones, boxes for a choice,
+// a whole number and a text, labels that fit into the width which a layout gives them, the bar with
+// the title of a page, and the style of a panel. The wheel changes a choice or a number only while
+// its box has the focus, so that scrolling changes nothing. GUI thread; owned by their parent.
+// Cannot fail.
+#pragma once
+
+#include <QComboBox>
+#include <QLabel>
+#include <QMessageBox>
+#include <QPlainTextEdit>
+#include <QSpinBox>
+#include <QString>
+#include <QStringList>
+#include <functional>
+#include <initializer_list>
+#include <utility>
+
+class QPalette;
+class QProgressBar;
+class QScrollArea;
+class QToolButton;
+
+namespace asperity {
+
+/// Makes a control with the object name by which style sheets and tests find it.
+template <class Control, class... Arguments>
+Control* named(const QString& name, Arguments&&... arguments) {
+  auto* control = new Control(std::forward<Arguments>(arguments)...);
+  control->setObjectName(name);
+  return control;
+}
+
+/// Controls of several kinds, to go through them.
+using Widgets = std::initializer_list<QWidget*>;
+
+/// Makes a layout without margins. spacing: pixels between its items; -1: as the style says.
+template <class Layout>
+Layout* flush(QWidget* parent = nullptr, int spacing = -1) {
+  auto* layout = new Layout(parent);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(spacing);
+  return layout;
+}
+
+/// Makes an area without a frame in which the content scrolls, as wide as the area.
+QScrollArea* scrolled(QWidget* content, Qt::ScrollBarPolicy sideways = Qt::ScrollBarAsNeeded);
+
+/// Makes a label of several lines of plain text, which a user can select and copy.
+QLabel* textLabel(const QString& name);
+
+/// Makes a thin bar of progress without a text.
+QProgressBar* thinProgress(const QString& name, int width = 120);
+
+/// Makes a text in a font of fixed width, which a user can only read.
+QPlainTextEdit* fixedText(const QString& name);
+
+/// A question in plain text: titles and file names are not markup.
+struct Question {
+  QString name;  // of the dialog, as an object
+  QString title, text, explanation{};
+  QMessageBox::Icon icon = QMessageBox::Question;
+};
+
+/// Asks a question and returns the button that was pressed. answers: the buttons with their texts,
+/// because not every desktop gives its standard buttons a shortcut letter.
+QMessageBox::StandardButton ask(
+    QWidget* parent, const Question& question,
+    std::initializer_list<std::pair<QMessageBox::StandardButton, QString>> answers,
+    QMessageBox::StandardButton usual);
+
+/// Asks the user for a file or a folder, beginning with a proposal; empty where none was chosen. It
+/// stands for a dialog, so that another one can replace it.
+using FileChooser = std::function<QString(QWidget* parent, const QString& proposed)>;
+
+/// The bar with the title of a dock or a page, and at its end the button that closes it.
+class TitleBar : public QWidget {
+ public:
+  explicit TitleBar(const QString& closeName = {}, QWidget* parent = nullptr);
+
+  QLabel& title() { return *title_; }
+  QToolButton& closeButton() { return *close_; }
+  /// Puts a control between the title and the button.
+  void insert(QWidget& control);
+
+ private:
+  QLabel* title_;
+  QToolButton* close_;
+};
+
+class ChoiceBox : public QComboBox {
+ public:
+  explicit ChoiceBox(QWidget* parent = nullptr);
+  QSize sizeHint() const override;
+
+  /// Sets a text that is painted instead of that of the current entry, and determines the width;
+  /// empty: the current entry does both.
+  void setShownText(const QString& text);
+  QString shownText() const { return shown_.isEmpty() ? currentText() : shown_; }
+
+ protected:
+  void wheelEvent(QWheelEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  QString shown_;
+};
+
+class SpinBox : public QSpinBox {
+ public:
+  explicit SpinBox(QWidget* parent = nullptr);
+
+ protected:
+  void wheelEvent(QWheelEvent* event) override;
+};
+
+class TextBox : public QPlainTextEdit {
+  Q_OBJECT
+
+ public:
+  explicit TextBox(QWidget* parent = nullptr);
+
+  /// Shows the accepted text, unless the user is typing another one.
+  void showText(const QString& text);
+
+  /// Shows the text in any case.
+  void replaceText(const QString& text);
+
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override { return sizeHint(); }
+
+ signals:
+  void textCommitted(const QString& text);
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void commit();
+
+  QString accepted_;
+};
+
+/// Returns whether the windows of a palette are dark.
+bool isDark(const QPalette& palette);
+
+/// Returns the colour of error messages, legible on the palette's background.
+QColor faultColour(const QPalette& palette);
+
+QString panelStyleSheet(const QPalette& palette);
+
+/// A line of text that is shortened where the space is too small; the tooltip then shows all of it.
+class ElidedLabel : public QLabel {
+  Q_OBJECT
+
+ public:
+  explicit ElidedLabel(QWidget* parent = nullptr);
+
+  /// Returns the text as it is shown, perhaps shortened.
+  QString shownText() const;
+
+ protected:
+  bool event(QEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+};
+
+/// A text that breaks into lines. A word that is wider than a line is shortened. Its height is a
+/// fixed one for the present width, because QFormLayout of Qt 6.4 writes beyond its rows where a
+/// height depends on the width.
+class WrappedLabel : public QLabel {
+ public:
+  explicit WrappedLabel(QWidget* parent = nullptr);
+
+  bool hasHeightForWidth() const override { return false; }
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override { return sizeHint(); }
+  /// Returns the text as it is shown, perhaps with shortened words.
+  QString shownText() const;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+};
+
+/// Returns the width of the widest text in the font of the widget, in pixels. A place that reserves
+/// it stays as wide as it is when its text changes, so that nothing beside it moves.
+int widestText(const QWidget& widget, const QStringList& texts);
+
+}  // namespace asperity
