@@ -330,14 +330,6 @@ bool Lessons::open(const QString& nameOrFile) {
 
 bool Lessons::openResults(const QStringList& files) {
   try {
-    for (const QString& file : files) {
-      if (isResultsFile(file.toStdString())) continue;
-      parts_.messages.showFailure(MessageBar::Failure::Files,
-                                  tr("%1 has no results of a student. Several files can be opened "
-                                     "together only where all have results.")
-                                      .arg(QFileInfo(file).fileName()));
-      return false;
-    }
     showClassResults(parts_.window, files);
     parts_.messages.end(MessageBar::Failure::Files);
     return true;

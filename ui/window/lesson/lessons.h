@@ -79,7 +79,7 @@ class Lessons : public QObject {
   /// Answers of an earlier session that are in no file are offered. Of a student's results it shows
   /// a summary.
   bool open(const QString& nameOrFile);
-  /// Shows the results of a class side by side; returns whether all files are results.
+  /// Shows the results of a class side by side; returns whether any file has results.
   bool openResults(const QStringList& files);
   /// Ends the lesson and brings the user's scene back.
   void end();
