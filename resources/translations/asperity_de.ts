@@ -2701,6 +2701,10 @@
         <source>Results of a class</source>
         <translation>Ergebnisse einer Klasse</translation>
     </message>
+    <message>
+        <source>Files without results</source>
+        <translation>Dateien ohne Ergebnisse</translation>
+    </message>
 </context>
 <context>
     <name>asperity::LessonStepPage</name>
@@ -3061,10 +3065,6 @@
     <message>
         <source>This lesson was begun before (%1), and its answers are in no file. Go on with these answers?</source>
         <translation>Diese Lektion wurde schon begonnen (%1), und ihre Antworten sind in keiner Datei. Mit diesen Antworten weitermachen?</translation>
-    </message>
-    <message>
-        <source>%1 has no results of a student. Several files can be opened together only where all have results.</source>
-        <translation>%1 enthält keine Ergebnisse. Mehrere Dateien lassen sich nur dann zusammen öffnen, wenn alle Ergebnisse enthalten.</translation>
     </message>
 </context>
 <context>
@@ -4967,6 +4967,10 @@
     <message>
         <source>Filter parameters</source>
         <translation>Parameter filtern</translation>
+    </message>
+    <message>
+        <source>F9 shows the parameters; Esc ends the presentation.</source>
+        <translation>F9 zeigt die Parameter; Esc beendet die Präsentation.</translation>
     </message>
 </context>
 <context>
