@@ -48,7 +48,7 @@ double paceAt(int position) {
 }
 
 QString quantityText(double seconds) {
-  return QString::fromStdString(quantity(seconds, "s"));
+  return QString::fromStdString(grouped(quantity(seconds, "s")));
 }
 
 QString slowerText(const QString& number) {
