@@ -31,7 +31,7 @@
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/parameter_row.h"
-#include "ui/window/lesson/handout_saver.h"
+#include "ui/window/lesson/handout.h"
 #include "ui/window/lesson/kept_lessons.h"
 #include "ui/window/lesson/lesson_mistakes.h"
 #include "ui/window/lesson/lesson_pages.h"
@@ -263,7 +263,7 @@ QLayout* LessonEditor::buildFoot() {
     saver_->ask(checked(), name.isEmpty() ? QStringLiteral("lesson") : name);
   });
   connect(saver_, &HandoutSaver::statusChanged, messageLabel_, &QLabel::setText);
-  connect(saver_, &HandoutSaver::savingChanged, this, &LessonEditor::showButtons);
+  connect(saver_, &HandoutSaver::statusChanged, this, &LessonEditor::showButtons);
   save_ = makeEditorButton("editorSave", tr("&Save"));
   save_->setToolTip(tr("Also saves a lesson that is not complete yet (Ctrl+S)"));
   saveAs_ = makeEditorButton("editorSaveAs", tr("Sa&ve as…"));
