@@ -31,7 +31,7 @@
 #include "tests/ui/window/window_in.h"
 #include "ui/language/language.h"
 #include "ui/window/lesson/handout.h"
-#include "ui/window/lesson/kept_lessons.h"
+#include "ui/window/lesson/lesson_document.h"
 #include "ui/window/lesson/lesson_editor.h"
 #include "ui/window/lesson/lesson_list.h"
 #include "ui/window/lesson/lesson_pane.h"

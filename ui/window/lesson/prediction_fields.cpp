@@ -15,7 +15,7 @@
 #include "ui/panels/number_text.h"
 #include "ui/window/lesson/assignment_list.h"
 #include "ui/window/lesson/lesson_form.h"
-#include "ui/window/lesson/lesson_mistakes.h"
+#include "ui/window/lesson/lesson_check.h"
 #include "ui/window/lesson/lesson_value_fields.h"
 
 namespace asperity {
