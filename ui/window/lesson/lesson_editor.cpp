@@ -27,6 +27,7 @@
 #include "ui/window/lesson/handout.h"
 #include "ui/window/lesson/lesson_check.h"
 #include "ui/window/lesson/lesson_pages.h"
+#include "ui/window/lesson/prediction_fields.h"
 #include "ui/window/main/document_commands.h"
 #include "ui/window/main/last_session.h"
 #include "ui/window/main/picture_files.h"
@@ -277,8 +278,8 @@ void LessonEditor::showMissing() {
 void LessonEditor::check() {
   const int place = presentStep();
   const LessonStep* step = present();
-  check_->check(document_, place, step ? step_->unreadable() : QString());
-  if (step) step_->showComputed(check_->computedText(*step));
+  check_->check(document_, place, step ? step_->prediction().unreadable() : QString());
+  if (step) step_->prediction().showComputed(check_->computedText(*step));
   showMissing();
   messageLabel_->setText(check_->whyNotPlayed());
   if (document_.remember(steps_->currentRow(), typedIn_)) keepSoon();
