@@ -151,7 +151,7 @@ QString keyText(const QString& key) {
 }
 
 /// Returns an error with its key in the words of the editor, where there are such words.
-QString errorText(const InputError& error) {
+QString inEditorWords(const InputError& error) {
   const QString text = translatedText(InputError("", error.key(), error.message()).message());
   QString key = keyText(QString::fromStdString(error.key()));
   return key.isEmpty() ? text : key.replace(0, 1, key[0].toUpper()) + ": " + text;
@@ -196,7 +196,7 @@ void LessonCheck::check(LessonDocument& document, int present, const QString& un
     document.updateScenes();
     if (error_.isEmpty() && !checkAnswers(document.lesson, present)) stop();
   } catch (const InputError& error) {
-    if (error_.isEmpty()) error_ = errorText(error);
+    if (error_.isEmpty()) error_ = inEditorWords(error);
   }
 }
 
@@ -258,7 +258,7 @@ bool LessonCheck::checkAnswers(const Lesson& lesson, int present) {
     try {
       rightChoice(*step.prediction, known->answer.number);
     } catch (const InputError& error) {
-      error_ = errorText(InputError(
+      error_ = inEditorWords(InputError(
           "", "steps[" + std::to_string(i) + "].prediction." + error.key(), error.message()));
       return true;
     }

@@ -62,8 +62,6 @@ LessonPlayer::LessonPlayer(const Parts& parts)
           });
 }
 
-LessonPlayer::~LessonPlayer() = default;
-
 void LessonPlayer::buildDock() {
   dock_->setObjectName("lessonDock");
   dock_->setFeatures(QDockWidget::DockWidgetClosable);

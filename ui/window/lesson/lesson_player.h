@@ -44,7 +44,6 @@ class LessonPlayer : public QObject {
     SceneTabs& tabs;
   };
   explicit LessonPlayer(const Parts& parts);
-  ~LessonPlayer() override;
 
   void addTo(Commands& commands);
 

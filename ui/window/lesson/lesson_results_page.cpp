@@ -41,11 +41,9 @@ QString titleOf(const LessonResults& results) {
   return lesson ? plainText(lesson->title) : QString::fromStdString(results.title);
 }
 
-/// Returns the step with this number if it has a prediction; null where the lesson is not known.
+/// Returns the step if it asks for a prediction; null where not, or where the lesson is not known.
 const LessonStep* stepOf(const std::optional<Lesson>& lesson, int step) {
-  const auto place = static_cast<std::size_t>(step);
-  const bool isAsked = lesson && place < lesson->steps.size() && lesson->steps[place].prediction;
-  return isAsked ? &lesson->steps[place] : nullptr;
+  return lesson ? askingStep(*lesson, step) : nullptr;
 }
 
 QString verdict(const LessonResult& result) {

@@ -70,8 +70,7 @@ void keepAnswers(const std::string& digest, const LessonResults* results) {
 bool belongTo(const LessonResults& results, const Lesson& lesson) {
   return results.digest == lesson.digest && !results.results.empty() &&
          std::ranges::all_of(results.results, [&](const LessonResult& one) {
-           return one.step < static_cast<int>(lesson.steps.size()) &&
-                  lesson.steps[static_cast<std::size_t>(one.step)].prediction;
+           return askingStep(lesson, one.step) != nullptr;
          });
 }
 
@@ -378,10 +377,8 @@ bool Lessons::keepResults(const QString& file) {
     LessonResults kept = readResults(file.toStdString(), *lesson());
     for (const LessonResult& one : results().results) kept.set(one);
     kept.date = std::max(kept.date, results().date);  // the later one
-    std::erase_if(kept.results, [&](const LessonResult& one) {
-      return one.step >= static_cast<int>(lesson()->steps.size()) ||
-             !lesson()->steps[static_cast<std::size_t>(one.step)].prediction;
-    });
+    std::erase_if(kept.results,
+                  [&](const LessonResult& one) { return !askingStep(*lesson(), one.step); });
     writeResults(file.toStdString(), kept, *lesson());
     player_->setResults(std::move(kept));
     resultsFile_ = file;
