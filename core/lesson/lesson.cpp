@@ -33,6 +33,12 @@ Lesson withWholeQuestions(Lesson lesson) {
   return lesson;
 }
 
+const LessonStep* askingStep(const Lesson& lesson, int step) {
+  const auto place = static_cast<std::size_t>(step);
+  return place < lesson.steps.size() && lesson.steps[place].prediction ? &lesson.steps[place]
+                                                                       : nullptr;
+}
+
 int predictionCount(const Lesson& lesson) {
   return static_cast<int>(std::ranges::count_if(
       lesson.steps, [](const LessonStep& step) { return step.prediction.has_value(); }));

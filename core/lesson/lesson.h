@@ -159,6 +159,9 @@ struct Lesson {
 /// choices and the texts after its answer, loses that language, so that it stands in one language.
 Lesson withWholeQuestions(Lesson lesson);
 
+/// Returns the step with this number if it asks for a prediction, else null.
+const LessonStep* askingStep(const Lesson& lesson, int step);
+
 /// Returns how many steps ask for a prediction.
 int predictionCount(const Lesson& lesson);
 

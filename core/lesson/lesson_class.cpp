@@ -47,10 +47,6 @@ Row summaryCells(const LessonResults& results) {
           std::to_string(results.shown())};
 }
 
-}  // namespace
-
-namespace {
-
 /// Returns the files, and those of results in the folders.
 std::vector<std::filesystem::path> filesOf(const std::vector<std::string>& filesAndFolders) {
   std::vector<std::filesystem::path> files;
@@ -87,16 +83,23 @@ std::vector<StudentResults> readClass(const std::vector<std::string>& filesAndFo
 }
 
 std::vector<std::vector<StudentResults>> readClasses(
-    const std::vector<std::string>& filesAndFolders) {
+    const std::vector<std::string>& filesAndFolders, std::vector<InputError>* refused) {
   std::vector<std::vector<StudentResults>> classes;
   for (const std::filesystem::path& file : filesOf(filesAndFolders)) {
-    const LessonResults results = readResultsFile(file);
+    LessonResults results;
+    try {
+      results = readResultsFile(file);
+    } catch (const InputError& error) {
+      if (!refused) throw;
+      refused->push_back(error);
+      continue;
+    }
     auto known = std::ranges::find_if(classes, [&](const std::vector<StudentResults>& one) {
       return one.front().results.digest == results.digest;
     });
     if (known == classes.end())
       known = classes.insert(classes.end(), std::vector<StudentResults>());
-    known->push_back({file.filename().string(), results});
+    known->push_back({file.filename().string(), std::move(results)});
   }
   return classes;
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/input_error.h"
 #include "core/lesson/lesson_results.h"
 
 namespace asperity {
@@ -20,9 +21,10 @@ struct StudentResults {
 std::vector<StudentResults> readClass(const std::vector<std::string>& filesAndFolders);
 
 /// Reads the same files, of any lessons. Returns the students of each version of each lesson, in
-/// the order of the files; there is at least one.
+/// the order of the files; there is at least one. refused: where it is given, it gets the errors of
+/// the files that cannot be read, and the others are returned, if there are any.
 std::vector<std::vector<StudentResults>> readClasses(
-    const std::vector<std::string>& filesAndFolders);
+    const std::vector<std::string>& filesAndFolders, std::vector<InputError>* refused = nullptr);
 
 /// Returns the given answer as a cell of a table: the number of the choice from 1, or the number in
 /// SI with all its digits, of a point with its place; empty where none was given.

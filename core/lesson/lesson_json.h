@@ -37,7 +37,4 @@ enum class LessonReading { Complete, Draft };
 Lesson parseLesson(const nlohmann::ordered_json& root, const std::filesystem::path& folder,
                    const SceneReader& readNamed, LessonReading reading);
 
-/// Returns the JSON that parseLesson reads back as the same lesson.
-nlohmann::ordered_json lessonJson(const Lesson& lesson);
-
 }  // namespace asperity

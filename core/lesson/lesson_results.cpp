@@ -16,6 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr std::string_view kAnyVersion = "asperity-lesson-results/";
 constexpr std::string_view kSchema = "asperity-lesson-results/1";
 constexpr std::string_view kShown = "shown";                   // in place of an answer
 constexpr std::size_t kLargestResults = std::size_t{1} << 20;  // bytes
@@ -124,10 +125,12 @@ std::string resultsJson(const LessonResults& results) {
 LessonResults parseResults(std::string_view text, const std::string& file) {
   try {
     const Json json = parseJson(text, kDeepestResults, "results of a lesson are JSON in UTF-8");
+    // A whole lesson, or any other file, is told apart before its members are.
+    const std::string schema = json.is_object() ? textMember(json, "schema") : std::string();
+    if (!schema.starts_with(kAnyVersion)) throw InputError("", "", "has no results of a lesson");
     checkMembers(json, "",
                  {"schema", "lesson", "title", "sha256", "right", "shown", "steps", "date"});
-    if (textMember(json, "schema") != kSchema)
-      refuseMember("schema", message("is not {}", kSchema));
+    if (schema != kSchema) refuseMember("schema", message("is not {}", kSchema));
     LessonResults results{
         textMember(json, "lesson"), textMember(json, "title"), textMember(json, "sha256"), {}};
     results.date = textMember(json, "date", "");
@@ -147,7 +150,7 @@ bool isResultsFile(const std::filesystem::path& file) {
   try {
     const Json beginning =
         membersUpTo(readRegularFile(file, kLargestResults), "schema", kDeepestResults);
-    return textMember(beginning, "schema").starts_with("asperity-lesson-results/");
+    return textMember(beginning, "schema").starts_with(kAnyVersion);
   } catch (const InputError&) {
     return false;
   }

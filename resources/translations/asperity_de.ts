@@ -2156,86 +2156,66 @@
     </message>
 </context>
 <context>
-    <name>asperity::LessonEditor</name>
+    <name>asperity::LessonCheck</name>
     <message>
-        <source>Lesson editor</source>
-        <translation>Lektionen schreiben</translation>
+        <source>Choice %1: needs a number in From or To, as the others have</source>
+        <translation>Antwort %1: braucht wie die anderen eine Zahl in „Von“ oder „Bis“</translation>
     </message>
     <message>
-        <source>language of the texts</source>
-        <translation>Sprache der Texte</translation>
+        <source>Choice %1: From has to be less than To</source>
+        <translation>Antwort %1: „Von“ muss kleiner als „Bis“ sein</translation>
+    </message>
+    <message>
+        <source>Choice %1: its range overlaps that of choice %2, so that one answer would make both right</source>
+        <translation>Antwort %1: ihr Bereich überlappt den von Antwort %2, sodass ein Ergebnis beide richtig machen würde</translation>
+    </message>
+    <message>
+        <source>%1: %2 is not above 0 and up to %3</source>
+        <translation>%1: %2 liegt nicht über 0 und höchstens bei %3</translation>
+    </message>
+    <message>
+        <source>the step needs a text</source>
+        <translation>der Schritt braucht einen Text</translation>
+    </message>
+    <message>
+        <source>the question needs a text</source>
+        <translation>die Frage braucht einen Text</translation>
+    </message>
+    <message>
+        <source>a point needs the tab “Friction curve” in front, on which it lies</source>
+        <translation>ein Punkt braucht vorn den Reiter „Reibungskurve“, auf dem er liegt</translation>
+    </message>
+    <message>
+        <source>Tolerance in %</source>
+        <translation>Toleranz in %</translation>
+    </message>
+    <message>
+        <source>Tolerance of the place in %</source>
+        <translation>Toleranz der Stelle in %</translation>
+    </message>
+    <message>
+        <source>Choices: write at least two</source>
+        <translation>Antworten: Schreiben Sie mindestens zwei</translation>
+    </message>
+    <message>
+        <source>Choices: tick the right one, or write into From and To for which computed answers each is right</source>
+        <translation>Antworten: Haken Sie die richtige an, oder schreiben Sie in „Von“ und „Bis“, für welche berechneten Antworten jede richtig ist</translation>
+    </message>
+    <message>
+        <source>The lesson needs a title</source>
+        <translation>Die Lektion braucht einen Titel</translation>
+    </message>
+    <message>
+        <source>A lesson needs at least one step</source>
+        <translation>Eine Lektion braucht mindestens einen Schritt</translation>
+    </message>
+    <message>
+        <source>Step %1: %2</source>
+        <translation>Schritt %1: %2</translation>
     </message>
     <message>
         <source>steps</source>
         <translation>Schritte</translation>
-    </message>
-    <message>
-        <source>&amp;Add step from what is shown</source>
-        <translation>Schritt aus dem &amp;Gezeigten hinzufügen</translation>
-    </message>
-    <message>
-        <source>The scene, the tab and the quantity of the chart, as they are now</source>
-        <translation>Szene, Reiter und Größe des Diagramms, wie sie jetzt sind</translation>
-    </message>
-    <message>
-        <source>&amp;Up</source>
-        <translation>&amp;Hinauf</translation>
-    </message>
-    <message>
-        <source>&amp;Down</source>
-        <translation>Hi&amp;nab</translation>
-    </message>
-    <message>
-        <source>&amp;Remove</source>
-        <translation>&amp;Entfernen</translation>
-    </message>
-    <message>
-        <source>&amp;Try this step</source>
-        <translation>Schritt &amp;probieren</translation>
-    </message>
-    <message>
-        <source>&amp;Close</source>
-        <translation>S&amp;chließen</translation>
-    </message>
-    <message>
-        <source>Save lesson</source>
-        <translation>Lektion speichern</translation>
-    </message>
-    <message>
-        <source>Lessons (*.json)</source>
-        <translation>Lektionen (*.json)</translation>
-    </message>
-    <message>
-        <source>The lesson</source>
-        <translation>Die Lektion</translation>
-    </message>
-    <message>
-        <source>%1. %2</source>
-        <translation>%1. %2</translation>
-    </message>
-    <message>
-        <source>(no title)</source>
-        <translation>(ohne Titel)</translation>
-    </message>
-    <message>
-        <source>What is to be seen here?</source>
-        <translation>Was ist hier zu sehen?</translation>
-    </message>
-    <message>
-        <source>Saved %1</source>
-        <translation>%1 gespeichert</translation>
-    </message>
-    <message>
-        <source>&amp;Open…</source>
-        <translation>Ö&amp;ffnen…</translation>
-    </message>
-    <message>
-        <source>Open lesson</source>
-        <translation>Lektion öffnen</translation>
-    </message>
-    <message>
-        <source>Lessons (*.json);;All files (*)</source>
-        <translation>Lektionen (*.json);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>title</source>
@@ -2338,6 +2318,125 @@
         <translation>Antwort %1</translation>
     </message>
     <message>
+        <source>The program computes an answer that no choice may cover…</source>
+        <translation>Das Programm berechnet eine Ergebniszahl, die vielleicht in keinem der Bereiche liegt…</translation>
+    </message>
+    <message>
+        <source>Step %1, computed answer: %2</source>
+        <translation>Schritt %1, berechnete Antwort: %2</translation>
+    </message>
+    <message>
+        <source>The program finds %1.</source>
+        <translation>Das Programm findet %1.</translation>
+    </message>
+    <message>
+        <source>The program finds no answer.</source>
+        <translation>Das Programm findet keine Antwort.</translation>
+    </message>
+    <message>
+        <source>The program computes the answer…</source>
+        <translation>Das Programm berechnet die Antwort…</translation>
+    </message>
+    <message>
+        <source>The program computes the answer when the lesson is complete.</source>
+        <translation>Das Programm berechnet die Antwort, wenn die Lektion vollständig ist.</translation>
+    </message>
+    <message>
+        <source>Computed answers are means over the scene&apos;s %1 lines; the picture shows one.</source>
+        <translation>Berechnete Antworten sind Mittelwerte über die %1 Linien der Szene; das Bild zeigt eine.</translation>
+    </message>
+    <message>
+        <source>The picture stays as it is when the answer is shown: “Changed with the answer” does not have the changes of the computed answer.</source>
+        <translation>Das Bild bleibt, wie es ist, wenn die Antwort gezeigt wird: „Mit der Antwort geändert“ hat die Änderungen der berechneten Antwort nicht.</translation>
+    </message>
+    <message>
+        <source>The curve, which is in sight, may show this answer.</source>
+        <translation>Die Kurve ist zu sehen und verrät vielleicht diese Antwort.</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::LessonEditor</name>
+    <message>
+        <source>Lesson editor</source>
+        <translation>Lektionen schreiben</translation>
+    </message>
+    <message>
+        <source>language of the texts</source>
+        <translation>Sprache der Texte</translation>
+    </message>
+    <message>
+        <source>steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>&amp;Add step from what is shown</source>
+        <translation>Schritt aus dem &amp;Gezeigten hinzufügen</translation>
+    </message>
+    <message>
+        <source>The scene, the tab and the quantity of the chart, as they are now</source>
+        <translation>Szene, Reiter und Größe des Diagramms, wie sie jetzt sind</translation>
+    </message>
+    <message>
+        <source>&amp;Up</source>
+        <translation>&amp;Hinauf</translation>
+    </message>
+    <message>
+        <source>&amp;Down</source>
+        <translation>Hi&amp;nab</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>&amp;Try this step</source>
+        <translation>Schritt &amp;probieren</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;chließen</translation>
+    </message>
+    <message>
+        <source>Save lesson</source>
+        <translation>Lektion speichern</translation>
+    </message>
+    <message>
+        <source>Lessons (*.json)</source>
+        <translation>Lektionen (*.json)</translation>
+    </message>
+    <message>
+        <source>The lesson</source>
+        <translation>Die Lektion</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>(no title)</source>
+        <translation>(ohne Titel)</translation>
+    </message>
+    <message>
+        <source>What is to be seen here?</source>
+        <translation>Was ist hier zu sehen?</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 gespeichert</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>Ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>Open lesson</source>
+        <translation>Lektion öffnen</translation>
+    </message>
+    <message>
+        <source>Lessons (*.json);;All files (*)</source>
+        <translation>Lektionen (*.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
         <source>&amp;Handout…</source>
         <translation>&amp;Arbeitsblatt…</translation>
     </message>
@@ -2362,82 +2461,6 @@
         <translation>%1, wie Schritt %2 sie hinterlässt</translation>
     </message>
     <message>
-        <source>Step %1: %2</source>
-        <translation>Schritt %1: %2</translation>
-    </message>
-    <message>
-        <source>Step %1, computed answer: %2</source>
-        <translation>Schritt %1, berechnete Antwort: %2</translation>
-    </message>
-    <message>
-        <source>The program computes an answer that no choice may cover…</source>
-        <translation>Das Programm berechnet eine Ergebniszahl, die vielleicht in keinem der Bereiche liegt…</translation>
-    </message>
-    <message>
-        <source>The program finds %1.</source>
-        <translation>Das Programm findet %1.</translation>
-    </message>
-    <message>
-        <source>Computed answers are means over the scene&apos;s %1 lines; the picture shows one.</source>
-        <translation>Berechnete Antworten sind Mittelwerte über die %1 Linien der Szene; das Bild zeigt eine.</translation>
-    </message>
-    <message>
-        <source>The curve, which is in sight, may show this answer.</source>
-        <translation>Die Kurve ist zu sehen und verrät vielleicht diese Antwort.</translation>
-    </message>
-    <message>
-        <source>Choice %1: needs a number in From or To, as the others have</source>
-        <translation>Antwort %1: braucht wie die anderen eine Zahl in „Von“ oder „Bis“</translation>
-    </message>
-    <message>
-        <source>Choice %1: From has to be less than To</source>
-        <translation>Antwort %1: „Von“ muss kleiner als „Bis“ sein</translation>
-    </message>
-    <message>
-        <source>Choice %1: its range overlaps that of choice %2, so that one answer would make both right</source>
-        <translation>Antwort %1: ihr Bereich überlappt den von Antwort %2, sodass ein Ergebnis beide richtig machen würde</translation>
-    </message>
-    <message>
-        <source>%1: %2 is not above 0 and up to %3</source>
-        <translation>%1: %2 liegt nicht über 0 und höchstens bei %3</translation>
-    </message>
-    <message>
-        <source>Tolerance in %</source>
-        <translation>Toleranz in %</translation>
-    </message>
-    <message>
-        <source>Tolerance of the place in %</source>
-        <translation>Toleranz der Stelle in %</translation>
-    </message>
-    <message>
-        <source>Choices: write at least two</source>
-        <translation>Antworten: Schreiben Sie mindestens zwei</translation>
-    </message>
-    <message>
-        <source>Choices: tick the right one, or write into From and To for which computed answers each is right</source>
-        <translation>Antworten: Haken Sie die richtige an, oder schreiben Sie in „Von“ und „Bis“, für welche berechneten Antworten jede richtig ist</translation>
-    </message>
-    <message>
-        <source>The lesson needs a title</source>
-        <translation>Die Lektion braucht einen Titel</translation>
-    </message>
-    <message>
-        <source>A lesson needs at least one step</source>
-        <translation>Eine Lektion braucht mindestens einen Schritt</translation>
-    </message>
-    <message>
-        <source>the step needs a text</source>
-        <translation>der Schritt braucht einen Text</translation>
-    </message>
-    <message>
-        <source>the question needs a text</source>
-        <translation>die Frage braucht einen Text</translation>
-    </message>
-    <message>
-        <source>a point needs the tab “Friction curve” in front, on which it lies</source>
-        <translation>ein Punkt braucht vorn den Reiter „Reibungskurve“, auf dem er liegt</translation>
-    </message>
-    <message>
         <source>&amp;Save</source>
         <translation>&amp;Speichern</translation>
     </message>
@@ -2456,22 +2479,6 @@
     <message>
         <source>Not translated: %1. A question that lacks a translation stands in the other language as a whole.</source>
         <translation>Nicht übersetzt: %1. Eine Frage, der eine Übersetzung fehlt, steht als Ganzes in der anderen Sprache.</translation>
-    </message>
-    <message>
-        <source>The program finds no answer.</source>
-        <translation>Das Programm findet keine Antwort.</translation>
-    </message>
-    <message>
-        <source>The program computes the answer…</source>
-        <translation>Das Programm berechnet die Antwort…</translation>
-    </message>
-    <message>
-        <source>The program computes the answer when the lesson is complete.</source>
-        <translation>Das Programm berechnet die Antwort, wenn die Lektion vollständig ist.</translation>
-    </message>
-    <message>
-        <source>The picture stays as it is when the answer is shown: “Changed with the answer” does not have the changes of the computed answer.</source>
-        <translation>Das Bild bleibt, wie es ist, wenn die Antwort gezeigt wird: „Mit der Antwort geändert“ hat die Änderungen der berechneten Antwort nicht.</translation>
     </message>
     <message>
         <source>The main window shows the gallery. Open a scene in it, then add the step.</source>
@@ -2587,34 +2594,6 @@
         <translation>%1 von %2</translation>
     </message>
     <message>
-        <source>The program finds %1.</source>
-        <translation>Das Programm findet %1.</translation>
-    </message>
-    <message>
-        <source>You said %1.</source>
-        <translation>Deine Antwort war %1.</translation>
-    </message>
-    <message>
-        <source>The height is right, the place is not.</source>
-        <translation>Die Höhe stimmt, die Stelle nicht.</translation>
-    </message>
-    <message>
-        <source>The place is right, the height is not.</source>
-        <translation>Die Stelle stimmt, die Höhe nicht.</translation>
-    </message>
-    <message>
-        <source>Neither the place nor the height is right.</source>
-        <translation>Weder die Stelle noch die Höhe stimmt.</translation>
-    </message>
-    <message>
-        <source>Right</source>
-        <translation>Richtig</translation>
-    </message>
-    <message>
-        <source>No</source>
-        <translation>Nein</translation>
-    </message>
-    <message>
         <source>your answer</source>
         <translation>deine Antwort</translation>
     </message>
@@ -2649,6 +2628,65 @@
     <message>
         <source>Your number is read as %1.</source>
         <translation>Deine Zahl wird als %1 gelesen.</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::LessonPlayer</name>
+    <message>
+        <source>Lesson</source>
+        <translation>Lektion</translation>
+    </message>
+    <message>
+        <source>Keeps your answers in a file of your choice</source>
+        <translation>Bewahrt deine Antworten in einer Datei deiner Wahl auf</translation>
+    </message>
+    <message>
+        <source>Save results…</source>
+        <translation>Ergebnisse speichern…</translation>
+    </message>
+    <message>
+        <source>Ends the lesson; your own scene comes back</source>
+        <translation>Beendet die Lektion; deine eigene Szene kommt zurück</translation>
+    </message>
+    <message>
+        <source>end the lesson</source>
+        <translation>Lektion beenden</translation>
+    </message>
+    <message>
+        <source>Lesson: back</source>
+        <translation>Lektion: zurück</translation>
+    </message>
+    <message>
+        <source>Lesson: next</source>
+        <translation>Lektion: weiter</translation>
+    </message>
+    <message>
+        <source>End the lesson</source>
+        <translation>Lektion beenden</translation>
+    </message>
+    <message>
+        <source>You were right in %1 of %2 predictions.</source>
+        <translation>Du hattest bei %1 von %2 Vorhersagen recht.</translation>
+    </message>
+    <message>
+        <source>You were right in %1 of %2 predictions; 1 was shown to you.</source>
+        <translation>Du hattest bei %1 von %2 Vorhersagen recht; eine hast du dir zeigen lassen.</translation>
+    </message>
+    <message>
+        <source>You were right in %1 of %2 predictions; %3 were shown to you.</source>
+        <translation>Du hattest bei %1 von %2 Vorhersagen recht; %3 hast du dir zeigen lassen.</translation>
+    </message>
+    <message>
+        <source>Lesson: %1</source>
+        <translation>Lektion: %1</translation>
+    </message>
+    <message>
+        <source>“%1” is locked in this step.</source>
+        <translation>„%1“ ist in diesem Schritt gesperrt.</translation>
+    </message>
+    <message>
+        <source>First make your guess; then you can try it.</source>
+        <translation>Erst rate; dann kannst du es probieren.</translation>
     </message>
 </context>
 <context>
@@ -2700,6 +2738,10 @@
     <message>
         <source>Results of a class</source>
         <translation>Ergebnisse einer Klasse</translation>
+    </message>
+    <message>
+        <source>Files without results</source>
+        <translation>Dateien ohne Ergebnisse</translation>
     </message>
 </context>
 <context>
@@ -2816,22 +2858,6 @@
         <source>The step begins with the scene of the main window, as it is now</source>
         <translation>Der Schritt beginnt mit der Szene des Hauptfensters, wie sie jetzt ist</translation>
     </message>
-    <message>
-        <source>Tolerance of the place in %</source>
-        <translation>Toleranz der Stelle in %</translation>
-    </message>
-    <message>
-        <source>How far the place of a right answer may be from that of the largest value: the factor is 2 for 100 %</source>
-        <translation>Wie weit die Stelle einer richtigen Antwort von der des größten Wertes entfernt sein darf: 100 % heißen ein Faktor 2</translation>
-    </message>
-    <message>
-        <source>%1: “%2” is not a number</source>
-        <translation>%1: „%2“ ist keine Zahl</translation>
-    </message>
-    <message>
-        <source>Choice %1, %2: “%3” is not a number</source>
-        <translation>Antwort %1, %2: „%3“ ist keine Zahl</translation>
-    </message>
 </context>
 <context>
     <name>asperity::LessonValueFields</name>
@@ -2939,56 +2965,12 @@
 <context>
     <name>asperity::Lessons</name>
     <message>
-        <source>Lesson</source>
-        <translation>Lektion</translation>
-    </message>
-    <message>
-        <source>Keeps your answers in a file of your choice</source>
-        <translation>Bewahrt deine Antworten in einer Datei deiner Wahl auf</translation>
-    </message>
-    <message>
-        <source>Save results…</source>
-        <translation>Ergebnisse speichern…</translation>
-    </message>
-    <message>
-        <source>Ends the lesson; your own scene comes back</source>
-        <translation>Beendet die Lektion; deine eigene Szene kommt zurück</translation>
-    </message>
-    <message>
-        <source>end the lesson</source>
-        <translation>Lektion beenden</translation>
-    </message>
-    <message>
         <source>Lessons…</source>
         <translation>Lektionen…</translation>
     </message>
     <message>
-        <source>Lesson: back</source>
-        <translation>Lektion: zurück</translation>
-    </message>
-    <message>
-        <source>Lesson: next</source>
-        <translation>Lektion: weiter</translation>
-    </message>
-    <message>
-        <source>End the lesson</source>
-        <translation>Lektion beenden</translation>
-    </message>
-    <message>
         <source>Lesson editor…</source>
         <translation>Lektion schreiben…</translation>
-    </message>
-    <message>
-        <source>You were right in %1 of %2 predictions.</source>
-        <translation>Du hattest bei %1 von %2 Vorhersagen recht.</translation>
-    </message>
-    <message>
-        <source>You were right in %1 of %2 predictions; 1 was shown to you.</source>
-        <translation>Du hattest bei %1 von %2 Vorhersagen recht; eine hast du dir zeigen lassen.</translation>
-    </message>
-    <message>
-        <source>You were right in %1 of %2 predictions; %3 were shown to you.</source>
-        <translation>Du hattest bei %1 von %2 Vorhersagen recht; %3 hast du dir zeigen lassen.</translation>
     </message>
     <message>
         <source>Your answers from before are here.</source>
@@ -3005,18 +2987,6 @@
     <message>
         <source>They go into a file of your choice. Otherwise they are lost.</source>
         <translation>Sie kommen in eine Datei deiner Wahl. Sonst gehen sie verloren.</translation>
-    </message>
-    <message>
-        <source>Lesson: %1</source>
-        <translation>Lektion: %1</translation>
-    </message>
-    <message>
-        <source>“%1” is locked in this step.</source>
-        <translation>„%1“ ist in diesem Schritt gesperrt.</translation>
-    </message>
-    <message>
-        <source>First make your guess; then you can try it.</source>
-        <translation>Erst rate; dann kannst du es probieren.</translation>
     </message>
     <message>
         <source>File of your results</source>
@@ -3061,10 +3031,6 @@
     <message>
         <source>This lesson was begun before (%1), and its answers are in no file. Go on with these answers?</source>
         <translation>Diese Lektion wurde schon begonnen (%1), und ihre Antworten sind in keiner Datei. Mit diesen Antworten weitermachen?</translation>
-    </message>
-    <message>
-        <source>%1 has no results of a student. Several files can be opened together only where all have results.</source>
-        <translation>%1 enthält keine Ergebnisse. Mehrere Dateien lassen sich nur dann zusammen öffnen, wenn alle Ergebnisse enthalten.</translation>
     </message>
 </context>
 <context>
@@ -3920,6 +3886,22 @@
     <message>
         <source>{answer}: the computed answer, or the right choice; {given}: that of the student</source>
         <translation>{answer}: die berechnete oder die richtige Antwort; {given}: die der Lernenden</translation>
+    </message>
+    <message>
+        <source>Tolerance of the place in %</source>
+        <translation>Toleranz der Stelle in %</translation>
+    </message>
+    <message>
+        <source>How far the place of a right answer may be from that of the largest value: the factor is 2 for 100 %</source>
+        <translation>Wie weit die Stelle einer richtigen Antwort von der des größten Wertes entfernt sein darf: 100 % heißen ein Faktor 2</translation>
+    </message>
+    <message>
+        <source>%1: “%2” is not a number</source>
+        <translation>%1: „%2“ ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>Choice %1, %2: “%3” is not a number</source>
+        <translation>Antwort %1, %2: „%3“ ist keine Zahl</translation>
     </message>
 </context>
 <context>
@@ -4968,6 +4950,10 @@
         <source>Filter parameters</source>
         <translation>Parameter filtern</translation>
     </message>
+    <message>
+        <source>F9 shows the parameters; Esc ends the presentation.</source>
+        <translation>F9 zeigt die Parameter; Esc beendet die Präsentation.</translation>
+    </message>
 </context>
 <context>
     <name>asperity::Words</name>
@@ -5398,6 +5384,34 @@
     <message>
         <source>The height counts to a factor of %1, the place to a factor of %2.</source>
         <translation>Die Höhe zählt bis zu einem Faktor %1, die Stelle bis zu einem Faktor %2.</translation>
+    </message>
+    <message>
+        <source>The height is right, the place is not.</source>
+        <translation>Die Höhe stimmt, die Stelle nicht.</translation>
+    </message>
+    <message>
+        <source>The place is right, the height is not.</source>
+        <translation>Die Stelle stimmt, die Höhe nicht.</translation>
+    </message>
+    <message>
+        <source>Neither the place nor the height is right.</source>
+        <translation>Weder die Stelle noch die Höhe stimmt.</translation>
+    </message>
+    <message>
+        <source>The program finds %1.</source>
+        <translation>Das Programm findet %1.</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Richtig</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>Nein</translation>
+    </message>
+    <message>
+        <source>You said %1.</source>
+        <translation>Deine Antwort war %1.</translation>
     </message>
 </context>
 </TS>

@@ -101,7 +101,7 @@ std::vector<Reading> makeReadings(const Frame& frame) {
                       Words::tr("Force that presses one period of the line into the elastomer."),
                       "load.normal_force"});
   readings.push_back({{{Words::tr("indentation d")}},
-                      quantity(state.indentation, "m"),
+                      grouped(quantity(state.indentation, "m")),
                       5,
                       Words::tr("How deep the lowest point of the line lies below the undeformed "
                                 "surface (d); z is the height of the line, "
@@ -113,13 +113,14 @@ std::vector<Reading> makeReadings(const Frame& frame) {
                       Words::tr("Share of the line's length that touches the elastomer."),
                       "contact_fraction"});
   if (frame.scene)
-    readings.push_back({{{Words::tr("velocity v")}},
-                        quantity(isSteady ? frame.scene->sliding.velocity : frame.velocity, "m/s"),
-                        6,
-                        isSteady ? Words::tr("Velocity of the line, to the right.")
-                                 : Words::tr("Velocity of the line at this moment; below 0 it goes "
-                                             "back."),
-                        "sliding.velocity"});
+    readings.push_back(
+        {{{Words::tr("velocity v")}},
+         grouped(quantity(isSteady ? frame.scene->sliding.velocity : frame.velocity, "m/s")),
+         6,
+         isSteady ? Words::tr("Velocity of the line, to the right.")
+                  : Words::tr("Velocity of the line at this moment; below 0 it goes "
+                              "back."),
+         "sliding.velocity"});
   // A line at rest has no pace.
   if (frame.timeScale > 0 && (frame.transient || frameVelocity(frame) != 0)) {
     const bool isSlower = frame.timeScale < 1;
@@ -128,7 +129,7 @@ std::vector<Reading> makeReadings(const Frame& frame) {
                         factorText(factor) + "\u00D7",
                         8,
                         filled(Words::tr("One second on the screen shows %1 of the motion."),
-                               {quantity(frame.timeScale, "s")}),
+                               {grouped(quantity(frame.timeScale, "s"))}),
                         "pace"});
   }
   return readings;
@@ -195,9 +196,10 @@ std::string progressText(const Frame& frame) {
   const SlidingKind kind = frame.scene ? frame.scene->sliding.kind : SlidingKind::Steady;
   // Of a line that moves back and forth the distance is that from its beginning.
   const bool returns = kind == SlidingKind::Oscillation || kind == SlidingKind::Reversal;
-  return filled(returns ? Words::tr("t = %1, displaced by %2") : Words::tr("t = %1, slid %2"),
-                {quantity(frame.time, "s", 3, Zeros::Keep),
-                 quantity(slid > kRounding * frame.length ? slid : 0, "m", 3, Zeros::Keep)});
+  return filled(
+      returns ? Words::tr("t = %1, displaced by %2") : Words::tr("t = %1, slid %2"),
+      {grouped(quantity(frame.time, "s", 3, Zeros::Keep)),
+       grouped(quantity(slid > kRounding * frame.length ? slid : 0, "m", 3, Zeros::Keep))});
 }
 
 float titleBaseline(const Sizes& s) {

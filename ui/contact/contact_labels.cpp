@@ -32,7 +32,7 @@ std::optional<Tag> slidingTag(const Frame& frame, bool brief) {
                "sliding.velocity"};
   return Tag{{{brief ? Words::tr("slides") : Words::tr("rigid line slides")}},
              v > 0 ? ArrowDirection::Right : ArrowDirection::Left,
-             {{"v = " + quantity(v, "m/s")}},
+             {{"v = " + grouped(quantity(v, "m/s"))}},
              ContactHandle::Velocity,
              "sliding.velocity"};
 }
@@ -71,7 +71,8 @@ Tag frictionTag(const Frame& frame, const ForceArrows& arrows, bool brief) {
   if (!(arrows.sideways > 0)) return tag;
   tag.arrow = ArrowDirection::None;
   if (arrows.enlarged > 1)
-    tag.before.push_back({filled(Words::tr(", arrow %1\u00D7"), {shortNumber(arrows.enlarged)})});
+    tag.before.push_back(
+        {filled(Words::tr(", arrow %1\u00D7"), {grouped(shortNumber(arrows.enlarged))})});
   return tag;
 }
 

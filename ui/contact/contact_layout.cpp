@@ -145,7 +145,7 @@ float ContactLayout::py(double metres) const {
 
 std::string exaggerationText(const ContactLayout& layout) {
   const double ratio = layout.pixelsPerMetreY() / layout.pixelsPerMetreX();
-  return filled(Words::tr("vertical exaggeration %1\u00D7"), {shortNumber(ratio, 2)});
+  return filled(Words::tr("vertical exaggeration %1\u00D7"), {grouped(shortNumber(ratio, 2))});
 }
 
 ContactLayout layoutContact(const Frame& frame, const ContactPictureOptions& options,

@@ -229,14 +229,20 @@ std::string shortNumber(double value, int digits, Zeros zeros) {
   return inLanguage(printedNumber(value, digits, zeros));
 }
 
+std::string grouped(std::string number) {
+  constexpr const char* kDigits = "0123456789";
+  const std::size_t begin = number.starts_with(kMinusSign) ? kMinusSign.size() : 0;
+  const std::size_t end = std::min(number.find_first_not_of(kDigits, begin), number.size());
+  const char* separator = inLanguage(std::string(".")) == "," ? "." : ",";
+  for (std::size_t at = end; at > begin + 3;) number.insert(at -= 3, separator);
+  return number;
+}
+
 std::string factorText(double factor) {
   constexpr double kLeastGrouped = 1000, kLongest = 1e12;
   const double rounded = roundedToDigits(factor, 3);
   if (!(rounded >= kLeastGrouped && rounded < kLongest)) return shortNumber(factor);
-  std::string text = std::to_string(std::llround(rounded));
-  const char* separator = inLanguage(std::string(".")) == "," ? "." : ",";
-  for (std::size_t at = text.size(); at > 3;) text.insert(at -= 3, separator);
-  return text;
+  return grouped(std::to_string(std::llround(rounded)));
 }
 
 std::string quantity(double value, std::string_view unit, int digits, Zeros zeros) {

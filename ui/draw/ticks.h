@@ -61,6 +61,10 @@ std::vector<LogTick> logTicks(double from, double to, int most);
 std::vector<double> minorLogTicks(double from, double to, const std::vector<LogTick>& ticks,
                                   double decadePixels, double apart);
 
+/// Returns a printed number, which may have a unit, with the groups of thousands of the language:
+/// "12,300 s". A view in which one number has groups gives them to all.
+std::string grouped(std::string number);
+
 /// Returns a positive factor for people, "1,410,000": with three digits, and the groups of
 /// thousands of the language from 1000 on.
 std::string factorText(double factor);

@@ -103,6 +103,20 @@ TEST_F(LessonClass, EachLessonHasATable) {
   EXPECT_EQ(classes[1].size(), 1U);
 }
 
+TEST_F(LessonClass, FilesThatCannotBeReadAreReturnedWithTheirReasons) {
+  folder_.write("lesson.json", sampleLesson().dump());
+  std::vector<InputError> refused;
+  const auto classes =
+      readClasses({path("ada.json"), path("lesson.json"), path("none.json")}, &refused);
+  ASSERT_EQ(classes.size(), 1U);
+  EXPECT_EQ(classes[0].front().file, "ada.json");
+  ASSERT_EQ(refused.size(), 2U);
+  EXPECT_EQ(refused[0].file(), path("lesson.json"));
+  EXPECT_THAT(refused[0].what(), testing::HasSubstr("lesson.json: has no results of a lesson"));
+  EXPECT_EQ(refused[1].file(), path("none.json"));
+  EXPECT_THROW(readClasses({path("ada.json"), path("lesson.json")}), InputError);
+}
+
 TEST_F(LessonClass, ResultsOfAnotherLessonAreRefusedInWords) {
   const auto refusal = [this](const char* member, const Json& value) {
     auto json = sampleLesson();

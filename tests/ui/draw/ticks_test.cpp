@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "ui/language/language.h"
+
 namespace asperity {
 namespace {
 
@@ -135,6 +137,18 @@ TEST(FactorText, GroupsThousands) {
   EXPECT_EQ(factorText(1000), "1,000");
   EXPECT_EQ(factorText(1.4142e6), "1,410,000");
   EXPECT_EQ(factorText(999.9), "1,000");
+}
+
+TEST(GroupedNumber, HasTheGroupsOfTheLanguage) {
+  EXPECT_EQ(grouped("999.5 s"), "999.5 s");
+  EXPECT_EQ(grouped("1000"), "1,000");
+  EXPECT_EQ(grouped("−12300.25 m/s"), "−12,300.25 m/s");
+  EXPECT_EQ(grouped("2.3×10⁵"), "2.3×10⁵");
+  EXPECT_EQ(grouped("–"), "–");
+  EXPECT_EQ(grouped(""), "");
+  useLanguage("de");
+  EXPECT_EQ(grouped("12300,25 s"), "12.300,25 s");
+  useLanguage("en");
 }
 
 TEST(ReadingLabel, ReadsLikePrint) {

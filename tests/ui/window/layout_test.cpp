@@ -223,8 +223,11 @@ TEST_F(LayoutTest, APresentationShowsLittleInLargeLettersUntilEscape) {
   for (const QWidget* hidden : std::initializer_list<QWidget*>{
            &dock(), window_.menuBar(), window_.statusBar(), &control<QToolBar>("commands")})
     EXPECT_FALSE(hidden->isVisible());
+  EXPECT_TRUE(window_.messages().isVisible());
+  EXPECT_TRUE(window_.messages().text().startsWith("F9 shows the parameters"));
   QTest::keyClick(&window_, Qt::Key_F9);  // keys go on without a menu
   EXPECT_TRUE(dock().isVisible());
+  EXPECT_FALSE(window_.messages().isVisible());
   QTest::keyClick(&window_, Qt::Key_Escape);
   EXPECT_FALSE(window_.windowLayout().isPresenting());
   EXPECT_FALSE(window_.isFullScreen());
@@ -273,6 +276,7 @@ TEST_F(LayoutTest, TitlesOfTabsHaveTheWholeBarInAPresentation) {
 TEST_F(LayoutTest, WhatEndsAPresentationIsAsItWasBefore) {
   dock().hide();
   window_.windowLayout().setPresenting(true);
+  EXPECT_FALSE(window_.messages().isVisible()) << "the panel was not in sight before";
   window_.windowLayout().setPresenting(false);
   EXPECT_FALSE(dock().isVisible());
 }

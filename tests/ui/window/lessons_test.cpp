@@ -32,7 +32,7 @@
 #include "ui/language/language.h"
 #include "ui/panels/controls.h"
 #include "ui/window/lesson/handout.h"
-#include "ui/window/lesson/kept_lessons.h"
+#include "ui/window/lesson/lesson_document.h"
 #include "ui/window/lesson/lesson_editor.h"
 #include "ui/window/lesson/lesson_list.h"
 #include "ui/window/lesson/lesson_pane.h"
@@ -1061,10 +1061,29 @@ TEST_F(LessonsTest, AClassIsATable) {
         QStringLiteral("Step 2"), QStringLiteral("wrong (choice 1)"),
         QStringLiteral("right (choice 2)")})
     EXPECT_TRUE(text.contains(part)) << part.toStdString() << text.toStdString();
+}
+
+/// The others are shown, and the table says which file it lacks and why.
+TEST_F(LessonsTest, AFileWithoutResultsDoesNotRefuseTheClass) {
+  TemporaryFolder folder;
+  const Lesson lesson = readNamedLesson("load_and_friction", readNamedScene);
+  writeResults(folder / "ada.json", emptyResults(lesson), lesson);
   folder.write("lesson.json", writeLesson(lesson));
-  EXPECT_FALSE(
-      lessons().openResults(files + QStringList(files[0].section('/', 0, -2) + "/lesson.json")));
-  EXPECT_TRUE(window_.messages().text().contains("lesson.json has no results"));
+  folder.write("torn.json", R"({"schema": "asperity-lesson-results/1", "lesson": )");
+  const auto path = [&](const char* name) {
+    return QString::fromStdString((folder / name).string());
+  };
+  ASSERT_TRUE(lessons().openResults(
+      {path("ada.json"), path("lesson.json"), path("torn.json"), path("none.json")}));
+  const auto* dialog = window_.findChild<QDialog*>("classResults");
+  ASSERT_NE(dialog, nullptr);
+  const QString text = dialog->findChild<QTextBrowser*>("classResultsTable")->toPlainText();
+  for (const char* part :
+       {"ada.json", "lesson.json: has no results of a lesson", "torn.json: ", "none.json: "})
+    EXPECT_TRUE(text.contains(part)) << part << text.toStdString();
+  EXPECT_FALSE(window_.messages().isVisible());
+  EXPECT_FALSE(lessons().openResults({path("lesson.json"), path("none.json")}));
+  EXPECT_TRUE(window_.messages().text().contains("lesson.json: has no results of a lesson"));
 }
 
 /// The scene behind the gallery is not what the teacher sees.

@@ -1,30 +1,23 @@
-// Handouts of lessons on paper and as a web page: texts, questions with space for an answer, and
-// pictures that the program makes from the scenes of the steps. Students get empty charts to draw
-// into; teachers the answers, as computed, and the notes. On the students' sheets, everything that
-// comes after a question begins on a new page: later texts and curves may contain its answer. One
-// file without links; the same bytes for the same lesson and language.
-// Threading: any thread on which no OpenGL context of the window is current, with a Qt application.
-// Failure: InputError for another extension than .html or .pdf, or a scene that cannot run;
-// std::runtime_error where it cannot be written; StopRequested where it was stopped.
+// Handouts of lessons on paper and as a web page (handout_content.h), and the dialogs that save
+// them. A handout is one file without links; it has the same bytes for the same lesson and
+// language. Threading: the functions run on any thread on which no OpenGL context of the window is
+// current, with a Qt application; HandoutSaver belongs to the GUI thread, and to the window of its
+// dialogs. Failure: InputError for another extension than .html or .pdf, or a scene that cannot
+// run; std::runtime_error where it cannot be written; StopRequested where it was stopped.
+// HandoutSaver reports one sentence by statusChanged().
 #pragma once
 
 #include <QByteArray>
+#include <QObject>
 #include <QString>
 #include <filesystem>
-#include <functional>
-#include <stop_token>
 
-#include "core/lesson/lesson.h"
+#include "ui/window/lesson/handout_content.h"
+#include "ui/window/tasks/background_work.h"
+
+class QWidget;
 
 namespace asperity {
-
-struct HandoutOptions {
-  bool forTeacher = false;
-  int threads = 0;  // 0: as many as the machine has
-  std::stop_token stop{};
-  /// Called with the part that is done; may be empty.
-  std::function<void(double part)> progress{};
-};
 
 /// Returns a page of HTML with its pictures in it.
 QByteArray handoutHtml(const Lesson& lesson, const HandoutOptions& options = {});
@@ -35,5 +28,30 @@ QByteArray handoutPdf(const Lesson& lesson, const HandoutOptions& options = {});
 /// Writes HTML or PDF, by the extension.
 void writeHandout(const std::filesystem::path& file, const Lesson& lesson,
                   const HandoutOptions& options = {});
+
+/// Saves the handout of a lesson: dialogs choose its readers and its file, and it is written in the
+/// background.
+class HandoutSaver : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit HandoutSaver(QWidget* window);
+
+  /// Asks, and saves unless that is cancelled. name: of the file, without its extension.
+  void ask(const Lesson& lesson, const QString& name);
+  bool isSaving() const { return isSaving_; }
+
+ signals:
+  /// Emitted when saving begins and ends: the handout is being made, is saved, or cannot be saved.
+  void statusChanged(const QString& text);
+
+ private:
+  void save(const Lesson& lesson, const QString& file, bool forTeacher);
+  void setSaving(bool isSaving, const QString& status);
+
+  QWidget* window_;
+  bool isSaving_ = false;
+  BackgroundWork work_;  // last: its thread ends before other members are destroyed
+};
 
 }  // namespace asperity

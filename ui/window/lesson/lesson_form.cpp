@@ -2,51 +2,278 @@
 
 #include <QComboBox>
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QPlainTextEdit>
 #include <QTextDocument>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+#include <memory>
 
+#include "core/base/input_error.h"
+#include "core/base/number_text.h"
 #include "core/scene/parameters.h"
 #include "ui/panels/controls.h"
+#include "core/scene/sweep.h"
+#include "ui/language/language.h"
+#include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/parameter_panel.h"
-#include "ui/window/lesson/assignment_list.h"
+#include "ui/panels/parameter_row.h"
 
 namespace asperity {
+
+namespace {
+
+/// Returns the number in a text with a decimal point and no marks between its thousands.
+std::optional<double> pointNumber(const QString& text) {
+  bool isNumber = false;
+  const double value = text.toDouble(&isNumber);
+  return isNumber ? std::optional(value) : std::nullopt;
+}
+
+/// Returns the value of an assignment KEY=VALUE.
+QString assignedValue(const std::string& assignment) {
+  const std::size_t sign = assignment.find('=');
+  return sign == assignment.npos ? QString() : QString::fromStdString(assignment.substr(sign + 1));
+}
+
+/// Returns a value as an assignment has it.
+QString plainValue(const ParameterValue& value) {
+  if (const auto* real = std::get_if<double>(&value)) return numberText(*real);
+  if (const auto* whole = std::get_if<std::int64_t>(&value)) return QString::number(*whole);
+  return QString::fromStdString(std::get<std::string>(value));
+}
+
+/// Returns a number of an assignment in a readable unit; any other text has none.
+UnitText readable(const QString& text, const Parameter& row) {
+  const std::optional<double> value = pointNumber(toPlainNumber(text, numberRule(row)));
+  if (!value) return {text, {}};
+  const UnitText shown = inReadableUnit(*value, fromUtf8(row.unit));
+  return {inLanguage(shown.number), shown.unit};
+}
+
+}  // namespace
+
+// ---- Changes of a scene
+
+AssignmentList::AssignmentList(const QString& name, QWidget* parent)
+    : QWidget(parent), name_(name), column_(new QVBoxLayout(this)), add_(new QToolButton) {
+  column_->setContentsMargins(0, 0, 0, 0);
+  column_->setSpacing(4);
+  add_->setObjectName(name);
+  add_->setText(tr("Change a parameter…"));
+  add_->setPopupMode(QToolButton::InstantPopup);
+  add_->setMenu(new QMenu(add_));
+  add_->setFocusPolicy(Qt::StrongFocus);
+  connect(add_->menu(), &QMenu::aboutToShow, this, &AssignmentList::fillMenu);
+  column_->addWidget(add_, 0, Qt::AlignLeft);
+}
+
+void AssignmentList::show(const std::vector<std::string>& assignments, const Scene& scene) {
+  assignments_ = assignments;
+  scene_ = scene;
+  showRows();
+}
+
+void AssignmentList::showRows() {
+  // The Tab key goes through the rows before it comes to the button below them. setTabOrder() does
+  // nothing for a widget without focus, such as this one.
+  const auto isBeforeRows = [this](const QWidget& widget) {
+    return widget.focusPolicy() & Qt::TabFocus && !(rows_ && rows_->isAncestorOf(&widget));
+  };
+  QWidget* previous = add_->previousInFocusChain();
+  while (previous != add_ && !isBeforeRows(*previous)) previous = previous->previousInFocusChain();
+  if (rows_) {
+    // A field that loses the focus now ends its editing: its index may then belong to another row,
+    // or to none.
+    for (QWidget* field : rows_->findChildren<QWidget*>()) field->disconnect(this);
+    column_->removeWidget(rows_);
+    rows_->setParent(nullptr);
+    rows_->deleteLater();  // one of its buttons may have been pressed
+  }
+  rows_ = new QWidget;
+  auto* rows = new QVBoxLayout(rows_);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setSpacing(3);
+  for (std::size_t i = 0; i < assignments_.size(); ++i) rows->addWidget(makeRow(i));
+  column_->insertWidget(0, rows_);
+  rows_->setVisible(!assignments_.empty());
+  if (previous->window() != window()) return;
+  for (QWidget* field : rows_->findChildren<QWidget*>()) {
+    // The popup list of a combo box, which a style sheet creates at once, is a window of its own.
+    if (!(field->focusPolicy() & Qt::TabFocus) || field->window() != window()) continue;
+    setTabOrder(previous, field);
+    previous = field;
+  }
+}
+
+QWidget* AssignmentList::makeRow(std::size_t index) {
+  const std::string key(assignmentKey(assignments_[index]));
+  const Parameter* row = findParameter(key);
+  auto* all = new QWidget;
+  auto* line = new QHBoxLayout(all);
+  line->setContentsMargins(0, 0, 0, 0);
+  const QString label = row ? ParameterRow::labelText(*row) : QString::fromStdString(key);
+  auto* name = new QLabel(label);
+  name->setMinimumWidth(16 * fontMetrics().horizontalAdvance('0'));
+  if (row) name->setToolTip(translatedText(row->sentence) + '\n' + QString::fromStdString(key));
+  line->addWidget(name);
+  QWidget* value = nullptr;
+  if (row) {
+    value = makeValue(index, *row);
+  } else {
+    auto* text = new QLineEdit(assignedValue(assignments_[index]));
+    connect(text, &QLineEdit::textEdited, this,
+            [this, index](const QString& written) { write(index, written); });
+    value = text;
+  }
+  value->setObjectName(name_ + ':' + QString::fromStdString(key));
+  value->setAccessibleName(label);
+  line->addWidget(value, 1);
+  auto* button = new QToolButton;
+  button->setObjectName(name_ + "Without:" + QString::fromStdString(key));
+  button->setText(QStringLiteral("✕"));
+  button->setAutoRaise(true);
+  button->setFocusPolicy(Qt::StrongFocus);
+  button->setToolTip(tr("Removes this change"));
+  button->setAccessibleName(tr("remove the change of “%1”").arg(label));
+  line->addWidget(button);
+  connect(button, &QToolButton::clicked, this, [this, index] { remove(index); });
+  return all;
+}
+
+/// Makes the field of a value: a list where there are words to choose from, otherwise a line.
+QWidget* AssignmentList::makeValue(std::size_t index, const Parameter& row) {
+  const QString written = assignedValue(assignments_[index]);
+  const auto list = [&](const auto& fill) {
+    auto* box = new ChoiceBox;
+    fill(*box);
+    if (box->findData(written) < 0) box->addItem(written, written);
+    box->setCurrentIndex(box->findData(written));
+    connect(box, &QComboBox::activated, this,
+            [this, index, box] { write(index, box->currentData().toString()); });
+    return box;
+  };
+  if (const auto* choice = std::get_if<ChoiceField>(&row.field))
+    return list([choice](QComboBox& box) {
+      for (const std::string_view word : choice->choices)
+        box.addItem(wordText(word), fromUtf8(word));
+    });
+  // The axis of the curve is the name of another parameter.
+  if (findParameter(written.toStdString()))
+    return list([this](QComboBox& box) {
+      const Scene scene = changed();
+      for (const Parameter& one : parameters())
+        if (isApplicable(one, scene) && std::holds_alternative<RealField>(one.field))
+          box.addItem(ParameterRow::labelText(one), fromUtf8(one.key));
+    });
+  auto* line = new QLineEdit;
+  const Parameter shown = parameterIn(row, changed());
+  if (!allowedRange(shown)) {
+    line->setText(written);
+    connect(line, &QLineEdit::textEdited, this,
+            [this, index](const QString& text) { write(index, text); });
+    return line;
+  }
+  line->setToolTip(tr("Allowed: %1").arg(allowedInWords(numberRule(shown))));
+  // A number that is typed without a unit has the one that was shown.
+  const auto unit = std::make_shared<QString>();
+  const auto showValue = [this, index, line, unit, shown] {
+    const UnitText text = readable(assignedValue(assignments_[index]), shown);
+    *unit = text.unit;
+    line->setText((text.number + ' ' + text.unit).trimmed());
+  };
+  showValue();
+  connect(line, &QLineEdit::textEdited, this,
+          [this, index, unit, rule = numberRule(shown)](const QString& typed) {
+            write(index, toPlainNumber(inShownUnit(withoutGroups(typed.trimmed()), *unit), rule));
+          });
+  connect(line, &QLineEdit::editingFinished, this, showValue);
+  return line;
+}
+
+void AssignmentList::write(std::size_t index, const QString& value) {
+  assignments_[index] =
+      std::string(assignmentKey(assignments_[index])) + '=' + value.trimmed().toStdString();
+  emit edited();
+}
+
+void AssignmentList::remove(std::size_t index) {
+  assignments_.erase(assignments_.begin() + static_cast<std::ptrdiff_t>(index));
+  showRows();
+  add_->setFocus();
+  emit edited();
+}
+
+/// Adds a change to the value that the parameter has, which the teacher edits.
+void AssignmentList::add(const Parameter& row) {
+  const QString value = plainValue(parameterValue(row, changed()));
+  assignments_.push_back(std::string(row.key) + '=' + value.toStdString());
+  showRows();
+  auto* field = findChild<QWidget*>(name_ + ':' + fromUtf8(row.key));
+  field->setFocus();
+  if (auto* line = qobject_cast<QLineEdit*>(field)) line->selectAll();
+  emit edited();
+}
+
+/// Offers the parameters that have a meaning in the scene and are not changed yet.
+void AssignmentList::fillMenu() {
+  fillParameterMenu(*add_->menu(), changed(), [this](QMenu& section, const Parameter& row) {
+    const auto isSame = [&](const std::string& one) { return assignmentKey(one) == row.key; };
+    if (std::ranges::any_of(assignments_, isSame)) return;
+    QAction* action = section.addAction(ParameterRow::labelText(row));
+    action->setObjectName(name_ + "With:" + fromUtf8(row.key));
+    connect(action, &QAction::triggered, this, [this, &row] { add(row); });
+  });
+}
+
+/// Returns the scene with the changes, or without them where one of them is wrong.
+Scene AssignmentList::changed() const {
+  try {
+    return withKeys(scene_, assignments_);
+  } catch (const InputError&) {
+    return scene_;
+  }
+}
+
+// ---- The rows of a page
 
 LessonForm::LessonForm(QWidget* parent) : QWidget(parent), rows_(new QFormLayout(this)) {
   rows_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
 }
 
+void LessonForm::nameField(QWidget& field, const QString& label, const char* name) {
+  field.setObjectName(name);
+  field.setAccessibleName(label);
+  addRow(label, &field);
+}
+
 QLineEdit* LessonForm::addLine(const QString& label, const char* name) {
   auto* line = new QLineEdit;
-  line->setObjectName(name);
-  line->setAccessibleName(label);
-  addRow(label, line);
+  nameField(*line, label, name);
   connect(line, &QLineEdit::textEdited, this, &LessonForm::notifyEdited);
   return line;
 }
 
 QPlainTextEdit* LessonForm::addText(const QString& label, const char* name, int lines) {
   auto* text = new QPlainTextEdit;
-  text->setObjectName(name);
-  text->setAccessibleName(label);
+  nameField(*text, label, name);
   text->setTabChangesFocus(true);
   text->setFixedHeight(lines * fontMetrics().lineSpacing() + 12);
   // Otherwise the rows would share the space below them.
   text->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  addRow(label, text);
   connect(text, &QPlainTextEdit::textChanged, this, &LessonForm::notifyEdited);
   return text;
 }
 
 QComboBox* LessonForm::addChoice(const QString& label, const char* name) {
   auto* box = new ChoiceBox;
-  box->setObjectName(name);
-  box->setAccessibleName(label);
-  addRow(label, box);
+  nameField(*box, label, name);
   connect(box, &QComboBox::activated, this, &LessonForm::notifyEdited);
   return box;
 }
@@ -61,13 +288,6 @@ AssignmentList* LessonForm::addAssignments(const QString& label, const char* nam
 
 void LessonForm::addRow(const QString& label, QWidget* field) {
   rows_->addRow(label, field);
-}
-
-void LessonForm::addRowBelow(QWidget* above, const QString& label, QWidget* field) {
-  int row = 0;
-  QFormLayout::ItemRole role{};
-  rows_->getWidgetPosition(above, &row, &role);
-  rows_->insertRow(row + 1, label, field);
 }
 
 void LessonForm::setShown(QWidget* field, bool isShown) {
@@ -132,14 +352,33 @@ void fillParameterMenu(QMenu& menu, const Scene& scene,
   }
 }
 
-std::optional<double> plainNumberIn(const QString& text) {
-  bool isNumber = false;
-  const double value = text.toDouble(&isNumber);
-  return isNumber ? std::optional(value) : std::nullopt;
-}
+// ---- Numbers
 
 std::optional<double> numberIn(const QString& text) {
-  return plainNumberIn(withoutGroups(text.trimmed()));
+  return pointNumber(withoutGroups(text.trimmed()));
+}
+
+QString percentText(double part) {
+  return shownNumber(roundedToDigits(100 * part, 12));
+}
+
+double partIn(const QString& text, double before) {
+  const std::optional<double> percent = numberIn(QString(text).remove('%'));
+  const bool isEdited = percent && std::abs(*percent - 100 * before) > 1e-9 * std::abs(*percent);
+  return isEdited ? *percent / 100 : before;
+}
+
+QString keyValueText(const std::string& key, double value) {
+  const Parameter* row = findParameter(key);
+  if (!row) return shownNumber(value);
+  const UnitText text = inReadableUnit(value, fromUtf8(row->unit));
+  return (inLanguage(text.number) + ' ' + text.unit).trimmed();
+}
+
+std::optional<double> parseKeyValue(const std::string& key, const QString& text) {
+  const Parameter* row = findParameter(key);
+  const QString number = withoutGroups(text.trimmed());
+  return pointNumber(row ? toPlainNumber(number, numberRule(*row)) : number);
 }
 
 }  // namespace asperity

@@ -16,11 +16,47 @@ class QFormLayout;
 class QLineEdit;
 class QMenu;
 class QPlainTextEdit;
+class QToolButton;
+class QVBoxLayout;
 
 namespace asperity {
 
-class AssignmentList;
 struct Parameter;
+
+/// Changes of a scene, which a lesson's file writes as KEY=VALUE: a row for each, with the label of
+/// the parameter and its value as the panel shows it, and a button that adds another one. A change
+/// stays as it is written in the file until its row is edited.
+class AssignmentList : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// The rows are named NAME:KEY, the button that adds one NAME.
+  explicit AssignmentList(const QString& name, QWidget* parent = nullptr);
+
+  /// Shows changes of this scene, which may have them already.
+  void show(const std::vector<std::string>& assignments, const Scene& scene);
+  const std::vector<std::string>& assignments() const { return assignments_; }
+
+ signals:
+  void edited();
+
+ private:
+  void showRows();
+  QWidget* makeRow(std::size_t index);
+  QWidget* makeValue(std::size_t index, const Parameter& row);
+  void write(std::size_t index, const QString& value);
+  void remove(std::size_t index);
+  void add(const Parameter& row);
+  void fillMenu();
+  Scene changed() const;
+
+  QString name_;
+  std::vector<std::string> assignments_;
+  Scene scene_;
+  QVBoxLayout* column_;
+  QWidget* rows_ = nullptr;
+  QToolButton* add_;
+};
 
 class LessonForm : public QWidget {
   Q_OBJECT
@@ -37,8 +73,6 @@ class LessonForm : public QWidget {
   QComboBox* addChoice(const QString& label, const char* name);
   AssignmentList* addAssignments(const QString& label, const char* name);
   void addRow(const QString& label, QWidget* field);
-  /// Adds a row below that of another field.
-  void addRowBelow(QWidget* above, const QString& label, QWidget* field);
   /// Shows or hides a field with its label.
   void setShown(QWidget* field, bool isShown);
 
@@ -69,6 +103,8 @@ class LessonForm : public QWidget {
   void edited();
 
  private:
+  void nameField(QWidget& field, const QString& label, const char* name);
+
   QFormLayout* rows_;
   bool isGerman_ = false, isFilling_ = false;
 };
@@ -78,11 +114,19 @@ class LessonForm : public QWidget {
 void fillParameterMenu(QMenu& menu, const Scene& scene,
                        const std::function<void(QMenu& section, const Parameter& row)>& add);
 
-/// Returns the number in a text with a decimal point and no marks between its thousands; nothing
-/// where there is none.
-std::optional<double> plainNumberIn(const QString& text);
 /// Returns the number in a text as people type it in the current language; nothing where there is
 /// none.
 std::optional<double> numberIn(const QString& text);
+
+/// Returns a part as a number of per cent.
+QString percentText(double part);
+/// Returns the part that a text gives in per cent. Where it was not edited, or is no number, it is
+/// the one before with all its digits.
+double partIn(const QString& text, double before);
+
+/// Returns a parameter's value with its unit, as in "5 \u00B5m/s".
+QString keyValueText(const std::string& key, double value);
+/// Reads such a text; a number without a unit is in SI. Returns nothing where there is no number.
+std::optional<double> parseKeyValue(const std::string& key, const QString& text);
 
 }  // namespace asperity

@@ -14,7 +14,7 @@
 
 #include "core/lesson/lesson_file.h"
 #include "ui/language/language.h"
-#include "ui/window/lesson/handout_saver.h"
+#include "ui/window/lesson/handout.h"
 #include "ui/window/lesson/lesson_text.h"
 #include "ui/window/main/scene_library.h"
 
@@ -112,8 +112,10 @@ LessonList::LessonList(QWidget* parent, AnswerFunction answer)
     if (list_->currentRow() < 0) return;
     saver_->ask(readShippedLessons()[static_cast<std::size_t>(list_->currentRow())], chosen());
   });
-  connect(saver_, &HandoutSaver::statusChanged, status_, &QLabel::setText);
-  connect(saver_, &HandoutSaver::savingChanged, this, &LessonList::showChosen);
+  connect(saver_, &HandoutSaver::statusChanged, this, [this](const QString& text) {
+    showChosen();
+    status_->setText(text);
+  });
   connect(edit_, &QPushButton::clicked, this, [this] {
     emit editorRequested(chosen());
     accept();

@@ -8,30 +8,19 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSpinBox>
-#include <QStandardItemModel>
-#include <QTableWidget>
 #include <QToolButton>
-#include <cmath>
 #include <utility>
 
-#include "core/base/number_text.h"
 #include "core/friction/curve_quantity.h"
 #include "core/scene/parameters.h"
+#include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/controls.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/parameter_row.h"
-#include "ui/window/lesson/assignment_list.h"
-#include "ui/window/lesson/lesson_value_fields.h"
 #include "ui/window/lesson/prediction_fields.h"
 
 namespace asperity {
-
-namespace {
-
-constexpr double kPointTolerance = 1;  // a factor of 2 on a logarithmic axis
-
-}  // namespace
 
 // ---- The lesson
 
@@ -110,7 +99,6 @@ LessonStepPage::LessonStepPage(QWidget* parent) : LessonForm(parent) {
     others_->addItem(text, static_cast<int>(state));
   connect(others_, &QComboBox::activated, this, &LessonStepPage::chooseOthers);
   prediction_ = new PredictionFields(*this);
-  addPredictionRows();
 }
 
 void LessonStepPage::addScene() {
@@ -129,60 +117,9 @@ void LessonStepPage::addScene() {
   addRow(tr("Scene"), row);
 }
 
-/// Adds the rows of the prediction that depend on the step and its scene as a whole.
-void LessonStepPage::addPredictionRows() {
-  kind_ = findChild<QComboBox*>("editorKind");
-  hides_ = findChild<QComboBox*>("editorHides");
-  x_ = findChild<QLineEdit*>("editorX");
-  tolerance_ = findChild<QLineEdit*>("editorTolerance");
-  choices_ = findChild<QTableWidget*>("editorChoices");
-  xTolerance_ = new QLineEdit;
-  xTolerance_->setObjectName("editorPlaceTolerance");
-  xTolerance_->setAccessibleName(tr("Tolerance of the place in %"));
-  xTolerance_->setToolTip(
-      tr("How far the place of a right answer may be from that of the largest value: the factor is "
-         "2 for 100 %"));
-  addRowBelow(tolerance_, tr("Tolerance of the place in %"), xTolerance_);
-  connect(xTolerance_, &QLineEdit::textEdited, this, &LessonForm::notifyEdited);
-  computed_ = new WrappedLabel;
-  computed_->setObjectName("editorComputed");
-  addRowBelow(findChild<QWidget*>("editorValueSet")->parentWidget(), QString(), computed_);
-  setShown(computed_, false);
-  connect(kind_, &QComboBox::activated, this, [this] {
-    proposeTolerance();
-    showRowsOfPoint();
-    notifyEdited();
-  });
-  connect(x_, &QLineEdit::textEdited, this, &LessonStepPage::showRowsOfPoint);
-}
-
-/// Where a point is asked for from now on, its usual tolerance is a factor: on a logarithmic axis
-/// of several decades a tenth of a value is one pixel. A number gets the usual one back.
-void LessonStepPage::proposeTolerance() {
-  const bool isPoint = kind_->currentIndex() == 1 + static_cast<int>(PredictionKind::Point);
-  const auto text = [](double tolerance) {
-    return shownNumber(roundedToDigits(100 * tolerance, 12));
-  };
-  const QString usual = text(LessonPrediction{}.tolerance), factor = text(kPointTolerance);
-  if (isPoint && !isLinearY_ && tolerance_->text() == usual) tolerance_->setText(factor);
-  if (!isPoint && tolerance_->text() == factor) tolerance_->setText(usual);
-}
-
-/// Shows the tolerance of the place where the place is asked for. The curve of a point is never
-/// visible before the answer, but it may stay hidden after it.
-void LessonStepPage::showRowsOfPoint() {
-  const bool isPoint = kind_->currentIndex() == 1 + static_cast<int>(PredictionKind::Point);
-  setShown(xTolerance_, isPoint && x_->text().trimmed().isEmpty());
-  hides_->setEnabled(true);
-  qobject_cast<QStandardItemModel*>(hides_->model())->item(0)->setEnabled(!isPoint);
-  if (isPoint && hides_->currentIndex() == 0) hides_->setCurrentIndex(1);
-}
-
 void LessonStepPage::showStep(const LessonStep& step, const QString& sceneText) {
   chosen_ = step.controls;
   scene_ = step.revealedScene;
-  axis_ = step.scene.sweep.key;
-  isLinearY_ = step.show.isLinearY;
   sceneText_->setText(sceneText);
   sceneText_->setToolTip(sceneText);
   fill([&] {
@@ -192,9 +129,6 @@ void LessonStepPage::showStep(const LessonStep& step, const QString& sceneText) 
     tab_->setCurrentIndex(tab_->findData(QString::fromStdString(step.show.tab)));
     quantity_->setCurrentIndex(quantity_->findData(QString::fromStdString(step.show.quantity)));
     prediction_->show(step);
-    const double place = step.prediction.value_or(LessonPrediction{}).xTolerance;
-    xTolerance_->setText(shownNumber(roundedToDigits(100 * place, 12)));
-    showRowsOfPoint();
     showControls();
   });
 }
@@ -206,56 +140,7 @@ void LessonStepPage::take(LessonStep& step) const {
   step.show.tab = tab_->currentData().toString().toStdString();
   step.show.quantity = quantity_->currentData().toString().toStdString();
   step.controls = chosen_;
-  const LessonPrediction before = step.prediction.value_or(LessonPrediction{});
   prediction_->take(step);
-  if (!step.prediction) return;
-  LessonPrediction& prediction = *step.prediction;
-  if (!unreadableIn(*tolerance_, false).isEmpty()) prediction.tolerance = before.tolerance;
-  if (!unreadableIn(*x_, true).isEmpty()) prediction.x = before.x;
-  if (!unreadableChoice().isEmpty()) {
-    prediction.choices = before.choices;
-    prediction.answer = before.answer;
-  }
-  const double percent =
-      numberIn(xTolerance_->text().remove('%')).value_or(100 * before.xTolerance);
-  // A value that was not edited keeps all its digits.
-  if (std::abs(percent - 100 * before.xTolerance) > 1e-9 * std::abs(percent))
-    prediction.xTolerance = percent / 100;
-}
-
-QString LessonStepPage::unreadableIn(const QLineEdit& line, bool mayBeEmpty) const {
-  const QString text = line.text().trimmed();
-  if (!line.isVisibleTo(this) || (mayBeEmpty && text.isEmpty())) return {};
-  const bool isRead = &line == x_ ? parseKeyValue(axis_, text).has_value()
-                                  : numberIn(QString(text).remove('%')).has_value();
-  if (isRead) return {};
-  return tr("%1: “%2” is not a number").arg(line.accessibleName(), text);
-}
-
-QString LessonStepPage::unreadableChoice() const {
-  if (!choices_->isVisibleTo(this)) return {};
-  for (int row = 0; row < choices_->rowCount(); ++row)
-    for (const int column : {2, 3}) {
-      const QTableWidgetItem* item = choices_->item(row, column);  // none: no step was shown yet
-      const QString text = item ? item->text().trimmed() : QString();
-      if (text.isEmpty() || numberIn(text)) continue;
-      return tr("Choice %1, %2: “%3” is not a number")
-          .arg(row + 1)
-          .arg(choices_->horizontalHeaderItem(column)->text(), text);
-    }
-  return {};
-}
-
-QString LessonStepPage::unreadable() const {
-  for (const auto& [line, mayBeEmpty] :
-       {std::pair{x_, true}, {tolerance_, false}, {xTolerance_, false}})
-    if (const QString text = unreadableIn(*line, mayBeEmpty); !text.isEmpty()) return text;
-  return unreadableChoice();
-}
-
-void LessonStepPage::showComputed(const QString& text) {
-  computed_->setText(text);
-  setShown(computed_, !text.isEmpty());
 }
 
 void LessonStepPage::beginText() {

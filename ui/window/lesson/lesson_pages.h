@@ -6,7 +6,6 @@
 
 class QLabel;
 class QSpinBox;
-class QTableWidget;
 class QToolButton;
 
 namespace asperity {
@@ -42,10 +41,7 @@ class LessonStepPage : public LessonForm {
   void showStep(const LessonStep& step, const QString& sceneText);
   /// Writes the fields into the step. Where a number cannot be read, the step keeps its own.
   void take(LessonStep& step) const;
-  /// Returns an error that names the first field without a readable number; empty without an error.
-  QString unreadable() const;
-  /// Shows the text about the computed answer; empty: the row is hidden.
-  void showComputed(const QString& text);
+  PredictionFields& prediction() { return *prediction_; }
   /// Puts the focus into the text and selects it.
   void beginText();
 
@@ -55,11 +51,6 @@ class LessonStepPage : public LessonForm {
 
  private:
   void addScene();
-  void addPredictionRows();
-  void proposeTolerance();
-  void showRowsOfPoint();
-  QString unreadableIn(const QLineEdit& line, bool mayBeEmpty) const;
-  QString unreadableChoice() const;
   void fillControls();
   void showControls();
   void chooseOthers();
@@ -70,16 +61,10 @@ class LessonStepPage : public LessonForm {
   QPlainTextEdit* text_;
   QComboBox *tab_, *quantity_, *others_;
   QToolButton* controls_;
-  QLabel *sceneText_, *computed_;
+  QLabel* sceneText_;
   PredictionFields* prediction_;
-  // Of the rows of the prediction.
-  QComboBox *kind_, *hides_;
-  QLineEdit *x_, *tolerance_, *xTolerance_;
-  QTableWidget* choices_;
   LessonControls chosen_;  // of the step that is shown
-  std::string axis_;       // the key of its curve's axis
-  bool isLinearY_ = false;
-  Scene scene_;  // after its reveal
+  Scene scene_;            // after its reveal
 };
 
 }  // namespace asperity

@@ -216,7 +216,7 @@ void LessonPane::showStep(const LessonPage& page) {
   if (isAsking_ && step.prediction->kind == PredictionKind::Number) addNumber(page);
   QString verdict, reveal;
   if (step.prediction && page.answer) {
-    verdict = verdictText(step, page);
+    verdict = verdictText(*step.prediction, *page.answer, *page.given, page.isRight);
     reveal = richText(step.reveal, *step.prediction, *page.answer, *page.given) + page.remark;
   }
   fill(*verdict_, verdict);
@@ -227,53 +227,6 @@ void LessonPane::showStep(const LessonPage& page) {
   isRevealed_ = page.answer != nullptr;
   isScrolledByHand_ = false;
   QTimer::singleShot(0, this, &LessonPane::scroll);
-}
-
-/// Returns which part of a wrong point is wrong.
-QString LessonPane::mistakeText(const LessonPrediction& prediction, const LessonAnswer& answer,
-                                const GivenAnswer& given) {
-  if (isHeightRight(prediction, answer, given)) return tr("The height is right, the place is not.");
-  if (isPlaceRight(prediction, answer, given)) return tr("The place is right, the height is not.");
-  return tr("Neither the place nor the height is right.");
-}
-
-/// Returns a text on whether the answer is right, what the student answered and what the program
-/// finds. Without an answer of the student it has only the computed one.
-QString LessonPane::verdictText(const LessonStep& step, const LessonPage& page) const {
-  const LessonPrediction& prediction = *step.prediction;
-  const LessonAnswer& answer = *page.answer;
-  const auto paragraph = [](const QString& text) { return "<p>" + text.toHtmlEscaped() + "</p>"; };
-  const bool hasPlace = prediction.kind == PredictionKind::Point && !prediction.x;
-  const auto inWords = [&](const LessonNumber& number, const LessonNumber& place) {
-    return hasPlace ? pointInWords(number, place) : QString::fromStdString(numberInWords(number));
-  };
-  const QString found = prediction.kind == PredictionKind::Choice && !prediction.answer
-                            ? QString()
-                            : tr("The program finds %1.").arg(inWords(answer.number, answer.x));
-  const auto tells = [](const LessonText& text, const char* place) {
-    return shown(text).find(place) != std::string::npos;
-  };
-  if (!page.given->isGiven()) {
-    if (tells(prediction.wrong, "{") && !tells(prediction.wrong, "{given"))
-      return richText(prediction.wrong, prediction, answer, *page.given);
-    return found.isEmpty() ? QString() : paragraph(found);
-  }
-  const LessonText& said = page.isRight ? prediction.right : prediction.wrong;
-  QString verdict = page.isRight ? QStringLiteral("<p><b>✓ %1</b></p>").arg(tr("Right"))
-                                 : QStringLiteral("<p><b>✗ %1</b></p>").arg(tr("No"));
-  const QString given =
-      inWords({page.given->number, answer.number.unit}, {page.given->x, answer.x.unit});
-  if (hasPlace)
-    verdict +=
-        paragraph(tr("You said %1.").arg(given) +
-                  (page.isRight ? QString() : ' ' + mistakeText(prediction, answer, *page.given)));
-  else if (prediction.kind != PredictionKind::Choice && !tells(said, "{given"))
-    verdict += paragraph(tr("You said %1.").arg(given));
-  if (!said.empty())
-    verdict += richText(said, prediction, answer, *page.given);
-  else if (prediction.kind != PredictionKind::Choice)
-    verdict += paragraph(found);
-  return verdict;
 }
 
 /// Sets the font of the step's title from that of the window.

@@ -62,9 +62,6 @@ class LessonPane : public QWidget {
   void addChoices(const LessonPrediction& prediction, const LessonPage& page);
   void addNumber(const LessonPage& page);
   void clearInput();
-  static QString mistakeText(const LessonPrediction& prediction, const LessonAnswer& answer,
-                             const GivenAnswer& given);
-  QString verdictText(const LessonStep& step, const LessonPage& page) const;
   void setHeading();
   void scroll();
   void scrollToStep();

@@ -12,6 +12,7 @@
 #include <map>
 #include <optional>
 
+#include "core/base/input_error.h"
 #include "core/lesson/lesson_class.h"
 #include "core/lesson/lesson_file.h"
 #include "core/scene/sweep.h"
@@ -40,11 +41,9 @@ QString titleOf(const LessonResults& results) {
   return lesson ? plainText(lesson->title) : QString::fromStdString(results.title);
 }
 
-/// Returns the step with this number if it has a prediction; null where the lesson is not known.
+/// Returns the step if it asks for a prediction; null where not, or where the lesson is not known.
 const LessonStep* stepOf(const std::optional<Lesson>& lesson, int step) {
-  const auto place = static_cast<std::size_t>(step);
-  const bool isAsked = lesson && place < lesson->steps.size() && lesson->steps[place].prediction;
-  return isAsked ? &lesson->steps[place] : nullptr;
+  return lesson ? askingStep(*lesson, step) : nullptr;
 }
 
 QString verdict(const LessonResult& result) {
@@ -52,25 +51,77 @@ QString verdict(const LessonResult& result) {
   return result.isRight ? LessonResultsPage::tr("right") : LessonResultsPage::tr("wrong");
 }
 
+/// Returns the right answer in the form of a given one.
+GivenAnswer rightAnswer(const LessonResult& result) {
+  const LessonAnswer& expected = result.expected;
+  return {expected.choice, expected.number.value, expected.x.value};
+}
+
 /// Returns an answer in words: a number, or the choice with its text. Where the step is not known
 /// (null), a choice has its number.
-QString answerText(const LessonResult& result, const LessonStep* asked, int choice, double number,
-                   double x) {
+QString answerText(const LessonResult& result, const LessonStep* asked, const GivenAnswer& answer) {
+  if (!answer.isGiven()) return QStringLiteral("–");
   if (result.kind == PredictionKind::Choice) {
-    if (choice < 0) return QStringLiteral("–");
-    const auto place = static_cast<std::size_t>(choice);
+    const auto place = static_cast<std::size_t>(answer.choice);
     if (asked && place < asked->prediction->choices.size())
       return plainText(asked->prediction->choices[place].text);
-    return LessonResultsPage::tr("choice %1").arg(choice + 1);
+    return LessonResultsPage::tr("choice %1").arg(answer.choice + 1);
   }
-  if (std::isnan(number)) return QStringLiteral("–");
-  const LessonNumber height{number, result.expected.number.unit};
-  if (result.kind == PredictionKind::Number || std::isnan(x))
+  const LessonNumber height{answer.number, result.expected.number.unit};
+  if (result.kind == PredictionKind::Number || std::isnan(answer.x))
     return fromUtf8(numberInWords(height));
   // Older files have no unit of the place.
   std::string unit = result.expected.x.unit;
   if (unit.empty() && asked) unit = sweptParameter(asked->scene).unit;
-  return pointInWords(height, {x, unit});
+  return pointInWords(height, {answer.x, unit});
+}
+
+/// Returns an answer as a column of a class has it: a choice has its number.
+QString shortAnswer(const LessonResult& result, const LessonStep* asked,
+                    const GivenAnswer& answer) {
+  return answerText(result, result.kind == PredictionKind::Choice ? nullptr : asked, answer);
+}
+
+/// Returns a row of a table; its cells are HTML.
+QString rowHtml(const QStringList& cells, const QString& cell = QStringLiteral("td")) {
+  const QString begin = "<" + cell + " align=\"left\">", end = "</" + cell + ">";
+  return "<tr>" + begin + cells.join(end + begin) + end + "</tr>";
+}
+
+QString tableOf(const QString& rows) {
+  return "<table cellpadding=\"4\">" + rows + "</table>";
+}
+
+/// Returns the table of the students in one lesson.
+QString classTable(const std::vector<StudentResults>& students) {
+  const std::optional<Lesson> lesson = shippedLessonOf(students.front().results);
+  std::map<int, const LessonResult*> steps;  // a result of each step, for the right answer
+  for (const StudentResults& student : students)
+    for (const LessonResult& one : student.results.results) steps.emplace(one.step, &one);
+  QStringList heads = {LessonResultsPage::tr("File"), LessonResultsPage::tr("right"),
+                       LessonResultsPage::tr("wrong"), LessonResultsPage::tr("shown")};
+  QStringList answers = {"<b>" + LessonResultsPage::tr("Right answer") + "</b>", {}, {}, {}};
+  for (const auto& [step, one] : steps) {
+    const QString right = shortAnswer(*one, stepOf(lesson, step), rightAnswer(*one));
+    heads += LessonResultsPage::tr("Step") + ' ' + QString::number(step + 1);
+    answers += "<b>" + right.toHtmlEscaped() + "</b>";
+  }
+  QString rows = rowHtml(heads, "th") + rowHtml(answers);
+  for (const StudentResults& student : students) {
+    const LessonResults& results = student.results;
+    QStringList cells = {QString::fromStdString(student.file).toHtmlEscaped(),
+                         QString::number(results.right()), QString::number(results.wrong()),
+                         QString::number(results.shown())};
+    for (const auto& [step, any] : steps) {
+      const LessonResult* one = results.find(step);
+      QString cell = one ? verdict(*one) : QStringLiteral("–");
+      if (one && one->given.isGiven())
+        cell += " (" + shortAnswer(*one, stepOf(lesson, step), one->given) + ')';
+      cells += cell.toHtmlEscaped();
+    }
+    rows += rowHtml(cells);
+  }
+  return tableOf(rows);
 }
 
 }  // namespace
@@ -87,85 +138,35 @@ QString LessonResultsPage::html(const QString& file) {
               .arg(results.right())
               .arg(results.wrong())
               .arg(results.shown()) +
-          "</b></p><table cellpadding=\"4\">";
-  const QStringList heads = {tr("Step"), tr("Answer"), QString(), tr("Right answer")};
-  html += "<tr><th align=\"left\">" + heads.join("</th><th align=\"left\">") + "</th></tr>";
+          "</b></p>";
+  QString rows = rowHtml({tr("Step"), tr("Answer"), QString(), tr("Right answer")}, "th");
   for (const LessonResult& one : results.results) {
     const LessonStep* asked = stepOf(lesson, one.step);
     QString name = QString::number(one.step + 1);
     if (asked) name += ". " + plainText(asked->prediction->question).toHtmlEscaped();
-    const QString given = answerText(one, asked, one.given.choice, one.given.number, one.given.x);
-    const QString right = answerText(one, asked, one.expected.choice, one.expected.number.value,
-                                     one.expected.x.value);
-    html += "<tr><td>" + name + "</td><td>" + given.toHtmlEscaped() + "</td><td><b>" +
-            verdict(one) + "</b></td><td>" + right.toHtmlEscaped() + "</td></tr>";
+    rows += rowHtml({name, answerText(one, asked, one.given).toHtmlEscaped(),
+                     "<b>" + verdict(one) + "</b>",
+                     answerText(one, asked, rightAnswer(one)).toHtmlEscaped()});
   }
-  return html + "</table>";
+  return html + tableOf(rows);
 }
-
-namespace {
-
-/// Returns a row of a table; its cells are HTML.
-QString rowHtml(const QStringList& cells, const QString& cell = QStringLiteral("td")) {
-  const QString begin = "<" + cell + " align=\"left\">", end = "</" + cell + ">";
-  return "<tr>" + begin + cells.join(end + begin) + end + "</tr>";
-}
-
-/// Returns an answer as a column of a class has it: a choice has its number.
-QString shortAnswer(const LessonResult& result, const LessonStep* asked, int choice, double number,
-                    double x) {
-  if (result.kind != PredictionKind::Choice) return answerText(result, asked, choice, number, x);
-  return answerText(result, nullptr, choice, number, x);
-}
-
-/// Returns the table of the students in one lesson.
-QString tableHtml(const std::vector<StudentResults>& students) {
-  const std::optional<Lesson> lesson = shippedLessonOf(students.front().results);
-  std::map<int, const LessonResult*> steps;  // a result of each step, for the right answer
-  for (const StudentResults& student : students)
-    for (const LessonResult& one : student.results.results) steps.emplace(one.step, &one);
-  QStringList heads = {LessonResultsPage::tr("File"), LessonResultsPage::tr("right"),
-                       LessonResultsPage::tr("wrong"), LessonResultsPage::tr("shown")};
-  QStringList answers = {"<b>" + LessonResultsPage::tr("Right answer") + "</b>", {}, {}, {}};
-  for (const auto& [step, one] : steps) {
-    const LessonStep* asked = stepOf(lesson, step);
-    heads += LessonResultsPage::tr("Step") + ' ' + QString::number(step + 1);
-    answers += "<b>" +
-               shortAnswer(*one, asked, one->expected.choice, one->expected.number.value,
-                           one->expected.x.value)
-                   .toHtmlEscaped() +
-               "</b>";
-  }
-  QString html = rowHtml(heads, "th") + rowHtml(answers);
-  for (const StudentResults& student : students) {
-    const LessonResults& results = student.results;
-    QStringList cells = {QString::fromStdString(student.file).toHtmlEscaped(),
-                         QString::number(results.right()), QString::number(results.wrong()),
-                         QString::number(results.shown())};
-    for (const auto& [step, any] : steps) {
-      const LessonResult* one = results.find(step);
-      QString cell = one ? verdict(*one) : QStringLiteral("–");
-      if (one && one->given.isGiven())
-        cell += " (" +
-                shortAnswer(*one, stepOf(lesson, step), one->given.choice, one->given.number,
-                            one->given.x) +
-                ')';
-      cells += cell.toHtmlEscaped();
-    }
-    html += rowHtml(cells);
-  }
-  return "<table cellpadding=\"4\">" + html + "</table>";
-}
-
-}  // namespace
 
 QString LessonResultsPage::classHtml(const QStringList& files) {
   std::vector<std::string> paths;
   for (const QString& file : files) paths.push_back(file.toStdString());
+  std::vector<InputError> refused;
+  const std::vector<std::vector<StudentResults>> classes = readClasses(paths, &refused);
+  if (classes.empty() && !refused.empty()) throw InputError(refused.front());
   QString html;
-  for (const std::vector<StudentResults>& students : readClasses(paths))
+  for (const std::vector<StudentResults>& students : classes)
     html +=
-        "<h3>" + titleOf(students.front().results).toHtmlEscaped() + "</h3>" + tableHtml(students);
+        "<h3>" + titleOf(students.front().results).toHtmlEscaped() + "</h3>" + classTable(students);
+  if (!refused.empty()) html += "<h3>" + tr("Files without results") + "</h3>";
+  for (const InputError& error : refused) {
+    const QString name = QFileInfo(QString::fromStdString(error.file())).fileName();
+    const QString reason = translatedError(InputError("", error.key(), error.message()));
+    html += "<p>" + (name + ": " + reason).toHtmlEscaped() + "</p>";
+  }
   return html;
 }
 

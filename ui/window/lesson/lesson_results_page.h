@@ -19,7 +19,8 @@ class LessonResultsPage {
   static QString html(const QString& file);
 
   /// Returns the results of a class as HTML: a table for each lesson, with a row for each student
-  /// and a column for each step that somebody answered.
+  /// and a column for each step that somebody answered. Files without results are listed below with
+  /// their reasons. Throws InputError where no file has results.
   static QString classHtml(const QStringList& files);
 };
 

@@ -56,6 +56,27 @@ QString toleranceInWords(const LessonPrediction& prediction) {
   return " (" + fromUtf8(Words::tr("right within %1")).arg(within) + ")";
 }
 
+/// Returns a number, or the height and the place of a point whose place is asked for.
+QString valueInWords(const LessonPrediction& prediction, const LessonNumber& number,
+                     const LessonNumber& place) {
+  const bool hasPlace = prediction.kind == PredictionKind::Point && !prediction.x;
+  return hasPlace ? pointInWords(number, place) : fromUtf8(numberInWords(number));
+}
+
+/// Returns which part of a wrong point is wrong.
+QString mistakeText(const LessonPrediction& prediction, const LessonAnswer& answer,
+                    const GivenAnswer& given) {
+  return fromUtf8(isHeightRight(prediction, answer, given)
+                      ? Words::tr("The height is right, the place is not.")
+                  : isPlaceRight(prediction, answer, given)
+                      ? Words::tr("The place is right, the height is not.")
+                      : Words::tr("Neither the place nor the height is right."));
+}
+
+QString paragraph(const QString& text) {
+  return "<p>" + text.toHtmlEscaped() + "</p>";
+}
+
 }  // namespace
 
 const std::string& shown(const LessonText& text) {
@@ -113,10 +134,7 @@ QString pointInWords(const LessonNumber& height, const LessonNumber& place) {
 QString answerInWords(const LessonPrediction& prediction, const LessonAnswer& answer) {
   if (answer.choice >= 0)
     return plainText(prediction.choices[static_cast<std::size_t>(answer.choice)].text);
-  const bool hasPlace = prediction.kind == PredictionKind::Point && !prediction.x;
-  const QString words =
-      hasPlace ? pointInWords(answer.number, answer.x) : fromUtf8(numberInWords(answer.number));
-  return words + toleranceInWords(prediction);
+  return valueInWords(prediction, answer.number, answer.x) + toleranceInWords(prediction);
 }
 
 QString pointTolerance(const LessonPrediction& prediction) {
@@ -131,6 +149,39 @@ QString richText(const LessonText& text, const LessonPrediction& prediction,
                  const LessonAnswer& answer, const GivenAnswer& given) {
   return richText(
       withValues(shown(text), prediction, answer, given, presentLanguage(), numberInWords));
+}
+
+QString verdictText(const LessonPrediction& prediction, const LessonAnswer& answer,
+                    const GivenAnswer& given, bool isRight) {
+  const bool isChoice = prediction.kind == PredictionKind::Choice;
+  const QString found =
+      isChoice && !prediction.answer
+          ? QString()
+          : paragraph(fromUtf8(Words::tr("The program finds %1."))
+                          .arg(valueInWords(prediction, answer.number, answer.x)));
+  const auto tells = [](const LessonText& text, const char* place) {
+    return shown(text).find(place) != std::string::npos;
+  };
+  if (!given.isGiven()) {
+    const bool tellsAnswerAlone =
+        tells(prediction.wrong, "{") && !tells(prediction.wrong, "{given");
+    return tellsAnswerAlone ? richText(prediction.wrong, prediction, answer, given) : found;
+  }
+  const LessonText& said = isRight ? prediction.right : prediction.wrong;
+  const bool isPoint = prediction.kind == PredictionKind::Point && !prediction.x;
+  QString verdict = "<p><b>" +
+                    (isRight ? QStringLiteral("✓ ") + fromUtf8(Words::tr("Right"))
+                             : QStringLiteral("✗ ") + fromUtf8(Words::tr("No"))) +
+                    "</b></p>";
+  if (isPoint || (!isChoice && !tells(said, "{given"))) {
+    QString own = fromUtf8(Words::tr("You said %1."))
+                      .arg(valueInWords(prediction, {given.number, answer.number.unit},
+                                        {given.x, answer.x.unit}));
+    if (isPoint && !isRight) own += ' ' + mistakeText(prediction, answer, given);
+    verdict += paragraph(own);
+  }
+  if (!said.empty()) return verdict + richText(said, prediction, answer, given);
+  return isChoice ? verdict : verdict + found;
 }
 
 }  // namespace asperity

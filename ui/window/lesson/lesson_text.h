@@ -36,4 +36,9 @@ QString pointTolerance(const LessonPrediction& prediction);
 QString richText(const LessonText& text, const LessonPrediction& prediction,
                  const LessonAnswer& answer, const GivenAnswer& given);
 
+/// Returns a text, as rich text, on whether the answer is right, what the student answered and what
+/// the program finds. Without an answer of the student it has only the computed one.
+QString verdictText(const LessonPrediction& prediction, const LessonAnswer& answer,
+                    const GivenAnswer& given, bool isRight);
+
 }  // namespace asperity

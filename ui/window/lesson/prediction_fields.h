@@ -1,13 +1,15 @@
 // The rows of the lesson editor for the question of a step: the kind of prediction, the question,
-// the choices, the computed answer (lesson_value_fields.h), and the texts and actions after it is
-// revealed. The rows are those of a page. GUI thread; owned by the page.
+// the choices, the computed answer, and the texts and actions after it is revealed. The rows are
+// those of a page. GUI thread; owned by the page.
 #pragma once
 
 #include <QObject>
+#include <string>
 
 #include "core/lesson/lesson.h"
 
 class QComboBox;
+class QLabel;
 class QLineEdit;
 class QPlainTextEdit;
 class QTableWidget;
@@ -16,7 +18,34 @@ namespace asperity {
 
 class AssignmentList;
 class LessonForm;
-class LessonValueFields;
+
+/// The rows for a number that the program computes as the answer: a column of the curve, its ratio
+/// to the value of the step, the position of its largest value, or the exponent with which it
+/// depends on a key.
+class LessonValueFields : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit LessonValueFields(LessonForm& page);
+
+  /// Fills the rows. scene: that of the step, whose keys can be chosen for an exponent.
+  void show(const LessonValue& value, const Scene& scene);
+  void setShown(bool isShown);
+  /// Returns the value with the contents of the rows. Members that the rows do not show are kept.
+  LessonValue edited(const LessonValue& before) const;
+
+ private:
+  void showRows();
+  void proposeEnds();
+  double rangeEnd(const QLineEdit& entry) const;
+
+  LessonForm& page_;
+  QComboBox *kind_, *column_, *key_;
+  QLineEdit *from_, *to_;
+  AssignmentList* set_;
+  Scene scene_;  // of the step
+  bool isShown_ = true;
+};
 
 class PredictionFields : public QObject {
   Q_OBJECT
@@ -26,8 +55,13 @@ class PredictionFields : public QObject {
 
   /// Fills the rows. Call it within LessonForm::fill().
   void show(const LessonStep& step);
-  /// Writes the rows into the step. Members that the rows do not show are kept.
+  /// Writes the rows into the step. Members that the rows do not show are kept, and so are those
+  /// whose numbers cannot be read.
   void take(LessonStep& step) const;
+  /// Returns an error that names the first field without a readable number; empty without an error.
+  QString unreadable() const;
+  /// Shows the text about the computed answer; empty: the row is hidden.
+  void showComputed(const QString& text);
 
  private:
   void addChoices();
@@ -35,16 +69,21 @@ class PredictionFields : public QObject {
   void showChoices(const LessonPrediction& prediction);
   bool takeChoices(LessonPrediction& prediction) const;
   void showRows();
+  void showRowsOfPoint();
+  void proposeTolerance();
+  QString unreadableIn(const QLineEdit& line) const;
+  QString unreadableChoice() const;
 
   LessonForm& page_;
-  QComboBox* kind_;
-  QPlainTextEdit* question_;
-  QLineEdit *x_, *tolerance_, *right_, *wrong_;
+  QComboBox *kind_, *hides_;
+  QPlainTextEdit *question_, *reveal_;
+  QLineEdit *x_, *tolerance_, *xTolerance_, *right_, *wrong_;
   AssignmentList* after_;
-  QTableWidget* choices_ = nullptr;
+  QTableWidget* choices_;
   LessonValueFields* value_;
-  QComboBox* hides_;
-  QPlainTextEdit* reveal_;
+  QLabel* computed_;
+  std::string axis_;  // the key of the axis of the step's curve
+  bool isLinearY_ = false;
 };
 
 }  // namespace asperity

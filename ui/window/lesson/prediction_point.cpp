@@ -22,19 +22,6 @@ namespace {
 constexpr double kReach = 7;                       // pixels, radius of the point
 constexpr double kStep = 0.02, kFineStep = 0.005;  // of an axis, for a key
 
-/// One axis of the chart: its ends, and the pixels at which they lie.
-struct PixelAxis {
-  AxisScale scale;
-  double from, to;            // logarithms on a logarithmic axis
-  double pixelFrom, pixelTo;  // of the ends
-
-  double value(double pixel) const {
-    const double part = std::clamp((pixel - pixelFrom) / (pixelTo - pixelFrom), 0.0, 1.0);
-    const double position = from + part * (to - from);
-    return axisValue(scale, position);
-  }
-};
-
 /// Returns the length of the part of a line that lies in a rectangle.
 double lengthIn(const QRectF& rectangle, const QLineF& line) {
   double from = 0, to = 1;  // parts of the line
@@ -69,11 +56,6 @@ PredictionPoint::PredictionPoint(ChartView& chart) : QWidget(&chart), chart_(cha
   setCursor(Qt::CrossCursor);
   chart_.installEventFilter(this);
   hide();
-}
-
-void PredictionPoint::setColour(const QColor& colour) {
-  colour_ = colour;
-  update();
 }
 
 void PredictionPoint::ask(std::optional<double> x, const QString& name) {
@@ -128,9 +110,12 @@ QPointF PredictionPoint::valueAt(QPointF pixel) const {
   const Diagram& diagram = chart_.sheet().diagrams.front();
   const VisibleRange range = chart_.visibleRange();
   const auto [low, high] = axesCorners();
-  const PixelAxis x{diagram.x.scale, range.x.from, range.x.to, low.x(), high.x()};
-  const PixelAxis y{diagram.y.scale, range.y.from, range.y.to, low.y(), high.y()};
-  return {x_ ? *x_ : x.value(pixel.x()), y.value(pixel.y())};
+  const auto along = [](AxisScale scale, const auto& ends, double begin, double end, double at) {
+    const double part = std::clamp((at - begin) / (end - begin), 0.0, 1.0);
+    return axisValue(scale, ends.from + part * (ends.to - ends.from));
+  };
+  return {x_ ? *x_ : along(diagram.x.scale, range.x, low.x(), high.x(), pixel.x()),
+          along(diagram.y.scale, range.y, low.y(), high.y(), pixel.y())};
 }
 
 /// Returns the value of the point, and its position on the x-axis unless the question fixes it.
@@ -170,7 +155,7 @@ void PredictionPoint::paintEvent(QPaintEvent*) {
   if (!std::isfinite(at.x()) || !std::isfinite(at.y())) return;
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  const QColor colour = colour_.isValid() ? colour_ : palette().color(QPalette::Highlight);
+  const QColor colour = palette().color(QPalette::Highlight);
   const VisibleRange range = chart_.visibleRange();
   const Diagram& diagram = chart_.sheet().diagrams.front();
   const double top = toPixel({value.x(), axisValue(diagram.y.scale, range.y.to)}).y();

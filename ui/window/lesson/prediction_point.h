@@ -4,7 +4,6 @@
 // chart. Cannot fail: until the chart is laid out nothing is drawn.
 #pragma once
 
-#include <QColor>
 #include <QPointF>
 #include <QRectF>
 #include <QWidget>
@@ -31,7 +30,6 @@ class PredictionPoint : public QWidget {
 
   /// Returns the position in the units of the axes, once the point was placed.
   std::optional<QPointF> point() const { return point_; }
-  void setColour(const QColor& colour);
   /// Returns the rectangle of the label as it was drawn last, in pixels.
   QRectF label() const { return label_; }
 
@@ -63,7 +61,6 @@ class PredictionPoint : public QWidget {
   std::optional<double> x_;
   std::optional<QPointF> point_;
   QString name_;
-  QColor colour_;
   QRectF label_;
   bool isDecided_ = false, isComputed_ = false, isDragged_ = false;
 };

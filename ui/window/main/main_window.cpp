@@ -235,14 +235,13 @@ void MainWindow::buildCommands() {
   exports_->addTo(*commands_);
   appearance_->addTo(*commands_);
   windowLayout_ = new WindowLayout(
-      {*this, *dock_, *panel_, *splitter_, *canvas_, *tabs_, *figures_, *appearance_});
+      {*this, *dock_, *panel_, *splitter_, *canvas_, *tabs_, *figures_, *appearance_, *messages_});
   windowLayout_->addTo(*commands_);
   tabs_->addTo(*commands_);
   tour_ = new Tour(*document_, *tourBar_, *hint_, *this);
   tour_->addTo(*commands_);
   connect(tour_, &Tour::controlRequested, panel_, &ParameterPanel::reveal);
-  lessons_ = new Lessons(
-      {*this, *document_, *session_, *panel_, *dock_, *tabs_, *messages_, *appearance_});
+  lessons_ = new Lessons({*this, *document_, *session_, *panel_, *dock_, *tabs_}, *messages_);
   lessons_->addTo(*commands_);
   // The offer of the tour is nothing for those who are in a lesson, nor for an audience.
   connect(lessons_, &Lessons::stepShown, hint_, &QWidget::hide);

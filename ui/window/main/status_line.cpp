@@ -42,6 +42,11 @@ double presentFriction(const Frame& frame) {
   return frame.transient ? orMissing(frame.tangentialForce / frame.normalForce) : frame.muSteady;
 }
 
+/// Returns a reading with the groups of thousands that the rate has, too.
+QString groupedReading(double value, int digits = 3) {
+  return QString::fromStdString(grouped(shortNumber(value, digits)));
+}
+
 /// Returns " (mean ≈ 0.001198 ± 0.4 %)", with the digits that the error allows; empty where all
 /// lines agree except for rounding. At a point of the curve it is without the sign.
 QString meanText(const CurveReading& reading) {
@@ -51,7 +56,7 @@ QString meanText(const CurveReading& reading) {
   const double digits = std::clamp(std::ceil(-std::log10(share)) + 1, 2.0, 5.0);
   return (reading.isInterpolated ? StatusLine::tr(" (mean ≈ %1 ± %2 %)")
                                  : StatusLine::tr(" (mean %1 ± %2 %)"))
-      .arg(readingLabel(reading.mu, static_cast<int>(digits)),
+      .arg(groupedReading(reading.mu, static_cast<int>(digits)),
            shownNumber(roundedToDigits(100 * share, 1)));
 }
 
@@ -283,8 +288,8 @@ void StatusLine::showFrame(const Frame& frame, const CurveReading& reading) {
   if (std::isfinite(reading.mu) && std::isfinite(reading.error)) mean = meanText(reading);
   const QString text =
       hasLocalFriction(*frame.scene) ? tr("deformation μ = %1%2") : tr("friction μ = %1%2");
-  mu_->setText(text.arg(readingLabel(presentFriction(frame)), mean));
-  force_->setText(tr("force F̄ = %1").arg(readingLabel(dimensionlessForce(frame))));
+  mu_->setText(text.arg(groupedReading(presentFriction(frame)), mean));
+  force_->setText(tr("force F̄ = %1").arg(groupedReading(dimensionlessForce(frame))));
   showVelocity(frame);
   showNotes(reading.notes);
   settling_->setText(frame.isSettling ? tr("settling") : QString());
@@ -367,7 +372,7 @@ void StatusLine::resizeEvent(QResizeEvent* event) {
 /// the force beside it has the reason.
 void StatusLine::showVelocity(const Frame& frame) {
   const double velocity = dimensionlessVelocity(frame);
-  velocity_->setText(std::isfinite(velocity) ? tr("velocity v̄ = %1").arg(readingLabel(velocity))
+  velocity_->setText(std::isfinite(velocity) ? tr("velocity v̄ = %1").arg(groupedReading(velocity))
                                              : QString());
   const QString reason = missingVelocityReason(frame);
   const QString tip =

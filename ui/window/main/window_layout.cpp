@@ -21,6 +21,7 @@
 #include "ui/window/gallery/scene_gallery.h"
 #include "ui/window/main/appearance.h"
 #include "ui/window/main/commands.h"
+#include "ui/window/main/message_bar.h"
 #include "ui/window/main/scene_tabs.h"
 
 namespace asperity {
@@ -43,6 +44,9 @@ const QList<int>& defaultSplit() {
 WindowLayout::WindowLayout(const LayoutParts& parts) : QObject(&parts.window), parts_(parts) {
   parts_.splitter.setSizes(defaultSplit());
   connect(&parts_.figures, &FigurePages::pageChanged, this, &WindowLayout::hideDocksForFigures);
+  connect(&parts_.dock, &QDockWidget::visibilityChanged, this, [this](bool isVisible) {
+    if (isVisible) endPanelNote();
+  });
 }
 
 WindowLayout::~WindowLayout() {
@@ -137,10 +141,12 @@ void WindowLayout::setPresenting(bool presenting) {
   if (presenting == isPresenting()) return showScreenMode();
   const bool hadFigures = parts_.figures.isShowingFigures();
   parts_.figures.showViews();
+  const bool hidesPanel = presenting && !hadFigures && !parts_.dock.isHidden();
   if (presenting)
     beginPresentation();
   else
     endPresentation();
+  if (hidesPanel) showPanelNote();
   if (hadFigures) parts_.figures.openFigures();
   showScreenMode();
 }
@@ -172,7 +178,22 @@ void WindowLayout::beginPresentation() {
   setFullScreen(true);
 }
 
+/// Says for a while how the parameters come back, which the presentation has hidden.
+void WindowLayout::showPanelNote() {
+  constexpr int kShown = 8000;              // milliseconds
+  if (!parts_.messages.isHidden()) return;  // an error says more
+  panelNote_ = tr("F9 shows the parameters; Esc ends the presentation.");
+  parts_.messages.showMessage(panelNote_);
+  QTimer::singleShot(kShown, this, &WindowLayout::endPanelNote);
+}
+
+void WindowLayout::endPanelNote() {
+  const QString note = std::exchange(panelNote_, QString());
+  if (!note.isEmpty() && parts_.messages.text() == note) parts_.messages.hide();
+}
+
 void WindowLayout::endPresentation() {
+  endPanelNote();
   QMainWindow& window = parts_.window;
   const Presentation before = *std::exchange(presentation_, std::nullopt);
   QApplication::setFont(before.font);

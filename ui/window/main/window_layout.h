@@ -24,6 +24,7 @@ class Appearance;
 class Commands;
 class ContactCanvas;
 class FigurePages;
+class MessageBar;
 class ParameterPanel;
 class SceneTabs;
 
@@ -48,6 +49,7 @@ struct LayoutParts {
   SceneTabs& tabs;
   FigurePages& figures;
   Appearance& appearance;
+  MessageBar& messages;
 };
 
 class WindowLayout : public QObject {
@@ -86,6 +88,8 @@ class WindowLayout : public QObject {
  private:
   void beginPresentation();
   void endPresentation();
+  void showPanelNote();
+  void endPanelNote();
   void setFullScreen(bool full);
   void showScreenMode();
   void hideDocksForFigures(bool areShown);
@@ -106,6 +110,7 @@ class WindowLayout : public QObject {
     bool hasStatus;
   };
   std::optional<Presentation> presentation_;
+  QString panelNote_;              // that the message bar shows; empty: none
   std::optional<QSize> dockSize_;  // the size that the dock gets back when the layouts allow it
 };
 

@@ -1,0 +1,91 @@
+// The pages of a handout on paper.
+#include "ui/window/lesson/handout.h"
+
+#include <gmock/gmock.h>
+
+#include <cstdio>
+
+#include "tests/core/lesson/lesson_samples.h"
+#include "tests/core/temporary_folder.h"
+
+namespace asperity {
+namespace {
+
+using testing::HasSubstr;
+using Json = nlohmann::ordered_json;
+
+/// Returns the texts of the pages of a PDF.
+QStringList pagesOf(const Lesson& lesson, const HandoutOptions& options = {}) {
+  TemporaryFolder folder;
+  writeHandout(folder / "page.pdf", lesson, options);
+  const std::string command = "pdftotext '" + (folder / "page.pdf").string() + "' - 2>&1";
+  std::FILE* const pipe = popen(command.c_str(), "r");
+  QByteArray text;
+  char block[4096];
+  while (const std::size_t size = std::fread(block, 1, sizeof(block), pipe))
+    text.append(block, static_cast<qsizetype>(size));
+  EXPECT_EQ(pclose(pipe), 0) << text.toStdString();
+  QStringList pages = QString::fromUtf8(text).split('\f');
+  pages.removeLast();  // each page ends with a form feed
+  return pages;
+}
+
+/// Returns a lesson of many steps, of which each asks with choices and shows the same contact.
+Lesson longLesson() {
+  Json json = sampleLesson();
+  Json step = json["steps"][0];
+  for (const char* member : {"after", "reveal", "values"}) step.erase(member);
+  step["prediction"]["wrong"] = "No.";
+  step["prediction"]["right"] = "Yes.";
+  step["prediction"]["choices"][0]["text"] = "first choice";
+  step["prediction"]["choices"].back()["text"] = "last choice";
+  json["steps"] = Json::array();
+  for (int i = 0; i < 12; ++i) {
+    step["prediction"]["question"] = "Question number " + std::to_string(i + 1) + "?";
+    json["steps"].push_back(step);
+  }
+  return lessonOf(json);
+}
+
+TEST(HandoutPages, EachPageHasTheTitleAndItsNumber) {
+  const QStringList pages = pagesOf(longLesson());
+  ASSERT_GT(pages.size(), 2);
+  for (qsizetype i = 0; i < pages.size(); ++i) {
+    EXPECT_TRUE(pages[i].contains("Sample")) << pages[i].toStdString();
+    EXPECT_TRUE(pages[i].contains(QStringLiteral("%1 / %2").arg(i + 1).arg(pages.size())))
+        << pages[i].toStdString();
+  }
+}
+
+TEST(HandoutPages, AQuestionIsOnOnePageWithItsChoices) {
+  HandoutOptions teacher;
+  teacher.forTeacher = true;
+  for (const HandoutOptions& options : {HandoutOptions{}, teacher}) {
+    int questions = 0;
+    for (const QString& page : pagesOf(longLesson(), options)) {
+      const qsizetype asked = page.count("Question number");
+      questions += static_cast<int>(asked);
+      EXPECT_GE(page.count("☐ last choice"), asked) << page.toStdString();
+      EXPECT_EQ(page.count("☐ first choice"), asked) << page.toStdString();
+    }
+    EXPECT_EQ(questions, 12);
+  }
+  EXPECT_EQ(handoutHtml(longLesson()).count("<div class=\"question\">"), 12);
+}
+
+/// Notes may have more lines than a page.
+TEST(HandoutPages, ATextThatIsLongerThanAPageGoesOnOverTheNextOnes) {
+  Json json = sampleLesson();
+  Json& notes = json["notes"]["en"] = Json::array();
+  for (int i = 0; i < 150; ++i) notes.push_back("Note number " + std::to_string(i + 1) + ".");
+  HandoutOptions teacher;
+  teacher.forTeacher = true;
+  const QStringList pages = pagesOf(lessonOf(json), teacher);
+  const std::string all = pages.join('\n').toStdString();
+  for (int i = 0; i < 150; ++i)
+    EXPECT_THAT(all, HasSubstr("Note number " + std::to_string(i + 1) + "."));
+  EXPECT_FALSE(pages[0].contains("1. First")) << "the steps come after the notes";
+}
+
+}  // namespace
+}  // namespace asperity

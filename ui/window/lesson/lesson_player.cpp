@@ -1,0 +1,430 @@
+#include "ui/window/lesson/lesson_player.h"
+
+#include <QAction>
+#include <QDateTime>
+#include <QDockWidget>
+#include <QHBoxLayout>
+#include <QMainWindow>
+#include <QTimer>
+#include <QToolButton>
+#include <algorithm>
+#include <utility>
+
+#include "core/scene/parameters.h"
+#include "ui/chart/chart_view.h"
+#include "ui/language/language.h"
+#include "ui/language/translated.h"
+#include "ui/panels/controls.h"
+#include "ui/panels/parameter_panel.h"
+#include "ui/window/contact/contact_canvas.h"
+#include "ui/window/curve/curve_commands.h"
+#include "ui/window/lesson/lesson_pane.h"
+#include "ui/window/lesson/lesson_text.h"
+#include "ui/window/lesson/prediction_point.h"
+#include "ui/window/main/commands.h"
+#include "ui/window/main/scene_tabs.h"
+#include "ui/window/main/session.h"
+
+namespace asperity {
+
+namespace {
+
+// The heights in pixels of the pane and of the parameters below it: a step frees only a few of
+// them.
+constexpr int kDefaultHeight = 430, kParametersHeight = 230;
+constexpr int kMinHeight = 260;  // of the pane
+
+/// The commands of a running lesson.
+const std::initializer_list<const char*> kStepCommands = {"lessonBackStep", "lessonNextStep",
+                                                          "lessonEnd"};
+
+}  // namespace
+
+LessonPlayer::LessonPlayer(const Parts& parts)
+    : QObject(&parts.window),
+      parts_(parts),
+      dock_(new QDockWidget),
+      title_(new WrappedLabel),
+      keep_(new QToolButton),
+      close_(new QToolButton),
+      pane_(new LessonPane),
+      point_(new PredictionPoint(parts.tabs.plot())) {
+  buildDock();
+  connect(pane_, &LessonPane::backRequested, this, [this] { show(step_ - 1); });
+  connect(pane_, &LessonPane::nextRequested, this, &LessonPlayer::next);
+  connect(pane_, &LessonPane::answered, this,
+          [this](const GivenAnswer& given) { answer(given, false); });
+  connect(pane_, &LessonPane::solutionRequested, this, [this] { answer({}, true); });
+  connect(point_, &PredictionPoint::placed, this, [this] { pane_->setPointPlaced(true); });
+  connect(&parts_.document, &SceneDocument::sceneChanged, this,
+          [this](const Scene& scene, SceneChange change) {
+            if (isRunning() && change == SceneChange::Edited) lockControls(scene);
+          });
+}
+
+void LessonPlayer::buildDock() {
+  dock_->setObjectName("lessonDock");
+  dock_->setFeatures(QDockWidget::DockWidgetClosable);
+  pane_->setMinimumHeight(kMinHeight);
+  dock_->setWidget(pane_);
+  auto* bar = new QWidget;
+  bar->setObjectName("dockTitle");
+  bar->setAttribute(Qt::WA_StyledBackground);
+  auto* line = new QHBoxLayout(bar);
+  line->setContentsMargins(14, 5, 8, 5);
+  title_->setObjectName("lessonTitle");
+  keep_->setObjectName("lessonKeep");
+  close_->setObjectName("lessonEnd");
+  close_->setText(QStringLiteral("✕"));
+  line->addWidget(title_, 1);
+  line->addWidget(keep_);
+  line->addWidget(close_);
+  dock_->setTitleBarWidget(bar);
+  connect(keep_, &QToolButton::clicked, this, &LessonPlayer::savingRequested);
+  connect(close_, &QToolButton::clicked, this, &LessonPlayer::endRequested);
+  parts_.window.addDockWidget(Qt::RightDockWidgetArea, dock_);
+  parts_.window.splitDockWidget(dock_, &parts_.parameters, Qt::Vertical);
+  dock_->hide();
+  dock_->toggleViewAction()->setVisible(false);  // it comes and goes with a lesson
+  keepTranslated(*dock_, [this] {
+    dock_->setWindowTitle(tr("Lesson"));
+    keep_->setToolTip(tr("Keeps your answers in a file of your choice"));
+    keep_->setText(tr("Save results…"));
+    keep_->setAccessibleName(tr("Save results…"));
+    close_->setToolTip(tr("Ends the lesson; your own scene comes back"));
+    close_->setAccessibleName(tr("end the lesson"));
+    if (isRunning()) {
+      // The scene has the step's title, and keeps what the student changed.
+      Scene scene = parts_.document.scene();
+      scene.title = shown(present().title);
+      if (!(scene == parts_.document.scene())) parts_.document.edit(scene);
+      showPage();
+    }
+    showTitle();
+  });
+}
+
+void LessonPlayer::addTo(Commands& commands) {
+  commands_ = &commands;
+  commands.add({"lessonBackStep",
+                [] { return tr("Lesson: back"); },
+                [this] {
+                  if (isRunning() && step_ > 0) show(step_ - 1);
+                },
+                {Qt::CTRL | Qt::ALT | Qt::Key_Left}});
+  commands.add({"lessonNextStep",
+                [] { return tr("Lesson: next"); },
+                [this] {
+                  if (isRunning() && isRevealed()) next();
+                },
+                {Qt::CTRL | Qt::ALT | Qt::Key_Right}});
+  commands.add({"lessonEnd", [] { return tr("End the lesson"); }, [this] { emit endRequested(); }});
+  for (QAction* action : commands.get(kStepCommands)) action->setEnabled(false);
+  // The usual layout has no lesson, but a lesson that runs keeps its pane.
+  connect(commands.get("restoreLayout"), &QAction::triggered, this, [this] {
+    if (isRunning()) dock_->show();
+  });
+}
+
+void LessonPlayer::start(const Lesson& lesson, int step, const LessonResults& known, bool isTrial) {
+  parts_.document.endTrial();  // the tour may be running
+  keepWindow();
+  lesson_ = std::make_unique<Lesson>(withWholeQuestions(lesson));
+  answers_.clear();
+  results_ = known;
+  isTrial_ = isTrial;
+  // A lesson may begin while the panel is closed; a step that frees parameters opens it.
+  parts_.parameters.show();
+  dock_->show();
+  parts_.window.resizeDocks({dock_, &parts_.parameters}, {kDefaultHeight, kParametersHeight},
+                            Qt::Vertical);
+  commands_->get("lessonEnd")->setEnabled(true);
+  parts_.session.setPlaying(true);
+  show(std::clamp(step, 0, static_cast<int>(lesson_->steps.size()) - 1));
+}
+
+bool LessonPlayer::isRevealed() const {
+  return !isRunning() || !present().prediction || results_.find(step_) != nullptr;
+}
+
+void LessonPlayer::show(int step) {
+  if (!isRunning() || step < 0 || step >= static_cast<int>(lesson_->steps.size())) return;
+  step_ = step;
+  waiting_.reset();
+  finding_.cancel();
+  showScene();
+  // The text of a step may describe a movement, so its picture moves.
+  if (!present().sceneName.empty() || !present().sceneJson.empty()) parts_.session.setPlaying(true);
+  showChart();
+  showPage();
+  if (point_->isVisible() && !isRevealed())
+    point_->setFocus();
+  else
+    pane_->focusStep();
+  if (present().prediction && !answers_.contains(step_)) findAnswer();
+  commands_->get("lessonBackStep")->setEnabled(step_ > 0);
+  emit stepShown();
+}
+
+void LessonPlayer::showPage() {
+  LessonPage page;
+  page.lesson = lesson_.get();
+  page.step = step_;
+  const LessonStep& step = present();
+  const LessonResult* result = results_.find(step_);
+  if (step.prediction && step.prediction->answer)
+    page.unit = lessonValueUnit(*step.prediction->answer, step.scene);
+  const auto known = answers_.find(step_);
+  if (result) {
+    page.answer = known != answers_.end() ? &known->second : &result->expected;
+    page.given = &result->given;
+    page.isRight = result->isRight;
+  }
+  if (step_ + 1 == static_cast<int>(lesson_->steps.size()) && isRevealed()) page.remark = summary();
+  pane_->showStep(page);
+  if (point_->point() && !result) pane_->setPointPlaced(true);
+  commands_->get("lessonNextStep")->setEnabled(isRevealed());
+  showTitle();
+}
+
+QString LessonPlayer::summary() const {
+  // A trial may be of one step, so the others do not count.
+  const int asked =
+      isTrial_ ? static_cast<int>(results_.results.size()) : predictionCount(*lesson_);
+  if (asked == 0) return {};
+  const int shown = results_.shown();
+  QString score = shown == 0 ? tr("You were right in %1 of %2 predictions.")
+                  : shown == 1
+                      ? tr("You were right in %1 of %2 predictions; 1 was shown to you.")
+                      : tr("You were right in %1 of %2 predictions; %3 were shown to you.");
+  score = score.arg(results_.right()).arg(asked);
+  if (shown > 1) score = score.arg(shown);
+  return "<p><b>" + score + "</b></p>";
+}
+
+void LessonPlayer::showTitle() {
+  const QString title = isRunning() ? plainText(lesson_->title) : QString();
+  title_->setText(title);
+  title_->setToolTip(title);
+  pane_->setAccessibleName(title.isEmpty() ? tr("Lesson") : tr("Lesson: %1").arg(title));
+}
+
+void LessonPlayer::showScene() {
+  parts_.document.openTrial({{}, {}, shownScene()});
+  showControls();
+  const auto tab = std::ranges::find(kLessonTabs, present().show.tab) - std::begin(kLessonTabs);
+  if (QWidget* page = parts_.tabs.widget(static_cast<int>(tab)))
+    if (auto* action = parts_.window.findChild<QAction*>("go:" + page->objectName()))
+      action->trigger();
+}
+
+/// Returns the scene of the step with the step's title: its own title may reveal the answer.
+Scene LessonPlayer::shownScene() const {
+  Scene scene = isRevealed() ? present().revealedScene : present().scene;
+  scene.title = shown(present().title);
+  scene.description.clear();
+  return scene;
+}
+
+/// Frees and locks the controls. Before the prediction is made all are locked: trying them would
+/// reveal the answer.
+void LessonPlayer::showControls() {
+  std::map<std::string, RowAccess> access;
+  const LessonControls& controls = present().controls;
+  const auto rowAccess = [&](ControlState state) {
+    if (state == ControlState::Hidden) return RowAccess::Hidden;
+    return state == ControlState::Free && isRevealed() ? RowAccess::Free : RowAccess::Locked;
+  };
+  access["*"] = rowAccess(controls.others);
+  for (const auto& [keys, state] : {std::pair(&controls.free, ControlState::Free),
+                                    {&controls.locked, ControlState::Locked},
+                                    {&controls.hidden, ControlState::Hidden}})
+    for (const std::string& key : *keys) access[key] = rowAccess(state);
+  parts_.panel.setRowAccess(access);
+}
+
+/// Undoes a change of a control that is not free.
+void LessonPlayer::lockControls(const Scene& scene) {
+  LessonControls controls = present().controls;
+  if (!isRevealed()) controls = {{}, {}, {}, ControlState::Locked};
+  const Scene shown = shownScene();
+  const std::vector<std::string_view> changed = lockedChanges(controls, shown, scene);
+  if (changed.empty()) return;
+  const Scene held = withinControls(controls, shown, scene);
+  const QString name = translatedText(findParameter(changed.front())->label);
+  QTimer::singleShot(0, this, [this, held, name] {
+    if (!isRunning()) return;
+    parts_.document.edit(held);
+    pane_->showNote(isRevealed() ? tr("“%1” is locked in this step.").arg(name)
+                                 : tr("First make your guess; then you can try it."));
+  });
+}
+
+void LessonPlayer::showChart() {
+  const LessonStep& step = present();
+  const LessonView& view = step.show;
+  const bool hides = view.hidesCurve && (!isRevealed() || !step.prediction || view.hidesCurveAfter);
+  comparisons_.cancel();
+  parts_.tabs.plot().fit();
+  parts_.session.editCurve([&](FrictionChartModel& plot) {
+    plot.unpinAll();
+    plot.setQuantity(*findQuantity(view.quantity));
+    plot.setLinearY(view.isLinearY);
+    plot.conceal(hides ? std::optional<AxisRange>({view.hiddenFrom, view.hiddenTo}) : std::nullopt);
+    // The axis on which the student made the guess stays when the curve appears.
+    plot.reachOver(view.hidesCurve && !hides
+                       ? std::optional<AxisRange>({view.hiddenFrom, view.hiddenTo})
+                       : std::nullopt);
+  });
+  parts_.tabs.setCurveHidden(hides);
+  showBeside();
+  showPoint();
+}
+
+/// Computes the curves to compare with, and pins them.
+void LessonPlayer::showBeside() {
+  const LessonStep& step = present();
+  if (step.show.beside.empty()) return;
+  comparisons_.request(
+      [scene = step.scene, beside = step.show.beside](const BackgroundWork::Run& run) {
+        std::vector<std::shared_ptr<const CurveUpdate>> curves;
+        for (const std::vector<std::string>& keys : beside)
+          curves.push_back(computeCurveToPin(withKeys(scene, keys), run.stop()));
+        return curves;
+      },
+      [this](const std::vector<std::shared_ptr<const CurveUpdate>>& curves) {
+        parts_.session.editCurve([&](FrictionChartModel& plot) {
+          for (const auto& curve : curves) plot.pin(curve);
+        });
+      },
+      [this](const QString& reason) { pane_->showNote(reason); });
+}
+
+/// Shows the point of the answer on the chart, or asks for it.
+void LessonPlayer::showPoint() {
+  const LessonStep& step = present();
+  const bool isPoint = step.prediction && step.prediction->kind == PredictionKind::Point;
+  const LessonResult* result = results_.find(step_);
+  if (!isPoint)
+    point_->dismiss();
+  else if (!result)
+    point_->ask(step.prediction->x, plainText(step.prediction->question));
+  else if (result->given.isGiven())
+    point_->showDecided(step.prediction->x.value_or(result->given.x), result->given.number);
+  else
+    point_->showDecided(step.prediction->x.value_or(result->expected.x.value),
+                        result->expected.number.value, PredictionPoint::Whose::Computed);
+}
+
+// ---- Answers
+
+void LessonPlayer::findAnswer() {
+  finding_.request(
+      [step = present()](const BackgroundWork::Run& run) {
+        CurveOptions options;
+        options.stop = run.stop();
+        return lessonAnswer(step, options);
+      },
+      [this, step = step_](const LessonAnswer& answer) { takeAnswer(step, answer); },
+      [this](const QString& reason) {
+        waiting_.reset();
+        pane_->setWaiting(false);
+        pane_->showNote(reason);
+      });
+}
+
+void LessonPlayer::takeAnswer(int step, const LessonAnswer& answer) {
+  answers_[step] = answer;
+  if (step != step_) return;
+  if (waiting_) return settle(*std::exchange(waiting_, std::nullopt));
+  if (isRevealed()) showPage();  // the result is from a file, and its texts get their values now
+}
+
+/// Takes the user's answer. givesUp: the user asks for the solution without a guess.
+void LessonPlayer::answer(GivenAnswer given, bool givesUp) {
+  if (!isRunning() || isRevealed() || waiting_) return;
+  if (present().prediction->kind == PredictionKind::Point && !givesUp && point_->point()) {
+    given.x = point_->point()->x();
+    given.number = point_->point()->y();
+  }
+  if (answers_.contains(step_)) return settle(given);
+  waiting_ = given;
+  pane_->setWaiting(true);
+  findAnswer();
+}
+
+/// Compares the answer with the computed one, keeps the result and shows it.
+void LessonPlayer::settle(const GivenAnswer& given) {
+  const LessonPrediction& prediction = *present().prediction;
+  const LessonAnswer& expected = answers_.at(step_);
+  results_.set(
+      {step_, prediction.kind, given, expected, asperity::isRight(prediction, expected, given)});
+  results_.date = QDateTime::currentDateTime().toString(Qt::ISODate).toStdString();
+  emit answered();
+  showScene();
+  showChart();
+  showPage();
+  pane_->focusStep();
+  emit stepShown();
+}
+
+void LessonPlayer::next() {
+  if (step_ + 1 < static_cast<int>(lesson_->steps.size()))
+    show(step_ + 1);
+  else
+    emit endRequested();
+}
+
+// ---- The end
+
+void LessonPlayer::end() {
+  finding_.cancel();
+  comparisons_.cancel();
+  waiting_.reset();
+  lesson_.reset();
+  point_->dismiss();
+  dock_->hide();
+  parts_.panel.setRowAccess({});
+  for (QAction* action : commands_->get(kStepCommands)) action->setEnabled(false);
+  restoreWindow();
+  emit ended();
+}
+
+/// Keeps what a lesson changes in the window, and shows what its texts speak of.
+void LessonPlayer::keepWindow() {
+  const FrictionChartModel& chart = parts_.session.friction();
+  before_ = Before{{}, chart.quantity(), chart.isLinearY(), parts_.tabs.currentIndex()};
+  for (const PinnedCurve& pinned : chart.pinned()) before_->pinned.push_back(pinned.curve);
+  if (auto* axes = parts_.window.findChild<QAction*>("dimensionlessAxes")) {
+    before_->hasDimensionlessAxes = axes->isChecked();
+    axes->setChecked(false);
+  }
+  // The texts of lessons speak of the pressure that glows.
+  if (auto* canvas = parts_.window.findChild<ContactCanvas*>()) {
+    before_->overlay = canvas->viewer().overlay();
+    canvas->setOverlay(ContactOverlay::Pressure);
+  }
+}
+
+/// Restores the state before the lesson.
+void LessonPlayer::restoreWindow() {
+  const std::optional<Before> before = std::exchange(before_, std::nullopt);
+  parts_.session.editCurve([&](FrictionChartModel& plot) {
+    plot.conceal(std::nullopt);
+    plot.reachOver(std::nullopt);
+    plot.unpinAll();
+    if (!before) return;
+    plot.setQuantity(before->quantity);
+    plot.setLinearY(before->isLinearY);
+    for (const auto& curve : before->pinned) plot.pin(curve);
+  });
+  parts_.tabs.setCurveHidden(false);
+  if (!before) return;
+  parts_.document.endTrial();
+  parts_.tabs.setCurrentIndex(before->tab);
+  if (before->hasDimensionlessAxes)
+    if (auto* axes = parts_.window.findChild<QAction*>("dimensionlessAxes")) axes->setChecked(true);
+  if (auto* canvas = parts_.window.findChild<ContactCanvas*>()) canvas->setOverlay(before->overlay);
+}
+
+}  // namespace asperity
