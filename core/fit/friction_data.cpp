@@ -7,7 +7,6 @@
 #include <iterator>
 #include <optional>
 
-#include "core/base/header_clauses.h"
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/regular_file.h"
@@ -15,7 +14,6 @@
 #include "core/base/text_number.h"
 #include "core/base/text_table.h"
 #include "core/fit/friction_columns.h"
-#include "core/fit/friction_header.h"
 #include "core/material/dma_columns.h"
 
 namespace asperity {
@@ -210,9 +208,7 @@ class Reader {
     const std::vector<std::string> words = nameWords(column.name);
     if (words.empty()) return;
     const auto isBound = [](const std::string& word) {
-      constexpr std::array<std::string_view, 8> kBounds{"min",   "max",   "minimum", "maximum",
-                                                        "lower", "upper", "low",     "high"};
-      return std::ranges::find(kBounds, word) != kBounds.end();
+      return isOneOf(word, "min max minimum maximum lower upper low high");
     };
     std::string subject;
     for (const std::string& word : words)
