@@ -220,6 +220,79 @@ std::optional<FrictionQuantity> findMeaning(const std::string& name, const std::
   return {};
 }
 
+// ---- Columns -----------------------------------------------------------------------------------
+
+namespace {
+
+/// Calls use(column, end) for each column with a known meaning that the words from `begin` to `end`
+/// make, `most` words at the most, until it returns true. Returns whether it did.
+template <class Use>
+bool anyColumn(const std::vector<std::string>& words, std::size_t begin, std::size_t most,
+               const Use& use) {
+  std::string text;
+  for (std::size_t i = begin; i < std::min(words.size(), begin + most); ++i) {
+    text += (text.empty() ? "" : " ") + words[i];
+    const TextColumn column = parseColumnName(text);
+    if (findMeaning(column) && use(column, i + 1)) return true;
+  }
+  return false;
+}
+
+/// Finds all ways to make so many known columns of the words from `begin` on.
+void findNames(const std::vector<std::string>& words, std::size_t begin, std::size_t count,
+               std::vector<TextColumn>& made, std::vector<std::vector<TextColumn>>& ways) {
+  constexpr std::size_t kMostWords = 6, kMostWays = 2;
+  if (ways.size() >= kMostWays) return;
+  if (made.size() == count || begin == words.size()) {
+    if (made.size() == count && begin == words.size()) ways.push_back(made);
+    return;
+  }
+  // A unit in brackets begins no name.
+  if (words[begin].starts_with('(') || words[begin].starts_with('[')) return;
+  anyColumn(words, begin, kMostWords, [&](const TextColumn& column, std::size_t end) {
+    made.push_back(column);
+    findNames(words, end, count, made, ways);
+    made.pop_back();
+    return false;
+  });
+}
+
+}  // namespace
+
+bool namesQuantity(const std::string& line) {
+  constexpr std::size_t kMostWords = 3;
+  const std::vector<std::string> words = blankSeparated(line);
+  for (std::size_t i = 0; i < words.size(); ++i)
+    if (anyColumn(words, i, kMostWords, [](const TextColumn& column, std::size_t) {
+          return findMeaning(column) != Quantity::Label && column.name.size() > 1;
+        }))
+      return true;
+  return false;
+}
+
+void prepareColumns(TextBlock& block) {
+  const bool hasNames = std::ranges::any_of(
+      block.columns, [](const TextColumn& column) { return !column.name.empty(); });
+  if (!hasNames && !block.header.empty()) {
+    std::vector<std::vector<TextColumn>> ways;
+    std::vector<TextColumn> made;
+    findNames(blankSeparated(lineOf(block.header.back(), " ")), 0, block.columns.size(), made,
+              ways);
+    for (std::size_t i = 0; ways.size() == 1 && i < block.columns.size(); ++i) {
+      block.columns[i].name = ways.front()[i].name;
+      block.columns[i].unit = ways.front()[i].unit;
+    }
+  }
+  for (TextColumn& column : block.columns) {
+    const std::size_t open = column.name.rfind('(');
+    if (!column.unit.empty() || open == std::string::npos || open == 0) continue;
+    const std::string unit(withoutBrackets(column.name.substr(open)));
+    if (!isShareUnit(unit)) continue;
+    column.unit = unit;
+    column.name = trimmedBlanks(column.name.substr(0, open));
+  }
+}
+
 // ---- Lines above the table ---------------------------------------------------------------------
 
 namespace {

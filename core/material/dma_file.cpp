@@ -15,7 +15,6 @@
 #include "core/base/text_number.h"
 #include "core/base/units.h"
 #include "core/material/dma_sweeps.h"
-#include "core/material/stated_shift.h"
 #include "core/material/stated_temperature.h"
 
 namespace asperity {
@@ -164,9 +163,8 @@ class Reader {
     if (!columns.has(Storage)) return;
     addNote(otherKindNote(block, columns[Storage], file_.facts.modulus, choices_.poissonRatio));
     if (!columns.has(Loss) || !columns.has(LossTangent)) return;
-    const std::string unit = columnFact(block, columns[LossTangent], {}).unit;
-    const auto size = tangentSize(unit);
-    if (size) addNote(lossFactorNote(block, pair, columns[LossTangent], *size));
+    if (const auto size = tangentSize(columnFact(block, columns[LossTangent], {}).unit))
+      addNote(lossFactorNote(block, pair, columns[LossTangent], *size));
   }
 
   /// Returns name and unit of a column; the user's choice of a unit overrides that of the file.

@@ -15,7 +15,6 @@
 #include "core/material/element_law.h"
 #include "core/material/isotherms.h"
 #include "core/material/prony_keywords.h"
-#include "core/material/stated_shift.h"
 #include "core/material/stated_temperature.h"
 
 namespace asperity {

@@ -1,5 +1,5 @@
-#include "core/material/stated_shift.h"
-
+// Reads the shift that a text states: constants of Williams, Landel and Ferry, or a table of shift
+// factors.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
