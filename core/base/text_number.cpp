@@ -18,25 +18,23 @@ using namespace std::string_view_literals;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// Words that programs write for a missing value, in lower case.
-constexpr std::array kMissing{
-    "nan"sv,       "-nan"sv,      "+nan"sv,   "nan(ind)"sv, "-nan(ind)"sv, "qnan"sv,
-    "1.#qnan"sv,   "-1.#qnan"sv,  "1.#ind"sv, "-1.#ind"sv,  "1.#inf"sv,    "-1.#inf"sv,
-    "1.#j"sv,      "-1.#j"sv,     "inf"sv,    "+inf"sv,     "-inf"sv,      "infinity"sv,
-    "-infinity"sv, "+infinity"sv, "\u221E"sv, "-\u221E"sv,  "na"sv,        "n/a"sv,
-    "null"sv,      "none"sv,      "nil"sv,    "missing"sv,  "bad"sv,       "void"sv,
-    "undef"sv,     "undefined"sv, "n.d."sv,   "n.a."sv,     "nd"sv,        "?"sv,
-    "."sv,         "\u2013"sv,    "\u2014"sv, "ol"sv,       "overflow"sv,  "masked"sv,
-    "<na>"sv,      "no data"sv,   "nodata"sv, "no_data"sv,  "no-data"sv,   "no value"sv,
-    "fehlt"sv,     "error"sv,     "err"sv,    "#error"sv,   "empty"sv,     "out"sv,
-    "saturated"sv, "clipped"sv,   "outlier"sv};
+constexpr WordList kMissing(
+    "nan, -nan, +nan, nan(ind), -nan(ind), qnan, 1.#qnan, -1.#qnan, 1.#ind, -1.#ind, 1.#inf, "
+    "-1.#inf, 1.#j, -1.#j, inf, +inf, -inf, infinity, -infinity, +infinity, \u221E, -\u221E, na, "
+    "n/a, "
+    "null, none, nil, missing, bad, void, undef, undefined, n.d., n.a., nd, ?, ., \u2013, \u2014, "
+    "ol, "
+    "overflow, masked, <na>, no data, nodata, no_data, no-data, no value, fehlt, error, err, "
+    "#error, "
+    "empty, out, saturated, clipped, outlier",
+    ',');
 
 /// Marks that spreadsheets write into a cell without a value.
-constexpr std::array kSpreadsheetErrors{"#N/A"sv,    "#NV"sv,    "#NUM!"sv, "#DIV/0!"sv,
-                                        "#VALUE!"sv, "#WERT!"sv, "#REF!"sv, "#BEZUG!"sv,
-                                        "#NAME?"sv,  "#ZAHL!"sv};
+constexpr WordList kSpreadsheetErrors(
+    "#N/A #NV #NUM! #DIV/0! #VALUE! #WERT! #REF! #BEZUG! #NAME? #ZAHL!");
 
-constexpr std::array kTrue{"true"sv, "ok"sv, "good"sv, "valid"sv, "yes"sv, "pass"sv, "wahr"sv};
-constexpr std::array kFalse{"false"sv, "invalid"sv, "no"sv, "fail"sv, "nok"sv, "falsch"sv};
+constexpr WordList kTrue("true ok good valid yes pass wahr");
+constexpr WordList kFalse("false invalid no fail nok falsch");
 
 bool isMissing(std::string_view text) {
   // A missing value is also a text of only one of these characters: "-", "--", "***", "####".
@@ -214,8 +212,7 @@ bool beginsAsNumber(std::string_view field) {
 }
 
 bool beginsWithSpreadsheetError(std::string_view text) {
-  return std::ranges::any_of(kSpreadsheetErrors,
-                             [text](std::string_view error) { return text.starts_with(error); });
+  return beginsWithOneOf(text, kSpreadsheetErrors);
 }
 
 namespace {

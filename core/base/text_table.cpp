@@ -392,6 +392,11 @@ std::vector<double> TextBlock::column(std::size_t number) const {
   return found;
 }
 
+std::string TextBlock::label(std::size_t number) const {
+  const std::string& name = columns[number].name;
+  return name.empty() ? "column " + std::to_string(number + 1) : name;
+}
+
 const TextBlock& TextTable::largest() const {
   return *std::ranges::max_element(blocks, {},
                                    [](const TextBlock& one) { return one.values.size(); });

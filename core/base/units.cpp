@@ -55,10 +55,10 @@ constexpr std::array kPrefixes{
     Prefix{"c"sv, -2}, Prefix{"d"sv, -1},      Prefix{"h"sv, 2},       Prefix{"k"sv, 3},
     Prefix{"M"sv, 6},  Prefix{"G"sv, 9},       Prefix{"T"sv, 12},      Prefix{"P"sv, 15}};
 
-/// Units that are not an SI unit with a prefix. Names of three letters and more are found in any
-/// case.
+/// A unit that is not an SI unit with a prefix, and its names; the first one is shown. Names of
+/// three letters and more are found in any case.
 struct OtherUnit {
-  std::string_view name;
+  WordList names;
   Unit unit;
 };
 
@@ -66,76 +66,48 @@ constexpr double kPoundForce = 4.4482216152605;  // N
 constexpr double kDegree = std::numbers::pi / 180;
 
 constexpr std::array kOthers{
-    OtherUnit{"%"sv, {"", -2}},
-    OtherUnit{"\u00B0C"sv, {"K", 0, 1, kZeroCelsius}},
-    OtherUnit{"\u00BAC"sv, {"K", 0, 1, kZeroCelsius}},
-    OtherUnit{"\u2103"sv, {"K", 0, 1, kZeroCelsius}},
-    OtherUnit{"degC"sv, {"K", 0, 1, kZeroCelsius}},
-    OtherUnit{"C"sv, {"K", 0, 1, kZeroCelsius}},
-    OtherUnit{"celsius"sv, {"K", 0, 1, kZeroCelsius}},
-    OtherUnit{"\u00B0F"sv, {"K", 0, 5.0 / 9, 459.67}},
-    OtherUnit{"degF"sv, {"K", 0, 5.0 / 9, 459.67}},
-    OtherUnit{"F"sv, {"K", 0, 5.0 / 9, 459.67}},
-    OtherUnit{"fahrenheit"sv, {"K", 0, 5.0 / 9, 459.67}},
-    OtherUnit{"kelvin"sv, {"K"}},
-    OtherUnit{"micron"sv, {"m", -6}},
-    OtherUnit{"microns"sv, {"m", -6}},
-    OtherUnit{"\u00C5"sv, {"m", -10}},
-    OtherUnit{"in"sv, {"m", 0, 0.0254}},
-    OtherUnit{"inch"sv, {"m", 0, 0.0254}},
-    OtherUnit{"mil"sv, {"m", 0, 2.54e-5}},
-    OtherUnit{"ft"sv, {"m", 0, 0.3048}},
-    OtherUnit{"sec"sv, {"s"}},
-    OtherUnit{"min"sv, {"s", 0, 60}},
-    OtherUnit{"h"sv, {"s", 0, 3600}},
-    OtherUnit{"km/h"sv, {"m/s", 0, 1 / 3.6}},
-    OtherUnit{"kmh"sv, {"m/s", 0, 1 / 3.6}},
-    OtherUnit{"kph"sv, {"m/s", 0, 1 / 3.6}},
-    OtherUnit{"mph"sv, {"m/s", 0, 0.44704}},
-    OtherUnit{"in/s"sv, {"m/s", 0, 0.0254}},
-    OtherUnit{"ft/s"sv, {"m/s", 0, 0.3048}},
-    OtherUnit{"m/min"sv, {"m/s", 0, 1.0 / 60}},
-    OtherUnit{"mm/min"sv, {"m/s", -3, 1.0 / 60}},
-    OtherUnit{"1/s"sv, {"Hz"}},
-    OtherUnit{"s-1"sv, {"Hz"}},
-    OtherUnit{"hertz"sv, {"Hz"}},
-    OtherUnit{"cps"sv, {"Hz"}},
-    OtherUnit{"rpm"sv, {"Hz", 0, 1.0 / 60}},
-    OtherUnit{"kgf"sv, {"N", 0, 9.80665}},
-    OtherUnit{"kp"sv, {"N", 0, 9.80665}},
-    OtherUnit{"gf"sv, {"N", -3, 9.80665}},
-    OtherUnit{"lbf"sv, {"N", 0, kPoundForce}},
-    OtherUnit{"N/m2"sv, {"Pa"}},
-    OtherUnit{"N/mm2"sv, {"Pa", 6}},
-    OtherUnit{"N/cm2"sv, {"Pa", 4}},
-    OtherUnit{"kN/m2"sv, {"Pa", 3}},
-    OtherUnit{"MN/m2"sv, {"Pa", 6}},
-    OtherUnit{"kgf/cm2"sv, {"Pa", 0, 98066.5}},
-    OtherUnit{"kg/cm2"sv, {"Pa", 0, 98066.5}},
-    OtherUnit{"kp/cm2"sv, {"Pa", 0, 98066.5}},
-    OtherUnit{"dyn/cm2"sv, {"Pa", -1}},
-    OtherUnit{"dyne/cm2"sv, {"Pa", -1}},
-    OtherUnit{"dynes/cm2"sv, {"Pa", -1}},
-    OtherUnit{"Torr"sv, {"Pa", 0, 101325.0 / 760}},
-    OtherUnit{"pascal"sv, {"Pa"}},
-    OtherUnit{"kilopascal"sv, {"Pa", 3}},
-    OtherUnit{"megapascal"sv, {"Pa", 6}},
-    OtherUnit{"gigapascal"sv, {"Pa", 9}},
-    OtherUnit{"bar"sv, {"Pa", 5}},
-    OtherUnit{"mbar"sv, {"Pa", 2}},
-    OtherUnit{"atm"sv, {"Pa", 0, 101325}},
-    OtherUnit{"psi"sv, {"Pa", 0, 6894.757293168361}},
-    OtherUnit{"ksi"sv, {"Pa", 3, 6894.757293168361}},
-    OtherUnit{"N/mm"sv, {"N/m", 3}},
-    OtherUnit{"P"sv, {"Pa s", -1}},
-    OtherUnit{"cP"sv, {"Pa s", -3}},
-    OtherUnit{"m2"sv, {"m\u00B2"}},
-    OtherUnit{"\u00B0"sv, {"rad", 0, kDegree}},
-    OtherUnit{"deg"sv, {"rad", 0, kDegree}},
-    OtherUnit{"degree"sv, {"rad", 0, kDegree}},
-    OtherUnit{"degrees"sv, {"rad", 0, kDegree}},
-    OtherUnit{"radian"sv, {"rad"}},
-    OtherUnit{"radians"sv, {"rad"}},
+    OtherUnit{"%", {"", -2}},
+    OtherUnit{"\u00B0C \u00BAC \u2103 degC C celsius", {"K", 0, 1, kZeroCelsius}},
+    OtherUnit{"\u00B0F degF F fahrenheit", {"K", 0, 5.0 / 9, 459.67}},
+    OtherUnit{"kelvin", {"K"}},
+    OtherUnit{"micron microns", {"m", -6}},
+    OtherUnit{"\u00C5", {"m", -10}},
+    OtherUnit{"in inch", {"m", 0, 0.0254}},
+    OtherUnit{"mil", {"m", 0, 2.54e-5}},
+    OtherUnit{"ft", {"m", 0, 0.3048}},
+    OtherUnit{"sec", {"s"}},
+    OtherUnit{"min", {"s", 0, 60}},
+    OtherUnit{"h", {"s", 0, 3600}},
+    OtherUnit{"km/h kmh kph", {"m/s", 0, 1 / 3.6}},
+    OtherUnit{"mph", {"m/s", 0, 0.44704}},
+    OtherUnit{"in/s", {"m/s", 0, 0.0254}},
+    OtherUnit{"ft/s", {"m/s", 0, 0.3048}},
+    OtherUnit{"m/min", {"m/s", 0, 1.0 / 60}},
+    OtherUnit{"mm/min", {"m/s", -3, 1.0 / 60}},
+    OtherUnit{"1/s s-1 hertz cps", {"Hz"}},
+    OtherUnit{"rpm", {"Hz", 0, 1.0 / 60}},
+    OtherUnit{"kgf kp", {"N", 0, 9.80665}},
+    OtherUnit{"gf", {"N", -3, 9.80665}},
+    OtherUnit{"lbf", {"N", 0, kPoundForce}},
+    OtherUnit{"N/m2 pascal", {"Pa"}},
+    OtherUnit{"N/mm2 MN/m2 megapascal", {"Pa", 6}},
+    OtherUnit{"N/cm2", {"Pa", 4}},
+    OtherUnit{"kN/m2 kilopascal", {"Pa", 3}},
+    OtherUnit{"kgf/cm2 kg/cm2 kp/cm2", {"Pa", 0, 98066.5}},
+    OtherUnit{"dyn/cm2 dyne/cm2 dynes/cm2", {"Pa", -1}},
+    OtherUnit{"Torr", {"Pa", 0, 101325.0 / 760}},
+    OtherUnit{"gigapascal", {"Pa", 9}},
+    OtherUnit{"bar", {"Pa", 5}},
+    OtherUnit{"mbar", {"Pa", 2}},
+    OtherUnit{"atm", {"Pa", 0, 101325}},
+    OtherUnit{"psi", {"Pa", 0, 6894.757293168361}},
+    OtherUnit{"ksi", {"Pa", 3, 6894.757293168361}},
+    OtherUnit{"N/mm", {"N/m", 3}},
+    OtherUnit{"P", {"Pa s", -1}},
+    OtherUnit{"cP", {"Pa s", -3}},
+    OtherUnit{"m2", {"m\u00B2"}},
+    OtherUnit{"\u00B0 deg degree degrees", {"rad", 0, kDegree}},
+    OtherUnit{"radian radians", {"rad"}},
 };
 
 /// Returns the usual spelling of products and powers: "Pa s" for "Pa\u00B7s" and "Pa*s", "m/s" for
@@ -162,8 +134,9 @@ std::optional<Unit> withPrefix(std::string_view text, std::string_view si) {
 std::optional<Unit> other(const std::string& text) {
   constexpr std::size_t kShort = 3;  // bytes; shorter names differ by their case
   for (const OtherUnit& one : kOthers)
-    if (one.name == text || (one.name.size() >= kShort && lowerCase(one.name) == lowerCase(text)))
-      return one.unit;
+    for (const std::string_view name : one.names)
+      if (name == text || (name.size() >= kShort && lowerCase(name) == lowerCase(text)))
+        return one.unit;
   return {};
 }
 
@@ -266,17 +239,23 @@ std::optional<Unit> findUnit(std::string_view name) {
   return {};
 }
 
+namespace {
+
+/// Tables have no femtonewtons, femtopascals or femtometres per second: "FN" and "Fn" are symbols
+/// of the normal force.
 bool isFemto(std::string_view name) {
-  const std::string text = lowerCase(usualSpelling(name));
-  return isOneOf(text, {"fn"sv, "fpa"sv, "fm/s"sv});
+  return isOneOf(lowerCase(usualSpelling(name)), "fn fpa fm/s");
 }
+
+}  // namespace
 
 std::optional<Unit> unitInAnyCase(std::string_view name, std::string_view si) {
   if (isFemto(name)) return {};
   if (const auto exact = findUnit(name, si)) return exact;
   const std::string text = lowerCase(usualSpelling(name));
   for (const OtherUnit& one : kOthers)
-    if (one.unit.si == si && lowerCase(one.name) == text) return one.unit;
+    for (const std::string_view known : one.names)
+      if (one.unit.si == si && lowerCase(known) == text) return one.unit;
   const Dimension* dimension = dimensionOf(si);
   if (!dimension) return {};
   // Lower-case letters stand for two prefixes, as m does for milli and mega.
@@ -303,16 +282,9 @@ std::string unitNames(std::string_view si) {
   for (const std::string_view prefix : {"c"sv, "m"sv, "\u00B5"sv})
     if (si == "m" || si == "m/s") list += fmt::format(", {}{}", prefix, si);
   if (si == "Hz") list += ", kHz";
-  for (const OtherUnit* one = kOthers.begin(); one != kOthers.end(); ++one) {
-    const auto isSame = [one](const OtherUnit& other) {
-      return other.unit.si == one->unit.si && other.unit.size == one->unit.size &&
-             other.unit.offset == one->unit.offset && other.unit.exponent == one->unit.exponent;
-    };
-    // Words are for those who write them.
-    if (one->unit.si == si && !one->name.ends_with("pascal") &&
-        std::none_of(kOthers.begin(), one, isSame))
-      list += fmt::format(", {}", one->name);
-  }
+  for (const OtherUnit& one : kOthers)
+    if (const std::string_view name = *one.names.begin(); one.unit.si == si && name != "gigapascal")
+      list += fmt::format(", {}", name);
   return list;
 }
 
@@ -331,6 +303,193 @@ TypedQuantity typedQuantity(std::string_view text, const QuantityRule& rule) {
   if (!readNumber(fmt::format("{}e{}", parts->mantissa, parts->exponent + unit->exponent), value))
     return {{}, {}, true};
   return {value, {}};
+}
+
+// ---- Units in text files -----------------------------------------------------------------------
+
+namespace {
+
+/// Words for units in addition to those above and the lengths, in lower case.
+constexpr WordList kOtherWords(
+    "a, c, h, k, %, -, 1, px, pixel, pixels, percent, counts, a.u., arb, arb. units, seconds, rad, "
+    "rad/s, rad s-1, rad*s-1, rad/sec, deg c, deg. c, \u00B0k, n/m, pa.s, pa s, pa\u00B7s",
+    ',');
+
+/// Symbols in lower case that may have a prefix, in any case: "KHZ", "MM/S".
+constexpr WordList kSymbols("m s hz pa n m/s v m/sec m.s-1");
+constexpr WordList kLowerCasePrefixes("f p n u \u00B5 \u03BC m c d k g");
+
+struct NamedLength {
+  WordList names;
+  double metres;
+};
+
+/// Units of length in addition to those above, in lower case of ASCII, without an "s" at the end.
+constexpr std::array kLengths{
+    NamedLength{"meter metre", 1},
+    NamedLength{"kilometer kilometre", 1e3},
+    NamedLength{"centimeter centimetre \u339D", 1e-2},
+    NamedLength{"millimeter millimetre \u339C", 1e-3},
+    NamedLength{"micrometer micrometre mikrometer mum mkm \u043C\u043A\u043C \u00B5 \u03BC \u339B",
+                1e-6},
+    NamedLength{"nanometer nanometre \u339A", 1e-9},
+    NamedLength{"a \u212B angstrom \u00E5ngstr\u00F6m", 1e-10},
+    NamedLength{"inche zoll \"", 0.0254},
+    NamedLength{"thou", 2.54e-5},
+    NamedLength{"uin \u00B5in \u03BCin microinch microinche", 2.54e-8},
+    NamedLength{"foot feet", 0.3048},
+    NamedLength{"yd", 0.9144}};
+
+std::optional<double> namedLength(std::string_view unit) {
+  std::string word = lowerCase(unit);
+  for (int plural = 0; plural < 2; ++plural) {
+    // "HM" is a hardness; hectometres are not in use.
+    if (const auto known = findUnit(word, "m"); known && word != "hm") return known->toSi(1);
+    for (const NamedLength& one : kLengths)
+      if (isOneOf(word, one.names)) return one.metres;
+    if (word.size() < 4 || !word.ends_with('s')) return {};
+    word.pop_back();
+  }
+  return {};
+}
+
+/// Reads a power of ten: "1e-6", "100", "10^-6", "\u00D710\u207B\u2076", "x10-6"; empty where the
+/// text is none.
+std::optional<double> powerOfTenIn(std::string_view text) {
+  constexpr std::string_view kTimes = "\u00D7";
+  constexpr std::array kRaised{"\u2070"sv, "\u00B9"sv, "\u00B2"sv, "\u00B3"sv, "\u2074"sv,
+                               "\u2075"sv, "\u2076"sv, "\u2077"sv, "\u2078"sv, "\u2079"sv};
+  text = trimmedBlanks(text);
+  if (text.starts_with(kTimes)) text.remove_prefix(kTimes.size());
+  if (text.starts_with('x') || text.starts_with('*')) text.remove_prefix(1);
+  text = trimmedBlanks(text);
+  double number = 0;
+  if (readTextNumber(text, '.', number)) {
+    if (!(number > 0)) return {};
+    // Any other number is a length: "59.00 um" is no unit.
+    const double exponent = std::log10(number);
+    return std::abs(exponent - std::round(exponent)) < 1e-9 ? std::optional(number) : std::nullopt;
+  }
+  if (!text.starts_with("10")) return {};
+  std::string exponent(text.substr(2));
+  for (const auto& [raised, plain] :
+       {std::pair{"\u207B"sv, "-"sv}, {"^"sv, ""sv}, {"\u2212"sv, "-"sv}})
+    replaceAll(exponent, raised, plain);
+  for (std::size_t digit = 0; digit < kRaised.size(); ++digit)
+    replaceAll(exponent, kRaised[digit], std::to_string(digit));
+  constexpr double kLargest = 30;
+  if (!readTextNumber(exponent, '.', number) || std::abs(number) > kLargest) return {};
+  return std::pow(10.0, number);
+}
+
+/// A unit and the power of ten in front of it.
+struct ScaledUnit {
+  double factor = 1;
+  std::string_view unit;
+};
+
+/// Reads "1e-6 m", "10^-9*m", "x 10^3 Pa s". Empty where there is no power of ten in front.
+std::optional<ScaledUnit> scaledUnit(std::string_view text) {
+  constexpr std::string_view kMarks = " *";
+  for (std::size_t at = 0; (at = text.find_first_of(kMarks, at)) != std::string_view::npos; ++at)
+    if (const auto factor = powerOfTenIn(text.substr(0, at))) {
+      const std::size_t unit = std::min(text.find_first_not_of(kMarks, at), text.size());
+      return ScaledUnit{*factor, text.substr(unit)};
+    }
+  return {};
+}
+
+}  // namespace
+
+bool isUnitWord(std::string_view text) {
+  constexpr std::size_t kLongest = 14;
+  if (text.empty() || text.size() > kLongest || isFemto(text)) return false;
+  // Letters of Greek and of the ring stay as they are.
+  const std::string word = lowerCase(text);
+  if (isOneOf(word, kOtherWords)) return true;
+  if (text.size() > 1 && (findUnit(text) || metresPer(text))) return true;
+  // "1/nm" and "um^3" are units; a letter with a digit, such as "A2", is more likely a name than a
+  // square.
+  if (const auto length = parseLengthPower(text); length && length->power != 1)
+    return word.find('m') != std::string::npos;
+  return std::ranges::any_of(kSymbols, [&word](std::string_view symbol) {
+    if (!word.ends_with(symbol)) return false;
+    const std::string_view prefix = std::string_view(word).substr(0, word.size() - symbol.size());
+    return prefix.empty() || isOneOf(prefix, kLowerCasePrefixes);
+  });
+}
+
+bool isKnownUnit(std::string_view text) {
+  text = withoutBrackets(text);
+  const auto scaled = scaledUnit(text);
+  return isUnitWord(text) || (scaled && isUnitWord(scaled->unit));
+}
+
+std::optional<double> metresPer(std::string_view unit) {
+  unit = withoutBrackets(unit);
+  if (const auto metres = namedLength(unit)) return metres;
+  const auto scaled = scaledUnit(unit);
+  const auto metres = scaled ? namedLength(scaled->unit) : std::nullopt;
+  return metres ? std::optional(*metres * scaled->factor) : std::nullopt;
+}
+
+namespace {
+
+/// Reads "um^2 mm", "\u00B5m\u00B2\u00B7mm", "m^2/(1/m)": a square, as of heights, times or over
+/// another power.
+std::optional<LengthPower> productNamed(std::string_view text) {
+  constexpr std::size_t kLongest = 40;
+  if (text.size() > kLongest) return {};
+  for (const std::string_view mark : {"/("sv, " "sv, "*"sv, "\u00B7"sv, "\u22C5"sv}) {
+    const std::size_t at = text.find(mark);
+    if (at == std::string_view::npos) continue;
+    const bool isOver = mark == "/(";
+    const auto square = parseLengthPower(trimmedBlanks(text.substr(0, at)));
+    // The bracket of a quotient stays with its content.
+    const std::string_view rest = text.substr(isOver ? at + 1 : at + mark.size());
+    const auto other = parseLengthPower(trimmedBlanks(rest));
+    if (!square || square->power != 2 || !other) return {};
+    const int otherPower = isOver ? -other->power : other->power, power = 2 + otherPower;
+    if (power <= 0) return {};
+    const double size = std::pow(square->metres, 2) * std::pow(other->metres, otherPower);
+    return LengthPower{std::pow(size, 1.0 / power), power};
+  }
+  return {};
+}
+
+}  // namespace
+
+std::optional<LengthPower> parseLengthPower(std::string_view text) {
+  // Longer endings come first, because "-1" also ends with a digit.
+  constexpr std::pair<std::string_view, int> kPowers[] = {{"\u207B\u00B9", -1},
+                                                          {"{-1}", -1},
+                                                          {"-1", -1},
+                                                          {"{2}", 2},
+                                                          {"{3}", 3},
+                                                          {"{4}", 4},
+                                                          {"\u00B2", 2},
+                                                          {"\u00B3", 3},
+                                                          {"\u2074", 4},
+                                                          {"2", 2},
+                                                          {"3", 3},
+                                                          {"4", 4},
+                                                          {"1", 1},
+                                                          {"", 1}};
+  text = withoutBrackets(text);
+  int sign = 1;
+  for (const std::string_view front : WordList("1/ rad/ cycles/ cycle/ cyc/"))
+    if (text.starts_with(front)) {
+      sign = -1;
+      text.remove_prefix(front.size());
+      break;
+    }
+  for (const auto& [ending, power] : kPowers) {
+    if (!text.ends_with(ending)) continue;
+    std::string_view length = text.substr(0, text.size() - ending.size());
+    if (length.ends_with('^')) length.remove_suffix(1);
+    if (const auto metres = metresPer(length)) return LengthPower{*metres, sign * power};
+  }
+  return sign > 0 ? productNamed(text) : std::nullopt;
 }
 
 }  // namespace asperity

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cctype>
+#include <numeric>
 
 #include "core/base/text.h"
 #include "core/base/text_dialect.h"
+#include "core/base/text_header.h"
+#include "core/base/text_number.h"
 #include "core/material/dma_columns.h"
 
 namespace asperity {
@@ -12,145 +15,46 @@ namespace {
 
 using Quantity = FrictionQuantity;
 
+/// What a quantity is called in messages, and the names of its columns as plain words.
 struct QuantityNames {
   Quantity quantity;
   const char* meaning;
-  std::initializer_list<std::string_view> names;  // letters and digits alone, in lower case
+  WordList names;
 };
 
-const std::array<QuantityNames, 8>& knownNames() {
-  static const std::array<QuantityNames, 8> known{{
-      {Quantity::Velocity,
-       "velocity",
-       {"velocity", "v", "speed", "slidingvelocity", "slidingspeed", "vslide", "vs",
-        "geschwindigkeit", "gleitgeschwindigkeit"}},
-      {Quantity::Mu,
-       "coefficient of friction",
-       {"mu", "\u00B5", "\u03BC", "cof", "friction", "frictioncoefficient", "coefficientoffriction",
-        "coefficient", "reibwert", "reibungszahl", "reibbeiwert", "reibungskoeffizient"}},
-      {Quantity::Force,
-       "normal force",
-       {"normalforce",
-        "fn",
-        "fz",
-        "f",
-        "force",
-        "load",
-        "normalload",
-        "w",
-        "n",
-        "normalkraft",
-        "kraft",
-        "last",
-        "normallast",
-        "belastung",
-        "auflast",
-        "anpresskraft",
-        "radlast",
-        "wheelload",
-        "verticalforce",
-        "verticalload",
-        "vertikalkraft",
-        "vertikallast"}},
-      {Quantity::Pressure,
-       "nominal pressure",
-       {"nominalpressure",
-        "pressure",
-        "contactpressure",
-        "normalpressure",
-        "nominalcontactpressure",
-        "normalstress",
-        "p",
-        "p0",
-        "pn",
-        "pnom",
-        "sigma",
-        "\u03C3",
-        "sigma0",
-        "\u03C30",
-        "sigman",
-        "\u03C3n",
-        "sigmaz",
-        "\u03C3z",
-        "druck",
-        "fl\u00E4chenpressung",
-        "flaechenpressung",
-        "pressung",
-        "normalspannung",
-        "nenndruck"}},
-      {Quantity::Temperature,
-       "temperature",
-       {"temperature",
-        "temp",
-        "t",
-        "temperatur",
-        "sampletemperature",
-        "specimentemperature",
-        "rubbertemperature",
-        "tsample",
-        "tspecimen",
-        "trubber",
-        "probentemperatur",
-        "gummitemperatur",
-        "tprobe",
-        "tgummi",
-        "testtemperature",
-        "temperaturerubber",
-        "temperaturesample",
-        "temperaturespecimen",
-        "pr\u00FCftemperatur",
-        "prueftemperatur",
-        "temperaturgummi",
-        "temperaturprobe",
-        "messtemperatur",
-        "versuchstemperatur"}},
-      {Quantity::Label,
-       "label",
-       {"label", "sample", "name", "set", "series", "specimen", "probe", "bezeichnung", "comment",
-        "track", "surface"}},
-      {Quantity::MuError, "error of the coefficient of friction", {}},
-      {Quantity::VelocityError, "error of the velocity", {}},
-  }};
-  return known;
-}
-
-/// Returns the letters and digits of a name in lower case, without signs and blanks.
-std::string plainWord(std::string_view text) {
-  std::string word;
-  for (const unsigned char letter : text)
-    if (std::isalnum(letter) || letter >= 0x80) word += static_cast<char>(std::tolower(letter));
-  return word;
-}
+constexpr QuantityNames kKnownNames[] = {
+    {Quantity::Velocity, "velocity",
+     "velocity v speed slidingvelocity slidingspeed vslide vs geschwindigkeit "
+     "gleitgeschwindigkeit"},
+    {Quantity::Mu, "coefficient of friction",
+     "mu \u00B5 \u03BC cof friction frictioncoefficient coefficientoffriction coefficient reibwert "
+     "reibungszahl reibbeiwert reibungskoeffizient"},
+    {Quantity::Force, "normal force",
+     "normalforce fn fz f force load normalload w n normalkraft kraft last normallast belastung "
+     "auflast anpresskraft radlast wheelload verticalforce verticalload vertikalkraft "
+     "vertikallast"},
+    {Quantity::Pressure, "nominal pressure",
+     "nominalpressure pressure contactpressure normalpressure nominalcontactpressure normalstress "
+     "p p0 pn pnom sigma \u03C3 sigma0 \u03C30 sigman \u03C3n sigmaz \u03C3z druck "
+     "fl\u00E4chenpressung flaechenpressung pressung normalspannung nenndruck"},
+    {Quantity::Temperature, "temperature",
+     "temperature temp t temperatur sampletemperature specimentemperature rubbertemperature "
+     "tsample tspecimen trubber probentemperatur gummitemperatur tprobe tgummi testtemperature "
+     "temperaturerubber temperaturesample temperaturespecimen pr\u00FCftemperatur prueftemperatur "
+     "temperaturgummi temperaturprobe messtemperatur versuchstemperatur"},
+    {Quantity::Label, "label",
+     "label sample name set series specimen probe bezeichnung comment track surface"},
+    {Quantity::MuError, "error of the coefficient of friction", ""},
+    {Quantity::VelocityError, "error of the velocity", ""}};
 
 /// Returns the rest of a word without the part that marks an error; nothing where there is no such
 /// part.
 std::optional<std::string> withoutError(std::string word) {
-  for (const std::string_view sign : {"standarderror",
-                                      "standarddeviation",
-                                      "standarduncertainty",
-                                      "standardabweichung",
-                                      "standardabw",
-                                      "stdabw",
-                                      "standardunsicherheit",
-                                      "standardfehler",
-                                      "messunsicherheit",
-                                      "uncertainty",
-                                      "error",
-                                      "stdev",
-                                      "stddev",
-                                      "sigma",
-                                      "unsicherheit",
-                                      "abweichung",
-                                      "fehler",
-                                      "err",
-                                      "std",
-                                      "dev",
-                                      "sd",
-                                      "se",
-                                      "\u00B1",
-                                      "\u03C3",
-                                      "delta",
-                                      "\u0394"}) {
+  constexpr WordList kSigns(
+      "standarderror standarddeviation standarduncertainty standardabweichung standardabw stdabw "
+      "standardunsicherheit standardfehler messunsicherheit uncertainty error stdev stddev sigma "
+      "unsicherheit abweichung fehler err std dev sd se \u00B1 \u03C3 delta \u0394");
+  for (const std::string_view sign : kSigns) {
     const std::size_t index = word.find(sign);
     // Two letters mark an error only at the beginning or end of a word: "sets" has no error.
     if (index == std::string::npos) continue;
@@ -172,11 +76,9 @@ std::optional<std::string> withoutErrorLetter(const std::string& word) {
   return word.substr(1);
 }
 
-constexpr std::array<std::string_view, 4> kRelative{"relative", "relativer", "relativ", "rel"};
-
 /// Returns a word without "relative" at its beginning or end.
 std::string withoutRelative(std::string word) {
-  for (const std::string_view sign : kRelative) {
+  for (const std::string_view sign : WordList("relative relativer relativ rel")) {
     if (word.starts_with(sign)) return word.substr(sign.size());
     if (word.ends_with(sign)) return word.substr(0, word.size() - sign.size());
   }
@@ -186,9 +88,7 @@ std::string withoutRelative(std::string word) {
 /// Returns whether a name has several meanings, such as t for temperature and time, so that it
 /// needs a unit of its quantity.
 bool isAmbiguous(const std::string& word) {
-  constexpr std::array<std::string_view, 10> kAmbiguous{
-      "t", "n", "w", "f", "sigma", "\u03C3", "sigman", "\u03C3n", "sigmaz", "\u03C3z"};
-  return std::ranges::find(kAmbiguous, word) != kAmbiguous.end();
+  return isOneOf(word, "t n w f sigma \u03C3 sigman \u03C3n sigmaz \u03C3z");
 }
 
 /// Returns the words of a name without those of its average: "mu mean", "mu std (n=3)", "mu_err (1
@@ -200,14 +100,12 @@ std::optional<std::string> withoutAverage(std::string name) {
     const std::string inner = plainWord(name.substr(open));
     const bool isCount = inner.size() > 1 && inner.front() == 'n' &&
                          inner.find_first_not_of("0123456789", 1) == std::string::npos;
-    if (isCount ||
-        isOneOf(inner, {"1sigma", "1\u03C3", "\u00B11sigma", "\u00B11\u03C3", "1s", "1sd", "k1"}))
+    if (isCount || isOneOf(inner, "1sigma 1\u03C3 \u00B11sigma \u00B11\u03C3 1s 1sd k1"))
       name.resize(open);
   }
   std::vector<std::string> words = nameWords(name);
   std::erase_if(words, [](const std::string& word) {
-    return isOneOf(word,
-                   {"mean", "average", "avg", "mittel", "mittelwert", "mittlere", "mittlerer"});
+    return isOneOf(word, "mean average avg mittel mittelwert mittlere mittlerer");
   });
   if (words.empty() || words.size() == all) return {};
   std::string kept;
@@ -248,12 +146,12 @@ std::vector<std::string> nameWords(std::string text) {
 }
 
 const char* meaningOf(Quantity quantity) {
-  return std::ranges::find(knownNames(), quantity, &QuantityNames::quantity)->meaning;
+  return std::ranges::find(kKnownNames, quantity, &QuantityNames::quantity)->meaning;
 }
 
 std::optional<FrictionQuantity> quantityNamed(const std::string& word) {
-  for (const QuantityNames& known : knownNames())
-    if (std::ranges::find(known.names, word) != known.names.end()) return known.quantity;
+  for (const QuantityNames& known : kKnownNames)
+    if (isOneOf(word, known.names)) return known.quantity;
   return {};
 }
 
@@ -280,7 +178,7 @@ bool isRelativeError(const std::string& name) {
 bool isShareUnit(std::string_view unit) {
   if (!unit.starts_with('%')) return false;
   const std::string word = plainWord(unit);
-  return word == "ofmu" || word == "ofvalue" || word == "vonmu" || word.starts_with("rel");
+  return isOneOf(word, "ofmu ofvalue vonmu") || word.starts_with("rel");
 }
 
 bool isErrorName(const std::string& name) {
@@ -293,19 +191,15 @@ bool isErrorName(const std::string& name) {
 }
 
 bool isOtherLoad(const std::vector<std::string>& words) {
-  std::string whole;
-  for (const std::string& word : words) whole += word;
   const auto isOther = [](const std::string& word) {
-    constexpr std::array<std::string_view, 15> kBeginnings{
-        "fric", "tang", "later",      "shear",  "drag", "tract", "longi", "pull",
-        "reib", "quer", "l\u00E4ngs", "umfang", "zug",  "schub", "modul"};
-    constexpr std::array<std::string_view, 10> kWords{"fx", "fy",  "ft",     "fr", "ff",
-                                                      "fs", "tau", "\u03C4", "e",  "g"};
-    return std::ranges::find(kWords, word) != kWords.end() ||
-           std::ranges::any_of(kBeginnings,
-                               [&](std::string_view begin) { return word.starts_with(begin); });
+    return isOneOf(word, "fx fy ft fr ff fs tau \u03C4 e g") ||
+           beginsWithOneOf(
+               word,
+               "fric tang later shear drag tract longi pull reib quer l\u00E4ngs umfang "
+               "zug schub modul");
   };
-  return isOther(whole) || std::ranges::any_of(words, isOther);
+  return isOther(std::accumulate(words.begin(), words.end(), std::string())) ||
+         std::ranges::any_of(words, isOther);
 }
 
 std::optional<FrictionQuantity> findMeaning(const std::string& name, const std::string& unit) {
@@ -324,6 +218,282 @@ std::optional<FrictionQuantity> findMeaning(const std::string& name, const std::
   if (named == Quantity::Mu) return Quantity::MuError;
   if (named == Quantity::Velocity) return Quantity::VelocityError;
   return {};
+}
+
+// ---- Columns -----------------------------------------------------------------------------------
+
+namespace {
+
+/// Calls use(column, end) for each column with a known meaning that the words from `begin` to `end`
+/// make, `most` words at the most, until it returns true. Returns whether it did.
+template <class Use>
+bool anyColumn(const std::vector<std::string>& words, std::size_t begin, std::size_t most,
+               const Use& use) {
+  std::string text;
+  for (std::size_t i = begin; i < std::min(words.size(), begin + most); ++i) {
+    text += (text.empty() ? "" : " ") + words[i];
+    const TextColumn column = parseColumnName(text);
+    if (findMeaning(column) && use(column, i + 1)) return true;
+  }
+  return false;
+}
+
+/// Finds all ways to make so many known columns of the words from `begin` on.
+void findNames(const std::vector<std::string>& words, std::size_t begin, std::size_t count,
+               std::vector<TextColumn>& made, std::vector<std::vector<TextColumn>>& ways) {
+  constexpr std::size_t kMostWords = 6, kMostWays = 2;
+  if (ways.size() >= kMostWays) return;
+  if (made.size() == count || begin == words.size()) {
+    if (made.size() == count && begin == words.size()) ways.push_back(made);
+    return;
+  }
+  // A unit in brackets begins no name.
+  if (words[begin].starts_with('(') || words[begin].starts_with('[')) return;
+  anyColumn(words, begin, kMostWords, [&](const TextColumn& column, std::size_t end) {
+    made.push_back(column);
+    findNames(words, end, count, made, ways);
+    made.pop_back();
+    return false;
+  });
+}
+
+}  // namespace
+
+bool namesQuantity(const std::string& line) {
+  constexpr std::size_t kMostWords = 3;
+  const std::vector<std::string> words = blankSeparated(line);
+  for (std::size_t i = 0; i < words.size(); ++i)
+    if (anyColumn(words, i, kMostWords, [](const TextColumn& column, std::size_t) {
+          return findMeaning(column) != Quantity::Label && column.name.size() > 1;
+        }))
+      return true;
+  return false;
+}
+
+void prepareColumns(TextBlock& block) {
+  const bool hasNames = std::ranges::any_of(
+      block.columns, [](const TextColumn& column) { return !column.name.empty(); });
+  if (!hasNames && !block.header.empty()) {
+    std::vector<std::vector<TextColumn>> ways;
+    std::vector<TextColumn> made;
+    findNames(blankSeparated(lineOf(block.header.back(), " ")), 0, block.columns.size(), made,
+              ways);
+    for (std::size_t i = 0; ways.size() == 1 && i < block.columns.size(); ++i) {
+      block.columns[i].name = ways.front()[i].name;
+      block.columns[i].unit = ways.front()[i].unit;
+    }
+  }
+  for (TextColumn& column : block.columns) {
+    const std::size_t open = column.name.rfind('(');
+    if (!column.unit.empty() || open == std::string::npos || open == 0) continue;
+    const std::string unit(withoutBrackets(column.name.substr(open)));
+    if (!isShareUnit(unit)) continue;
+    column.unit = unit;
+    column.name = trimmedBlanks(column.name.substr(0, open));
+  }
+}
+
+// ---- Lines above the table ---------------------------------------------------------------------
+
+namespace {
+
+using namespace std::string_view_literals;
+
+bool isLoadUnit(const std::string& unit) {
+  return std::ranges::any_of(kLoadsAndTemperature,
+                             [&](Quantity quantity) { return measures(unit, quantity); });
+}
+
+bool isLoad(std::optional<Quantity> quantity) {
+  return std::ranges::find(kLoadsAndTemperature, quantity) != kLoadsAndTemperature.end();
+}
+
+/// Words that do not change what a name or a value means.
+bool isFiller(const std::string& word) {
+  return isOneOf(word, "at bei with mit constant const konst konstant konstante konstanter");
+}
+
+/// Returns whether a word belongs to a heading in front of a statement, as in "Test 3: T = 23 °C".
+bool isHeading(const std::string& word) {
+  constexpr WordList kHeadings(
+      "test tests condition conditions parameter parameters measurement experiment setup bedingung "
+      "bedingungen versuch versuche messung messbedingungen pr\u00FCfbedingungen pruefbedingungen "
+      "versuchsbedingungen randbedingungen");
+  return isOneOf(word, kHeadings) || std::ranges::all_of(word, isDigit);
+}
+
+/// A value with its unit, and the words behind it: "30 N (constant)".
+struct Value {
+  double number = 0;
+  std::string unit{};
+  std::string remark{};
+  bool isUnclear = false;  // the mark in the number may separate thousands
+  std::string groupedNumber{};
+};
+
+/// Splits a text behind a number into a unit of a load or temperature and a remark. Units may have
+/// blanks, as in "deg C".
+void splitUnit(std::string_view text, Value& value) {
+  constexpr std::size_t kLongest = 24;  // bytes of a unit and the blank behind it
+  const std::size_t most = text.size() > kLongest ? text.find_last_of(" (", kLongest) : text.size();
+  for (std::size_t end = most; end != std::string_view::npos && end > 0;
+       end = text.find_last_of(" (", end - 1)) {
+    const std::string unit(withoutBrackets(withoutEnd(trimmedBlanks(text.substr(0, end)), ".,;")));
+    if (!isLoadUnit(unit)) continue;
+    value.unit = unit;
+    value.remark = trimmedBlanks(text.substr(end));
+    return;
+  }
+  value.remark = text;
+}
+
+/// Returns the position of a sign of tolerance and its length; npos where there is none.
+std::pair<std::size_t, std::size_t> findTolerance(std::string_view text) {
+  for (const std::string_view sign : WordList("\u00B1 +/- +-"))
+    if (const std::size_t at = text.find(sign); at != std::string_view::npos)
+      return {at, sign.size()};
+  return {std::string_view::npos, 0};
+}
+
+/// Reads "30 N", "30 N (constant)", "23 ± 1 °C", "30 N +/- 5 %" and "(23 ± 1) °C".
+std::optional<Value> readValue(std::string_view text, HeaderMark mark) {
+  text = trimmedField(text);
+  std::string opened;
+  if (const std::size_t end = text.find(')'); text.starts_with('(') && end != text.npos) {
+    opened = std::string(text.substr(1, end - 1)) + " " + std::string(text.substr(end + 1));
+    text = opened;
+  }
+  const auto read = parseQuantity(text, mark.decimal);
+  if (!read) return {};
+  Value value;
+  value.number = read->number;
+  if (!mark.isKnown) {
+    const auto other = parseQuantity(text, mark.decimal == '.' ? ',' : '.');
+    value.isUnclear = !other || other->number != read->number;
+  }
+  if (read->isGrouped)
+    value.groupedNumber = trimmedBlanks(text.substr(0, text.size() - read->unit.size()));
+  const std::string_view rest = read->unit;
+  const auto [at, size] = findTolerance(rest);
+  if (at == std::string_view::npos) {
+    splitUnit(rest, value);
+    return value;
+  }
+  const auto tolerance = parseQuantity(rest.substr(at + size), mark.decimal);
+  if (!tolerance) return {};
+  splitUnit(trimmedBlanks(rest.substr(0, at)), value);
+  if (!value.unit.empty()) return value;
+  splitUnit(tolerance->unit, value);
+  return value;
+}
+
+/// Returns the position of the first number that begins a word.
+std::size_t findNumber(std::string_view text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (!isDigit(text[i])) continue;
+    std::size_t begin = i;
+    // The bytes of all dashes are among these.
+    constexpr std::string_view kSigns = "+-.,\xE2\x88\x92\x80\x90\x91\x93";
+    while (begin > 0 && kSigns.find(text[begin - 1]) != std::string_view::npos) --begin;
+    const auto before = static_cast<unsigned char>(begin > 0 ? text[begin - 1] : ' ');
+    const bool isWithinWord = std::isalnum(before) != 0 || before == '_' || before >= 0x80;
+    if (!isWithinWord) return begin;
+    while (i + 1 < text.size() && isDigit(text[i + 1])) ++i;
+  }
+  return std::string_view::npos;
+}
+
+/// Returns whether some number at the beginning of the text, which may be very long, has a unit of
+/// a load or temperature.
+bool hasLoadUnit(std::string_view text) {
+  constexpr std::size_t kMostBytes = 2000;
+  text = text.substr(0, kMostBytes);
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (!isDigit(text[i]) || (i > 0 && std::isalnum(static_cast<unsigned char>(text[i - 1])) != 0))
+      continue;
+    constexpr std::size_t kLongest = 80;  // bytes of a number and its unit
+    const auto quantity = parseQuantity(text.substr(i, kLongest));
+    Value value;
+    if (quantity) splitUnit(quantity->unit, value);
+    if (!value.unit.empty()) return true;
+  }
+  return false;
+}
+
+/// Returns a text without its fillers.
+std::string withoutFillers(std::string_view text) {
+  std::string kept;
+  for (const std::string& word : blankSeparated(text)) {
+    const std::vector<std::string> plain = nameWords(word);
+    if (plain.size() != 1 || !isFiller(plain.front())) kept += (kept.empty() ? "" : " ") + word;
+  }
+  return kept;
+}
+
+/// Reads one statement, such as "Load = 30 N", "T 23 °C" and "Conditions: p [MPa] = 0.2". Nothing
+/// where it has no name, no number, or names another quantity; without a quantity where it has a
+/// unit of a load or temperature and is not understood.
+std::optional<HeaderStatement> readStatement(std::string_view clause, HeaderMark mark) {
+  const std::size_t sign = clause.find_last_of(":=");
+  const std::size_t begin = sign == clause.npos ? findNumber(clause) : sign + 1;
+  if (begin == clause.npos) return {};
+  const auto value = readValue(clause.substr(begin), mark);
+  if (!value) return {};
+  std::string_view front = trimmedBlanks(withoutEnd(clause.substr(0, begin), " :=\t"));
+  // In "Temperature - 5 °C" the dash may be a minus sign.
+  if (sign == clause.npos && endsWithOneOf(front, "- \u2212 \u2010 \u2011 \u2013 \u2014"))
+    return {};
+  const std::string_view key = keyBefore(front);
+  front = withoutEnd(front.substr(0, front.size() - key.size()), " :=\t");
+  TextColumn name = parseColumnName(withoutFillers(key));
+  if (name.name.empty()) return {};
+  const std::string& unit = value->unit.empty() ? name.unit : value->unit;
+  const bool isLoadName = isLoad(findMeaning(name.name, unit));
+  // "Temperature: 23 °C (rubber)"
+  const std::string remark = withoutFillers(value->remark);
+  if (!remark.empty()) name.name += " " + remark;
+  const auto quantity = findMeaning(name.name, unit);
+  if (quantity ? !isLoad(quantity) : !isLoadName && !isLoadUnit(unit)) return {};
+  HeaderStatement statement;
+  const std::vector<std::string> headings = nameWords(std::string(front));
+  const bool isOfTable =
+      std::ranges::all_of(headings, isHeading) || findMeaning(std::string(front), unit) == quantity;
+  const auto known = quantity ? unitOfQuantity(unit, *quantity) : std::nullopt;
+  if (!known || !isOfTable || value->isUnclear) return statement;
+  statement.quantity = quantity;
+  statement.value = known->toSi(value->number);
+  statement.number = value->number;
+  statement.groupedNumber = value->groupedNumber;
+  return statement;
+}
+
+}  // namespace
+
+std::vector<HeaderStatement> readStatements(const TextEntry& entry, HeaderMark mark) {
+  const std::string line = lineOf(entry), asWritten = lineOf(entry, ": ");
+  const auto complete = [&entry](HeaderStatement statement, std::string text) {
+    statement.text = std::move(text);
+    statement.line = entry.line;
+    return statement;
+  };
+  const auto whole = readStatement(line, mark);
+  if (whole && whole->quantity) return {complete(*whole, asWritten)};
+  const std::vector<std::string_view> clauses = clausesOf(line);
+  std::vector<HeaderStatement> statements;
+  for (const std::string_view clause : clauses) {
+    // "Load: 30 N; 60 N" states two loads.
+    if (const auto value = readValue(clause, mark); value && !statements.empty()) {
+      HeaderStatement& before = statements.back();
+      if (before.quantity && measures(value->unit, *before.quantity)) before.quantity.reset();
+    }
+    const std::string text = clauses.size() == 1 ? asWritten : std::string(clause);
+    if (const auto statement = readStatement(clause, mark))
+      statements.push_back(complete(*statement, text));
+    else if (hasLoadUnit(clause))
+      statements.push_back(complete({}, text));
+  }
+  if (statements.empty() && whole) statements.push_back(complete(*whole, asWritten));
+  return statements;
 }
 
 }  // namespace asperity

@@ -7,7 +7,6 @@
 #include <iterator>
 #include <optional>
 
-#include "core/base/header_clauses.h"
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/regular_file.h"
@@ -15,78 +14,12 @@
 #include "core/base/text_number.h"
 #include "core/base/text_table.h"
 #include "core/fit/friction_columns.h"
-#include "core/fit/friction_header.h"
 #include "core/material/dma_columns.h"
 
 namespace asperity {
 namespace {
 
 using Quantity = FrictionQuantity;
-
-/// Finds all ways to make so many known columns of the words from `begin` on.
-void findNames(const std::vector<std::string>& words, std::size_t begin, std::size_t count,
-               std::vector<TextColumn>& made, std::vector<std::vector<TextColumn>>& ways) {
-  constexpr std::size_t kMostWords = 6, kMostWays = 2;
-  if (ways.size() >= kMostWays) return;
-  if (made.size() == count || begin == words.size()) {
-    if (made.size() == count && begin == words.size()) ways.push_back(made);
-    return;
-  }
-  // A unit in brackets begins no name.
-  if (words[begin].starts_with('(') || words[begin].starts_with('[')) return;
-  std::string text;
-  for (std::size_t i = begin; i < std::min(words.size(), begin + kMostWords); ++i) {
-    text += (text.empty() ? "" : " ") + words[i];
-    TextColumn column = parseColumnName(text);
-    if (!findMeaning(column.name, column.unit)) continue;
-    made.push_back(std::move(column));
-    findNames(words, i + 1, count, made, ways);
-    made.pop_back();
-  }
-}
-
-/// Returns whether some words of the line name a quantity.
-bool namesQuantity(const std::string& line) {
-  const std::vector<std::string> words = blankSeparated(line);
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    std::string text;
-    for (std::size_t j = i; j < std::min(words.size(), i + 3); ++j) {
-      text += (text.empty() ? "" : " ") + words[j];
-      const TextColumn column = parseColumnName(text);
-      const auto quantity = findMeaning(column.name, column.unit);
-      if (quantity && quantity != Quantity::Label && column.name.size() > 1) return true;
-    }
-  }
-  return false;
-}
-
-/// Gives names to columns whose line of names has blanks within the names as well: "velocity (mm/s)
-/// mu normal force (mN)". The line nearest to the numbers is taken.
-void nameColumns(TextBlock& block) {
-  const bool hasNames = std::ranges::any_of(
-      block.columns, [](const TextColumn& column) { return !column.name.empty(); });
-  if (hasNames || block.header.empty()) return;
-  std::vector<std::vector<TextColumn>> ways;
-  std::vector<TextColumn> made;
-  findNames(blankSeparated(lineOf(block.header.back(), " ")), 0, block.columns.size(), made, ways);
-  if (ways.size() != 1) return;
-  for (std::size_t i = 0; i < block.columns.size(); ++i) {
-    block.columns[i].name = ways.front()[i].name;
-    block.columns[i].unit = ways.front()[i].unit;
-  }
-}
-
-/// Separates units such as "(% of mu)" from the names of columns.
-void separateShareUnits(TextBlock& block) {
-  for (TextColumn& column : block.columns) {
-    const std::size_t open = column.name.rfind('(');
-    if (!column.unit.empty() || open == std::string::npos || open == 0) continue;
-    const std::string unit(withoutBrackets(column.name.substr(open)));
-    if (!isShareUnit(unit)) continue;
-    column.unit = unit;
-    column.name = trimmedBlanks(column.name.substr(0, open));
-  }
-}
 
 bool isOfFriction(const TextBlock& block) {
   bool hasVelocity = false, hasMu = false;
@@ -210,9 +143,7 @@ class Reader {
     const std::vector<std::string> words = nameWords(column.name);
     if (words.empty()) return;
     const auto isBound = [](const std::string& word) {
-      constexpr std::array<std::string_view, 8> kBounds{"min",   "max",   "minimum", "maximum",
-                                                        "lower", "upper", "low",     "high"};
-      return std::ranges::find(kBounds, word) != kBounds.end();
+      return isOneOf(word, "min max minimum maximum lower upper low high");
     };
     std::string subject;
     for (const std::string& word : words)
@@ -558,10 +489,7 @@ FrictionData parseFrictionData(std::string_view bytes, const std::string& name) 
   undoLogarithms(table, [](const std::string& quantity) {
     return findMeaning(quantity, kAnyUnit).has_value();
   });
-  for (TextBlock& block : table.blocks) {
-    nameColumns(block);
-    separateShareUnits(block);
-  }
+  for (TextBlock& block : table.blocks) prepareColumns(block);
   const TextBlock* first = nullptr;
   for (const TextBlock& block : table.blocks) {
     if (!isOfFriction(block)) continue;

@@ -1,7 +1,6 @@
 #include "core/material/dma_columns.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
 #include <initializer_list>
@@ -11,56 +10,15 @@
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/text.h"
+#include "core/base/text_header.h"
 #include "core/base/text_number.h"
 
 namespace asperity {
 namespace {
 
-/// Greek letters, which are words of their own, and signs that stand for others.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 12> kGreek{
-    {{"\u03B4", " delta "},
-     {"\u0394", " delta "},
-     {"\u03C3", " sigma "},
-     {"\u2032", "'"},
-     {"\u2033", "'"},
-     {"\u2019", "'"},
-     {"\u2018", "'"},
-     {"\u201C", "'"},
-     {"\u201D", "'"},
-     {"\u00B4", "'"},
-     {"\u00A0", " "},
-     {"\u2217", "*"}}};
-
-/// Returns the name in lower case, with plain primes, with Greek letters as words, and without
-/// blanks, "_", "-" and ".".
-std::string compact(std::string_view given) {
-  std::string text = lowerCase(given);
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 28> kReplacements{{
-      {"\u2033", "''"},    {"\u201D", "''"},    {"\u201C", "''"},     {"\"", "''"},
-      {"\u2032", "'"},     {"\u2019", "'"},     {"\u2018", "'"},      {"\u00B4", "'"},
-      {"`", "'"},          {"\u03B4", "delta"}, {"\u0394", "delta"},  {"\u03C9", "omega"},
-      {"\u03A9", "omega"}, {"\u03B3", "gamma"}, {"\u03B5", "strain"}, {"\u03D1", "temp"},
-      {"\u03B8", "temp"},  {"\u00E4", "ae"},    {"\u00F6", "oe"},     {"\u00FC", "ue"},
-      {"\u00E9", "e"},     {"\u00E8", "e"},     {"\u00C9", "e"},      {"\u00C8", "e"},
-      {"\u00B7", ""},      {"\u00A0", ""},      {"\u2217", "*"},      {"\u00B0", ""},
-  }};
-  for (const auto& [from, to] : kReplacements) replaceAll(text, from, to);
-  std::erase_if(text, [](char letter) {
-    return letter == ' ' || letter == '_' || letter == '-' || letter == '.' || letter == '\t' ||
-           letter == '(' || letter == ')' || letter == '[' || letter == ']' || letter == '{' ||
-           letter == '}' || letter == ',' || letter == ':' || letter == '@';
-  });
-  return text;
-}
-
-bool containsAny(std::string_view text, std::initializer_list<std::string_view> words) {
-  return std::ranges::any_of(words,
-                             [&](std::string_view word) { return text.find(word) != text.npos; });
-}
-
 ModulusKind modulusKind(std::string_view word) {
-  if (containsAny(word, {"shear", "schub", "torsion"})) return ModulusKind::Shear;
-  if (containsAny(word, {"young", "tensil", "tension", "zug", "bend", "biege", "compress"}))
+  if (containsOneOf(word, "shear schub torsion")) return ModulusKind::Shear;
+  if (containsOneOf(word, "young tensil tension zug bend biege compress"))
     return ModulusKind::Tension;
   // "g'", "|e*|", "storagemodulusg'", "estorage"
   if (word.starts_with("g") && word != "gamma") return ModulusKind::Shear;
@@ -77,143 +35,112 @@ ModulusKind modulusKind(std::string_view word) {
 bool namesTemperature(std::string_view word) {
   if (word == "temps" || word.starts_with("tempsde")) return false;
   return word.find("temp") != word.npos && word.find("ref") == word.npos &&
-         !containsAny(word, {"attempt", "template", "tempor", "contemp"});
+         !containsOneOf(word, "attempt template tempor contemp");
 }
 
 DmaQuantity dmaQuantity(std::string_view word) {
   using enum DmaQuantity;
   if (word.empty()) return None;
   const bool isLossTangent =
-      containsAny(word, {"tandelta", "tand", "tan\u03B4", "losstangent", "lossfactor", "losstan",
-                         "dampingfactor", "verlustfaktor", "daempfungsfaktor", "tangentdelta"}) ||
+      containsOneOf(word,
+                    "tandelta tand tan\u03B4 losstangent lossfactor losstan dampingfactor "
+                    "verlustfaktor daempfungsfaktor tangentdelta") ||
       word == "tan";
   if (isLossTangent) return LossTangent;
-  if (containsAny(word, {"viscosity", "viskositaet", "compliance", "nachgiebigkeit", "strainrate",
-                         "energy", "energie", "stiffness", "torque"}) ||
+  if (containsOneOf(word,
+                    "viscosity viskositaet compliance nachgiebigkeit strainrate energy energie "
+                    "stiffness torque") ||
       word.starts_with("eta") || word.starts_with("\u03B7") || word.starts_with("j'") ||
       word.starts_with("d'"))
     return None;
-  if (containsAny(word, {"freq", "frequenz"}) ||
-      isOneOf(word, {"f", "nu", "omega", "w", "angular"}))
-    return containsAny(word, {"reduc", "reduz", "shift", "master", "*at", "at*"}) ||
-                   word.starts_with("atf") || word.ends_with("yat") || word.ends_with("qat")
+  if (containsOneOf(word, "freq frequenz") || isOneOf(word, "f nu omega w angular"))
+    return containsOneOf(word, "reduc reduz shift master *at at*") || word.starts_with("atf") ||
+                   word.ends_with("yat") || word.ends_with("qat")
                ? ReducedFrequency
                : Frequency;
-  if (isOneOf(word, {"at*f", "atf", "fat", "f*at", "omega*at", "omegaat", "atomega", "at*omega"}))
-    return ReducedFrequency;
+  if (isOneOf(word, "at*f atf fat f*at omega*at omegaat atomega at*omega")) return ReducedFrequency;
   if (namesTemperature(word) ||
-      isOneOf(word, {"t", "tc", "tk", "tcelsius", "tkelvin", "tsample", "tprobe", "tset", "tsoll",
-                     "tist", "tactual", "tmeasured", "ttest", "tmess"}))
+      isOneOf(
+          word,
+          "t tc tk tcelsius tkelvin tsample tprobe tset tsoll tist tactual tmeasured ttest tmess"))
     return Temperature;
-  if (containsAny(word, {"''", "lossmod", "gloss", "eloss", "verlustmodul", "doubleprime",
-                         "viscousmod", "modulusloss", "dprime"}) ||
-      isOneOf(word, {"loss", "g2", "e2", "gpp", "epp", "lossg", "losse", "gimag", "eimag"}))
+  if (containsOneOf(
+          word, "'' lossmod gloss eloss verlustmodul doubleprime viscousmod modulusloss dprime") ||
+      isOneOf(word, "loss g2 e2 gpp epp lossg losse gimag eimag"))
     return Loss;
-  if (containsAny(word, {"g'", "e'", "storage", "speicher", "gprime", "eprime", "elasticmod"}) ||
-      isOneOf(word, {"g1", "e1", "gp", "ep", "greal", "ereal"}))
+  if (containsOneOf(word, "g' e' storage speicher gprime eprime elasticmod") ||
+      isOneOf(word, "g1 e1 gp ep greal ereal"))
     return Storage;
-  if (containsAny(word, {"phase", "phasen", "lossangle", "verlustwinkel"}) || word == "delta")
-    return Phase;
-  if (containsAny(word, {"g*", "e*", "complexmod", "komplexermod", "dynamicmod", "absmod"}) ||
-      isOneOf(word, {"gabs", "eabs", "|g|", "|e|", "gstar", "estar", "gmag", "emag"}))
+  if (containsOneOf(word, "phase phasen lossangle verlustwinkel") || word == "delta") return Phase;
+  if (containsOneOf(word, "g* e* complexmod komplexermod dynamicmod absmod") ||
+      isOneOf(word, "gabs eabs |g| |e| gstar estar gmag emag"))
     return Magnitude;
-  if (containsAny(word, {"strain", "gamma", "dehnung", "deformation"})) return Strain;
+  if (containsOneOf(word, "strain gamma dehnung deformation")) return Strain;
   return None;
 }
 
 /// Returns the words of a name in lower case: "G'_err" has g and err, "tanDelta" tan and delta.
+/// Greek letters are words of their own.
 std::vector<std::string> wordsOf(std::string_view name) {
   std::string text(name);
-  for (const auto& [from, to] : kGreek) replaceAll(text, from, to);
-  std::vector<std::string> words;
-  bool isOpen = false, wasLower = false;
+  for (const auto& [letters, word] :
+       {std::pair<WordList, std::string_view>{"\u03B4 \u0394", " delta "},
+        {"\u03C3", " sigma "},
+        {"\u2032 \u2033 \u2019 \u2018 \u201C \u201D \u00B4 \u00A0 \u2217 _", " "}})
+    for (const std::string_view letter : letters) replaceAll(text, letter, word);
+  std::string separated;
   for (const char letter : text) {
-    const auto byte = static_cast<unsigned char>(letter);
-    const bool isPart = byte >= 0x80 || std::isalnum(byte) != 0;
-    if (isPart && (!isOpen || (wasLower && std::isupper(byte) != 0))) words.emplace_back();
-    if (isPart) words.back() += static_cast<char>(std::tolower(byte));
-    isOpen = isPart;
-    wasLower = std::islower(byte) != 0;
+    const bool isCapital = std::isupper(static_cast<unsigned char>(letter)) != 0;
+    if (isCapital && !separated.empty() &&
+        std::islower(static_cast<unsigned char>(separated.back())) != 0)
+      separated += ' ';
+    separated += letter;
   }
-  return words;
+  return wordsIn(separated);
 }
 
 /// Returns whether a name is that of a deviation or a bound of another column: "std G'", "u(G')",
 /// "\u0394G'", "G' \u00B1", "G' 95% CI", "G' min".
 bool isOfDeviation(std::string_view name, const std::vector<std::string>& words) {
   if (words.empty()) return false;
-  for (const std::string_view sign : {"\u00B1", "+/-", "+-", "\u0394G", "\u0394E", "\u0394|"})
-    if (name.find(sign) != name.npos) return true;
-  if (words.size() > 1 && isOneOf(words.front(), {"s", "u", "d"})) return true;
-  if (words.size() > 1 && words[0] == "delta" &&
-      isOneOf(words[1], {"g", "e", "storage", "loss", "modulus"}))
+  if (containsOneOf(name, "\u00B1 +/- +- \u0394G \u0394E \u0394|")) return true;
+  if (words.size() > 1 && isOneOf(words.front(), "s u d")) return true;
+  if (words.size() > 1 && words[0] == "delta" && isOneOf(words[1], "g e storage loss modulus"))
     return true;
   return std::ranges::any_of(words, [](const std::string& word) {
     return isOneOf(word,
-                   {"std",      "sd",      "dev",     "err",       "se",       "sem",   "sigma",
-                    "unc",      "ci",      "var",     "rsd",       "cv",       "cov",   "min",
-                    "max",      "minimum", "maximum", "lower",     "upper",    "range", "limit",
-                    "bound",    "iqr",     "mad",     "tolerance", "toleranz", "noise", "dg",
-                    "residual", "de",      "spread",  "scatter",   "streuung"}) ||
-           containsAny(word, {"stdev", "stddev", "stderr", "error", "deviation", "uncertain",
-                              "abweichung", "unsicherheit", "fehler", "variance", "varianz",
-                              "confidence", "konfidenz", "quantil", "percentil"});
+                   "std sd dev err se sem sigma unc ci var rsd cv cov min max minimum maximum "
+                   "lower upper range limit bound iqr mad tolerance toleranz noise dg residual de "
+                   "spread scatter streuung") ||
+           containsOneOf(word,
+                         "stdev stddev stderr error deviation uncertain abweichung unsicherheit "
+                         "fehler variance varianz confidence konfidenz quantil percentil");
   });
 }
 
 /// Returns whether a word is made of those that name moduli and how they were measured.
 bool isMadeOfKnownWords(std::string_view word) {
-  constexpr std::string_view kParts[] = {"storage",     "loss",        "modulus",
-                                         "moduli",      "module",      "modul",
-                                         "mod",         "shear",       "youngs",
-                                         "young",       "tensile",     "tension",
-                                         "torsional",   "torsion",     "compression",
-                                         "compressive", "bending",     "bend",
-                                         "flexural",    "complex",     "dynamic",
-                                         "elastic",     "viscous",     "real",
-                                         "imaginary",   "imag",        "part",
-                                         "phase",       "absolute",    "abs",
-                                         "magnitude",   "mag",         "star",
-                                         "prime",       "double",      "tangent",
-                                         "tan",         "delta",       "factor",
-                                         "damping",     "angle",       "lag",
-                                         "shifted",     "shift",       "speicher",
-                                         "verlust",     "schub",       "zug",
-                                         "biege",       "komplexer",   "komplex",
-                                         "dynamischer", "betrag",      "winkel",
-                                         "faktor",      "daempfungs",  "d\u00E4mpfungs",
-                                         "teil",        "values",      "value",
-                                         "wert",        "mean",        "average",
-                                         "avg",         "mittel",      "measured",
-                                         "raw",         "corrected",   "smoothed",
-                                         "reduced",     "linear",      "reference",
-                                         "ref",         "temperature", "temperatur",
-                                         "temp",        "of",          "at",
-                                         "in",          "out",         "the",
-                                         "ratio",       "von",         "bei"};
+  constexpr WordList kParts(
+      "storage loss modulus moduli module modul mod shear youngs young tensile tension torsional "
+      "torsion compression compressive bending bend flexural complex dynamic elastic viscous real "
+      "imaginary imag part phase absolute abs magnitude mag star prime double tangent tan delta "
+      "factor damping angle lag shifted shift speicher verlust schub zug biege komplexer komplex "
+      "dynamischer betrag winkel faktor daempfungs d\u00E4mpfungs teil values value wert mean "
+      "average avg mittel measured raw corrected smoothed reduced linear reference ref temperature "
+      "temperatur temp of at in out the ratio von bei");
   return word.empty() || std::ranges::any_of(kParts, [word](std::string_view part) {
            return word.starts_with(part) && isMadeOfKnownWords(word.substr(part.size()));
          });
 }
 
-/// Returns the words of a modulus' name that are not understood. What stands in brackets or behind
-/// a stroke at its end is read as a unit.
+/// Returns the words of a modulus' name that are not understood.
 std::string unknownWords(std::string_view name) {
-  std::size_t end = name.find_last_not_of(' ');
-  end = end == name.npos ? 0 : end + 1;
-  const std::size_t bracket = name.find_last_of("([");
-  if (bracket != name.npos && bracket > 0 && name.find_last_of(")]") + 1 == end)
-    end = bracket;
-  else if (const std::size_t stroke = name.rfind('/'); stroke != name.npos && stroke > 0)
-    end = stroke;
   std::string unknown;
-  for (const std::string& word : wordsOf(name.substr(0, end))) {
+  for (const std::string& word : wordsOf(name.substr(0, unitPart(name)))) {
     if (isOneOf(word,
-                {"g",     "e",     "d",     "t",     "s",      "p",        "pp",       "g1",
-                 "g2",    "e1",    "e2",    "gp",    "gpp",    "ep",       "epp",      "gabs",
-                 "eabs",  "gmag",  "emag",  "tand",  "gprime", "eprime",   "dprime",   "gstar",
-                 "estar", "greal", "ereal", "gimag", "eimag",  "gstorage", "estorage", "gloss",
-                 "eloss", "lossg", "losse", "log",   "lg",     "ln",       "log10"}) ||
+                "g e d t s p pp g1 g2 e1 e2 gp gpp ep epp gabs eabs gmag emag tand gprime eprime "
+                "dprime gstar estar greal ereal gimag eimag gstorage estorage gloss eloss lossg "
+                "losse log lg ln log10") ||
         isMadeOfKnownWords(word))
       continue;
     unknown += (unknown.empty() ? "" : " ") + word;
@@ -229,8 +156,7 @@ bool goesOnAsRate(std::string_view text) {
   text = trimmedBlanks(text.substr(over));
   std::size_t end = 0;
   while (end < text.size() && std::isalpha(static_cast<unsigned char>(text[end]))) ++end;
-  return isOneOf(lowerCase(text.substr(0, end)),
-                 {"min", "minute", "s", "sec", "second", "h", "hr", "hour", "mm", "m"});
+  return isOneOf(lowerCase(text.substr(0, end)), "min minute s sec second h hr hour mm m");
 }
 
 /// Returns the length of a sign with the blanks behind it that begins here, 0 where there is none:
@@ -251,7 +177,7 @@ std::size_t signLength(std::string_view text, std::size_t begin, bool& isMinus) 
     const std::size_t word = before.find_last_of(" \t");
     const bool isBehindKey =
         before.empty() || std::string_view(":=(@[").find(before.back()) != before.npos ||
-        isOneOf(lowerCase(before.substr(word == before.npos ? 0 : word + 1)), {"at", "bei"});
+        isOneOf(lowerCase(before.substr(word == before.npos ? 0 : word + 1)), "at bei");
     return isBehindKey ? sign.size() + 1 : 0;
   }
   return 0;
@@ -271,34 +197,21 @@ std::optional<TextTemperature> temperatureAt(std::string_view text, std::size_t 
   if (!readTextNumber(number, '.', value)) return {};
   while (end < text.size() && (text[end] == ' ' || text[end] == '_')) ++end;
   // The longest unit is tried first; a letter behind it belongs to another word.
-  constexpr std::pair<std::string_view, std::string_view> kUnits[] = {{"Grad Celsius", "C"},
-                                                                      {"grad Celsius", "C"},
-                                                                      {"degrees Celsius", "C"},
-                                                                      {"degrees C", "C"},
-                                                                      {"\u00B0Celsius", "C"},
-                                                                      {"\u00B0 Celsius", "C"},
-                                                                      {"Grad C", "C"},
-                                                                      {"deg. C", "C"},
-                                                                      {"\u00B0C", "C"},
-                                                                      {"\u00BAC", "C"},
-                                                                      {"\u2103", "C"},
-                                                                      {"degC", "C"},
-                                                                      {"deg C", "C"},
-                                                                      {"\u00B0 C", "C"},
-                                                                      {"\u00B0F", "F"},
-                                                                      {"degF", "F"},
-                                                                      {"Celsius", "C"},
-                                                                      {"celsius", "C"},
-                                                                      {"Kelvin", "K"},
-                                                                      {"kelvin", "K"},
-                                                                      {"C", "C"},
-                                                                      {"K", "K"},
-                                                                      {"F", "F"}};
-  for (const auto& [written, unit] : kUnits) {
+  constexpr WordList kUnits(
+      "Grad Celsius, grad Celsius, degrees Celsius, degrees C, \u00B0Celsius, \u00B0 Celsius, Grad "
+      "C, "
+      "deg. C, \u00B0C, \u00BAC, \u2103, degC, deg C, \u00B0 C, \u00B0F, degF, Celsius, celsius, "
+      "Kelvin, "
+      "kelvin, C, K, F",
+      ',');
+  for (const std::string_view written : kUnits) {
     if (!text.substr(end).starts_with(written)) continue;
     const std::size_t behind = end + written.size();
     if (behind < text.size() && std::isalnum(static_cast<unsigned char>(text[behind]))) continue;
     if (goesOnAsRate(text.substr(behind))) return {};
+    const std::string_view unit = written.ends_with('F')            ? "F"
+                                  : beginsWithOneOf(written, "K k") ? "K"
+                                                                    : "C";
     const bool isLetter = written == "C" || written == "F";
     return TextTemperature{
         temperatureUnit(unit)->toSi(value), begin, behind, value, unit, isLetter};
@@ -307,6 +220,38 @@ std::optional<TextTemperature> temperatureAt(std::string_view text, std::size_t 
 }
 
 }  // namespace
+
+std::size_t unitPart(std::string_view name) {
+  const std::size_t bracket = name.find_last_of("([");
+  const std::size_t end = name.find_last_not_of(' ');
+  if (bracket != name.npos && bracket > 0 && name.find_last_of(")]") == end) return bracket;
+  const std::size_t stroke = name.rfind('/');
+  return stroke == 0 ? name.npos : stroke;
+}
+
+std::string compactName(std::string_view name) {
+  constexpr std::pair<WordList, std::string_view> kReplacements[] = {
+      {"\u2033 \u201D \u201C \"", "''"},
+      {"\u2032 \u2019 \u2018 \u00B4 `", "'"},
+      {"\u03B4 \u0394", "delta"},
+      {"\u03C9 \u03A9", "omega"},
+      {"\u03B3", "gamma"},
+      {"\u03B5", "strain"},
+      {"\u03D1 \u03B8", "temp"},
+      {"\u00E4", "ae"},
+      {"\u00F6", "oe"},
+      {"\u00FC", "ue"},
+      {"\u00E9 \u00E8 \u00C9 \u00C8", "e"},
+      {"\u2217", "*"},
+      {"\u00B7 \u00A0 \u00B0", ""}};
+  std::string text = lowerCase(name);
+  for (const auto& [letters, word] : kReplacements)
+    for (const std::string_view letter : letters) replaceAll(text, letter, word);
+  std::erase_if(text, [](char letter) {
+    return std::string_view(" _-.\t()[]{},:@").find(letter) != std::string_view::npos;
+  });
+  return text;
+}
 
 double shearFromYoungs(double youngs, double poisson) {
   return youngs / (2 * (1 + poisson));
@@ -328,7 +273,7 @@ DmaColumn dmaColumn(std::string_view name, std::string_view unit) {
         word = std::string(name.substr(0, found->begin)) + std::string(name.substr(found->end));
       break;
     }
-  const std::string plain = compact(word);
+  const std::string plain = compactName(word);
   column.quantity = dmaQuantity(plain);
   column.kind = modulusKind(plain);
   const std::vector<std::string> words = wordsOf(word);
@@ -340,26 +285,23 @@ DmaColumn dmaColumn(std::string_view name, std::string_view unit) {
       column.quantity == DmaQuantity::Magnitude || column.quantity == DmaQuantity::LossTangent ||
       column.quantity == DmaQuantity::Phase;
   // The largest strain of a period is its amplitude.
-  const bool isAmplitude = column.quantity == DmaQuantity::Strain &&
-                           std::ranges::any_of(words, [](const std::string& one) {
-                             return one == "max" || one == "maximum";
-                           });
+  const bool isAmplitude = column.quantity == DmaQuantity::Strain && hasOneOf(words, "max maximum");
   column.isLeftOut =
       column.quantity != DmaQuantity::None && !isAmplitude && isOfDeviation(word, words);
   if (column.quantity == DmaQuantity::Strain && !strainUnit(unit)) column.isLeftOut = true;
   if (column.isLeftOut) column.quantity = DmaQuantity::None;
   if (isModulus && !column.isLeftOut) column.unknown = unknownWords(word);
-  column.isAngular = containsAny(plain, {"omega", "angular", "kreisfreq"}) || plain == "w";
+  column.isAngular = containsOneOf(plain, "omega angular kreisfreq") || plain == "w";
   return column;
 }
 
 std::optional<double> strainUnit(std::string_view unit) {
-  std::string word = compact(unit);
+  std::string word = compactName(unit);
   for (const std::string_view micro : {"\u00B5", "\u03BC"}) replaceAll(word, micro, "u");
-  if (isOneOf(word, {"", "1", "m/m", "mm/mm", "um/um", "strain", "ratio"})) return 1;
-  if (isOneOf(word, {"%", "percent", "pct"})) return 1e-2;
-  if (isOneOf(word, {"\u2030", "mm/m"})) return 1e-3;
-  if (isOneOf(word, {"ppm", "um/m", "ustrain", "microstrain"})) return 1e-6;
+  if (word.empty() || isOneOf(word, "1 m/m mm/mm um/um strain ratio")) return 1;
+  if (isOneOf(word, "% percent pct")) return 1e-2;
+  if (isOneOf(word, "\u2030 mm/m")) return 1e-3;
+  if (isOneOf(word, "ppm um/m ustrain microstrain")) return 1e-6;
   return {};
 }
 
@@ -405,7 +347,7 @@ std::optional<double> frequencyUnit(std::string_view unit, bool isAngular) {
   if (unit.empty()) return isAngular ? kAngular : 1;
   const std::string word = lowerCase(unit);
   if (word.starts_with("rad")) return kAngular;
-  if (isAngular && isOneOf(word, {"1/s", "s-1", "s^-1", "s\u207B\u00B9"})) return kAngular;
+  if (isAngular && isOneOf(word, "1/s s-1 s^-1 s\u207B\u00B9")) return kAngular;
   return unitSize(unit, "Hz");
 }
 

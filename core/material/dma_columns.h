@@ -50,6 +50,14 @@ struct DmaColumn {
 /// a temperature.
 DmaColumn dmaColumn(std::string_view name, std::string_view unit);
 
+/// Returns a name in lower case, with plain primes, with Greek letters as words, and without
+/// blanks, brackets, "_", "-" and ".": "gdelta" for "G_\u03B4".
+std::string compactName(std::string_view name);
+
+/// Returns where the text in brackets, or behind a stroke, at the end of a name begins: it is meant
+/// as a unit, known or not. npos where there is none.
+std::size_t unitPart(std::string_view name);
+
 /// The coldest temperature (K) at which a rubber is measured: colder than liquid air. Smaller
 /// numbers are steps, tolerances and degrees Celsius.
 inline constexpr double kColdestTest = 100;

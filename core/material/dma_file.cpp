@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -11,17 +10,95 @@
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
+#include "core/base/statistics.h"
 #include "core/base/text.h"
-#include "core/base/text_header.h"
 #include "core/base/text_number.h"
+#include "core/base/units.h"
 #include "core/material/dma_sweeps.h"
-#include "core/material/stated_shift.h"
 #include "core/material/stated_temperature.h"
 
 namespace asperity {
 namespace {
 
 using enum DmaQuantity;
+
+/// Returns "G' in MPa", "G' in MPa (assumed)" or "tan delta".
+Message describeColumn(const DmaColumnFact& fact) {
+  const Message name = Message::name(fact.name);
+  if (fact.unit.empty()) return name;
+  return fact.isUnitAssumed ? message("{} in {} (assumed)", name, fact.unit)
+                            : message("{} in {}", name, fact.unit);
+}
+
+bool isPositive(double value) {
+  return std::isfinite(value) && value > 0;
+}
+
+/// Returns the note on a table that also has moduli of the kind that is not read, with their ratio.
+/// storage: the column that is read, which is of this kind; poisson: Poisson's ratio.
+std::optional<Message> otherKindNote(const TextBlock& block, std::size_t storage, ModulusKind kind,
+                                     double poisson) {
+  const TextColumn& read = block.columns[storage];
+  const bool isShear = kind == ModulusKind::Shear;
+  for (std::size_t i = 0; i < block.columns.size(); ++i) {
+    const TextColumn& other = block.columns[i];
+    const DmaColumn meaning = dmaColumn(other.name, other.unit);
+    if (other.isText || meaning.quantity != DmaQuantity::Storage ||
+        meaning.kind == ModulusKind::Unknown || meaning.kind == kind)
+      continue;
+    const double size =
+        unitSize(other.unit, "Pa").value_or(1) / unitSize(read.unit, "Pa").value_or(1);
+    std::vector<double> ratios;
+    for (std::size_t row = 0; row < block.rows; ++row) {
+      const double one = block.at(row, i) * size, used = block.at(row, storage);
+      if (isPositive(one) && isPositive(used)) ratios.push_back(isShear ? one / used : used / one);
+    }
+    if (ratios.empty()) return {};
+    const PrintedNumber ratio{printedNumber(upperMedian(std::move(ratios)), 3)};
+    const PrintedNumber expected{printedNumber(2 * (1 + poisson), 3)};
+    return isShear ? message(
+                         "the table also has moduli of tension, {} times those of shear in the "
+                         "median ({} with this Poisson's ratio); those of shear are read, and "
+                         "--modulus tension reads the others",
+                         ratio, expected)
+                   : message(
+                         "the table also has moduli of shear; those of tension are {} times as "
+                         "large in the median ({} with this Poisson's ratio) and are read, and "
+                         "--modulus shear reads the others",
+                         ratio, expected);
+  }
+  return {};
+}
+
+/// Two columns with their units, and how storage and loss modulus follow from them.
+struct ModulusPair {
+  std::size_t first, second;
+  double firstSize, secondSize;
+  DynamicModulus (*combine)(double first, double second);
+};
+
+/// Returns the note on a loss factor that contradicts both moduli, by more than a tenth in the
+/// median. tangentSize: of the unit of its column.
+std::optional<Message> lossFactorNote(const TextBlock& block, const ModulusPair& moduli,
+                                      std::size_t tangent, double tangentSize) {
+  std::vector<double> ratios;
+  for (std::size_t row = 0; row < block.rows; ++row) {
+    const double storage = block.at(row, moduli.first) * moduli.firstSize;
+    const double loss = block.at(row, moduli.second) * moduli.secondSize;
+    const double factor = block.at(row, tangent) * tangentSize;
+    if (isPositive(storage) && isPositive(loss) && isPositive(factor))
+      ratios.push_back(factor * storage / loss);
+  }
+  constexpr double kSame = 0.1;
+  if (ratios.empty()) return {};
+  const double ratio = upperMedian(std::move(ratios));
+  if (std::abs(ratio - 1) <= kSame) return {};
+  return message(
+      "{} contradicts the moduli: in the median it is {} times the ratio of {} and {}; the moduli "
+      "are read",
+      Message::name(block.label(tangent)), PrintedNumber{printedNumber(ratio, 3)},
+      Message::name(block.label(moduli.second)), Message::name(block.label(moduli.first)));
+}
 
 class Reader {
  public:
@@ -39,18 +116,17 @@ class Reader {
 
  private:
   [[noreturn]] void refuseColumns() const {
-    std::vector<std::string> names;
     const TextBlock& block = table_.largest();
-    for (std::size_t i = 0; i < block.columns.size(); ++i) names.push_back(columnLabel(block, i));
     for (std::size_t i = 0; i < block.columns.size(); ++i)
       if (block.columns[i].isText && !block.texts[i].empty() &&
           dmaColumn(block.columns[i].name, block.columns[i].unit).quantity != None)
-        throw InputError(name_, names[i],
+        throw InputError(name_, block.label(i),
                          message("line {}: '{}' is no number", block.lines.front(),
                                  shortened(block.texts[i].front())));
+    constexpr std::size_t kMost = 12;
     std::string list;
-    for (std::size_t i = 0; i < std::min<std::size_t>(names.size(), 12); ++i)
-      list += (i > 0 ? ", " : "") + shortened(names[i]);
+    for (std::size_t i = 0; i < std::min(block.columns.size(), kMost); ++i)
+      list += (i > 0 ? ", " : "") + shortened(block.label(i));
     throw InputError(
         name_, "",
         message("has no columns that are known as frequency, storage and loss modulus (or tan "
@@ -58,8 +134,6 @@ class Reader {
                 "--frequency-column, --storage-column and --loss-column",
                 list));
   }
-
-  static bool isStated(const std::string& choice) { return !choice.empty(); }
 
   bool readBlock(const TextBlock& block) {
     std::string leftOut;
@@ -78,13 +152,6 @@ class Reader {
     return !sweeps.empty();
   }
 
-  /// Two columns with their units, and how storage and loss modulus follow from them.
-  struct ModulusPair {
-    std::size_t first, second;
-    double firstSize, secondSize;
-    DynamicModulus (*combine)(double first, double second);
-  };
-
   void addNote(std::optional<Message> note) {
     std::vector<Message>& notes = file_.facts.notes;
     if (note && std::ranges::find(notes, *note) == notes.end()) notes.push_back(std::move(*note));
@@ -96,21 +163,18 @@ class Reader {
     if (!columns.has(Storage)) return;
     addNote(otherKindNote(block, columns[Storage], file_.facts.modulus, choices_.poissonRatio));
     if (!columns.has(Loss) || !columns.has(LossTangent)) return;
-    const std::string unit = columnFact(block, columns[LossTangent], {}).unit;
-    const auto size = tangentSize(unit);
-    if (size)
-      addNote(lossFactorNote(block, {pair.first, pair.second, columns[LossTangent], pair.firstSize,
-                                     pair.secondSize, *size}));
+    if (const auto size = tangentSize(columnFact(block, columns[LossTangent], {}).unit))
+      addNote(lossFactorNote(block, pair, columns[LossTangent], *size));
   }
 
   /// Returns name and unit of a column; the user's choice of a unit overrides that of the file.
   DmaColumnFact columnFact(const TextBlock& block, std::size_t column,
                            const std::string& choice) const {
     DmaColumnFact fact;
-    fact.name = columnLabel(block, column);
-    fact.unit = isStated(choice) ? choice : block.columns[column].unit;
+    fact.name = block.label(column);
+    fact.unit = choice.empty() ? block.columns[column].unit : choice;
     // The brackets of "G' [20 °C]" contain a temperature and no unit.
-    if (!isStated(choice) && findTemperature(fact.unit)) fact.unit.clear();
+    if (choice.empty() && findTemperature(fact.unit)) fact.unit.clear();
     if (fact.unit.empty()) fact.unit = unknownUnitIn(block.columns[column].name);
     fact.isUnitAssumed = fact.unit.empty();
     return fact;
@@ -120,22 +184,17 @@ class Reader {
   /// quantity nor a word for the kind of modulus: "furlongs" of "G' (furlongs)". It is refused as a
   /// unit.
   static std::string unknownUnitIn(const std::string& name) {
-    const std::size_t stroke = name.rfind('/');
-    std::size_t begin = name.find_last_of("([");
-    if (begin == std::string::npos || begin < 1 || name.find_last_of(")]") != name.size() - 1)
-      begin = stroke;
-    if (begin == std::string::npos || begin == 0) return {};
+    const std::size_t begin = unitPart(name);
+    if (begin == std::string::npos) return {};
     std::string unit(withoutBrackets(std::string_view(name).substr(begin)));
     if (unit.starts_with('/')) unit = trimmedBlanks(unit.substr(1));
     const DmaColumn meaning = dmaColumn(unit, {});
     const bool isNone = unit.empty() || meaning.quantity != None || meaning.temperature ||
                         meaning.kind != ModulusKind::Unknown;
-    const std::string word = lowerCase(unit);
-    constexpr std::array kWords{"real",     "imaginary", "imag",      "in-phase", "out-of-phase",
-                                "elastic",  "viscous",   "dynamic",   "mean",     "average",
-                                "measured", "corrected", "smoothed",  "abs",      "complex",
-                                "at",       "shifted",   "reference", "linear",   "absolute"};
-    return isNone || std::ranges::find(kWords, word) != kWords.end() ? std::string() : unit;
+    constexpr WordList kOtherWords(
+        "real imaginary imag in-phase out-of-phase elastic viscous dynamic mean average measured "
+        "corrected smoothed abs complex at shifted reference linear absolute");
+    return isNone || isOneOf(lowerCase(unit), kOtherWords) ? std::string() : unit;
   }
 
   [[noreturn]] void refuseUnit(const DmaColumnFact& fact, const std::string& allowed,
@@ -175,7 +234,7 @@ class Reader {
           dmaColumn(block.columns[column].name, block.columns[column].unit).kind;
       if (next == ModulusKind::Unknown) continue;
       if (kind != ModulusKind::Unknown && kind != next)
-        throw InputError(name_, columnLabel(block, column),
+        throw InputError(name_, block.label(column),
                          "is of another kind than the other modulus: one is of shear (G), one of "
                          "tension (E); say with --storage-column and --loss-column which belong "
                          "together");
@@ -183,7 +242,7 @@ class Reader {
     }
     if (choices_.modulus != ModulusKind::Unknown) kind = choices_.modulus;
     if (kind == ModulusKind::Unknown)
-      throw InputError(name_, columnLabel(block, *columns.begin()),
+      throw InputError(name_, block.label(*columns.begin()),
                        "may be of shear (G) or of tension (E); say which with --modulus shear or "
                        "--modulus tension");
     file_.facts.modulus = kind;
@@ -217,7 +276,7 @@ class Reader {
 
   /// Reads the rows of one block, or of one temperature in a table of several.
   void readSweep(const TextBlock& block, const SweepColumns& columns, bool isSideBySide) {
-    const bool isReduced = columns.has(ReducedFrequency) && !isStated(choices_.frequencyColumn);
+    const bool isReduced = columns.has(ReducedFrequency) && choices_.frequencyColumn.empty();
     const std::size_t frequencyAt = columns[isReduced ? ReducedFrequency : Frequency];
     file_.facts.isReduced = isReduced;
     DmaColumnFact& frequency = file_.facts.frequency;
@@ -274,7 +333,7 @@ class Reader {
     facts.loss = {};
     if (columns.has(Storage)) {
       const double size = modulusUnit(block, at(Storage), facts.storage);
-      facts.loss.name = columnLabel(block, at(LossTangent));
+      facts.loss.name = block.label(at(LossTangent));
       return {at(Storage), at(LossTangent), size * shearFactor(block, {at(Storage)}),
               tangentUnit(block, at(LossTangent)), [](double storage, double tangent) {
                 return DynamicModulus{0, storage, storage * tangent};
@@ -282,7 +341,7 @@ class Reader {
     }
     if (columns.has(Loss)) {
       const double size = modulusUnit(block, at(Loss), facts.loss);
-      facts.storage.name = columnLabel(block, at(LossTangent));
+      facts.storage.name = block.label(at(LossTangent));
       return {at(Loss), at(LossTangent), size * shearFactor(block, {at(Loss)}),
               tangentUnit(block, at(LossTangent)), [](double loss, double tangent) {
                 return DynamicModulus{0, loss / tangent, loss};
@@ -291,7 +350,7 @@ class Reader {
     const double size = modulusUnit(block, at(Magnitude), facts.storage);
     const double factor = shearFactor(block, {at(Magnitude)});
     const bool hasPhase = columns.has(Phase);
-    facts.loss.name = columnLabel(block, at(hasPhase ? Phase : LossTangent));
+    facts.loss.name = block.label(at(hasPhase ? Phase : LossTangent));
     if (!hasPhase)
       return {at(Magnitude), at(LossTangent), size * factor, tangentUnit(block, at(LossTangent)),
               [](double magnitude, double tan) {
@@ -403,22 +462,24 @@ void readShift(const TextTable& table, const std::string& name, const DmaChoices
 
 }  // namespace
 
-std::size_t columnNamed(const TextBlock& block, const std::string& wanted, const char* option) {
-  const std::string word = lowerCase(wanted);
-  for (std::size_t i = 0; i < block.columns.size(); ++i) {
-    const TextColumn& column = block.columns[i];
-    const std::string name = lowerCase(column.name);
-    if (!name.empty() && (name == word || name + " (" + lowerCase(column.unit) + ")" == word ||
-                          name + "_" + lowerCase(column.unit) == word))
-      return i;
-  }
-  std::size_t number = 0;
-  if (readNumber(wanted, number) && number >= 1 && number <= block.columns.size())
-    return number - 1;
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < block.columns.size(); ++i) names.push_back(columnLabel(block, i));
-  const std::vector<std::string_view> known(names.begin(), names.end());
-  throw InputError("", option, notOneOf(wanted, known));
+std::vector<Message> factsOf(const DmaFacts& facts) {
+  std::vector<Message> lines;
+  const Message frequency = describeColumn(facts.frequency);
+  lines.push_back(facts.isReduced ? message("reduced frequency: {}", frequency)
+                                  : message("frequency: {}", frequency));
+  if (!facts.temperature.name.empty())
+    lines.push_back(message("temperature: {}", describeColumn(facts.temperature)));
+  else if (facts.stated && facts.sweeps == 1)
+    lines.push_back(message("temperature: {} (line {}: {})", celsius(facts.stated->kelvin),
+                            facts.stated->line, Message::name(shortened(facts.stated->text))));
+  const Message storage = describeColumn(facts.storage), loss = describeColumn(facts.loss);
+  lines.push_back(facts.modulus == ModulusKind::Tension
+                      ? message("moduli of tension: {}, {}", storage, loss)
+                      : message("moduli of shear: {}, {}", storage, loss));
+  if (facts.hasOtherColumns)
+    lines.push_back(message("these are the columns of the last of {} sweeps", facts.sweeps));
+  lines.insert(lines.end(), facts.notes.begin(), facts.notes.end());
+  return lines;
 }
 
 DmaFile readDmaFile(TextTable table, const std::string& name, const DmaChoices& choices) {

@@ -10,11 +10,12 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/message.h"
 #include "core/base/text_table.h"
 #include "core/material/dma_columns.h"
-#include "core/material/dma_facts.h"
 #include "core/material/elastomer.h"
 #include "core/material/isotherms.h"
+#include "core/material/stated_temperature.h"
 
 namespace asperity {
 
@@ -29,6 +30,33 @@ struct DmaChoices {
   std::optional<double> temperature{};  // K, of a file that does not state one
 };
 
+/// How a column was read.
+struct DmaColumnFact {
+  std::string name;  // as in the file, or "column 3"
+  std::string unit;  // as in the file or chosen
+  bool isUnitAssumed = false;
+
+  bool operator==(const DmaColumnFact&) const = default;
+};
+
+struct DmaFacts {
+  DmaColumnFact frequency, storage, loss;
+  DmaColumnFact temperature;                  // without a name where each sweep has one temperature
+  std::optional<HeaderTemperature> stated{};  // where a line above the table states it
+  std::size_t sweeps = 0;        // tables that were read; the columns are those of the last one
+  bool hasOtherColumns = false;  // whether other sweeps have other columns or units
+  ModulusKind modulus = ModulusKind::Shear;
+  bool isReduced = false;        // frequencies are shifted to one temperature already
+  std::size_t leftOut = 0;       // rows without a value
+  std::string leftOutColumns{};  // names of deviations and set values, which are not read
+  bool isMarkUnclear = false;    // the decimal mark may separate thousands, too
+  char decimal = '.';
+  std::vector<Message> notes{};  // contradictions, and what was read or left out beside the table
+};
+
+/// Returns which columns were read in which units, and the notes, one line each.
+std::vector<Message> factsOf(const DmaFacts& facts);
+
 struct DmaFile {
   std::vector<MeasuredModulus> rows;  // shear moduli in Pa, frequencies in Hz
   DmaFacts facts;
@@ -37,9 +65,5 @@ struct DmaFile {
 
 /// Reads the moduli. name: of the file, in errors.
 DmaFile readDmaFile(TextTable table, const std::string& name, const DmaChoices& choices);
-
-/// Returns the index of the column that a member of DmaChoices names. Throws InputError (option)
-/// where the block has no such column.
-std::size_t columnNamed(const TextBlock& block, const std::string& wanted, const char* option);
 
 }  // namespace asperity

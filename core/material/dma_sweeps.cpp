@@ -3,10 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <initializer_list>
 
 #include "core/base/input_error.h"
+#include "core/base/number_text.h"
 #include "core/base/text.h"
+#include "core/base/text_header.h"
 #include "core/base/text_number.h"
 
 namespace asperity {
@@ -44,19 +45,51 @@ ModulusKind kindToRead(const std::vector<DmaColumn>& found, const DmaChoices& ch
   return ModulusKind::Unknown;
 }
 
+/// The column that a user may choose for a quantity, and the option for it.
+struct ChosenColumn {
+  DmaQuantity quantity;
+  std::string DmaChoices::*choice;
+  const char* option;
+};
+constexpr ChosenColumn kChosenColumns[] = {
+    {Frequency, &DmaChoices::frequencyColumn, "--frequency-column"},
+    {Temperature, &DmaChoices::temperatureColumn, "--temperature-column"},
+    {Storage, &DmaChoices::storageColumn, "--storage-column"},
+    {Loss, &DmaChoices::lossColumn, "--loss-column"},
+    {LossTangent, &DmaChoices::lossTangentColumn, "--tan-delta-column"},
+    {Magnitude, &DmaChoices::magnitudeColumn, "--magnitude-column"},
+    {Phase, &DmaChoices::phaseColumn, "--phase-column"},
+    {Strain, &DmaChoices::strainColumn, "--strain-column"}};
+
+const ChosenColumn& chosenColumn(DmaQuantity quantity) {
+  return *std::ranges::find(kChosenColumns, quantity, &ChosenColumn::quantity);
+}
+
+/// Returns the index of the column that a user chose by its name or number. Throws InputError
+/// (option) where the block has no such column.
+std::size_t columnNamed(const TextBlock& block, const std::string& wanted, const char* option) {
+  const std::string word = lowerCase(wanted);
+  for (std::size_t i = 0; i < block.columns.size(); ++i) {
+    const TextColumn& column = block.columns[i];
+    const std::string name = lowerCase(column.name);
+    if (!name.empty() && (name == word || name + " (" + lowerCase(column.unit) + ")" == word ||
+                          name + "_" + lowerCase(column.unit) == word))
+      return i;
+  }
+  std::size_t number = 0;
+  if (readNumber(wanted, number) && number >= 1 && number <= block.columns.size())
+    return number - 1;
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < block.columns.size(); ++i) names.push_back(block.label(i));
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  throw InputError("", option, notOneOf(wanted, known));
+}
+
 /// Applies the columns that the user names, which override those that were found.
 void addChosen(const TextBlock& block, const DmaChoices& choices, SweepColumns& columns) {
-  const auto add = [&](DmaQuantity quantity, const std::string& choice, const char* option) {
-    if (!choice.empty()) columns.indices[quantity] = columnNamed(block, choice, option);
-  };
-  add(Frequency, choices.frequencyColumn, "--frequency-column");
-  add(Temperature, choices.temperatureColumn, "--temperature-column");
-  add(Storage, choices.storageColumn, "--storage-column");
-  add(Loss, choices.lossColumn, "--loss-column");
-  add(LossTangent, choices.lossTangentColumn, "--tan-delta-column");
-  add(Magnitude, choices.magnitudeColumn, "--magnitude-column");
-  add(Phase, choices.phaseColumn, "--phase-column");
-  add(Strain, choices.strainColumn, "--strain-column");
+  for (const auto& [quantity, choice, option] : kChosenColumns)
+    if (const std::string& wanted = choices.*choice; !wanted.empty())
+      columns.indices[quantity] = columnNamed(block, wanted, option);
   if (!choices.frequencyColumn.empty()) columns.indices.erase(ReducedFrequency);
 }
 
@@ -122,7 +155,7 @@ std::string listColumns(const TextBlock& block, const std::vector<std::size_t>& 
   constexpr std::size_t kMost = 8;
   std::string list;
   for (std::size_t i = 0; i < std::min(columns.size(), kMost); ++i)
-    list += fmt::format("{}{} ({})", i > 0 ? ", " : "", shortened(columnLabel(block, columns[i])),
+    list += fmt::format("{}{} ({})", i > 0 ? ", " : "", shortened(block.label(columns[i])),
                         columns[i] + 1);
   return columns.size() > kMost ? list + ", \u2026" : list;
 }
@@ -161,59 +194,23 @@ void refuseLeftovers(const TextBlock& block, const std::string& fileName,
                              listColumns(block, unused)));
 }
 
-const char* optionOf(DmaQuantity quantity) {
-  switch (quantity) {
-    case Storage:
-      return "--storage-column";
-    case Loss:
-      return "--loss-column";
-    case LossTangent:
-      return "--tan-delta-column";
-    case Magnitude:
-      return "--magnitude-column";
-    case Phase:
-      return "--phase-column";
-    default:
-      return "--temperature-column";
-  }
-}
-
-const std::string& choiceOf(DmaQuantity quantity, const DmaChoices& choices) {
-  switch (quantity) {
-    case Storage:
-      return choices.storageColumn;
-    case Loss:
-      return choices.lossColumn;
-    case LossTangent:
-      return choices.lossTangentColumn;
-    case Magnitude:
-      return choices.magnitudeColumn;
-    case Phase:
-      return choices.phaseColumn;
-    default:
-      return choices.temperatureColumn;
-  }
-}
-
-bool hasWord(const DmaColumn& column, std::initializer_list<std::string_view> words) {
-  const std::string text = column.words + " ";
-  return std::ranges::any_of(words, [&text](std::string_view word) {
-    return text.find(" " + std::string(word) + " ") != std::string::npos;
-  });
+bool hasWord(const DmaColumn& column, const WordList& words) {
+  return hasOneOf(wordsIn(column.words), words);
 }
 
 /// Of a set temperature and the sample's own, the sample's is read.
 void dropSetTemperatures(std::vector<DmaColumn>& found) {
   const auto isOfSample = [](const DmaColumn& column) {
     return column.quantity == Temperature &&
-           hasWord(column, {"sample", "specimen", "probe", "proben", "actual", "ist", "measured",
-                            "tsample", "tprobe", "tist", "tactual", "tmeasured"});
+           hasWord(column,
+                   "sample specimen probe proben actual ist measured tsample tprobe tist tactual "
+                   "tmeasured");
   };
   const auto isOfDevice = [](const DmaColumn& column) {
     return column.quantity == Temperature &&
            hasWord(column,
-                   {"set", "setpoint", "soll", "target", "nominal", "program", "programmed", "oven",
-                    "furnace", "chamber", "bath", "ofen", "kammer", "tset", "tsoll"});
+                   "set setpoint soll target nominal program programmed oven furnace chamber bath "
+                   "ofen kammer tset tsoll");
   };
   if (!std::ranges::any_of(found, [&](const DmaColumn& column) {
         return isOfSample(column) && !isOfDevice(column);
@@ -245,7 +242,7 @@ void refuseUnclearColumns(const TextBlock& block, const std::string& fileName,
     const DmaQuantity quantity = column.quantity;
     if (!isMeasured(quantity) && quantity != Temperature) continue;
     const bool isNeeded = quantity == Storage || quantity == Loss || quantity == Temperature;
-    const bool isChosen = !choiceOf(quantity, choices).empty();
+    const bool isChosen = !(choices.*chosenColumn(quantity).choice).empty();
     if (isChosen || (!isNeeded && hasBoth)) {
       if (!column.unknown.empty()) column.quantity = None;
       continue;
@@ -261,16 +258,17 @@ void refuseUnclearColumns(const TextBlock& block, const std::string& fileName,
           block.columns[i].name.find('/') == std::string::npos &&
           block.columns[i].name.find('(') == std::string::npos)
         continue;
-      throw InputError(fileName, columnLabel(block, std::min(i, j)),
-                       message("and {} seem to be the same quantity; take one of them out, or say "
-                               "with {} which is meant",
-                               shortened(columnLabel(block, std::max(i, j))), optionOf(quantity)));
+      throw InputError(
+          fileName, block.label(std::min(i, j)),
+          message("and {} seem to be the same quantity; take one of them out, or say "
+                  "with {} which is meant",
+                  shortened(block.label(std::max(i, j))), chosenColumn(quantity).option));
     }
     if (!column.unknown.empty())
-      throw InputError(fileName, columnLabel(block, i),
+      throw InputError(fileName, block.label(i),
                        message("'{}' is not understood beside the name of a modulus; name the "
                                "column after the modulus alone, or say with {} which is meant",
-                               shortened(column.unknown), optionOf(quantity)));
+                               shortened(column.unknown), chosenColumn(quantity).option));
   }
 }
 
@@ -296,8 +294,7 @@ std::vector<SweepColumns> findSweeps(const TextBlock& block, const std::string& 
   dropSetTemperatures(found);
   refuseUnclearColumns(block, fileName, choices, found);
   for (std::size_t i = 0; i < found.size(); ++i)
-    if (found[i].isLeftOut)
-      leftOut += (leftOut.empty() ? "" : ", ") + shortened(columnLabel(block, i));
+    if (found[i].isLeftOut) leftOut += (leftOut.empty() ? "" : ", ") + shortened(block.label(i));
   const bool isChosen = !(choices.storageColumn + choices.lossColumn + choices.lossTangentColumn +
                           choices.magnitudeColumn + choices.phaseColumn)
                              .empty();

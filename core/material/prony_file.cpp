@@ -6,7 +6,6 @@
 #include <cmath>
 #include <iterator>
 
-#include "core/base/header_clauses.h"
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/text.h"
@@ -16,7 +15,6 @@
 #include "core/material/element_law.h"
 #include "core/material/isotherms.h"
 #include "core/material/prony_keywords.h"
-#include "core/material/stated_shift.h"
 #include "core/material/stated_temperature.h"
 
 namespace asperity {
@@ -24,40 +22,37 @@ namespace {
 
 // ---- A table -----------------------------------------------------------------------------------
 
-/// Returns a name in lower case, without blanks and marks and with "inf" and "tau" for the signs of
-/// infinity and tau: "ginf" for "G_∞".
-std::string plainWord(std::string_view text) {
-  std::string word = lowerCase(text);
-  for (const std::string_view infinity : {"\u221E", "infinity", "infty"})
+/// Returns a name as compactName does, with "inf" and "tau" for the signs of infinity and tau:
+/// "ginf" for "G_∞".
+std::string seriesWord(std::string_view text) {
+  std::string word = compactName(text);
+  for (const std::string_view infinity : WordList("\u221E infinity infty"))
     replaceAll(word, infinity, "inf");
-  for (const std::string_view tau : {"\u03C4", "\u03A4"}) replaceAll(word, tau, "tau");
-  std::erase_if(word, [](char letter) {
-    return letter == ' ' || letter == '_' || letter == '-' || letter == '.' || letter == '{' ||
-           letter == '}' || letter == '(' || letter == ')';
-  });
+  for (const std::string_view tau : WordList("\u03C4 \u03A4")) replaceAll(word, tau, "tau");
   return word;
 }
 
 /// Returns whether a plain word names the equilibrium modulus.
 bool isEquilibrium(const std::string& word) {
-  return isOneOf(word, {"ginf", "einf", "equilibriummodulus", "longtermmodulus", "rubberymodulus",
-                        "ge", "ee", "gequilibrium", "eequilibrium", "inf"});
+  return isOneOf(word,
+                 "ginf einf equilibriummodulus longtermmodulus rubberymodulus ge ee gequilibrium "
+                 "eequilibrium inf");
 }
 
 bool isInstantaneous(const std::string& word) {
-  return isOneOf(
-      word, {"g0", "e0", "instantaneousmodulus", "shorttermmodulus", "glassymodulus", "gglassy",
-             "eglassy", "ginst", "einst", "ginstantaneous", "einstantaneous"});
+  return isOneOf(word,
+                 "g0 e0 instantaneousmodulus shorttermmodulus glassymodulus gglassy eglassy ginst "
+                 "einst ginstantaneous einstantaneous");
 }
 
 /// Returns the plain name of a column of moduli without the words around its letter: "g" for
 /// "Schubmodul G", "ei" for "Young's modulus E_i". A name of such words alone stays.
 std::string modulusLetter(std::string_view name) {
-  const std::string whole = plainWord(name);
+  const std::string whole = seriesWord(name);
   std::string word = whole;
   for (const std::string_view part :
-       {"young's", "youngs", "young", "shear", "tensile", "relaxations", "relaxation", "schub",
-        "zug", "elastizit\u00E4ts", "moduli", "modulus", "modul", "of"})
+       WordList("young's youngs young shear tensile relaxations relaxation schub zug elastizitaets "
+                "moduli modulus modul of"))
     replaceAll(word, part, "");
   return word.empty() ? whole : word;
 }
@@ -84,23 +79,20 @@ struct StatedModulus {
 
 /// Reads "E0 = 600 MPa", "Young's modulus E_inf: 3 MPa", "G_inf (MPa): 1".
 std::optional<StatedModulus> statedModulus(std::string_view clause) {
-  const std::size_t end = clause.find_last_of(":=");
-  if (end == clause.npos) return {};
-  const auto quantity = parseQuantity(trimmedBlanks(clause.substr(end + 1)));
-  if (!quantity) return {};
-  const std::string name(keyBefore(clause.substr(0, end)));
-  const TextColumn key = parseColumnName(name);
-  const std::string whole = plainWord(key.name);
+  const auto statement = parseStatement(clause);
+  if (!statement) return {};
+  const std::string& name = statement->name.name;
+  const std::string whole = seriesWord(name);
   std::string word = whole;
-  for (const std::string_view kind : {"young's", "youngs", "young", "shear", "tensile"})
+  for (const std::string_view kind : WordList("young's youngs young shear tensile"))
     replaceAll(word, kind, "");
   if (!isEquilibrium(word) && !isInstantaneous(word))
-    word = plainWord(key.name.substr(key.name.find_last_of(' ') + 1));
+    word = seriesWord(std::string_view(name).substr(name.find_last_of(' ') + 1));
   if (!isEquilibrium(word) && !isInstantaneous(word)) return {};
   const ModulusKind ofWord = kindOf(word);
-  return StatedModulus{quantity->number, quantity->unit.empty() ? key.unit : quantity->unit,
+  return StatedModulus{statement->quantity.number, statement->unit(),
                        ofWord == ModulusKind::Unknown ? kindOf(whole) : ofWord,
-                       isInstantaneous(word), name};
+                       isInstantaneous(word), statement->key};
 }
 
 /// Returns the size of a unit of modulus in Pa; what stands behind it in a header does not count:
@@ -118,12 +110,12 @@ double modulusSize(const std::string& unit, const std::string& name, const std::
 /// Returns the size of a unit of time in s; nothing where it is none.
 std::optional<double> timeSize(std::string_view unit) {
   const std::string word = lowerCase(unit);
-  if (isOneOf(word, {"second", "seconds", "sekunde", "sekunden"})) return 1;
-  if (isOneOf(word, {"msec", "millisecond", "milliseconds"})) return 1e-3;
-  if (isOneOf(word, {"usec", "\u00B5sec", "\u03BCsec", "microsecond", "microseconds"})) return 1e-6;
-  if (isOneOf(word, {"minute", "minutes", "minuten"})) return 60;
-  if (isOneOf(word, {"hr", "hrs", "hour", "hours", "stunde", "stunden"})) return 3600;
-  if (isOneOf(word, {"d", "day", "days", "tag", "tage"})) return 86400;
+  if (isOneOf(word, "second seconds sekunde sekunden")) return 1;
+  if (isOneOf(word, "msec millisecond milliseconds")) return 1e-3;
+  if (isOneOf(word, "usec \u00B5sec \u03BCsec microsecond microseconds")) return 1e-6;
+  if (isOneOf(word, "minute minutes minuten")) return 60;
+  if (isOneOf(word, "hr hrs hour hours stunde stunden")) return 3600;
+  if (isOneOf(word, "d day days tag tage")) return 86400;
   return unitSize(unit, "s");
 }
 
@@ -138,7 +130,7 @@ double timeSizeOf(const TextColumn& column, const std::string& name, RawSeries& 
       unit = withoutBrackets(trimmedBlanks(std::string_view(column.name).substr(begin)));
       if (unit.starts_with('/')) unit = trimmedBlanks(unit.substr(1));
     }
-  const std::string word = plainWord(unit);
+  const std::string word = seriesWord(unit);
   // "tau (relaxation time)"
   const bool isName = word.starts_with("tau") || word.starts_with("relaxation");
   if (word.empty() || isName) {
@@ -264,25 +256,25 @@ std::optional<RawSeries> tableSeries(const TextTable& table, const std::string& 
   constexpr auto kNone = static_cast<std::size_t>(-1);
   std::size_t timeAt = kNone, weightAt = kNone;
   for (std::size_t i = 0; i < block.columns.size(); ++i) {
-    const std::string word = plainWord(block.columns[i].name);
+    const std::string word = seriesWord(block.columns[i].name);
     if (dmaColumn(block.columns[i].name, block.columns[i].unit).quantity == DmaQuantity::Frequency)
       return {};
     if (timeAt == kNone && (word.starts_with("tau") || word.starts_with("relaxationtime") ||
-                            word.starts_with("relaxationszeit") || isOneOf(word, {"ti", "times"})))
+                            word.starts_with("relaxationszeit") || isOneOf(word, "ti times")))
       timeAt = i;
     else if (weightAt == kNone &&
-             (isOneOf(modulusLetter(block.columns[i].name), {"g", "gi", "e", "ei"}) ||
-              isOneOf(word, {"g", "gi", "e", "ei", "modulus", "moduli", "alpha", "alphai", "gimod",
-                             "shearmodulus", "relativemodulus", "gi/g0", "ei/e0", "g/g0", "e/e0",
-                             "gk", "ek"})))
+             (isOneOf(modulusLetter(block.columns[i].name), "g gi e ei") ||
+              isOneOf(word,
+                      "g gi e ei modulus moduli alpha alphai gimod shearmodulus relativemodulus "
+                      "gi/g0 ei/e0 g/g0 e/e0 gk ek")))
       weightAt = i;
   }
   if (timeAt == kNone && weightAt == kNone) return {};
   // No table of dynamic moduli has a relaxation time or a modulus with an index.
   if (timeAt == kNone || weightAt == kNone) {
     const std::string& known = block.columns[timeAt == kNone ? weightAt : timeAt].name;
-    const std::string word = plainWord(known);
-    if (timeAt == kNone && !isOneOf(word, {"gi", "ei", "gi/g0", "ei/e0", "gk", "ek"})) return {};
+    const std::string word = seriesWord(known);
+    if (timeAt == kNone && !isOneOf(word, "gi ei gi/g0 ei/e0 gk ek")) return {};
     throw InputError(name, known,
                      timeAt == kNone
                          ? Message("looks like the moduli of a Prony series, but there is no "

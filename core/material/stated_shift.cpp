@@ -1,11 +1,10 @@
-#include "core/material/stated_shift.h"
-
+// Reads the shift that a text states: constants of Williams, Landel and Ferry, or a table of shift
+// factors.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string_view>
 
-#include "core/base/header_clauses.h"
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/text.h"
@@ -30,21 +29,20 @@ std::optional<ShiftColumns> shiftColumns(const TextBlock& block) {
   std::optional<std::size_t> temperature, factor;
   ShiftColumns found;
   for (std::size_t i = 0; i < block.columns.size(); ++i) {
-    std::string word;
-    for (const std::string& part : wordsIn(block.columns[i].name)) word += part;
+    const std::string word = plainWord(block.columns[i].name);
     const DmaQuantity quantity = dmaColumn(block.columns[i].name, block.columns[i].unit).quantity;
     if (quantity == DmaQuantity::Frequency || quantity == DmaQuantity::Storage) return {};
     if (quantity == DmaQuantity::Temperature && !temperature) temperature = i;
-    const bool isTen = isOneOf(word, {"logat", "log10at", "lgat", "logshiftfactor", "log10shift",
-                                      "logshift", "log10shiftfactor", "logat10"});
-    const bool isNatural = isOneOf(word, {"lnat", "lnshiftfactor"});
-    if (factor || !(isTen || isNatural || isOneOf(word, {"at", "shiftfactor", "shiftfactors"})))
-      continue;
+    const bool isTen = isOneOf(word,
+                               "logat log10at lgat logshiftfactor log10shift logshift "
+                               "log10shiftfactor logat10");
+    const bool isNatural = isOneOf(word, "lnat lnshiftfactor");
+    if (factor || !(isTen || isNatural || isOneOf(word, "at shiftfactor shiftfactors"))) continue;
     factor = i;
     found.isLogarithm = isTen || isNatural;
     if (isNatural) found.decades = std::numbers::log10e;
-    for (const std::string_view minus : {"-", "\u2212", "\u2013"})
-      if (trimmedBlanks(block.columns[i].name).starts_with(minus)) found.decades *= -1;
+    if (beginsWithOneOf(trimmedBlanks(block.columns[i].name), "- \u2212 \u2013"))
+      found.decades *= -1;
   }
   if (!temperature || !factor) return {};
   found.temperature = *temperature;
@@ -129,20 +127,17 @@ WlfConstants wlfConstants(const TextTable& table, const std::string& unit) {
   for (const TextBlock& block : table.blocks) {
     for (const TextEntry& entry : block.header) {
       const std::string line = lineOf(entry);
-      for (const std::string& word : wordsIn(line))
-        if (isOneOf(word, {"wlf", "arrhenius", "activation", "aktivierungsenergie"}))
-          found.line = entry.line;
+      const std::vector<std::string> ofLine = wordsIn(line);
+      if (hasOneOf(ofLine, "wlf arrhenius activation aktivierungsenergie")) found.line = entry.line;
       for (const std::string_view clause : clausesOf(line)) {
-        const std::size_t end = clause.find_last_of(":=");
-        if (end == clause.npos) continue;
         // "C2 (K)"
-        const WordList words = wordsIn(parseColumnName(keyBefore(clause.substr(0, end))).name);
-        const auto quantity = parseQuantity(clause.substr(end + 1));
-        if (words.empty() || !quantity) continue;
-        if (isOneOf(words.back(), {"c1", "c\u2081"})) found.c1 = quantity->number;
-        if (isOneOf(words.back(), {"c2", "c\u2082"})) found.c2 = quantity->number;
-        if (isOneOf(words.back(), {"c1", "c\u2081"}) && isOneOf("ln", wordsIn(line)))
-          found.naturalLine = entry.line;
+        const auto stated = parseStatement(clause);
+        const auto words = stated ? wordsIn(stated->name.name) : std::vector<std::string>();
+        if (words.empty()) continue;
+        const bool isC1 = isOneOf(words.back(), "c1 c\u2081");
+        if (isC1) found.c1 = stated->quantity.number;
+        if (isOneOf(words.back(), "c2 c\u2082")) found.c2 = stated->quantity.number;
+        if (isC1 && isOneOf("ln", ofLine)) found.naturalLine = entry.line;
       }
     }
   }

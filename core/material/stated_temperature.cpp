@@ -5,12 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <initializer_list>
 #include <iterator>
 #include <string_view>
 #include <vector>
 
-#include "core/base/header_clauses.h"
 #include "core/base/input_error.h"
 #include "core/base/text.h"
 #include "core/base/text_header.h"
@@ -21,60 +19,44 @@
 namespace asperity {
 namespace {
 
-template <std::size_t N>
-bool beginsWithAny(const std::string& word, const std::array<std::string_view, N>& stems) {
-  return std::ranges::any_of(stems,
-                             [&word](std::string_view stem) { return word.starts_with(stem); });
-}
-
 /// Returns whether a word says that a temperature is one of making or storing the sample.
 bool isOfMaking(const std::string& word) {
-  constexpr std::array<std::string_view, 37> kStems{
-      "vulc",     "vulk",     "cure",      "curing",     "mix",     "misch",        "mold",
-      "mould",    "press",    "aged",      "ageing",     "aging",   "alter",        "gealtert",
-      "lager",    "gelager",  "melt",      "schmelz",    "extru",   "calib",        "kalib",
-      "getemper", "vernetz",  "verarbeit", "processing", "crossli", "drying",       "dried",
-      "trockn",   "getrockn", "cuisson",   "stockage",   "anneal",  "r\u00E9ticul", "vorbehandl",
-      "pretreat", "stored"};
+  static constexpr WordList kStems(
+      "vulc vulk cure curing mix misch mold mould press aged ageing aging alter gealtert lager "
+      "gelager melt schmelz extru calib kalib getemper vernetz verarbeit processing crossli drying "
+      "dried trockn getrockn cuisson stockage anneal r\u00E9ticul vorbehandl pretreat stored");
   // "tempered", "Tempern", but not "temperature" and "temperiert" (held at a temperature).
   const bool isTempering =
       word.starts_with("temper") && !word.starts_with("temperat") && !word.starts_with("temperier");
   // "T_cure"
-  const bool isIndex = word.starts_with('t') && beginsWithAny(word.substr(1), kStems);
-  return isTempering || isIndex || beginsWithAny(word, kStems);
+  const bool isIndex = word.starts_with('t') && beginsWithOneOf(word.substr(1), kStems);
+  return isTempering || isIndex || beginsWithOneOf(word, kStems);
 }
 
 /// Returns whether a word says that a temperature is none of the test: a property of the sample, a
 /// number of the program or of the oven, a constant of the shift.
 bool isOfOther(const std::string& word) {
-  constexpr std::array<std::string_view, 65> kStems{
-      "instrument",    "ger\u00E4t",   "device",      "glas",        "dens",        "dicht",
-      "hardn",         "h\u00E4rte",   "toler",       "oven",        "ofen",        "furnace",
-      "range",         "bereich",      "maxim",       "minim",       "limit",       "grenz",
-      "heat",          "heiz",         "aufheiz",     "cool",        "k\u00FChl",   "soak",
-      "halte",         "ramp",         "increment",   "schritt",     "differ",      "offset",
-      "gradient",      "accur",        "abk\u00FChl", "genauig",     "h\u00F6chst", "resolution",
-      "britt",         "verspr\u00F6", "spr\u00F6d",  "crystal",     "kristall",    "soften",
-      "erweich",       "precision",    "stabil",      "pr\u00E4zis", "uniform",     "deviation",
-      "abweich",       "fluctuat",     "schwank",     "variation",   "error",       "fehler",
-      "uncertain",     "unsicher",     "repeatab",    "sensor",      "f\u00FChler", "thermocouple",
-      "thermoelement", "mdr",          "t90",         "tc90",        "ts2"};
-  return isOfMaking(word) || beginsWithAny(word, kStems) ||
-         isOneOf(word, {"bis",     "tg",      "rate",  "wlf",    "c1",       "c2",   "c\u2081",
-                        "c\u2082", "max",     "min",   "tmax",   "tmin",     "dt",   "delta",
-                        "\u03B4t", "\u0394t", "start", "end",    "final",    "stop", "anfang",
-                        "ende",    "tm",      "drift", "limits", "heizrate", "twlf"});
+  static constexpr WordList kStems(
+      "instrument ger\u00E4t device glas dens dicht hardn h\u00E4rte toler oven ofen furnace range "
+      "bereich maxim minim limit grenz heat heiz aufheiz cool k\u00FChl soak halte ramp increment "
+      "schritt differ offset gradient accur abk\u00FChl genauig h\u00F6chst resolution britt "
+      "verspr\u00F6 spr\u00F6d crystal kristall soften erweich precision stabil pr\u00E4zis "
+      "uniform deviation abweich fluctuat schwank variation error fehler uncertain unsicher "
+      "repeatab sensor f\u00FChler thermocouple thermoelement mdr t90 tc90 ts2");
+  return isOfMaking(word) || beginsWithOneOf(word, kStems) ||
+         isOneOf(word,
+                 "bis tg rate wlf c1 c2 c\u2081 c\u2082 max min tmax tmin dt delta \u03B4t \u0394t "
+                 "start end final stop anfang ende tm drift limits heizrate twlf");
 }
 
 /// Returns whether words say that a temperature is none of the test. The storage modulus is no
 /// storage, 5 min are minutes, and a rheometer may be that of the test.
-bool areOfOther(const WordList& words) {
+bool areOfOther(const std::vector<std::string>& words) {
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string& word = words[i];
     if (word == "min" && i > 0 && isDigit(words[i - 1].back())) continue;
-    const bool isModulus =
-        i + 1 < words.size() && (words[i + 1].starts_with("mod") ||
-                                 isOneOf(words[i + 1], {"g", "e", "shear", "and", "und"}));
+    const bool isModulus = i + 1 < words.size() && (words[i + 1].starts_with("mod") ||
+                                                    isOneOf(words[i + 1], "g e shear and und"));
     // "Process temperature"; a process may also be that of the test.
     const bool isProcess =
         word == "process" && i + 1 < words.size() && words[i + 1].starts_with("temp");
@@ -84,50 +66,34 @@ bool areOfOther(const WordList& words) {
 }
 
 /// Returns whether words say that something was measured.
-bool areOfTest(const WordList& words) {
-  static constexpr std::array<std::string_view, 10> kStems{
-      "test",        "measur", "gemess",   "mess",  "pr\u00FCf",
-      "gepr\u00FCf", "mesur",  "isotherm", "sweep", "ttest"};
+bool areOfTest(const std::vector<std::string>& words) {
+  static constexpr WordList kStems(
+      "test measur gemess mess pr\u00FCf gepr\u00FCf mesur isotherm sweep ttest");
   return std::ranges::any_of(words,
-                             [](const std::string& word) { return beginsWithAny(word, kStems); });
+                             [](const std::string& word) { return beginsWithOneOf(word, kStems); });
 }
 
 /// Returns whether words are about the constants of a shift.
-bool areOfShift(const WordList& words) {
-  return std::ranges::any_of(words, [](const std::string& word) {
-    return isOneOf(word, {"wlf", "twlf", "c1", "c2", "c\u2081", "c\u2082"});
-  });
+bool areOfShift(const std::vector<std::string>& words) {
+  return hasOneOf(words, "wlf twlf c1 c2 c\u2081 c\u2082");
 }
 
-bool hasWord(const WordList& words, std::initializer_list<std::string_view> some) {
-  return std::ranges::any_of(words,
-                             [&some](const std::string& word) { return isOneOf(word, some); });
-}
-
-bool isOfGlass(const WordList& words) {
+bool isOfGlass(const std::vector<std::string>& words) {
   return std::ranges::any_of(words, [](const std::string& word) {
-    return isOneOf(word, {"tg", "tglas", "tglass"}) || word.starts_with("glas");
+    return isOneOf(word, "tg tglas tglass") || word.starts_with("glas");
   });
 }
 
 /// Returns whether a word says that a temperature need not be the sample's.
 bool isVague(const std::string& word) {
-  constexpr std::array<std::string_view, 9> kStems{
-      "ambient", "raum", "umgebung", "soll", "target", "nominal", "program", "setpoint", "lab"};
-  return beginsWithAny(word, kStems) || isOneOf(word, {"room", "set", "tset", "tsoll"});
+  constexpr WordList kStems("ambient raum umgebung soll target nominal program setpoint lab");
+  return beginsWithOneOf(word, kStems) || isOneOf(word, "room set tset tsoll");
 }
 
 /// Returns whether a word names the temperature to which a master curve is shifted.
 bool isOfReference(const std::string& word) {
-  constexpr std::array<std::string_view, 2> kStems{"refer", "bezug"};
-  return beginsWithAny(word, kStems) || isOneOf(word, {"ref", "tref", "tr", "t0", "tbezug"});
-}
-
-/// Returns whether words name a step from one temperature to the next.
-bool isOfStep(const WordList& words) {
-  return std::ranges::any_of(words, [](const std::string& word) {
-    return isOneOf(word, {"step", "steps"});
-  });
+  constexpr WordList kStems("refer bezug");
+  return beginsWithOneOf(word, kStems) || isOneOf(word, "ref tref tr t0 tbezug");
 }
 
 bool isTemperatureWord(std::string_view key) {
@@ -139,21 +105,18 @@ bool isTemperatureWord(std::string_view key) {
 /// "Temperature sensor".
 bool namesOneTemperature(std::string_view key) {
   if (key == "T") return true;
-  const WordList words = wordsIn(parseColumnName(key).name);
+  const std::vector<std::string> words = wordsIn(parseColumnName(key).name);
   const auto isNamed = [](std::string_view word) {
-    constexpr std::array<std::string_view, 4> kEnds{"temp", "temperature", "temperatur",
-                                                    "temp\u00E9rature"};
-    return std::ranges::any_of(kEnds, [word](std::string_view end) { return word.ends_with(end); });
+    return endsWithOneOf(word, "temp temperature temperatur temp\u00E9rature");
   };
   if (words.empty()) return false;
   for (const std::string& word : words) {
-    constexpr std::array<std::string_view, 13> kStems{
-        "number", "anzahl", "point", "punkt", "sensor",  "profil", "control",
-        "regel",  "chann",  "kanal", "count", "program", "nombre"};
-    if (beginsWithAny(word, kStems)) return false;
+    constexpr WordList kStems(
+        "number anzahl point punkt sensor profil control regel chann kanal count program nombre");
+    if (beginsWithOneOf(word, kStems)) return false;
   }
   const bool isOfSomething =
-      words.size() > 1 && isNamed(words[0]) && isOneOf(words[1], {"of", "de", "du", "der", "des"});
+      words.size() > 1 && isNamed(words[0]) && isOneOf(words[1], "of de du der des");
   return isNamed(words.back()) || words.back() == "tref" || isOfSomething;
 }
 
@@ -173,16 +136,14 @@ struct Statement {
 /// Returns whether a text goes on from one end of a range to the other: "to 60 °C", "... 60 °C".
 bool beginsAsRange(std::string_view text) {
   text = trimmedBlanks(text);
-  constexpr std::array<std::string_view, 8> kSigns{"to ",    "bis ",   "..", "\u2026",
-                                                   "\u2013", "\u2014", "-",  "\u2212"};
-  return std::ranges::any_of(kSigns,
-                             [text](std::string_view sign) { return text.starts_with(sign); });
+  return text.starts_with("to ") || text.starts_with("bis ") ||
+         beginsWithOneOf(text, ".. \u2026 \u2013 \u2014 - \u2212");
 }
 
 /// Returns whether a text ends within a range: "-150 to", "-150 ...".
 bool endsWithinRange(std::string_view text) {
   text = trimmedBlanks(text);
-  for (const std::string_view sign : {"to", "bis", "..", "\u2026", "\u2013", "\u2014", "-"})
+  for (const std::string_view sign : WordList("to bis .. \u2026 \u2013 \u2014 -"))
     if (text.ends_with(sign)) {
       text = withoutEnd(text.substr(0, text.size() - sign.size()), " .");
       const std::size_t word = text.find_last_of(" :=");
@@ -209,13 +170,13 @@ class HeaderReader {
   void readEntry(const TextEntry& entry) {
     text_ = lineOf(entry);
     line_ = entry.line;
-    const WordList words = wordsIn(text_);
+    const std::vector<std::string> words = wordsIn(text_);
     isLineOfOther_ = areOfOther(words);
     isLineOfShift_ = areOfShift(words);
     isOfMaking_ = isMakingDone_ = false;
     for (const std::string_view clause : clausesOf(text_)) {
       // What a clause says about making holds for the next ones, too, until one is about the test.
-      const WordList own = wordsIn(clause);
+      const std::vector<std::string> own = wordsIn(clause);
       if (areOfTest(own) && !std::ranges::any_of(own, isOfMaking)) isOfMaking_ = false;
       readClause(clause);
       if (std::ranges::any_of(own, isOfMaking)) isOfMaking_ = true;
@@ -231,9 +192,8 @@ class HeaderReader {
       // The second temperature of "cured at 160 °C and tested at 20 °C" has words of its own.
       const auto next = firstTemperature(clause.substr(begin));
       if (!next) return;
-      const WordList words = wordsIn(clause.substr(begin, next->begin));
-      if (!areOfTest(words) && !(isLineOfShift_ && hasWord(words, {"at", "bei", "tref", "tg"})))
-        return;
+      const std::vector<std::string> words = wordsIn(clause.substr(begin, next->begin));
+      if (!areOfTest(words) && !(isLineOfShift_ && hasOneOf(words, "at bei tref tg"))) return;
       isOfMaking_ = false;
     }
     if (begin == 0) readPlainNumber(clause);
@@ -245,7 +205,7 @@ class HeaderReader {
     std::string_view before = clause.substr(0, found.begin);
     if (beginsAsRange(clause.substr(found.end)) || endsWithinRange(before)) return false;
     double kelvin = found.kelvin, number = found.number;
-    for (const std::string_view sign : {"\u00B1", "+/-", "+-"})
+    for (const std::string_view sign : WordList("\u00B1 +/- +-"))
       if (trimmedBlanks(before).ends_with(sign)) {
         // "20 ± 0.5 °C"
         const std::string_view whole = trimmedBlanks(withoutEnd(trimmedBlanks(before), sign));
@@ -257,18 +217,18 @@ class HeaderReader {
         kelvin = temperatureUnit(found.unit)->toSi(number);
       }
     const std::string_view key = keyBefore(before);
-    const WordList words = wordsIn(before);
+    const std::vector<std::string> words = wordsIn(before);
     if (isLineOfShift_ || isOfGlass(words)) {
       if (addOfShift(words, kelvin)) return false;
     }
     if (areOfOther(words)) return false;
     Rank rank = rankOf(key);
-    if (rank == Rank::Reference && isLineOfShift_ && !hasWord(words, {"master", "curve", "kurve"}))
+    if (rank == Rank::Reference && isLineOfShift_ && !hasOneOf(words, "master curve kurve"))
       rank = Rank::ShiftReference;
     if (rank != Rank::Bare)
       if (const auto scale = unit_.empty() ? std::nullopt : temperatureUnit(unit_))
         kelvin = scale->toSi(number);
-    if (rank != Rank::Bare && isOfStep(words)) return false;
+    if (rank != Rank::Bare && hasOneOf(words, "step steps")) return false;
     // The temperature of "Curing: 10 min; T = 160 °C" is that of curing; the second of "Aging: 70
     // °C; Temperature: 20 °C" is not.
     const bool isOwn = rank == Rank::Reference || (rank != Rank::Bare && isMakingDone_);
@@ -287,8 +247,8 @@ class HeaderReader {
   /// Returns whether a temperature in a line without a key for it may be that of the test. "DMA 242
   /// C", "N330 C" and "Build 120 C" are names.
   bool isBareTemperature(std::string_view before, const TextTemperature& found,
-                         const WordList& words) const {
-    if (isLineOfOther_ || hasWord(words, {"rheometer"})) return false;
+                         const std::vector<std::string>& words) const {
+    if (isLineOfOther_ || hasOneOf(words, "rheometer")) return false;
     if (!words.empty() && words.back() == "dma") return false;
     const bool isBehindLetter =
         !before.empty() && std::isalpha(static_cast<unsigned char>(before.back())) != 0;
@@ -297,24 +257,22 @@ class HeaderReader {
                       std::isalnum(static_cast<unsigned char>(before[before.size() - 2])) == 0);
     if (isBehindLetter && !isT) return false;
     return !found.isLetter || isT || before.ends_with('@') || before.ends_with('(') ||
-           before.ends_with('_') ||
-           (!words.empty() && isOneOf(words.back(), {"at", "bei", "\u00E0"})) ||
+           before.ends_with('_') || (!words.empty() && isOneOf(words.back(), "at bei \u00E0")) ||
            trimmedBlanks(before).empty();
   }
 
   /// Adds a temperature in a line about a shift, or of a glass transition. Returns whether it is
   /// one.
-  bool addOfShift(const WordList& words, double kelvin) {
-    if (hasWord(words, {"c1", "c2", "c\u2081", "c\u2082"}) && !hasWord(words, {"at", "bei"}))
-      return false;
-    const bool isShift = hasWord(words, {"wlf"}), isGlass = isOfGlass(words);
-    if (hasWord(words, {"twlf"}) || (isShift && std::ranges::any_of(words, isOfReference)))
+  bool addOfShift(const std::vector<std::string>& words, double kelvin) {
+    if (hasOneOf(words, "c1 c2 c\u2081 c\u2082") && !hasOneOf(words, "at bei")) return false;
+    const bool isShift = hasOneOf(words, "wlf"), isGlass = isOfGlass(words);
+    if (hasOneOf(words, "twlf") || (isShift && std::ranges::any_of(words, isOfReference)))
       add(kelvin, Rank::ShiftReference);
     else if (isGlass && !isShift)
       add(kelvin, Rank::Glass);
     else if (isGlass || isShift ||
-             (isLineOfShift_ && hasWord(words, {"at", "bei"}) && !areOfTest(words) &&
-              !hasWord(words, {"master", "curve", "kurve"})))
+             (isLineOfShift_ && hasOneOf(words, "at bei") && !areOfTest(words) &&
+              !hasOneOf(words, "master curve kurve")))
       add(kelvin, Rank::BesideShift);
     else
       return false;
@@ -324,34 +282,32 @@ class HeaderReader {
   /// Reads "Temperature [°C]: 20", "T/K = 293" and "Temperature: 20". Without a unit, numbers above
   /// 200 are kelvins, as in columns.
   void readPlainNumber(std::string_view clause) {
-    const std::size_t end = clause.find_last_of(":=");
-    if (end == clause.npos) return;
-    const std::string_view key = keyBefore(clause.substr(0, end));
-    const auto quantity = parseQuantity(clause.substr(end + 1));
-    Rank rank = rankOf(key);
-    const WordList words = wordsIn(clause);
-    const bool isShift = isLineOfShift_ && hasWord(words, {"wlf", "twlf"}) &&
-                         (rank == Rank::Reference || hasWord(words, {"twlf"}));
+    const auto statement = parseStatement(clause);
+    if (!statement) return;
+    Rank rank = rankOf(statement->key);
+    const std::vector<std::string> words = wordsIn(clause);
+    const bool isShift = isLineOfShift_ && hasOneOf(words, "wlf twlf") &&
+                         (rank == Rank::Reference || hasOneOf(words, "twlf"));
     if (isShift) rank = Rank::ShiftReference;
-    if (!quantity || rank == Rank::Bare || (areOfOther(words) && !isShift) || isOfStep(words))
+    if (rank == Rank::Bare || (areOfOther(words) && !isShift) || hasOneOf(words, "step steps"))
       return;
     if (isOfMaking_ && !isMakingDone_ && rank != Rank::Reference) return;
     if (rank == Rank::Reference && isLineOfShift_) rank = Rank::ShiftReference;
-    std::string unit = unit_.empty() ? quantity->unit : unit_;
-    if (unit.empty()) unit = parseColumnName(key).unit;
+    const double number = statement->quantity.number;
+    std::string unit = unit_.empty() ? statement->unit() : unit_;
     if (unit.empty()) {
       // "Reference: 2041" is no temperature, and t may be a time.
-      if (!namesOneTemperature(key)) return;
-      unit = quantity->number >= 200 ? "K" : "C";
+      if (!namesOneTemperature(statement->key)) return;
+      unit = number >= 200 ? "K" : "C";
     }
     const auto scale = temperatureUnit(unit);
     if (!scale) return;
-    add(scale->toSi(quantity->number),
-        std::ranges::any_of(wordsIn(key), isVague) ? Rank::Bare : rank);
+    add(scale->toSi(number),
+        std::ranges::any_of(wordsIn(statement->key), isVague) ? Rank::Bare : rank);
   }
 
   static Rank rankOf(std::string_view key) {
-    const WordList words = wordsIn(key);
+    const std::vector<std::string> words = wordsIn(key);
     if (std::ranges::any_of(words, isOfReference)) return Rank::Reference;
     if (isTemperatureWord(key) || isTemperatureWord(parseColumnName(key).name)) return Rank::Test;
     return !words.empty() && isTemperatureWord(words.back()) ? Rank::Test : Rank::Bare;

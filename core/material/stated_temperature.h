@@ -1,13 +1,17 @@
-// The temperature of the test among those that the lines above a table state. Pure functions; any
-// thread.
-// Failure: InputError that names the file and the line.
+// The temperature of the test among those that the lines above a table state, and the shift with
+// temperature that a text states beside a master curve or a Prony series. stated_temperature.cpp
+// and stated_shift.cpp share this header. Pure functions; any thread. Failure: InputError that
+// names the file and the line.
 #pragma once
 
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "core/base/message.h"
 #include "core/base/text_table.h"
+#include "core/material/elastomer.h"
 
 namespace asperity {
 
@@ -37,5 +41,25 @@ std::optional<HeaderTemperature> statedTemperature(const TextTable& table, const
 /// counts.
 std::optional<double> statedShiftReference(const TextTable& table, const std::string& unit,
                                            bool isOfGlass);
+
+// ---- The shift, of master curves and Prony series
+
+struct StatedShift {
+  std::optional<TemperatureShift> shift{};
+  std::vector<Message> notes{};  // what was read, and what is left out
+};
+
+/// Returns the shift that a text states beside a master curve or series at one temperature (K):
+/// WLF constants C1 and C2 above the table, or a table of its own with the columns temperature and
+/// log aT (or ln aT, or aT). Constants of another reference temperature are converted to this one.
+/// Throws InputError for constants that no scene accepts.
+StatedShift statedShift(const TextTable& table, double temperature, const std::string& name,
+                        const std::string& unit);
+
+/// Returns whether a text states a shift that statedShift would read.
+bool statesShift(const TextTable& table);
+
+/// Returns whether a block is a table of shift factors.
+bool isShiftTable(const TextBlock& block);
 
 }  // namespace asperity

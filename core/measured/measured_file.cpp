@@ -11,7 +11,7 @@
 #include "core/base/regular_file.h"
 #include "core/base/stop.h"
 #include "core/base/text_encoding.h"
-#include "core/base/text_units.h"
+#include "core/base/units.h"
 #include "core/measured/surface_draft.h"
 
 namespace asperity {

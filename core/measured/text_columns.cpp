@@ -1,57 +1,41 @@
 // Finds what the columns of a text table and the lines above it state about a surface.
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <iterator>
 
 #include "core/base/text.h"
 #include "core/base/text_header.h"
 #include "core/base/text_number.h"
-#include "core/base/text_units.h"
+#include "core/base/units.h"
 #include "core/measured/text_surface.h"
 #include "core/measured/uniform_positions.h"
 
 namespace asperity {
 namespace {
 
-using namespace std::string_view_literals;
-
 /// Names of columns of positions, heights, ... in lower case; a name of one letter must be the
 /// whole name.
-constexpr std::array kPositions{"x"sv,          "position"sv, "pos"sv,
-                                "distance"sv,   "dist"sv,     "lateral"sv,
-                                "abscissa"sv,   "abszisse"sv, "weg"sv,
-                                "strecke"sv,    "travel"sv,   "length"sv,
-                                "l\u00E4nge"sv, "laenge"sv,   "s"sv,
-                                "d"sv,          "l"sv,        "abstand"sv,
-                                "messweg"sv,    "scan"sv,     "displacement"sv,
-                                "xposition"sv,  "xpos"sv,     "xcoordinate"sv,
-                                "encoder"sv,    "encoder1"sv, "easting"sv,
-                                "rechtswert"sv};
-constexpr std::array kRows{"y"sv,           "yposition"sv, "ypos"sv,
-                           "ycoordinate"sv, "northing"sv,  "hochwert"sv};
-constexpr std::array kHeights{
-    "z"sv,          "height"sv,    "heights"sv, "h"sv,         "h\u00F6he"sv,
-    "hoehe"sv,      "profile"sv,   "profil"sv,  "elevation"sv, "altitude"sv,
-    "topography"sv, "topo"sv,      "depth"sv,   "tiefe"sv,     "amplitude"sv,
-    "ordinate"sv,   "hauteur"sv,   "altezza"sv, "altura"sv,    "primary"sv,
-    "zdata"sv,      "deviation"sv, "raw"sv,     "value"sv,     "signal"sv};
-constexpr std::array kCounts{"index"sv,   "#"sv,          "i"sv,           "n"sv,      "no"sv,
-                             "no."sv,     "nr"sv,         "nr."sv,         "idx"sv,    "point"sv,
-                             "pt"sv,      "punkt"sv,      "row"sv,         "id"sv,     "sample"sv,
-                             "zeile"sv,   "messpunkt"sv,  "number"sv,      "nummer"sv, "count"sv,
-                             "counter"sv, "row number"sv, "zeilennummer"sv};
-constexpr std::array kGood{"valid"sv,       "validity"sv, "ok"sv,      "good"sv,
-                           "g\u00FCltig"sv, "gueltig"sv,  "isvalid"sv, "is_valid"sv};
-constexpr std::array kBad{"invalid"sv,       "bad"sv,     "error"sv,
-                          "ung\u00FCltig"sv, "missing"sv, "outlier"sv};
-constexpr std::array kLongitudes{"longitude"sv, "lon"sv, "lng"sv, "l\u00E4ngengrad"sv};
-constexpr std::array kLatitudes{"latitude"sv, "lat"sv, "breitengrad"sv};
-constexpr std::array kEither{"flag"sv, "flags"sv, "status"sv, "mask"sv, "quality"sv, "qual"sv};
+constexpr WordList kPositions(
+    "x position pos distance dist lateral abscissa abszisse weg strecke travel length l\u00E4nge "
+    "laenge s d l abstand messweg scan displacement xposition xpos xcoordinate encoder encoder1 "
+    "easting rechtswert");
+constexpr WordList kRows("y yposition ypos ycoordinate northing hochwert");
+constexpr WordList kHeights(
+    "z height heights h h\u00F6he hoehe profile profil elevation altitude topography topo depth "
+    "tiefe amplitude ordinate hauteur altezza altura primary zdata deviation raw value signal");
+constexpr WordList kCounts(
+    "index, #, i, n, no, no., nr, nr., idx, point, pt, punkt, row, id, sample, zeile, messpunkt, "
+    "number, nummer, count, counter, row number, zeilennummer",
+    ',');
+constexpr WordList kGood("valid validity ok good g\u00FCltig gueltig isvalid is_valid");
+constexpr WordList kBad("invalid bad error ung\u00FCltig missing outlier");
+constexpr WordList kLongitudes("longitude lon lng l\u00E4ngengrad");
+constexpr WordList kLatitudes("latitude lat breitengrad");
+constexpr WordList kEither("flag flags status mask quality qual");
 
 /// Returns whether one of the words is the first word of the name, or the whole name: "x position",
 /// "x_axis", "height data".
-template <std::size_t count>
-bool begins(const std::array<std::string_view, count>& words, std::string_view name) {
+bool begins(const WordList& words, std::string_view name) {
   if (isOneOf(name, words)) return true;
   return isOneOf(name.substr(0, std::min(name.find_first_of(" _-.("), name.size())), words);
 }
@@ -199,7 +183,7 @@ class RoleFinder {
 
   /// A depth counts into the material, but instruments that write a path call a height so, too.
   void refuseDepth() const {
-    constexpr std::array kDepths{"depth"sv, "tiefe"sv};
+    constexpr WordList kDepths("depth tiefe");
     if (heightChoice_ >= 0 || roles_.z < 0 || !begins(kDepths, lowerCase(nameOf(roles_.z)))) return;
     if (roles_.x >= 0 && isProfilePosition(lowerCase(nameOf(roles_.x)))) return;
     throw InputError(name_, "surface.height_column",
@@ -322,13 +306,13 @@ bool mayNumberPoints(const TextBlock& block, const ColumnRoles& roles,
 }
 
 std::optional<HeaderLength> headerLength(const TextTable& table, const TextBlock& block,
-                                         const std::vector<std::string>& keys) {
-  for (const std::string& key : keys) {
+                                         const WordList& keys) {
+  for (const std::string_view key : keys) {
     const auto quantity = parseQuantity(table.entry(key, block));
     if (!quantity || !(quantity->number > 0)) continue;
     HeaderLength length{quantity->number, {}};
     std::string unit = quantity->unit;
-    for (const std::string_view each : {"/pixel", "/px", "/point"})
+    for (const std::string_view each : WordList("/pixel /px /point"))
       if (lowerCase(unit).ends_with(each)) unit.resize(unit.size() - each.size());
     // In "Spacing (um) = 0.5" the key contains the unit.
     if (const auto metres = metresPer(unit))
@@ -341,8 +325,7 @@ std::optional<HeaderLength> headerLength(const TextTable& table, const TextBlock
   for (const TextBlock& one : table.blocks) {
     for (const TextEntry& entry : one.header) {
       const TextColumn name = parseColumnName(entry.key);
-      if (name.unit.empty() || std::ranges::find(keys, lowerCase(name.name)) == keys.end())
-        continue;
+      if (name.unit.empty() || !isOneOf(lowerCase(name.name), keys)) continue;
       const auto quantity = parseQuantity(entry.value);
       const auto metres = metresPer(name.unit);
       if (quantity && metres && quantity->number > 0)
@@ -356,8 +339,9 @@ std::optional<HeaderLength> headerLength(const TextTable& table, const TextBlock
 std::optional<HeaderLength> countedStep(const TextTable& table, const TextBlock& block,
                                         std::int64_t count, bool alongX) {
   const std::string_view letter = alongX ? "x" : "y";
-  for (const std::string_view form : {"axis {}", "{} axis", "{}-axis", "achse {}", "{}-achse",
-                                      "axe {}", "axe des {}", "eje {}", "asse {}"}) {
+  constexpr WordList kForms(
+      "axis {}, {} axis, {}-axis, achse {}, {}-achse, axe {}, axe des {}, eje {}, asse {}", ',');
+  for (const std::string_view form : kForms) {
     std::string key(form);
     replaceAll(key, "{}", letter);
     const std::string text = table.entry(key, block);
@@ -376,45 +360,24 @@ std::optional<HeaderLength> countedStep(const TextTable& table, const TextBlock&
 namespace {
 
 /// The keys, in lower case, of entries that state a unit.
-std::vector<std::string> unitKeys(bool ofHeights, UnitEntries entries) {
-  const std::vector<std::string> heights{"z",
-                                         "value units",
-                                         "value unit",
-                                         "z unit",
-                                         "z units",
-                                         "z-unit",
-                                         "unit z",
-                                         "units z",
-                                         "height unit",
-                                         "height units",
-                                         "zunit",
-                                         "einheiten",
-                                         "werteinheit",
-                                         "werteinheiten",
-                                         "z-axis unit",
-                                         "z-axis units",
-                                         "z axis unit",
-                                         "z axis units",
-                                         "einheit z-achse",
-                                         "einheit z",
-                                         "z-einheit",
-                                         "unit\u00E9s",
-                                         "jednotky hodnot",
-                                         "unit\u00E0 valore",
-                                         "h\u00F6heneinheit",
-                                         "\u5024\u306E\u5358\u4F4D",
-                                         "\u0415\u0434\u0438\u043D\u0438\u0446\u044B "
-                                         "\u0438\u0437\u043C\u0435\u0440\u0435\u043D\u0438\u044F"};
-  const std::vector<std::string> positions{"x unit",       "x units",         "x-unit",
-                                           "unit x",       "units x",         "xunit",
-                                           "lateral unit", "position unit",   "xy unit",
-                                           "xy units",     "x-einheit",       "einheit x",
-                                           "x-axis unit",  "x-axis units",    "x axis unit",
-                                           "x axis units", "einheit x-achse", "x"};
-  std::vector<std::string> keys = ofHeights ? heights : positions;
+std::vector<std::string_view> unitKeys(bool ofHeights, UnitEntries entries) {
+  constexpr WordList kOfHeights(
+      "z, value units, value unit, z unit, z units, z-unit, unit z, units z, height unit, height "
+      "units, zunit, einheiten, werteinheit, werteinheiten, z-axis unit, z-axis units, z axis "
+      "unit, z axis units, einheit z-achse, einheit z, z-einheit, unit\u00E9s, jednotky hodnot, "
+      "unit\u00E0 valore, h\u00F6heneinheit, \u5024\u306E\u5358\u4F4D, "
+      "\u0415\u0434\u0438\u043D\u0438\u0446\u044B "
+      "\u0438\u0437\u043C\u0435\u0440\u0435\u043D\u0438\u044F",
+      ',');
+  constexpr WordList kOfPositions(
+      "x unit, x units, x-unit, unit x, units x, xunit, lateral unit, position unit, xy unit, xy "
+      "units, x-einheit, einheit x, x-axis unit, x-axis units, x axis unit, x axis units, einheit "
+      "x-achse, x",
+      ',');
+  std::vector<std::string_view> keys;
+  std::ranges::copy(ofHeights ? kOfHeights : kOfPositions, std::back_inserter(keys));
   if (entries == UnitEntries::AndCommon)
-    for (const char* common : {"unit", "units", "einheit", "length unit"})
-      keys.emplace_back(common);
+    std::ranges::copy(WordList("unit, units, einheit, length unit", ','), std::back_inserter(keys));
   return keys;
 }
 
@@ -422,7 +385,7 @@ std::vector<std::string> unitKeys(bool ofHeights, UnitEntries entries) {
 
 std::optional<StatedUnit> headerUnit(const TextTable& table, const TextBlock& block, bool ofHeights,
                                      UnitEntries entries) {
-  for (const std::string& key : unitKeys(ofHeights, entries)) {
+  for (const std::string_view key : unitKeys(ofHeights, entries)) {
     const std::string text = table.entry(key, block);
     // "x: mm" states a unit, "x: 5 mm" a length.
     const bool isAlone = text.find_first_of("0123456789") == std::string::npos;
@@ -439,7 +402,7 @@ std::string unknownUnit(const TextTable& table, const TextBlock& block, int colu
     if (const auto text = inBrackets(block.columns[static_cast<std::size_t>(column)].name);
         canBeUnit(text) && !metresPer(text))
       return std::string(text);
-  for (const std::string& key : unitKeys(ofHeights, UnitEntries::Own)) {
+  for (const std::string_view key : unitKeys(ofHeights, UnitEntries::Own)) {
     const std::string text = table.entry(key, block);
     const std::string_view unit = withoutBrackets(text);
     if (key.size() > 1 && canBeUnit(unit) && !metresPer(unit)) return std::string(unit);

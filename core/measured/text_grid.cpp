@@ -5,7 +5,7 @@
 
 #include "core/base/number_text.h"
 #include "core/base/text_number.h"
-#include "core/base/text_units.h"
+#include "core/base/units.h"
 #include "core/measured/text_surface.h"
 #include "core/measured/uniform_positions.h"
 
@@ -26,15 +26,17 @@ Extent findExtent(const TextTable& table, const TextBlock& block) {
   Extent extent;
   extent.width = headerLength(
       table, block,
-      {"width", "breite", "largeur", "\u0160\u00ED\u0159ka", "\u0161\u00ED\u0159ka", "larghezza",
-       "anchura", "ancho", "largura", "\u0448\u0438\u0440\u0438\u043D\u0430",
-       "\u0428\u0438\u0440\u0438\u043D\u0430", "\u5E45", "x size", "x range", "x length", "size x",
-       "xreal", "scan size", "scansize"});
-  extent.height =
-      headerLength(table, block,
-                   {"height", "h\u00F6he", "hauteur", "v\u00FD\u0161ka", "altezza", "altura",
-                    "\u0432\u044B\u0441\u043E\u0442\u0430", "\u0412\u044B\u0441\u043E\u0442\u0430",
-                    "\u9AD8\u3055", "y size", "y range", "y length", "size y", "yreal"});
+      WordList("width, breite, largeur, \u0160\u00ED\u0159ka, \u0161\u00ED\u0159ka, larghezza, "
+               "anchura, ancho, largura, \u0448\u0438\u0440\u0438\u043D\u0430, "
+               "\u0428\u0438\u0440\u0438\u043D\u0430, \u5E45, x size, x range, x length, size x, "
+               "xreal, scan size, scansize",
+               ','));
+  extent.height = headerLength(
+      table, block,
+      WordList("height, h\u00F6he, hauteur, v\u00FD\u0161ka, altezza, altura, "
+               "\u0432\u044B\u0441\u043E\u0442\u0430, \u0412\u044B\u0441\u043E\u0442\u0430, "
+               "\u9AD8\u3055, y size, y range, y length, size y, yreal",
+               ','));
   return extent;
 }
 
@@ -79,8 +81,8 @@ void applySpipHeader(const SpipHeader& header, const SurfaceSource& source, Topo
 
 Extent spipExtent(const TextTable& table, const TextBlock& block) {
   Extent extent;
-  extent.width = headerLength(table, block, {"x-length"});
-  extent.height = headerLength(table, block, {"y-length"});
+  extent.width = headerLength(table, block, WordList("x-length", ','));
+  extent.height = headerLength(table, block, WordList("y-length", ','));
   for (auto* length : {&extent.width, &extent.height})
     if (*length && !(*length)->unit) (*length)->unit = StatedUnit{"nm", 1e-9};
   return extent;
@@ -173,16 +175,15 @@ void takeSpacings(const TextTable& table, const TextBlock& block, SurfaceDraft& 
     return true;
   };
   Extent extent = spipHeader(table, block) ? spipExtent(table, block) : findExtent(table, block);
-  const auto columnStep =
-      headerLength(table, block,
-                   {"cellsize", "dx", "x spacing", "spacing x", "x step", "pixel size x",
-                    "x pixel size", "pixel size", "pixelsize", "spacing", "lateral resolution",
-                    "xy calibration", "xy-justierung", "xy-kalibrierung",
-                    "xy\uCE98\uB9AC\uBE0C"
-                    "\uB808\uC774\uC158"});
+  const auto columnStep = headerLength(
+      table, block,
+      WordList("cellsize, dx, x spacing, spacing x, x step, pixel size x, x pixel size, pixel "
+               "size, pixelsize, spacing, lateral resolution, xy calibration, xy-justierung, "
+               "xy-kalibrierung, xy\uCE98\uB9AC\uBE0C\uB808\uC774\uC158",
+               ','));
   const auto rowStep = headerLength(
       table, block,
-      {"cellsize", "dy", "y spacing", "spacing y", "y step", "pixel size y", "y pixel size"});
+      WordList("cellsize, dy, y spacing, spacing y, y step, pixel size y, y pixel size", ','));
   const auto countedX = countedStep(table, block, grid.columns, true);
   const auto countedY = countedStep(table, block, grid.rows, false);
   const bool isCounted = countedX && countedY;

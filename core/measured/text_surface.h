@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/text.h"
 #include "core/base/text_table.h"
 #include "core/measured/surface_draft.h"
 
@@ -39,8 +40,9 @@ struct HeaderLength {
   double value = 0;
   std::optional<StatedUnit> unit{};
 };
+/// Returns the length of the first of these keys, in lower case, that states one.
 std::optional<HeaderLength> headerLength(const TextTable& table, const TextBlock& block,
-                                         const std::vector<std::string>& keys);
+                                         const WordList& keys);
 
 /// Returns the step between `count` points where the header states their number and the length from
 /// the first to the last one, as MountainsMap writes it: "Axis X", 60, "59.00 um".
@@ -64,8 +66,6 @@ std::string unknownUnit(const TextTable& table, const TextBlock& block, int colu
 std::optional<StatedUnit> columnUnit(const SurfaceSource& source, const TextTable& table,
                                      const TextBlock& block, int column, bool ofHeights);
 
-SurfaceDraft readTextProfile(const TextTable& table, const TextBlock& block,
-                             const SurfaceSource& source);
 SurfaceDraft readTextMatrix(const TextTable& table, const TextBlock& block,
                             const SurfaceSource& source);
 SurfaceDraft readTextPoints(const TextTable& table, const TextBlock& block,

@@ -15,7 +15,7 @@
 #include "core/base/input_error.h"
 #include "core/base/text_header.h"
 #include "core/base/text_number.h"
-#include "core/base/text_units.h"
+#include "core/base/units.h"
 #include "tests/core/error_from.h"
 
 namespace asperity {
@@ -556,6 +556,24 @@ TEST(TextTable, ReadsAMillionRowsWithoutLosingAny) {
     EXPECT_NEAR(made.largest().at(kRows - 1, 1), 0.999, 1e-9);
     EXPECT_GT(last, 0.9);
   }
+}
+
+// ---- Statements in a line ----------------------------------------------------------------------
+
+TEST(TextStatements, HaveAKeyAndAQuantity) {
+  const auto statement = parseStatement("Test 3: E0 (MPa) = 600");
+  ASSERT_TRUE(statement);
+  EXPECT_EQ(statement->key, "E0 (MPa)");
+  EXPECT_EQ(statement->name.name, "E0");
+  EXPECT_EQ(statement->quantity.number, 600);
+  EXPECT_EQ(statement->unit(), "MPa");
+  EXPECT_EQ(parseStatement("T_ref (K): 20 \u00B0C")->unit(), "\u00B0C");
+  for (const char* none : {"", "load 30 N", "operator: me", "="})
+    EXPECT_FALSE(parseStatement(none)) << none;
+  EXPECT_THAT(clausesOf("Master curve, Tref = 20 \u00B0C; 1,5 mm"),
+              ElementsAre("Master curve", "Tref = 20 \u00B0C", "1,5 mm"));
+  EXPECT_THAT(wordsIn("T_ref of G'(w)"), ElementsAre("tref", "of", "g", "w"));
+  EXPECT_EQ(plainWord("u(\u00B5) mean"), "u\u00B5mean");
 }
 
 }  // namespace

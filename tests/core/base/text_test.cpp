@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <ranges>
+#include <string>
+#include <vector>
 
 #include "core/base/input_error.h"
 
@@ -71,6 +74,22 @@ TEST(KnownWords, ALongWordIsCutBetweenLetters) {
   // A letter of two bytes that begins with the last byte that would be kept.
   EXPECT_EQ(shortened(std::string(59, 'x') + "\u00FC" + std::string(9, 'x')),
             std::string(59, 'x') + "...");
+}
+
+TEST(KnownWords, AListIsWrittenAsOneText) {
+  const WordList units("mm \u00B5m in");
+  EXPECT_TRUE(isOneOf("mm", units) && isOneOf("\u00B5m", units) && isOneOf("in", units));
+  for (const char* other : {"", "m", "mm \u00B5m", "inch"}) EXPECT_FALSE(isOneOf(other, units));
+  EXPECT_TRUE(beginsWithOneOf("inch", units));
+  EXPECT_TRUE(endsWithOneOf("10mm", units));
+  EXPECT_TRUE(containsOneOf("10mm wide", units));
+  EXPECT_FALSE(containsOneOf("10 km", units));
+  EXPECT_TRUE(hasOneOf(std::vector<std::string>{"step", "in"}, units));
+  EXPECT_FALSE(hasOneOf(std::vector<std::string>{}, units));
+  const WordList keys("step size, x step,  pitch", ',');
+  EXPECT_EQ(std::vector<std::string>(keys.begin(), keys.end()),
+            (std::vector<std::string>{"step size", "x step", "pitch"}));
+  EXPECT_TRUE(std::ranges::empty(WordList("")));
 }
 
 TEST(FileName, HasNoSignThatAFolderOrAShellCouldTake) {
