@@ -1,7 +1,8 @@
 // From measured rows to the lines of the model: seams, orientation, realizations, the isotropic
 // equivalent. The files are made in memory, so that no reader takes part.
 #include "core/surface/measured_lines.h"
-#include "core/base/stop.h"
+
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +11,7 @@
 #include <random>
 
 #include "core/base/input_error.h"
+#include "core/base/stop.h"
 #include "tests/core/error_from.h"
 #include "tests/core/isotropic_surface.h"
 

@@ -8,7 +8,7 @@
 #include <QTemporaryDir>
 
 #include "ui/window/export/asperity_command.h"
-#include "ui/window/export/command_run.h"
+#include "ui/window/export/asperity_command.h"
 
 class QFileInfo;
 class QLabel;
