@@ -124,10 +124,10 @@ std::string resultsJson(const LessonResults& results) {
 
 LessonResults parseResults(std::string_view text, const std::string& file) {
   try {
-    const Json json = parseJson(text, kDeepestResults, "results of a lesson are JSON in UTF-8");
-    // A whole lesson, or any other file, is told apart before its members are.
-    const std::string schema = json.is_object() ? textMember(json, "schema") : std::string();
+    // Any other file is told apart before its members are read: a lesson is nested more deeply.
+    const std::string schema = textMember(membersUpTo(text, "schema", kDeepestResults), "schema");
     if (!schema.starts_with(kAnyVersion)) throw InputError("", "", "has no results of a lesson");
+    const Json json = parseJson(text, kDeepestResults, "results of a lesson are JSON in UTF-8");
     checkMembers(json, "",
                  {"schema", "lesson", "title", "sha256", "right", "shown", "steps", "date"});
     if (schema != kSchema) refuseMember("schema", message("is not {}", kSchema));

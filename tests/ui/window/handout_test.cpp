@@ -37,7 +37,7 @@ Lesson longLesson() {
   for (const char* member : {"after", "reveal", "values"}) step.erase(member);
   step["prediction"]["wrong"] = "No.";
   step["prediction"]["right"] = "Yes.";
-  step["prediction"]["choices"][0]["text"] = "first choice";
+  step["prediction"]["choices"][0]["text"] = "one choice";
   step["prediction"]["choices"].back()["text"] = "last choice";
   json["steps"] = Json::array();
   for (int i = 0; i < 12; ++i) {
@@ -52,7 +52,9 @@ TEST(HandoutPages, EachPageHasTheTitleAndItsNumber) {
   ASSERT_GT(pages.size(), 2);
   for (qsizetype i = 0; i < pages.size(); ++i) {
     EXPECT_TRUE(pages[i].contains("Sample")) << pages[i].toStdString();
-    EXPECT_TRUE(pages[i].contains(QStringLiteral("%1 / %2").arg(i + 1).arg(pages.size())))
+    // The program that reads the text may leave out narrow spaces.
+    EXPECT_TRUE(QString(pages[i]).remove(' ').contains(
+        QStringLiteral("%1/%2").arg(i + 1).arg(pages.size())))
         << pages[i].toStdString();
   }
 }
@@ -66,7 +68,7 @@ TEST(HandoutPages, AQuestionIsOnOnePageWithItsChoices) {
       const qsizetype asked = page.count("Question number");
       questions += static_cast<int>(asked);
       EXPECT_GE(page.count("☐ last choice"), asked) << page.toStdString();
-      EXPECT_EQ(page.count("☐ first choice"), asked) << page.toStdString();
+      EXPECT_EQ(page.count("☐ one choice"), asked) << page.toStdString();
     }
     EXPECT_EQ(questions, 12);
   }
