@@ -55,7 +55,7 @@ std::string summaryText(const Curve& curve, const CurveSet& set) {
   });
   const CurvePoint& first = curve.points.front();
   if (std::isfinite(first.normalForce) && scene.sweep.isOfVelocity())
-    text += filled(Words::tr("F_N = %1 N on one period; results depend on the width"),
+    text += filled(Words::tr("F\u2099 = %1 N on one period; results depend on the width"),
                    {shortNumber(first.normalForce, 6)}) +
             "\n";
   for (const MeasuredCurve& measured : set.measured)

@@ -108,24 +108,24 @@ std::string explanationText(const Explanation& explanation) {
           stageLines(explanation.stages, true) + Words::tr("and leaves out") + "\n" +
           stageLines(explanation.stages, false);
   if (std::isfinite(explanation.fewSummitsVelocity))
-    text +=
-        filled(Words::tr("above %1 few summits carry the load (region IV): F_N / (4 eta v), the "
-                         "height that the contacts of one period climb together, is below 0.1 "
-                         "h; the border belongs to the finite period and moves with it"),
-               {quantity(explanation.fewSummitsVelocity, "m/s")}) +
-        "\n";
+    text += filled(Words::tr(
+                       "above %1 few summits carry the load (region IV): F\u2099 / (4 eta v), the "
+                       "height that the contacts of one period climb together, is below 0.1 "
+                       "h; the border belongs to the finite period and moves with it"),
+                   {quantity(explanation.fewSummitsVelocity, "m/s")}) +
+            "\n";
   if (!explanation.excitation.empty()) text += translated(explanation.excitation) + "\n";
   const bool isMirrored =
       scene.surface.kind == SurfaceKind::Measured && scene.surface.processing.seam == Seam::Mirror;
   if (std::isfinite(explanation.normalForce) &&
       (isMirrored || scene.load.kind == LoadKind::Pressure))
-    text +=
-        filled(isMirrored ? Words::tr("F_N = %1 on one period of %2, which is twice the file's; "
-                                      "F_N / L = %3")
-                          : Words::tr("F_N = %1 on one period of %2; F_N / L = %3"),
-               {quantity(explanation.normalForce, "N"), quantity(explanation.length, "m"),
-                quantity(explanation.normalForce / explanation.length, "N/m")}) +
-        "\n";
+    text += filled(isMirrored
+                       ? Words::tr("F\u2099 = %1 on one period of %2, which is twice the file's; "
+                                   "F\u2099 / L = %3")
+                       : Words::tr("F\u2099 = %1 on one period of %2; F\u2099 / L = %3"),
+                   {quantity(explanation.normalForce, "N"), quantity(explanation.length, "m"),
+                    quantity(explanation.normalForce / explanation.length, "N/m")}) +
+            "\n";
   for (const Theory theory : theoriesBeside(scene))
     text += translated(message("{}: {}", Message(theoryEntry(theory).name),
                                Message(theoryEntry(theory).range))) +

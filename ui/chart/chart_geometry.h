@@ -35,6 +35,9 @@ struct ChartGeometry {
   double valueAt(double pixel) const;
 };
 
+/// Returns a rectangle as pictures have it.
+Box toBox(const QRectF& rect);
+
 /// Returns whether a position is one: false for those of values that the axes cannot show.
 bool isFinite(QPointF position);
 

@@ -182,6 +182,19 @@ bool ChartView::hasMarker() const {
   return !sheet_.diagrams.empty() && sheet_.diagrams[0].marker;
 }
 
+OccupancyGrid ChartView::covered() const {
+  if (frames_.empty() || panels_.empty()) return {{}, 1};
+  ChartGeometry map = frames_[0];
+  map.area.translate(corner());
+  OccupancyGrid covered = coveredBySeries(sheet_.diagrams[0], map, style_);
+  const auto x = static_cast<float>(map.mapX(lineValue()));
+  const Box& area = covered.area();
+  covered.addLine({{x, area.y}, {x, area.bottom()}}, 1);
+  for (const QRectF& name : panels_[0]->namesInside())
+    covered.addBox(toBox(name.translated(corner())), 1);
+  return covered;
+}
+
 /// Returns the axes of the first diagram as its sheet has them, without zoom.
 VisibleRange ChartView::whole() const {
   if (sheet_.diagrams.empty()) return {};
@@ -342,10 +355,14 @@ void ChartView::layOutFrames() {
 }
 
 void ChartView::updateMarker() {
-  if (frames_.empty()) return marker_->update({}, std::nullopt, kNaN, style_, {});
-  if (!panels_.empty()) panels_[0]->avoidLine(frames_[0].mapX(lineValue()));
-  const QList<QRectF> taken = panels_.empty() ? QList<QRectF>() : panels_[0]->namesInside();
-  marker_->update(frames_[0], sheet_.diagrams[0].marker, targetX_, style_, taken);
+  if (frames_.empty()) return marker_->update({}, std::nullopt, kNaN, style_, {}, {});
+  const auto& marker = sheet_.diagrams[0].marker;
+  if (panels_.empty()) return marker_->update(frames_[0], marker, targetX_, style_, {}, {});
+  panels_[0]->avoidLine(frames_[0].mapX(lineValue()));
+  QList<QRectF> taken = panels_[0]->namesInside();
+  const QRectF sentence = panels_[0]->sentence();
+  if (!sentence.isEmpty()) taken += sentence;
+  marker_->update(frames_[0], marker, targetX_, style_, taken, sentence);
 }
 
 void ChartView::mousePressEvent(QMouseEvent* event) {

@@ -272,14 +272,27 @@ TickedAxis tickedYAxis(const DiagramAxis& axis, const AxisRange& range, float pi
   const float size = sizes.tick;
   if (axis.scale == AxisScale::Linear)
     return linearAxis(axis, range, yTicks(range.from, range.to, pixels, 4 * size, size, axis.unit));
-  for (int most = std::clamp(static_cast<int>(pixels / (2 * size)), 2, 16);; --most) {
+  const auto pixelsApart = [&](const AxisTick& below, const AxisTick& above) {
+    return (above.value - below.value) / range.size() * static_cast<double>(pixels);
+  };
+  for (int most = std::clamp(static_cast<int>(pixels / (2 * size)), 2, 16); most > 1; --most) {
     TickedAxis ticked = logarithmicAxis(axis, range, most, pixels, sizes.unit);
-    if (most <= 1 || ticked.ticks.size() < 2) return ticked;
-    double least = range.size();
+    if (ticked.ticks.size() < 2) break;
+    double least = pixels;
     for (std::size_t i = 0; i + 1 < ticked.ticks.size(); ++i)
-      least = std::min(least, ticked.ticks[i + 1].value - ticked.ticks[i].value);
-    if (least / range.size() * static_cast<double>(pixels) > 1.5 * size) return ticked;
+      least = std::min(least, pixelsApart(ticked.ticks[i], ticked.ticks[i + 1]));
+    if (least > 1.5 * size) return ticked;
   }
+  // A low axis has the outermost two of the first ticks that are far enough apart: a single tick
+  // does not show the scale.
+  for (int most = 2; most <= 16; ++most) {
+    TickedAxis ticked = logarithmicAxis(axis, range, most, pixels, sizes.unit);
+    if (ticked.ticks.size() < 2) continue;
+    if (pixelsApart(ticked.ticks.front(), ticked.ticks.back()) < 1.1 * size) continue;
+    ticked.ticks.erase(ticked.ticks.begin() + 1, ticked.ticks.end() - 1);
+    return ticked;
+  }
+  return logarithmicAxis(axis, range, 1, pixels, sizes.unit);
 }
 
 float DiagramAxes::px(double x) const {

@@ -111,7 +111,7 @@ class Panel {
     addMarkerLine(list);
     addHorizontalBars(list, diagram_, axes_, sizes_, theme_);
     addSeries(list, diagram_, styles_, axes_, sizes_, theme_);
-    addBlank(list);
+    addSentence(list);
     addLabels(list, labels_, sizes_, theme_);
     if (legendBox_.width > 0)
       addLegend(list, legend_, legendBox_, isOver(legendBox_, box), sizes_, theme_);
@@ -145,6 +145,9 @@ class Panel {
     const std::vector<DrawPoint> line = markerLine();
     if (!(line[0].x >= box.x && line[0].x <= box.right())) return;
     std::vector<Polyline> lines{line};
+    const Box gap = sentenceBox();
+    if (line[0].x > gap.x && line[0].x < gap.right())
+      lines = {{line[0], {line[0].x, gap.y}}, {{line[1].x, gap.bottom()}, line[1]}};
     const DrawPoint at = axes_.mapToPosition(diagram_.marker->x, diagram_.marker->y);
     if (diagram_.marker->isCross && at.y >= box.y && at.y <= box.bottom())
       lines.push_back({{box.x, at.y}, {box.right(), at.y}});
@@ -161,13 +164,26 @@ class Panel {
     list.layers.push_back(std::move(layer));
   }
 
-  /// Adds the reason why there are no curves.
-  void addBlank(DrawList& list) const {
+  /// Returns the lines of the sentence that says why there are no curves.
+  std::vector<std::string> sentenceLines() const {
+    return wrapped(diagram_.blank.text, sizes_.legend, false, 0.9F * axes_.box.width);
+  }
+
+  /// Returns the box of that sentence; empty where there is none.
+  Box sentenceBox() const {
+    const std::vector<std::string> lines = sentenceLines();
+    if (lines.empty()) return {};
+    const float size = sizes_.legend, width = widestLine(lines, size) + 2 * size;
+    const float height = 1.4F * size * static_cast<float>(lines.size()) + size;
+    const Box& box = axes_.box;
+    return {box.x + (box.width - width) / 2, box.y + (box.height - height) / 2 + 0.3F * size, width,
+            height};
+  }
+
+  void addSentence(DrawList& list) const {
     const Box& box = axes_.box;
     const float size = sizes_.legend;
-    if (diagram_.blank.empty()) return;
-    const std::vector<std::string> lines =
-        wrapped(diagram_.blank.text, size, false, 0.9F * box.width);
+    const std::vector<std::string> lines = sentenceLines();
     float baseline = box.y + box.height / 2 - 0.7F * size * static_cast<float>(lines.size());
     for (const std::string& line : lines) {
       baseline += 1.4F * size;

@@ -125,10 +125,10 @@ struct PlacedTag {
   float x = 0;
 };
 
-/// Places labels in a row where the line leaves space for them, as near to their usual positions
-/// as possible: the body on the left, the forces on the right, F_N outermost, the motion in the
-/// middle in as many of its words as fit. A label that does not fit is left out, because the line
-/// would cross it.
+/// Places labels in a row where the line leaves space for them. Those of the last picture stay
+/// where they were if they can; others are as near to their usual positions as possible: the body
+/// on the left, the forces on the right, F_N outermost, the motion in the middle in as many of its
+/// words as fit. A label that does not fit is left out, because the line would cross it.
 std::vector<PlacedTag> placedBetweenCrests(const TagPainter& painter, const Frame& frame,
                                            const ContactLayout& layout, float y,
                                            std::span<const Tag> forces) {
@@ -137,11 +137,13 @@ std::vector<PlacedTag> placedBetweenCrests(const TagPainter& painter, const Fram
   const CurveRows line = curveRows(frame, frame.lineHeight, layout);
   std::vector<std::pair<float, float>> spaces{{left, right}};
   std::vector<PlacedTag> placed;
-  const auto place = [&](const Tag& tag, float wanted) {
+  const auto place = [&](const Tag& tag, float wanted, bool exactly) {
     const float width = painter.width(tag);
     for (auto& [from, to] : spaces) {
+      if (exactly && (wanted < from || wanted + width > to)) continue;
       const float nearest = std::clamp(wanted, from, std::max(from, to - width));
-      const auto free = freeSpanAbove(line, {nearest, y, width, painter.height()}, from, to);
+      const auto free = freeSpanAbove(line, {nearest, y, width, painter.height()},
+                                      exactly ? wanted : from, exactly ? wanted + width : to);
       if (!free) continue;
       const float x = std::round(*free);
       placed.push_back({tag, x});
@@ -152,14 +154,27 @@ std::vector<PlacedTag> placedBetweenCrests(const TagPainter& painter, const Fram
     }
     return false;
   };
-  place(rigidTag(), left);
-  for (const Tag& force : forces) place(force, right);
+  // Each label in its forms, the one with the most words first, and its usual position.
+  std::vector<std::vector<PlacedTag>> labels;
+  labels.push_back({{rigidTag(), left}});
+  for (const Tag& force : forces) labels.push_back({{force, right}});
   if (const std::optional<Tag> motion = slidingTag(frame, false)) {
-    Tag brief = slidingTag(frame, true).value_or(*motion), briefest = brief;
+    const Tag brief = slidingTag(frame, true).value_or(*motion);
+    Tag briefest = brief;
     briefest.after.clear();  // the header shows the velocity
+    labels.emplace_back();
     for (const Tag& words : {*motion, brief, briefest})
-      if (place(words, layout.plot.x + (layout.plot.width - painter.width(words)) / 2)) break;
+      labels.back().push_back(
+          {words, layout.plot.x + (layout.plot.width - painter.width(words)) / 2});
   }
+  std::erase_if(labels, [&](const std::vector<PlacedTag>& forms) {
+    const std::optional<float> last = layout.lastPlace(forms.front().tag.id);
+    return last && std::ranges::any_of(
+                       forms, [&](const PlacedTag& form) { return place(form.tag, *last, true); });
+  });
+  for (const std::vector<PlacedTag>& forms : labels)
+    for (const PlacedTag& form : forms)
+      if (place(form.tag, form.x, false)) break;
   return placed;
 }
 
@@ -303,7 +318,8 @@ void nameElastomer(TagPainter& painter, const Frame& frame, const ContactLayout&
   if (layout.footer > 0 && footerWith(notes, note, layout)) return;
   for (const Tag& tag : tags) {
     if (!fits(tag)) continue;
-    const auto x = labelPlacement(frame, layout, top, painter.width(tag), margin);
+    const auto x =
+        labelPlacement(frame, layout, top, painter.width(tag), margin, layout.lastPlace(tag.id));
     if (x && isOnElastomer(tag, *x)) return painter.paint(tag, {*x, top}, plate);
   }
 }

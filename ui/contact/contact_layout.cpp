@@ -143,6 +143,11 @@ float ContactLayout::py(double metres) const {
   return static_cast<float>(std::clamp<double>(pixels, -kFarOutside, kFarOutside));
 }
 
+std::optional<float> ContactLayout::lastPlace(std::string_view id) const {
+  const auto last = std::ranges::find(lastLabels, id, &LabelPlace::id);
+  return last == lastLabels.end() ? std::nullopt : std::optional(last->left);
+}
+
 std::string exaggerationText(const ContactLayout& layout) {
   const double ratio = layout.pixelsPerMetreY() / layout.pixelsPerMetreX();
   return filled(Words::tr("vertical exaggeration %1\u00D7"), {shortNumber(ratio, 2)});
@@ -155,6 +160,7 @@ ContactLayout layoutContact(const Frame& frame, const ContactPictureOptions& opt
   layout.height = options.height;
   layout.sizes = sizesFor(options);
   layout.theme = options.theme;
+  layout.lastLabels = options.lastLabels;
   layout.view = resolvedView(frame, options.view);
   layout.scale = {options.overlay, colourMaximum(layout.view, options.overlay)};
   if (overlayValues(frame, options.overlay).size() != frame.lineHeight.size())

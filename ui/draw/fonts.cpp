@@ -213,6 +213,12 @@ float textWidth(std::string_view utf8, float size, bool bold) {
   return units * size / kAdvancesPerSize;
 }
 
+float widestLine(const std::vector<std::string>& lines, float size) {
+  float widest = 0;
+  for (const std::string& line : lines) widest = std::max(widest, textWidth(line, size));
+  return widest;
+}
+
 float textScale(float pictureScale) {
   return pictureScale > 1 ? std::pow(pictureScale, 0.7F) : std::clamp(pictureScale, 0.85F, 1.0F);
 }

@@ -54,6 +54,9 @@ QByteArray fontSubset(bool bold, const std::set<char32_t>& characters);
 /// wide ones.
 float textWidth(std::string_view utf8, float size, bool bold = false);
 
+/// Returns the width of the widest of some lines.
+float widestLine(const std::vector<std::string>& lines, float size);
+
 /// Returns the largest integer font size from `size` down to `least` at which the text fits.
 float fittingSize(const std::string& utf8, float size, float least, bool bold, float width);
 

@@ -181,10 +181,9 @@ AxisTicks yTicks(double from, double to, float pixels, float each, float size,
       const double apart = (closer.ticks[1].value - closer.ticks[0].value) / (to - from);
       return apart * static_cast<double>(pixels) >= 1.1 * static_cast<double>(size);
     };
-    // The outermost two give a scale where not all fit.
+    // The outermost two give a scale where not all fit; finer steps have them farther apart.
     if (!ticksFit()) closer.ticks.erase(closer.ticks.begin() + 1, closer.ticks.end() - 1);
-    if (!ticksFit()) break;
-    axis = std::move(closer);
+    if (ticksFit()) return closer;
   }
   return axis;
 }

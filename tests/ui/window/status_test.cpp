@@ -264,6 +264,38 @@ TEST(StatusLine, AnInterpolatedMeanIsMarked) {
   EXPECT_TRUE(mu.text().contains(QStringLiteral("(mean ≈ 0.276"))) << mu.text().toStdString();
 }
 
+/// Value and error end at the same digit, also where that digit is a zero.
+TEST(StatusLine, TheMeanEndsWhereItsErrorBegins) {
+  StatusLine line;
+  CurveReading reading;
+  const auto& mu = *line.findChild<QLabel*>("factMu");
+  for (const auto& [value, error, shown] : {std::tuple{0.3, 0.003, "(mean 0.300 ± 1 %)"},
+                                            {0.9, 0.0045, "(mean 0.900 ± 0.5 %)"},
+                                            {0.00119996, 5e-6, "(mean 0.001200 ± 0.4 %)"},
+                                            {0.5, 0.096, "(mean 0.5 ± 20 %)"}}) {
+    reading.mu = value;
+    reading.error = error;
+    line.showFrame(movingFrame(1), reading);
+    EXPECT_TRUE(mu.text().contains(shown)) << mu.text().toStdString() << ", not " << shown;
+  }
+}
+
+/// At the width of a small window there is room for it, in the longer words, too.
+TEST(StatusLine, TheDimensionlessVelocityIsThereInASmallGermanWindow) {
+  useLanguage("de");
+  StatusLine line;
+  line.setFixedWidth(1024);
+  line.show();
+  CurveReading reading;
+  reading.regime = regionText("II");
+  reading.mu = 0.001199;
+  reading.error = 5e-6;
+  line.showFrame(movingFrame(1), reading);
+  QTest::qWait(1);
+  EXPECT_TRUE(line.findChild<QLabel*>("factVelocity")->isVisible());
+  useLanguage("en");
+}
+
 /// A long hint in a small window: nothing is computed, and the place of the progress is free.
 TEST(StatusLine, AMessageHasThePlaceOfLesserReadings) {
   StatusLine line;

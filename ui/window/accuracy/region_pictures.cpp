@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ui/language/explained.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/window/figures/figure_picture.h"
@@ -123,7 +124,7 @@ void RegionPictures::choose(int index) {
   const DiagramSheet& sheet = figure_->figure.sheet;
   picture_->setAccessibleName(translatedText(sheet.title) + ", " + name);
   picture_->setAccessibleDescription(translatedText(sheet.note));
-  picture_->setToolTip("<p>" + translatedText(sheet.note).toHtmlEscaped() + "</p>");
+  picture_->setToolTip(wrappedTip(translatedText(sheet.note)));
 }
 
 }  // namespace asperity

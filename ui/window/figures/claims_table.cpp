@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "ui/draw/ticks.h"
+#include "ui/language/explained.h"
 #include "ui/language/translated.h"
 #include "ui/window/figures/claim_text.h"
 
@@ -187,8 +188,8 @@ void ClaimsTable::fill() {
     for (int column = 0; column < kClaimColumns; ++column) {
       auto* item = new QTableWidgetItem(cells[column]);
       item->setTextAlignment(Qt::AlignLeft | Qt::AlignTop);
-      item->setToolTip(QStringLiteral("<p style='white-space:pre-wrap'>%1</p>")
-                           .arg(detailsOf(claim).toHtmlEscaped()));
+      item->setToolTip(
+          QStringLiteral("<p style='white-space:pre-wrap'>%1</p>").arg(richText(detailsOf(claim))));
       setItem(row, column, item);
     }
     item(row, kHolds)->setForeground(verdictColour(claim.holds, isDark_));

@@ -200,7 +200,7 @@ void SurfaceImport::showSummary(const MeasuredSummary& summary) {
     const auto quantity = [](double value, const char* unit) {
       return inLanguage(QString::fromStdString(printedQuantity(value, unit, 4)));
     };
-    facts += tr("Normal force %1 on one period of %2, F_N/L = %3.")
+    facts += tr("Normal force %1 on one period of %2, F\u2099/L = %3.")
                  .arg(quantity(load.normalForce, "N"), quantity(summary.period, "m"),
                       quantity(load.normalForce / summary.period, "N/m"));
   }

@@ -35,21 +35,8 @@ struct PixelAxis {
   }
 };
 
-/// Returns the length of the part of a line that lies in a rectangle.
-double lengthIn(const QRectF& rectangle, const QLineF& line) {
-  double from = 0, to = 1;  // parts of the line
-  const auto clip = [&](double start, double change, double low, double high) {
-    if (change == 0) {
-      if (start < low || start > high) to = from;
-      return;
-    }
-    const double ends[] = {(low - start) / change, (high - start) / change};
-    from = std::max(from, std::min(ends[0], ends[1]));
-    to = std::min(to, std::max(ends[0], ends[1]));
-  };
-  clip(line.x1(), line.dx(), rectangle.left(), rectangle.right());
-  clip(line.y1(), line.dy(), rectangle.top(), rectangle.bottom());
-  return to > from ? (to - from) * line.length() : 0;  // also for a line without a place
+DrawPoint toDrawPoint(QPointF point) {
+  return {static_cast<float>(point.x()), static_cast<float>(point.y())};
 }
 
 QString valueText(double value, const std::string& unit) {
@@ -198,38 +185,23 @@ void PredictionPoint::paintEvent(QPaintEvent*) {
   const auto [low, high] = axesCorners();
   label_ = labelRect(QSizeF(metrics.horizontalAdvance(text) + 6, metrics.height() + 2), at,
                      {low.x(), top, high.x() - low.x(), bottom - top});
+  paintLeader(painter, at);
   QColor ground = palette().color(QPalette::Base);
   ground.setAlpha(210);
   painter.fillRect(label_, ground);
   painter.drawText(label_, Qt::AlignCenter, text);
 }
 
-/// Returns the length of the curves and of the line of the present state below a label, in pixels.
-double PredictionPoint::hiddenLength(const QRectF& label) const {
-  const Diagram& diagram = chart_.sheet().diagrams.front();
-  double length = 0;
-  for (const DiagramSeries& series : diagram.series)
-    for (std::size_t i = 1; i < series.points.size(); ++i) {
-      const DiagramPoint &from = series.points[i - 1], &to = series.points[i];
-      length += lengthIn(label, QLineF(toPixel({from.x, from.y}), toPixel({to.x, to.y})));
-    }
-  if (diagram.marker) {
-    const auto [low, high] = axesCorners();
-    const double x = toPixel({diagram.marker->x, point_.value_or(middle()).y()}).x();
-    length += lengthIn(label, QLineF(x, low.y(), x, high.y()));
-  }
-  return length;
-}
-
-/// Returns the rectangle beside a point, within `frame`, in which a label hides the least of the
-/// curves; above at the right where others are no better.
+/// Returns the rectangle of a label within `frame`: beside the point where that hides nothing,
+/// otherwise at the nearest free place; where there is none, beside the point where it hides least.
 QRectF PredictionPoint::labelRect(QSizeF label, QPointF at, const QRectF& frame) const {
   constexpr double kAside = 1.6 * kReach, kAbove = 0.4 * kReach;
+  OccupancyGrid covered = chart_.covered();
   QRectF best(
       {std::clamp(at.x(), frame.left(), std::max(frame.left(), frame.right() - label.width())),
        frame.top()},
       label);  // where the label does not fit beside the point
-  double least = std::numeric_limits<double>::infinity();
+  float least = std::numeric_limits<float>::infinity();
   for (const bool isBelow : {false, true})
     for (const bool isLeft : {false, true}) {
       const double x = isLeft ? at.x() - kAside - label.width() : at.x() + kAside;
@@ -237,12 +209,32 @@ QRectF PredictionPoint::labelRect(QSizeF label, QPointF at, const QRectF& frame)
       if (x < frame.left() || x + label.width() > frame.right()) continue;
       const double highest = std::max(frame.top(), frame.bottom() - label.height());
       const QRectF candidate({x, std::clamp(y, frame.top(), highest)}, label);
-      const double hidden = hiddenLength(candidate);
+      const float hidden = covered.under(toBox(candidate));
       if (hidden >= least) continue;
       least = hidden;
       best = candidate;
     }
-  return best;
+  if (least <= 0) return best;
+  constexpr float kStep = 6;
+  constexpr int kRings = 60;
+  covered.addBox(toBox(QRectF(at, QSizeF()).adjusted(-kReach, -kReach, kReach, kReach)), 1);
+  const auto isFree = [&](const Box& box) { return !(covered.greatestUnder(box) > 0); };
+  const auto free =
+      boxNear(toDrawPoint(at), static_cast<float>(label.width()),
+              static_cast<float>(label.height()), toBox(frame), covered, kStep, kRings, isFree);
+  return free ? QRectF(free->x, free->y, free->width, free->height) : best;
+}
+
+/// Joins the label to its point where it is not beside it.
+void PredictionPoint::paintLeader(QPainter& painter, QPointF at) const {
+  constexpr double kBeside = 2 * kReach;
+  const QRectF around = label_.adjusted(-kBeside, -kBeside, kBeside, kBeside);
+  const auto from = exitPoint(toBox(label_), toDrawPoint(at));
+  if (around.contains(at) || !from) return;
+  QLineF leader(at, QPointF(from->x, from->y));
+  leader.setP1(leader.pointAt(kReach / leader.length()));
+  painter.setPen(QPen(painter.pen().color(), 1));
+  painter.drawLine(leader);
 }
 
 void PredictionPoint::mousePressEvent(QMouseEvent* event) {

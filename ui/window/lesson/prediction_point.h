@@ -11,6 +11,8 @@
 #include <optional>
 #include <utility>
 
+class QPainter;
+
 namespace asperity {
 
 class ChartView;
@@ -53,8 +55,8 @@ class PredictionPoint : public QWidget {
   QPointF valueAt(QPointF pixel) const;
   std::pair<QPointF, QPointF> axesCorners() const;
   QString placeText() const;
-  double hiddenLength(const QRectF& label) const;
   QRectF labelRect(QSizeF label, QPointF at, const QRectF& frame) const;
+  void paintLeader(QPainter& painter, QPointF at) const;
   QPointF middle() const;
   void place(QPointF value);
   void describePosition();
