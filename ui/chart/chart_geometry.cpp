@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/draw/polyline.h"
+#include "ui/draw/shapes.h"
 
 namespace asperity {
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "ui/draw/fonts.h"
-#include "ui/draw/polyline.h"
+#include "ui/draw/shapes.h"
 #include "ui/draw/theme.h"
 
 namespace asperity {

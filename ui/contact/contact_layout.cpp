@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/contact/narrow_contact.h"
+#include "ui/contact/frame_curves.h"
 #include "ui/draw/fonts.h"
 #include "ui/draw/ticks.h"
 #include "ui/language/language.h"
