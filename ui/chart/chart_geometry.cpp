@@ -86,10 +86,14 @@ double ChartGeometry::mapY(double value) const {
   return area.bottom() - area.height() * fraction(axisPosition(yScale, value), y);
 }
 
-double ChartGeometry::valueAt(double pixel) const {
+double ChartGeometry::xAt(double pixel) const {
   const double part = area.width() > 0 ? (pixel - area.left()) / area.width() : 0;
-  const double position = x.from + part * x.size();
-  return axisValue(xScale, position);
+  return axisValue(xScale, x.from + part * x.size());
+}
+
+double ChartGeometry::yAt(double pixel) const {
+  const double part = area.height() > 0 ? (area.bottom() - pixel) / area.height() : 0;
+  return axisValue(yScale, y.from + part * y.size());
 }
 
 ChartTarget targetAt(const std::vector<ChartGeometry>& geometries, const DiagramSheet& sheet,

@@ -263,8 +263,8 @@ class ChartPanel::UnderItem : public QGraphicsItem {
     for (const double position : xAxis_.minor) fine += upright(position);
     if (yAxis_.scale == AxisScale::Logarithmic)
       for (const double position : yAxis_.minor) fine += level(position);
-    for (const AxisTick& tick : xAxis_.ticks) whole += upright(tick.value);
-    for (const AxisTick& tick : yAxis_.ticks) whole += level(tick.value);
+    for (const Tick& tick : xAxis_.ticks) whole += upright(tick.value);
+    for (const Tick& tick : yAxis_.ticks) whole += level(tick.value);
     const bool wasSmooth = painter.testRenderHint(QPainter::Antialiasing);
     painter.setRenderHint(QPainter::Antialiasing, false);
     painter.setPen(QPen(style_.fineGrid(), 1));
@@ -477,7 +477,7 @@ void ChartPanel::applyStyle(QCategoryAxis& axis, const ChartStyle& style) {
 /// Updates only what has changed: the layout of an axis takes much time.
 void ChartPanel::showAxis(QCategoryAxis& axis, const TickedAxis& ticked, const AxisRange& range) {
   QStringList labels;
-  for (const AxisTick& tick : ticked.ticks) labels += QString::fromStdString(tick.label);
+  for (const Tick& tick : ticked.ticks) labels += QString::fromStdString(tick.label);
   if (axis.categoriesLabels() == labels && axis.min() == range.from && axis.max() == range.to)
     return;
   // The library lays the axis out at once where its range changes, and later where its labels do:

@@ -22,6 +22,7 @@
 #include "core/chart/curve_diagram.h"
 #include "ui/chart/chart_legend.h"
 #include "ui/chart/chart_marker.h"
+#include "ui/chart/diagram_axes.h"
 #include "ui/language/explained.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
@@ -182,12 +183,18 @@ bool ChartView::hasMarker() const {
   return !sheet_.diagrams.empty() && sheet_.diagrams[0].marker;
 }
 
+std::optional<ChartGeometry> ChartView::frame() const {
+  if (frames_.empty()) return std::nullopt;
+  ChartGeometry frame = frames_[0];
+  frame.area.translate(corner());
+  return frame;
+}
+
 OccupancyGrid ChartView::covered() const {
-  if (frames_.empty() || panels_.empty()) return {{}, 1};
-  ChartGeometry map = frames_[0];
-  map.area.translate(corner());
-  OccupancyGrid covered = coveredBySeries(sheet_.diagrams[0], map, style_);
-  const auto x = static_cast<float>(map.mapX(lineValue()));
+  const std::optional<ChartGeometry> map = frame();
+  if (!map || panels_.empty()) return {{}, 1};
+  OccupancyGrid covered = coveredBySeries(sheet_.diagrams[0], *map, style_);
+  const auto x = static_cast<float>(map->mapX(lineValue()));
   const Box& area = covered.area();
   covered.addLine({{x, area.y}, {x, area.bottom()}}, 1);
   for (const QRectF& name : panels_[0]->namesInside())
@@ -565,7 +572,7 @@ void ChartView::dragMarker(QPointF position, bool finely) {
     gripMarker(position, finely);
   }
   const double displacement = (position.x() - gripAt_.x()) * (finely ? kFinely : 1);
-  moveMarker(map.valueAt(std::clamp(grippedX_ + displacement, map.area.left(), map.area.right())),
+  moveMarker(map.xAt(std::clamp(grippedX_ + displacement, map.area.left(), map.area.right())),
              finely);
 }
 

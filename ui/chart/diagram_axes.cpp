@@ -9,7 +9,6 @@
 #include "core/base/text_encoding.h"
 #include "ui/draw/fonts.h"
 #include "ui/draw/theme.h"
-#include "ui/draw/ticks.h"
 
 namespace asperity {
 namespace {
@@ -93,22 +92,16 @@ std::string titleWithUnit(const std::string& name, const std::string& unit) {
 }
 
 TickedAxis linearAxis(const DiagramAxis& axis, const AxisRange& range, const AxisTicks& ticks) {
-  TickedAxis ticked{AxisScale::Linear,
-                    range,
-                    {},
-                    minorTicks(ticks, range.from, range.to),
-                    titleWithUnit(axis.title.text, ticks.unit)};
-  for (const Tick& tick : ticks.ticks) ticked.ticks.push_back({tick.value, tick.label});
-  return ticked;
+  return {AxisScale::Linear, range, ticks.ticks, minorTicks(ticks, range.from, range.to),
+          titleWithUnit(axis.title.text, ticks.unit)};
 }
 
 /// Puts ticks at multiples of powers of ten; where this gives fewer than two, as on a linear axis.
 TickedAxis logarithmicAxis(const DiagramAxis& axis, const AxisRange& range, int most, float pixels,
                            float unit) {
+  const std::vector<Tick> ticks = logTicks(range.from, range.to, most);
   TickedAxis ticked{
-      AxisScale::Logarithmic, range, {}, {}, titleWithUnit(axis.title.text, axis.unit)};
-  const std::vector<LogTick> ticks = logTicks(range.from, range.to, most);
-  for (const LogTick& tick : ticks) ticked.ticks.push_back({tick.decade, tick.label});
+      AxisScale::Logarithmic, range, ticks, {}, titleWithUnit(axis.title.text, axis.unit)};
   if (ticks.size() > 1) {
     ticked.minor = minorLogTicks(range.from, range.to, ticks, pixels / range.size(), 3.0 * unit);
     return ticked;
@@ -164,32 +157,26 @@ void addTickMarks(DrawLayer& layer, const DiagramAxes& axes, const Rgba& colour,
     addLine(layer, {{box.x, y}, {box.x + reach, y}}, width, colour);
     if (isInside) addLine(layer, {{box.right(), y}, {box.right() - reach, y}}, width, colour);
   };
-  for (const AxisTick& tick : axes.xAxis.ticks) addX(tick.value, length);
+  for (const Tick& tick : axes.xAxis.ticks) addX(tick.value, length);
   for (const double value : axes.xAxis.minor) addX(value, length / 2);
-  for (const AxisTick& tick : axes.yAxis.ticks) addY(tick.value, length);
+  for (const Tick& tick : axes.yAxis.ticks) addY(tick.value, length);
   for (const double value : axes.yAxis.minor) addY(value, length / 2);
 }
 
 void addTickLabels(DrawList& list, const DiagramAxes& axes, const Rgba& colour, float size) {
   const Box& box = axes.box;
-  for (const AxisTick& tick : axes.xAxis.ticks) {
+  for (const Tick& tick : axes.xAxis.ticks) {
     const float half = textWidth(tick.label, size) / 2;
     const float centre = std::min(axes.px(tick.value), static_cast<float>(list.width) - half - 2);
     addLabel(list, tick.label, {centre, box.bottom() + 1.5F * size}, size, TextAnchor::Centre,
              colour);
   }
-  for (const AxisTick& tick : axes.yAxis.ticks)
+  for (const Tick& tick : axes.yAxis.ticks)
     addLabel(list, tick.label, {box.x - 0.7F * size, axes.py(tick.value) + 0.36F * size}, size,
              TextAnchor::Right, colour);
 }
 
 }  // namespace
-
-float widestLabel(const TickedAxis& axis, float size) {
-  float widest = 0;
-  for (const AxisTick& tick : axis.ticks) widest = std::max(widest, textWidth(tick.label, size));
-  return widest;
-}
 
 std::string trailingSymbol(const std::string& name) {
   constexpr std::size_t kLongest = 3;  // bytes, a Greek letter with a mark
@@ -272,7 +259,7 @@ TickedAxis tickedYAxis(const DiagramAxis& axis, const AxisRange& range, float pi
   const float size = sizes.tick;
   if (axis.scale == AxisScale::Linear)
     return linearAxis(axis, range, yTicks(range.from, range.to, pixels, 4 * size, size, axis.unit));
-  const auto pixelsApart = [&](const AxisTick& below, const AxisTick& above) {
+  const auto pixelsApart = [&](const Tick& below, const Tick& above) {
     return (above.value - below.value) / range.size() * static_cast<double>(pixels);
   };
   for (int most = std::clamp(static_cast<int>(pixels / (2 * size)), 2, 16); most > 1; --most) {
@@ -316,7 +303,7 @@ DrawPoint DiagramAxes::mapToPosition(double x, double y) const {
 
 float leftOfAxes(const DiagramAxes& axes, const DiagramSizes& sizes) {
   const float title = axes.yAxis.title.empty() || axes.titleAbove ? 0 : 1.75F * sizes.axis;
-  return std::ceil(title + widestLabel(axes.yAxis, sizes.tick) + 0.7F * sizes.tick);
+  return std::ceil(title + widestLabel(axes.yAxis.ticks, sizes.tick) + 0.7F * sizes.tick);
 }
 
 float aboveAxes(const DiagramAxes& axes, const DiagramSizes& sizes) {
@@ -336,10 +323,10 @@ void addDiagramGrid(DrawList& list, const DiagramAxes& axes, const DiagramSizes&
   const Box& box = axes.box;
   const float width = std::max(1.0F, std::round(sizes.unit));
   DrawLayer layer;
-  for (const AxisTick& tick : axes.yAxis.ticks)
+  for (const Tick& tick : axes.yAxis.ticks)
     addLine(layer, {{box.x, axes.py(tick.value)}, {box.right(), axes.py(tick.value)}}, width,
             theme.grid);
-  for (const AxisTick& tick : axes.xAxis.ticks)
+  for (const Tick& tick : axes.xAxis.ticks)
     addLine(layer, {{axes.px(tick.value), box.y}, {axes.px(tick.value), box.bottom()}}, width,
             theme.grid);
   list.layers.push_back(std::move(layer));

@@ -46,19 +46,10 @@ class Panel {
     arrange();
   }
 
-  DiagramFrame diagramFrame() const {
-    const TickedAxis &x = axes_.xAxis, &y = axes_.yAxis;
+  ChartGeometry geometry() const {
     const Box& box = axes_.box;
-    return {box.x,
-            box.y,
-            box.width,
-            box.height,
-            x.scale,
-            y.scale,
-            axisValue(x.scale, x.range.from),
-            axisValue(x.scale, x.range.to),
-            axisValue(y.scale, y.range.from),
-            axisValue(y.scale, y.range.to)};
+    return {QRectF(box.x, box.y, box.width, box.height), axes_.xAxis.range, axes_.yAxis.range,
+            axes_.xAxis.scale, axes_.yAxis.scale};
   }
 
   /// Returns whether the title of the y-axis fits.
@@ -309,7 +300,7 @@ class Panel {
   float overhang() const {
     const Box& box = axes_.box;
     float most = 2 * sizes_.unit;
-    for (const AxisTick& tick : axes_.xAxis.ticks)
+    for (const Tick& tick : axes_.xAxis.ticks)
       most = std::max(most, axes_.px(tick.value) + textWidth(tick.label, sizes_.tick) / 2 -
                                 box.right() + 2 * sizes_.unit);
     return most;
@@ -508,43 +499,12 @@ float lowestFrame(const DiagramSheet& english, const DiagramOptions& options) {
   return lowest / sizesFor(sheet, options).tick;
 }
 
-namespace {
-
-double valueAt(AxisScale scale, double from, double to, double part) {
-  return scale == AxisScale::Logarithmic ? from * std::pow(to / from, part)
-                                         : from + (to - from) * part;
-}
-
-double axisFraction(AxisScale scale, double from, double to, double value) {
-  return scale == AxisScale::Logarithmic ? std::log(value / from) / std::log(to / from)
-                                         : (value - from) / (to - from);
-}
-
-}  // namespace
-
-double DiagramFrame::xAt(float right) const {
-  return valueAt(xScale, xFrom, xTo, static_cast<double>((right - left) / width));
-}
-
-double DiagramFrame::yAt(float down) const {
-  return valueAt(yScale, yFrom, yTo, static_cast<double>((top + height - down) / height));
-}
-
-float DiagramFrame::mapX(double x) const {
-  return left + width * static_cast<float>(axisFraction(xScale, xFrom, xTo, x));
-}
-
-float DiagramFrame::mapY(double y) const {
-  return top + height - height * static_cast<float>(axisFraction(yScale, yFrom, yTo, y));
-}
-
-std::vector<DiagramFrame> diagramFrames(const DiagramSheet& english,
-                                        const DiagramOptions& options) {
+std::vector<ChartGeometry> diagramFrames(const DiagramSheet& english,
+                                         const DiagramOptions& options) {
   const DiagramSheet sheet = prepared(english, options);
   DrawList list = emptyList(options);
-  std::vector<DiagramFrame> frames;
-  for (const Panel& panel : placePanels(sheet, options, list))
-    frames.push_back(panel.diagramFrame());
+  std::vector<ChartGeometry> frames;
+  for (const Panel& panel : placePanels(sheet, options, list)) frames.push_back(panel.geometry());
   return frames;
 }
 

@@ -21,12 +21,6 @@ void nameUnit(AxisTicks& axis) {
   if (!axis.ticks.empty() && !axis.unit.empty()) axis.ticks.back().label += " " + axis.unit;
 }
 
-float widestLabel(const AxisTicks& axis, float size) {
-  float widest = 0;
-  for (const Tick& tick : axis.ticks) widest = std::max(widest, textWidth(tick.label, size));
-  return widest;
-}
-
 /// Leaves out x-ticks that the unit of the last one would touch.
 void dropTicksUnderLast(ContactLayout& layout) {
   std::vector<Tick>& ticks = layout.xTicks.ticks;
@@ -200,7 +194,7 @@ ContactLayout layoutContact(const Frame& frame, const ContactPictureOptions& opt
   layout.heightTicks =
       yTicks(layout.view.bottom, layout.view.top, layout.plot.height, 48 * u, s.small, "m");
   if (!layout.axisTitles) nameUnit(layout.heightTicks);
-  const float left = widestLabel(layout.heightTicks, s.small) + 9 * u + pad +
+  const float left = widestLabel(layout.heightTicks.ticks, s.small) + 9 * u + pad +
                      (layout.axisTitles ? s.small * 1.6F : 0);
   layout.plot.x = std::round(left);
   layout.plot.width = std::max(1.0F, std::round(width - 2 * pad) - layout.plot.x);

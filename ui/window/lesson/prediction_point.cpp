@@ -22,19 +22,6 @@ namespace {
 constexpr double kReach = 7;                       // pixels, radius of the point
 constexpr double kStep = 0.02, kFineStep = 0.005;  // of an axis, for a key
 
-/// One axis of the chart: its ends, and the pixels at which they lie.
-struct PixelAxis {
-  AxisScale scale;
-  double from, to;            // logarithms on a logarithmic axis
-  double pixelFrom, pixelTo;  // of the ends
-
-  double value(double pixel) const {
-    const double part = std::clamp((pixel - pixelFrom) / (pixelTo - pixelFrom), 0.0, 1.0);
-    const double position = from + part * (to - from);
-    return axisValue(scale, position);
-  }
-};
-
 DrawPoint toDrawPoint(QPointF point) {
   return {static_cast<float>(point.x()), static_cast<float>(point.y())};
 }
@@ -93,31 +80,15 @@ void PredictionPoint::showDecided(double x, double y, Whose whose) {
 }
 
 bool PredictionPoint::hasAxes() const {
-  if (chart_.sheet().diagrams.empty()) return false;
-  const VisibleRange range = chart_.visibleRange();
-  return !range.x.isEmpty() && !range.y.isEmpty();
-}
-
-QPointF PredictionPoint::toPixel(QPointF value) const {
-  return chart_.mapToPosition(value.x(), value.y());
-}
-
-/// Returns the pixels at the lower left and the upper right corner of the axes.
-std::pair<QPointF, QPointF> PredictionPoint::axesCorners() const {
-  const Diagram& diagram = chart_.sheet().diagrams.front();
-  const VisibleRange range = chart_.visibleRange();
-  return {
-      toPixel({axisValue(diagram.x.scale, range.x.from), axisValue(diagram.y.scale, range.y.from)}),
-      toPixel({axisValue(diagram.x.scale, range.x.to), axisValue(diagram.y.scale, range.y.to)})};
+  const auto frame = chart_.frame();
+  return frame && !frame->x.isEmpty() && !frame->y.isEmpty();
 }
 
 QPointF PredictionPoint::valueAt(QPointF pixel) const {
-  const Diagram& diagram = chart_.sheet().diagrams.front();
-  const VisibleRange range = chart_.visibleRange();
-  const auto [low, high] = axesCorners();
-  const PixelAxis x{diagram.x.scale, range.x.from, range.x.to, low.x(), high.x()};
-  const PixelAxis y{diagram.y.scale, range.y.from, range.y.to, low.y(), high.y()};
-  return {x_ ? *x_ : x.value(pixel.x()), y.value(pixel.y())};
+  const ChartGeometry frame = *chart_.frame();
+  const QRectF& area = frame.area;
+  return {x_ ? *x_ : frame.xAt(std::clamp(pixel.x(), area.left(), area.right())),
+          frame.yAt(std::clamp(pixel.y(), area.top(), area.bottom()))};
 }
 
 /// Returns the value of the point, and its position on the x-axis unless the question fixes it.
@@ -129,10 +100,7 @@ QString PredictionPoint::placeText() const {
 
 /// Returns the initial position of a point that has not been placed.
 QPointF PredictionPoint::middle() const {
-  const Diagram& diagram = chart_.sheet().diagrams.front();
-  const VisibleRange range = chart_.visibleRange();
-  return {x_ ? *x_ : axisValue(diagram.x.scale, (range.x.from + range.x.to) / 2),
-          axisValue(diagram.y.scale, (range.y.from + range.y.to) / 2)};
+  return valueAt(chart_.frame()->area.center());
 }
 
 void PredictionPoint::place(QPointF value) {
@@ -153,15 +121,13 @@ void PredictionPoint::describePosition() {
 void PredictionPoint::paintEvent(QPaintEvent*) {
   if (!hasAxes()) return;
   const QPointF value = point_.value_or(middle());
-  QPointF at = toPixel(value);
+  const ChartGeometry frame = *chart_.frame();
+  QPointF at = frame.at(value.x(), value.y());
   if (!std::isfinite(at.x()) || !std::isfinite(at.y())) return;
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   const QColor colour = colour_.isValid() ? colour_ : palette().color(QPalette::Highlight);
-  const VisibleRange range = chart_.visibleRange();
-  const Diagram& diagram = chart_.sheet().diagrams.front();
-  const double top = toPixel({value.x(), axisValue(diagram.y.scale, range.y.to)}).y();
-  const double bottom = toPixel({value.x(), axisValue(diagram.y.scale, range.y.from)}).y();
+  const double top = frame.area.top(), bottom = frame.area.bottom();
   // A guess may lie beyond the axis of the curve, which is shown once it is made.
   const QString arrow = at.y() < top      ? QStringLiteral("↑")
                         : at.y() > bottom ? QStringLiteral("↓")
@@ -182,9 +148,8 @@ void PredictionPoint::paintEvent(QPaintEvent*) {
                 (arrow.isEmpty() ? QString() : QStringLiteral(": %1 %2").arg(height, arrow));
   const QString text = isDecided_ ? decided : height;
   const QFontMetricsF metrics(font());
-  const auto [low, high] = axesCorners();
-  label_ = labelRect(QSizeF(metrics.horizontalAdvance(text) + 6, metrics.height() + 2), at,
-                     {low.x(), top, high.x() - low.x(), bottom - top});
+  label_ =
+      labelRect(QSizeF(metrics.horizontalAdvance(text) + 6, metrics.height() + 2), at, frame.area);
   paintLeader(painter, at);
   QColor ground = palette().color(QPalette::Base);
   ground.setAlpha(210);
@@ -242,11 +207,8 @@ void PredictionPoint::mousePressEvent(QMouseEvent* event) {
   setFocus(Qt::MouseFocusReason);
   // A click beside the axes, such as on the legend, is no answer. The edge itself is one.
   constexpr double kEdge = 3;  // pixels
-  const auto [low, high] = axesCorners();
-  isDragged_ = QRectF(low, high)
-                   .normalized()
-                   .adjusted(-kEdge, -kEdge, kEdge, kEdge)
-                   .contains(event->position());
+  isDragged_ =
+      chart_.frame()->area.adjusted(-kEdge, -kEdge, kEdge, kEdge).contains(event->position());
   if (isDragged_) place(valueAt(event->position()));
 }
 
@@ -261,7 +223,8 @@ void PredictionPoint::keyPressEvent(QKeyEvent* event) {
   if ((dx == 0 && dy == 0) || !hasAxes() || event->modifiers() & Qt::AltModifier)
     return QWidget::keyPressEvent(event);
   const double step = event->modifiers() & Qt::ShiftModifier ? kFineStep : kStep;
-  const QPointF at = toPixel(point_.value_or(middle()));
+  const QPointF from = point_.value_or(middle());
+  const QPointF at = chart_.frame()->at(from.x(), from.y());
   place(valueAt(at + QPointF(dx * step * width(), dy * step * height())));
   QAccessibleEvent changed(this, QAccessible::NameChanged);
   QAccessible::updateAccessibility(&changed);

@@ -9,7 +9,6 @@
 #include <QRectF>
 #include <QWidget>
 #include <optional>
-#include <utility>
 
 class QPainter;
 
@@ -51,9 +50,7 @@ class PredictionPoint : public QWidget {
 
  private:
   bool hasAxes() const;
-  QPointF toPixel(QPointF value) const;
   QPointF valueAt(QPointF pixel) const;
-  std::pair<QPointF, QPointF> axesCorners() const;
   QString placeText() const;
   QRectF labelRect(QSizeF label, QPointF at, const QRectF& frame) const;
   void paintLeader(QPainter& painter, QPointF at) const;
