@@ -17,6 +17,7 @@
 #include "core/chart/diagram.h"
 #include "ui/chart/chart_geometry.h"
 #include "ui/chart/chart_style.h"
+#include "ui/chart/diagram_axes.h"
 #include "ui/chart/occupancy_grid.h"
 
 class QAreaSeries;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "core/base/text_encoding.h"
 #include "ui/draw/fonts.h"
@@ -96,23 +97,27 @@ TickedAxis linearAxis(const DiagramAxis& axis, const AxisRange& range, const Axi
           titleWithUnit(axis.title.text, ticks.unit)};
 }
 
+/// Returns the axis with ticks at multiples of one step, where these are more.
+TickedAxis withLinearTicks(TickedAxis ticked, const DiagramAxis& axis, int most) {
+  const AxisTicks linear =
+      linearTicks(std::pow(10, ticked.range.from), std::pow(10, ticked.range.to), most, axis.unit);
+  if (linear.ticks.size() <= ticked.ticks.size()) return ticked;
+  ticked.title = titleWithUnit(axis.title.text, linear.unit);
+  ticked.ticks.clear();
+  ticked.minor.clear();
+  for (const Tick& tick : linear.ticks)
+    if (tick.value > 0) ticked.ticks.push_back({std::log10(tick.value), tick.label});
+  return ticked;
+}
+
 /// Puts ticks at multiples of powers of ten; where this gives fewer than two, as on a linear axis.
 TickedAxis logarithmicAxis(const DiagramAxis& axis, const AxisRange& range, int most, float pixels,
                            float unit) {
   const std::vector<Tick> ticks = logTicks(range.from, range.to, most);
   TickedAxis ticked{
       AxisScale::Logarithmic, range, ticks, {}, titleWithUnit(axis.title.text, axis.unit)};
-  if (ticks.size() > 1) {
-    ticked.minor = minorLogTicks(range.from, range.to, ticks, pixels / range.size(), 3.0 * unit);
-    return ticked;
-  }
-  const AxisTicks linear =
-      linearTicks(std::pow(10, range.from), std::pow(10, range.to), most, axis.unit);
-  if (linear.ticks.size() <= ticks.size()) return ticked;
-  ticked.title = titleWithUnit(axis.title.text, linear.unit);
-  ticked.ticks.clear();
-  for (const Tick& tick : linear.ticks)
-    if (tick.value > 0) ticked.ticks.push_back({std::log10(tick.value), tick.label});
+  if (ticks.size() < 2) return withLinearTicks(std::move(ticked), axis, most);
+  ticked.minor = minorLogTicks(range.from, range.to, ticks, pixels / range.size(), 3.0 * unit);
   return ticked;
 }
 
@@ -273,11 +278,13 @@ TickedAxis tickedYAxis(const DiagramAxis& axis, const AxisRange& range, float pi
   // A low axis has the outermost two of the first ticks that are far enough apart: a single tick
   // does not show the scale.
   for (int most = 2; most <= 16; ++most) {
-    TickedAxis ticked = logarithmicAxis(axis, range, most, pixels, sizes.unit);
-    if (ticked.ticks.size() < 2) continue;
-    if (pixelsApart(ticked.ticks.front(), ticked.ticks.back()) < 1.1 * size) continue;
-    ticked.ticks.erase(ticked.ticks.begin() + 1, ticked.ticks.end() - 1);
-    return ticked;
+    const TickedAxis ticked = logarithmicAxis(axis, range, most, pixels, sizes.unit);
+    for (TickedAxis low : {ticked, withLinearTicks(ticked, axis, most)}) {
+      if (low.ticks.size() < 2) continue;
+      if (pixelsApart(low.ticks.front(), low.ticks.back()) < 1.1 * size) continue;
+      low.ticks.erase(low.ticks.begin() + 1, low.ticks.end() - 1);
+      return low;
+    }
   }
   return logarithmicAxis(axis, range, 1, pixels, sizes.unit);
 }

@@ -56,7 +56,7 @@ std::vector<Tick> logTicks(double from, double to, int most);
 /// Returns decimal logarithms of the minor ticks: 2, 3, ..., 9 times every decade, or 2 and 5 times
 /// where `decadePixels` is below twelve times `apart`, or only the decades where those do not fit.
 /// Ascending, none at a tick.
-std::vector<double> minorTicks(double from, double to, const std::vector<Tick>& ticks,
+std::vector<double> minorLogTicks(double from, double to, const std::vector<Tick>& ticks,
                                double decadePixels, double apart);
 
 /// Returns a positive factor for people, "1,410,000": with three digits, and the groups of
