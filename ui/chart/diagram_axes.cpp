@@ -279,7 +279,9 @@ TickedAxis tickedYAxis(const DiagramAxis& axis, const AxisRange& range, float pi
   // does not show the scale.
   for (int most = 2; most <= 16; ++most) {
     const TickedAxis ticked = logarithmicAxis(axis, range, most, pixels, sizes.unit);
-    for (TickedAxis low : {ticked, withLinearTicks(ticked, axis, most)}) {
+    TickedAxis empty = ticked;
+    empty.ticks.clear();
+    for (TickedAxis low : {ticked, withLinearTicks(empty, axis, most)}) {
       if (low.ticks.size() < 2) continue;
       if (pixelsApart(low.ticks.front(), low.ticks.back()) < 1.1 * size) continue;
       low.ticks.erase(low.ticks.begin() + 1, low.ticks.end() - 1);

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <QImage>
 #include <QTest>
 
 #include "core/chart/curve_diagram.h"
@@ -17,10 +16,10 @@ DiagramSheet crowdedSheet() {
   Diagram diagram;
   diagram.x = {"x", "", AxisScale::Linear, 0, 1};
   diagram.y = {"y", "", AxisScale::Linear, 0, 1};
-  for (int i = 0; i < 12; ++i) {
+  for (int i = 0; i < 21; ++i) {
     DiagramSeries series;
     series.id = kPresentCurve;
-    series.points = {{0, 0.05 * i}, {1, 0.05 * i}};
+    series.points = {{0, 0.025 * i}, {1, 0.025 * i}};
     diagram.series.push_back(series);
   }
   DiagramSheet sheet;
@@ -28,7 +27,7 @@ DiagramSheet crowdedSheet() {
   return sheet;
 }
 
-TEST(PredictionPoint, ItsLabelHasRoomFartherAwayAndALineToIt) {
+TEST(PredictionPoint, ItsLabelGoesToFreeRoomFartherAway) {
   ChartView chart;
   chart.resize(800, 500);
   chart.setTheme(printTheme());
@@ -38,19 +37,12 @@ TEST(PredictionPoint, ItsLabelHasRoomFartherAwayAndALineToIt) {
   PredictionPoint point(chart);
   point.setColour(Qt::magenta);
   point.showDecided(0.5, 0.3, PredictionPoint::Whose::Computed);
-  const QImage image = point.grab().toImage();
+  point.grab();
   const QRectF label = point.label();
   ASSERT_FALSE(label.isEmpty());
-  const QPointF at = chart.mapToPosition(0.5, 0.3);
   EXPECT_LT(label.bottom(), chart.mapToPosition(0.5, 0.55).y());
   EXPECT_GE(label.top(), chart.mapToPosition(0.5, 1).y() - 1);
   EXPECT_FALSE(chart.covered().greatestUnder(toBox(label)) > 0);
-  // Halfway along its line.
-  const QPoint halfway = (QPointF(label.center().x(), label.bottom()) + at).toPoint() / 2;
-  bool hasLeader = false;
-  for (int dx = -8; dx <= 8; ++dx)
-    hasLeader = hasLeader || image.pixelColor(halfway + QPoint(dx, 0)) == QColor(Qt::magenta);
-  EXPECT_TRUE(hasLeader);
 }
 
 TEST(PredictionPoint, ItsLabelIsBesideItWhereThatIsFree) {

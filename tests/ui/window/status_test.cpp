@@ -13,7 +13,6 @@
 #include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
 #include "ui/draw/ticks.h"
-#include "ui/language/language.h"
 #include "ui/window/contact/contact_canvas.h"
 #include "ui/window/curve/curve_reading.h"
 #include "ui/window/main/status_line.h"
@@ -279,22 +278,6 @@ TEST(StatusLine, TheMeanEndsWhereItsErrorBegins) {
     line.showFrame(movingFrame(1), reading);
     EXPECT_TRUE(mu.text().contains(shown)) << mu.text().toStdString() << ", not " << shown;
   }
-}
-
-/// At the width of a small window there is room for it, in the longer words, too.
-TEST(StatusLine, TheDimensionlessVelocityIsThereInASmallGermanWindow) {
-  useLanguage("de");
-  StatusLine line;
-  line.setFixedWidth(1024);
-  line.show();
-  CurveReading reading;
-  reading.regime = regionText("II");
-  reading.mu = 0.001199;
-  reading.error = 5e-6;
-  line.showFrame(movingFrame(1), reading);
-  QTest::qWait(1);
-  EXPECT_TRUE(line.findChild<QLabel*>("factVelocity")->isVisible());
-  useLanguage("en");
 }
 
 /// A long hint in a small window: nothing is computed, and the place of the progress is free.

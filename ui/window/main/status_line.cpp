@@ -50,7 +50,7 @@ QString meanText(const CurveReading& reading) {
   if (!(share > kRounding)) return {};
   const auto decade = [](double value) { return std::floor(std::log10(std::abs(value))); };
   const double last = decade(roundedToDigits(reading.error, 1));
-  const double digits = std::clamp(decade(reading.mu) - last + 1, 2.0, 5.0);
+  const double digits = std::clamp(decade(reading.mu) - last + 1, 1.0, 5.0);
   return (reading.isInterpolated ? StatusLine::tr(" (mean ≈ %1 ± %2 %)")
                                  : StatusLine::tr(" (mean %1 ± %2 %)"))
       .arg(QString::fromStdString(shortNumber(reading.mu, static_cast<int>(digits), Zeros::Keep)),
