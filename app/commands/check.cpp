@@ -47,7 +47,7 @@ std::string summaryText(const Scene& scene, const LineSource& source, const LawI
              {number(source.length()), std::to_string(source.elements()), number(spacing),
               number(in.rmsHeight), number(in.rmsSlope)}));
   if (in.rmsHeight > 0 && scene.load.kind != LoadKind::Indentation)
-    add(filled(Words::tr("dimensionless force F_N / G h L = %1 (Eq. 14)"),
+    add(filled(Words::tr("dimensionless force F\u2099 / G h L = %1 (Eq. 14)"),
                {number(dimensionlessForce(in))}));
   // Eq. (13) has one relaxation time.
   if (in.rmsHeight > 0 && elementLaw(scene.elastomer).kind() != ElementKind::Arms)

@@ -55,7 +55,7 @@ std::string summaryText(const Curve& curve, const CurveSet& set) {
   });
   const CurvePoint& first = curve.points.front();
   if (std::isfinite(first.normalForce) && scene.sweep.isOfVelocity())
-    text += filledLine(Words::tr("F_N = %1 N on one period; results depend on the width"),
+    text += filledLine(Words::tr("F\u2099 = %1 N on one period; results depend on the width"),
                        shortNumber(first.normalForce, 6));
   for (const MeasuredCurve& measured : set.measured)
     for (const Message& note : measured.data.notes)

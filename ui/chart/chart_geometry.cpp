@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/draw/shapes.h"
+
 namespace asperity {
 
 namespace {
@@ -61,26 +63,12 @@ void findSpan(const ChartGeometry& geometry, const Diagram& diagram, QPointF pos
       target.span = static_cast<int>(i);
 }
 
-/// Returns whether the straight line between two positions on the axes passes through the range.
-bool crosses(const VisibleRange& window, QPointF a, QPointF b) {
-  const double ax = a.x(), ay = a.y();
-  const double dx = b.x() - ax, dy = b.y() - ay;
-  double from = 0, to = 1;  // the part of the line within both axes
-  const auto cut = [&](double start, double step, const AxisRange& range) {
-    if (step == 0) {
-      if (start < range.from || start > range.to) to = -1;
-      return;
-    }
-    const double one = (range.from - start) / step, other = (range.to - start) / step;
-    from = std::max(from, std::min(one, other));
-    to = std::min(to, std::max(one, other));
-  };
-  cut(ax, dx, window.x);
-  cut(ay, dy, window.y);
-  return from <= to;
-}
-
 }  // namespace
+
+Box toBox(const QRectF& rect) {
+  return {static_cast<float>(rect.x()), static_cast<float>(rect.y()),
+          static_cast<float>(rect.width()), static_cast<float>(rect.height())};
+}
 
 bool isFinite(QPointF position) {
   return std::isfinite(position.x()) && std::isfinite(position.y());
@@ -98,10 +86,14 @@ double ChartGeometry::mapY(double value) const {
   return area.bottom() - area.height() * fraction(axisPosition(yScale, value), y);
 }
 
-double ChartGeometry::valueAt(double pixel) const {
+double ChartGeometry::xAt(double pixel) const {
   const double part = area.width() > 0 ? (pixel - area.left()) / area.width() : 0;
-  const double position = x.from + part * x.size();
-  return axisValue(xScale, position);
+  return axisValue(xScale, x.from + part * x.size());
+}
+
+double ChartGeometry::yAt(double pixel) const {
+  const double part = area.height() > 0 ? (area.bottom() - pixel) / area.height() : 0;
+  return axisValue(yScale, y.from + part * y.size());
 }
 
 ChartTarget targetAt(const std::vector<ChartGeometry>& geometries, const DiagramSheet& sheet,
@@ -164,17 +156,15 @@ VisibleRange heldWithin(const VisibleRange& window, const VisibleRange& whole) {
 }
 
 bool showsCurves(const VisibleRange& window, const Diagram& diagram) {
-  for (const DiagramSeries& series : diagram.series) {
-    std::vector<QPointF> positions;
+  const Box box = toBox({window.x.from, window.y.from, window.x.size(), window.y.size()});
+  return std::ranges::any_of(diagram.series, [&](const DiagramSeries& series) {
+    Polyline positions;
     for (const DiagramPoint& point : series.points)
       if (hasPosition(diagram, point))
-        positions.emplace_back(axisPosition(diagram.x.scale, point.x),
-                               axisPosition(diagram.y.scale, point.y));
-    for (std::size_t i = 0; i < positions.size(); ++i)
-      if (crosses(window, positions[i], positions[std::min(i + 1, positions.size() - 1)]))
-        return true;
-  }
-  return false;
+        positions.push_back({static_cast<float>(axisPosition(diagram.x.scale, point.x)),
+                             static_cast<float>(axisPosition(diagram.y.scale, point.y))});
+    return !clippedTo(box, positions).empty();
+  });
 }
 
 }  // namespace asperity

@@ -1,5 +1,5 @@
-// Pixel positions in a diagram of the interactive chart, the object under the pointer, and zooming
-// and panning. Pure values, without widgets; any thread.
+// Positions in the frame of a diagram, the object under the pointer, and zooming and panning. Pure
+// values, without widgets; any thread.
 #pragma once
 
 #include <QPointF>
@@ -7,9 +7,18 @@
 #include <vector>
 
 #include "core/chart/diagram.h"
-#include "ui/chart/diagram_axes.h"
+#include "ui/draw/draw_list.h"
 
 namespace asperity {
+
+/// A range on an axis: decimal logarithms on a logarithmic one, otherwise values.
+struct AxisRange {
+  double from = 0, to = 0;
+
+  bool isEmpty() const { return to <= from; }
+  double size() const { return to - from; }
+  bool operator==(const AxisRange&) const = default;
+};
 
 /// The visible ranges of a chart: of the x-axis that all its diagrams share, and of the first
 /// diagram's y-axis.
@@ -19,7 +28,7 @@ struct VisibleRange {
   bool operator==(const VisibleRange&) const = default;
 };
 
-/// Maps the values of one diagram to positions inside its frame.
+/// Maps the values of one diagram to positions inside its frame, on the screen or in a picture.
 struct ChartGeometry {
   QRectF area;
   AxisRange x, y;
@@ -31,9 +40,13 @@ struct ChartGeometry {
   QPointF at(double xValue, double yValue) const;
   double mapX(double value) const;
   double mapY(double value) const;
-  /// Returns the value at a horizontal position.
-  double valueAt(double pixel) const;
+  /// These functions return the values at a position.
+  double xAt(double pixel) const;
+  double yAt(double pixel) const;
 };
+
+/// Returns a rectangle as pictures have it.
+Box toBox(const QRectF& rect);
 
 /// Returns whether a position is one: false for those of values that the axes cannot show.
 bool isFinite(QPointF position);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/language/translated.h"
+
 namespace asperity {
 
 namespace {
@@ -17,9 +19,11 @@ constexpr double kRing = 7.5;        // radius, around the point that is read
 }  // namespace
 
 void MarkerItem::update(const ChartGeometry& geometry, const std::optional<DiagramMarker>& marker,
-                        double lineX, const ChartStyle& style, const QList<QRectF>& taken) {
+                        double lineX, const ChartStyle& style, const QList<QRectF>& taken,
+                        const QRectF& sentence) {
   prepareGeometryChange();
   geometry_ = geometry;
+  sentence_ = sentence;
   marker_ = marker;
   style_ = style;
   bounds_ = label_ = QRectF();
@@ -89,10 +93,8 @@ void MarkerItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
   painter->setOpacity(marker_->isFaded ? kFadedOpacity : 1);
   paintTrace(*painter);
   if (label_.isEmpty() || lineX_ < area.left() - 1 || lineX_ > area.right() + 1) return;
+  paintLine(*painter);
   painter->setFont(style_.font);
-  const double sharp = std::floor(lineX_) + 0.5;  // the line covers whole pixels
-  painter->setPen(QPen(style_.marker(), 1.5 * geometry_.scale));
-  painter->drawLine(QPointF(sharp, area.top()), QPointF(sharp, area.bottom()));
   QColor halo = style_.background();
   halo.setAlphaF(0.85F);
   painter->fillRect(label_, halo);
@@ -105,6 +107,16 @@ void MarkerItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
     const double radius = kDot * geometry_.scale;
     painter->drawEllipse(dot, radius, radius);
   }
+}
+
+void MarkerItem::paintLine(QPainter& painter) const {
+  const QRectF& area = geometry_.area;
+  const double x = std::floor(lineX_) + 0.5;  // the line covers whole pixels
+  painter.setPen(QPen(style_.marker(), 1.5 * geometry_.scale));
+  const bool isInterrupted = x > sentence_.left() && x < sentence_.right();
+  painter.drawLine(QPointF(x, area.top()),
+                   QPointF(x, isInterrupted ? sentence_.top() : area.bottom()));
+  if (isInterrupted) painter.drawLine(QPointF(x, sentence_.bottom()), QPointF(x, area.bottom()));
 }
 
 void MarkerItem::paintTrace(QPainter& painter) const {
@@ -120,17 +132,6 @@ void MarkerItem::paintTrace(QPainter& painter) const {
 }
 
 /// Shows the text beside its point, on the side where it fits.
-namespace {
-
-/// Returns the text for a document: its lines, and a normal force with a lowered N, as in pictures.
-QString richText(const QString& text) {
-  QString rich = text.toHtmlEscaped();
-  rich.replace('\n', QLatin1String("<br>"));
-  return rich.replace(QStringLiteral("\u2099"), QLatin1String("<sub>N</sub>"));
-}
-
-}  // namespace
-
 void TipItem::show(const QString& text, QPointF position, bool ringed, const QRectF& bounds,
                    const ChartStyle& style) {
   prepareGeometryChange();
@@ -139,7 +140,7 @@ void TipItem::show(const QString& text, QPointF position, bool ringed, const QRe
   isRinged_ = ringed;
   style_ = style;
   const double most = std::min(360.0 * style_.scale(), bounds.width() - 4 * kTipPad);
-  lines_ = QStaticText(richText(text));
+  lines_ = QStaticText(richText(text).replace('\n', QLatin1String("<br>")));
   lines_.setTextFormat(Qt::RichText);
   lines_.prepare({}, style_.font);
   if (lines_.size().width() > most) {

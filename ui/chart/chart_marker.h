@@ -18,15 +18,17 @@ class MarkerItem : public QGraphicsItem {
 
   /// Updates marker, trace and text. lineX: position of the line while it is dragged and the dot
   /// has not followed yet; NaN: at the marker. taken: rectangles of other texts, which the marker's
-  /// own text avoids.
+  /// own text avoids. sentence: a rectangle that interrupts the line.
   void update(const ChartGeometry& geometry, const std::optional<DiagramMarker>& marker,
-              double lineX, const ChartStyle& style, const QList<QRectF>& taken);
+              double lineX, const ChartStyle& style, const QList<QRectF>& taken,
+              const QRectF& sentence);
   QRectF boundingRect() const override { return bounds_; }
   void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;
 
  private:
   QRectF labelRect(const QList<QRectF>& taken) const;
   void makeTrace();
+  void paintLine(QPainter& painter) const;
   void paintTrace(QPainter& painter) const;
 
   ChartGeometry geometry_;
@@ -34,7 +36,7 @@ class MarkerItem : public QGraphicsItem {
   QPainterPath trace_;
   double lineX_ = 0;
   ChartStyle style_;
-  QRectF bounds_, label_;
+  QRectF bounds_, label_, sentence_;
 };
 
 /// Shows a few lines of text beside a position; a point also gets a ring.

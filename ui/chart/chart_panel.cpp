@@ -17,7 +17,6 @@
 
 #include "ui/chart/diagram_series.h"
 #include "ui/chart/diagram_style.h"
-#include "ui/chart/occupancy_grid.h"
 #include "ui/draw/fonts.h"
 
 namespace asperity {
@@ -69,16 +68,25 @@ QImage markImage(SeriesMark mark, double size, const QColor& colour, const QColo
   return image;
 }
 
-Box toBox(const QRectF& rect) {
-  return {static_cast<float>(rect.x()), static_cast<float>(rect.y()),
-          static_cast<float>(rect.width()), static_cast<float>(rect.height())};
-}
-
 QPointF chartPosition(const Diagram& diagram, double x, double y) {
   return {axisPosition(diagram.x.scale, x), axisPosition(diagram.y.scale, y)};
 }
 
 }  // namespace
+
+OccupancyGrid coveredBySeries(const Diagram& diagram, const ChartGeometry& map,
+                              const ChartStyle& style) {
+  DiagramAxes axes;
+  axes.box = toBox(map.area);
+  axes.xAxis.scale = map.xScale;
+  axes.xAxis.range = map.x;
+  axes.yAxis.scale = map.yScale;
+  axes.yAxis.range = map.y;
+  OccupancyGrid covered(axes.box, kCell);
+  coverSeries(covered, diagram,
+              seriesStyles(diagram, tickSizes(style), style.theme, axes.box.width), axes);
+  return covered;
+}
 
 /// Paints regions with their names, shades, the grid and the titles of the axes.
 class ChartPanel::UnderItem : public QGraphicsItem {
@@ -93,7 +101,8 @@ class ChartPanel::UnderItem : public QGraphicsItem {
     shades_ = diagram.shades;
     map_ = map;
     style_ = style;
-    covered_ = makeCoverage(diagram, {toBox(map.area), xAxis, yAxis});
+    // Only names of shades avoid the series.
+    covered_ = shades_.empty() ? OccupancyGrid({}, 1) : coveredBySeries(diagram, map, style);
     xAxis_ = xAxis;
     yAxis_ = yAxis;
     hasXLabels_ = hasXLabels;
@@ -237,15 +246,6 @@ class ChartPanel::UnderItem : public QGraphicsItem {
   /// Returns the part of a box that curves and marks cover.
   float coveredIn(const QRectF& box) const { return covered_.under(toBox(box)); }
 
-  /// Returns the map of the area that the series cover; it is empty without names that avoid them.
-  OccupancyGrid makeCoverage(const Diagram& diagram, const DiagramAxes& axes) const {
-    OccupancyGrid covered(axes.box, kCell);
-    if (!shades_.empty())
-      coverSeries(covered, diagram,
-                  seriesStyles(diagram, tickSizes(style_), style_.theme, axes.box.width), axes);
-    return covered;
-  }
-
   /// Paints lines on whole pixels: smoothed lines between pixels would be faint, and take most of
   /// the time that painting a diagram takes.
   void paintGrid(QPainter& painter) const {
@@ -263,8 +263,8 @@ class ChartPanel::UnderItem : public QGraphicsItem {
     for (const double position : xAxis_.minor) fine += upright(position);
     if (yAxis_.scale == AxisScale::Logarithmic)
       for (const double position : yAxis_.minor) fine += level(position);
-    for (const AxisTick& tick : xAxis_.ticks) whole += upright(tick.value);
-    for (const AxisTick& tick : yAxis_.ticks) whole += level(tick.value);
+    for (const Tick& tick : xAxis_.ticks) whole += upright(tick.value);
+    for (const Tick& tick : yAxis_.ticks) whole += level(tick.value);
     const bool wasSmooth = painter.testRenderHint(QPainter::Antialiasing);
     painter.setRenderHint(QPainter::Antialiasing, false);
     painter.setPen(QPen(style_.fineGrid(), 1));
@@ -363,18 +363,26 @@ class ChartPanel::OverItem : public QGraphicsItem {
         paintErrorBar(*painter, bar.x1(), bar.y1(), bar.y2(), kCap * map_.scale);
     }
     painter->restore();
-    if (!blank_.isEmpty()) paintBlank(*painter);
+    if (!blank_.isEmpty()) paintSentence(*painter);
+  }
+
+  QRectF sentence() const {
+    if (blank_.isEmpty()) return {};
+    return QFontMetricsF(style_.font)
+        .boundingRect(sentenceArea(), kSentence, blank_)
+        .adjusted(-10, -6, 10, 6);
   }
 
  private:
-  void paintBlank(QPainter& painter) const {
-    constexpr int kFlags = Qt::AlignCenter | Qt::TextWordWrap;
-    const QRectF area = map_.area.adjusted(12, 8, -12, -8);
+  static constexpr int kSentence = Qt::AlignCenter | Qt::TextWordWrap;
+
+  QRectF sentenceArea() const { return map_.area.adjusted(12, 8, -12, -8); }
+
+  void paintSentence(QPainter& painter) const {
+    painter.fillRect(sentence(), style_.background());
     painter.setFont(style_.font);
-    const QRectF text = painter.boundingRect(area, kFlags, blank_);
-    painter.fillRect(text.adjusted(-10, -6, 10, 6), style_.background());
     painter.setPen(style_.text());
-    painter.drawText(area, kFlags, blank_);
+    painter.drawText(sentenceArea(), kSentence, blank_);
   }
 
   struct Bars {
@@ -415,6 +423,10 @@ ChartPanel::~ChartPanel() {
 
 QList<QRectF> ChartPanel::namesInside() const {
   return under_->namesInside();
+}
+
+QRectF ChartPanel::sentence() const {
+  return over_->sentence();
 }
 
 void ChartPanel::avoidLine(double x) {
@@ -465,7 +477,7 @@ void ChartPanel::applyStyle(QCategoryAxis& axis, const ChartStyle& style) {
 /// Updates only what has changed: the layout of an axis takes much time.
 void ChartPanel::showAxis(QCategoryAxis& axis, const TickedAxis& ticked, const AxisRange& range) {
   QStringList labels;
-  for (const AxisTick& tick : ticked.ticks) labels += QString::fromStdString(tick.label);
+  for (const Tick& tick : ticked.ticks) labels += QString::fromStdString(tick.label);
   if (axis.categoriesLabels() == labels && axis.min() == range.from && axis.max() == range.to)
     return;
   // The library lays the axis out at once where its range changes, and later where its labels do:

@@ -17,6 +17,8 @@
 #include "core/chart/diagram.h"
 #include "ui/chart/chart_geometry.h"
 #include "ui/chart/chart_style.h"
+#include "ui/chart/diagram_axes.h"
+#include "ui/chart/occupancy_grid.h"
 
 class QAreaSeries;
 class QCategoryAxis;
@@ -27,6 +29,10 @@ class QLineSeries;
 class QScatterSeries;
 
 namespace asperity {
+
+/// Returns what the series of a diagram cover inside its frame.
+OccupancyGrid coveredBySeries(const Diagram& diagram, const ChartGeometry& map,
+                              const ChartStyle& style);
 
 /// Length in pixels, times the scale, by which a frame extends beyond the ends of its x-axis, so
 /// that marks there are complete.
@@ -58,6 +64,10 @@ class ChartPanel {
 
   /// Returns the rectangles of the names of shades, which are inside the frame.
   QList<QRectF> namesInside() const;
+
+  /// Returns the rectangle of the sentence that says why there are no curves; empty where there is
+  /// none.
+  QRectF sentence() const;
 
   /// Returns the whole title of the x-axis if it is shown shortened, otherwise an empty text.
   QString elidedTitle() const;

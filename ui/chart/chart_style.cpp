@@ -16,27 +16,6 @@ constexpr double kTheory = 2, kCurve = 1.6;  // widths of lines, times the scale
 
 }  // namespace
 
-QColor ChartStyle::background() const {
-  return toQColor(theme.background);
-}
-QColor ChartStyle::text() const {
-  return toQColor(theme.text);
-}
-QColor ChartStyle::faintText() const {
-  return toQColor(theme.faintText);
-}
-QColor ChartStyle::axis() const {
-  return mixed(background(), text(), 0.5);
-}
-QColor ChartStyle::grid() const {
-  return mixed(background(), text(), isDark(theme) ? 0.19 : 0.14);
-}
-QColor ChartStyle::fineGrid() const {
-  return mixed(background(), grid(), 0.55);
-}
-QColor ChartStyle::span() const {
-  return mixed(background(), text(), isDark(theme) ? 0.06 : 0.04);
-}
 QColor ChartStyle::shade() const {
   QColor colour = toQColor(theme.highlight);
   colour.setAlphaF(0.1F);

@@ -7,6 +7,7 @@
 #include <QPointF>
 
 #include "core/chart/diagram.h"
+#include "ui/draw/fonts.h"
 #include "ui/draw/theme.h"
 
 class QPainter;
@@ -20,14 +21,17 @@ struct ChartStyle {
   QFont font{};
   bool showsFocus = false;
 
-  QColor background() const;
-  QColor text() const;
-  QColor faintText() const;
-  QColor axis() const;
-  QColor grid() const;      // at labels
-  QColor fineGrid() const;  // between them
-  QColor span() const;      // of every second region
-  QColor shade() const;     // a translucent tint
+  QColor background() const { return toQColor(theme.background); }
+  QColor text() const { return toQColor(theme.text); }
+  QColor faintText() const { return toQColor(theme.faintText); }
+  QColor axis() const { return mixed(background(), text(), 0.5); }
+  /// Returns the colour at labels.
+  QColor grid() const { return mixed(background(), text(), isDark(theme) ? 0.19 : 0.14); }
+  /// Returns the colour between them.
+  QColor fineGrid() const { return mixed(background(), grid(), 0.55); }
+  /// Returns the colour of every second region.
+  QColor span() const { return mixed(background(), text(), isDark(theme) ? 0.06 : 0.04); }
+  QColor shade() const;  // a translucent tint
   QColor marker() const;
   QColor curve(const DiagramSeries& series) const;
   double scale() const;  // at least 1

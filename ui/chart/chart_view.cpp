@@ -22,6 +22,7 @@
 #include "core/chart/curve_diagram.h"
 #include "ui/chart/chart_legend.h"
 #include "ui/chart/chart_marker.h"
+#include "ui/chart/diagram_axes.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 
@@ -179,6 +180,25 @@ QPointF ChartView::mapToPosition(double x, double y, std::size_t diagram) const 
 
 bool ChartView::hasMarker() const {
   return !sheet_.diagrams.empty() && sheet_.diagrams[0].marker;
+}
+
+std::optional<ChartGeometry> ChartView::frame() const {
+  if (frames_.empty()) return std::nullopt;
+  ChartGeometry frame = frames_[0];
+  frame.area.translate(corner());
+  return frame;
+}
+
+OccupancyGrid ChartView::covered() const {
+  const std::optional<ChartGeometry> map = frame();
+  if (!map || panels_.empty()) return {{}, 1};
+  OccupancyGrid covered = coveredBySeries(sheet_.diagrams[0], *map, style_);
+  const auto x = static_cast<float>(map->mapX(lineValue()));
+  const Box& area = covered.area();
+  covered.addLine({{x, area.y}, {x, area.bottom()}}, 1);
+  for (const QRectF& name : panels_[0]->namesInside())
+    covered.addBox(toBox(name.translated(corner())), 1);
+  return covered;
 }
 
 /// Returns the axes of the first diagram as its sheet has them, without zoom.
@@ -341,10 +361,14 @@ void ChartView::layOutFrames() {
 }
 
 void ChartView::updateMarker() {
-  if (frames_.empty()) return marker_->update({}, std::nullopt, kNaN, style_, {});
-  if (!panels_.empty()) panels_[0]->avoidLine(frames_[0].mapX(lineValue()));
-  const QList<QRectF> taken = panels_.empty() ? QList<QRectF>() : panels_[0]->namesInside();
-  marker_->update(frames_[0], sheet_.diagrams[0].marker, targetX_, style_, taken);
+  if (frames_.empty()) return marker_->update({}, std::nullopt, kNaN, style_, {}, {});
+  const auto& marker = sheet_.diagrams[0].marker;
+  if (panels_.empty()) return marker_->update(frames_[0], marker, targetX_, style_, {}, {});
+  panels_[0]->avoidLine(frames_[0].mapX(lineValue()));
+  QList<QRectF> taken = panels_[0]->namesInside();
+  const QRectF sentence = panels_[0]->sentence();
+  if (!sentence.isEmpty()) taken += sentence;
+  marker_->update(frames_[0], marker, targetX_, style_, taken, sentence);
 }
 
 void ChartView::mousePressEvent(QMouseEvent* event) {
@@ -547,7 +571,7 @@ void ChartView::dragMarker(QPointF position, bool finely) {
     gripMarker(position, finely);
   }
   const double displacement = (position.x() - gripAt_.x()) * (finely ? kFinely : 1);
-  moveMarker(map.valueAt(std::clamp(grippedX_ + displacement, map.area.left(), map.area.right())),
+  moveMarker(map.xAt(std::clamp(grippedX_ + displacement, map.area.left(), map.area.right())),
              finely);
 }
 

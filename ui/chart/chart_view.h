@@ -51,6 +51,13 @@ class ChartView : public QWidget {
   /// Returns the position of a value in the widget's pixels; the axes must be able to show it.
   QPointF mapToPosition(double x, double y, std::size_t diagram = 0) const;
 
+  /// Returns the frame of the first diagram in the widget's pixels; none before it is laid out.
+  std::optional<ChartGeometry> frame() const;
+
+  /// Returns what curves, names and the line of the marker cover in the frame of the first diagram,
+  /// in the widget's pixels.
+  OccupancyGrid covered() const;
+
   /// Returns the visible range: the axes of the sheet unless zoomed.
   VisibleRange visibleRange() const;
   bool isZoomed() const { return zoom_.has_value(); }

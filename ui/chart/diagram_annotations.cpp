@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <numbers>
 #include <optional>
 
 #include "ui/draw/fonts.h"
+#include "ui/draw/shapes.h"
 #include "ui/draw/theme.h"
 
 namespace asperity {
@@ -44,37 +43,8 @@ std::string labelWithin(const SpanBox& span, float size, float available) {
   return {};
 }
 
-/// Returns the point where the line from the middle of a box to a point outside leaves the box.
-std::optional<DrawPoint> exitPoint(const Box& box, const DrawPoint& to) {
-  const DrawPoint middle{box.x + box.width / 2, box.y + box.height / 2};
-  const float dx = to.x - middle.x, dy = to.y - middle.y;
-  const float across = std::abs(dx) / (box.width / 2), upwards = std::abs(dy) / (box.height / 2);
-  const float reach = std::max(across, upwards);
-  if (!(reach > 1)) return std::nullopt;
-  return DrawPoint{middle.x + dx / reach, middle.y + dy / reach};
-}
-
-Box grown(const Box& box, float by) {
-  return {box.x - by, box.y - by, box.width + 2 * by, box.height + 2 * by};
-}
-
-bool isInside(const Box& area, const Box& box) {
-  return box.x >= area.x && box.y >= area.y && box.right() <= area.right() &&
-         box.bottom() <= area.bottom();
-}
-
-/// Returns whether a straight line has a part inside a box (Liang and Barsky's clipping).
 bool crosses(const DrawPoint& from, const DrawPoint& to, const Box& box) {
-  float begin = 0, end = 1;
-  const auto clip = [&](float start, float along, float low, float high) {
-    if (along == 0) return start >= low && start <= high;
-    const float a = (low - start) / along, b = (high - start) / along;
-    begin = std::max(begin, std::min(a, b));
-    end = std::min(end, std::max(a, b));
-    return begin <= end;
-  };
-  return clip(from.x, to.x - from.x, box.x, box.right()) &&
-         clip(from.y, to.y - from.y, box.y, box.bottom());
+  return !clippedTo(box, {from, to}).empty();
 }
 
 /// Tests whether a label and its arrow keep clear of the placed labels, of their arrows, and of the
@@ -102,32 +72,6 @@ class Clearance {
   float margin_;
 };
 
-/// Finds the best box of this size near a point inside the area: one that covers little and is
-/// moved little. allowed: tells which boxes may be used.
-std::optional<Box> boxNear(
-    const DrawPoint& at, float width, float height, const Box& area, const OccupancyGrid& map,
-    float step, int rings,
-    const std::function<bool(const Box&)>& allowed = [](const Box&) { return true; }) {
-  constexpr int kAngles = 16;
-  std::optional<Box> best;
-  float least = 0;
-  for (int ring = 0; ring <= rings; ++ring)
-    for (int k = 0; k < (ring == 0 ? 1 : kAngles); ++k) {
-      const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(k) / kAngles;
-      const float away = static_cast<float>(ring) * step;
-      const Box box{at.x + away * std::cos(angle) - width / 2,
-                    at.y + away * std::sin(angle) - height / 2, width, height};
-      if (!isInside(area, box) || map.greatestUnder(box) >= kTaken || !allowed(box)) continue;
-      // Covering something costs more than any distance.
-      const float cost = 20 * map.under(box) + 0.05F * static_cast<float>(ring);
-      if (!best || cost < least) {
-        best = box;
-        least = cost;
-      }
-    }
-  return best;
-}
-
 /// Returns the position inside the frame that is nearest to the requested position of the label.
 DrawPoint heldInside(const Box& area, DrawPoint at, float width, float height) {
   const auto held = [](float value, float from, float to) {
@@ -146,12 +90,6 @@ std::vector<std::string> elidedLines(const std::string& text, float size, float 
     at = end + 1;
   }
   return lines;
-}
-
-float widestLine(const std::vector<std::string>& lines, float size) {
-  float widest = 0;
-  for (const std::string& line : lines) widest = std::max(widest, textWidth(line, size));
-  return widest;
 }
 
 /// Places a shade's name near its foot, in as many lines as needed; none where the shade is too

@@ -24,8 +24,6 @@ struct PlacedLabel {
   bool covers = false;           // whether something lies under the text
 };
 
-inline constexpr float kTaken = 100;  // weight of parts that must not be covered
-
 /// Places labels near their points, and names of shades at their feet. They are moved so that none
 /// covers another and little of the map is covered; they are then added to the map. A label that
 /// does not fit is left out.

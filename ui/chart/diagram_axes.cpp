@@ -5,11 +5,11 @@
 #include <limits>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "core/base/text_encoding.h"
 #include "ui/draw/fonts.h"
 #include "ui/draw/theme.h"
-#include "ui/draw/ticks.h"
 
 namespace asperity {
 namespace {
@@ -93,33 +93,31 @@ std::string titleWithUnit(const std::string& name, const std::string& unit) {
 }
 
 TickedAxis linearAxis(const DiagramAxis& axis, const AxisRange& range, const AxisTicks& ticks) {
-  TickedAxis ticked{AxisScale::Linear,
-                    range,
-                    {},
-                    minorTicks(ticks, range.from, range.to),
-                    titleWithUnit(axis.title.text, ticks.unit)};
-  for (const Tick& tick : ticks.ticks) ticked.ticks.push_back({tick.value, tick.label});
+  return {AxisScale::Linear, range, ticks.ticks, minorTicks(ticks, range.from, range.to),
+          titleWithUnit(axis.title.text, ticks.unit)};
+}
+
+/// Returns the axis with ticks at multiples of one step, where these are more.
+TickedAxis withLinearTicks(TickedAxis ticked, const DiagramAxis& axis, int most) {
+  const AxisTicks linear =
+      linearTicks(std::pow(10, ticked.range.from), std::pow(10, ticked.range.to), most, axis.unit);
+  if (linear.ticks.size() <= ticked.ticks.size()) return ticked;
+  ticked.title = titleWithUnit(axis.title.text, linear.unit);
+  ticked.ticks.clear();
+  ticked.minor.clear();
+  for (const Tick& tick : linear.ticks)
+    if (tick.value > 0) ticked.ticks.push_back({std::log10(tick.value), tick.label});
   return ticked;
 }
 
 /// Puts ticks at multiples of powers of ten; where this gives fewer than two, as on a linear axis.
 TickedAxis logarithmicAxis(const DiagramAxis& axis, const AxisRange& range, int most, float pixels,
                            float unit) {
+  const std::vector<Tick> ticks = logTicks(range.from, range.to, most);
   TickedAxis ticked{
-      AxisScale::Logarithmic, range, {}, {}, titleWithUnit(axis.title.text, axis.unit)};
-  const std::vector<LogTick> ticks = logTicks(range.from, range.to, most);
-  for (const LogTick& tick : ticks) ticked.ticks.push_back({tick.decade, tick.label});
-  if (ticks.size() > 1) {
-    ticked.minor = minorLogTicks(range.from, range.to, ticks, pixels / range.size(), 3.0 * unit);
-    return ticked;
-  }
-  const AxisTicks linear =
-      linearTicks(std::pow(10, range.from), std::pow(10, range.to), most, axis.unit);
-  if (linear.ticks.size() <= ticks.size()) return ticked;
-  ticked.title = titleWithUnit(axis.title.text, linear.unit);
-  ticked.ticks.clear();
-  for (const Tick& tick : linear.ticks)
-    if (tick.value > 0) ticked.ticks.push_back({std::log10(tick.value), tick.label});
+      AxisScale::Logarithmic, range, ticks, {}, titleWithUnit(axis.title.text, axis.unit)};
+  if (ticks.size() < 2) return withLinearTicks(std::move(ticked), axis, most);
+  ticked.minor = minorLogTicks(range.from, range.to, ticks, pixels / range.size(), 3.0 * unit);
   return ticked;
 }
 
@@ -164,32 +162,26 @@ void addTickMarks(DrawLayer& layer, const DiagramAxes& axes, const Rgba& colour,
     addLine(layer, {{box.x, y}, {box.x + reach, y}}, width, colour);
     if (isInside) addLine(layer, {{box.right(), y}, {box.right() - reach, y}}, width, colour);
   };
-  for (const AxisTick& tick : axes.xAxis.ticks) addX(tick.value, length);
+  for (const Tick& tick : axes.xAxis.ticks) addX(tick.value, length);
   for (const double value : axes.xAxis.minor) addX(value, length / 2);
-  for (const AxisTick& tick : axes.yAxis.ticks) addY(tick.value, length);
+  for (const Tick& tick : axes.yAxis.ticks) addY(tick.value, length);
   for (const double value : axes.yAxis.minor) addY(value, length / 2);
 }
 
 void addTickLabels(DrawList& list, const DiagramAxes& axes, const Rgba& colour, float size) {
   const Box& box = axes.box;
-  for (const AxisTick& tick : axes.xAxis.ticks) {
+  for (const Tick& tick : axes.xAxis.ticks) {
     const float half = textWidth(tick.label, size) / 2;
     const float centre = std::min(axes.px(tick.value), static_cast<float>(list.width) - half - 2);
     addLabel(list, tick.label, {centre, box.bottom() + 1.5F * size}, size, TextAnchor::Centre,
              colour);
   }
-  for (const AxisTick& tick : axes.yAxis.ticks)
+  for (const Tick& tick : axes.yAxis.ticks)
     addLabel(list, tick.label, {box.x - 0.7F * size, axes.py(tick.value) + 0.36F * size}, size,
              TextAnchor::Right, colour);
 }
 
 }  // namespace
-
-float widestLabel(const TickedAxis& axis, float size) {
-  float widest = 0;
-  for (const AxisTick& tick : axis.ticks) widest = std::max(widest, textWidth(tick.label, size));
-  return widest;
-}
 
 std::string trailingSymbol(const std::string& name) {
   constexpr std::size_t kLongest = 3;  // bytes, a Greek letter with a mark
@@ -272,14 +264,31 @@ TickedAxis tickedYAxis(const DiagramAxis& axis, const AxisRange& range, float pi
   const float size = sizes.tick;
   if (axis.scale == AxisScale::Linear)
     return linearAxis(axis, range, yTicks(range.from, range.to, pixels, 4 * size, size, axis.unit));
-  for (int most = std::clamp(static_cast<int>(pixels / (2 * size)), 2, 16);; --most) {
+  const auto pixelsApart = [&](const Tick& below, const Tick& above) {
+    return (above.value - below.value) / range.size() * static_cast<double>(pixels);
+  };
+  for (int most = std::clamp(static_cast<int>(pixels / (2 * size)), 2, 16); most > 1; --most) {
     TickedAxis ticked = logarithmicAxis(axis, range, most, pixels, sizes.unit);
-    if (most <= 1 || ticked.ticks.size() < 2) return ticked;
-    double least = range.size();
+    if (ticked.ticks.size() < 2) break;
+    double least = pixels;
     for (std::size_t i = 0; i + 1 < ticked.ticks.size(); ++i)
-      least = std::min(least, ticked.ticks[i + 1].value - ticked.ticks[i].value);
-    if (least / range.size() * static_cast<double>(pixels) > 1.5 * size) return ticked;
+      least = std::min(least, pixelsApart(ticked.ticks[i], ticked.ticks[i + 1]));
+    if (least > 1.5 * size) return ticked;
   }
+  // A low axis has the outermost two of the first ticks that are far enough apart: a single tick
+  // does not show the scale.
+  for (int most = 2; most <= 16; ++most) {
+    const TickedAxis ticked = logarithmicAxis(axis, range, most, pixels, sizes.unit);
+    TickedAxis empty = ticked;
+    empty.ticks.clear();
+    for (TickedAxis low : {ticked, withLinearTicks(empty, axis, most)}) {
+      if (low.ticks.size() < 2) continue;
+      if (pixelsApart(low.ticks.front(), low.ticks.back()) < 1.1 * size) continue;
+      low.ticks.erase(low.ticks.begin() + 1, low.ticks.end() - 1);
+      return low;
+    }
+  }
+  return logarithmicAxis(axis, range, 1, pixels, sizes.unit);
 }
 
 float DiagramAxes::px(double x) const {
@@ -303,7 +312,7 @@ DrawPoint DiagramAxes::mapToPosition(double x, double y) const {
 
 float leftOfAxes(const DiagramAxes& axes, const DiagramSizes& sizes) {
   const float title = axes.yAxis.title.empty() || axes.titleAbove ? 0 : 1.75F * sizes.axis;
-  return std::ceil(title + widestLabel(axes.yAxis, sizes.tick) + 0.7F * sizes.tick);
+  return std::ceil(title + widestLabel(axes.yAxis.ticks, sizes.tick) + 0.7F * sizes.tick);
 }
 
 float aboveAxes(const DiagramAxes& axes, const DiagramSizes& sizes) {
@@ -323,10 +332,10 @@ void addDiagramGrid(DrawList& list, const DiagramAxes& axes, const DiagramSizes&
   const Box& box = axes.box;
   const float width = std::max(1.0F, std::round(sizes.unit));
   DrawLayer layer;
-  for (const AxisTick& tick : axes.yAxis.ticks)
+  for (const Tick& tick : axes.yAxis.ticks)
     addLine(layer, {{box.x, axes.py(tick.value)}, {box.right(), axes.py(tick.value)}}, width,
             theme.grid);
-  for (const AxisTick& tick : axes.xAxis.ticks)
+  for (const Tick& tick : axes.xAxis.ticks)
     addLine(layer, {{axes.px(tick.value), box.y}, {axes.px(tick.value), box.bottom()}}, width,
             theme.grid);
   list.layers.push_back(std::move(layer));

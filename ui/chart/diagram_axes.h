@@ -6,20 +6,13 @@
 #include <vector>
 
 #include "core/chart/diagram.h"
+#include "ui/chart/chart_geometry.h"
 #include "ui/chart/diagram_layout.h"
 #include "ui/draw/shapes.h"
 #include "ui/draw/theme.h"
+#include "ui/draw/ticks.h"
 
 namespace asperity {
-
-/// A range on an axis: decimal logarithms on a logarithmic one, otherwise values.
-struct AxisRange {
-  double from = 0, to = 0;
-
-  bool isEmpty() const { return to <= from; }
-  double size() const { return to - from; }
-  bool operator==(const AxisRange&) const = default;
-};
 
 /// Returns the x-range: as the axis prescribes, otherwise as the data need; theory counts where
 /// there are no data.
@@ -27,16 +20,11 @@ AxisRange xRange(const Diagram& diagram);
 /// Returns the y-range of the points inside the x-range; theory lines widen it a little.
 AxisRange yRange(const Diagram& diagram, const AxisRange& inX);
 
-struct AxisTick {
-  double value = 0;  // a value, or its decimal logarithm
-  std::string label;
-};
-
 /// An axis with as many ticks as fit its length.
 struct TickedAxis {
   AxisScale scale = AxisScale::Linear;
   AxisRange range{0, 1};
-  std::vector<AxisTick> ticks;
+  std::vector<Tick> ticks;
   std::vector<double> minor;  // positions of the minor ticks
   std::string title;          // "velocity v (mm/s)"; the ticks have the same prefix
 };
@@ -44,8 +32,6 @@ TickedAxis tickedXAxis(const DiagramAxis& axis, const AxisRange& range, float pi
                        const DiagramSizes& sizes);
 TickedAxis tickedYAxis(const DiagramAxis& axis, const AxisRange& range, float pixels,
                        const DiagramSizes& sizes);
-
-float widestLabel(const TickedAxis& axis, float size);
 
 /// Returns the symbol at the end of a name: "G'" of "storage modulus G'"; empty where there is
 /// none.

@@ -144,7 +144,7 @@ TickedAxis colourAxis(const DiagramField& field, float height, const DiagramSize
 
 float colourBarWidth(const TickedAxis& colours, const DiagramSizes& sizes) {
   return std::ceil((kColourBarGap + kColourBarWidth) * sizes.unit + 0.6F * sizes.tick +
-                   widestLabel(colours, sizes.tick) + 1.8F * sizes.axis);
+                   widestLabel(colours.ticks, sizes.tick) + 1.8F * sizes.axis);
 }
 
 void addFieldColours(DrawList& list, const DiagramField& field, const DiagramAxes& axes) {
@@ -264,16 +264,16 @@ void addColourBar(DrawList& list, const TickedAxis& colours, const Box& frame,
     const float y = axes.py(value);
     addLine(layer, {{bar.right(), y}, {bar.right() - length, y}}, width, colour);
   };
-  for (const AxisTick& tick : colours.ticks) addTick(tick.value, reach);
+  for (const Tick& tick : colours.ticks) addTick(tick.value, reach);
   for (const double value : colours.minor) addTick(value, reach / 2);
   list.layers.push_back(std::move(layer));
-  for (const AxisTick& tick : colours.ticks)
+  for (const Tick& tick : colours.ticks)
     addLabel(list, tick.label,
              {bar.right() + 0.5F * sizes.tick, axes.py(tick.value) + 0.36F * sizes.tick},
              sizes.tick, TextAnchor::Left, theme.text);
   const FittedTitle title = fittedTitle(colours.title, sizes.axis, frame.height);
   addLabel(list, title.text,
-           {std::round(bar.right() + 0.5F * sizes.tick + widestLabel(colours, sizes.tick) +
+           {std::round(bar.right() + 0.5F * sizes.tick + widestLabel(colours.ticks, sizes.tick) +
                        1.3F * sizes.axis),
             frame.y + frame.height / 2},
            title.size, TextAnchor::Centre, theme.text, std::numbers::pi_v<float> / 2);

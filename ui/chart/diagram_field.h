@@ -3,7 +3,7 @@
 #pragma once
 
 #include "ui/chart/diagram_axes.h"
-#include "ui/draw/polyline.h"
+#include "ui/draw/shapes.h"
 
 namespace asperity {
 

@@ -46,19 +46,10 @@ class Panel {
     arrange();
   }
 
-  DiagramFrame diagramFrame() const {
-    const TickedAxis &x = axes_.xAxis, &y = axes_.yAxis;
+  ChartGeometry geometry() const {
     const Box& box = axes_.box;
-    return {box.x,
-            box.y,
-            box.width,
-            box.height,
-            x.scale,
-            y.scale,
-            axisValue(x.scale, x.range.from),
-            axisValue(x.scale, x.range.to),
-            axisValue(y.scale, y.range.from),
-            axisValue(y.scale, y.range.to)};
+    return {QRectF(box.x, box.y, box.width, box.height), axes_.xAxis.range, axes_.yAxis.range,
+            axes_.xAxis.scale, axes_.yAxis.scale};
   }
 
   /// Returns whether the title of the y-axis fits.
@@ -111,7 +102,7 @@ class Panel {
     addMarkerLine(list);
     addHorizontalBars(list, diagram_, axes_, sizes_, theme_);
     addSeries(list, diagram_, styles_, axes_, sizes_, theme_);
-    addBlank(list);
+    addSentence(list);
     addLabels(list, labels_, sizes_, theme_);
     if (legendBox_.width > 0)
       addLegend(list, legend_, legendBox_, isOver(legendBox_, box), sizes_, theme_);
@@ -145,6 +136,9 @@ class Panel {
     const std::vector<DrawPoint> line = markerLine();
     if (!(line[0].x >= box.x && line[0].x <= box.right())) return;
     std::vector<Polyline> lines{line};
+    const Box gap = sentenceBox();
+    if (line[0].x > gap.x && line[0].x < gap.right())
+      lines = {{line[0], {line[0].x, gap.y}}, {{line[1].x, gap.bottom()}, line[1]}};
     const DrawPoint at = axes_.mapToPosition(diagram_.marker->x, diagram_.marker->y);
     if (diagram_.marker->isCross && at.y >= box.y && at.y <= box.bottom())
       lines.push_back({{box.x, at.y}, {box.right(), at.y}});
@@ -161,13 +155,26 @@ class Panel {
     list.layers.push_back(std::move(layer));
   }
 
-  /// Adds the reason why there are no curves.
-  void addBlank(DrawList& list) const {
+  /// Returns the lines of the sentence that says why there are no curves.
+  std::vector<std::string> sentenceLines() const {
+    return wrapped(diagram_.blank.text, sizes_.legend, false, 0.9F * axes_.box.width);
+  }
+
+  /// Returns the box of that sentence; empty where there is none.
+  Box sentenceBox() const {
+    const std::vector<std::string> lines = sentenceLines();
+    if (lines.empty()) return {};
+    const float size = sizes_.legend, width = widestLine(lines, size) + 2 * size;
+    const float height = 1.4F * size * static_cast<float>(lines.size()) + size;
+    const Box& box = axes_.box;
+    return {box.x + (box.width - width) / 2, box.y + (box.height - height) / 2 + 0.3F * size, width,
+            height};
+  }
+
+  void addSentence(DrawList& list) const {
     const Box& box = axes_.box;
     const float size = sizes_.legend;
-    if (diagram_.blank.empty()) return;
-    const std::vector<std::string> lines =
-        wrapped(diagram_.blank.text, size, false, 0.9F * box.width);
+    const std::vector<std::string> lines = sentenceLines();
     float baseline = box.y + box.height / 2 - 0.7F * size * static_cast<float>(lines.size());
     for (const std::string& line : lines) {
       baseline += 1.4F * size;
@@ -293,7 +300,7 @@ class Panel {
   float overhang() const {
     const Box& box = axes_.box;
     float most = 2 * sizes_.unit;
-    for (const AxisTick& tick : axes_.xAxis.ticks)
+    for (const Tick& tick : axes_.xAxis.ticks)
       most = std::max(most, axes_.px(tick.value) + textWidth(tick.label, sizes_.tick) / 2 -
                                 box.right() + 2 * sizes_.unit);
     return most;
@@ -492,43 +499,12 @@ float lowestFrame(const DiagramSheet& english, const DiagramOptions& options) {
   return lowest / sizesFor(sheet, options).tick;
 }
 
-namespace {
-
-double valueAt(AxisScale scale, double from, double to, double part) {
-  return scale == AxisScale::Logarithmic ? from * std::pow(to / from, part)
-                                         : from + (to - from) * part;
-}
-
-double axisFraction(AxisScale scale, double from, double to, double value) {
-  return scale == AxisScale::Logarithmic ? std::log(value / from) / std::log(to / from)
-                                         : (value - from) / (to - from);
-}
-
-}  // namespace
-
-double DiagramFrame::xAt(float right) const {
-  return valueAt(xScale, xFrom, xTo, static_cast<double>((right - left) / width));
-}
-
-double DiagramFrame::yAt(float down) const {
-  return valueAt(yScale, yFrom, yTo, static_cast<double>((top + height - down) / height));
-}
-
-float DiagramFrame::mapX(double x) const {
-  return left + width * static_cast<float>(axisFraction(xScale, xFrom, xTo, x));
-}
-
-float DiagramFrame::mapY(double y) const {
-  return top + height - height * static_cast<float>(axisFraction(yScale, yFrom, yTo, y));
-}
-
-std::vector<DiagramFrame> diagramFrames(const DiagramSheet& english,
-                                        const DiagramOptions& options) {
+std::vector<ChartGeometry> diagramFrames(const DiagramSheet& english,
+                                         const DiagramOptions& options) {
   const DiagramSheet sheet = prepared(english, options);
   DrawList list = emptyList(options);
-  std::vector<DiagramFrame> frames;
-  for (const Panel& panel : placePanels(sheet, options, list))
-    frames.push_back(panel.diagramFrame());
+  std::vector<ChartGeometry> frames;
+  for (const Panel& panel : placePanels(sheet, options, list)) frames.push_back(panel.geometry());
   return frames;
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/chart/diagram.h"
 #include "core/chart/figure_style.h"
+#include "ui/chart/chart_geometry.h"
 #include "ui/draw/draw_list.h"
 #include "ui/draw/theme.h"
 
@@ -62,21 +63,8 @@ float lowestFrame(const DiagramSheet& sheet, const DiagramOptions& options);
 /// others too low to read easily.
 DiagramSheet withoutCrowding(DiagramSheet sheet, const DiagramOptions& options);
 
-/// The position of a diagram of a sheet in its picture, and the values at the edges of its frame.
-struct DiagramFrame {
-  float left = 0, top = 0, width = 0, height = 0;  // pixels
-  AxisScale xScale = AxisScale::Linear, yScale = AxisScale::Linear;
-  double xFrom = 0, xTo = 0, yFrom = 0, yTo = 0;  // values at the edges
-
-  /// These functions convert between pixels (y down) and values.
-  double xAt(float right) const;
-  double yAt(float down) const;
-  float mapX(double x) const;
-  float mapY(double y) const;
-};
-
 /// Returns the frames of the diagrams in the picture that composeDiagrams() draws.
-std::vector<DiagramFrame> diagramFrames(const DiagramSheet& sheet, const DiagramOptions& options);
+std::vector<ChartGeometry> diagramFrames(const DiagramSheet& sheet, const DiagramOptions& options);
 
 /// Draws the sheet. No text covers another, from 320 x 200 pixels on; texts that do not fit are
 /// shortened, then left out, units and powers of ten last. Never throws because of a sheet's

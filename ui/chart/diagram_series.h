@@ -7,7 +7,7 @@
 #include "ui/chart/diagram_axes.h"
 #include "ui/chart/diagram_style.h"
 #include "ui/chart/occupancy_grid.h"
-#include "ui/draw/polyline.h"
+#include "ui/draw/shapes.h"
 
 namespace asperity {
 

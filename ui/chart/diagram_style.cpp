@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "ui/draw/polyline.h"
+#include "ui/draw/shapes.h"
 
 namespace asperity {
 namespace {

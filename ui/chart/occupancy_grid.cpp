@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace asperity {
 
@@ -85,6 +86,51 @@ Box freestBox(const OccupancyGrid& map, float width, float height, float margin)
       if (cost < least) {
         least = cost;
         best = box;
+      }
+    }
+  return best;
+}
+
+Box grown(const Box& box, float by) {
+  return {box.x - by, box.y - by, box.width + 2 * by, box.height + 2 * by};
+}
+
+std::optional<DrawPoint> exitPoint(const Box& box, const DrawPoint& to) {
+  const DrawPoint middle{box.x + box.width / 2, box.y + box.height / 2};
+  const float dx = to.x - middle.x, dy = to.y - middle.y;
+  const float across = std::abs(dx) / (box.width / 2), upwards = std::abs(dy) / (box.height / 2);
+  const float reach = std::max(across, upwards);
+  if (!(reach > 1)) return std::nullopt;
+  return DrawPoint{middle.x + dx / reach, middle.y + dy / reach};
+}
+
+namespace {
+
+bool isInside(const Box& area, const Box& box) {
+  return box.x >= area.x && box.y >= area.y && box.right() <= area.right() &&
+         box.bottom() <= area.bottom();
+}
+
+}  // namespace
+
+std::optional<Box> boxNear(const DrawPoint& at, float width, float height, const Box& area,
+                           const OccupancyGrid& map, float step, int rings,
+                           const std::function<bool(const Box&)>& allowed) {
+  constexpr int kAngles = 16;
+  std::optional<Box> best;
+  float least = 0;
+  for (int ring = 0; ring <= rings; ++ring)
+    for (int k = 0; k < (ring == 0 ? 1 : kAngles); ++k) {
+      const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(k) / kAngles;
+      const float away = static_cast<float>(ring) * step;
+      const Box box{at.x + away * std::cos(angle) - width / 2,
+                    at.y + away * std::sin(angle) - height / 2, width, height};
+      if (!isInside(area, box) || map.greatestUnder(box) >= kTaken || !allowed(box)) continue;
+      // Covering something costs more than any distance.
+      const float cost = 20 * map.under(box) + 0.05F * static_cast<float>(ring);
+      if (!best || cost < least) {
+        best = box;
+        least = cost;
       }
     }
   return best;

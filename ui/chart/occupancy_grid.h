@@ -1,7 +1,9 @@
-// The occupied parts of an area on a coarse grid, and the search for a free box in it. Private to
-// ui/chart. A plain value; any thread. Pixels.
+// The occupied parts of an area on a coarse grid, and the search for a free box in it, for legends
+// and labels. A plain value; any thread. Pixels.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "ui/draw/shapes.h"
@@ -37,5 +39,21 @@ class OccupancyGrid {
 /// Returns the box of this size inside the map's area, `margin` from its edges, that covers least;
 /// corners are preferred. The box is empty where the area is too small.
 Box freestBox(const OccupancyGrid& map, float width, float height, float margin);
+
+inline constexpr float kTaken = 100;  // weight of parts that must not be covered
+
+/// Finds the best box of this size around a point, inside `area`: one that covers little and is
+/// moved little, by at most `rings` times `step`. allowed: tells which boxes may be used.
+std::optional<Box> boxNear(
+    const DrawPoint& at, float width, float height, const Box& area, const OccupancyGrid& map,
+    float step, int rings,
+    const std::function<bool(const Box&)>& allowed = [](const Box&) { return true; });
+
+/// Returns a box with this much more on each side.
+Box grown(const Box& box, float by);
+
+/// Returns the point where the line from the middle of a box to a point outside leaves the box;
+/// none for a point inside.
+std::optional<DrawPoint> exitPoint(const Box& box, const DrawPoint& to);
 
 }  // namespace asperity

@@ -10,16 +10,118 @@
 #include "core/material/element_law.h"
 #include "ui/contact/contact_forces.h"
 #include "ui/contact/contact_parts.h"
-#include "ui/contact/contact_tags.h"
-#include "ui/contact/decimate.h"
+#include "ui/contact/frame_curves.h"
 #include "ui/contact/label_placement.h"
-#include "ui/contact/narrow_contact.h"
 #include "ui/draw/fonts.h"
 #include "ui/draw/theme.h"
 #include "ui/language/language.h"
 
 namespace asperity {
 namespace {
+
+// ---- Tags
+
+enum class ArrowDirection { None, Left, Right, Down };
+
+/// A label: words, an arrow, words.
+struct Tag {
+  TextRuns before;
+  ArrowDirection arrow = ArrowDirection::None;
+  TextRuns after;
+  ContactHandle handle = ContactHandle::None;  // what a drag of it changes
+  std::string_view id{};                       // of its explanation
+  std::string tip{};                           // a sentence instead of that of the explanation
+};
+
+/// Returns the sign that a tag, or its arrow, is in this box.
+ContactSign signOf(const Tag& tag, const Box& box) {
+  return {box, plainText(tag.before), tag.id, tag.tip, tag.handle};
+}
+
+/// Paints tags, all in one size: their plates in one layer, their arrows in another. The list,
+/// layers and layout must outlive it.
+class TagPainter {
+ public:
+  TagPainter(DrawList& list, DrawLayer& plates, DrawLayer& arrows, const ContactLayout& layout);
+
+  float height() const;
+  float width(const Tag& tag) const;
+  void paint(const Tag& tag, DrawPoint topLeft, const Rgba& plate);
+  /// Returns the tags painted so far.
+  const std::vector<ContactSign>& signs() const { return signs_; }
+
+ private:
+  float space() const;
+  float arrowWidth(ArrowDirection direction) const;
+  void paintArrow(ArrowDirection direction, float x, float middle, const Rgba& colour);
+
+  DrawList& list_;
+  DrawLayer &plates_, &arrows_;
+  const ContactLayout& layout_;
+  float size_, inset_;
+  std::vector<ContactSign> signs_;
+};
+
+TagPainter::TagPainter(DrawList& list, DrawLayer& plates, DrawLayer& arrows,
+                       const ContactLayout& layout)
+    : list_(list),
+      plates_(plates),
+      arrows_(arrows),
+      layout_(layout),
+      size_(layout.sizes.small + 1),
+      inset_(std::round(9 * layout.sizes.unit)) {}
+
+float TagPainter::height() const {
+  return layout_.sizes.labelHeight();
+}
+
+float TagPainter::width(const Tag& tag) const {
+  float inner = textWidth(tag.before, size_) + textWidth(tag.after, size_) + arrowWidth(tag.arrow);
+  if (!tag.before.empty() && tag.arrow != ArrowDirection::None) inner += space();
+  if (!tag.after.empty()) inner += space();
+  return std::ceil(inner) + 2 * inset_;
+}
+
+void TagPainter::paint(const Tag& tag, DrawPoint topLeft, const Rgba& plate) {
+  const Box box{topLeft.x, topLeft.y, width(tag), height()};
+  signs_.push_back(signOf(tag, box));
+  // A tag that is covered in part would lose its words, but not its plate.
+  const auto covers = [&box](const Box& cover) { return cover.width > 0 && cover.overlaps(box); };
+  if (std::ranges::any_of(layout_.covered, covers)) return;
+  addPill(plates_, box, withAlpha(plate, 0.86F));
+  const Rgba colour = textOn(plate);
+  const float baseline = std::round(topLeft.y + height() / 2 + size_ * 0.36F);
+  float x = topLeft.x + inset_;
+  if (!tag.before.empty()) x = addText(list_, tag.before, {x, baseline}, size_, colour);
+  if (tag.arrow != ArrowDirection::None) {
+    if (!tag.before.empty()) x += space();
+    paintArrow(tag.arrow, x, topLeft.y + height() / 2, layout_.theme.highlight);
+    x += arrowWidth(tag.arrow);
+  }
+  if (!tag.after.empty()) addText(list_, tag.after, {x + space(), baseline}, size_, colour);
+}
+
+float TagPainter::space() const {
+  return std::round(size_ * 0.6F);
+}
+
+float TagPainter::arrowWidth(ArrowDirection direction) const {
+  if (direction == ArrowDirection::None) return 0;
+  return std::round(size_ * (direction == ArrowDirection::Down ? 0.8F : 2.6F));
+}
+
+void TagPainter::paintArrow(ArrowDirection direction, float x, float middle, const Rgba& colour) {
+  const float u = layout_.sizes.unit, length = arrowWidth(direction);
+  DrawPoint from{x, middle}, to{x + length, middle};
+  if (direction == ArrowDirection::Left) std::swap(from, to);
+  if (direction == ArrowDirection::Down) {
+    from = {x + length / 2, middle - height() * 0.34F};
+    to = {x + length / 2, middle + height() * 0.34F};
+  }
+  addArrow(arrows_, from, to, 8 * u, 2.4F * u, colour);
+}
+
+// ---- What they say
 
 std::optional<Tag> slidingTag(const Frame& frame, bool brief) {
   if (!frame.scene) return std::nullopt;
@@ -121,15 +223,17 @@ std::vector<Tag> elastomerTags(const Frame& frame) {
   return {whole, name};
 }
 
+// ---- Their places
+
 struct PlacedTag {
   Tag tag;
   float x = 0;
 };
 
-/// Places labels in a row where the line leaves space for them, as near to their usual positions
-/// as possible: the body on the left, the forces on the right, F_N outermost, the motion in the
-/// middle in as many of its words as fit. A label that does not fit is left out, because the line
-/// would cross it.
+/// Places labels in a row where the line leaves space for them. Those of the last picture stay
+/// where they were if they can; others are as near to their usual positions as possible: the body
+/// on the left, the forces on the right, F_N outermost, the motion in the middle in as many of its
+/// words as fit. A label that does not fit is left out, because the line would cross it.
 std::vector<PlacedTag> placedBetweenCrests(const TagPainter& painter, const Frame& frame,
                                            const ContactLayout& layout, float y,
                                            std::span<const Tag> forces) {
@@ -138,11 +242,13 @@ std::vector<PlacedTag> placedBetweenCrests(const TagPainter& painter, const Fram
   const CurveRows line = curveRows(frame, frame.lineHeight, layout);
   std::vector<std::pair<float, float>> spaces{{left, right}};
   std::vector<PlacedTag> placed;
-  const auto place = [&](const Tag& tag, float wanted) {
+  const auto place = [&](const Tag& tag, float wanted, bool exactly) {
     const float width = painter.width(tag);
     for (auto& [from, to] : spaces) {
+      if (exactly && (wanted < from || wanted + width > to)) continue;
       const float nearest = std::clamp(wanted, from, std::max(from, to - width));
-      const auto free = freeSpanAbove(line, {nearest, y, width, painter.height()}, from, to);
+      const auto free = freeSpanAbove(line, {nearest, y, width, painter.height()},
+                                      exactly ? wanted : from, exactly ? wanted + width : to);
       if (!free) continue;
       const float x = std::round(*free);
       placed.push_back({tag, x});
@@ -153,14 +259,27 @@ std::vector<PlacedTag> placedBetweenCrests(const TagPainter& painter, const Fram
     }
     return false;
   };
-  place(rigidTag(), left);
-  for (const Tag& force : forces) place(force, right);
+  // Each label in its forms, the one with the most words first, and its usual position.
+  std::vector<std::vector<PlacedTag>> labels;
+  labels.push_back({{rigidTag(), left}});
+  for (const Tag& force : forces) labels.push_back({{force, right}});
   if (const std::optional<Tag> motion = slidingTag(frame, false)) {
-    Tag brief = slidingTag(frame, true).value_or(*motion), briefest = brief;
+    const Tag brief = slidingTag(frame, true).value_or(*motion);
+    Tag briefest = brief;
     briefest.after.clear();  // the header shows the velocity
+    labels.emplace_back();
     for (const Tag& words : {*motion, brief, briefest})
-      if (place(words, layout.plot.x + (layout.plot.width - painter.width(words)) / 2)) break;
+      labels.back().push_back(
+          {words, layout.plot.x + (layout.plot.width - painter.width(words)) / 2});
   }
+  std::erase_if(labels, [&](const std::vector<PlacedTag>& forms) {
+    const std::optional<float> last = layout.lastPlace(forms.front().tag.id);
+    return last && std::ranges::any_of(
+                       forms, [&](const PlacedTag& form) { return place(form.tag, *last, true); });
+  });
+  for (const std::vector<PlacedTag>& forms : labels)
+    for (const PlacedTag& form : forms)
+      if (place(form.tag, form.x, false)) break;
   return placed;
 }
 
@@ -304,7 +423,8 @@ void nameElastomer(TagPainter& painter, const Frame& frame, const ContactLayout&
   if (layout.footer > 0 && footerWith(notes, note, layout)) return;
   for (const Tag& tag : tags) {
     if (!fits(tag)) continue;
-    const auto x = labelPlacement(frame, layout, top, painter.width(tag), margin);
+    const auto x =
+        labelPlacement(frame, layout, top, painter.width(tag), margin, layout.lastPlace(tag.id));
     if (x && isOnElastomer(tag, *x)) return painter.paint(tag, {*x, top}, plate);
   }
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/contact/narrow_contact.h"
+#include "ui/contact/frame_curves.h"
 #include "ui/draw/fonts.h"
 #include "ui/draw/ticks.h"
 #include "ui/language/language.h"
@@ -19,12 +19,6 @@ constexpr float kTitleGap = 10;      // units, from the legend's title to the ba
 /// Adds the unit to the last number, "20 mm", because the axis has no title.
 void nameUnit(AxisTicks& axis) {
   if (!axis.ticks.empty() && !axis.unit.empty()) axis.ticks.back().label += " " + axis.unit;
-}
-
-float widestLabel(const AxisTicks& axis, float size) {
-  float widest = 0;
-  for (const Tick& tick : axis.ticks) widest = std::max(widest, textWidth(tick.label, size));
-  return widest;
 }
 
 /// Leaves out x-ticks that the unit of the last one would touch.
@@ -143,6 +137,11 @@ float ContactLayout::py(double metres) const {
   return static_cast<float>(std::clamp<double>(pixels, -kFarOutside, kFarOutside));
 }
 
+std::optional<float> ContactLayout::lastPlace(std::string_view id) const {
+  const auto last = std::ranges::find(lastLabels, id, &LabelPlace::id);
+  return last == lastLabels.end() ? std::nullopt : std::optional(last->left);
+}
+
 std::string exaggerationText(const ContactLayout& layout) {
   const double ratio = layout.pixelsPerMetreY() / layout.pixelsPerMetreX();
   return filled(Words::tr("vertical exaggeration %1\u00D7"), {grouped(shortNumber(ratio, 2))});
@@ -155,6 +154,7 @@ ContactLayout layoutContact(const Frame& frame, const ContactPictureOptions& opt
   layout.height = options.height;
   layout.sizes = sizesFor(options);
   layout.theme = options.theme;
+  layout.lastLabels = options.lastLabels;
   layout.view = resolvedView(frame, options.view);
   layout.scale = {options.overlay, colourMaximum(layout.view, options.overlay)};
   if (overlayValues(frame, options.overlay).size() != frame.lineHeight.size())
@@ -194,7 +194,7 @@ ContactLayout layoutContact(const Frame& frame, const ContactPictureOptions& opt
   layout.heightTicks =
       yTicks(layout.view.bottom, layout.view.top, layout.plot.height, 48 * u, s.small, "m");
   if (!layout.axisTitles) nameUnit(layout.heightTicks);
-  const float left = widestLabel(layout.heightTicks, s.small) + 9 * u + pad +
+  const float left = widestLabel(layout.heightTicks.ticks, s.small) + 9 * u + pad +
                      (layout.axisTitles ? s.small * 1.6F : 0);
   layout.plot.x = std::round(left);
   layout.plot.width = std::max(1.0F, std::round(width - 2 * pad) - layout.plot.x);

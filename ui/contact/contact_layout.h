@@ -45,12 +45,15 @@ struct ContactLayout {
   float footer = 0;  // baseline of the footer's text; 0: none
   float footerWidth = 0;
   std::optional<std::size_t> marked;  // point of a contact so narrow that a dot must show it
+  std::vector<LabelPlace> lastLabels{};
   std::vector<Box> covered{};  // boxes of the inset and of the readout, in which labels are hidden
 
   double pixelsPerMetreX() const;
   double pixelsPerMetreY() const;
   float px(double x) const;
   float py(double metres) const;  // heights as in Frame
+  /// Returns the left end of a label in the last picture; none where it had none.
+  std::optional<float> lastPlace(std::string_view id) const;
 };
 
 /// Makes the layout. `headerBottom`: pixels taken by the title and readings.

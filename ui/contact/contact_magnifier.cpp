@@ -4,9 +4,8 @@
 #include <optional>
 
 #include "ui/contact/contact_parts.h"
-#include "ui/contact/decimate.h"
+#include "ui/contact/frame_curves.h"
 #include "ui/contact/label_placement.h"
-#include "ui/contact/narrow_contact.h"
 #include "ui/draw/fonts.h"
 #include "ui/draw/theme.h"
 

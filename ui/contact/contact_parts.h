@@ -9,7 +9,7 @@
 
 #include "ui/contact/contact_layout.h"
 #include "ui/contact/contact_signs.h"
-#include "ui/contact/decimate.h"
+#include "ui/contact/frame_curves.h"
 
 namespace asperity {
 
@@ -36,12 +36,7 @@ float addHeader(DrawList& list, const Frame& frame, const ContactPictureOptions&
 /// Adds both bodies, the gap, the curves and the coloured contacts.
 void addBodies(DrawList& list, const Frame& frame, const ContactLayout& layout);
 
-/// Adds triangles that start at the surface and fade with depth, in the colours of the contacts
-/// above.
-void addGlow(DrawLayer& layer, const std::vector<CurveVertex>& surface,
-             const std::vector<std::vector<CurveVertex>>& contacts, const ContactLayout& layout);
-
-/// Returns the depth of that light in pixels; its lower half is hardly visible.
+/// Returns the depth of the light below the contacts in pixels; its lower half is hardly visible.
 float glowDepth(const ContactLayout& layout);
 
 /// Adds the names of the bodies, the direction of sliding and the forces; call it after addBodies.

@@ -8,7 +8,7 @@
 
 #include "ui/contact/contact_overlay.h"
 #include "ui/contact/contact_parts.h"
-#include "ui/contact/decimate.h"
+#include "ui/contact/frame_curves.h"
 #include "ui/draw/ticks.h"
 
 namespace asperity {

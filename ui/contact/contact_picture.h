@@ -42,6 +42,12 @@ struct Magnifier {
   bool operator==(const Magnifier&) const = default;
 };
 
+/// The position of a label of the last picture, by the id of its explanation.
+struct LabelPlace {
+  std::string_view id;
+  float left = 0;  // pixel
+};
+
 struct ContactPictureOptions {
   int width = 1280, height = 720;  // pixels
   float scale = 1;                 // of fonts and line widths; 2 on a high-density screen
@@ -54,6 +60,8 @@ struct ContactPictureOptions {
   std::optional<Magnifier> magnifier;
   float fontSize = 0;   // pixels, of the tick labels; 0: automatic
   float lineWidth = 0;  // pixels, of line and surface; 0: automatic
+  /// Labels that give way to the line of a low picture stay here as long as it does not cross them.
+  std::vector<LabelPlace> lastLabels{};
 };
 
 /// Returns a view that fits the frame and changes only when it must (pass the last view to avoid
@@ -66,6 +74,9 @@ ContactView fittedView(const Frame& frame, const std::optional<ContactView>& las
 /// Returns the part of the plot's height that the row of labels needs above the line, so that none
 /// of them has to give way to a summit; 0 where the plot is so low that it would take too much.
 double labelSpace(const Frame& frame, const ContactPictureOptions& options);
+
+/// Returns where the labels of the picture are, for the next one of the same size.
+std::vector<LabelPlace> labelPlaces(const Frame& frame, const ContactPictureOptions& options);
 
 /// Returns the view with every 0 for a default replaced by its value. A maximum of a colour scale
 /// stays 0 where it is unknown: the frame has no such values and the view gives none.

@@ -7,7 +7,7 @@
 
 #include "core/material/element_law.h"
 #include "ui/contact/contact_parts.h"
-#include "ui/contact/decimate.h"
+#include "ui/contact/frame_curves.h"
 #include "ui/draw/fonts.h"
 #include "ui/draw/theme.h"
 #include "ui/language/language.h"

@@ -101,7 +101,7 @@ double withFourDigits(double value) {
   return std::strtod(fmt::format("{:.4g}", value).c_str(), nullptr);
 }
 
-/// Returns the labels and arrows in the plot.
+/// Returns the labels, then the arrows in the plot.
 std::vector<ContactSign> labelSigns(const Frame& frame, const ContactPictureOptions& asked) {
   PreparedPicture prepared = prepareContact(frame, asked);
   prepared.list.layers.emplace_back();  // in place of the bodies
@@ -111,6 +111,13 @@ std::vector<ContactSign> labelSigns(const Frame& frame, const ContactPictureOpti
 }
 
 }  // namespace
+
+std::vector<LabelPlace> labelPlaces(const Frame& frame, const ContactPictureOptions& options) {
+  std::vector<LabelPlace> places;
+  for (const ContactSign& label : labelSigns(frame, options))
+    places.push_back({label.id, label.box.x});
+  return places;
+}
 
 std::vector<ContactSign> contactHandles(const Frame& frame, const ContactPictureOptions& options) {
   std::vector<ContactSign> labels = labelSigns(frame, options);

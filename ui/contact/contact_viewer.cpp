@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "ui/contact/decimate.h"
+#include "ui/contact/frame_curves.h"
 
 namespace asperity {
 namespace {

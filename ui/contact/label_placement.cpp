@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "ui/contact/contact_parts.h"
-#include "ui/contact/decimate.h"
+#include "ui/contact/frame_curves.h"
 
 namespace asperity {
 namespace {
@@ -70,7 +70,7 @@ bool clearAcross(const Frame& frame, const ContactLayout& layout, float top) {
 }
 
 std::optional<float> labelPlacement(const Frame& frame, const ContactLayout& layout, float top,
-                                    float width, float margin) {
+                                    float width, float margin, std::optional<float> last) {
   const Box& plot = layout.plot;
   const auto isClear = [&](float x) {
     const float gap = 0.5F * margin;  // less than margin: the axes' ends do not count as neighbours
@@ -80,8 +80,9 @@ std::optional<float> labelPlacement(const Frame& frame, const ContactLayout& lay
                                 !isAbove(frame, layout, point, top);
                        }) == 0;
   };
-  for (const float x : {plot.x + margin, plot.right() - margin - width,
-                        std::round(plot.x + (plot.width - width) / 2)})
+  const float first = plot.x + margin, end = plot.right() - margin - width;
+  if (last && *last >= first && *last <= end && isClear(*last)) return last;
+  for (const float x : {first, end, std::round(plot.x + (plot.width - width) / 2)})
     if (isClear(x)) return x;
   return std::nullopt;
 }

@@ -14,10 +14,10 @@ namespace asperity {
 bool clearAcross(const Frame& frame, const ContactLayout& layout, float top);
 
 /// Returns the left end of a label `width` pixels wide below the row `top` that hides no contact
-/// now: at the left, at the right (`margin` from the axes) or in the middle; none where all of them
-/// would hide one.
+/// now: where it was last, at the left, at the right (`margin` from the axes) or in the middle;
+/// none where all of them would hide one.
 std::optional<float> labelPlacement(const Frame& frame, const ContactLayout& layout, float top,
-                                    float width, float margin);
+                                    float width, float margin, std::optional<float> last = {});
 
 /// Returns whether the whole period of the rigid line stays below the pixel row `bottom`: then it
 /// never crosses a label above the row while it slides by.

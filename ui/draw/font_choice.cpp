@@ -1,18 +1,16 @@
 #include "ui/draw/font_choice.h"
 
 #include <fontconfig/fontconfig.h>
-#include <hb.h>
 #include <QFile>
 #include <QString>
 #include <algorithm>
-#include <cmath>
+#include <cstdlib>
 #include <memory>
 #include <string_view>
 #include <vector>
 
 #include "core/base/input_error.h"
 #include "core/base/text.h"
-#include "ui/draw/fonts.h"
 
 namespace asperity {
 namespace {
@@ -22,9 +20,6 @@ constexpr const char* kOption = "--font";
 using Pattern = std::unique_ptr<FcPattern, Destroyer<FcPatternDestroy>>;
 using Objects = std::unique_ptr<FcObjectSet, Destroyer<FcObjectSetDestroy>>;
 using Fonts = std::unique_ptr<FcFontSet, Destroyer<FcFontSetDestroy>>;
-using Blob = std::unique_ptr<hb_blob_t, Destroyer<hb_blob_destroy>>;
-using Face = std::unique_ptr<hb_face_t, Destroyer<hb_face_destroy>>;
-using Font = std::unique_ptr<hb_font_t, Destroyer<hb_font_destroy>>;
 
 FontChoice& present() {
   static FontChoice choice;
@@ -72,22 +67,8 @@ FontChoice::Face readFace(const FcPattern* font, const std::string& family) {
     throw InputError("", kOption,
                      message("{}: its file {} cannot be read", family, patternText(font, FC_FILE)));
   const QByteArray bytes = file.readAll();
-  const Blob blob(hb_blob_create(bytes.constData(), static_cast<unsigned>(bytes.size()),
-                                 HB_MEMORY_MODE_READONLY, nullptr, nullptr));
-  const Face whole(
-      hb_face_create(blob.get(), static_cast<unsigned>(patternNumber(font, FC_INDEX) & 0xFFFF)));
-  const unsigned unitsPerSize = hb_face_get_upem(whole.get());
-  hb_set_t* const characters = hb_set_create();
-  hb_face_collect_unicodes(whole.get(), characters);
-  const Font measured(hb_font_create(whole.get()));
-  for (hb_codepoint_t character = HB_SET_VALUE_INVALID; hb_set_next(characters, &character);) {
-    hb_codepoint_t glyph = 0;
-    if (!hb_font_get_nominal_glyph(measured.get(), character, &glyph)) continue;
-    const double advance = hb_font_get_glyph_h_advance(measured.get(), glyph);
-    const double units = advance * static_cast<double>(kAdvancesPerSize) / unitsPerSize;
-    face.advances[character] = static_cast<std::int16_t>(std::clamp(units, 0.0, 32767.0) + 0.5);
-  }
-  hb_set_destroy(characters);
+  face.advances =
+      measuredAdvances(bytes, static_cast<unsigned>(patternNumber(font, FC_INDEX) & 0xFFFF));
   if (face.advances.empty())
     throw InputError("", kOption, message("{} has no characters that can be measured", family));
   if (bytes.startsWith("ttcf"))

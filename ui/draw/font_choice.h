@@ -5,10 +5,10 @@
 
 #include <QByteArray>
 #include <array>
-#include <cstdint>
 #include <set>
 #include <string>
-#include <unordered_map>
+
+#include "ui/draw/fonts.h"
 
 namespace asperity {
 
@@ -16,7 +16,7 @@ struct FontChoice {
   std::string family;  // empty: DejaVu Sans
   struct Face {
     QByteArray file;
-    std::unordered_map<std::uint32_t, std::int16_t> advances;  // in 1/kAdvancesPerSize of the size
+    FontAdvances advances;
   };
   std::array<Face, 2> faces{};  // regular, bold
 

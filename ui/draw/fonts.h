@@ -10,6 +10,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "ui/draw/draw_list.h"
@@ -35,8 +36,13 @@ inline constexpr float kSmallestFont = 7;  // pixels; smaller letters are illegi
 /// one. Small pictures shrink their texts a little; large ones enlarge them less than the picture.
 float textScale(float pictureScale);
 
-/// Returns the advance in units of 1/kAdvancesPerSize of the font's size; a character outside the
-/// table counts as a wide one.
+/// The advances of a font's characters, in units of 1/kAdvancesPerSize of its size.
+using FontAdvances = std::unordered_map<std::uint32_t, std::int16_t>;
+
+/// Measures every character of a font file, or of one font of a collection.
+FontAdvances measuredAdvances(const QByteArray& file, unsigned index = 0);
+
+/// Returns the advance of a character; one that no font has counts as a wide one.
 std::int16_t fontAdvance(std::uint32_t character, bool bold);
 
 /// Returns the file of DejaVu Sans from the program's resources.
@@ -50,9 +56,12 @@ std::set<char32_t> charactersIn(const DrawList& list, bool bold);
 /// cannot be reduced.
 QByteArray fontSubset(bool bold, const std::set<char32_t>& characters);
 
-/// Returns the width in pixels for a font of `size` pixels. Characters outside the table count as
-/// wide ones.
+/// Returns the width in pixels for a font of `size` pixels. Characters that no font has
+/// count as wide ones.
 float textWidth(std::string_view utf8, float size, bool bold = false);
+
+/// Returns the width of the widest of some lines.
+float widestLine(const std::vector<std::string>& lines, float size);
 
 /// Returns the largest integer font size from `size` down to `least` at which the text fits.
 float fittingSize(const std::string& utf8, float size, float least, bool bold, float width);

@@ -1,10 +1,11 @@
-// OpenGL 3.3 without linking a library: its functions, found at run time, shader programs, and the
-// state of a foreign context, which drawing restores. A context must be current in every call.
-// Failure: std::runtime_error naming the missing function, or with the compiler's message.
+// OpenGL 3.3 without linking a library: libraries and functions found at run time, shader programs,
+// and the state of a foreign context, which drawing restores. A context must be current in every
+// call. Failure: std::runtime_error naming the missing function, or with the compiler's message.
 #pragma once
 
 #include <GL/glcorearb.h>
 #include <array>
+#include <string>
 
 #include "ui/draw/renderer.h"
 
@@ -56,6 +57,27 @@
 // clang-format on
 
 namespace asperity {
+
+/// A library that is opened at run time, once in the process, and never closed, because its threads
+/// outlive any context. Its names stay invisible to other libraries. Failure: std::runtime_error in
+/// one sentence with the names of the library and its package.
+class SharedLibrary {
+ public:
+  /// Loads the library. `variable`: an environment variable that names another file.
+  SharedLibrary(const char* file, const char* variable, const char* package);
+
+  template <typename Function>
+  void find(Function& function, const char* symbol) const {
+    function = reinterpret_cast<Function>(address(symbol));
+  }
+  const std::string& name() const { return name_; }
+
+ private:
+  void* address(const char* symbol) const;
+
+  std::string name_;
+  void* handle_ = nullptr;
+};
 
 struct GlFunctions {
   explicit GlFunctions(const ProcAddress& procAddress);

@@ -3,9 +3,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "ui/draw/gl_functions.h"
 #include "ui/draw/pixel_context.h"
 #include "ui/draw/renderer.h"
-#include "ui/draw/shared_library.h"
 
 #include <GL/osmesa.h>
 

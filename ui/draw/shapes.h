@@ -1,5 +1,6 @@
-// Shapes and texts appended to a DrawLayer or a DrawList, whole pictures in a picture, and the
-// shapes of a DrawList as numbers for those who draw them. Pure; any thread. Pixels, y down.
+// Shapes and texts appended to a DrawLayer or a DrawList, polylines cut at the edges of a box or
+// into dashes, whole pictures in a picture, and the shapes of a DrawList as numbers for those who
+// draw them. Pure; any thread. Pixels, y down.
 #pragma once
 
 #include <cmath>
@@ -14,6 +15,7 @@ namespace asperity {
 struct DrawPoint {
   float x = 0, y = 0;
 };
+using Polyline = std::vector<DrawPoint>;
 
 /// For a DrawPoint or a DrawVertex.
 template <class Point>
@@ -39,6 +41,18 @@ void addPill(DrawLayer& layer, const Box& box, const Rgba& colour);
 void addArrow(DrawLayer& layer, DrawPoint from, DrawPoint to, float head, float width,
               const Rgba& colour);
 
+// ---- Polylines
+
+/// Returns the parts inside the box, in order; a point that is not finite interrupts the line. A
+/// polyline of one point is kept if it lies in the box.
+std::vector<Polyline> clippedTo(const Box& box, const Polyline& line);
+
+/// Returns pieces of length `on` with gaps of length `off` along the line, beginning with a piece;
+/// corners are kept. `on` = 0 gives single points at distances `off`.
+std::vector<Polyline> dashed(const Polyline& line, float on, float off);
+
+// ---- Texts
+
 /// Adds one text; `at` is its anchor on the baseline. An empty one is left out.
 void addLabel(DrawList& list, std::string utf8, DrawPoint at, float size, TextAnchor anchor,
               const Rgba& colour, float angle = 0);
@@ -58,6 +72,8 @@ float addText(DrawList& list, const TextRuns& runs, DrawPoint baseline, float si
 
 /// Returns the words without their style: "F\u2099".
 std::string plainText(const TextRuns& runs);
+
+// ---- Pictures
 
 /// Adds all of `part`, with its background, to `list`, shifted right and down.
 void addPicture(DrawList& list, DrawList part, float right, float down);

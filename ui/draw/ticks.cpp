@@ -59,8 +59,8 @@ constexpr double kMaxDecades = 700;  // the range of a double
 constexpr int kMaxTicks = 12;
 
 /// Returns the multiples of every decade inside [from, to].
-std::vector<LogTick> multiples(double from, double to, const std::vector<int>& factors) {
-  std::vector<LogTick> ticks;
+std::vector<Tick> multiples(double from, double to, const std::vector<int>& factors) {
+  std::vector<Tick> ticks;
   const int last = static_cast<int>(std::floor(to + kRounding));
   for (int exponent = static_cast<int>(std::floor(from)); exponent <= last; ++exponent)
     for (const int factor : factors) {
@@ -72,8 +72,8 @@ std::vector<LogTick> multiples(double from, double to, const std::vector<int>& f
   return ticks;
 }
 
-std::vector<LogTick> decades(double from, double to, int most) {
-  std::vector<LogTick> ticks;
+std::vector<Tick> decades(double from, double to, int most) {
+  std::vector<Tick> ticks;
   const int first = static_cast<int>(std::ceil(from - kRounding));
   const int last = static_cast<int>(std::floor(to + kRounding));
   int step = 1;  // ticks are at its multiples
@@ -93,6 +93,12 @@ int tickCount(float pixels, float each) {
 }
 
 }  // namespace
+
+float widestLabel(const std::vector<Tick>& ticks, float size) {
+  float widest = 0;
+  for (const Tick& tick : ticks) widest = std::max(widest, textWidth(tick.label, size));
+  return widest;
+}
 
 double roundUp125(double value) {
   return nextMultiple({1, 2, 5}, value);
@@ -145,10 +151,8 @@ std::vector<double> minorTicks(const AxisTicks& axis, double from, double to) {
 
 AxisTicks sparseTicks(double from, double to, float pixels, float size, std::string_view unit) {
   const auto isSparse = [&](const AxisTicks& axis) {
-    float widest = 0;
-    for (const Tick& tick : axis.ticks) widest = std::max(widest, textWidth(tick.label, size));
     const double share = (axis.ticks[1].value - axis.ticks[0].value) / (to - from);
-    return widest + size < share * pixels;
+    return widestLabel(axis.ticks, size) + size < share * pixels;
   };
   const int most = tickCount(pixels, size * 4);
   for (int count = most; count > 1; --count) {
@@ -181,31 +185,30 @@ AxisTicks yTicks(double from, double to, float pixels, float each, float size,
       const double apart = (closer.ticks[1].value - closer.ticks[0].value) / (to - from);
       return apart * static_cast<double>(pixels) >= 1.1 * static_cast<double>(size);
     };
-    // The outermost two give a scale where not all fit.
+    // The outermost two give a scale where not all fit; finer steps have them farther apart.
     if (!ticksFit()) closer.ticks.erase(closer.ticks.begin() + 1, closer.ticks.end() - 1);
-    if (!ticksFit()) break;
-    axis = std::move(closer);
+    if (ticksFit()) return closer;
   }
   return axis;
 }
 
-std::vector<LogTick> logTicks(double from, double to, int most) {
+std::vector<Tick> logTicks(double from, double to, int most) {
   if (!(from < to) || !(std::abs(from) < kMaxDecades) || !(std::abs(to) < kMaxDecades) || most < 1)
     return {};
-  std::vector<LogTick> ticks = decades(from, to, most);
+  std::vector<Tick> ticks = decades(from, to, most);
   if (ticks.size() > 1 || most < 2) return ticks;
   // Uses multiples that give a scale and fit, otherwise the outermost of them.
   const std::vector<int> choices[] = {{1, 2, 5}, {1, 2, 3, 4, 5, 6, 7, 8, 9}, {1, 3}, {1, 5}};
   for (const std::vector<int>& factors : choices) {
-    std::vector<LogTick> finer = multiples(from, to, factors);
+    std::vector<Tick> finer = multiples(from, to, factors);
     if (finer.size() > 1 && static_cast<int>(finer.size()) <= most) return finer;
   }
-  const std::vector<LogTick> coarse = multiples(from, to, {1, 2, 5});
+  const std::vector<Tick> coarse = multiples(from, to, {1, 2, 5});
   if (coarse.size() > 1) return {coarse.front(), coarse.back()};
   return ticks;
 }
 
-std::vector<double> minorLogTicks(double from, double to, const std::vector<LogTick>& ticks,
+std::vector<double> minorLogTicks(double from, double to, const std::vector<Tick>& ticks,
                                   double decadePixels, double apart) {
   std::vector<double> minor;
   if (!(from < to) || !(std::abs(from) < kMaxDecades) || !(std::abs(to) < kMaxDecades))
@@ -217,11 +220,11 @@ std::vector<double> minorLogTicks(double from, double to, const std::vector<LogT
     factors = {1, 2, 5};
   else if (decadePixels < apart)
     return minor;
-  for (const LogTick& candidate : multiples(from, to, factors))
-    if (std::none_of(ticks.begin(), ticks.end(), [&](const LogTick& tick) {
-          return std::abs(tick.decade - candidate.decade) < kRounding;
+  for (const Tick& candidate : multiples(from, to, factors))
+    if (std::none_of(ticks.begin(), ticks.end(), [&](const Tick& tick) {
+          return std::abs(tick.value - candidate.value) < kRounding;
         }))
-      minor.push_back(candidate.decade);
+      minor.push_back(candidate.value);
   return minor;
 }
 

@@ -12,9 +12,12 @@
 namespace asperity {
 
 struct Tick {
-  double value;       // SI
-  std::string label;  // in the axis' unit
+  double value = 0;   // SI; on a logarithmic axis its decimal logarithm
+  std::string label;  // in the axis' unit; "10⁻³", "2×10³"
 };
+
+/// Returns the width in pixels of the widest label in fonts of `size`.
+float widestLabel(const std::vector<Tick>& ticks, float size);
 
 struct AxisTicks {
   std::vector<Tick> ticks;  // ascending, inside [from, to]
@@ -45,20 +48,15 @@ AxisTicks sparseTicks(double from, double to, float pixels, float size, std::str
 AxisTicks yTicks(double from, double to, float pixels, float each, float size,
                  std::string_view unit);
 
-struct LogTick {
-  double decade = 0;  // decimal logarithm of the value
-  std::string label;  // "10⁻³", "2×10³"
-};
-
 /// Returns ticks between the decimal logarithms `from` and `to`, ascending, at most `most`:
 /// decades, thinned where there are many; where there are fewer than two, as many multiples of them
 /// as fit. None where from >= to, either is not finite, or most < 1.
-std::vector<LogTick> logTicks(double from, double to, int most);
+std::vector<Tick> logTicks(double from, double to, int most);
 
 /// Returns decimal logarithms of the minor ticks: 2, 3, ..., 9 times every decade, or 2 and 5 times
 /// where `decadePixels` is below twelve times `apart`, or only the decades where those do not fit.
 /// Ascending, none at a tick.
-std::vector<double> minorLogTicks(double from, double to, const std::vector<LogTick>& ticks,
+std::vector<double> minorLogTicks(double from, double to, const std::vector<Tick>& ticks,
                                   double decadePixels, double apart);
 
 /// Returns a printed number, which may have a unit, with the groups of thousands of the language:

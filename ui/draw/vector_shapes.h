@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ui/draw/draw_list.h"
-#include "ui/draw/polyline.h"
+#include "ui/draw/shapes.h"
 
 namespace asperity {
 

@@ -185,19 +185,24 @@ QString formulaText(std::string_view formula) {
   }
 }
 
+QString richText(const QString& text) {
+  QString rich = text.toHtmlEscaped();
+  return rich.replace(QStringLiteral("\u2099"), QLatin1String("<sub>N</sub>"));
+}
+
 QString explanationHtml(const HoverExplanation& explanation, const QString& title,
                         const QString& sentence) {
   QString text;
-  if (!title.isEmpty()) text += "<p><b>" + title.toHtmlEscaped() + "</b></p>";
+  if (!title.isEmpty()) text += "<p><b>" + richText(title) + "</b></p>";
   const QString body =
       sentence.isEmpty() ? translatedText(Message(explanation.sentence)) : sentence;
-  text += "<p>" + body.toHtmlEscaped() + "</p>";
+  text += "<p>" + richText(body) + "</p>";
   if (!explanation.formula.empty()) text += "<p>" + formulaHtml(explanation.formula) + "</p>";
   return text;
 }
 
 QString wrappedTip(const QString& text) {
-  return text.isEmpty() ? QString() : "<p>" + text.toHtmlEscaped() + "</p>";
+  return text.isEmpty() ? QString() : "<p>" + richText(text) + "</p>";
 }
 
 }  // namespace asperity

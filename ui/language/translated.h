@@ -49,6 +49,9 @@ QString formulaHtml(std::string_view formula);
 /// Returns a formula as plain text: "Fₙ", and "L_c" where there is no small lowered letter.
 QString formulaText(std::string_view formula);
 
+/// Returns a plain text as rich text, in which the normal force "Fₙ" has a lowered capital N.
+QString richText(const QString& text);
+
 /// Returns title, sentence and formula as rich text for a tooltip; an empty title is left out.
 /// sentence: replaces the sentence of the explanation; may be empty.
 QString explanationHtml(const HoverExplanation& explanation, const QString& title = {},

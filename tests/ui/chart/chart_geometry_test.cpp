@@ -46,7 +46,7 @@ TEST(ChartGeometryTest, ValuesGoToPixelsAndBack) {
   EXPECT_DOUBLE_EQ(kMap.mapX(1), 400);
   EXPECT_DOUBLE_EQ(kMap.mapY(1e-4), 350);
   for (const double value : {1e-3, 0.02, 7.0, 1e3})
-    EXPECT_NEAR(kMap.valueAt(kMap.mapX(value)) / value, 1, 1e-12);
+    EXPECT_NEAR(kMap.xAt(kMap.mapX(value)) / value, 1, 1e-12);
 }
 
 TEST(ChartGeometryTest, FindsTheNearestPoint) {

@@ -308,5 +308,18 @@ TEST_F(ChartViewTest, AxesGoWithThePlotArea) {
   EXPECT_EQ(image(), fresh->grab().toImage());
 }
 
+/// The sentence that says why there is no curve is not crossed by the line of the present state.
+TEST_F(ChartViewTest, TheLineOfTheMarkerDoesNotCrossTheSentence) {
+  DiagramSheet sheet = sampleSheet();
+  sheet.diagrams[0].series.clear();
+  sheet.diagrams[0].blank = "There is no friction: an elastic body gives back all the work.";
+  sheet.diagrams[0].marker->x = 1;
+  sheet.diagrams[0].marker->y = 0;
+  view_->setSheet(sheet);
+  EXPECT_TRUE(has(look().marker(), at(1, 0.1)));
+  EXPECT_TRUE(has(look().marker(), at(1, 1e-3)));
+  EXPECT_FALSE(has(look().marker(), at(1, 1e-2)));
+}
+
 }  // namespace
 }  // namespace asperity

@@ -8,6 +8,7 @@
 
 #include "core/base/number_text.h"
 #include "tests/ui/chart/sample_sheets.h"
+#include "ui/chart/diagram_axes.h"
 #include "ui/chart/diagram_picture.h"
 #include "ui/chart/diagram_style.h"
 #include "ui/draw/ticks.h"
@@ -229,6 +230,46 @@ TEST(DiagramDrawing, LongCurvesAreThinned) {
     vertices += line.vertices.size();
   EXPECT_LE(vertices, 2U * 1200 + 4);
   EXPECT_GT(vertices, 1000U);
+}
+
+/// A single number does not show the scale of a strip.
+TEST(DiagramDrawing, TheAxisOfAStripHasTwoNumbers) {
+  const DiagramSizes sizes;
+  for (const AxisScale scale : {AxisScale::Linear, AxisScale::Logarithmic})
+    for (const float letters : {2.0F, 2.5F, 3.0F, 5.0F})
+      for (double from = -3.1; from < 0; from += 0.07)
+        for (const double size : {0.2, 0.37, 0.6, 1.0, 1.3, 1.9, 2.6, 4.0}) {
+          const AxisRange range{from, from + size};
+          const TickedAxis axis = tickedYAxis({"y", "", scale}, range, letters * sizes.tick, sizes);
+          ASSERT_GE(axis.ticks.size(), 2U) << static_cast<int>(scale) << ' ' << letters
+                                           << " letters, " << range.from << " to " << range.to;
+          const double apart = (axis.ticks[1].value - axis.ticks[0].value) / size;
+          EXPECT_GE(apart * letters, 0.999) << "labels must not touch";
+        }
+}
+
+/// The sentence that says why there is no curve is not crossed by the line of the present state.
+TEST(DiagramDrawing, TheLineOfTheMarkerDoesNotCrossTheSentence) {
+  DiagramSheet sheet;
+  Diagram diagram;
+  diagram.x = {"x", "", AxisScale::Logarithmic, 1e-3, 1e3};
+  diagram.y = {"y", "", AxisScale::Logarithmic, 1e-3, 1};
+  diagram.blank = "There is no friction here.";
+  diagram.marker = DiagramMarker{"now", "v", 1, 1e-9};
+  sheet.diagrams = {diagram};
+  DiagramOptions options;
+  const DrawList list = composeDiagrams(sheet, options);
+  const DrawText* sentence = textOf(list, "There is no friction here.");
+  ASSERT_TRUE(sentence);
+  int upright = 0;
+  for (const DrawLine& line : linesOf(list, seriesColour(1, options.theme))) {
+    const DrawVertex &a = line.vertices.front(), &b = line.vertices.back();
+    if (a.x != b.x) continue;
+    ++upright;
+    EXPECT_TRUE(std::max(a.y, b.y) < sentence->y - sentence->size ||
+                std::min(a.y, b.y) > sentence->y + 0.3F * sentence->size);
+  }
+  EXPECT_EQ(upright, 2);
 }
 
 }  // namespace

@@ -518,5 +518,45 @@ TEST(ContactTexts, NoLabelIsCrossedByTheLine) {
   EXPECT_GT(labels, 150);
 }
 
+/// A view that moves by a pixel moves no label that the line does not cross there.
+TEST(ContactTexts, LabelsStayWhileTheViewMovesByAPixel) {
+  SampleOptions sample;
+  sample.points = 500;
+  const Frame frame = *sampleFrame(sample);
+  int kept = 0, moved = 0, movedWithoutMemory = 0;
+  for (const Size& size : {Size{640, 260, 1}, {900, 280, 1}, {1280, 300, 1}}) {
+    ContactPictureOptions options;
+    options.width = size.width;
+    options.height = size.height;
+    options.view.width = frame.length / 3;
+    const ContactView whole = resolvedView(frame, {});
+    options.view.top = whole.bottom + 0.8 * (whole.top - whole.bottom);
+    options.view.bottom = whole.bottom;
+    const Box plot = contactPlotArea(frame, options);
+    const auto leftOf = [](const std::vector<LabelPlace>& places, std::string_view id) {
+      const auto found = std::ranges::find(places, id, &LabelPlace::id);
+      return found == places.end() ? std::optional<float>() : found->left;
+    };
+    std::vector<LabelPlace> before, plain;
+    for (int step = 0; step < 200; ++step) {
+      options.view.left = step * options.view.width / static_cast<double>(plot.width);
+      options.lastLabels = {};
+      const std::vector<LabelPlace> withoutMemory = labelPlaces(frame, options);
+      options.lastLabels = before;
+      const std::vector<LabelPlace> now = labelPlaces(frame, options);
+      for (const LabelPlace& label : now) {
+        const auto last = leftOf(before, label.id), lastPlain = leftOf(plain, label.id);
+        const auto isPlain = leftOf(withoutMemory, label.id);
+        if (lastPlain && isPlain && *lastPlain != *isPlain) ++movedWithoutMemory;
+        if (last) ++(*last == label.left ? kept : moved);
+      }
+      before = now;
+      plain = withoutMemory;
+    }
+  }
+  EXPECT_GT(kept, 300);
+  EXPECT_LT(2 * moved, movedWithoutMemory);
+}
+
 }  // namespace
 }  // namespace asperity

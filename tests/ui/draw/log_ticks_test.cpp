@@ -12,7 +12,7 @@ namespace {
 
 std::string labels(double from, double to, int most) {
   std::string all;
-  for (const LogTick& tick : logTicks(from, to, most)) all += tick.label + " ";
+  for (const Tick& tick : logTicks(from, to, most)) all += tick.label + " ";
   return all;
 }
 
@@ -56,10 +56,10 @@ TEST(LogTicks, InsideAscendingAndNeverTooMany) {
         const auto ticks = logTicks(from, from + width, most);
         EXPECT_LE(static_cast<int>(ticks.size()), most) << from << " " << width;
         double last = from - 1e-6;
-        for (const LogTick& tick : ticks) {
-          EXPECT_GT(tick.decade, last);
-          EXPECT_LT(tick.decade, from + width + 1e-6);
-          last = tick.decade;
+        for (const Tick& tick : ticks) {
+          EXPECT_GT(tick.value, last);
+          EXPECT_LT(tick.value, from + width + 1e-6);
+          last = tick.value;
         }
         if (width > 1 && most > 2) {
           EXPECT_GE(ticks.size(), 1U) << from << " " << width << " " << most;
@@ -100,9 +100,9 @@ TEST(MinorLogTicks, AreFewerWhereTheyWouldCrowd) {
 
 TEST(MinorLogTicks, NeverStandAtATick) {
   for (double to = 0.2; to < 3; to += 0.17)
-    for (const LogTick& tick : logTicks(0, to, 8))
+    for (const Tick& tick : logTicks(0, to, 8))
       for (const double place : minorLogTicks(0, to, logTicks(0, to, 8), 200, 3))
-        EXPECT_GT(std::abs(place - tick.decade), 1e-6);
+        EXPECT_GT(std::abs(place - tick.value), 1e-6);
   EXPECT_TRUE(minorLogTicks(1, 1, {}, 100, 3).empty());
   EXPECT_TRUE(minorLogTicks(0, std::numeric_limits<double>::infinity(), {}, 100, 3).empty());
 }

@@ -1,4 +1,4 @@
-#include "ui/draw/polyline.h"
+#include "ui/draw/shapes.h"
 
 #include <gtest/gtest.h>
 

@@ -392,9 +392,9 @@ class Visitor {
       QTest::qWait(60);
       waitFor([&] { return panel.view().isPainted(); }, "the map's picture");
       if (panel.view().frames().size() > 0) {
-        const DiagramFrame& frame = panel.view().frames().back();
-        QTest::mouseMove(&panel.view(), QPoint(static_cast<int>(frame.left + 0.6F * frame.width),
-                                               static_cast<int>(frame.top + 0.4F * frame.height)));
+        const QRectF& area = panel.view().frames().back().area;
+        QTest::mouseMove(&panel.view(), QPoint(static_cast<int>(area.left() + 0.6 * area.width()),
+                                               static_cast<int>(area.top() + 0.4 * area.height())));
         QTest::qWait(30);
       }
       show(name, wishes_.screen.width() > 0 && isWanted(name + "_window")

@@ -264,6 +264,22 @@ TEST(StatusLine, AnInterpolatedMeanIsMarked) {
   EXPECT_TRUE(mu.text().contains(QStringLiteral("(mean ≈ 0.276"))) << mu.text().toStdString();
 }
 
+/// Value and error end at the same digit, also where that digit is a zero.
+TEST(StatusLine, TheMeanEndsWhereItsErrorBegins) {
+  StatusLine line;
+  CurveReading reading;
+  const auto& mu = *line.findChild<QLabel*>("factMu");
+  for (const auto& [value, error, shown] : {std::tuple{0.3, 0.003, "(mean 0.300 ± 1 %)"},
+                                            {0.9, 0.0045, "(mean 0.900 ± 0.5 %)"},
+                                            {0.00119996, 5e-6, "(mean 0.001200 ± 0.4 %)"},
+                                            {0.5, 0.096, "(mean 0.5 ± 20 %)"}}) {
+    reading.mu = value;
+    reading.error = error;
+    line.showFrame(movingFrame(1), reading);
+    EXPECT_TRUE(mu.text().contains(shown)) << mu.text().toStdString() << ", not " << shown;
+  }
+}
+
 /// A long hint in a small window: nothing is computed, and the place of the progress is free.
 TEST(StatusLine, AMessageHasThePlaceOfLesserReadings) {
   StatusLine line;

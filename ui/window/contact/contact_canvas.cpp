@@ -103,12 +103,14 @@ void ContactCanvas::paintVeil() {
 void ContactCanvas::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   veil_->setGeometry(rect());
+  labels_.clear();
   giveLabelsSpace();
   refresh();
 }
 
 void ContactCanvas::setTextScale(double scale) {
   textScale_ = scale;
+  labels_.clear();
   giveLabelsSpace();
   refresh();
 }
@@ -165,7 +167,10 @@ void ContactCanvas::countPicture() {
 }
 
 void ContactCanvas::refresh() {
-  if (backend_ && viewer_.frame()) backend_->show(request());
+  if (!backend_ || !viewer_.frame()) return;
+  const PictureRequest next = request();
+  labels_ = labelPlaces(*next.frame, sizedOptions(next));
+  backend_->show(next);
 }
 
 /// Returns a request for the picture on the screen; the backend fills this widget.
@@ -174,6 +179,7 @@ PictureRequest ContactCanvas::request() const {
   request.frame = viewer_.frame();
   request.options = viewer_.options();
   request.options.theme = theme_;
+  request.options.lastLabels = labels_;
   request.textScale = textScale_;
   request.scale = devicePixelRatioF();
   request.size = size() * request.scale;

@@ -187,8 +187,8 @@ void ClaimsTable::fill() {
     for (int column = 0; column < kClaimColumns; ++column) {
       auto* item = new QTableWidgetItem(cells[column]);
       item->setTextAlignment(Qt::AlignLeft | Qt::AlignTop);
-      item->setToolTip(QStringLiteral("<p style='white-space:pre-wrap'>%1</p>")
-                           .arg(detailsOf(claim).toHtmlEscaped()));
+      item->setToolTip(
+          QStringLiteral("<p style='white-space:pre-wrap'>%1</p>").arg(richText(detailsOf(claim))));
       setItem(row, column, item);
     }
     item(row, kHolds)->setForeground(verdictColour(claim.holds, isDark_));

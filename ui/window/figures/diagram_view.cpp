@@ -108,13 +108,12 @@ void DiagramView::request() {
         const DiagramSheet sheet = readableSheet(sheetOf(maker), options);
         QImage image = renderImage(contextOfThread(), composeDiagrams(sheet, options));
         image.setDevicePixelRatio(scale);
-        std::vector<DiagramFrame> frames = diagramFrames(sheet, options);
-        for (DiagramFrame& frame : frames)
-          for (float* length : {&frame.left, &frame.top, &frame.width, &frame.height})
-            *length /= static_cast<float>(scale);
+        std::vector<ChartGeometry> frames = diagramFrames(sheet, options);
+        for (ChartGeometry& frame : frames)
+          frame.area = {frame.area.topLeft() / scale, frame.area.size() / scale};
         return std::pair{image, std::move(frames)};
       },
-      [this, number = asked_](const std::pair<QImage, std::vector<DiagramFrame>>& made) {
+      [this, number = asked_](const std::pair<QImage, std::vector<ChartGeometry>>& made) {
         shown_ = number;
         image_ = made.first;
         frames_ = made.second;

@@ -48,7 +48,7 @@ class DiagramView : public QWidget {
   void setPause(int pause);
 
   /// Returns where the diagrams are in the picture that is shown, in logical pixels of the view.
-  const std::vector<DiagramFrame>& frames() const { return frames_; }
+  const std::vector<ChartGeometry>& frames() const { return frames_; }
   /// Opens a file dialog and writes the diagram to the chosen file.
   void saveAs();
 
@@ -89,7 +89,7 @@ class DiagramView : public QWidget {
   DiagramExport export_;
   Theme theme_ = lightTheme();
   QImage image_;
-  std::vector<DiagramFrame> frames_;
+  std::vector<ChartGeometry> frames_;
   QTimer* pause_;
   bool isDue_ = false;
   quint64 asked_ = 0, shown_ = 0;  // numbers of requests

@@ -222,7 +222,7 @@ void RegionPictures::choose(int index) {
   const DiagramSheet& sheet = figure_->figure.sheet;
   picture_->setAccessibleName(translatedText(sheet.title) + ", " + name);
   picture_->setAccessibleDescription(translatedText(sheet.note));
-  picture_->setToolTip("<p>" + translatedText(sheet.note).toHtmlEscaped() + "</p>");
+  picture_->setToolTip(wrappedTip(translatedText(sheet.note)));
 }
 
 }  // namespace asperity

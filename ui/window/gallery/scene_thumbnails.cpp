@@ -107,11 +107,9 @@ QImage diagramImage(DiagramSheet sheet, const Theme& theme) {
   options.theme = theme;
   options.format.lineWidth = 6;
   options.format.legend = LegendMode::None;
-  const std::vector<DiagramFrame> frames = diagramFrames(sheet, options);
+  const std::vector<ChartGeometry> frames = diagramFrames(sheet, options);
   if (frames.empty()) return cropped(composeDiagrams(sheet, options), QRectF(0, 0, 1e6, 1e6));
-  const DiagramFrame& frame = frames.front();
-  return cropped(composeDiagrams(sheet, options),
-                 {frame.left, frame.top, frame.width, frame.height});
+  return cropped(composeDiagrams(sheet, options), frames.front().area);
 }
 
 QImage curveImage(Scene scene, const Theme& theme, const std::stop_token& stop) {

@@ -22,21 +22,8 @@ namespace {
 constexpr double kReach = 7;                       // pixels, radius of the point
 constexpr double kStep = 0.02, kFineStep = 0.005;  // of an axis, for a key
 
-/// Returns the length of the part of a line that lies in a rectangle.
-double lengthIn(const QRectF& rectangle, const QLineF& line) {
-  double from = 0, to = 1;  // parts of the line
-  const auto clip = [&](double start, double change, double low, double high) {
-    if (change == 0) {
-      if (start < low || start > high) to = from;
-      return;
-    }
-    const double ends[] = {(low - start) / change, (high - start) / change};
-    from = std::max(from, std::min(ends[0], ends[1]));
-    to = std::min(to, std::max(ends[0], ends[1]));
-  };
-  clip(line.x1(), line.dx(), rectangle.left(), rectangle.right());
-  clip(line.y1(), line.dy(), rectangle.top(), rectangle.bottom());
-  return to > from ? (to - from) * line.length() : 0;  // also for a line without a place
+DrawPoint toDrawPoint(QPointF point) {
+  return {static_cast<float>(point.x()), static_cast<float>(point.y())};
 }
 
 QString valueText(double value, const std::string& unit) {
@@ -88,34 +75,15 @@ void PredictionPoint::showDecided(double x, double y, Whose whose) {
 }
 
 bool PredictionPoint::hasAxes() const {
-  if (chart_.sheet().diagrams.empty()) return false;
-  const VisibleRange range = chart_.visibleRange();
-  return !range.x.isEmpty() && !range.y.isEmpty();
-}
-
-QPointF PredictionPoint::toPixel(QPointF value) const {
-  return chart_.mapToPosition(value.x(), value.y());
-}
-
-/// Returns the pixels at the lower left and the upper right corner of the axes.
-std::pair<QPointF, QPointF> PredictionPoint::axesCorners() const {
-  const Diagram& diagram = chart_.sheet().diagrams.front();
-  const VisibleRange range = chart_.visibleRange();
-  return {
-      toPixel({axisValue(diagram.x.scale, range.x.from), axisValue(diagram.y.scale, range.y.from)}),
-      toPixel({axisValue(diagram.x.scale, range.x.to), axisValue(diagram.y.scale, range.y.to)})};
+  const auto frame = chart_.frame();
+  return frame && !frame->x.isEmpty() && !frame->y.isEmpty();
 }
 
 QPointF PredictionPoint::valueAt(QPointF pixel) const {
-  const Diagram& diagram = chart_.sheet().diagrams.front();
-  const VisibleRange range = chart_.visibleRange();
-  const auto [low, high] = axesCorners();
-  const auto along = [](AxisScale scale, const auto& ends, double begin, double end, double at) {
-    const double part = std::clamp((at - begin) / (end - begin), 0.0, 1.0);
-    return axisValue(scale, ends.from + part * (ends.to - ends.from));
-  };
-  return {x_ ? *x_ : along(diagram.x.scale, range.x, low.x(), high.x(), pixel.x()),
-          along(diagram.y.scale, range.y, low.y(), high.y(), pixel.y())};
+  const ChartGeometry frame = *chart_.frame();
+  const QRectF& area = frame.area;
+  return {x_ ? *x_ : frame.xAt(std::clamp(pixel.x(), area.left(), area.right())),
+          frame.yAt(std::clamp(pixel.y(), area.top(), area.bottom()))};
 }
 
 /// Returns the value of the point, and its position on the x-axis unless the question fixes it.
@@ -127,10 +95,7 @@ QString PredictionPoint::placeText() const {
 
 /// Returns the initial position of a point that has not been placed.
 QPointF PredictionPoint::middle() const {
-  const Diagram& diagram = chart_.sheet().diagrams.front();
-  const VisibleRange range = chart_.visibleRange();
-  return {x_ ? *x_ : axisValue(diagram.x.scale, (range.x.from + range.x.to) / 2),
-          axisValue(diagram.y.scale, (range.y.from + range.y.to) / 2)};
+  return valueAt(chart_.frame()->area.center());
 }
 
 void PredictionPoint::place(QPointF value) {
@@ -151,15 +116,13 @@ void PredictionPoint::describePosition() {
 void PredictionPoint::paintEvent(QPaintEvent*) {
   if (!hasAxes()) return;
   const QPointF value = point_.value_or(middle());
-  QPointF at = toPixel(value);
+  const ChartGeometry frame = *chart_.frame();
+  QPointF at = frame.at(value.x(), value.y());
   if (!std::isfinite(at.x()) || !std::isfinite(at.y())) return;
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   const QColor colour = palette().color(QPalette::Highlight);
-  const VisibleRange range = chart_.visibleRange();
-  const Diagram& diagram = chart_.sheet().diagrams.front();
-  const double top = toPixel({value.x(), axisValue(diagram.y.scale, range.y.to)}).y();
-  const double bottom = toPixel({value.x(), axisValue(diagram.y.scale, range.y.from)}).y();
+  const double top = frame.area.top(), bottom = frame.area.bottom();
   // A guess may lie beyond the axis of the curve, which is shown once it is made.
   const QString arrow = at.y() < top      ? QStringLiteral("↑")
                         : at.y() > bottom ? QStringLiteral("↓")
@@ -180,41 +143,25 @@ void PredictionPoint::paintEvent(QPaintEvent*) {
                 (arrow.isEmpty() ? QString() : QStringLiteral(": %1 %2").arg(height, arrow));
   const QString text = isDecided_ ? decided : height;
   const QFontMetricsF metrics(font());
-  const auto [low, high] = axesCorners();
-  label_ = labelRect(QSizeF(metrics.horizontalAdvance(text) + 6, metrics.height() + 2), at,
-                     {low.x(), top, high.x() - low.x(), bottom - top});
+  label_ =
+      labelRect(QSizeF(metrics.horizontalAdvance(text) + 6, metrics.height() + 2), at, frame.area);
+  paintLeader(painter, at);
   QColor ground = palette().color(QPalette::Base);
   ground.setAlpha(210);
   painter.fillRect(label_, ground);
   painter.drawText(label_, Qt::AlignCenter, text);
 }
 
-/// Returns the length of the curves and of the line of the present state below a label, in pixels.
-double PredictionPoint::hiddenLength(const QRectF& label) const {
-  const Diagram& diagram = chart_.sheet().diagrams.front();
-  double length = 0;
-  for (const DiagramSeries& series : diagram.series)
-    for (std::size_t i = 1; i < series.points.size(); ++i) {
-      const DiagramPoint &from = series.points[i - 1], &to = series.points[i];
-      length += lengthIn(label, QLineF(toPixel({from.x, from.y}), toPixel({to.x, to.y})));
-    }
-  if (diagram.marker) {
-    const auto [low, high] = axesCorners();
-    const double x = toPixel({diagram.marker->x, point_.value_or(middle()).y()}).x();
-    length += lengthIn(label, QLineF(x, low.y(), x, high.y()));
-  }
-  return length;
-}
-
-/// Returns the rectangle beside a point, within `frame`, in which a label hides the least of the
-/// curves; above at the right where others are no better.
+/// Returns the rectangle of a label within `frame`: beside the point where that hides nothing,
+/// otherwise at the nearest free place; where there is none, beside the point where it hides least.
 QRectF PredictionPoint::labelRect(QSizeF label, QPointF at, const QRectF& frame) const {
   constexpr double kAside = 1.6 * kReach, kAbove = 0.4 * kReach;
+  OccupancyGrid covered = chart_.covered();
   QRectF best(
       {std::clamp(at.x(), frame.left(), std::max(frame.left(), frame.right() - label.width())),
        frame.top()},
       label);  // where the label does not fit beside the point
-  double least = std::numeric_limits<double>::infinity();
+  float least = std::numeric_limits<float>::infinity();
   for (const bool isBelow : {false, true})
     for (const bool isLeft : {false, true}) {
       const double x = isLeft ? at.x() - kAside - label.width() : at.x() + kAside;
@@ -222,12 +169,32 @@ QRectF PredictionPoint::labelRect(QSizeF label, QPointF at, const QRectF& frame)
       if (x < frame.left() || x + label.width() > frame.right()) continue;
       const double highest = std::max(frame.top(), frame.bottom() - label.height());
       const QRectF candidate({x, std::clamp(y, frame.top(), highest)}, label);
-      const double hidden = hiddenLength(candidate);
+      const float hidden = covered.under(toBox(candidate));
       if (hidden >= least) continue;
       least = hidden;
       best = candidate;
     }
-  return best;
+  if (least <= 0) return best;
+  constexpr float kStep = 6;
+  constexpr int kRings = 60;
+  covered.addBox(toBox(QRectF(at, QSizeF()).adjusted(-kReach, -kReach, kReach, kReach)), 1);
+  const auto isFree = [&](const Box& box) { return !(covered.greatestUnder(box) > 0); };
+  const auto free =
+      boxNear(toDrawPoint(at), static_cast<float>(label.width()),
+              static_cast<float>(label.height()), toBox(frame), covered, kStep, kRings, isFree);
+  return free ? QRectF(free->x, free->y, free->width, free->height) : best;
+}
+
+/// Joins the label to its point where it is not beside it.
+void PredictionPoint::paintLeader(QPainter& painter, QPointF at) const {
+  constexpr double kBeside = 2 * kReach;
+  const QRectF around = label_.adjusted(-kBeside, -kBeside, kBeside, kBeside);
+  const auto from = exitPoint(toBox(label_), toDrawPoint(at));
+  if (around.contains(at) || !from) return;
+  QLineF leader(at, QPointF(from->x, from->y));
+  leader.setP1(leader.pointAt(kReach / leader.length()));
+  painter.setPen(QPen(painter.pen().color(), 1));
+  painter.drawLine(leader);
 }
 
 void PredictionPoint::mousePressEvent(QMouseEvent* event) {
@@ -235,11 +202,8 @@ void PredictionPoint::mousePressEvent(QMouseEvent* event) {
   setFocus(Qt::MouseFocusReason);
   // A click beside the axes, such as on the legend, is no answer. The edge itself is one.
   constexpr double kEdge = 3;  // pixels
-  const auto [low, high] = axesCorners();
-  isDragged_ = QRectF(low, high)
-                   .normalized()
-                   .adjusted(-kEdge, -kEdge, kEdge, kEdge)
-                   .contains(event->position());
+  isDragged_ =
+      chart_.frame()->area.adjusted(-kEdge, -kEdge, kEdge, kEdge).contains(event->position());
   if (isDragged_) place(valueAt(event->position()));
 }
 
@@ -254,7 +218,8 @@ void PredictionPoint::keyPressEvent(QKeyEvent* event) {
   if ((dx == 0 && dy == 0) || !hasAxes() || event->modifiers() & Qt::AltModifier)
     return QWidget::keyPressEvent(event);
   const double step = event->modifiers() & Qt::ShiftModifier ? kFineStep : kStep;
-  const QPointF at = toPixel(point_.value_or(middle()));
+  const QPointF from = point_.value_or(middle());
+  const QPointF at = chart_.frame()->at(from.x(), from.y());
   place(valueAt(at + QPointF(dx * step * width(), dy * step * height())));
   QAccessibleEvent changed(this, QAccessible::NameChanged);
   QAccessible::updateAccessibility(&changed);

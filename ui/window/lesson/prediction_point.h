@@ -8,7 +8,8 @@
 #include <QRectF>
 #include <QWidget>
 #include <optional>
-#include <utility>
+
+class QPainter;
 
 namespace asperity {
 
@@ -47,12 +48,10 @@ class PredictionPoint : public QWidget {
 
  private:
   bool hasAxes() const;
-  QPointF toPixel(QPointF value) const;
   QPointF valueAt(QPointF pixel) const;
-  std::pair<QPointF, QPointF> axesCorners() const;
   QString placeText() const;
-  double hiddenLength(const QRectF& label) const;
   QRectF labelRect(QSizeF label, QPointF at, const QRectF& frame) const;
+  void paintLeader(QPainter& painter, QPointF at) const;
   QPointF middle() const;
   void place(QPointF value);
   void describePosition();

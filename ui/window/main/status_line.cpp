@@ -43,20 +43,22 @@ double presentFriction(const Frame& frame) {
 }
 
 /// Returns a reading with the groups of thousands that the rate has, too.
-QString groupedReading(double value, int digits = 3) {
-  return QString::fromStdString(grouped(shortNumber(value, digits)));
+QString groupedReading(double value, int digits = 3, Zeros zeros = Zeros::Drop) {
+  return QString::fromStdString(grouped(shortNumber(value, digits, zeros)));
 }
 
-/// Returns " (mean ≈ 0.001198 ± 0.4 %)", with the digits that the error allows; empty where all
-/// lines agree except for rounding. At a point of the curve it is without the sign.
+/// Returns " (mean ≈ 0.001200 ± 0.4 %)", of which the mean ends at the first digit of the error;
+/// empty where all lines agree except for rounding. At a point of the curve it is without the sign.
 QString meanText(const CurveReading& reading) {
   constexpr double kRounding = 1e-5;
   const double share = std::abs(reading.error / reading.mu);
   if (!(share > kRounding)) return {};
-  const double digits = std::clamp(std::ceil(-std::log10(share)) + 1, 2.0, 5.0);
+  const auto decade = [](double value) { return std::floor(std::log10(std::abs(value))); };
+  const double last = decade(roundedToDigits(reading.error, 1));
+  const double digits = std::clamp(decade(reading.mu) - last + 1, 1.0, 5.0);
   return (reading.isInterpolated ? StatusLine::tr(" (mean ≈ %1 ± %2 %)")
                                  : StatusLine::tr(" (mean %1 ± %2 %)"))
-      .arg(groupedReading(reading.mu, static_cast<int>(digits)),
+      .arg(groupedReading(reading.mu, static_cast<int>(digits), Zeros::Keep),
            shownNumber(roundedToDigits(100 * share, 1)));
 }
 
@@ -315,9 +317,10 @@ void StatusLine::showNotes(const NoteSet& notes) {
 }
 
 /// Shows each reading in full or not at all: in a narrow window the less important ones are left
-/// out. A hidden reading returns only with some extra space, so that it does not flicker with the
-/// digits of the others. Readings are hidden before others are shown, because Qt lays a line out as
-/// soon as a widget in it is shown, and would squeeze the readings of one line too many.
+/// out. A reading that was left out at this width returns only with some extra space, so that it
+/// does not flicker with the digits of the others. Readings are hidden before others are shown,
+/// because Qt lays a line out as soon as a widget in it is shown, and would squeeze the readings of
+/// one line too many.
 void StatusLine::fitReadings() {
   constexpr int kExtraSpace = 40;  // pixels
   const QMargins margins = layout()->contentsMargins();
@@ -338,6 +341,7 @@ void StatusLine::fitReadings() {
   if (!shownNotes_.empty()) available -= notes_->sizeHint().width() + layout()->spacing();
   bool fits = true;
   std::vector<QLabel*> shown;
+  const std::vector<QLabel*> before = std::exchange(leftOut_, {});
   // "Settling" comes last, because it appears after every change and must hide no other reading.
   for (QLabel* reading :
        {mu_, regime_, force_, velocity_, simulations_, rate_, backend_, settling_}) {
@@ -353,11 +357,14 @@ void StatusLine::fitReadings() {
     }
     const int needed =
         std::max(reading->sizeHint().width(), reading->minimumWidth()) + layout()->spacing();
-    fits = fits && available >= needed + (reading->isHidden() ? kExtraSpace : 0);
-    if (fits || reading == mu_)
+    const bool wasLeftOut = std::ranges::find(before, reading) != before.end();
+    fits = fits && available >= needed + (wasLeftOut ? kExtraSpace : 0);
+    if (fits || reading == mu_) {
       shown.push_back(reading);
-    else
+    } else {
       reading->hide();
+      leftOut_.push_back(reading);
+    }
     available -= needed;
   }
   for (QLabel* reading : shown) reading->show();
@@ -365,6 +372,7 @@ void StatusLine::fitReadings() {
 
 void StatusLine::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
+  leftOut_.clear();
   fitReadings();
 }
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <QWidget>
+#include <vector>
 
 #include "core/run/frame.h"
 #include "ui/panels/controls.h"
@@ -74,6 +75,7 @@ class StatusLine : public QWidget {
   QLabel* mu_;
   QToolButton* notes_;  // opens a menu of all notes
   NoteSet shownNotes_;
+  std::vector<QLabel*> leftOut_;  // for lack of room, at the present width
   QLabel* force_;
   QLabel* velocity_;
   QLabel* settling_;

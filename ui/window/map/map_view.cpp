@@ -15,13 +15,6 @@ namespace {
 
 constexpr int kCrossColour = 1;  // as the marker of a diagram
 
-bool holds(const DiagramFrame& frame, const QPointF& at) {
-  return at.x() >= static_cast<qreal>(frame.left) &&
-         at.x() <= static_cast<qreal>(frame.left + frame.width) &&
-         at.y() >= static_cast<qreal>(frame.top) &&
-         at.y() <= static_cast<qreal>(frame.top + frame.height);
-}
-
 }  // namespace
 
 void MapView::setCross(double x, double y) {
@@ -39,23 +32,22 @@ void MapView::setReading(const QString& text) {
 }
 
 /// Returns the frame of the map, which is the last diagram; null where it is not drawn.
-const DiagramFrame* MapView::map() const {
-  return frames().empty() || !(frames().back().width > 0) ? nullptr : &frames().back();
+const ChartGeometry* MapView::map() const {
+  return frames().empty() || !(frames().back().area.width() > 0) ? nullptr : &frames().back();
 }
 
 void MapView::moveCross(const QPointF& to) {
-  const DiagramFrame* frame = map();
+  const ChartGeometry* frame = map();
   if (!frame) return;
-  const float right =
-      std::clamp(static_cast<float>(to.x()), frame->left, frame->left + frame->width);
-  const float down = std::clamp(static_cast<float>(to.y()), frame->top, frame->top + frame->height);
-  setCross(frame->xAt(right), frame->yAt(down));
+  const QRectF& area = frame->area;
+  setCross(frame->xAt(std::clamp(to.x(), area.left(), area.right())),
+           frame->yAt(std::clamp(to.y(), area.top(), area.bottom())));
   emit crossMoved(x_, y_);
 }
 
 void MapView::mousePressEvent(QMouseEvent* event) {
-  const DiagramFrame* frame = map();
-  if (event->button() != Qt::LeftButton || !frame || !holds(*frame, event->position()))
+  const ChartGeometry* frame = map();
+  if (event->button() != Qt::LeftButton || !frame || !frame->area.contains(event->position()))
     return DiagramView::mousePressEvent(event);
   isDragged_ = true;
   moveCross(event->position());
@@ -63,12 +55,11 @@ void MapView::mousePressEvent(QMouseEvent* event) {
 
 void MapView::mouseMoveEvent(QMouseEvent* event) {
   if (isDragged_) moveCross(event->position());
-  const DiagramFrame* frame = map();
-  const bool isOnMap = frame && holds(*frame, event->position());
+  const ChartGeometry* frame = map();
+  const bool isOnMap = frame && frame->area.contains(event->position());
   setCursor(isOnMap ? Qt::CrossCursor : Qt::ArrowCursor);
   if (isOnMap)
-    emit pointedAt(frame->xAt(static_cast<float>(event->position().x())),
-                   frame->yAt(static_cast<float>(event->position().y())));
+    emit pointedAt(frame->xAt(event->position().x()), frame->yAt(event->position().y()));
   else
     emit left();
 }
@@ -98,12 +89,11 @@ void MapView::keyPressEvent(QKeyEvent* event) {
     default:
       return DiagramView::keyPressEvent(event);
   }
-  const DiagramFrame* frame = map();
+  const ChartGeometry* frame = map();
   if (!frame || !hasCross_) return;
   const double steps = event->modifiers().testFlag(Qt::ShiftModifier) ? kFineSteps : kSteps;
-  moveCross(
-      {static_cast<qreal>(frame->mapX(x_)) + right * static_cast<qreal>(frame->width) / steps,
-       static_cast<qreal>(frame->mapY(y_)) + down * static_cast<qreal>(frame->height) / steps});
+  moveCross(frame->at(x_, y_) +
+            QPointF(right * frame->area.width() / steps, down * frame->area.height() / steps));
 }
 
 void MapView::leaveEvent(QEvent* event) {
@@ -113,21 +103,20 @@ void MapView::leaveEvent(QEvent* event) {
 
 void MapView::paintEvent(QPaintEvent* event) {
   DiagramView::paintEvent(event);
-  const DiagramFrame* frame = map();
+  const ChartGeometry* frame = map();
   if (!hasCross_ || !frame) return;
-  const QPointF at(static_cast<qreal>(frame->mapX(x_)), static_cast<qreal>(frame->mapY(y_)));
+  const QPointF at = frame->at(x_, y_);
+  const QRectF& area = frame->area;
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  const qreal left = static_cast<qreal>(frame->left), top = static_cast<qreal>(frame->top);
-  const qreal width = static_cast<qreal>(frame->width), height = static_cast<qreal>(frame->height);
-  painter.setClipRect(QRectF(left, top, width, height));
+  painter.setClipRect(area);
   for (const auto& [colour, broad] :
        {std::pair{kEdgeOnField, kEdgeOnFieldWidth}, std::pair{kLineOnField, kLineOnFieldWidth}}) {
     painter.setPen(QPen(toQColor(colour), static_cast<qreal>(broad)));
     if (std::isfinite(at.x()))
-      painter.drawLine(QPointF(at.x(), top), QPointF(at.x(), top + height));
+      painter.drawLine(QPointF(at.x(), area.top()), QPointF(at.x(), area.bottom()));
     if (std::isfinite(at.y()))
-      painter.drawLine(QPointF(left, at.y()), QPointF(left + width, at.y()));
+      painter.drawLine(QPointF(area.left(), at.y()), QPointF(area.right(), at.y()));
   }
   painter.setPen(Qt::NoPen);
   for (const auto& [colour, radius] : {std::pair{kEdgeOnField, 8.0}, std::pair{kLineOnField, 6.7},
@@ -135,7 +124,7 @@ void MapView::paintEvent(QPaintEvent* event) {
     painter.setBrush(toQColor(colour));
     if (std::isfinite(at.x()) && std::isfinite(at.y())) painter.drawEllipse(at, radius, radius);
   }
-  paintReading(painter, {left, top, width, height});
+  paintReading(painter, area);
 }
 
 void MapView::paintReading(QPainter& painter, const QRectF& frame) const {

@@ -40,7 +40,7 @@ class MapView : public DiagramView {
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  const DiagramFrame* map() const;
+  const ChartGeometry* map() const;
   void paintReading(QPainter& painter, const QRectF& frame) const;
   void moveCross(const QPointF& to);
 
