@@ -283,7 +283,7 @@ TickedAxis tickedYAxis(const DiagramAxis& axis, const AxisRange& range, float pi
     empty.ticks.clear();
     for (TickedAxis low : {ticked, withLinearTicks(empty, axis, most)}) {
       if (low.ticks.size() < 2) continue;
-      if (pixelsApart(low.ticks.front(), low.ticks.back()) < 1.1 * size) continue;
+      if (pixelsApart(low.ticks.front(), low.ticks.back()) < size) continue;
       low.ticks.erase(low.ticks.begin() + 1, low.ticks.end() - 1);
       return low;
     }
