@@ -9,6 +9,8 @@
 #include <numbers>
 #include <vector>
 
+#include "core/scene/range.h"
+
 namespace asperity {
 namespace {
 
