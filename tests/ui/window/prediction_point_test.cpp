@@ -35,7 +35,6 @@ TEST(PredictionPoint, ItsLabelGoesToFreeRoomFartherAway) {
   chart.show();
   QTest::qWait(1);  // the layout is made with the first events
   PredictionPoint point(chart);
-  point.setColour(Qt::magenta);
   point.showDecided(0.5, 0.3, PredictionPoint::Whose::Computed);
   point.grab();
   const QRectF label = point.label();
