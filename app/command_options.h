@@ -1,7 +1,7 @@
 // Options of the command line: ranges FROM:TO, numbers within limits, the options that shape a
 // file, those that every command takes with the scene that they name, and errors of the parser in
-// the words of this program. An invalid value gives one sentence
-// that names the option, the fault and the allowed values. Main thread.
+// the words of this program. An invalid value gives one sentence that names the option, the fault
+// and the allowed values. Main thread.
 #pragma once
 
 #include <CLI/CLI.hpp>

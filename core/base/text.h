@@ -27,7 +27,8 @@ std::string shortened(std::string_view text);
 std::vector<std::string_view> splitText(std::string_view text, std::string_view separator);
 
 /// A list of words, written as one text, as a range of its words: WordList("load force weight").
-/// Words with blanks are separated by commas: WordList("step size, x step", ',').
+/// Words with blanks are separated by commas: WordList("step size, x step", ','). Ownership: the
+/// list and its words are views of the text, which is a literal.
 class WordList {
  public:
   constexpr WordList(const char* text, char separator = ' ') : text_(text), separator_(separator) {}

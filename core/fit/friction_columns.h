@@ -70,7 +70,7 @@ std::vector<std::string> nameWords(std::string text);
 std::vector<std::string> blankSeparated(std::string_view text);
 
 /// Gives names to columns whose line of names has blanks within the names as well, "velocity (mm/s)
-/// mu normal force (mN)", of which the line nearest to the numbers is taken; separates units such
+/// mu normal force (mN)", of which the line nearest to the numbers is taken. Separates units such
 /// as
 /// "(% of mu)" from the names.
 void prepareColumns(TextBlock& block);

@@ -198,11 +198,9 @@ std::optional<TextTemperature> temperatureAt(std::string_view text, std::size_t 
   while (end < text.size() && (text[end] == ' ' || text[end] == '_')) ++end;
   // The longest unit is tried first; a letter behind it belongs to another word.
   constexpr WordList kUnits(
-      "Grad Celsius, grad Celsius, degrees Celsius, degrees C, \u00B0Celsius, \u00B0 Celsius, Grad "
-      "C, "
-      "deg. C, \u00B0C, \u00BAC, \u2103, degC, deg C, \u00B0 C, \u00B0F, degF, Celsius, celsius, "
-      "Kelvin, "
-      "kelvin, C, K, F",
+      "Grad Celsius, grad Celsius, degrees Celsius, degrees C, \u00B0Celsius, \u00B0 Celsius, "
+      "Grad C, deg. C, \u00B0C, \u00BAC, \u2103, degC, deg C, \u00B0 C, \u00B0F, degF, Celsius, "
+      "celsius, Kelvin, kelvin, C, K, F",
       ',');
   for (const std::string_view written : kUnits) {
     if (!text.substr(end).starts_with(written)) continue;

@@ -1,9 +1,9 @@
 // Runs a study: chunks of simulations as states on common lines, several chunks at once, each
 // stored as soon as it is computed. The results of a chunk depend on the study and the chunk's
-// number alone: they are the same for any number of threads, processes and shards. Threading: a
-// function of its arguments, which uses several threads. The parts of a study that several
-// processes computed become one store. Failure: the store keeps the message of a
-// simulation that cannot run; std::runtime_error where the store cannot be written.
+// number alone: they are the same for any number of threads, processes and shards. Merges the
+// stores of shards into one. Threading: functions of their arguments; running uses several threads.
+// Failure: the store keeps the message of a simulation that cannot run; std::runtime_error where
+// the store cannot be written; InputError where stores do not belong together.
 #pragma once
 
 #include <cstdint>

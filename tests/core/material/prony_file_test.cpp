@@ -249,6 +249,8 @@ TEST(PronyFile, TablesOfTimesAndModuli) {
   expectSeries(read("tau (s),G (MPa)\ninf,1\n0.1,2\n10,1\n"));
   expectSeries(read("G_inf: 1 MPa\ntau_i [s];G_i [MPa]\n0.1;2\n10;1\n"));
   expectSeries(read("E_inf = 3 MPa\ntau (s)\tE (MPa)\n0.1\t6\n10\t3\n"));
+  expectSeries(
+      read("E_\u221E = 3 MPa\n\u03C4_i (s);Elastizit\u00E4tsmodul E_i (MPa)\n0.1;6\n10;3\n"));
   PronyChoices choices;
   choices.instantaneousModulus = 4e6;
   expectSeries(read("tau,g_i\n0.1,0.5\n10,0.25\n", choices));
