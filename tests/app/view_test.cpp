@@ -58,9 +58,9 @@ TEST_F(ViewTest, APartOfTheLineIsShownBetweenItsEnds) {
 
 TEST_F(ViewTest, HeightsAreSaidInMetresOrAsTheirExaggeration) {
   EXPECT_THAT(texts("--heights -1e-5:1e-5"), AllOf(HasSubstr("|10|"), HasSubstr("\u221210|")));
-  for (const char* times : {"100", "450", "2000"})
+  for (const auto& [times, shown] : {std::pair("100", "100"), {"450", "450"}, {"2000", "2,000"}})
     EXPECT_THAT(texts(std::string("--exaggeration ") + times),
-                HasSubstr("vertical exaggeration " + std::string(times) + "×"));
+                HasSubstr("vertical exaggeration " + std::string(shown) + "×"));
 }
 
 /// Surfaces of everyday life are drawn as they are, unless a call says otherwise; the rest fills
