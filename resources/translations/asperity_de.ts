@@ -4523,7 +4523,7 @@
     </message>
     <message>
         <source>velocity v̄ = %1</source>
-        <translation>Geschwindigkeit v̄ = %1</translation>
+        <translation>Geschw. v̄ = %1</translation>
     </message>
     <message>
         <source>1 frame/s</source>

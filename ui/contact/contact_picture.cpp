@@ -132,7 +132,8 @@ float contactUnit(const ContactPictureOptions& options) {
   return sizesFor(tidy(options)).unit;
 }
 
-DrawList composeContact(const Frame& frame, const ContactPictureOptions& asked) {
+DrawList composeContact(const Frame& frame, const ContactPictureOptions& asked,
+                        std::vector<LabelPlace>* places) {
   PreparedPicture prepared = prepareContact(frame, asked);
   const ContactPictureOptions& options = prepared.options;
   const ContactLayout& layout = prepared.layout;
@@ -143,7 +144,12 @@ DrawList composeContact(const Frame& frame, const ContactPictureOptions& asked) 
   if (options.probe)
     prepared.layout.covered.push_back(readoutBox(frame, *options.probe, layout, taken));
   addBodies(list, frame, layout);
-  addAxes(list, layout, options.names ? addLabels(list, frame, layout) : Notes{});
+  std::vector<ContactSign> labels;
+  addAxes(list, layout, options.names ? addLabels(list, frame, layout, &labels) : Notes{});
+  if (places) {
+    places->clear();
+    for (const ContactSign& label : labels) places->push_back({label.id, label.box.x});
+  }
   if (options.magnifier) addMagnifier(list, frame, *options.magnifier, layout);
   if (options.probe) addProbe(list, frame, *options.probe, layout, taken);
   return std::move(prepared.list);

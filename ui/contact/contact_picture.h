@@ -75,9 +75,6 @@ ContactView fittedView(const Frame& frame, const std::optional<ContactView>& las
 /// of them has to give way to a summit; 0 where the plot is so low that it would take too much.
 double labelSpace(const Frame& frame, const ContactPictureOptions& options);
 
-/// Returns where the labels of the picture are, for the next one of the same size.
-std::vector<LabelPlace> labelPlaces(const Frame& frame, const ContactPictureOptions& options);
-
 /// Returns the view with every 0 for a default replaced by its value. A maximum of a colour scale
 /// stays 0 where it is unknown: the frame has no such values and the view gives none.
 ContactView resolvedView(const Frame& frame, const ContactView& view);
@@ -93,7 +90,9 @@ inline constexpr double kContactPart = 0.54, kContactPartOfThree = 0.4;
 
 /// Draws shapes and texts. A frame without points gives empty axes; it never throws because of a
 /// frame's content. Each curve has at most two vertices per pixel column, so the cost does not grow
-/// with the points.
-DrawList composeContact(const Frame& frame, const ContactPictureOptions& options);
+/// with the points. places: receives where the labels are, for the next picture of the same size;
+/// may be null.
+DrawList composeContact(const Frame& frame, const ContactPictureOptions& options,
+                        std::vector<LabelPlace>* places = nullptr);
 
 }  // namespace asperity

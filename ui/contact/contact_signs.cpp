@@ -112,13 +112,6 @@ std::vector<ContactSign> labelSigns(const Frame& frame, const ContactPictureOpti
 
 }  // namespace
 
-std::vector<LabelPlace> labelPlaces(const Frame& frame, const ContactPictureOptions& options) {
-  std::vector<LabelPlace> places;
-  for (const ContactSign& label : labelSigns(frame, options))
-    places.push_back({label.id, label.box.x});
-  return places;
-}
-
 std::vector<ContactSign> contactHandles(const Frame& frame, const ContactPictureOptions& options) {
   std::vector<ContactSign> labels = labelSigns(frame, options);
   std::erase_if(labels, [](const ContactSign& label) {

@@ -523,6 +523,11 @@ TEST(ContactTexts, LabelsStayWhileTheViewMovesByAPixel) {
   SampleOptions sample;
   sample.points = 500;
   const Frame frame = *sampleFrame(sample);
+  const auto places = [&](const ContactPictureOptions& options) {
+    std::vector<LabelPlace> found;
+    composeContact(frame, options, &found);
+    return found;
+  };
   int kept = 0, moved = 0, movedWithoutMemory = 0;
   for (const Size& size : {Size{640, 260, 1}, {900, 280, 1}, {1280, 300, 1}}) {
     ContactPictureOptions options;
@@ -541,9 +546,9 @@ TEST(ContactTexts, LabelsStayWhileTheViewMovesByAPixel) {
     for (int step = 0; step < 200; ++step) {
       options.view.left = step * options.view.width / static_cast<double>(plot.width);
       options.lastLabels = {};
-      const std::vector<LabelPlace> withoutMemory = labelPlaces(frame, options);
+      const std::vector<LabelPlace> withoutMemory = places(options);
       options.lastLabels = before;
-      const std::vector<LabelPlace> now = labelPlaces(frame, options);
+      const std::vector<LabelPlace> now = places(options);
       for (const LabelPlace& label : now) {
         const auto last = leftOf(before, label.id), lastPlain = leftOf(plain, label.id);
         const auto isPlain = leftOf(withoutMemory, label.id);

@@ -13,6 +13,7 @@
 #include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
 #include "ui/draw/ticks.h"
+#include "ui/language/language.h"
 #include "ui/window/contact/contact_canvas.h"
 #include "ui/window/curve/curve_reading.h"
 #include "ui/window/main/status_line.h"
@@ -293,6 +294,32 @@ TEST(StatusLine, AMessageHasThePlaceOfLesserReadings) {
   const auto& said = *line.findChild<ElidedLabel*>("statusMessage");
   EXPECT_EQ(said.shownText(), said.text());
   EXPECT_TRUE(line.findChild<QLabel*>("factMu")->isVisible());
+}
+
+/// The space that is kept for the progress of the curve does not hide them.
+TEST(StatusLine, ASmallWindowHasBothDimensionlessNumbers) {
+  CurveReading reading;
+  reading.mu = 0.01166;
+  reading.error = 5e-5;
+  reading.isInterpolated = true;
+  for (const Language& language : languages()) {
+    useLanguage(language.code);
+    reading.regime = regionText("II");
+    StatusLine line;
+    line.setFixedWidth(1024);
+    line.show();
+    for (const Work::State state : {Work::State::Idle, Work::State::Running}) {
+      line.showFrame(movingFrame(1), reading);
+      line.showWork({state, 0.5, 16000});
+      QTest::qWait(1);  // the layout is made with the first events
+      for (const char* name : {"factForce", "factVelocity"}) {
+        const auto& fact = *line.findChild<QLabel*>(name);
+        EXPECT_TRUE(fact.isVisible()) << name << ' ' << language.code;
+        EXPECT_GE(fact.width(), fact.sizeHint().width()) << name << ' ' << language.code;
+      }
+    }
+  }
+  useLanguage("en");
 }
 
 TEST(StatusLine, FactsAreWholeOrLeftOutHoweverNarrowTheWindow) {

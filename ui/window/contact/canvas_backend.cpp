@@ -9,7 +9,9 @@
 #include <QSurfaceFormat>
 #include <QTimer>
 #include <exception>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 #include "ui/draw/fonts.h"
 #include "ui/draw/pixel_context.h"
@@ -28,9 +30,30 @@ QSurfaceFormat coreFormat() {
   return format;
 }
 
-DrawList composePicture(const PictureRequest& request) {
-  return composeContact(*request.frame, sizedOptions(request));
-}
+/// Composes one picture after the other, with the labels where the last picture of the same size
+/// had them. One thread at a time.
+class PictureSequence {
+ public:
+  DrawList compose(const PictureRequest& request) {
+    ContactPictureOptions options = sizedOptions(request);
+    if (options.width == width_ && options.height == height_ && options.scale == scale_)
+      options.lastLabels = labels_;
+    else
+      options.lastLabels.clear();
+    width_ = options.width;
+    height_ = options.height;
+    scale_ = options.scale;
+    return composeContact(*request.frame, options, &labels_);
+  }
+
+  /// Returns the places of the labels in the last picture.
+  const std::vector<LabelPlace>& labels() const { return labels_; }
+
+ private:
+  int width_ = 0, height_ = 0;
+  float scale_ = 0;
+  std::vector<LabelPlace> labels_;
+};
 
 /// Draws with the shared Renderer.
 class GlCanvas : public QOpenGLWidget, public CanvasBackend {
@@ -71,13 +94,13 @@ class GlCanvas : public QOpenGLWidget, public CanvasBackend {
     if (!renderer_ || !request_.frame) return painter.fillRect(rect(), palette().window());
     request_.scale = devicePixelRatioF();
     request_.size = size() * request_.scale;
-    const DrawList list = composePicture(request_);
+    const DrawList list = sequence_.compose(request_);
     painter.beginNativePainting();
     renderer_->draw(list, defaultFramebufferObject());
     painter.endNativePainting();
     painter.scale(1 / request_.scale, 1 / request_.scale);
     paintTexts(painter, list);
-    if (events_.painted) events_.painted();
+    if (events_.painted) events_.painted(sequence_.labels());
   }
 
  private:
@@ -91,6 +114,7 @@ class GlCanvas : public QOpenGLWidget, public CanvasBackend {
   CanvasEvents events_;
   std::unique_ptr<Renderer> renderer_;
   PictureRequest request_;
+  PictureSequence sequence_;
 };
 
 /// Shows the images that are drawn in the background.
@@ -120,7 +144,7 @@ class SoftwareCanvas : public QWidget, public CanvasBackend {
     QPainter painter(this);
     if (image_.isNull() || !isFitting()) painter.fillRect(rect(), colour());
     if (!image_.isNull()) painter.drawImage(0, 0, image_);
-    if (std::exchange(isNew_, false) && events_.painted) events_.painted();
+    if (std::exchange(isNew_, false) && events_.painted) events_.painted(labels_);
   }
 
  private:
@@ -136,13 +160,13 @@ class SoftwareCanvas : public QWidget, public CanvasBackend {
     request_.size = size() * request_.scale;
     if (hasFailed_ || !request_.frame || request_.size.isEmpty()) return;
     pictures_.request(
-        [request = request_](const BackgroundWork::Run&) {
-          QImage image = renderImage(contextOfThread(), composePicture(request));
+        [this, request = request_](const BackgroundWork::Run&) {
+          QImage image = renderImage(contextOfThread(), sequence_.compose(request));
           image.setDevicePixelRatio(request.scale);
-          return image;
+          return std::pair{image, sequence_.labels()};
         },
-        [this](const QImage& image) {
-          image_ = image;
+        [this](const std::pair<QImage, std::vector<LabelPlace>>& made) {
+          std::tie(image_, labels_) = made;
           isNew_ = true;
           update();
         },
@@ -157,8 +181,10 @@ class SoftwareCanvas : public QWidget, public CanvasBackend {
   CanvasEvents events_;
   PictureRequest request_;
   QImage image_;
-  bool isNew_ = false;  // not painted yet
+  std::vector<LabelPlace> labels_;  // of the image
+  bool isNew_ = false;              // not painted yet
   bool hasFailed_ = false;
+  PictureSequence sequence_;  // used by the thread of the pictures alone
   // Last: its thread ends before other members are destroyed.
   BackgroundWork pictures_{RequestPolicy::ReplaceWaiting};
 };

@@ -8,6 +8,7 @@
 #include <QString>
 #include <functional>
 #include <memory>
+#include <vector>
 
 #include "core/run/frame.h"
 #include "ui/contact/contact_picture.h"
@@ -19,7 +20,8 @@ namespace asperity {
 /// The content of a canvas. Plain values; any thread.
 struct PictureRequest {
   std::shared_ptr<const Frame> frame;  // never null
-  ContactPictureOptions options;       // without size and scale, which the canvas knows
+  ContactPictureOptions options;       // without size and scale, which the canvas knows; a backend
+                                       // keeps the labels where its last picture had them
   QSize size;                          // device pixels
   double scale = 1;                    // device pixels per logical pixel
   double textScale = 1;                // extra factor of fonts and line widths
@@ -29,7 +31,8 @@ struct PictureRequest {
 ContactPictureOptions sizedOptions(const PictureRequest& request);
 
 struct CanvasEvents {
-  std::function<void()> painted;  // called when another picture is on the screen
+  /// Called when another picture is on the screen, with the places of its labels.
+  std::function<void(const std::vector<LabelPlace>&)> painted;
   /// Called with one sentence when no more pictures will come.
   std::function<void(const QString&)> failed;
 };

@@ -103,14 +103,12 @@ void ContactCanvas::paintVeil() {
 void ContactCanvas::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   veil_->setGeometry(rect());
-  labels_.clear();
   giveLabelsSpace();
   refresh();
 }
 
 void ContactCanvas::setTextScale(double scale) {
   textScale_ = scale;
-  labels_.clear();
   giveLabelsSpace();
   refresh();
 }
@@ -126,14 +124,14 @@ int ContactCanvas::framesPerSecond() const {
 
 void ContactCanvas::useOpenGl() {
   CanvasEvents events;
-  events.painted = [this] { countPicture(); };
+  events.painted = [this](const std::vector<LabelPlace>& labels) { takePainted(labels); };
   events.failed = [this](const QString&) { useSoftware(); };
   setBackend(makeOpenGlCanvas(std::move(events), this));
 }
 
 void ContactCanvas::useSoftware() {
   CanvasEvents events;
-  events.painted = [this] { countPicture(); };
+  events.painted = [this](const std::vector<LabelPlace>& labels) { takePainted(labels); };
   events.failed = [this](const QString& reason) { fallBack(reason); };
   setBackend(makeSoftwareCanvas(std::move(events), this));
 }
@@ -161,16 +159,14 @@ void ContactCanvas::fallBack(const QString& reason) {
   emit failed(reason);
 }
 
-void ContactCanvas::countPicture() {
+void ContactCanvas::takePainted(const std::vector<LabelPlace>& labels) {
+  labels_ = labels;
   pictures_.push_back(clock_.elapsed());
   emit painted();
 }
 
 void ContactCanvas::refresh() {
-  if (!backend_ || !viewer_.frame()) return;
-  const PictureRequest next = request();
-  labels_ = labelPlaces(*next.frame, sizedOptions(next));
-  backend_->show(next);
+  if (backend_ && viewer_.frame()) backend_->show(request());
 }
 
 /// Returns a request for the picture on the screen; the backend fills this widget.

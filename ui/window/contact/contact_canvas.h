@@ -111,7 +111,7 @@ class ContactCanvas : public QWidget {
   void useSoftware();
   void setBackend(CanvasBackend* backend);
   void fallBack(const QString& reason);
-  void countPicture();
+  void takePainted(const std::vector<LabelPlace>& labels);
   void refresh();
   void paintVeil();
   void giveLabelsSpace();
@@ -138,7 +138,7 @@ class ContactCanvas : public QWidget {
   FrameFields requestedFields_;
   Theme theme_ = lightTheme();
   double textScale_ = 1;
-  std::vector<LabelPlace> labels_;  // of the last picture of this size
+  std::vector<LabelPlace> labels_;  // of the picture on the screen
   std::optional<QPointF> dragged_;  // last position of the cursor while a button is down
   std::optional<Scene> scene_;
   /// The handle that the drag moves, and the scene and the heights (m) at its beginning. The first

@@ -30,6 +30,7 @@ namespace {
 constexpr int kMessageTime = 5000;     // ms, how long a message is shown
 constexpr int kDrawingInterval = 500;  // ms
 constexpr int kWorkInterval = 100;     // ms
+constexpr int kWorkSpacing = 4;        // pixels between the progress bar and its button
 
 const QString kStopSign = QStringLiteral("✕"), kRestartSign = QStringLiteral("↻");
 
@@ -244,7 +245,7 @@ void StatusLine::addWork(QHBoxLayout& line) {
   stop_->setFocusPolicy(Qt::TabFocus);
   connect(stop_, &QToolButton::clicked, this, &StatusLine::workButtonClicked);
   auto* workLayout = new QHBoxLayout;
-  workLayout->setSpacing(4);
+  workLayout->setSpacing(kWorkSpacing);
   workLayout->addWidget(progress_);
   workLayout->addWidget(stop_);
   line.addLayout(workLayout);
@@ -332,8 +333,9 @@ void StatusLine::fitReadings() {
     QSizePolicy policy = work->sizePolicy();
     policy.setRetainSizeWhenHidden(keepsWork);
     work->setSizePolicy(policy);
-    if (keepsWork) available -= work->width() + layout()->spacing();
   }
+  if (keepsWork)
+    available -= progress_->width() + kWorkSpacing + stop_->width() + layout()->spacing();
   if (hasMessage)
     available -= fontMetrics().horizontalAdvance(message_->text()) + 2 * layout()->spacing();
   // Friction and the notes stay even in the narrowest window.
