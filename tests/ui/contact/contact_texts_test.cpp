@@ -523,7 +523,7 @@ TEST(ContactTexts, LabelsStayWhileTheViewMovesByAPixel) {
   SampleOptions sample;
   sample.points = 500;
   const Frame frame = *sampleFrame(sample);
-  const auto places = [&](const ContactPictureOptions& options) {
+  const auto labelPlaces = [&](const ContactPictureOptions& options) {
     std::vector<LabelPlace> found;
     composeContact(frame, options, &found);
     return found;
@@ -546,9 +546,9 @@ TEST(ContactTexts, LabelsStayWhileTheViewMovesByAPixel) {
     for (int step = 0; step < 200; ++step) {
       options.view.left = step * options.view.width / static_cast<double>(plot.width);
       options.lastLabels = {};
-      const std::vector<LabelPlace> withoutMemory = places(options);
+      const std::vector<LabelPlace> withoutMemory = labelPlaces(options);
       options.lastLabels = before;
-      const std::vector<LabelPlace> now = places(options);
+      const std::vector<LabelPlace> now = labelPlaces(options);
       for (const LabelPlace& label : now) {
         const auto last = leftOf(before, label.id), lastPlain = leftOf(plain, label.id);
         const auto isPlain = leftOf(withoutMemory, label.id);
