@@ -7,6 +7,7 @@
 #include <iterator>
 #include <numeric>
 
+#include "core/base/text.h"
 #include "core/base/text_number.h"
 #include "core/base/units.h"
 
@@ -36,6 +37,17 @@ bool statesQuantity(std::string_view text) {
   if (number == 0 || number == std::string_view::npos || text[number - 1] != ' ') return false;
   const auto quantity = parseQuantity(text.substr(number));
   return quantity && !quantity->unit.empty() && isKnownUnit(quantity->unit);
+}
+
+/// Returns whether the fields behind a comma are a value in a file whose numbers have no separator:
+/// a number or a unit.
+bool statesAfterComma(std::string_view line, std::size_t comma, const TextDialect& dialect) {
+  if (dialect.isExact() || comma == std::string_view::npos || line.find(", ") != line.npos)
+    return false;
+  std::vector<std::string_view> fields;
+  splitFields(line, TextDialect::Separator::Comma, fields);
+  return fields.size() <= 3 && !beginsAsNumber(trimmedField(fields[0])) &&
+         (beginsAsNumber(trimmedField(fields[1])) || isKnownUnit(trimmedField(fields[1])));
 }
 
 }  // namespace
@@ -77,6 +89,12 @@ TextEntry parseEntry(const TextLine& kept, const TextDialect& dialect) {
     setKey(line.substr(0, semicolon), line.substr(semicolon + 1));
   } else if (tab != std::string_view::npos && tab > 0) {
     setKey(line.substr(0, tab), line.substr(tab + 1));
+  } else if (const std::size_t comma = line.find(','); statesAfterComma(line, comma, dialect)) {
+    // "Sampling pitch","0.5um"; Spacing,0.0005,mm
+    std::string value(line.substr(comma + 1));
+    replaceAll(value, ",", " ");
+    replaceAll(value, "\"", "");
+    setKey(line.substr(0, comma), value);
   } else if ((fields.size() == 2 || fields.size() == 3) &&
              readField(fields[0], dialect.decimal).kind == FieldKind::Text &&
              readField(fields[1], dialect.decimal).kind == FieldKind::Number) {
@@ -323,7 +341,9 @@ bool areUnits(const Fields& fields) {
     if (trimmedField(field).empty()) continue;
     const std::string_view inner = withoutBrackets(field);
     const bool inBrackets = inner.size() != trimmedField(field).size();
-    if (!isUnitField(field))
+    // "[Data]" is the head of a section.
+    if (!isUnitField(field) ||
+        isOneOf(lowerCase(inner), WordList("data values daten werte profile")))
       ++others;
     else if (inBrackets || inner.size() > 1 || inner == "m")
       ++sure;

@@ -326,19 +326,18 @@ struct NamedLength {
 
 /// Units of length in addition to those above, in lower case of ASCII, without an "s" at the end.
 constexpr std::array kLengths{
-    NamedLength{"meter metre", 1},
-    NamedLength{"kilometer kilometre", 1e3},
-    NamedLength{"centimeter centimetre \u339D", 1e-2},
-    NamedLength{"millimeter millimetre \u339C", 1e-3},
-    NamedLength{"micrometer micrometre mikrometer mum mkm \u043C\u043A\u043C \u00B5 \u03BC \u339B",
+    NamedLength{"meter metre m\u00E8tre \u043C \u7C73", 1}, NamedLength{"kilometer kilometre", 1e3},
+    NamedLength{"centimeter centimetre centim\u00E8tre \u0441\u043C \u5398\u7C73 \u339D", 1e-2},
+    NamedLength{"millimeter millimetre millim\u00E8tre \u043C\u043C \u6BEB\u7C73 \u339C", 1e-3},
+    // The last but one is "\u03BCm" in Shift-JIS, read as Latin-1.
+    NamedLength{"micrometer micrometre microm\u00E8tre mikrometer mum mkm \u043C\u043A\u043C "
+                "\u5FAE\u7C73 \u00B5 \u03BC \u0192\u00CAm \u339B",
                 1e-6},
-    NamedLength{"nanometer nanometre \u339A", 1e-9},
+    NamedLength{"nanometer nanometre nanom\u00E8tre \u043D\u043C \u7EB3\u7C73 \u339A", 1e-9},
     NamedLength{"a \u212B angstrom \u00E5ngstr\u00F6m", 1e-10},
-    NamedLength{"inche zoll \"", 0.0254},
-    NamedLength{"thou", 2.54e-5},
+    NamedLength{"inche zoll \"", 0.0254}, NamedLength{"thou", 2.54e-5},
     NamedLength{"uin \u00B5in \u03BCin microinch microinche", 2.54e-8},
-    NamedLength{"foot feet", 0.3048},
-    NamedLength{"yd", 0.9144}};
+    NamedLength{"foot feet", 0.3048}, NamedLength{"yd", 0.9144}};
 
 std::optional<double> namedLength(std::string_view unit) {
   std::string word = lowerCase(unit);
@@ -353,8 +352,8 @@ std::optional<double> namedLength(std::string_view unit) {
   return {};
 }
 
-/// Reads a power of ten: "1e-6", "100", "10^-6", "\u00D710\u207B\u2076", "x10-6"; empty where the
-/// text is none.
+/// Reads a power of ten: "1e-6", "100", "1/100", "10^-6", "\u00D710\u207B\u2076", "x10-6"; empty
+/// where the text is none.
 std::optional<double> powerOfTenIn(std::string_view text) {
   constexpr std::string_view kTimes = "\u00D7";
   constexpr std::array kRaised{"\u2070"sv, "\u00B9"sv, "\u00B2"sv, "\u00B3"sv, "\u2074"sv,
@@ -363,6 +362,10 @@ std::optional<double> powerOfTenIn(std::string_view text) {
   if (text.starts_with(kTimes)) text.remove_prefix(kTimes.size());
   if (text.starts_with('x') || text.starts_with('*')) text.remove_prefix(1);
   text = trimmedBlanks(text);
+  if (text.starts_with("1/")) {
+    const auto divisor = powerOfTenIn(text.substr(2));
+    return divisor ? std::optional(1 / *divisor) : std::nullopt;
+  }
   double number = 0;
   if (readTextNumber(text, '.', number)) {
     if (!(number > 0)) return {};

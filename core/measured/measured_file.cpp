@@ -134,32 +134,29 @@ Message unknownUnitText(const std::string& unit) {
                  shortened(unit), kKnownUnits);
 }
 
-/// Throws InputError where numbers without a unit would be impossible lengths in metres.
+/// Throws InputError where a unit or the distance of the points is unknown, and where numbers
+/// without a unit would be impossible lengths in metres.
 void requirePlausible(const SurfaceSource& source, const SurfaceDraft& draft,
                       const ReadingFacts& facts) {
   const Topography& grid = draft.grid;
   const bool assumesX = facts.positionUnit.source == UnitSource::Assumed;
   const bool assumesZ = facts.heightUnit.source == UnitSource::Assumed;
   const double length = std::max(grid.length(), grid.width());
-  if (assumesX && length > kLongestAssumed) {
-    if (draft.hasPositions && !draft.unknownPositionUnit.empty())
-      throw InputError(source.name, "surface.position_unit",
-                       unknownUnitText(draft.unknownPositionUnit));
-    if (draft.hasPositions)
-      throw InputError(
-          source.name, "surface.position_unit",
-          message("is needed ({}): the file states no unit of positions, and in metres "
-                  "it would be {:.3g} m long",
-                  kUnits, length));
+  if (!draft.hasPositions && source.choices.positionUnit == "auto")
     throw InputError(source.name, "surface.point_spacing",
                      "is needed (in m): the file does not say how far its points are apart");
-  }
+  if (assumesX && !draft.unknownPositionUnit.empty())
+    throw InputError(source.name, "surface.position_unit",
+                     unknownUnitText(draft.unknownPositionUnit));
+  if (assumesX && length > kLongestAssumed)
+    throw InputError(source.name, "surface.position_unit",
+                     message("is needed ({}): the file states no unit of positions, and in metres "
+                             "it would be {:.3g} m long",
+                             kUnits, length));
+  if (assumesZ && !draft.unknownHeightUnit.empty())
+    throw InputError(source.name, "surface.height_unit", unknownUnitText(draft.unknownHeightUnit));
   if (!assumesX && !assumesZ) return;
   const double slope = rmsSlope(grid);
-  const std::string& unknown = assumesZ ? draft.unknownHeightUnit : draft.unknownPositionUnit;
-  if (slope > kSteepestAssumed && !unknown.empty())
-    throw InputError(source.name, assumesZ ? "surface.height_unit" : "surface.position_unit",
-                     unknownUnitText(unknown));
   if (slope > kSteepestAssumed)
     throw InputError(source.name, assumesZ ? "surface.height_unit" : "surface.position_unit",
                      assumesZ
@@ -230,9 +227,9 @@ Message formText(const ReadingFacts& facts) {
   return Message::name(name);
 }
 
-/// Returns the unit as people write it.
+/// Returns the unit as people write it; one of Shift-JIS was read as Latin-1.
 std::string printedUnit(const std::string& unit) {
-  return unit == "um" ? "\u00B5m" : unit;
+  return unit == "um" || unit == "\u0192\u00CAm" ? "\u00B5m" : unit;
 }
 
 /// Returns whether programs write this number where nothing was measured: 9999, -999.99, -32768.
@@ -326,9 +323,6 @@ void describe(const SurfaceDraft& draft, ReadingFacts& facts) {
         message("Positions are in {}, as the file states.", printedUnit(position.unit)));
   else if (position.source == UnitSource::Choice)
     notes.push_back(message("Positions are in {}, as the scene says.", printedUnit(position.unit)));
-  else if (!draft.unknownPositionUnit.empty())
-    assume(message("The unit '{}' of the positions is not known: they are taken as metres.",
-                   shortened(draft.unknownPositionUnit)));
   else
     assume("The file states no unit of positions: they are taken as metres.");
   const UnitFact& height = facts.heightUnit;
@@ -336,9 +330,6 @@ void describe(const SurfaceDraft& draft, ReadingFacts& facts) {
     notes.push_back(message("Heights are in {}, as the file states.", printedUnit(height.unit)));
   else if (height.source == UnitSource::Choice)
     notes.push_back(message("Heights are in {}, as the scene says.", printedUnit(height.unit)));
-  else if (!draft.unknownHeightUnit.empty())
-    assume(message("The unit '{}' of the heights is not known: they are taken as metres.",
-                   shortened(draft.unknownHeightUnit)));
   else
     assume("The file states no unit of heights: they are taken as metres.");
   if (!draft.hasPositions)

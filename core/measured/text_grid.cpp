@@ -16,30 +16,6 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 // ---- Matrix ------------------------------------------------------------------------------------
 
-/// The width and the height of the whole field.
-struct Extent {
-  std::optional<HeaderLength> width, height;
-};
-
-/// Returns the extent by the keys that Gwyddion writes in each of its languages, and by others.
-Extent findExtent(const TextTable& table, const TextBlock& block) {
-  Extent extent;
-  extent.width = headerLength(
-      table, block,
-      WordList("width, breite, largeur, \u0160\u00ED\u0159ka, \u0161\u00ED\u0159ka, larghezza, "
-               "anchura, ancho, largura, \u0448\u0438\u0440\u0438\u043D\u0430, "
-               "\u0428\u0438\u0440\u0438\u043D\u0430, \u5E45, x size, x range, x length, size x, "
-               "xreal, scan size, scansize",
-               ','));
-  extent.height = headerLength(
-      table, block,
-      WordList("height, h\u00F6he, hauteur, v\u00FD\u0161ka, altezza, altura, "
-               "\u0432\u044B\u0441\u043E\u0442\u0430, \u0412\u044B\u0441\u043E\u0442\u0430, "
-               "\u9AD8\u3055, y size, y range, y length, size y, yreal",
-               ','));
-  return extent;
-}
-
 /// The text of SPIP: lengths are in nanometres without a unit; heights are in the unit of "z-unit",
 /// or times Bit2nm in nanometres. With "voidpixels" a second matrix follows, which is 1 where there
 /// is a height and 0 where there is none.
@@ -77,32 +53,6 @@ void applySpipHeader(const SpipHeader& header, const SurfaceSource& source, Topo
     if (!(grid.height[points + i] > 0)) grid.height[i] = kNone;
   grid.height.resize(points);
   grid.rows = header.rows;
-}
-
-Extent spipExtent(const TextTable& table, const TextBlock& block) {
-  Extent extent;
-  extent.width = headerLength(table, block, WordList("x-length", ','));
-  extent.height = headerLength(table, block, WordList("y-length", ','));
-  for (auto* length : {&extent.width, &extent.height})
-    if (*length && !(*length)->unit) (*length)->unit = StatedUnit{"nm", 1e-9};
-  return extent;
-}
-
-/// Returns the extent where no key is known: the only two lengths above the numbers.
-Extent unnamedExtent(const TextBlock& block) {
-  Extent extent;
-  constexpr std::size_t kShortHeader = 5;
-  if (block.header.size() > kShortHeader) return extent;
-  std::vector<HeaderLength> lengths;
-  for (const TextEntry& entry : block.header)
-    if (const auto quantity = parseQuantity(entry.value); quantity && quantity->number > 0)
-      if (const auto metres = metresPer(quantity->unit))
-        lengths.push_back({quantity->number, StatedUnit{quantity->unit, *metres}});
-  if (lengths.size() == 2) {
-    extent.width = lengths[0];
-    extent.height = lengths[1];
-  }
-  return extent;
 }
 
 /// The first row and the first column of a matrix where they hold positions; the corner is empty or
@@ -149,6 +99,57 @@ bool hasPositionFrame(const TextBlock& block) {
 
 namespace {
 
+/// Returns whether these are whole numbers, each larger by one than the one before.
+bool countByOne(const std::vector<double>& numbers) {
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    if (numbers[i] != (i == 0 ? std::floor(numbers[0]) : numbers[i - 1] + 1)) return false;
+  return !numbers.empty();
+}
+
+/// Whether the first row and the first column of a matrix number the points.
+struct Numbering {
+  bool row = false, column = false;
+};
+
+/// Returns whether the first row or column from number `from` on numbers the points: it counts by
+/// one, and the others do not. Throws InputError where that is not clear.
+bool numbersPoints(const TextBlock& block, bool isRow, std::size_t from,
+                   const SurfaceSource& source) {
+  const std::size_t lines = isRow ? block.rows : block.columns.size();
+  const std::size_t size = isRow ? block.columns.size() : block.rows;
+  const auto numbersOf = [&](std::size_t line) {
+    std::vector<double> numbers;
+    for (std::size_t i = from; i < size; ++i)
+      numbers.push_back(isRow ? block.at(line, i) : block.at(i, line));
+    return numbers;
+  };
+  constexpr std::size_t kFewest = 3, kMany = 8;
+  if (size < from + kFewest || !countByOne(numbersOf(0))) return false;
+  std::size_t alike = 0;
+  bool areWhole = true;
+  for (std::size_t line = 1; line < lines; ++line) {
+    const std::vector<double> numbers = numbersOf(line);
+    alike += countByOne(numbers) ? 1 : 0;
+    areWhole = areWhole && std::ranges::all_of(numbers, [](double one) {
+                 return std::isnan(one) || one == std::floor(one);
+               });
+  }
+  if (alike + 1 == lines) return false;  // a ramp
+  if (alike == 0 && (!areWhole || size >= from + kMany)) return true;
+  if (source.choices.format == "matrix") return false;
+  throw InputError(source.name, "surface.format",
+                   isRow ? message("is needed: the first row may number the points; leave it out, "
+                                   "or set matrix where it holds heights")
+                         : message("is needed: the first column may number the points; leave it "
+                                   "out, or set matrix where it holds heights"));
+}
+
+Numbering findNumbering(const TextBlock& block, const SurfaceSource& source) {
+  if (numbersPoints(block, true, 1, source) && numbersPoints(block, false, 1, source))
+    return {true, true};
+  return {numbersPoints(block, true, 0, source), numbersPoints(block, false, 0, source)};
+}
+
 void flip(Topography& grid, bool columns, bool rows) {
   const auto width = static_cast<std::ptrdiff_t>(grid.columns);
   if (columns)
@@ -160,10 +161,57 @@ void flip(Topography& grid, bool columns, bool rows) {
                        grid.height.begin() + (grid.rows - 1 - row) * width);
 }
 
-void takeSpacings(const TextTable& table, const TextBlock& block, SurfaceDraft& draft) {
+/// What the lines above the numbers state about the steps along one axis.
+struct AxisSteps {
+  std::optional<HeaderLength> step{}, extent{};
+};
+
+/// Throws InputError where the step and the extent contradict each other: the extent reaches from
+/// the first point to the last one, or one step farther.
+void requireAgreement(const AxisSteps& axis, std::int64_t count, const SurfaceSource& source) {
+  if (!axis.step || !axis.extent || !axis.step->unit != !axis.extent->unit) return;
+  const auto metres = [](const HeaderLength& length) {
+    return length.value * (length.unit ? length.unit->metres : 1);
+  };
+  constexpr double kRounding = 0.01;
+  const double step = metres(*axis.step), extent = metres(*axis.extent);
+  if (std::abs(extent - step * static_cast<double>(count)) > step + kRounding * extent)
+    throw InputError(source.name, "surface.point_spacing",
+                     message("is needed (in m): the file states a step of {} and an extent of {}, "
+                             "which do not fit {} points",
+                             PrintedNumber{printedQuantity(step, "m")},
+                             PrintedNumber{printedQuantity(extent, "m")}, count));
+}
+
+void takeSpacings(const TextTable& table, const TextBlock& block, const SurfaceSource& source,
+                  SurfaceDraft& draft) {
   Topography& grid = draft.grid;
-  const auto set = [&draft](const std::optional<HeaderLength>& length, double count,
-                            double& spacing) {
+  AxisSteps x, y;
+  for (auto* axis : {&x, &y}) {
+    const char letter = axis == &x ? 'x' : 'y';
+    axis->step = headerLength(table, block, LengthKind::Step, letter);
+    axis->extent = headerLength(table, block, LengthKind::Extent, letter);
+    if (spipHeader(table, block) && axis->extent && !axis->extent->unit)
+      axis->extent->unit = StatedUnit{"nm", 1e-9};
+  }
+  // A width without a unit that is the number of columns counts them.
+  const auto isCount = [](const AxisSteps& axis, std::int64_t count) {
+    return axis.extent && !axis.extent->unit && axis.extent->value == static_cast<double>(count);
+  };
+  if (isCount(x, grid.columns) || isCount(y, grid.rows))
+    for (auto* axis : {&x, &y})
+      if (axis->extent && !axis->extent->unit) axis->extent.reset();
+  const auto countedX = countedStep(table, block, grid.columns, true);
+  const auto countedY = countedStep(table, block, grid.rows, false);
+  if (countedX && countedY) {
+    x = {countedX, {}};
+    y = {countedY, {}};
+  }
+  if (!x.step && !x.extent) y.extent.reset();  // a height alone may be any
+  const bool isChosen = source.choices.spacing > 0;
+  const auto set = [&](const AxisSteps& axis, std::int64_t count, double& spacing) {
+    if (!isChosen) requireAgreement(axis, count, source);
+    const auto& length = axis.step ? axis.step : axis.extent;
     if (!length) return false;
     double factor = 1;
     // The first length states the unit of both.
@@ -171,33 +219,17 @@ void takeSpacings(const TextTable& table, const TextBlock& block, SurfaceDraft& 
       factor = length->unit->metres / draft.positionUnit->metres;
     else if (length->unit)
       draft.positionUnit = length->unit;
-    spacing = length->value / count * factor;
+    spacing = length->value / (axis.step ? 1 : static_cast<double>(count)) * factor;
     return true;
   };
-  Extent extent = spipHeader(table, block) ? spipExtent(table, block) : findExtent(table, block);
-  const auto columnStep = headerLength(
-      table, block,
-      WordList("cellsize, dx, x spacing, spacing x, x step, pixel size x, x pixel size, pixel "
-               "size, pixelsize, spacing, lateral resolution, xy calibration, xy-justierung, "
-               "xy-kalibrierung, xy\uCE98\uB9AC\uBE0C\uB808\uC774\uC158",
-               ','));
-  const auto rowStep = headerLength(
-      table, block,
-      WordList("cellsize, dy, y spacing, spacing y, y step, pixel size y, y pixel size", ','));
-  const auto countedX = countedStep(table, block, grid.columns, true);
-  const auto countedY = countedStep(table, block, grid.rows, false);
-  const bool isCounted = countedX && countedY;
-  if (!extent.width && !extent.height && !columnStep && !rowStep && !isCounted)
-    extent = unnamedExtent(block);
-  const bool hasX = (isCounted && set(countedX, 1, grid.columnSpacing)) ||
-                    set(extent.width, static_cast<double>(grid.columns), grid.columnSpacing) ||
-                    set(columnStep, 1, grid.columnSpacing);
-  const bool hasY = (isCounted && set(countedY, 1, grid.rowSpacing)) ||
-                    set(extent.height, static_cast<double>(grid.rows), grid.rowSpacing) ||
-                    set(rowStep, 1, grid.rowSpacing);
+  const bool hasX = set(x, grid.columns, grid.columnSpacing);
+  const bool hasY = set(y, grid.rows, grid.rowSpacing);
   if (hasX && !hasY) grid.rowSpacing = grid.columnSpacing;
   if (hasY && !hasX) grid.columnSpacing = grid.rowSpacing;
-  draft.hasPositions = hasX || hasY;
+  draft.hasPositions = (hasX || hasY) && !isChosen;
+  if ((hasX || hasY) && isChosen)
+    draft.facts.notes.emplace_back(
+        "surface.point_spacing replaces the lengths above the numbers of the file.");
   if (!draft.hasPositions) grid.columnSpacing = grid.rowSpacing = 1;
 }
 
@@ -209,7 +241,18 @@ SurfaceDraft readTextMatrix(const TextTable& table, const TextBlock& block,
   draft.facts.format = "matrix";
   Topography& grid = draft.grid;
   const Frame frame = readFrame(block);
-  const std::size_t firstColumn = frame.hasColumn ? 1 : 0, firstRow = frame.hasRow ? 1 : 0;
+  const auto spip = spipHeader(table, block);
+  const CornerUnits corner = frame.hasColumn && !frame.hasRow ? cornerUnits(block) : CornerUnits{};
+  // Numbers 0, 1, 2, ... are positions only where their unit is stated, and no other step.
+  const bool hasUnit = corner.x || corner.y || !corner.unknownPosition.empty() ||
+                       headerUnit(table, block, false, UnitEntries::Own);
+  const bool isNumbered = frame.hasColumn && countByOne(frame.x) && countByOne(frame.y) &&
+                          (!hasUnit || headerLength(table, block, LengthKind::Step, 'x'));
+  const Numbering numbering = frame.hasColumn ? Numbering{isNumbered, isNumbered}
+                              : spip          ? Numbering{}
+                                              : findNumbering(block, source);
+  const std::size_t firstColumn = frame.hasColumn || numbering.column ? 1 : 0;
+  const std::size_t firstRow = frame.hasRow || (!frame.hasColumn && numbering.row) ? 1 : 0;
   grid.columns = static_cast<std::int64_t>(block.columns.size() - firstColumn);
   grid.rows = static_cast<std::int64_t>(block.rows - firstRow);
   requireSize(source, grid.columns, grid.rows, 0, 0);
@@ -220,18 +263,28 @@ SurfaceDraft readTextMatrix(const TextTable& table, const TextBlock& block,
       for (std::size_t column = firstColumn; column < block.columns.size(); ++column)
         grid.height.push_back(block.at(row, column));
   }
-  if (const auto spip = spipHeader(table, block); spip && !frame.hasColumn)
-    applySpipHeader(*spip, source, grid);
-  draft.heightUnit = headerUnit(table, block, true);
-  if (frame.hasColumn) {
+  if (spip && !frame.hasColumn) applySpipHeader(*spip, source, grid);
+  draft.heightUnit = corner.z ? corner.z : headerUnit(table, block, true);
+  if (!draft.heightUnit) draft.unknownHeightUnit = corner.unknownHeight;
+  if (numbering.row && numbering.column)
+    draft.facts.notes.emplace_back("The first row and the first column number the points.");
+  else if (numbering.row)
+    draft.facts.notes.emplace_back("The first row numbers the points.");
+  else if (numbering.column)
+    draft.facts.notes.emplace_back("The first column numbers the points.");
+  if (frame.hasColumn && !isNumbered) {
     const double x = *uniformSpacing(frame.x), y = *uniformSpacing(frame.y);
     grid.columnSpacing = std::abs(x);
     grid.rowSpacing = std::abs(y);
     flip(grid, x < 0, y < 0);
-    draft.positionUnit = headerUnit(table, block, false);
+    draft.positionUnit = corner.x ? corner.x : corner.y;
+    if (corner.x && corner.y) grid.rowSpacing *= corner.y->metres / corner.x->metres;
+    if (!draft.positionUnit) draft.unknownPositionUnit = corner.unknownPosition;
+    if (!draft.positionUnit && draft.unknownPositionUnit.empty())
+      draft.positionUnit = headerUnit(table, block, false);
     draft.facts.notes.emplace_back("The first row and the first column are positions.");
   } else {
-    takeSpacings(table, block, draft);
+    takeSpacings(table, block, source, draft);
     // The entry "Unit" may be the unit of the heights, which tells nothing about a step.
     if (!draft.positionUnit)
       draft.positionUnit = headerUnit(
@@ -239,8 +292,10 @@ SurfaceDraft readTextMatrix(const TextTable& table, const TextBlock& block,
   }
   if (const auto size = nanometresPerHeight(table, block); size && !draft.heightUnit)
     draft.heightUnit = StatedUnit{*size == 1 ? "nm" : plainNumber(*size) + " nm", 1e-9 * *size};
-  if (!draft.heightUnit) draft.unknownHeightUnit = unknownUnit(table, block, -1, true);
-  if (!draft.positionUnit) draft.unknownPositionUnit = unknownUnit(table, block, -1, false);
+  if (!draft.heightUnit && draft.unknownHeightUnit.empty())
+    draft.unknownHeightUnit = unknownUnit(table, block, -1, true);
+  if (!draft.positionUnit && draft.unknownPositionUnit.empty())
+    draft.unknownPositionUnit = unknownUnit(table, block, -1, false);
   // These numbers stand for a missing value in grids of ESRI.
   const auto none = parseQuantity(table.entry("nodata_value", block));
   if (none)

@@ -115,19 +115,6 @@ Form detectForm(const TextTable& table, const TextBlock& block, const SurfaceSou
 
 // ---- Profiles
 
-/// Returns the step between points that the lines above them state.
-std::optional<HeaderLength> statedSpacing(const TextTable& table, const TextBlock& block) {
-  constexpr WordList kKeys(
-      "spacing, x spacing, spacing x, dx, delta x, deltax, increment, x increment, x-increment, "
-      "xincrement, step, step size, x step, sampling interval, sampling step, sample interval, "
-      "point spacing, pixel size, pixelsize, punktabstand, messpunktabstand, schrittweite, "
-      "abtastweite, abtastabstand, data spacing, pitch, x pitch, data pitch, point pitch, sampling "
-      "pitch, measuring pitch",
-      ',');
-  if (const auto spacing = headerLength(table, block, kKeys)) return spacing;
-  return countedStep(table, block, static_cast<std::int64_t>(block.rows), true);
-}
-
 /// Throws InputError for heights that no surface can have: some files write such a number for a
 /// missing point.
 void requireHeights(const std::vector<double>& heights, const TextBlock& block,
@@ -144,7 +131,8 @@ SurfaceDraft readTextProfile(const TextTable& table, const TextBlock& block,
   ColumnRoles roles = columnRoles(block, source);
   if (roles.z < 0) source.fail("has no column of heights");
   SurfaceDraft draft;
-  const auto spacing = statedSpacing(table, block);
+  auto spacing = headerLength(table, block, LengthKind::Step, 'x');
+  if (!spacing) spacing = countedStep(table, block, static_cast<std::int64_t>(block.rows), true);
   const bool isGiven = source.choices.spacing > 0 && source.choices.positionUnit == "auto";
   if ((spacing || isGiven) && mayNumberPoints(block, roles, source)) {
     draft.facts.notes.push_back(message(

@@ -40,12 +40,18 @@ struct HeaderLength {
   double value = 0;
   std::optional<StatedUnit> unit{};
 };
-/// Returns the length of the first of these keys, in lower case, that states one.
+/// What a length is: the step between two points, or the extent of the whole field.
+enum class LengthKind { Step, Extent };
+
+/// Returns the length that the lines above the numbers state along an axis, 'x' or 'y', by its
+/// usual names: "X increment: 0.5 um", "Breite: 10 um". A length of both axes counts for x alone,
+/// and two lengths in a line, as "Scan size: 10 um x 20 um", for x and y.
 std::optional<HeaderLength> headerLength(const TextTable& table, const TextBlock& block,
-                                         const WordList& keys);
+                                         LengthKind kind, char axis);
 
 /// Returns the step between `count` points where the header states their number and the length from
-/// the first to the last one, as MountainsMap writes it: "Axis X", 60, "59.00 um".
+/// the first to the last one: "Axis X", 60, "59.00 um", as MountainsMap writes it, or "Points: 60"
+/// and "Traverse length: 59 um".
 std::optional<HeaderLength> countedStep(const TextTable& table, const TextBlock& block,
                                         std::int64_t count, bool alongX);
 
@@ -65,6 +71,14 @@ std::string unknownUnit(const TextTable& table, const TextBlock& block, int colu
 /// unit of length and the user chooses no other one.
 std::optional<StatedUnit> columnUnit(const SurfaceSource& source, const TextTable& table,
                                      const TextBlock& block, int column, bool ofHeights);
+
+/// The units that the corner of a matrix with positions in its first row and column states: "y\x
+/// [um]", "Z [um] | X [mm] / Y [mm]", "mm".
+struct CornerUnits {
+  std::optional<StatedUnit> x{}, y{}, z{};
+  std::string unknownPosition{}, unknownHeight{};
+};
+CornerUnits cornerUnits(const TextBlock& block);
 
 SurfaceDraft readTextMatrix(const TextTable& table, const TextBlock& block,
                             const SurfaceSource& source);

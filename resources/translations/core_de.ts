@@ -3843,16 +3843,36 @@
         <translation>wird gebraucht (%1): die Einheit „%2“ der Datei ist nicht bekannt; bekannt sind %3</translation>
     </message>
     <message>
-        <source>The unit &apos;%1&apos; of the positions is not known: they are taken as metres.</source>
-        <translation>Die Einheit „%1“ der Orte ist nicht bekannt: Sie gelten als Meter.</translation>
-    </message>
-    <message>
-        <source>The unit &apos;%1&apos; of the heights is not known: they are taken as metres.</source>
-        <translation>Die Einheit „%1“ der Höhen ist nicht bekannt: Sie gelten als Meter.</translation>
-    </message>
-    <message>
         <source>surface.point_spacing is not used: the file says how far its points are apart.</source>
         <translation>surface.point_spacing wird nicht benutzt: Die Datei sagt, wie weit ihre Punkte auseinander liegen.</translation>
+    </message>
+    <message>
+        <source>surface.point_spacing replaces the lengths above the numbers of the file.</source>
+        <translation>surface.point_spacing ersetzt die Längen über den Zahlen der Datei.</translation>
+    </message>
+    <message>
+        <source>is needed (in m): the file states a step of %1 and an extent of %2, which do not fit %3 points</source>
+        <translation>wird gebraucht (in m): Die Datei nennt einen Schritt von %1 und eine Ausdehnung von %2, die nicht zu %3 Punkten passen</translation>
+    </message>
+    <message>
+        <source>is needed: the first row may number the points; leave it out, or set matrix where it holds heights</source>
+        <translation>wird gebraucht: Die erste Zeile kann die Punkte nummerieren; lassen Sie sie weg, oder setzen Sie matrix, wenn sie Höhen enthält</translation>
+    </message>
+    <message>
+        <source>is needed: the first column may number the points; leave it out, or set matrix where it holds heights</source>
+        <translation>wird gebraucht: Die erste Spalte kann die Punkte nummerieren; lassen Sie sie weg, oder setzen Sie matrix, wenn sie Höhen enthält</translation>
+    </message>
+    <message>
+        <source>The first row and the first column number the points.</source>
+        <translation>Die erste Zeile und die erste Spalte nummerieren die Punkte.</translation>
+    </message>
+    <message>
+        <source>The first row numbers the points.</source>
+        <translation>Die erste Zeile nummeriert die Punkte.</translation>
+    </message>
+    <message>
+        <source>The first column numbers the points.</source>
+        <translation>Die erste Spalte nummeriert die Punkte.</translation>
     </message>
     <message>
         <source>the axes %1 and %2 have %3 and %4 points</source>

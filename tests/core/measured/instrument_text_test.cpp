@@ -292,6 +292,67 @@ TEST(MatrixHeaders, WithTheUnitOfHeightsAloneGiveNoStep) {
   EXPECT_NEAR(read(text, choices).topography.at(1, 2), height(1, 2), 1e-15);
 }
 
+TEST(MatrixHeaders, StateStepsByTheirUsualNames) {
+  const std::string body = rowsOf("", "\t", "");
+  for (const char* header :
+       {"X increment: 2 um\nY increment: 5 um\n",
+        "Schrittweite X: 2 um\nSchrittweite Y: 0.005 mm\n",
+        "Pixelbreite: 2 um\nPixelh\u00F6he: 5 um\n", "X pitch\t2\tum\nY pitch\t5\tum\n",
+        "XStep=2um\nYStep=5um\n", "DeltaX 2 um\nDeltaY 5 um\n", "Pas X : 2 um\nPas Y : 5 um\n",
+        "Pixel size: 2 um x 5 um\n", "Pixel size (um): 2 x 5\n", "Field of view: 14 um x 20 um\n",
+        "Scan size: 14 x 20 um\n", "14 um x 20 um\n",
+        "Width: 7\nHeight: 4\nX step: 2 um\nY step: 5 um\n",
+        "Width: 14 um\nX step: 2 um\nY step: 5 um\n",
+        "X size: 12 um\nX step: 2 um\nY step: 5 um\n"})
+    expectKnown(read(header + ("Z unit: um\n" + body)), "matrix", false, 1e-15);
+  const MeasuredFile bare =
+      read("Width: 7\nHeight: 4\nXY unit: um\nZ unit: um\nPixel size: 2\n" + body);
+  EXPECT_NEAR(bare.topography.columnSpacing, 2e-6, 1e-18);
+  EXPECT_NEAR(bare.topography.rowSpacing, 2e-6, 1e-18);
+}
+
+TEST(MatrixHeaders, WithOtherLengthsGiveNoStep) {
+  const std::string body = "Z unit: um\n" + rowsOf("", "\t", "");
+  for (const char* header :
+       {"Filter lambda s: 2.5 um\nFilter lambda c: 0.8 mm\n", "Stage X: 12.5 mm\nStage Y: 3.5 mm\n",
+        "Working distance: 0.5 mm\nHeight: 3 mm\n", "Tip radius: 2 um\nResolution: 0.5 um\n",
+        "Sample thickness: 2 mm\nMin height: 1 um\n", "Objective: 50x 10 um\n",
+        "Width: 7\nHeight: 4\nXY unit: um\n"})
+    EXPECT_THAT(errorOf(header + body), HasSubstr("surface.point_spacing: is needed (in m)"))
+        << header;
+}
+
+/// The user's distance of the points replaces what the lines above a matrix state.
+TEST(PointSpacing, ReplacesAWrongWidth) {
+  const std::string text =
+      "Width: 30 um\nHeight: 20 um\nX step: 2 um\nZ unit: um\n" + rowsOf("", "\t", "");
+  EXPECT_THAT(errorOf(text),
+              HasSubstr("a step of 2 \u00B5m and an extent of 30 \u00B5m, which do not "
+                        "fit 7 points"));
+  ReadingChoices choices;
+  choices.spacing = 3e-6;
+  const MeasuredFile file = read(text, choices);
+  EXPECT_NEAR(file.topography.columnSpacing, 3e-6, 1e-18);
+  EXPECT_TRUE(says(file, "surface.point_spacing replaces"));
+}
+
+/// Heights alone as Mitutoyo, a Japanese and a French program write them.
+TEST(ListHeaders, StateTheStep) {
+  const std::string heights = "1\n2\n-1\n0.5\n";
+  for (const char* header :
+       {"\"Sampling pitch\",\"0.5um\"\n\"Unit\",\"um\"\n\"[Data]\"\n",
+        "\u6E2C\u5B9A\u30D4\u30C3\u30C1,0.5,\u03BCm\n\u9AD8\u3055\u5358\u4F4D,\u03BCm\n",
+        "Pas : 0,5 \u00B5m\nUnit\u00E9 Z : \u00B5m\n", "Spacing,0.0005,mm\nZ unit,um\n",
+        "Traverse length: 1.5 um\nPoints: 4\nUnit: um\n"}) {
+    const MeasuredFile file = read(header + heights);
+    EXPECT_EQ(file.topography.columns, 4) << header;
+    EXPECT_NEAR(file.topography.columnSpacing, 5e-7, 1e-18) << header;
+    EXPECT_NEAR(file.topography.at(0, 2), -1e-6, 1e-18) << header;
+  }
+  EXPECT_THAT(errorOf("Traverse length: 1.5 um\nPoints: 5\nUnit: um\n" + heights),
+              HasSubstr("surface.point_spacing: is needed"));
+}
+
 TEST(MatrixHeaders, OfMountainsMapHaveCountAndLength) {
   const std::string text =
       "Axis X\t7\t12.00 \u00B5m\nAxis Y\t4\t15.00 \u00B5m\n" + rowsOf("", "\t", "");
@@ -416,13 +477,26 @@ TEST(Units, ThatNobodyKnowsAreNamed) {
   EXPECT_THAT(errorOf(table("x (cubit)\tz (um)", 1, 1)), HasSubstr("the unit 'cubit' of the file"));
   EXPECT_THAT(errorOf("z unit: digits\n" + table("x (mm)\tz", 1e-3, 1)),
               HasSubstr("the unit 'digits' of the file"));
-  // Where metres are possible, the notes name the unit.
-  EXPECT_TRUE(says(read(table("x (m)\tz (furlong)", 1e-6, 1e-6)),
-                   "The unit 'furlong' of the heights is not known: they are taken as metres."));
+  // An unknown unit is no metre, however small the numbers are.
+  for (const char* header : {"x (m)\tz (furlong)", "x (m)\tz (V)"})
+    EXPECT_THAT(errorOf(table(header, 1e-6, 1e-6)), HasSubstr("surface.height_unit: "));
+  EXPECT_THAT(errorOf("Unit: V\n" + table("x (m)\tz", 1e-6, 1e-6)),
+              HasSubstr("the unit 'V' of the file is not known"));
   ReadingChoices choices;
   choices.heightUnit = "um";
   EXPECT_NEAR(read(table("x (mm)\tz (furlong)", 1e-3, 1), choices).topography.at(0, 1),
               1e-6 * (3 * std::sin(0.7) + 0.1), 1e-14);
+}
+
+TEST(Units, AreKnownInOtherLanguages) {
+  for (const char* header :
+       {"x (\u043C\u043C)\tz (\u043C\u043A\u043C)", "x (millim\u00E8tres)\tz (microm\u00E8tres)",
+        "x (\u6BEB\u7C73)\tz (\u5FAE\u7C73)", "X(mm)\tZ(\x83\xCAm)"}) {
+    const MeasuredFile file = read(table(header, 1e-3, 1));
+    EXPECT_NEAR(file.topography.columnSpacing, 2e-6, 1e-15) << header;
+    EXPECT_NEAR(file.topography.at(0, 1), 1e-6 * (3 * std::sin(0.7) + 0.1), 1e-14) << header;
+  }
+  EXPECT_NEAR(read(table("x (1/100 mm)\tz (um)", 0.1, 1)).topography.columnSpacing, 2e-6, 1e-15);
 }
 
 /// A depth counts into the material, unless the user says that the column holds heights.

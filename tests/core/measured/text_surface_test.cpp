@@ -307,6 +307,7 @@ TEST(TextMatrix, ReadsTheExportOfGwyddionInItsLanguages) {
       {"Kanal: ", "Breite: ", "H\u00F6he: ", "Einheiten: "},
       {"Kanal: ", "Breite: ", "H\u00F6he: ", "Werteinheiten: "},
       {"Canal : ", "Largeur : ", "Hauteur : ", "Unit\u00E9s : "},
+      {"Canal : ", "Largeur : ", "Hauteur : ", "Unit\u00E9s des valeurs : "},
       {"Kan\u00E1l: ", "\u0160\u00ED\u0159ka: ", "V\u00FD\u0161ka: ", "Jednotky hodnot: "},
       {"\u041A\u0430\u043D\u0430\u043B: ", "\u0428\u0438\u0440\u0438\u043D\u0430: ",
        "\u0412\u044B\u0441\u043E\u0442\u0430: ",
@@ -354,6 +355,69 @@ TEST(TextMatrix, ReadsPositionsInFirstRowAndColumn) {
     }
     expectKnown(read(text), "matrix", false, 1e-14, 1e-9);
   }
+}
+
+TEST(TextMatrix, ReadsUnitsInItsCorner) {
+  const auto framed = [](const std::string& corner, double ofX, double ofY) {
+    std::string text = corner;
+    for (int column = 0; column < kColumns; ++column)
+      text += fmt::format(",{:g}", column * 2 * ofX);
+    text += "\n";
+    for (int row = 0; row < kRows; ++row) {
+      text += fmt::format("{:g}", row * 5 * ofY);
+      for (int column = 0; column < kColumns; ++column)
+        text += fmt::format(",{:.9g}", micrometres(row, column));
+      text += "\n";
+    }
+    return text;
+  };
+  ReadingChoices choices;
+  choices.heightUnit = "um";
+  expectKnown(read(framed("y\\x [\u00B5m]", 1, 1), choices), "matrix", false, 1e-14, 1e-9);
+  expectKnown(read(framed("mm", 1e-3, 1e-3), choices), "matrix", false, 1e-14, 1e-9);
+  expectKnown(read(framed("z (\u00B5m) \\ x (mm)", 1e-3, 1e-3)), "matrix", false, 1e-14, 1e-9);
+  expectKnown(read(framed("Z [\u00B5m] | X [mm] / Y [um]", 1e-3, 1)), "matrix", false, 1e-14, 1e-9);
+  EXPECT_THAT(errorOf(framed("mm", 1e-3, 1e-3)), HasSubstr("surface.height_unit: is needed"));
+  EXPECT_THAT(errorOf(framed("y\\x [furlong]", 1e-6, 1e-6), choices),
+              HasSubstr("surface.position_unit: is needed"));
+}
+
+/// Rows and columns that count the points are no heights.
+TEST(TextMatrix, LeavesNumbersOfRowsAndColumnsOut) {
+  const auto numbered = [](bool row, bool column, int first, const std::string& corner) {
+    std::string text = row && column ? corner + "," : "";
+    for (int i = 0; i < kColumns && row; ++i)
+      text += fmt::format("{}{}", i + first, i + 1 < kColumns ? "," : "\n");
+    for (int i = 0; i < kRows; ++i) {
+      if (column) text += fmt::format("{},", i + first);
+      for (int j = 0; j < kColumns; ++j)
+        text += fmt::format("{:.9g}{}", micrometres(i, j), j + 1 < kColumns ? "," : "\n");
+    }
+    return text;
+  };
+  ReadingChoices choices;
+  choices.heightUnit = "um";
+  const std::string steps = "dx: 2 um\ndy: 5 um\n";
+  for (const int first : {0, 1}) {
+    for (const char* corner : {"", "0"}) {
+      const std::string text = numbered(true, true, first, corner);
+      expectKnown(read(steps + text, choices), "matrix", false, 1e-14);
+      EXPECT_THAT(errorOf(text, choices), HasSubstr("surface.point_spacing: is needed"));
+    }
+    const MeasuredFile row = read(steps + numbered(true, false, first, ""), choices);
+    expectKnown(row, "matrix", false, 1e-14);
+    EXPECT_TRUE(saysSomewhere(row, "The first row numbers the points."));
+    const MeasuredFile column = read(steps + numbered(false, true, first, ""), choices);
+    expectKnown(column, "matrix", false, 1e-14);
+    EXPECT_TRUE(saysSomewhere(column, "The first column numbers the points."));
+  }
+  // Few whole numbers may be either, a ramp is none.
+  const std::string unclear = steps + "1 2 3 4\n5 5 6 9\n7 1 2 8\n";
+  EXPECT_THAT(errorOf(unclear, choices), HasSubstr("surface.format: is needed: the first row may"));
+  choices.format = "matrix";
+  EXPECT_EQ(read(unclear, choices).topography.rows, 3);
+  choices.format = "auto";
+  EXPECT_EQ(read(steps + "1 2 3 4\n5 6 7 8\n4 5 6 7\n", choices).topography.rows, 3);
 }
 
 TEST(TextMatrix, AsksHowFarThePointsAreApart) {
