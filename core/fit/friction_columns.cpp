@@ -302,6 +302,8 @@ std::optional<ErrorScale> findErrorScale(const TextColumn& column) {
       constexpr std::string_view kLargest = "6";
       if (word.size() > 1 || word == "0" || word > kLargest) scale.isIndefinite = true;
       scale.divisor = word.front() - '0';
+      // "mu_error (2 sigma)" names the error twice.
+      if (isCounted && isErrorName(scale.name)) ++i;
     } else if (isOneOf(word,
                        "ci confidence interval konfidenzintervall vertrauensbereich "
                        "vertrauensintervall level expanded erweiterte")) {
@@ -322,7 +324,7 @@ std::optional<ErrorScale> findErrorScale(const TextColumn& column) {
   isScaled = isError || hasFactor;
   if (!isScaled) return {};
   if (scale.name == "u") scale.name.clear();
-  if (isError || scale.name.empty()) scale.name += " error";
+  if (scale.name.empty() || (isError && !isErrorName(scale.name))) scale.name += " error";
   if (isMultiple && !hasFactor) scale.isIndefinite = true;
   const auto quantity = findMeaning(scale.name, scale.unit);
   if (quantity != Quantity::MuError && quantity != Quantity::VelocityError) return {};
@@ -588,10 +590,12 @@ std::optional<HeaderStatement> readStatement(std::string_view clause, HeaderMark
   const auto named = findMeaning(name.name, unit);
   const bool isLoadName = isLoad(named);
   // "Line load: 30 N/m"
-  const auto ofLastWord =
-      quantityNamed(nameWords(name.name).empty() ? "" : nameWords(name.name).back());
-  const bool mayBeLoad = isLoad(ofLastWord) && nameWords(name.name).size() > 1 &&
-                         !(value->unit + value->remark).empty();
+  const std::vector<std::string> keyWords = nameWords(name.name);
+  constexpr std::size_t kShortest = 4;  // letters; shorter names mean something else in a text
+  const auto ofLastWord = keyWords.size() > 1 && keyWords.back().size() >= kShortest
+                              ? quantityNamed(keyWords.back())
+                              : std::nullopt;
+  const bool mayBeLoad = isLoad(ofLastWord) && !(value->unit + value->remark).empty();
   // "Temperature: 23 °C (rubber)"
   const std::string remark = withoutFillers(value->remark);
   if (!remark.empty()) name.name += " " + remark;
@@ -656,7 +660,8 @@ std::vector<HeaderStatement> readStatements(const TextEntry& entry, HeaderMark m
   const std::size_t number = findNumber(entry.key);
   const auto first =
       parseQuantity(std::string_view(entry.key).substr(std::min(number, entry.key.size())));
-  const bool hasFront = first && !first->unit.empty() && isKnownUnit(first->unit);
+  const bool hasFront = entry.value.find_first_of(":=") != entry.value.npos && first &&
+                        !first->unit.empty() && isKnownUnit(first->unit);
   const std::string separated = hasFront ? lineOf(entry, "; ") : line;
   std::vector<std::string_view> clauses;
   for (const std::string_view clause : clausesOf(separated))

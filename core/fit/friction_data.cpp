@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <numeric>
 #include <optional>
 
 #include "core/base/input_error.h"
@@ -46,7 +47,8 @@ struct Conversion {
   bool isShare = false;  // of the quantity that it is the error of
   double divisor = 1;    // of an error, for one standard error
   bool isVariance = false;
-  Message unitText{};  // for the notes; empty: as the column writes it
+  bool isForce = false;  // of friction, to be divided by the normal force
+  Message unitText{};    // for the notes; empty: as the column writes it
 };
 
 class Reader {
@@ -62,6 +64,7 @@ class Reader {
     data.notes = notes();
     for (std::size_t row = 0; row < block_.rows; ++row)
       if (!isBlank(row)) data.points.push_back(pointAt(row));
+    if (!repeats_.empty()) averageRepeats(data.points);
     check(data.points);
     noteSlips(data);
     return data;
@@ -101,6 +104,7 @@ class Reader {
       if (count == 3) add(Quantity::MuError, 2);
       return;
     }
+    refuseSeveralStates();
     for (std::size_t i = 0; i < count; ++i) {
       const TextColumn& column = block_.columns[i];
       if (const auto quantity = findMeaning(column)) {
@@ -110,12 +114,101 @@ class Reader {
       }
     }
     for (const TextColumn& column : block_.columns) refuseUnclear(column);
+    if (!find(Quantity::Mu)) findRepeats();
+    if (!find(Quantity::Mu) && find(Quantity::Force)) findFrictionForce();
     for (const Quantity needed : {Quantity::Velocity, Quantity::Mu})
       if (!find(needed))
         refuse(message("has no column of the {}; its columns are {}", Message(meaningOf(needed)),
                        Message::name(namesOfColumns())));
     if (find(Quantity::Force) && find(Quantity::Pressure))
       refuse("has both a normal force and a nominal pressure; one of them says the load");
+  }
+
+  /// Throws InputError for friction at several temperatures or loads side by side.
+  void refuseSeveralStates() const {
+    std::string names;
+    int count = 0;
+    for (const TextColumn& column : block_.columns) {
+      const std::vector<std::string> words = nameWords(column.name);
+      const bool isState = words.size() > 1 && quantityNamed(words.front()) == Quantity::Mu &&
+                           isDigit(words[1].front()) &&
+                           (words.size() > 2 || !column.unit.empty() || words[1].size() > 2);
+      if (!isState || findMeaning(column)) continue;
+      names += (count++ > 0 ? ", " : "") + shortened(column.name);
+    }
+    if (count > 1)
+      refuse(
+          message("has friction in several states side by side ({}); write them one below the "
+                  "other, with a column that tells them apart, such as temperature",
+                  Message::name(names)));
+  }
+
+  /// Finds columns "mu1", "mu2", ... of repeated measurements.
+  void findRepeats() {
+    for (std::size_t i = 0; i < block_.columns.size(); ++i) {
+      const TextColumn& column = block_.columns[i];
+      const std::string word = plainWord(column.name);
+      const std::string name = word.substr(0, word.find_last_not_of("0123456789") + 1);
+      if (name != word && quantityNamed(name) == Quantity::Mu && isPure(column.unit) &&
+          !column.isText)
+        repeats_.push_back(i);
+    }
+    if (repeats_.size() < 2 || find(Quantity::MuError)) {
+      repeats_.clear();
+      return;
+    }
+    columns_.push_back({Quantity::Mu,
+                        repeats_.front(),
+                        {},
+                        message("columns {} to {}: repeated measurements of the coefficient of "
+                                "friction; each point is their mean, with a standard error from "
+                                "the scatter in all rows",
+                                repeats_.front() + 1, repeats_.back() + 1)});
+  }
+
+  /// Returns the repeated measurements of a row.
+  std::vector<double> repeatsOf(std::size_t row) const {
+    std::vector<double> values;
+    for (const std::size_t index : repeats_)
+      if (const double value = block_.at(row, index); !std::isnan(value)) values.push_back(value);
+    return values;
+  }
+
+  /// Sets friction to the mean of its repeats. The relative scatter is that of all rows together,
+  /// because that of a few values is itself uncertain.
+  void averageRepeats(std::vector<MeasuredPoint>& points) const {
+    double squares = 0;
+    std::size_t freedom = 0, i = 0;
+    std::vector<std::size_t> counts;
+    for (std::size_t row = 0; row < block_.rows; ++row) {
+      if (isBlank(row)) continue;
+      const std::vector<double> values = repeatsOf(row);
+      for (const double value : values) squares += std::pow(value / points[i].mu - 1, 2);
+      freedom += values.size() - 1;
+      counts.push_back(values.size());
+      ++i;
+    }
+    if (!(squares > 0)) return;
+    for (i = 0; i < points.size(); ++i)
+      points[i].muError = points[i].mu * std::sqrt(squares / static_cast<double>(freedom) /
+                                                   static_cast<double>(counts[i]));
+  }
+
+  /// Finds the one column of the force of friction, which gives mu beside the normal force.
+  void findFrictionForce() {
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < block_.columns.size(); ++i)
+      if (isOneOf(plainWord(block_.columns[i].name),
+                  "fx ft fr ff frictionforce reibkraft reibungskraft") &&
+          !block_.columns[i].isText)
+        found.push_back(i);
+    if (found.size() != 1) return;
+    Conversion conversion = conversionOf(Quantity::Force, block_.columns[found.front()]);
+    conversion.isForce = true;
+    columns_.push_back({Quantity::Mu, found.front(), conversion,
+                        message("column {}: force of friction; its magnitude over the normal force "
+                                "is the coefficient of friction",
+                                found.front() + 1)});
   }
 
   static bool isClear(const TextColumn& column) {
@@ -168,6 +261,10 @@ class Reader {
           message("column {}: it is not known how many standard errors this is; give one standard "
                   "error as mu_error, or take the column out",
                   shortened(column.name)));
+    if (column.name == "s" && column.unit.empty() && !find(Quantity::MuError))
+      refuse(
+          message("column s: is it the standard deviation of the coefficient of friction? Name it "
+                  "std, or take the column out"));
     const std::vector<std::string> words = nameWords(column.name);
     if (words.empty()) return;
     const auto isBound = [](const std::string& word) {
@@ -269,7 +366,8 @@ class Reader {
                           Message(meaningOf(*one.quantity)), Message::name(shortened(one.text))));
     std::string unused;
     for (std::size_t i = 0; i < block_.columns.size(); ++i)
-      if (std::ranges::find(columns_, i, &Column::index) == columns_.end())
+      if (std::ranges::find(columns_, i, &Column::index) == columns_.end() &&
+          std::ranges::find(repeats_, i) == repeats_.end())
         unused += (unused.empty() ? "" : ", ") + (block_.columns[i].name.empty()
                                                       ? std::to_string(i + 1)
                                                       : shortened(block_.columns[i].name));
@@ -416,10 +514,16 @@ class Reader {
       const auto common = std::ranges::find(common_, quantity, &HeaderStatement::quantity);
       return common == common_.end() ? kNotApplicable : common->value;
     }
+    if (quantity == Quantity::Mu && !repeats_.empty()) {
+      const std::vector<double> values = repeatsOf(row);
+      return std::accumulate(values.begin(), values.end(), 0.0) /
+             static_cast<double>(values.size());
+    }
     const Conversion& in = column->conversion;
     double number = block_.at(row, column->index);
     if (std::isnan(number)) return kNotApplicable;
     if (in.isVariance) number = std::sqrt(number);
+    if (in.isForce) return std::abs(in.unit.toSi(number)) / valueAt(row, Quantity::Force);
     return in.unit.toSi(number) * (in.isShare ? whole : 1) / in.divisor;
   }
 
@@ -567,6 +671,7 @@ class Reader {
   const TextBlock& block_;
   std::string name_;
   std::vector<Column> columns_;
+  std::vector<std::size_t> repeats_;  // columns of one coefficient of friction
   HeaderMark mark_;
   std::vector<HeaderStatement> common_;  // of all points
   std::vector<HeaderStatement> unused_;
