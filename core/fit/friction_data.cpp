@@ -130,10 +130,12 @@ class Reader {
     int count = 0;
     for (const TextColumn& column : block_.columns) {
       const std::vector<std::string> words = nameWords(column.name);
-      const bool isState = words.size() > 1 && quantityNamed(words.front()) == Quantity::Mu &&
-                           isDigit(words[1].front()) &&
-                           (words.size() > 2 || !column.unit.empty() || words[1].size() > 2);
-      if (!isState || findMeaning(column)) continue;
+      if (words.empty() || quantityNamed(words.front()) != Quantity::Mu) continue;
+      // "mu (0.1 MPa)", "mu 20 \u00B0C"; "mu 1" is the first of several measurements.
+      const bool isInUnit = column.unit.size() > 1 && isDigit(column.unit.front());
+      const bool isInName = words.size() > 1 && isDigit(words[1].front()) &&
+                            (words.size() > 2 || !column.unit.empty()) && !findMeaning(column);
+      if (!isInUnit && !isInName) continue;
       names += (count++ > 0 ? ", " : "") + shortened(column.name);
     }
     if (count > 1)
@@ -404,11 +406,8 @@ class Reader {
   void add(Quantity quantity, std::size_t index) {
     const TextColumn& column = block_.columns[index];
     if (const Column* other = find(quantity); other && quantity != Quantity::Label)
-      refuse(
-          message("has two columns of the {}: {} and {}; keep one of them, or write them one "
-                  "below the other with a column that tells them apart, such as temperature",
-                  Message(meaningOf(quantity)), shortened(block_.columns[other->index].name),
-                  shortened(column.name)));
+      refuse(message("has two columns of the {}: {} and {}", Message(meaningOf(quantity)),
+                     shortened(block_.columns[other->index].name), shortened(column.name)));
     const auto hasError = [](const std::string& text) {
       return containsOneOf(text, "\u00B1 +/- +- (");
     };
