@@ -428,7 +428,8 @@ bool isFiller(const std::string& word) {
 
 /// Returns whether a text names a thing whose load or temperature is not that of the contact.
 bool namesOther(std::string_view text) {
-  const std::vector<std::string> words = wordsIn(text);
+  std::vector<std::string> words = wordsIn(text);
+  std::erase(words, "g");  // the unit of a mass
   constexpr WordList kOtherThings(
       "track road air water oil storage store aged ageing aging vulc cure curing tg glass cell "
       "sensor "
