@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <numeric>
+#include <utility>
 
 #include "core/base/text.h"
 #include "core/base/text_dialect.h"
@@ -25,25 +27,35 @@ struct QuantityNames {
 constexpr QuantityNames kKnownNames[] = {
     {Quantity::Velocity, "velocity",
      "velocity v speed slidingvelocity slidingspeed vslide vs geschwindigkeit "
-     "gleitgeschwindigkeit"},
+     "gleitgeschwindigkeit gleitgeschw geschw vgleit vitesse vitessedeglissement velocit\u00E0 "
+     "velocita velocit\u00E0distrisciamento velocidad velocidaddedeslizamiento "
+     "\u901F\u5EA6 \u3059\u3079\u308A\u901F\u5EA6 \u6ED1\u308A\u901F\u5EA6"},
     {Quantity::Mu, "coefficient of friction",
      "mu \u00B5 \u03BC cof friction frictioncoefficient coefficientoffriction coefficient reibwert "
-     "reibungszahl reibbeiwert reibungskoeffizient"},
+     "reibungszahl reibbeiwert reibungskoeffizient muk mukin mukinetic mudyn mudynamic "
+     "kineticfriction dynamicfriction slidingfriction gleitreibwert gleitreibungszahl "
+     "gleitreibungskoeffizient coefficientdefrottement coefdefrottement coefficientediattrito "
+     "coeffdiattrito coeficientedefricci\u00F3n coeficientedefriccion coeficientederozamiento "
+     "\u6469\u64E6\u4FC2\u6570"},
     {Quantity::Force, "normal force",
      "normalforce fn fz f force load normalload w n normalkraft kraft last normallast belastung "
      "auflast anpresskraft radlast wheelload verticalforce verticalload vertikalkraft "
-     "vertikallast"},
+     "vertikallast forcenormale chargenormale forzanormale caricoverticale fuerzanormal "
+     " carganormal \u8377\u91CD \u5782\u76F4\u8377\u91CD"},
     {Quantity::Pressure, "nominal pressure",
      "nominalpressure pressure contactpressure normalpressure nominalcontactpressure normalstress "
-     "p p0 pn pnom sigma \u03C3 sigma0 \u03C30 sigman \u03C3n sigmaz \u03C3z druck "
+     "pression pressione presion presi\u00F3n \u9762\u5727 p p0 pn pnom sigma \u03C3 sigma0 "
+     "\u03C30 sigman \u03C3n sigmaz \u03C3z druck "
      "fl\u00E4chenpressung flaechenpressung pressung normalspannung nenndruck"},
     {Quantity::Temperature, "temperature",
      "temperature temp t temperatur sampletemperature specimentemperature rubbertemperature "
      "tsample tspecimen trubber probentemperatur gummitemperatur tprobe tgummi testtemperature "
      "temperaturerubber temperaturesample temperaturespecimen pr\u00FCftemperatur prueftemperatur "
-     "temperaturgummi temperaturprobe messtemperatur versuchstemperatur"},
+     "temp\u00E9rature temperatura \u6E29\u5EA6 temperaturgummi temperaturprobe messtemperatur "
+     "versuchstemperatur"},
     {Quantity::Label, "label",
-     "label sample name set series specimen probe bezeichnung comment track surface"},
+     "run lauf wiederholung label sample name set series specimen probe bezeichnung comment track "
+     "surface"},
     {Quantity::MuError, "error of the coefficient of friction", ""},
     {Quantity::VelocityError, "error of the velocity", ""}};
 
@@ -51,6 +63,8 @@ constexpr QuantityNames kKnownNames[] = {
 /// part.
 std::optional<std::string> withoutError(std::string word) {
   constexpr WordList kSigns(
+      "\u00E9carttype \u00C9carttype ecarttype deviazionestandard desviaci\u00F3nest\u00E1ndar "
+      "desviacionestandar incertitude incertezza incertidumbre \u6A19\u6E96\u504F\u5DEE stabw "
       "standarderror standarddeviation standarduncertainty standardabweichung standardabw stdabw "
       "standardunsicherheit standardfehler messunsicherheit uncertainty error stdev stddev sigma "
       "unsicherheit abweichung fehler err std dev sd se \u00B1 \u03C3 delta \u0394");
@@ -105,7 +119,7 @@ std::optional<std::string> withoutAverage(std::string name) {
   }
   std::vector<std::string> words = nameWords(name);
   std::erase_if(words, [](const std::string& word) {
-    return isOneOf(word, "mean average avg mittel mittelwert mittlere mittlerer");
+    return isOneOf(word, "mean the average avg mittel mittelwert mittlere mittlerer");
   });
   if (words.empty() || words.size() == all) return {};
   std::string kept;
@@ -220,6 +234,103 @@ std::optional<FrictionQuantity> findMeaning(const std::string& name, const std::
   return {};
 }
 
+std::optional<FrictionQuantity> findMeaning(const TextColumn& column) {
+  const auto scale = findErrorScale(column);
+  if (!scale) return findMeaning(column.name, column.unit);
+  return scale->isIndefinite ? std::nullopt : findMeaning(scale->name, scale->unit);
+}
+
+namespace {
+
+bool isNumber(std::string_view word) {
+  return !word.empty() && std::ranges::all_of(word, isDigit);
+}
+
+/// Returns the words and whole numbers of a name: "2" and "sigma" of "\u00B12 sigma" and "2*sigma",
+/// "ci" and "95" of "CI95".
+std::vector<std::string> wordsAndNumbers(const std::string& name) {
+  std::vector<std::string> words;
+  for (std::string word : nameWords(name)) {
+    constexpr std::string_view kPlusMinus = "\u00B1";
+    if (word.starts_with(kPlusMinus) && word.size() > kPlusMinus.size())
+      word.erase(0, kPlusMinus.size());
+    const std::size_t digit = word.find_first_of("0123456789");
+    if (digit != word.npos && isOneOf(word.substr(0, digit), "k ci u")) {
+      words.push_back(word.substr(0, digit));
+      word.erase(0, digit);
+    }
+    const std::size_t letter = std::min(word.find_first_not_of("0123456789"), word.size());
+    if (letter > 0) words.push_back(word.substr(0, letter));
+    if (letter < word.size()) words.push_back(word.substr(letter));
+  }
+  return words;
+}
+
+/// Returns the half width of an interval with this probability (%) of a normal distribution, in
+/// standard deviations; 0 where it is not a usual one.
+double halfWidth(std::string_view percent) {
+  constexpr std::pair<std::string_view, double> kUsual[] = {
+      {"68", 1}, {"90", 1.645}, {"95", 1.96}, {"99", 2.576}};
+  const auto found =
+      std::ranges::find(kUsual, percent, &std::pair<std::string_view, double>::first);
+  return found == std::end(kUsual) ? 0 : found->second;
+}
+
+}  // namespace
+
+std::optional<ErrorScale> findErrorScale(const TextColumn& column) {
+  ErrorScale scale;
+  // "u_mu [k=2]" has no unit.
+  const bool hasUnit = column.unit.empty() || isKnownUnit(column.unit) || isShareUnit(column.unit);
+  if (hasUnit) scale.unit = column.unit;
+  const std::vector<std::string> words =
+      wordsAndNumbers(hasUnit ? column.name : column.name + " " + column.unit);
+  bool isScaled = false, isMultiple = false, hasFactor = false, isError = false;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string& word = words[i];
+    const std::string before = i > 0 ? words[i - 1] : "",
+                      next = i + 1 < words.size() ? words[i + 1] : "";
+    const bool isCounted = beginsWithOneOf(next, "sigma \u03C3 std sd se standard stabw") ||
+                           (next == "s" && i + 2 == words.size());
+    if (isNumber(word) && halfWidth(word) > 0) {
+      hasFactor = true;
+      scale.divisor = halfWidth(word);
+      // In "CI95 (%)" the sign may belong to the probability or to the error.
+      scale.isIndefinite = scale.isIndefinite || (next.empty() && scale.unit == "%");
+    } else if (isNumber(word) && (before == "k" || isCounted)) {
+      hasFactor = true;
+      constexpr std::string_view kLargest = "6";
+      if (word.size() > 1 || word == "0" || word > kLargest) scale.isIndefinite = true;
+      scale.divisor = word.front() - '0';
+      // "mu_error (2 sigma)" names the error twice.
+      if (isCounted && isErrorName(scale.name)) ++i;
+    } else if (isOneOf(word,
+                       "ci confidence interval konfidenzintervall vertrauensbereich "
+                       "vertrauensintervall level expanded erweiterte")) {
+      isMultiple = isError = true;
+    } else if (isOneOf(word, "rsd cv variationskoeffizient")) {
+      scale.isShare = isError = true;
+    } else if (isOneOf(word, "variance varianz")) {
+      scale.isVariance = isError = true;
+    } else if (isOneOf(word, "range spannweite streubreite")) {
+      scale.isIndefinite = isError = true;
+    } else if (word == "sem") {
+      isError = true;
+    } else if (!(word == "k" && isNumber(next)) &&
+               !(word.front() == 'n' && isNumber(word.substr(1)))) {
+      scale.name += (scale.name.empty() ? "" : " ") + word;
+    }
+  }
+  isScaled = isError || hasFactor;
+  if (!isScaled) return {};
+  if (scale.name == "u") scale.name.clear();
+  if (scale.name.empty() || (isError && !isErrorName(scale.name))) scale.name += " error";
+  if (isMultiple && !hasFactor) scale.isIndefinite = true;
+  const auto quantity = findMeaning(scale.name, scale.unit);
+  if (quantity != Quantity::MuError && quantity != Quantity::VelocityError) return {};
+  return scale;
+}
+
 // ---- Columns -----------------------------------------------------------------------------------
 
 namespace {
@@ -310,7 +421,24 @@ bool isLoad(std::optional<Quantity> quantity) {
 
 /// Words that do not change what a name or a value means.
 bool isFiller(const std::string& word) {
-  return isOneOf(word, "at bei with mit constant const konst konstant konstante konstanter");
+  return isOneOf(word,
+                 "at bei with mit constant const konst konstant konstante konstanter approx "
+                 "approximately about ca circa etwa ungef\u00E4hr");
+}
+
+/// Returns whether a text names a thing whose load or temperature is not that of the contact.
+bool namesOther(std::string_view text) {
+  std::vector<std::string> words = wordsIn(text);
+  std::erase(words, "g");  // the unit of a mass
+  constexpr WordList kOtherThings(
+      "track road air water oil storage store aged ageing aging vulc cure curing tg glass cell "
+      "sensor "
+      "supply pneum tire tyre inflat preload vorlast tensile tear strength young hardness ref tref "
+      "strecke fahrbahn luft wasser \u00F6l lager gealtert alter vulk glas zugfest reifen "
+      "f\u00FCll umgebung");
+  return isOtherLoad(words) || std::ranges::any_of(words, [&](const std::string& word) {
+           return beginsWithOneOf(word, kOtherThings) || containsOneOf(word, "aufnehmer modul");
+         });
 }
 
 /// Returns whether a word belongs to a heading in front of a statement, as in "Test 3: T = 23 °C".
@@ -403,9 +531,16 @@ std::size_t findNumber(std::string_view text) {
   return std::string_view::npos;
 }
 
-/// Returns whether some number at the beginning of the text, which may be very long, has a unit of
-/// a load or temperature.
-bool hasLoadUnit(std::string_view text) {
+/// Returns the load or temperature that has this unit.
+std::optional<Quantity> quantityOfUnit(const std::string& unit) {
+  for (const Quantity quantity : kLoadsAndTemperature)
+    if (measures(unit, quantity)) return quantity;
+  return {};
+}
+
+/// Returns the load or temperature that has the unit of some number at the beginning of the text,
+/// which may be very long.
+std::optional<Quantity> findLoadUnit(std::string_view text) {
   constexpr std::size_t kMostBytes = 2000;
   text = text.substr(0, kMostBytes);
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -415,9 +550,9 @@ bool hasLoadUnit(std::string_view text) {
     const auto quantity = parseQuantity(text.substr(i, kLongest));
     Value value;
     if (quantity) splitUnit(quantity->unit, value);
-    if (!value.unit.empty()) return true;
+    if (!value.unit.empty()) return quantityOfUnit(value.unit);
   }
-  return false;
+  return {};
 }
 
 /// Returns a text without its fillers.
@@ -437,7 +572,12 @@ std::optional<HeaderStatement> readStatement(std::string_view clause, HeaderMark
   const std::size_t sign = clause.find_last_of(":=");
   const std::size_t begin = sign == clause.npos ? findNumber(clause) : sign + 1;
   if (begin == clause.npos) return {};
-  const auto value = readValue(clause.substr(begin), mark);
+  std::string_view written = trimmedBlanks(clause.substr(begin));
+  // "approx. 25 \u00B0C"
+  if (const std::size_t blank = written.find(' ');
+      blank != written.npos && isFiller(plainWord(written.substr(0, blank))))
+    written.remove_prefix(blank);
+  const auto value = readValue(written, mark);
   if (!value) return {};
   std::string_view front = trimmedBlanks(withoutEnd(clause.substr(0, begin), " :=\t"));
   // In "Temperature - 5 °C" the dash may be a minus sign.
@@ -448,13 +588,22 @@ std::optional<HeaderStatement> readStatement(std::string_view clause, HeaderMark
   TextColumn name = parseColumnName(withoutFillers(key));
   if (name.name.empty()) return {};
   const std::string& unit = value->unit.empty() ? name.unit : value->unit;
-  const bool isLoadName = isLoad(findMeaning(name.name, unit));
+  const auto named = findMeaning(name.name, unit);
+  const bool isLoadName = isLoad(named);
+  // "Line load: 30 N/m"
+  const std::vector<std::string> keyWords = nameWords(name.name);
+  constexpr std::size_t kShortest = 4;  // letters; shorter names mean something else in a text
+  const auto ofLastWord = keyWords.size() > 1 && keyWords.back().size() >= kShortest
+                              ? quantityNamed(keyWords.back())
+                              : std::nullopt;
+  const bool mayBeLoad = isLoad(ofLastWord) && !(value->unit + value->remark).empty();
   // "Temperature: 23 °C (rubber)"
   const std::string remark = withoutFillers(value->remark);
   if (!remark.empty()) name.name += " " + remark;
   const auto quantity = findMeaning(name.name, unit);
-  if (quantity ? !isLoad(quantity) : !isLoadName && !isLoadUnit(unit)) return {};
+  if (quantity ? !isLoad(quantity) : !isLoadName && !isLoadUnit(unit) && !mayBeLoad) return {};
   HeaderStatement statement;
+  statement.candidate = isLoadUnit(unit) ? quantityOfUnit(unit) : isLoadName ? named : ofLastWord;
   const std::vector<std::string> headings = nameWords(std::string(front));
   const bool isOfTable =
       std::ranges::all_of(headings, isHeading) || findMeaning(std::string(front), unit) == quantity;
@@ -467,18 +616,57 @@ std::optional<HeaderStatement> readStatement(std::string_view clause, HeaderMark
   return statement;
 }
 
+/// Splits a clause where a second statement begins without a comma: "p = 0.2 MPa T = 23 C",
+/// "Load 30 N / T 23 C".
+std::vector<std::string_view> splitStatements(std::string_view clause) {
+  std::vector<std::string_view> parts;
+  for (const std::string_view part : splitText(clause, " / ")) {
+    std::size_t begin = 0;
+    for (std::size_t sign = part.find_first_of(":="); sign != part.npos;) {
+      const std::size_t second = part.find_first_of(":=", sign + 1);
+      if (second == part.npos) break;
+      const std::string_view front = withoutEnd(part.substr(0, second), " ");
+      const std::size_t name = front.find_last_of(" \t");
+      if (name != front.npos && name > sign &&
+          findNumber(part.substr(sign + 1, name - sign - 1)) != part.npos) {
+        parts.push_back(trimmedBlanks(part.substr(begin, name - begin)));
+        begin = name + 1;
+      }
+      sign = second;
+    }
+    parts.push_back(trimmedBlanks(part.substr(begin)));
+  }
+  return parts;
+}
+
 }  // namespace
+
+bool isRoomTemperature(std::string_view text) {
+  const std::vector<std::string> words = wordsIn(text);
+  return hasOneOf(words, "rt ambient") ||
+         containsOneOf(plainWord(text), "roomtemperature raumtemperatur zimmertemperatur");
+}
 
 std::vector<HeaderStatement> readStatements(const TextEntry& entry, HeaderMark mark) {
   const std::string line = lineOf(entry), asWritten = lineOf(entry, ": ");
   const auto complete = [&entry](HeaderStatement statement, std::string text) {
+    if (namesOther(text)) statement.candidate.reset();
     statement.text = std::move(text);
     statement.line = entry.line;
     return statement;
   };
   const auto whole = readStatement(line, mark);
   if (whole && whole->quantity) return {complete(*whole, asWritten)};
-  const std::vector<std::string_view> clauses = clausesOf(line);
+  // "Aged 168 h, T = 20 \u00B0C" in a table with commas has a statement in front of its key.
+  const std::size_t number = findNumber(entry.key);
+  const auto first =
+      parseQuantity(std::string_view(entry.key).substr(std::min(number, entry.key.size())));
+  const bool hasFront = entry.value.find_first_of(":=") != entry.value.npos && first &&
+                        !first->unit.empty() && isKnownUnit(first->unit);
+  const std::string separated = hasFront ? lineOf(entry, "; ") : line;
+  std::vector<std::string_view> clauses;
+  for (const std::string_view clause : clausesOf(separated))
+    std::ranges::copy(splitStatements(clause), std::back_inserter(clauses));
   std::vector<HeaderStatement> statements;
   for (const std::string_view clause : clauses) {
     // "Load: 30 N; 60 N" states two loads.
@@ -489,8 +677,10 @@ std::vector<HeaderStatement> readStatements(const TextEntry& entry, HeaderMark m
     const std::string text = clauses.size() == 1 ? asWritten : std::string(clause);
     if (const auto statement = readStatement(clause, mark))
       statements.push_back(complete(*statement, text));
-    else if (hasLoadUnit(clause))
-      statements.push_back(complete({}, text));
+    else if (const auto quantity = findLoadUnit(clause))
+      statements.push_back(complete({.candidate = quantity}, text));
+    else if (isRoomTemperature(clause))
+      statements.push_back(complete({.candidate = Quantity::Temperature}, text));
   }
   if (statements.empty() && whole) statements.push_back(complete(*whole, asWritten));
   return statements;

@@ -36,9 +36,7 @@ const char* meaningOf(FrictionQuantity quantity);
 /// "u(mu)", "std". A name with several meanings, such as t for temperature and time, needs a unit
 /// of its quantity, or kAnyUnit. Nothing where the name is not known.
 std::optional<FrictionQuantity> findMeaning(const std::string& name, const std::string& unit);
-inline std::optional<FrictionQuantity> findMeaning(const TextColumn& column) {
-  return findMeaning(column.name, column.unit);
-}
+std::optional<FrictionQuantity> findMeaning(const TextColumn& column);
 inline constexpr const char* kAnyUnit = "?";
 
 /// Returns whether a name has several meanings or is that of a mean. Such a column does not count
@@ -47,6 +45,23 @@ bool isAmbiguousName(const std::string& name);
 
 /// Returns the quantity that a word names; the word has letters and digits in lower case alone.
 std::optional<FrictionQuantity> quantityNamed(const std::string& word);
+
+/// How an error is stated that is not one standard error: "2 sigma", "95% CI", "U(mu) (k=2)",
+/// "RSD".
+struct ErrorScale {
+  std::string name{}, unit{};  // of the error, without the words for its scale
+  double divisor = 1;          // by which the error is divided for one standard error
+  bool isShare = false;        // of the value
+  bool isVariance = false;
+  bool isIndefinite = false;  // a range, or an expanded uncertainty without its factor
+};
+
+/// Returns the scale of an error of friction or velocity; nothing where the column is none or its
+/// name says nothing about a scale.
+std::optional<ErrorScale> findErrorScale(const TextColumn& column);
+
+/// Returns whether a text says "room temperature" without a number.
+bool isRoomTemperature(std::string_view text);
 
 /// Returns whether a name is that of an error, such as "u(T)", "dF" and "load error".
 bool isErrorName(const std::string& name);
@@ -94,6 +109,9 @@ struct HeaderStatement {
   double value = 0;                            // SI; of a quantity
   std::string groupedNumber{};  // the number as written where its thousands are separated
   double number = 0;            // as written, without the unit
+  /// The load or temperature that may be meant where it is not understood; nothing where the line
+  /// names another thing, such as the air.
+  std::optional<FrictionQuantity> candidate{};
 };
 
 /// Returns the loads and temperatures that a line states, also those that are not understood but

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <numeric>
 #include <optional>
 
 #include "core/base/input_error.h"
@@ -44,6 +45,9 @@ HeaderMark markOf(const TextBlock& block, const TextDialect& dialect) {
 struct Conversion {
   Unit unit{};
   bool isShare = false;  // of the quantity that it is the error of
+  double divisor = 1;    // of an error, for one standard error
+  bool isVariance = false;
+  bool isForce = false;  // of friction, to be divided by the normal force
   Message unitText{};    // for the notes; empty: as the column writes it
 };
 
@@ -58,7 +62,9 @@ class Reader {
     FrictionData data;
     data.name = name_;
     data.notes = notes();
-    for (std::size_t row = 0; row < block_.rows; ++row) data.points.push_back(pointAt(row));
+    for (std::size_t row = 0; row < block_.rows; ++row)
+      if (!isBlank(row)) data.points.push_back(pointAt(row));
+    if (!repeats_.empty()) averageRepeats(data.points);
     check(data.points);
     noteSlips(data);
     return data;
@@ -98,15 +104,18 @@ class Reader {
       if (count == 3) add(Quantity::MuError, 2);
       return;
     }
+    refuseSeveralStates();
     for (std::size_t i = 0; i < count; ++i) {
       const TextColumn& column = block_.columns[i];
       if (const auto quantity = findMeaning(column)) {
-        if (!isAmbiguousName(column.name) || !hasClearColumn(*quantity)) add(*quantity, i);
+        if (isClear(column) || !hasClearColumn(*quantity)) add(*quantity, i);
       } else {
         refuseUnknownUnit(column);
       }
     }
     for (const TextColumn& column : block_.columns) refuseUnclear(column);
+    if (!find(Quantity::Mu)) findRepeats();
+    if (!find(Quantity::Mu) && find(Quantity::Force)) findFrictionForce();
     for (const Quantity needed : {Quantity::Velocity, Quantity::Mu})
       if (!find(needed))
         refuse(message("has no column of the {}; its columns are {}", Message(meaningOf(needed)),
@@ -115,10 +124,111 @@ class Reader {
       refuse("has both a normal force and a nominal pressure; one of them says the load");
   }
 
+  /// Throws InputError for friction at several temperatures or loads side by side.
+  void refuseSeveralStates() const {
+    std::string names;
+    int count = 0;
+    for (const TextColumn& column : block_.columns) {
+      const std::vector<std::string> words = nameWords(column.name);
+      if (words.empty() || quantityNamed(words.front()) != Quantity::Mu) continue;
+      // "mu (0.1 MPa)", "mu 20 \u00B0C"; "mu 1" is the first of several measurements.
+      const bool isInUnit = column.unit.size() > 1 && isDigit(column.unit.front());
+      const bool isInName = words.size() > 1 && isDigit(words[1].front()) &&
+                            (words.size() > 2 || !column.unit.empty()) && !findMeaning(column);
+      if (!isInUnit && !isInName) continue;
+      names += (count++ > 0 ? ", " : "") + shortened(column.name);
+    }
+    if (count > 1)
+      refuse(
+          message("has friction in several states side by side ({}); write them one below the "
+                  "other, with a column that tells them apart, such as temperature",
+                  Message::name(names)));
+  }
+
+  /// Finds columns "mu1", "mu2", ... of repeated measurements.
+  void findRepeats() {
+    for (std::size_t i = 0; i < block_.columns.size(); ++i) {
+      const TextColumn& column = block_.columns[i];
+      const std::string word = plainWord(column.name);
+      const std::string name = word.substr(0, word.find_last_not_of("0123456789") + 1);
+      if (name != word && quantityNamed(name) == Quantity::Mu && isPure(column.unit) &&
+          !column.isText)
+        repeats_.push_back(i);
+    }
+    if (repeats_.size() < 2 || find(Quantity::MuError)) {
+      repeats_.clear();
+      return;
+    }
+    columns_.push_back({Quantity::Mu,
+                        repeats_.front(),
+                        {},
+                        message("columns {} to {}: repeated measurements of the coefficient of "
+                                "friction; each point is their mean, with a standard error from "
+                                "the scatter in all rows",
+                                repeats_.front() + 1, repeats_.back() + 1)});
+  }
+
+  /// Returns the repeated measurements of a row.
+  std::vector<double> repeatsOf(std::size_t row) const {
+    std::vector<double> values;
+    for (const std::size_t index : repeats_)
+      if (const double value = block_.at(row, index); !std::isnan(value)) values.push_back(value);
+    return values;
+  }
+
+  /// Sets friction to the mean of its repeats. The relative scatter is that of all rows together,
+  /// because that of a few values is itself uncertain.
+  void averageRepeats(std::vector<MeasuredPoint>& points) const {
+    double squares = 0;
+    std::size_t freedom = 0, i = 0;
+    std::vector<std::size_t> counts;
+    for (std::size_t row = 0; row < block_.rows; ++row) {
+      if (isBlank(row)) continue;
+      const std::vector<double> values = repeatsOf(row);
+      for (const double value : values) squares += std::pow(value / points[i].mu - 1, 2);
+      freedom += values.size() - 1;
+      counts.push_back(values.size());
+      ++i;
+    }
+    if (!(squares > 0)) return;
+    for (i = 0; i < points.size(); ++i)
+      points[i].muError = points[i].mu * std::sqrt(squares / static_cast<double>(freedom) /
+                                                   static_cast<double>(counts[i]));
+  }
+
+  /// Finds the one column of the force of friction, which gives mu beside the normal force.
+  void findFrictionForce() {
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < block_.columns.size(); ++i)
+      if (isOneOf(plainWord(block_.columns[i].name),
+                  "fx ft fr ff frictionforce reibkraft reibungskraft") &&
+          !block_.columns[i].isText)
+        found.push_back(i);
+    if (found.size() != 1) return;
+    Conversion conversion = conversionOf(Quantity::Force, block_.columns[found.front()]);
+    conversion.isForce = true;
+    columns_.push_back({Quantity::Mu, found.front(), conversion,
+                        message("column {}: force of friction; its magnitude over the normal force "
+                                "is the coefficient of friction",
+                                found.front() + 1)});
+  }
+
+  static bool isClear(const TextColumn& column) {
+    return !isAmbiguousName(column.name) && !findErrorScale(column);
+  }
+
+  /// Returns whether a row has nothing but separators.
+  bool isBlank(std::size_t row) const {
+    for (std::size_t i = 0; i < block_.columns.size(); ++i)
+      if (block_.columns[i].isText ? !block_.texts[i][row].empty() : !std::isnan(block_.at(row, i)))
+        return false;
+    return true;
+  }
+
   /// Returns whether a column names the quantity by more than an ambiguous letter.
   bool hasClearColumn(Quantity quantity) const {
     return std::ranges::any_of(block_.columns, [&](const TextColumn& column) {
-      return findMeaning(column) == quantity && !isAmbiguousName(column.name);
+      return findMeaning(column) == quantity && isClear(column);
     });
   }
 
@@ -127,7 +237,8 @@ class Reader {
     const std::size_t open = column.name.find_last_of("([");
     if (!column.unit.empty() || open == std::string::npos || open == 0) return;
     const std::string unit = column.name.substr(open);
-    TextColumn known{column.name.substr(0, open), std::string(withoutBrackets(unit)), false};
+    TextColumn known{std::string(trimmedBlanks(column.name.substr(0, open))),
+                     std::string(withoutBrackets(unit)), false};
     if (const auto quantity = findMeaning(known)) {
       conversionOf(*quantity, known);
       refuse(message("column {}: the unit {} is not understood", shortened(column.name),
@@ -139,7 +250,23 @@ class Reader {
   /// unit, that is not understood while no other column gives it: leaving these out would change
   /// the result.
   void refuseUnclear(const TextColumn& column) const {
-    if (findMeaning(column) || column.isText) return;
+    if (findMeaning(column)) return;
+    if (column.name == "T" && !isGiven(Quantity::Temperature) &&
+        (column.unit.empty() || isOneOf(plainWord(column.unit), "deg degree degrees \u00B0")))
+      refuse(message(
+          "column T: is it the temperature of the rubber? Give it as numbers with a unit, as "
+          "in \"T (\u00B0C)\", or take the column out"));
+    if (column.isText) return;
+    if (const auto scale = findErrorScale(column);
+        scale && scale->isIndefinite && !find(Quantity::MuError))
+      refuse(
+          message("column {}: it is not known how many standard errors this is; give one standard "
+                  "error as mu_error, or take the column out",
+                  shortened(column.name)));
+    if (column.name == "s" && column.unit.empty() && !find(Quantity::MuError))
+      refuse(
+          message("column s: is it the standard deviation of the coefficient of friction? Name it "
+                  "std, or take the column out"));
     const std::vector<std::string> words = nameWords(column.name);
     if (words.empty()) return;
     const auto isBound = [](const std::string& word) {
@@ -149,7 +276,9 @@ class Reader {
     for (const std::string& word : words)
       if (!isBound(word)) subject += word;
     const bool hasBound = std::ranges::any_of(words, isBound);
-    if (const auto named = quantityNamed(subject); hasBound && named)
+    auto named = quantityNamed(subject);
+    if (!named) named = findMeaning(TextColumn{subject});
+    if (hasBound && named)
       refuse(
           message("column {}: bounds of the {} are not read; give its error as a column such "
                   "as mu_error, or take the column out",
@@ -205,6 +334,26 @@ class Reader {
     for (const HeaderStatement& one : common_) (isDoubtful(one) ? unused_ : sure).push_back(one);
     common_ = std::move(sure);
     std::ranges::stable_sort(unused_, {}, &HeaderStatement::line);
+    for (const HeaderStatement& one : unused_) refuseUnclear(one);
+  }
+
+  /// Throws InputError for a load or temperature above the table that is not understood and may be
+  /// the one meant, unless another line or column gives it.
+  void refuseUnclear(const HeaderStatement& one) const {
+    if (one.quantity || !one.candidate || isGiven(*one.candidate)) return;
+    const bool isTemperature = one.candidate == Quantity::Temperature;
+    for (const HeaderStatement& other : common_)
+      if ((other.quantity == Quantity::Temperature) == isTemperature) return;
+    const char* example = isTemperature                         ? "Temperature: 23 \u00B0C"
+                          : one.candidate == Quantity::Pressure ? "Nominal pressure: 0.2 MPa"
+                                                                : "Normal force: 30 N";
+    const char* key = isTemperature                         ? "elastomer.temperature"
+                      : one.candidate == Quantity::Pressure ? "load.nominal_pressure"
+                                                            : "load.normal_force";
+    refuse(
+        message("line {}: '{}' may state the {}, but is not understood; write it as in \"{}\", or "
+                "take the line out and set {}",
+                one.line, shortened(one.text), Message(meaningOf(*one.candidate)), example, key));
   }
 
   /// Returns notes on how the columns were understood, and which ones were ignored.
@@ -219,7 +368,8 @@ class Reader {
                           Message(meaningOf(*one.quantity)), Message::name(shortened(one.text))));
     std::string unused;
     for (std::size_t i = 0; i < block_.columns.size(); ++i)
-      if (std::ranges::find(columns_, i, &Column::index) == columns_.end())
+      if (std::ranges::find(columns_, i, &Column::index) == columns_.end() &&
+          std::ranges::find(repeats_, i) == repeats_.end())
         unused += (unused.empty() ? "" : ", ") + (block_.columns[i].name.empty()
                                                       ? std::to_string(i + 1)
                                                       : shortened(block_.columns[i].name));
@@ -258,6 +408,15 @@ class Reader {
     if (const Column* other = find(quantity); other && quantity != Quantity::Label)
       refuse(message("has two columns of the {}: {} and {}", Message(meaningOf(quantity)),
                      shortened(block_.columns[other->index].name), shortened(column.name)));
+    const auto hasError = [](const std::string& text) {
+      return containsOneOf(text, "\u00B1 +/- +- (");
+    };
+    if (column.isText && quantity == Quantity::Mu &&
+        std::ranges::all_of(block_.texts[index], hasError))
+      refuse(
+          message("column {}: '{}' is a value with its error; write them in two columns, mu and "
+                  "mu_error",
+                  shortened(column.name), shortened(block_.texts[index].front())));
     if (column.isText && quantity != Quantity::Label)
       refuse(message("column {} has texts where numbers are expected", shortened(column.name)));
     // Numbers of samples and lengths of tracks are no labels.
@@ -275,6 +434,23 @@ class Reader {
 
   /// Finds the conversion of a column; one without a unit is in SI units.
   Conversion conversionOf(Quantity quantity, const TextColumn& column) const {
+    const auto scale = findErrorScale(column);
+    if (!scale) return unscaledConversion(quantity, column);
+    const std::string relative = scale->isShare ? "relative " : "";
+    Conversion scaled = unscaledConversion(quantity, {relative + scale->name, scale->unit});
+    scaled.divisor = scale->divisor;
+    scaled.isVariance = scale->isVariance;
+    if (scale->isVariance)
+      scaled.unitText = "its square root";
+    else if (scale->divisor != 1 && scaled.unitText.empty())
+      scaled.unitText = message("divided by {} for one standard error", plain(scale->divisor));
+    else if (scale->divisor != 1)
+      scaled.unitText = message("{}, divided by {} for one standard error", scaled.unitText,
+                                plain(scale->divisor));
+    return scaled;
+  }
+
+  Conversion unscaledConversion(Quantity quantity, const TextColumn& column) const {
     const auto unitOf = [&](std::string_view si, const std::string& known) {
       if (column.unit.empty()) return Conversion{Unit{si}};
       const auto unit = quantity == Quantity::Temperature ? temperatureUnit(column.unit)
@@ -284,7 +460,7 @@ class Reader {
                        shortened(column.unit), known));
       return Conversion{*unit};
     };
-    const Conversion share{*findUnit("%"), true, Message("% of the value")};
+    const Conversion share{.unit = *findUnit("%"), .isShare = true, .unitText = "% of the value"};
     switch (quantity) {
       case Quantity::Velocity:
         return unitOf("m/s", unitNames("m/s"));
@@ -319,10 +495,10 @@ class Reader {
     const bool isShare = isRelativeError(column.name) || isShareUnit(column.unit) ||
                          (column.unit == "%" && !isMuInPercent);
     const bool isInPercent = column.unit.starts_with('%');
-    if (isShare && !isInPercent) return {Unit{}, true, Message("share of the value")};
-    if (isShare) return {percent, true, Message("% of the value")};
+    if (isShare && !isInPercent) return {.isShare = true, .unitText = "share of the value"};
+    if (isShare) return {.unit = percent, .isShare = true, .unitText = "% of the value"};
     if (isInPercent || (column.unit.empty() && isMuInPercent))
-      return {percent, false, Message("percentage points")};
+      return {.unit = percent, .unitText = "percentage points"};
     return {};
   }
 
@@ -337,10 +513,17 @@ class Reader {
       const auto common = std::ranges::find(common_, quantity, &HeaderStatement::quantity);
       return common == common_.end() ? kNotApplicable : common->value;
     }
-    const double number = block_.at(row, column->index);
-    if (std::isnan(number)) return kNotApplicable;
+    if (quantity == Quantity::Mu && !repeats_.empty()) {
+      const std::vector<double> values = repeatsOf(row);
+      return std::accumulate(values.begin(), values.end(), 0.0) /
+             static_cast<double>(values.size());
+    }
     const Conversion& in = column->conversion;
-    return in.unit.toSi(number) * (in.isShare ? whole : 1);
+    double number = block_.at(row, column->index);
+    if (std::isnan(number)) return kNotApplicable;
+    if (in.isVariance) number = std::sqrt(number);
+    if (in.isForce) return std::abs(in.unit.toSi(number)) / valueAt(row, Quantity::Force);
+    return in.unit.toSi(number) * (in.isShare ? whole : 1) / in.divisor;
   }
 
   MeasuredPoint pointAt(std::size_t row) const {
@@ -389,6 +572,7 @@ class Reader {
     if (points.size() < 2)
       refuse(message("has {} row of numbers; at least 2 are needed", points.size()));
     refusePercent(points);
+    refuseFrictionForce(points);
     for (std::size_t i = 0; i < points.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
         if (points[i].velocity == points[j].velocity && areOfOneSeries(points[i], points[j]))
@@ -396,6 +580,24 @@ class Reader {
                     message("has the velocity of row {}, {} m/s; average repeated measurements and "
                             "give their error as mu_error, or tell them apart by a label",
                             points[j].row, plain(points[i].velocity)));
+  }
+
+  /// Throws InputError for a force that is proportional to friction: it is the force of friction,
+  /// under a constant load.
+  void refuseFrictionForce(const std::vector<MeasuredPoint>& points) const {
+    constexpr std::size_t kFewest = 3;
+    constexpr double kRounding = 1.02, kVaries = 1.1;
+    const Column* force = find(Quantity::Force);
+    if (!force || points.size() < kFewest) return;
+    const auto ratio = [](const MeasuredPoint& point) { return point.normalForce / point.mu; };
+    const auto [least, most] = std::ranges::minmax_element(points, {}, &MeasuredPoint::mu);
+    const auto [low, high] = std::ranges::minmax_element(points, {}, ratio);
+    if (most->mu < kVaries * least->mu || ratio(*high) > kRounding * ratio(*low)) return;
+    refuse(message(
+        "column {}: the force is proportional to the coefficient of friction, as a force of "
+        "friction is; name it friction force, and give the normal force in a column "
+        "normal_force or a line \"Normal force: {:.3g} N\"",
+        shortened(block_.columns[force->index].name), ratio(*low)));
   }
 
   /// Returns whether two points differ at most in their velocity and friction.
@@ -468,6 +670,7 @@ class Reader {
   const TextBlock& block_;
   std::string name_;
   std::vector<Column> columns_;
+  std::vector<std::size_t> repeats_;  // columns of one coefficient of friction
   HeaderMark mark_;
   std::vector<HeaderStatement> common_;  // of all points
   std::vector<HeaderStatement> unused_;
@@ -483,8 +686,8 @@ bool isFrictionTable(const TextTable& table) {
 FrictionData parseFrictionData(std::string_view bytes, const std::string& name) {
   TextTableOptions options;
   options.keepsTexts = true;
-  options.textColumns = {"label",  "sample",   "name",  "set",
-                         "series", "specimen", "track", "surface"};
+  options.textColumns = {"label", "sample",  "name", "set",  "series",      "specimen",
+                         "track", "surface", "run",  "lauf", "wiederholung"};
   TextTable table = readTextTable(bytes, name, options);
   undoLogarithms(table, [](const std::string& quantity) {
     return findMeaning(quantity, kAnyUnit).has_value();

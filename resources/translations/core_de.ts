@@ -6451,6 +6451,54 @@
         <translation>Spalte %1: Ist das die Temperatur des Gummis, nicht die der Bahn oder der Luft? Die Spalte nur temperature nennen, mit ihrer Einheit in Klammern, oder sie herausnehmen</translation>
     </message>
     <message>
+        <source>column T: is it the temperature of the rubber? Give it as numbers with a unit, as in &quot;T (°C)&quot;, or take the column out</source>
+        <translation>Spalte T: Ist das die Temperatur des Gummis? Sie als Zahlen mit einer Einheit angeben, wie in &quot;T (°C)&quot;, oder die Spalte herausnehmen</translation>
+    </message>
+    <message>
+        <source>column s: is it the standard deviation of the coefficient of friction? Name it std, or take the column out</source>
+        <translation>Spalte s: Ist das die Standardabweichung der Reibungszahl? Die Spalte std nennen oder herausnehmen</translation>
+    </message>
+    <message>
+        <source>column %1: it is not known how many standard errors this is; give one standard error as mu_error, or take the column out</source>
+        <translation>Spalte %1: Es ist nicht bekannt, wie viele Standardfehler das sind; einen Standardfehler als mu_error angeben oder die Spalte herausnehmen</translation>
+    </message>
+    <message>
+        <source>line %1: &apos;%2&apos; may state the %3, but is not understood; write it as in &quot;%4&quot;, or take the line out and set %5</source>
+        <translation>Zeile %1: &apos;%2&apos; nennt vielleicht %3, wird aber nicht verstanden; wie in &quot;%4&quot; schreiben, oder die Zeile herausnehmen und %5 setzen</translation>
+    </message>
+    <message>
+        <source>column %1: &apos;%2&apos; is a value with its error; write them in two columns, mu and mu_error</source>
+        <translation>Spalte %1: &apos;%2&apos; ist ein Wert mit seinem Fehler; beide in zwei Spalten schreiben, mu und mu_error</translation>
+    </message>
+    <message>
+        <source>its square root</source>
+        <translation>ihre Wurzel</translation>
+    </message>
+    <message>
+        <source>divided by %1 for one standard error</source>
+        <translation>für einen Standardfehler durch %1 geteilt</translation>
+    </message>
+    <message>
+        <source>%1, divided by %2 for one standard error</source>
+        <translation>%1, für einen Standardfehler durch %2 geteilt</translation>
+    </message>
+    <message>
+        <source>column %1: the force is proportional to the coefficient of friction, as a force of friction is; name it friction force, and give the normal force in a column normal_force or a line &quot;Normal force: %2 N&quot;</source>
+        <translation>Spalte %1: Die Kraft ist proportional zur Reibungszahl, wie es eine Reibkraft ist; sie Reibkraft nennen und die Normalkraft in einer Spalte normal_force oder einer Zeile &quot;Normalkraft: %2 N&quot; angeben</translation>
+    </message>
+    <message>
+        <source>has friction in several states side by side (%1); write them one below the other, with a column that tells them apart, such as temperature</source>
+        <translation>hat die Reibung in mehreren Zuständen nebeneinander (%1); sie untereinander schreiben, mit einer Spalte, die sie unterscheidet, etwa temperature</translation>
+    </message>
+    <message>
+        <source>columns %1 to %2: repeated measurements of the coefficient of friction; each point is their mean, with a standard error from the scatter in all rows</source>
+        <translation>Spalten %1 bis %2: wiederholte Messungen der Reibungszahl; jeder Punkt ist ihr Mittelwert, mit einem Standardfehler aus der Streuung in allen Zeilen</translation>
+    </message>
+    <message>
+        <source>column %1: force of friction; its magnitude over the normal force is the coefficient of friction</source>
+        <translation>Spalte %1: Reibkraft; ihr Betrag, geteilt durch die Normalkraft, ist die Reibungszahl</translation>
+    </message>
+    <message>
         <source>line %1: %2 of all points (%3)</source>
         <translation>Zeile %1: %2 aller Punkte (%3)</translation>
     </message>
