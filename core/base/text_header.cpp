@@ -73,6 +73,9 @@ TextEntry parseEntry(const TextLine& kept, const TextDialect& dialect) {
     // "Load 30 N; T 23 C" has statements, but no key.
     return entry;
   }
+  // "Master curve, Tref = 20 \u00B0C" has statements, too.
+  if (isExact && end != std::string_view::npos && end >= fields.front().size() && line[end] == '=')
+    return entry;
   if (isExact && end >= fields.front().size()) {
     // "Width;10;\u00B5m"
     std::string value;

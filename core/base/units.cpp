@@ -106,6 +106,7 @@ constexpr std::array kOthers{
     OtherUnit{"P", {"Pa s", -1}},
     OtherUnit{"cP", {"Pa s", -3}},
     OtherUnit{"m2", {"m\u00B2"}},
+    OtherUnit{"kcal/mol", {"J/mol", 3, 4.184}},
     OtherUnit{"\u00B0 deg degree degrees", {"rad", 0, kDegree}},
     OtherUnit{"radian radians", {"rad"}},
 };
@@ -270,11 +271,6 @@ std::optional<Unit> unitInAnyCase(std::string_view name, std::string_view si) {
   return si == "Pa" ? larger : std::nullopt;
 }
 
-std::optional<double> unitSize(std::string_view name, std::string_view si) {
-  const auto unit = unitInAnyCase(name, si);
-  return unit && unit->offset == 0 ? std::optional(unit->toSi(1)) : std::nullopt;
-}
-
 std::string unitNames(std::string_view si) {
   std::string list(si);
   for (const std::string_view prefix : {"k"sv, "M"sv, "G"sv})
@@ -403,6 +399,13 @@ std::optional<ScaledUnit> scaledUnit(std::string_view text) {
 }
 
 }  // namespace
+
+std::optional<double> unitSize(std::string_view name, std::string_view si) {
+  const auto scaled = scaledUnit(name);
+  const auto unit = unitInAnyCase(scaled ? scaled->unit : name, si);
+  if (!unit || unit->offset != 0) return {};
+  return unit->toSi(1) * (scaled ? scaled->factor : 1);
+}
 
 bool isUnitWord(std::string_view text) {
   constexpr std::size_t kLongest = 14;

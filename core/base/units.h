@@ -37,7 +37,8 @@ std::optional<Unit> findUnit(std::string_view name, std::string_view si);
 /// and "Fn" are no femtonewtons: they are symbols of the normal force.
 std::optional<Unit> unitInAnyCase(std::string_view name, std::string_view si);
 
-/// Returns how many of the SI unit one of such a unit is. Empty where it is none.
+/// Returns how many of the SI unit one of such a unit is, also with a power of ten in front of it:
+/// "10^6 Pa". Empty where it is none.
 std::optional<double> unitSize(std::string_view name, std::string_view si);
 
 /// Returns "Pa, kPa, MPa, GPa, kN/m2, ..., psi": the units that measure what the SI unit measures,

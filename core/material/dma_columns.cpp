@@ -34,6 +34,10 @@ ModulusKind modulusKind(std::string_view word) {
 /// in French.
 bool namesTemperature(std::string_view word) {
   if (word == "temps" || word.starts_with("tempsde")) return false;
+  if (isOneOf(word,
+              "\u6E29\u5EA6 \u6E2C\u5B9A\u6E29\u5EA6 \u8A66\u9A13\u6E29\u5EA6 "
+              "\u8A66\u6599\u6E29\u5EA6 \u6D4B\u8BD5\u6E29\u5EA6"))
+    return true;
   return word.find("temp") != word.npos && word.find("ref") == word.npos &&
          !containsOneOf(word, "attempt template tempor contemp");
 }
@@ -44,7 +48,8 @@ DmaQuantity dmaQuantity(std::string_view word) {
   const bool isLossTangent =
       containsOneOf(word,
                     "tandelta tand tan\u03B4 losstangent lossfactor losstan dampingfactor "
-                    "verlustfaktor daempfungsfaktor tangentdelta") ||
+                    "verlustfaktor daempfungsfaktor tangentdelta facteurdeperte fattorediperdita "
+                    "factordeperdida \u640D\u5931\u6B63\u63A5 \u640D\u5931\u4FC2\u6570") ||
       word == "tan";
   if (isLossTangent) return LossTangent;
   if (containsOneOf(word,
@@ -53,7 +58,8 @@ DmaQuantity dmaQuantity(std::string_view word) {
       word.starts_with("eta") || word.starts_with("\u03B7") || word.starts_with("j'") ||
       word.starts_with("d'"))
     return None;
-  if (containsOneOf(word, "freq frequenz") || isOneOf(word, "f nu omega w angular"))
+  if (containsOneOf(word, "freq frecuenc \u5468\u6CE2\u6570 \u9891\u7387") ||
+      isOneOf(word, "f nu omega w angular"))
     return containsOneOf(word, "reduc reduz shift master *at at*") || word.starts_with("atf") ||
                    word.ends_with("yat") || word.ends_with("qat")
                ? ReducedFrequency
@@ -65,10 +71,15 @@ DmaQuantity dmaQuantity(std::string_view word) {
           "t tc tk tcelsius tkelvin tsample tprobe tset tsoll tist tactual tmeasured ttest tmess"))
     return Temperature;
   if (containsOneOf(
-          word, "'' lossmod gloss eloss verlustmodul doubleprime viscousmod modulusloss dprime") ||
+          word,
+          "'' lossmod gloss eloss verlustmodul doubleprime viscousmod modulusloss dprime "
+          "moduledeperte modulodiperdita modulodeperdida \u640D\u5931\u5F3E\u6027\u7387") ||
       isOneOf(word, "loss g2 e2 gpp epp lossg losse gimag eimag"))
     return Loss;
-  if (containsOneOf(word, "g' e' storage speicher gprime eprime elasticmod") ||
+  if (containsOneOf(word,
+                    "g' e' storage speicher gprime eprime elasticmod moduledeconservation "
+                    "moduloconservativo modulodealmacenamiento "
+                    "\u8CAF\u8535\u5F3E\u6027\u7387") ||
       isOneOf(word, "g1 e1 gp ep greal ereal"))
     return Storage;
   if (containsOneOf(word, "phase phasen lossangle verlustwinkel") || word == "delta") return Phase;
@@ -104,13 +115,14 @@ std::vector<std::string> wordsOf(std::string_view name) {
 bool isOfDeviation(std::string_view name, const std::vector<std::string>& words) {
   if (words.empty()) return false;
   if (containsOneOf(name, "\u00B1 +/- +- \u0394G \u0394E \u0394|")) return true;
-  if (words.size() > 1 && isOneOf(words.front(), "s u d")) return true;
+  // "dE'", but not "Module de perte".
+  if (words.size() > 1 && isOneOf(words.front(), "s u d de")) return true;
   if (words.size() > 1 && words[0] == "delta" && isOneOf(words[1], "g e storage loss modulus"))
     return true;
   return std::ranges::any_of(words, [](const std::string& word) {
     return isOneOf(word,
                    "std sd dev err se sem sigma unc ci var rsd cv cov min max minimum maximum "
-                   "lower upper range limit bound iqr mad tolerance toleranz noise dg residual de "
+                   "lower upper range limit bound iqr mad tolerance toleranz noise dg residual "
                    "spread scatter streuung") ||
            containsOneOf(word,
                          "stdev stddev stderr error deviation uncertain abweichung unsicherheit "
@@ -127,7 +139,9 @@ bool isMadeOfKnownWords(std::string_view word) {
       "factor damping angle lag shifted shift speicher verlust schub zug biege komplexer komplex "
       "dynamischer betrag winkel faktor daempfungs d\u00E4mpfungs teil values value wert mean "
       "average avg mittel measured raw corrected smoothed reduced linear reference ref temperature "
-      "temperatur temp of at in out the ratio von bei");
+      "temperatur temp of at in out the ratio von bei conservation perte m\u00F3dulo modulo "
+      "conservativo perdita p\u00E9rdida perdida almacenamiento "
+      "\u8CAF\u8535\u5F3E\u6027\u7387 \u640D\u5931\u5F3E\u6027\u7387");
   return word.empty() || std::ranges::any_of(kParts, [word](std::string_view part) {
            return word.starts_with(part) && isMadeOfKnownWords(word.substr(part.size()));
          });
@@ -140,7 +154,7 @@ std::string unknownWords(std::string_view name) {
     if (isOneOf(word,
                 "g e d t s p pp g1 g2 e1 e2 gp gpp ep epp gabs eabs gmag emag tand gprime eprime "
                 "dprime gstar estar greal ereal gimag eimag gstorage estorage gloss eloss lossg "
-                "losse log lg ln log10") ||
+                "losse log lg ln log10 de di") ||
         isMadeOfKnownWords(word))
       continue;
     unknown += (unknown.empty() ? "" : " ") + word;
@@ -240,6 +254,7 @@ std::string compactName(std::string_view name) {
       {"\u00F6", "oe"},
       {"\u00FC", "ue"},
       {"\u00E9 \u00E8 \u00C9 \u00C8", "e"},
+      {"\u00F3", "o"},
       {"\u2217", "*"},
       {"\u00B7 \u00A0 \u00B0", ""}};
   std::string text = lowerCase(name);

@@ -1,5 +1,6 @@
 // What the columns of a table of dynamic moduli mean: names and units as rheometers, analysers
-// (DMA) and people write them, in English and German. Pure functions; any thread.
+// (DMA) and people write them, in English, German, French, Italian, Spanish and Japanese. Pure
+// functions; any thread.
 #pragma once
 
 #include <optional>

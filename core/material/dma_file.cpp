@@ -6,12 +6,15 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <numbers>
+#include <numeric>
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/statistics.h"
 #include "core/base/text.h"
+#include "core/base/text_header.h"
 #include "core/base/text_number.h"
 #include "core/base/units.h"
 #include "core/material/dma_sweeps.h"
@@ -100,6 +103,52 @@ std::optional<Message> lossFactorNote(const TextBlock& block, const ModulusPair&
       Message::name(block.label(moduli.second)), Message::name(block.label(moduli.first)));
 }
 
+/// The place of a row.
+struct Origin {
+  const TextBlock* block;
+  std::size_t row;
+
+  std::uint32_t line() const { return block->lines[row]; }
+  /// Returns the text or the number in a column.
+  std::string field(std::size_t column) const {
+    if (block->columns[column].isText) return block->texts[column][row];
+    return plain(block->at(row, column)).text;
+  }
+};
+
+/// Two rows at the same temperature, frequency and strain.
+struct RepeatedRows {
+  std::size_t first, second;
+};
+
+std::vector<RepeatedRows> repeatedRows(const std::vector<MeasuredModulus>& rows) {
+  constexpr double kSameFrequency = 1e-4, kSameStrain = 1.2;
+  std::vector<std::size_t> order(rows.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return rows[i].temperature; });
+  std::vector<RepeatedRows> repeats;
+  for (auto begin = order.begin(), end = begin; begin != order.end(); begin = end) {
+    // The rows of one isotherm.
+    for (++end; end != order.end() &&
+                rows[*end].temperature - rows[*(end - 1)].temperature <= kIsothermTolerance;)
+      ++end;
+    std::stable_sort(begin, end, [&](std::size_t i, std::size_t j) {
+      return rows[i].modulus.frequency < rows[j].modulus.frequency;
+    });
+    for (auto first = begin, next = first; first != end; first = next) {
+      const double most = rows[*first].modulus.frequency * (1 + kSameFrequency);
+      for (++next; next != end && rows[*next].modulus.frequency <= most; ++next) {
+        const double own = rows[*first].strainAmplitude, other = rows[*next].strainAmplitude;
+        const bool isApart =
+            std::abs(rows[*first].temperature - rows[*next].temperature) > kIsothermTolerance ||
+            std::abs(std::log(own / other)) > std::log(kSameStrain);
+        if (!isApart) repeats.push_back({std::min(*first, *next), std::max(*first, *next)});
+      }
+    }
+  }
+  return repeats;
+}
+
 class Reader {
  public:
   Reader(const TextTable& table, const std::string& name, const DmaChoices& choices)
@@ -111,6 +160,7 @@ class Reader {
     if (used == 0) refuseColumns();
     if (file_.rows.empty())
       throw InputError(name_, "", "holds no row with a frequency and both moduli");
+    refuseDifferentSamples();
     return std::move(file_);
   }
 
@@ -133,6 +183,63 @@ class Reader {
                 "delta, or magnitude and phase) among {}; say which they are with "
                 "--frequency-column, --storage-column and --loss-column",
                 list));
+  }
+
+  /// Throws InputError where rows of equal temperature, frequency and strain differ clearly: they
+  /// are of several samples or runs, of which a mean would be no rubber. Repeated runs of one
+  /// sample scatter by 10 to 15 %, and the median of many ratios by less.
+  void refuseDifferentSamples() const {
+    constexpr double kSameSample = 1.2;
+    const std::vector<RepeatedRows> repeats = repeatedRows(file_.rows);
+    if (repeats.empty()) return;
+    std::vector<double> storage, loss;
+    for (const RepeatedRows& pair : repeats) {
+      const DynamicModulus &one = file_.rows[pair.first].modulus,
+                           &other = file_.rows[pair.second].modulus;
+      storage.push_back(std::exp(std::abs(std::log(one.storage / other.storage))));
+      loss.push_back(std::exp(std::abs(std::log(one.loss / other.loss))));
+    }
+    const double ratio = std::max(upperMedian(std::move(storage)), upperMedian(std::move(loss)));
+    if (!(ratio > kSameSample)) return;
+    const Origin &first = origins_[repeats.front().first],
+                 &second = origins_[repeats.front().second];
+    const PrintedNumber factor{printedNumber(ratio, 3)};
+    std::string unused;
+    for (std::size_t i = 0; i < first.block->columns.size(); ++i) {
+      const TextColumn& column = first.block->columns[i];
+      if (!column.isText && dmaColumn(column.name, column.unit).quantity != None) continue;
+      unused += (unused.empty() ? "" : ", ") + shortened(first.block->label(i));
+      if (distinguishes(i, repeats))
+        throw InputError(
+            name_, first.block->label(i),
+            message("tells samples or runs apart, {} in line {} and {} in line {}, whose moduli at "
+                    "the same temperature and frequency differ by a factor of {} in the median; "
+                    "keep the rows of one of them",
+                    Message::name(shortened(first.field(i))), first.line(),
+                    Message::name(shortened(second.field(i))), second.line(), factor));
+    }
+    throw InputError(
+        name_, "",
+        message(
+            "states other moduli at the same temperature and frequency, as in lines {} and {}, "
+            "by a factor of {} in the median, and runs of one sample differ by at most {}; keep "
+            "the rows of one sample and run (columns that are not read: {})",
+            first.line(), second.line(), factor, kSameSample,
+            Message::name(unused.empty() ? "-" : unused)));
+  }
+
+  /// Returns whether a column has other values in the rows of each pair, and each value in several
+  /// rows, as a label has and a time has not.
+  bool distinguishes(std::size_t column, const std::vector<RepeatedRows>& repeats) const {
+    std::map<std::string, std::size_t> rows;
+    for (const Origin& origin : origins_) {
+      if (column >= origin.block->columns.size()) return false;
+      ++rows[origin.field(column)];
+    }
+    return rows.size() * 2 <= origins_.size() &&
+           std::ranges::all_of(repeats, [&](const RepeatedRows& pair) {
+             return origins_[pair.first].field(column) != origins_[pair.second].field(column);
+           });
   }
 
   bool readBlock(const TextBlock& block) {
@@ -226,6 +333,25 @@ class Reader {
         message("has the unit {}; a loss factor has none, or %", shortened(fact.unit)));
   }
 
+  /// Returns the kind of moduli of the geometry that the lines above a block state: "Geometry:
+  /// Tension: Film", "Geometry: Parallel plate". Unknown where they state none, or both.
+  ModulusKind kindOfGeometry(const TextBlock& block) {
+    for (const TextBlock* current = &block;; --current) {
+      for (const TextEntry& entry : current->header) {
+        const std::string line = lowerCase(lineOf(entry));
+        if (!containsOneOf(line, "geometr g\u00E9om\u00E9tr clamp fixture")) continue;
+        const bool isShear = containsOneOf(line, "shear schub torsion parallel cone sandwich");
+        const bool isTension =
+            containsOneOf(line, "tension tensile zug compress bend biege cantilever film");
+        if (isShear == isTension) continue;
+        addNote(message("line {} states the geometry: {}", entry.line,
+                        Message::name(shortened(lineOf(entry)))));
+        return isShear ? ModulusKind::Shear : ModulusKind::Tension;
+      }
+      if (current == &table_.blocks.front()) return ModulusKind::Unknown;
+    }
+  }
+
   /// Returns the factor that turns the moduli into shear moduli.
   double shearFactor(const TextBlock& block, std::initializer_list<std::size_t> columns) {
     ModulusKind kind = ModulusKind::Unknown;
@@ -240,6 +366,7 @@ class Reader {
                          "together");
       kind = next;
     }
+    if (kind == ModulusKind::Unknown) kind = kindOfGeometry(block);
     if (choices_.modulus != ModulusKind::Unknown) kind = choices_.modulus;
     if (kind == ModulusKind::Unknown)
       throw InputError(name_, block.label(*columns.begin()),
@@ -302,6 +429,12 @@ class Reader {
           oneTemperature = stated->kelvin;
           file_.facts.stated = std::move(stated);
         }
+      if (const auto line = distrustedTemperature(table_, block); !oneTemperature && line)
+        throw InputError(
+            name_, "temperature",
+            message("is stated nowhere; say at which the moduli were measured with --temperature, "
+                    "such as --temperature 20C (line {} may be about something else: {})",
+                    line->line, Message::name(shortened(line->text))));
       if (!oneTemperature)
         throw InputError(name_, "temperature",
                          "is stated nowhere; say at which the moduli were measured with "
@@ -400,6 +533,7 @@ class Reader {
       modulus.frequency = frequency;
       checkRow(modulus, temperature, block.lines[row]);
       file_.rows.push_back({temperature, modulus});
+      origins_.push_back({&block, row});
       if (columns.has(Strain))
         file_.rows.back().strainAmplitude = strainOf(block, row, columns[Strain]);
     }
@@ -441,6 +575,7 @@ class Reader {
   const std::string& name_;
   const DmaChoices& choices_;
   DmaFile file_;
+  std::vector<Origin> origins_{};  // of the rows
 };
 
 /// Reads the shift beside moduli at one temperature; isotherms have their own.

@@ -36,7 +36,8 @@ std::string seriesWord(std::string_view text) {
 bool isEquilibrium(const std::string& word) {
   return isOneOf(word,
                  "ginf einf equilibriummodulus longtermmodulus rubberymodulus ge ee gequilibrium "
-                 "eequilibrium inf");
+                 "eequilibrium inf longtermmodulusg longtermmoduluse equilibriummodulusg "
+                 "equilibriummoduluse");
 }
 
 bool isInstantaneous(const std::string& word) {
@@ -259,8 +260,10 @@ std::optional<RawSeries> tableSeries(const TextTable& table, const std::string& 
     const std::string word = seriesWord(block.columns[i].name);
     if (dmaColumn(block.columns[i].name, block.columns[i].unit).quantity == DmaQuantity::Frequency)
       return {};
-    if (timeAt == kNone && (word.starts_with("tau") || word.starts_with("relaxationtime") ||
-                            word.starts_with("relaxationszeit") || isOneOf(word, "ti times")))
+    if (timeAt == kNone &&
+        (word.starts_with("tau") || word.starts_with("relaxationtime") ||
+         word.starts_with("relaxationszeit") || word.starts_with("tempsderelax") ||
+         isOneOf(word, "ti times lambda lambdai beta betai")))
       timeAt = i;
     else if (weightAt == kNone &&
              (isOneOf(modulusLetter(block.columns[i].name), "g gi e ei") ||
@@ -292,7 +295,13 @@ std::optional<RawSeries> tableSeries(const TextTable& table, const std::string& 
   const bool hasUnit = !weights.unit.empty() && weights.unit != "-" && weights.unit != "1";
   if (hasUnit && !isPercent) series.unit = modulusSize(weights.unit, name, weights.name);
   series.isUnitKnown = hasUnit && !isPercent;
-  const double time = timeSizeOf(block.columns[timeAt], name, series);
+  // The rates of LS-DYNA are 1/tau.
+  const TextColumn& times = block.columns[timeAt];
+  const bool isRate = seriesWord(times.name).starts_with("beta");
+  if (isRate && !frequencyUnit(times.unit, true))
+    throw InputError(name, times.name,
+                     "may be a rate or a time; write its unit, as 1/s, behind the name");
+  const double time = isRate ? 1 : timeSizeOf(times, name, series);
 
   // A row without a relaxation time, or with an infinite one, is the equilibrium modulus.
   double sum = 0, most = 0, ofRow = RawSeries::kNotStated;
@@ -303,7 +312,8 @@ std::optional<RawSeries> tableSeries(const TextTable& table, const std::string& 
       ofRow = weight;
       continue;
     }
-    series.terms.push_back({weight, block.at(row, timeAt) * time, block.lines[row]});
+    const double stated = block.at(row, timeAt) * time;
+    series.terms.push_back({weight, isRate ? 1 / stated : stated, block.lines[row]});
     sum += weight;
     most = std::max(most, weight);
   }

@@ -1,5 +1,5 @@
-// Reads the shift that a text states: constants of Williams, Landel and Ferry, or a table of shift
-// factors.
+// Reads the shift that a text states: constants of Williams, Landel and Ferry, the activation
+// energy of Arrhenius, or a table of shift factors.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -10,6 +10,7 @@
 #include "core/base/text.h"
 #include "core/base/text_header.h"
 #include "core/base/text_number.h"
+#include "core/base/units.h"
 #include "core/material/dma_columns.h"
 #include "core/material/isotherms.h"
 #include "core/material/stated_temperature.h"
@@ -114,16 +115,18 @@ void readShiftTable(const TextBlock& block, double temperature, const std::strin
                                  celsius(shift.table.back().temperature)));
 }
 
-/// The constants of Williams, Landel and Ferry as a header states them.
-struct WlfConstants {
+/// The constants of Williams, Landel and Ferry, or of Arrhenius, as a header states them.
+struct ShiftConstants {
   std::optional<double> c1{}, c2{};
+  std::string unitOfC2{};
+  std::optional<double> energy{};            // J/mol
   std::optional<double> reference{};         // K
   std::optional<std::size_t> line{};         // of the last line with words about a shift
   std::optional<std::size_t> naturalLine{};  // of a line with constants of ln aT
 };
 
-WlfConstants wlfConstants(const TextTable& table, const std::string& unit) {
-  WlfConstants found;
+ShiftConstants shiftConstants(const TextTable& table, const std::string& unit) {
+  ShiftConstants found;
   for (const TextBlock& block : table.blocks) {
     for (const TextEntry& entry : block.header) {
       const std::string line = lineOf(entry);
@@ -136,7 +139,14 @@ WlfConstants wlfConstants(const TextTable& table, const std::string& unit) {
         if (words.empty()) continue;
         const bool isC1 = isOneOf(words.back(), "c1 c\u2081");
         if (isC1) found.c1 = stated->quantity.number;
-        if (isOneOf(words.back(), "c2 c\u2082")) found.c2 = stated->quantity.number;
+        if (isOneOf(words.back(), "c2 c\u2082")) {
+          found.c2 = stated->quantity.number;
+          found.unitOfC2 = stated->unit();
+        }
+        const bool isEnergy = isOneOf(words.back(), "ea e_a eact aktivierungsenergie") ||
+                              hasOneOf(words, "activation");
+        if (const auto size = unitSize(withoutBrackets(stated->unit()), "J/mol"); isEnergy && size)
+          found.energy = stated->quantity.number * *size;
         if (isC1 && isOneOf("ln", ofLine)) found.naturalLine = entry.line;
       }
     }
@@ -148,9 +158,22 @@ WlfConstants wlfConstants(const TextTable& table, const std::string& unit) {
   return found;
 }
 
-void readWlf(const WlfConstants& constants, double temperature, const std::string& name,
+/// Returns the size in K of a unit of a difference of temperatures; what stands behind it does not
+/// count: "K) at 20 \u00B0C". Throws InputError where it is none.
+double differenceSize(const std::string& unit, const std::string& name) {
+  if (unit.empty()) return 1;
+  for (const std::string_view text :
+       {std::string_view(unit), std::string_view(unit).substr(0, unit.find_first_of(" ,;)]"))})
+    if (const auto scale = temperatureUnit(text)) return scale->size;
+  throw InputError(name, "WLF",
+                   message("C2 has the unit {}, which is none of a difference of temperatures, "
+                           "such as K, \u00B0C or \u00B0F",
+                           shortened(unit)));
+}
+
+void readWlf(const ShiftConstants& constants, double temperature, const std::string& name,
              StatedShift& stated) {
-  const double c1 = *constants.c1, c2 = *constants.c2;
+  const double c1 = *constants.c1, c2 = *constants.c2 * differenceSize(constants.unitOfC2, name);
   if (!(c1 > 0 && c1 <= kMostC1 && c2 >= kLeastC2 && c2 <= kMostC2))
     throw InputError(
         name, "WLF",
@@ -189,6 +212,23 @@ void readWlf(const WlfConstants& constants, double temperature, const std::strin
               celsius(temperature)));
 }
 
+/// The activation energy is the same from every reference temperature.
+void readArrhenius(double energy, double temperature, const std::string& name,
+                   StatedShift& stated) {
+  if (!(energy > 0 && energy <= kMostActivationEnergy))
+    throw InputError(name, "Arrhenius",
+                     message("the activation energy is {} J/mol; allowed is above 0 to {} J/mol",
+                             plain(energy), plain(kMostActivationEnergy)));
+  TemperatureShift shift;
+  shift.kind = ShiftKind::Arrhenius;
+  shift.referenceTemperature = temperature;
+  shift.activationEnergy = energy;
+  stated.shift = shift;
+  stated.notes.push_back(message("shift of the file: Arrhenius with {} at {}",
+                                 PrintedNumber{printedQuantity(energy, "J/mol")},
+                                 celsius(temperature)));
+}
+
 }  // namespace
 
 bool isShiftTable(const TextBlock& block) {
@@ -196,8 +236,9 @@ bool isShiftTable(const TextBlock& block) {
 }
 
 bool statesShift(const TextTable& table) {
-  const WlfConstants constants = wlfConstants(table, {});
-  return (constants.c1 && constants.c2) || std::ranges::any_of(table.blocks, isShiftTable);
+  const ShiftConstants constants = shiftConstants(table, {});
+  return (constants.c1 && constants.c2) || constants.energy ||
+         std::ranges::any_of(table.blocks, isShiftTable);
 }
 
 StatedShift statedShift(const TextTable& table, double temperature, const std::string& name,
@@ -205,16 +246,18 @@ StatedShift statedShift(const TextTable& table, double temperature, const std::s
   StatedShift stated;
   for (const TextBlock& block : table.blocks)
     if (isShiftTable(block) && !stated.shift) readShiftTable(block, temperature, unit, stated);
-  const WlfConstants constants = wlfConstants(table, unit);
+  const ShiftConstants constants = shiftConstants(table, unit);
   const bool hasConstants = constants.c1 && constants.c2;
   if (hasConstants && stated.shift)
     stated.notes.push_back("the constants C1 and C2 are not read: the file has shift factors");
   else if (hasConstants)
     readWlf(constants, temperature, name, stated);
+  else if (constants.energy && !stated.shift)
+    readArrhenius(*constants.energy, temperature, name, stated);
   else if (constants.line && !stated.shift)
     stated.notes.push_back(
-        message("line {} is about a shift and is not read: C1 and C2 with values, or a table of "
-                "temperature and log aT, would be",
+        message("line {} is about a shift and is not read: C1 and C2 with values, an activation "
+                "energy as Ea = 80 kJ/mol, or a table of temperature and log aT, would be",
                 *constants.line));
   return stated;
 }

@@ -65,12 +65,49 @@ bool areOfOther(const std::vector<std::string>& words) {
   return false;
 }
 
+/// Returns whether a word says that something was measured, or is about the curve itself.
+bool isTestWord(const std::string& word) {
+  static constexpr WordList kStems(
+      "test measur gemess mess pr\u00FCf gepr\u00FCf mesur isotherm sweep ttest master essai prova "
+      "misur ensayo medid \u6E2C\u5B9A \u8A66\u9A13 \u6D4B");
+  return beginsWithOneOf(word, kStems) || isOneOf(word, "run curve kurve");
+}
+
 /// Returns whether words say that something was measured.
 bool areOfTest(const std::vector<std::string>& words) {
-  static constexpr WordList kStems(
-      "test measur gemess mess pr\u00FCf gepr\u00FCf mesur isotherm sweep ttest");
-  return std::ranges::any_of(words,
-                             [](const std::string& word) { return beginsWithOneOf(word, kStems); });
+  return std::ranges::any_of(words, isTestWord);
+}
+
+/// Returns whether words state how long something took: "24 h", "168h", "10 min", "7 d".
+bool stateDuration(const std::vector<std::string>& words) {
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::size_t unit = words[i].find_first_not_of("0123456789.,");
+    if (unit == 0) continue;
+    const std::string text = unit != std::string::npos ? words[i].substr(unit)
+                             : i + 1 < words.size()    ? words[i + 1]
+                                                       : std::string();
+    if (isOneOf(text,
+                "h hr hrs hour hours std stunden heures ore horas min minutes minuten s sec d day "
+                "days tage jours giorni dias weeks wochen \u6642\u9593 \u5206"))
+      return true;
+  }
+  return false;
+}
+
+/// Returns whether nothing but words about the test, the sample and the kind of load stands in a
+/// text, and words that say nothing: numbers and short words, as prepositions. Any other word may
+/// say that the sample was treated: "swollen", "vieilli".
+bool areOnlyOfTest(const std::vector<std::string>& words) {
+  constexpr WordList kStems(
+      "sampl probe specimen piece compound \u00E9chantillon campion muestra frequen fr\u00E9quen "
+      "frecuen temperat moduli modulus module shear tension tensile compress torsion bending schub "
+      "zug strain amplitude deform dynami storage loss stiffness mode step point process during "
+      "actual current average mean chamber plate celsius kelvin grad degree \u6E29\u5EA6");
+  constexpr std::size_t kShort = 3;  // bytes
+  return std::ranges::all_of(words, [&](const std::string& word) {
+    return isTestWord(word) || beginsWithOneOf(word, kStems) || isDigit(word.back()) ||
+           word.size() <= kShort;
+  });
 }
 
 /// Returns whether words are about the constants of a shift.
@@ -233,32 +270,34 @@ class HeaderReader {
     // °C; Temperature: 20 °C" is not.
     const bool isOwn = rank == Rank::Reference || (rank != Rank::Bare && isMakingDone_);
     if (isOfMaking_ && !isOwn) return false;
-    const bool isOfTest = areOfTest(words);
+    const bool isOfTest = areOfTest(words), isKeyed = rank != Rank::Bare;
     if (std::ranges::any_of(words, isVague)) {
       rank = Rank::Bare;
     } else if (rank == Rank::Bare && isOfTest) {
+      // "tested after 24 h at 40 \u00B0C" and "test piece swollen at 40 \u00B0C" are in doubt.
+      const auto first = std::ranges::find_if(words, isTestWord);
+      if (stateDuration(words) || !areOnlyOfTest({first, words.end()})) return false;
       rank = Rank::Measured;
     }
-    if (rank == Rank::Bare && !isBareTemperature(before, found, words)) return false;
+    if (rank == Rank::Bare &&
+        (isKeyed ? isLineOfOther_ : !isBareTemperature(before, clause.substr(found.end))))
+      return false;
     add(kelvin, rank);
     return true;
   }
 
-  /// Returns whether a temperature in a line without a key for it may be that of the test. "DMA 242
-  /// C", "N330 C" and "Build 120 C" are names.
-  bool isBareTemperature(std::string_view before, const TextTemperature& found,
-                         const std::vector<std::string>& words) const {
-    if (isLineOfOther_ || hasOneOf(words, "rheometer")) return false;
-    if (!words.empty() && words.back() == "dma") return false;
-    const bool isBehindLetter =
-        !before.empty() && std::isalpha(static_cast<unsigned char>(before.back())) != 0;
-    const bool isT = isBehindLetter && lowerCase(before.substr(before.size() - 1)) == "t" &&
-                     (before.size() == 1 ||
-                      std::isalnum(static_cast<unsigned char>(before[before.size() - 2])) == 0);
-    if (isBehindLetter && !isT) return false;
-    return !found.isLetter || isT || before.ends_with('@') || before.ends_with('(') ||
-           before.ends_with('_') || (!words.empty() && isOneOf(words.back(), "at bei \u00E0")) ||
-           trimmedBlanks(before).empty();
+  /// Returns whether a temperature without a key and without a word about the test may be that of
+  /// the test: it stands alone, also behind a dash or a comma, and the line is about nothing else
+  /// than a test or a sample.
+  bool isBareTemperature(std::string_view before, std::string_view behind) const {
+    if (isLineOfOther_) return false;
+    before = withoutEnd(trimmedBlanks(before), "@([");
+    const bool isBehindDash = before.ends_with('-') || before.ends_with("\u2013");
+    const bool isBehindWords =
+        !wordsIn(before).empty() && !isBehindDash && !isOneOf(lowerCase(before), "at bei \u00E0 t");
+    if (isBehindWords || !wordsIn(behind).empty()) return false;
+    const std::vector<std::string> words = wordsIn(text_);
+    return areOnlyOfTest(words) && !stateDuration(words);
   }
 
   /// Adds a temperature in a line about a shift, or of a glass transition. Returns whether it is
@@ -309,6 +348,9 @@ class HeaderReader {
   static Rank rankOf(std::string_view key) {
     const std::vector<std::string> words = wordsIn(key);
     if (std::ranges::any_of(words, isOfReference)) return Rank::Reference;
+    // "Temp\u00E9rature de vieillissement" is none of the test.
+    if (words.size() > 1 && !areOnlyOfTest(words) && !std::ranges::any_of(words, isVague))
+      return Rank::Bare;
     if (isTemperatureWord(key) || isTemperatureWord(parseColumnName(key).name)) return Rank::Test;
     return !words.empty() && isTemperatureWord(words.back()) ? Rank::Test : Rank::Bare;
   }
@@ -369,6 +411,17 @@ std::optional<double> statedShiftReference(const TextTable& table, const std::st
     for (auto one = all.rbegin(); one != all.rend(); ++one)
       if (one->rank == rank) return one->kelvin;
   return {};
+}
+
+std::optional<HeaderTemperature> distrustedTemperature(const TextTable& table,
+                                                       const TextBlock& block) {
+  for (const TextBlock* current = &block;; --current) {
+    for (const TextEntry& entry : current->header) {
+      std::string line = lineOf(entry);
+      if (const auto found = findTemperature(line)) return {{*found, entry.line, std::move(line)}};
+    }
+    if (current == &table.blocks.front()) return {};
+  }
 }
 
 std::optional<HeaderTemperature> statedTemperature(const TextTable& table, const TextBlock& block,

@@ -24,16 +24,22 @@ struct HeaderTemperature {
 
 /// Returns the temperature that is stated above a block, in its own header or else in the nearest
 /// earlier one. An entry with a key for it ("Temperature: 20 °C", "T/K = 293", "Tref = 20 °C")
-/// precedes a sentence about the test ("measured at 20 °C"), and this one any other line. Each
-/// clause of a line counts for itself. Temperatures of other things do not count: rates,
-/// tolerances, ranges, limits, glass transition, making and storing the sample, and names; the
-/// reference of the constants of a shift counts where nothing else is stated. unit: the user's
-/// choice, or empty. isReduced: whether the table is a master curve, for which a reference
-/// temperature precedes one of the test. Throws InputError where two different temperatures are
-/// stated, or one below kColdestTest.
+/// precedes a sentence about the test ("measured at 20 °C"), and this one a temperature that stands
+/// alone. Each clause of a line counts for itself. Temperatures of other things do not count:
+/// rates, tolerances, ranges, limits, glass transition, making and storing the sample, and names;
+/// nor do those beside a duration or a word that may be about a treatment. The reference of the
+/// constants of a shift counts where nothing else is stated. unit: the user's choice, or empty.
+/// isReduced: whether the table is a master curve, for which a reference temperature precedes one
+/// of the test. Throws InputError where two different temperatures are stated, or one below
+/// kColdestTest.
 std::optional<HeaderTemperature> statedTemperature(const TextTable& table, const TextBlock& block,
                                                    const std::string& name, const std::string& unit,
                                                    bool isReduced);
+
+/// Returns the temperature above a block that statedTemperature does not take for that of the test,
+/// of the first line with one.
+std::optional<HeaderTemperature> distrustedTemperature(const TextTable& table,
+                                                       const TextBlock& block);
 
 /// Returns the reference temperature (K) of the constants C1 and C2 of a shift: one in a line about
 /// them ("WLF: Tref = 20 °C; C1 = 10"), else the reference temperature of any header. isOfGlass:

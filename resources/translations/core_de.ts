@@ -4191,6 +4191,26 @@
         <translation>steht nirgends; mit --temperature sagen, bei welcher die Moduln gemessen wurden, etwa --temperature 20C</translation>
     </message>
     <message>
+        <source>is stated nowhere; say at which the moduli were measured with --temperature, such as --temperature 20C (line %1 may be about something else: %2)</source>
+        <translation>steht nirgends; mit --temperature sagen, bei welcher die Moduln gemessen wurden, etwa --temperature 20C (Zeile %1 handelt vielleicht von etwas anderem: %2)</translation>
+    </message>
+    <message>
+        <source>line %1 states the geometry: %2</source>
+        <translation>Zeile %1 nennt die Geometrie: %2</translation>
+    </message>
+    <message>
+        <source>tells samples or runs apart, %1 in line %2 and %3 in line %4, whose moduli at the same temperature and frequency differ by a factor of %5 in the median; keep the rows of one of them</source>
+        <translation>unterscheidet Proben oder Läufe, %1 in Zeile %2 und %3 in Zeile %4, deren Moduln bei gleicher Temperatur und Frequenz im Median um den Faktor %5 auseinander liegen; die Zeilen von einem davon behalten</translation>
+    </message>
+    <message>
+        <source>states other moduli at the same temperature and frequency, as in lines %1 and %2, by a factor of %3 in the median, and runs of one sample differ by at most %4; keep the rows of one sample and run (columns that are not read: %5)</source>
+        <translation>nennt bei gleicher Temperatur und Frequenz andere Moduln, wie in den Zeilen %1 und %2, im Median um den Faktor %3, und Läufe einer Probe unterscheiden sich um höchstens %4; die Zeilen von einer Probe und einem Lauf behalten (nicht gelesene Spalten: %5)</translation>
+    </message>
+    <message>
+        <source>may be a rate or a time; write its unit, as 1/s, behind the name</source>
+        <translation>kann eine Rate oder eine Zeit sein; ihre Einheit, etwa 1/s, hinter den Namen schreiben</translation>
+    </message>
+    <message>
         <source>has no unit, and %1 is in %2; say with --modulus-unit which unit both have</source>
         <translation>hat keine Einheit, und %1 ist in %2; mit --modulus-unit sagen, welche Einheit beide haben</translation>
     </message>
@@ -4379,8 +4399,20 @@
         <translation>die Konstanten C1 und C2 werden nicht gelesen: die Datei hat Verschiebungsfaktoren</translation>
     </message>
     <message>
-        <source>line %1 is about a shift and is not read: C1 and C2 with values, or a table of temperature and log aT, would be</source>
-        <translation>Zeile %1 handelt von einer Verschiebung und wird nicht gelesen: C1 und C2 mit Werten oder eine Tabelle aus Temperatur und log aT würden gelesen</translation>
+        <source>line %1 is about a shift and is not read: C1 and C2 with values, an activation energy as Ea = 80 kJ/mol, or a table of temperature and log aT, would be</source>
+        <translation>Zeile %1 handelt von einer Verschiebung und wird nicht gelesen: C1 und C2 mit Werten, eine Aktivierungsenergie wie Ea = 80 kJ/mol oder eine Tabelle aus Temperatur und log aT würden gelesen</translation>
+    </message>
+    <message>
+        <source>C2 has the unit %1, which is none of a difference of temperatures, such as K, °C or °F</source>
+        <translation>C2 hat die Einheit %1, die keine eines Temperaturunterschieds ist wie K, °C oder °F</translation>
+    </message>
+    <message>
+        <source>the activation energy is %1 J/mol; allowed is above 0 to %2 J/mol</source>
+        <translation>die Aktivierungsenergie ist %1 J/mol; erlaubt ist über 0 bis %2 J/mol</translation>
+    </message>
+    <message>
+        <source>shift of the file: Arrhenius with %1 at %2</source>
+        <translation>Verschiebung der Datei: Arrhenius mit %1 bei %2</translation>
     </message>
     <message>
         <source>%1 is not what the file states, the constants of %2</source>

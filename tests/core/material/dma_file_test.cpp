@@ -510,6 +510,84 @@ TEST(DmaFile, ColumnsThatContradictEachOtherAreSaid) {
               testing::Contains(HasSubstr("those of tension are 2 times as large in the median")));
 }
 
+/// A mean of two rubbers is no rubber.
+TEST(DmaFile, SeveralSamplesInOneTableAreRefused) {
+  const auto table = [](const std::string& name, const std::string& one, const std::string& other,
+                        double factor) {
+    std::string text = name + "T (C),f (Hz),G' (MPa),G'' (MPa)\n";
+    for (const std::string& label : {one, other})
+      for (const double frequency : {1, 3, 10})
+        text += label + "20," + std::to_string(frequency) + "," +
+                std::to_string((label == one ? 1 : factor) * (2 + frequency)) + "," +
+                std::to_string((label == one ? 1 : factor) * 0.3) + "\n";
+    return text;
+  };
+  EXPECT_THAT(
+      errorOf(table("Sample,", "A,", "B,", 3)),
+      HasSubstr("dma.csv: Sample: tells samples or runs apart, A in line 2 and B in line 5, "
+                "whose moduli at the same temperature and frequency differ by a factor of "
+                "3"));
+  EXPECT_THAT(errorOf(table("No,", "1,", "2,", 3)), HasSubstr("No: tells samples or runs apart"));
+  // A heating and a cooling run, without a column that says so.
+  std::string runs = "T (C),f (Hz),G' (MPa),G'' (MPa)\n";
+  for (const std::string row : {"20,1,2,0.2\n20,10,3,0.3\n", "20,10,3.9,0.39\n20,1,2.6,0.26\n"})
+    runs += row;
+  EXPECT_THAT(errorOf(runs), HasSubstr("as in lines 2 and 5, by a factor of 1.3"));
+  EXPECT_EQ(read(table("Sample,", "A,", "B,", 1.1)).rows.size(), 6U);
+  // Two strains are chosen from later.
+  EXPECT_EQ(read(table("Strain (%),", "0.1,", "10,", 0.5)).rows.size(), 6U);
+}
+
+/// A temperature beside a duration or a word that may be about a treatment, in any language.
+TEST(DmaFile, TheTemperatureOfAPreparationIsNotThatOfTheTest) {
+  const std::string table = "f (Hz),G' (Pa),G'' (Pa)\n1,2e6,2e5\n10,3e6,4e5\n";
+  for (const std::string line :
+       {"Conditioned at 40 \u00B0C for 24 h", "Preheated to 60 \u00B0C",
+        "Swollen in toluene at 40 \u00B0C", "Vieilli 168 h \u00E0 70 \u00B0C",
+        "Recuit 2 h \u00E0 90 \u00B0C", "Traitement thermique : 90 \u00B0C",
+        "Invecchiato 70 h a 100 \u00B0C", "Envejecido 72 h a 70 \u00B0C",
+        "\u8001\u5316 70 \u2103 168 h", "Laboratory 23 \u00B0C", "Swelling temperature: 40 \u00B0C",
+        "Temp\u00E9rature de vieillissement : 70 \u00B0C", "Tested after 24 h at 40 \u00B0C",
+        "Test piece swollen at 40 \u00B0C", "Aged 168 h, T = 20 \u00B0C"})
+    EXPECT_THAT(errorOf("# " + line + "\n" + table),
+                testing::AllOf(HasSubstr("temperature: is stated nowhere"),
+                               HasSubstr("(line 1 may be about something else: ")))
+        << line;
+  EXPECT_NEAR(read("Vieilli 168 h \u00E0 70 \u00B0C, essai \u00E0 20 \u00B0C\n" + table)
+                  .rows.front()
+                  .temperature,
+              293.15, 1e-9);
+}
+
+TEST(DmaFile, ColumnsOfOtherLanguagesAreKnown) {
+  for (const std::string names :
+       {"Temp\u00E9rature (\u00B0C);Fr\u00E9quence (Hz);Module de conservation E' (MPa);Module de "
+        "perte E'' (MPa)",
+        "\u6E29\u5EA6(\u2103);\u5468\u6CE2\u6570(Hz);\u8CAF\u8535\u5F3E\u6027\u7387E'(MPa);"
+        "\u640D\u5931\u5F3E\u6027\u7387E''(MPa)",
+        "Temperatura (\u00B0C);Frequenza (Hz);Modulo conservativo E' (MPa);Modulo di perdita E'' "
+        "(MPa)",
+        "Temperatura (\u00B0C);Frecuencia (Hz);M\u00F3dulo de almacenamiento E' (MPa);M\u00F3dulo "
+        "de p\u00E9rdida E'' (MPa)",
+        "T (\u00B0C);f (Hz);E' (10^6 Pa);E'' (10^6 Pa)"}) {
+    SCOPED_TRACE(names);
+    const DmaFile file = read(names + "\n20;1;6;0.6\n20;10;9;1.2\n");
+    expectRow(file.rows[0], 293.15, 1, 2e6, 2e5);
+    expectRow(file.rows[1], 293.15, 10, 3e6, 4e5);
+  }
+}
+
+TEST(DmaFile, TheGeometrySaysTheKindOfModuli) {
+  const std::string table =
+      "Temperature\tFrequency\tStorage modulus\tLoss modulus\n\u00B0C\tHz\tMPa\tMPa\n"
+      "20\t1\t6\t0.6\n20\t10\t9\t1.2\n";
+  const DmaFile film = read("Sample\tNR\nGeometry\tTension: Film\n" + table);
+  expectRow(film.rows[0], 293.15, 1, 2e6, 2e5);
+  EXPECT_EQ(film.facts.notes.front().english(),
+            "line 2 states the geometry: Geometry = Tension: Film");
+  expectRow(read("Geometry\tParallel plate\n" + table).rows[0], 293.15, 1, 6e6, 6e5);
+}
+
 /// What a program writes about the shift of its master curve.
 TEST(DmaFile, TheShiftBesideAMasterCurveIsRead) {
   const std::string curve = "f (Hz);G' (Pa);G'' (Pa)\n1;2e6;2e5\n10;3e6;4e5\n100;4e6;6e5\n";
@@ -559,6 +637,25 @@ TEST(DmaFile, TheShiftBesideAMasterCurveIsRead) {
       "Master curve at 20 \u00B0C\nTg: -50 \u00B0C\nC1 = 10\nC2 = 120\n" + reduced;
   EXPECT_EQ(read(other).shift->c2, 120);
   EXPECT_THAT(factsIn(other), testing::Contains(HasSubstr("no reference temperature is stated")));
+  // Degrees Fahrenheit are smaller.
+  const DmaFile fahrenheit = read("Tref = 68 \u00B0F; WLF: C1 = 8, C2 = 216 \u00B0F\n" + curve);
+  EXPECT_NEAR(fahrenheit.shift->c2, 120, 1e-9);
+  EXPECT_THAT(errorOf(head + "C1 = 8\nC2 = 120 MPa\n" + curve),
+              HasSubstr("WLF: C2 has the unit MPa, which is none of a difference"));
+  // All in one line, with the separator of the rows.
+  const std::string commas = "f (Hz),G' (Pa),G'' (Pa)\n1,2e6,2e5\n10,3e6,4e5\n100,4e6,6e5\n";
+  const DmaFile line = read("# Master curve, Tref = 20 \u00B0C, WLF C1 = 8, C2 = 120 K\n" + commas);
+  ASSERT_TRUE(line.shift.has_value());
+  EXPECT_EQ(*line.shift, (TemperatureShift{8, 120, 293.15}));
+  for (const std::string energy :
+       {"# Master curve, Tref = 20 \u00B0C, Arrhenius Ea = 100 kJ/mol\n",
+        "# Reference temperature: 20 \u00B0C\n# Activation energy: 23.9005736 kcal/mol\n"}) {
+    const DmaFile arrhenius = read(energy + commas);
+    ASSERT_TRUE(arrhenius.shift.has_value()) << energy;
+    EXPECT_EQ(arrhenius.shift->kind, ShiftKind::Arrhenius);
+    EXPECT_NEAR(arrhenius.shift->activationEnergy, 1e5, 0.1);
+    EXPECT_NEAR(arrhenius.shift->referenceTemperature, 293.15, 1e-9);
+  }
   EXPECT_THAT(factsIn(head + "ln aT form: C1 = 23.03, C2 = 120\n" + curve),
               testing::Contains(HasSubstr("not read: line 2 is about ln aT")));
   // The same curve from 50 C on.

@@ -169,6 +169,25 @@ TEST(PronyFile, CommandsOfAnsys) {
   EXPECT_EQ(file->shift->c2, 101.6);
 }
 
+/// The other names of relaxation times; beta is a rate.
+TEST(PronyFile, RatesAndOtherNamesOfTimesAreRead) {
+  for (const std::string text :
+       {"# G_inf = 1 MPa\nlambda_i (s),G_i (MPa)\n0.1,2\n10,1\n",
+        "G_inf = 1 MPa\nTemps de relaxation (s);G_i (MPa)\n0.1;2\n10;1\n",
+        "# G_inf = 1 MPa\nG_i (MPa),beta_i (1/s)\n2,10\n1,0.1\n",
+        "% Long-term shear modulus G: 1e6 Pa\n% tau_i (s),G_i (MPa)\n0.1,2\n10,1\n"}) {
+    SCOPED_TRACE(text);
+    const auto file = read(text);
+    ASSERT_TRUE(file.has_value());
+    EXPECT_NEAR(file->equilibriumModulus, 1e6, 1e-6);
+    ASSERT_EQ(file->arms.size(), 2U);
+    EXPECT_NEAR(file->arms[0].relaxationTime, 0.1, 1e-12);
+    EXPECT_NEAR(file->arms[1].relaxationTime, 10, 1e-9);
+  }
+  EXPECT_THAT(errorOf("# G_inf = 1 MPa\nG_i (MPa),beta_i\n2,10\n1,0.1\n"),
+              HasSubstr("beta_i: may be a rate or a time"));
+}
+
 /// The unit of a reference temperature stands nowhere in these files.
 TEST(PronyFile, TheUnitOfAReferenceTemperatureIsSaidOrTold) {
   const std::string head = "*ELASTIC\n3e6, 0.5\n*VISCOELASTIC, TIME=PRONY\n0.5, 0., 0.1\n";
