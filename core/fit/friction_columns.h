@@ -1,6 +1,5 @@
-// What the names and units of the columns of a table of measured friction mean, and what the lines
-// above it state of all its points ("Load = 30 N, T = 23 °C"), in English and German. Pure
-// functions; any thread.
+// What the names and units of the columns of a table of measured friction mean, in several
+// languages. Pure functions; any thread.
 #pragma once
 
 #include <array>
@@ -60,9 +59,6 @@ struct ErrorScale {
 /// name says nothing about a scale.
 std::optional<ErrorScale> findErrorScale(const TextColumn& column);
 
-/// Returns whether a text says "room temperature" without a number.
-bool isRoomTemperature(std::string_view text);
-
 /// Returns whether a name is that of an error, such as "u(T)", "dF" and "load error".
 bool isErrorName(const std::string& name);
 /// Returns whether the name of an error says that it is a share of its quantity.
@@ -86,36 +82,10 @@ std::vector<std::string> blankSeparated(std::string_view text);
 
 /// Gives names to columns whose line of names has blanks within the names as well, "velocity (mm/s)
 /// mu normal force (mN)", of which the line nearest to the numbers is taken. Separates units such
-/// as
-/// "(% of mu)" from the names.
+/// as "(% of mu)" from the names.
 void prepareColumns(TextBlock& block);
 
 /// Returns whether some words of the line name a quantity.
 bool namesQuantity(const std::string& line);
-
-// ---- Lines above the table
-
-/// The decimal mark of a file.
-struct HeaderMark {
-  char decimal = '.';
-  bool isKnown = true;  // otherwise "4.000" may be four or four thousand
-};
-
-/// A load or temperature in a line above the table.
-struct HeaderStatement {
-  std::string text{};  // of the line, for notes
-  std::size_t line = 0;
-  std::optional<FrictionQuantity> quantity{};  // nothing where it is not understood
-  double value = 0;                            // SI; of a quantity
-  std::string groupedNumber{};  // the number as written where its thousands are separated
-  double number = 0;            // as written, without the unit
-  /// The load or temperature that may be meant where it is not understood; nothing where the line
-  /// names another thing, such as the air.
-  std::optional<FrictionQuantity> candidate{};
-};
-
-/// Returns the loads and temperatures that a line states, also those that are not understood but
-/// have a unit of such a quantity.
-std::vector<HeaderStatement> readStatements(const TextEntry& entry, HeaderMark mark);
 
 }  // namespace asperity

@@ -15,6 +15,7 @@
 #include "core/base/text_number.h"
 #include "core/base/text_table.h"
 #include "core/fit/friction_columns.h"
+#include "core/fit/friction_header.h"
 #include "core/material/dma_columns.h"
 
 namespace asperity {

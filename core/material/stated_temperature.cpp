@@ -293,8 +293,10 @@ class HeaderReader {
     if (isLineOfOther_) return false;
     before = withoutEnd(trimmedBlanks(before), "@([");
     const bool isBehindDash = before.ends_with('-') || before.ends_with("\u2013");
-    const bool isBehindWords =
-        !wordsIn(before).empty() && !isBehindDash && !isOneOf(lowerCase(before), "at bei \u00E0 t");
+    // "Step 3: 20 °C"
+    const bool isBehindKey = endsWithOneOf(before, ": =") && areOnlyOfTest(wordsIn(before));
+    const bool isBehindWords = !wordsIn(before).empty() && !isBehindDash && !isBehindKey &&
+                               !isOneOf(lowerCase(before), "at bei \u00E0 t");
     if (isBehindWords || !wordsIn(behind).empty()) return false;
     const std::vector<std::string> words = wordsIn(text_);
     return areOnlyOfTest(words) && !stateDuration(words);

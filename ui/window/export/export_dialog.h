@@ -8,7 +8,6 @@
 #include <QTemporaryDir>
 
 #include "ui/window/export/asperity_command.h"
-#include "ui/window/export/asperity_command.h"
 
 class QFileInfo;
 class QLabel;

@@ -1,0 +1,296 @@
+#include "core/fit/friction_header.h"
+
+#include <algorithm>
+#include <cctype>
+#include <string_view>
+#include <utility>
+
+#include "core/base/text.h"
+#include "core/base/text_dialect.h"
+#include "core/base/text_header.h"
+#include "core/base/text_number.h"
+#include "core/material/dma_columns.h"
+
+namespace asperity {
+namespace {
+
+using namespace std::string_view_literals;
+
+bool isLoadUnit(const std::string& unit) {
+  return std::ranges::any_of(kLoadsAndTemperature,
+                             [&](FrictionQuantity quantity) { return measures(unit, quantity); });
+}
+
+bool isLoad(std::optional<FrictionQuantity> quantity) {
+  return std::ranges::find(kLoadsAndTemperature, quantity) != kLoadsAndTemperature.end();
+}
+
+/// Words that do not change what a name or a value means.
+bool isFiller(const std::string& word) {
+  return isOneOf(word,
+                 "at bei with mit constant const konst konstant konstante konstanter approx "
+                 "approximately about ca circa etwa ungef\u00E4hr");
+}
+
+/// Returns whether a text names a thing whose load or temperature is not that of the contact.
+bool namesOther(std::string_view text) {
+  std::vector<std::string> words = wordsIn(text);
+  std::erase(words, "g");  // the unit of a mass
+  constexpr WordList kOtherThings(
+      "track road air water oil storage store aged ageing aging vulc cure curing tg glass cell "
+      "sensor "
+      "supply pneum tire tyre inflat preload vorlast tensile tear strength young hardness ref tref "
+      "strecke fahrbahn luft wasser \u00F6l lager gealtert alter vulk glas zugfest reifen "
+      "f\u00FCll umgebung");
+  return isOtherLoad(words) || std::ranges::any_of(words, [&](const std::string& word) {
+           return beginsWithOneOf(word, kOtherThings) || containsOneOf(word, "aufnehmer modul");
+         });
+}
+
+/// Returns whether a word belongs to a heading in front of a statement, as in "Test 3: T = 23 °C".
+bool isHeading(const std::string& word) {
+  constexpr WordList kHeadings(
+      "test tests condition conditions parameter parameters measurement experiment setup bedingung "
+      "bedingungen versuch versuche messung messbedingungen pr\u00FCfbedingungen pruefbedingungen "
+      "versuchsbedingungen randbedingungen");
+  return isOneOf(word, kHeadings) || std::ranges::all_of(word, isDigit);
+}
+
+/// A value with its unit, and the words behind it: "30 N (constant)".
+struct Value {
+  double number = 0;
+  std::string unit{};
+  std::string remark{};
+  bool isUnclear = false;  // the mark in the number may separate thousands
+  std::string groupedNumber{};
+};
+
+/// Splits a text behind a number into a unit of a load or temperature and a remark. Units may have
+/// blanks, as in "deg C".
+void splitUnit(std::string_view text, Value& value) {
+  constexpr std::size_t kLongest = 24;  // bytes of a unit and the blank behind it
+  const std::size_t most = text.size() > kLongest ? text.find_last_of(" (", kLongest) : text.size();
+  for (std::size_t end = most; end != std::string_view::npos && end > 0;
+       end = text.find_last_of(" (", end - 1)) {
+    const std::string unit(withoutBrackets(withoutEnd(trimmedBlanks(text.substr(0, end)), ".,;")));
+    if (!isLoadUnit(unit)) continue;
+    value.unit = unit;
+    value.remark = trimmedBlanks(text.substr(end));
+    return;
+  }
+  value.remark = text;
+}
+
+/// Returns the position of a sign of tolerance and its length; npos where there is none.
+std::pair<std::size_t, std::size_t> findTolerance(std::string_view text) {
+  for (const std::string_view sign : WordList("\u00B1 +/- +-"))
+    if (const std::size_t at = text.find(sign); at != std::string_view::npos)
+      return {at, sign.size()};
+  return {std::string_view::npos, 0};
+}
+
+/// Reads "30 N", "30 N (constant)", "23 ± 1 °C", "30 N +/- 5 %" and "(23 ± 1) °C".
+std::optional<Value> readValue(std::string_view text, HeaderMark mark) {
+  text = trimmedField(text);
+  std::string opened;
+  if (const std::size_t end = text.find(')'); text.starts_with('(') && end != text.npos) {
+    opened = std::string(text.substr(1, end - 1)) + " " + std::string(text.substr(end + 1));
+    text = opened;
+  }
+  const auto read = parseQuantity(text, mark.decimal);
+  if (!read) return {};
+  Value value;
+  value.number = read->number;
+  if (!mark.isKnown) {
+    const auto other = parseQuantity(text, mark.decimal == '.' ? ',' : '.');
+    value.isUnclear = !other || other->number != read->number;
+  }
+  if (read->isGrouped)
+    value.groupedNumber = trimmedBlanks(text.substr(0, text.size() - read->unit.size()));
+  const std::string_view rest = read->unit;
+  const auto [at, size] = findTolerance(rest);
+  if (at == std::string_view::npos) {
+    splitUnit(rest, value);
+    return value;
+  }
+  const auto tolerance = parseQuantity(rest.substr(at + size), mark.decimal);
+  if (!tolerance) return {};
+  splitUnit(trimmedBlanks(rest.substr(0, at)), value);
+  if (!value.unit.empty()) return value;
+  splitUnit(tolerance->unit, value);
+  return value;
+}
+
+/// Returns the position of the first number that begins a word.
+std::size_t findNumber(std::string_view text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (!isDigit(text[i])) continue;
+    std::size_t begin = i;
+    // The bytes of all dashes are among these.
+    constexpr std::string_view kSigns = "+-.,\xE2\x88\x92\x80\x90\x91\x93";
+    while (begin > 0 && kSigns.find(text[begin - 1]) != std::string_view::npos) --begin;
+    const auto before = static_cast<unsigned char>(begin > 0 ? text[begin - 1] : ' ');
+    const bool isWithinWord = std::isalnum(before) != 0 || before == '_' || before >= 0x80;
+    if (!isWithinWord) return begin;
+    while (i + 1 < text.size() && isDigit(text[i + 1])) ++i;
+  }
+  return std::string_view::npos;
+}
+
+/// Returns the load or temperature that has this unit.
+std::optional<FrictionQuantity> quantityOfUnit(const std::string& unit) {
+  for (const FrictionQuantity quantity : kLoadsAndTemperature)
+    if (measures(unit, quantity)) return quantity;
+  return {};
+}
+
+/// Returns the load or temperature that has the unit of some number at the beginning of the text,
+/// which may be very long.
+std::optional<FrictionQuantity> findLoadUnit(std::string_view text) {
+  constexpr std::size_t kMostBytes = 2000;
+  text = text.substr(0, kMostBytes);
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (!isDigit(text[i]) || (i > 0 && std::isalnum(static_cast<unsigned char>(text[i - 1])) != 0))
+      continue;
+    constexpr std::size_t kLongest = 80;  // bytes of a number and its unit
+    const auto quantity = parseQuantity(text.substr(i, kLongest));
+    Value value;
+    if (quantity) splitUnit(quantity->unit, value);
+    if (!value.unit.empty()) return quantityOfUnit(value.unit);
+  }
+  return {};
+}
+
+/// Returns a text without its fillers.
+std::string withoutFillers(std::string_view text) {
+  std::string kept;
+  for (const std::string& word : blankSeparated(text)) {
+    const std::vector<std::string> plain = nameWords(word);
+    if (plain.size() != 1 || !isFiller(plain.front())) kept += (kept.empty() ? "" : " ") + word;
+  }
+  return kept;
+}
+
+/// Reads one statement, such as "Load = 30 N", "T 23 °C" and "Conditions: p [MPa] = 0.2". Nothing
+/// where it has no name, no number, or names another quantity; without a quantity where it has a
+/// unit of a load or temperature and is not understood.
+std::optional<HeaderStatement> readStatement(std::string_view clause, HeaderMark mark) {
+  const std::size_t sign = clause.find_last_of(":=");
+  const std::size_t begin = sign == clause.npos ? findNumber(clause) : sign + 1;
+  if (begin == clause.npos) return {};
+  std::string_view written = trimmedBlanks(clause.substr(begin));
+  // "approx. 25 \u00B0C"
+  if (const std::size_t blank = written.find(' ');
+      blank != written.npos && isFiller(plainWord(written.substr(0, blank))))
+    written.remove_prefix(blank);
+  const auto value = readValue(written, mark);
+  if (!value) return {};
+  std::string_view front = trimmedBlanks(withoutEnd(clause.substr(0, begin), " :=\t"));
+  // In "Temperature - 5 °C" the dash may be a minus sign.
+  if (sign == clause.npos && endsWithOneOf(front, "- \u2212 \u2010 \u2011 \u2013 \u2014"))
+    return {};
+  const std::string_view key = keyBefore(front);
+  front = withoutEnd(front.substr(0, front.size() - key.size()), " :=\t");
+  TextColumn name = parseColumnName(withoutFillers(key));
+  if (name.name.empty()) return {};
+  const std::string& unit = value->unit.empty() ? name.unit : value->unit;
+  const auto named = findMeaning(name.name, unit);
+  const bool isLoadName = isLoad(named);
+  // "Line load: 30 N/m"
+  const std::vector<std::string> keyWords = nameWords(name.name);
+  constexpr std::size_t kShortest = 4;  // letters; shorter names mean something else in a text
+  const auto ofLastWord = keyWords.size() > 1 && keyWords.back().size() >= kShortest
+                              ? quantityNamed(keyWords.back())
+                              : std::nullopt;
+  const bool mayBeLoad = isLoad(ofLastWord) && !(value->unit + value->remark).empty();
+  // "Temperature: 23 °C (rubber)"
+  const std::string remark = withoutFillers(value->remark);
+  if (!remark.empty()) name.name += " " + remark;
+  const auto quantity = findMeaning(name.name, unit);
+  if (quantity ? !isLoad(quantity) : !isLoadName && !isLoadUnit(unit) && !mayBeLoad) return {};
+  HeaderStatement statement;
+  statement.candidate = isLoadUnit(unit) ? quantityOfUnit(unit) : isLoadName ? named : ofLastWord;
+  const std::vector<std::string> headings = nameWords(std::string(front));
+  const bool isOfTable =
+      std::ranges::all_of(headings, isHeading) || findMeaning(std::string(front), unit) == quantity;
+  const auto known = quantity ? unitOfQuantity(unit, *quantity) : std::nullopt;
+  if (!known || !isOfTable || value->isUnclear) return statement;
+  statement.quantity = quantity;
+  statement.value = known->toSi(value->number);
+  statement.number = value->number;
+  statement.groupedNumber = value->groupedNumber;
+  return statement;
+}
+
+/// Splits a clause where a second statement begins without a comma: "p = 0.2 MPa T = 23 C",
+/// "Load 30 N / T 23 C".
+std::vector<std::string_view> splitStatements(std::string_view clause) {
+  std::vector<std::string_view> parts;
+  for (const std::string_view part : splitText(clause, " / ")) {
+    std::size_t begin = 0;
+    for (std::size_t sign = part.find_first_of(":="); sign != part.npos;) {
+      const std::size_t second = part.find_first_of(":=", sign + 1);
+      if (second == part.npos) break;
+      const std::string_view front = withoutEnd(part.substr(0, second), " ");
+      const std::size_t name = front.find_last_of(" \t");
+      if (name != front.npos && name > sign &&
+          findNumber(part.substr(sign + 1, name - sign - 1)) != part.npos) {
+        parts.push_back(trimmedBlanks(part.substr(begin, name - begin)));
+        begin = name + 1;
+      }
+      sign = second;
+    }
+    parts.push_back(trimmedBlanks(part.substr(begin)));
+  }
+  return parts;
+}
+
+/// Returns whether a text says "room temperature" without a number.
+bool isRoomTemperature(std::string_view text) {
+  const std::vector<std::string> words = wordsIn(text);
+  return hasOneOf(words, "rt ambient") ||
+         containsOneOf(plainWord(text), "roomtemperature raumtemperatur zimmertemperatur");
+}
+
+}  // namespace
+
+std::vector<HeaderStatement> readStatements(const TextEntry& entry, HeaderMark mark) {
+  const std::string line = lineOf(entry), asWritten = lineOf(entry, ": ");
+  const auto complete = [&entry](HeaderStatement statement, std::string text) {
+    if (namesOther(text)) statement.candidate.reset();
+    statement.text = std::move(text);
+    statement.line = entry.line;
+    return statement;
+  };
+  const auto whole = readStatement(line, mark);
+  if (whole && whole->quantity) return {complete(*whole, asWritten)};
+  // "Aged 168 h, T = 20 \u00B0C" in a table with commas has a statement in front of its key.
+  const std::size_t number = findNumber(entry.key);
+  const auto first =
+      parseQuantity(std::string_view(entry.key).substr(std::min(number, entry.key.size())));
+  const bool hasFront = entry.value.find_first_of(":=") != entry.value.npos && first &&
+                        !first->unit.empty() && isKnownUnit(first->unit);
+  const std::string separated = hasFront ? lineOf(entry, "; ") : line;
+  std::vector<std::string_view> clauses;
+  for (const std::string_view clause : clausesOf(separated))
+    std::ranges::copy(splitStatements(clause), std::back_inserter(clauses));
+  std::vector<HeaderStatement> statements;
+  for (const std::string_view clause : clauses) {
+    // "Load: 30 N; 60 N" states two loads.
+    if (const auto value = readValue(clause, mark); value && !statements.empty()) {
+      HeaderStatement& before = statements.back();
+      if (before.quantity && measures(value->unit, *before.quantity)) before.quantity.reset();
+    }
+    const std::string text = clauses.size() == 1 ? asWritten : std::string(clause);
+    if (const auto statement = readStatement(clause, mark))
+      statements.push_back(complete(*statement, text));
+    else if (const auto quantity = findLoadUnit(clause))
+      statements.push_back(complete({.candidate = quantity}, text));
+    else if (isRoomTemperature(clause))
+      statements.push_back(complete({.candidate = FrictionQuantity::Temperature}, text));
+  }
+  if (statements.empty() && whole) statements.push_back(complete(*whole, asWritten));
+  return statements;
+}
+
+}  // namespace asperity
