@@ -46,7 +46,8 @@ bool statesAfterComma(std::string_view line, std::size_t comma, const TextDialec
     return false;
   std::vector<std::string_view> fields;
   splitFields(line, TextDialect::Separator::Comma, fields);
-  return fields.size() <= 3 && !beginsAsNumber(trimmedField(fields[0])) &&
+  // A comma between quotes separates nothing.
+  return (fields.size() == 2 || fields.size() == 3) && !beginsAsNumber(trimmedField(fields[0])) &&
          (beginsAsNumber(trimmedField(fields[1])) || isKnownUnit(trimmedField(fields[1])));
 }
 

@@ -147,6 +147,14 @@ bool isMadeOfKnownWords(std::string_view word) {
          });
 }
 
+/// Returns a word without the symbol E or G at its end, which needs no blank behind a name in
+/// Japanese.
+std::string_view withoutGluedSymbol(std::string_view word) {
+  const bool hasSymbol = word.size() > 1 && (word.back() == 'e' || word.back() == 'g') &&
+                         static_cast<unsigned char>(word[word.size() - 2]) > 0x7F;
+  return word.substr(0, word.size() - (hasSymbol ? 1 : 0));
+}
+
 /// Returns the words of a modulus' name that are not understood.
 std::string unknownWords(std::string_view name) {
   std::string unknown;
@@ -155,7 +163,7 @@ std::string unknownWords(std::string_view name) {
                 "g e d t s p pp g1 g2 e1 e2 gp gpp ep epp gabs eabs gmag emag tand gprime eprime "
                 "dprime gstar estar greal ereal gimag eimag gstorage estorage gloss eloss lossg "
                 "losse log lg ln log10 de di") ||
-        isMadeOfKnownWords(word))
+        isMadeOfKnownWords(withoutGluedSymbol(word)))
       continue;
     unknown += (unknown.empty() ? "" : " ") + word;
   }

@@ -139,9 +139,11 @@ std::vector<RepeatedRows> repeatedRows(const std::vector<MeasuredModulus>& rows)
       const double most = rows[*first].modulus.frequency * (1 + kSameFrequency);
       for (++next; next != end && rows[*next].modulus.frequency <= most; ++next) {
         const double own = rows[*first].strainAmplitude, other = rows[*next].strainAmplitude;
+        const bool isOtherStrain = std::isfinite(own) && std::isfinite(other) &&
+                                   std::abs(std::log(own / other)) > std::log(kSameStrain);
         const bool isApart =
             std::abs(rows[*first].temperature - rows[*next].temperature) > kIsothermTolerance ||
-            std::abs(std::log(own / other)) > std::log(kSameStrain);
+            isOtherStrain;
         if (!isApart) repeats.push_back({std::min(*first, *next), std::max(*first, *next)});
       }
     }
@@ -200,7 +202,7 @@ class Reader {
       loss.push_back(std::exp(std::abs(std::log(one.loss / other.loss))));
     }
     const double ratio = std::max(upperMedian(std::move(storage)), upperMedian(std::move(loss)));
-    if (!(ratio > kSameSample)) return;
+    if (ratio <= kSameSample) return;
     const Origin &first = origins_[repeats.front().first],
                  &second = origins_[repeats.front().second];
     const PrintedNumber factor{printedNumber(ratio, 3)};

@@ -298,7 +298,7 @@ std::optional<RawSeries> tableSeries(const TextTable& table, const std::string& 
   // The rates of LS-DYNA are 1/tau.
   const TextColumn& times = block.columns[timeAt];
   const bool isRate = seriesWord(times.name).starts_with("beta");
-  if (isRate && !frequencyUnit(times.unit, true))
+  if (isRate && (times.unit.empty() || !frequencyUnit(times.unit, true)))
     throw InputError(name, times.name,
                      "may be a rate or a time; write its unit, as 1/s, behind the name");
   const double time = isRate ? 1 : timeSizeOf(times, name, series);

@@ -275,8 +275,8 @@ class HeaderReader {
       rank = Rank::Bare;
     } else if (rank == Rank::Bare && isOfTest) {
       // "tested after 24 h at 40 \u00B0C" and "test piece swollen at 40 \u00B0C" are in doubt.
-      const auto first = std::ranges::find_if(words, isTestWord);
-      if (stateDuration(words) || !areOnlyOfTest({first, words.end()})) return false;
+      const std::vector<std::string> ofTest(std::ranges::find_if(words, isTestWord), words.end());
+      if (stateDuration(ofTest) || !areOnlyOfTest(ofTest)) return false;
       rank = Rank::Measured;
     }
     if (rank == Rank::Bare &&

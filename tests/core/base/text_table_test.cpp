@@ -282,6 +282,12 @@ TEST(TextTable, FindsKeysAndValues) {
   EXPECT_EQ(grid.largest().rows, 2u);
 }
 
+TEST(TextTable, ACommaBetweenQuotesEndsNoKey) {
+  const TextTable made = read("\"Ra,Rq\"\n1\n2\n3\n");
+  ASSERT_EQ(made.largest().header.size() + made.largest().columns.size(), 2u);
+  EXPECT_EQ(made.largest().rows, 3u);
+}
+
 /// "Load 30 N" is a statement, not the key of what stands behind it, and not the name of a column.
 TEST(TextTable, AStatementIsNoKey) {
   for (const char* line : {"Load 30 N, T 23 C", "Load 30 N; T 23 C", "# Load 30 N, T 23 C"}) {

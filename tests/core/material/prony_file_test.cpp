@@ -181,8 +181,8 @@ TEST(PronyFile, RatesAndOtherNamesOfTimesAreRead) {
     ASSERT_TRUE(file.has_value());
     EXPECT_NEAR(file->equilibriumModulus, 1e6, 1e-6);
     ASSERT_EQ(file->arms.size(), 2U);
-    EXPECT_NEAR(file->arms[0].relaxationTime, 0.1, 1e-12);
-    EXPECT_NEAR(file->arms[1].relaxationTime, 10, 1e-9);
+    EXPECT_NEAR(file->arms[0].relaxationTime, 10, 1e-9);
+    EXPECT_NEAR(file->arms[1].relaxationTime, 0.1, 1e-12);
   }
   EXPECT_THAT(errorOf("# G_inf = 1 MPa\nG_i (MPa),beta_i\n2,10\n1,0.1\n"),
               HasSubstr("beta_i: may be a rate or a time"));
