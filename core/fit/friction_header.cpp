@@ -38,8 +38,8 @@ bool namesOther(std::string_view text) {
   std::erase(words, "g");  // the unit of a mass
   constexpr WordList kOtherThings(
       "track road air water oil storage store aged ageing aging vulc cure curing tg glass cell "
-      "sensor "
-      "supply pneum tire tyre inflat preload vorlast tensile tear strength young hardness ref tref "
+      "sensor supply pneum tire tyre inflat preload vorlast tensile tear strength young hardness "
+      "rebound resil r\u00FCckprall elongation bruchdehn m50 m100 m200 m300 ref tref "
       "strecke fahrbahn luft wasser \u00F6l lager gealtert alter vulk glas zugfest reifen "
       "f\u00FCll umgebung");
   return isOtherLoad(words) || std::ranges::any_of(words, [&](const std::string& word) {

@@ -407,7 +407,8 @@ TEST(FrictionData, ListsStatementsThatItDoesNotUse) {
   }
   for (const char* line :
        {"Track temperature: 23 \u00B0C", "Track: T = 23 \u00B0C", "Temperature: 23 \u00B0C (track)",
-        "Air pressure: 1013 hPa", "Aged 168 h at 70 \u00B0C", "Load cell: 500 N"}) {
+        "Air pressure: 1013 hPa", "Aged 168 h at 70 \u00B0C", "Load cell: 500 N", "M100: 3 MPa",
+        "Rebound at 23 \u00B0C: 45 %"}) {
     const FrictionData data = parsed(std::string(line) + "\nv (mm/s);mu\n1;0,5\n10;0,7\n");
     EXPECT_TRUE(std::isnan(data.points[0].temperature)) << line;
     EXPECT_TRUE(std::isnan(data.points[0].normalForce)) << line;
