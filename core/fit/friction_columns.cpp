@@ -41,12 +41,12 @@ constexpr QuantityNames kKnownNames[] = {
      "normalforce fn fz f force load normalload w n normalkraft kraft last normallast belastung "
      "auflast anpresskraft radlast wheelload verticalforce verticalload vertikalkraft "
      "vertikallast forcenormale chargenormale forzanormale caricoverticale fuerzanormal "
-     " carganormal \u8377\u91CD \u5782\u76F4\u8377\u91CD"},
+     "carganormal \u8377\u91CD \u5782\u76F4\u8377\u91CD"},
     {Quantity::Pressure, "nominal pressure",
      "nominalpressure pressure contactpressure normalpressure nominalcontactpressure normalstress "
      "pression pressione presion presi\u00F3n \u9762\u5727 p p0 pn pnom sigma \u03C3 sigma0 "
-     "\u03C30 sigman \u03C3n sigmaz \u03C3z druck "
-     "fl\u00E4chenpressung flaechenpressung pressung normalspannung nenndruck"},
+     "\u03C30 sigman \u03C3n sigmaz \u03C3z druck fl\u00E4chenpressung flaechenpressung "
+     "pressung normalspannung nenndruck"},
     {Quantity::Temperature, "temperature",
      "temperature temp t temperatur sampletemperature specimentemperature rubbertemperature "
      "tsample tspecimen trubber probentemperatur gummitemperatur tprobe tgummi testtemperature "
@@ -209,8 +209,8 @@ bool isOtherLoad(const std::vector<std::string>& words) {
     return isOneOf(word, "fx fy ft fr ff fs tau \u03C4 e g") ||
            beginsWithOneOf(
                word,
-               "fric tang later shear drag tract longi pull reib quer l\u00E4ngs umfang "
-               "zug schub modul");
+               "fric tang later shear drag tract longi pull reib quer l\u00E4ngs umfang zug "
+               "schub modul");
   };
   return isOther(std::accumulate(words.begin(), words.end(), std::string())) ||
          std::ranges::any_of(words, isOther);
@@ -285,7 +285,7 @@ std::optional<ErrorScale> findErrorScale(const TextColumn& column) {
   if (hasUnit) scale.unit = column.unit;
   const std::vector<std::string> words =
       wordsAndNumbers(hasUnit ? column.name : column.name + " " + column.unit);
-  bool isScaled = false, isMultiple = false, hasFactor = false, isError = false;
+  bool isMultiple = false, hasFactor = false, isError = false;
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string& word = words[i];
     const std::string before = i > 0 ? words[i - 1] : "",
@@ -321,8 +321,7 @@ std::optional<ErrorScale> findErrorScale(const TextColumn& column) {
       scale.name += (scale.name.empty() ? "" : " ") + word;
     }
   }
-  isScaled = isError || hasFactor;
-  if (!isScaled) return {};
+  if (!isError && !hasFactor) return {};
   if (scale.name == "u") scale.name.clear();
   if (scale.name.empty() || (isError && !isErrorName(scale.name))) scale.name += " error";
   if (isMultiple && !hasFactor) scale.isIndefinite = true;

@@ -11,6 +11,7 @@
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/regular_file.h"
+#include "core/base/statistics.h"
 #include "core/base/text_header.h"
 #include "core/base/text_number.h"
 #include "core/base/text_table.h"
@@ -254,9 +255,9 @@ class Reader {
     if (findMeaning(column)) return;
     if (column.name == "T" && !isGiven(Quantity::Temperature) &&
         (column.unit.empty() || isOneOf(plainWord(column.unit), "deg degree degrees \u00B0")))
-      refuse(message(
+      refuse(
           "column T: is it the temperature of the rubber? Give it as numbers with a unit, as "
-          "in \"T (\u00B0C)\", or take the column out"));
+          "in \"T (\u00B0C)\", or take the column out");
     if (column.isText) return;
     if (const auto scale = findErrorScale(column);
         scale && scale->isIndefinite && !find(Quantity::MuError))
@@ -266,8 +267,8 @@ class Reader {
                   shortened(column.name)));
     if (column.name == "s" && column.unit.empty() && !find(Quantity::MuError))
       refuse(
-          message("column s: is it the standard deviation of the coefficient of friction? Name it "
-                  "std, or take the column out"));
+          "column s: is it the standard deviation of the coefficient of friction? Name it "
+          "std, or take the column out");
     const std::vector<std::string> words = nameWords(column.name);
     if (words.empty()) return;
     const auto isBound = [](const std::string& word) {
@@ -345,16 +346,20 @@ class Reader {
     const bool isTemperature = one.candidate == Quantity::Temperature;
     for (const HeaderStatement& other : common_)
       if ((other.quantity == Quantity::Temperature) == isTemperature) return;
-    const char* example = isTemperature                         ? "Temperature: 23 \u00B0C"
-                          : one.candidate == Quantity::Pressure ? "Nominal pressure: 0.2 MPa"
-                                                                : "Normal force: 30 N";
-    const char* key = isTemperature                         ? "elastomer.temperature"
-                      : one.candidate == Quantity::Pressure ? "load.nominal_pressure"
-                                                            : "load.normal_force";
+    struct WayOut {
+      Quantity quantity;
+      const char *example, *key;
+    };
+    constexpr WayOut kWaysOut[] = {
+        {Quantity::Temperature, "Temperature: 23 \u00B0C", "elastomer.temperature"},
+        {Quantity::Pressure, "Nominal pressure: 0.2 MPa", "load.nominal_pressure"},
+        {Quantity::Force, "Normal force: 30 N", "load.normal_force"}};
+    const auto& [quantity, example, key] =
+        *std::ranges::find(kWaysOut, *one.candidate, &WayOut::quantity);
     refuse(
         message("line {}: '{}' may state the {}, but is not understood; write it as in \"{}\", or "
                 "take the line out and set {}",
-                one.line, shortened(one.text), Message(meaningOf(*one.candidate)), example, key));
+                one.line, shortened(one.text), Message(meaningOf(quantity)), example, key));
   }
 
   /// Returns notes on how the columns were understood, and which ones were ignored.
@@ -516,8 +521,7 @@ class Reader {
     }
     if (quantity == Quantity::Mu && !repeats_.empty()) {
       const std::vector<double> values = repeatsOf(row);
-      return std::accumulate(values.begin(), values.end(), 0.0) /
-             static_cast<double>(values.size());
+      return values.empty() ? kNotApplicable : mean(values);
     }
     const Conversion& in = column->conversion;
     double number = block_.at(row, column->index);

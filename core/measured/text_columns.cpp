@@ -447,13 +447,12 @@ std::optional<HeaderLength> headerLength(const TextTable& table, const TextBlock
 }
 
 std::optional<HeaderLength> countedStep(const TextTable& table, const TextBlock& block,
-                                        std::int64_t count, bool alongX) {
-  const std::string_view letter = alongX ? "x" : "y";
+                                        std::int64_t count, char axis) {
   constexpr WordList kForms(
       "axis {}, {} axis, {}-axis, achse {}, {}-achse, axe {}, axe des {}, eje {}, asse {}", ',');
   for (const std::string_view form : kForms) {
     std::string key(form);
-    replaceAll(key, "{}", letter);
+    replaceAll(key, "{}", std::string_view(&axis, 1));
     const std::string text = table.entry(key, block);
     const std::size_t end = std::min(text.find_first_of(" \t"), text.size());
     const auto length = parseQuantity(std::string_view(text).substr(end));
@@ -466,14 +465,13 @@ std::optional<HeaderLength> countedStep(const TextTable& table, const TextBlock&
   }
   constexpr WordList kNumbers(
       "points, number of points, data points, data number, punkte, anzahl punkte, messpunkte, "
-      "nombre "
-      "de points, \u30C7\u30FC\u30BF\u6570",
+      "nombre de points, \u30C7\u30FC\u30BF\u6570",
       ',');
   constexpr WordList kTraverses(
       "traverse length, measuring length, measurement length, tracing length, messl\u00E4nge, "
       "messstrecke, taststrecke, longueur de mesure, \u6E2C\u5B9A\u9577\u3055",
       ',');
-  if (!alongX || count < 2) return {};
+  if (axis != 'x' || count < 2) return {};
   for (const std::string_view number : kNumbers) {
     const auto points = parseQuantity(table.entry(number, block));
     if (!points || points->number != static_cast<double>(count)) continue;
@@ -503,8 +501,7 @@ std::vector<std::string_view> unitKeys(bool ofHeights, UnitEntries entries) {
   constexpr WordList kOfPositions(
       "x unit, x units, x-unit, unit x, units x, xunit, lateral unit, position unit, xy unit, xy "
       "units, x-einheit, einheit x, unit\u00E9 x, x-axis unit, x-axis units, x axis unit, x axis "
-      "units, einheit "
-      "x-achse, x",
+      "units, einheit x-achse, x",
       ',');
   std::vector<std::string_view> keys;
   std::ranges::copy(ofHeights ? kOfHeights : kOfPositions, std::back_inserter(keys));

@@ -201,8 +201,8 @@ void takeSpacings(const TextTable& table, const TextBlock& block, const SurfaceS
   if (isCount(x, grid.columns) || isCount(y, grid.rows))
     for (auto* axis : {&x, &y})
       if (axis->extent && !axis->extent->unit) axis->extent.reset();
-  const auto countedX = countedStep(table, block, grid.columns, true);
-  const auto countedY = countedStep(table, block, grid.rows, false);
+  const auto countedX = countedStep(table, block, grid.columns, 'x');
+  const auto countedY = countedStep(table, block, grid.rows, 'y');
   if (countedX && countedY) {
     x = {countedX, {}};
     y = {countedY, {}};

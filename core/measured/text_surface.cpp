@@ -132,7 +132,7 @@ SurfaceDraft readTextProfile(const TextTable& table, const TextBlock& block,
   if (roles.z < 0) source.fail("has no column of heights");
   SurfaceDraft draft;
   auto spacing = headerLength(table, block, LengthKind::Step, 'x');
-  if (!spacing) spacing = countedStep(table, block, static_cast<std::int64_t>(block.rows), true);
+  if (!spacing) spacing = countedStep(table, block, static_cast<std::int64_t>(block.rows), 'x');
   const bool isGiven = source.choices.spacing > 0 && source.choices.positionUnit == "auto";
   if ((spacing || isGiven) && mayNumberPoints(block, roles, source)) {
     draft.facts.notes.push_back(message(

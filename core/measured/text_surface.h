@@ -53,7 +53,7 @@ std::optional<HeaderLength> headerLength(const TextTable& table, const TextBlock
 /// the first to the last one: "Axis X", 60, "59.00 um", as MountainsMap writes it, or "Points: 60"
 /// and "Traverse length: 59 um".
 std::optional<HeaderLength> countedStep(const TextTable& table, const TextBlock& block,
-                                        std::int64_t count, bool alongX);
+                                        std::int64_t count, char axis);
 
 /// Which entries of the header are searched for a unit: only those for positions or heights, or
 /// also a common one such as "Unit".

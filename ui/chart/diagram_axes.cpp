@@ -97,11 +97,10 @@ TickedAxis linearAxis(const DiagramAxis& axis, const AxisRange& range, const Axi
           titleWithUnit(axis.title.text, ticks.unit)};
 }
 
-/// Returns the axis with ticks at multiples of one step, where these are more.
+/// Returns a logarithmic axis with ticks at multiples of one step instead of its own.
 TickedAxis withLinearTicks(TickedAxis ticked, const DiagramAxis& axis, int most) {
   const AxisTicks linear =
       linearTicks(std::pow(10, ticked.range.from), std::pow(10, ticked.range.to), most, axis.unit);
-  if (linear.ticks.size() <= ticked.ticks.size()) return ticked;
   ticked.title = titleWithUnit(axis.title.text, linear.unit);
   ticked.ticks.clear();
   ticked.minor.clear();
@@ -116,7 +115,10 @@ TickedAxis logarithmicAxis(const DiagramAxis& axis, const AxisRange& range, int 
   const std::vector<Tick> ticks = logTicks(range.from, range.to, most);
   TickedAxis ticked{
       AxisScale::Logarithmic, range, ticks, {}, titleWithUnit(axis.title.text, axis.unit)};
-  if (ticks.size() < 2) return withLinearTicks(std::move(ticked), axis, most);
+  if (ticks.size() < 2) {
+    TickedAxis linear = withLinearTicks(ticked, axis, most);
+    return linear.ticks.size() > ticks.size() ? linear : ticked;
+  }
   ticked.minor = minorLogTicks(range.from, range.to, ticks, pixels / range.size(), 3.0 * unit);
   return ticked;
 }
@@ -279,9 +281,7 @@ TickedAxis tickedYAxis(const DiagramAxis& axis, const AxisRange& range, float pi
   // does not show the scale.
   for (int most = 2; most <= 16; ++most) {
     const TickedAxis ticked = logarithmicAxis(axis, range, most, pixels, sizes.unit);
-    TickedAxis empty = ticked;
-    empty.ticks.clear();
-    for (TickedAxis low : {ticked, withLinearTicks(empty, axis, most)}) {
+    for (TickedAxis low : {ticked, withLinearTicks(ticked, axis, most)}) {
       if (low.ticks.size() < 2) continue;
       if (pixelsApart(low.ticks.front(), low.ticks.back()) < size) continue;
       low.ticks.erase(low.ticks.begin() + 1, low.ticks.end() - 1);
