@@ -85,10 +85,10 @@ void writeResult(const TableCommand& command, const PictureSettings& settings,
   if (chart) writePictures(command, settings, result, *chart);
   std::vector<std::string> files = outputs;
   for (const OtherFile& other : result.otherFiles) files.push_back(other.name);
-  const bool printsTable = files.empty() || hasStandardOutput(outputs);
+  const bool printsTable = outputs.empty() || hasStandardOutput(outputs);
   if (common.json)
     fmt::print("{}", tableText(result.json, ".json"));
-  else if (files.empty() && !result.printed.empty())
+  else if (outputs.empty() && !result.printed.empty())
     fmt::print("{}", result.printed);
   else if (printsTable)
     fmt::print("{}", tableText(result.csv, ".csv"));

@@ -154,7 +154,10 @@ inline constexpr auto kColumns = std::to_array<Column>({
     {"mu_exponent_standard_error", "", "Its standard error.", "", "sensitivity"},
 
     // ---- a motion in time
-    {"time", "s", "Time since the motion began, at the end of the time step.", "t", "motion"},
+    {"time", "s",
+     "Time since the motion began, at the end of the time step. Velocity, forces and friction are "
+     "means over the step: compare them with a formula at its middle, half a step earlier.",
+     "t", "motion"},
     {"displacement", "m", "Way that the line has moved along x since the beginning.",
      "integral v dt", "motion"},
     {"velocity", "m/s", "Velocity of the line along x: mean over the time step.",

@@ -84,6 +84,8 @@ TEST_F(TablesTest, RealizationsAreBehindTheMeans) {
     first += std::atof(cell.c_str()) / 6;
   }
   EXPECT_NEAR(first / std::atof(lines(read("c.csv"))[1].c_str()), 1, 1e-12);
+  // Without --output the table of the curve still goes to standard output.
+  EXPECT_EQ(run("curve s.json --realizations-table r.csv --columns mu"), read("c.csv"));
   expectRefused("curve s.json --realizations-table r.txt", 2, "is not one of .csv, .json");
   expectRefused("curve s.json --realizations-table x.csv --set accuracy.target_relative_error=0.1",
                 2, "--realizations-table: needs the same lines");
