@@ -1863,33 +1863,6 @@
     </message>
 </context>
 <context>
-    <name>asperity::FrictionChartModel</name>
-    <message>
-        <source>in contact %1 %</source>
-        <translation>in Kontakt %1 %</translation>
-    </message>
-    <message>
-        <source>with local friction: %1</source>
-        <translation>mit lokaler Reibung: %1</translation>
-    </message>
-    <message>
-        <source>Eq. (11): %1</source>
-        <translation>Gl. (11): %1</translation>
-    </message>
-    <message>
-        <source>difference %1</source>
-        <translation>Unterschied %1</translation>
-    </message>
-    <message>
-        <source>with %1</source>
-        <translation>mit %1</translation>
-    </message>
-    <message>
-        <source>computed: %1</source>
-        <translation>berechnet: %1</translation>
-    </message>
-</context>
-<context>
     <name>asperity::GalleryPage</name>
     <message>
         <source>Figures of Li et al. (2013), computed here and now</source>
@@ -3771,6 +3744,33 @@
     <message>
         <source>no</source>
         <translation>nein</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::PointText</name>
+    <message>
+        <source>in contact %1 %</source>
+        <translation>in Kontakt %1 %</translation>
+    </message>
+    <message>
+        <source>with local friction: %1</source>
+        <translation>mit lokaler Reibung: %1</translation>
+    </message>
+    <message>
+        <source>Eq. (11): %1</source>
+        <translation>Gl. (11): %1</translation>
+    </message>
+    <message>
+        <source>difference %1</source>
+        <translation>Unterschied %1</translation>
+    </message>
+    <message>
+        <source>with %1</source>
+        <translation>mit %1</translation>
+    </message>
+    <message>
+        <source>computed: %1</source>
+        <translation>berechnet: %1</translation>
     </message>
 </context>
 <context>

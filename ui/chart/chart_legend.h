@@ -10,7 +10,7 @@
 
 #include "core/chart/curve_diagram.h"
 #include "core/chart/explanations.h"
-#include "ui/chart/chart_panel.h"
+#include "ui/chart/chart_style.h"
 
 namespace asperity {
 

@@ -70,22 +70,6 @@ std::vector<double> velocitiesOf(const FrictionChartModel& chart) {
   return velocities;
 }
 
-TEST(DecadeRanges, SurroundsTheData) {
-  EXPECT_EQ(decadesAround(2e-5, 30), (AxisRange{-5, 2}));
-  EXPECT_EQ(decadesAround(1e-5, 1e3), (AxisRange{-5, 3}));
-  EXPECT_EQ(decadesAround(1, 1), (AxisRange{0, 1}));
-}
-
-TEST(DecadeRanges, GrowsAtOnceAndShrinksReluctantly) {
-  const AxisRange shown{-6, -2};
-  EXPECT_EQ(steadyRange(shown, {-7, -3}, false), (AxisRange{-7, -2}));
-  EXPECT_EQ(steadyRange(shown, {-3, -2}, false), shown);
-  EXPECT_EQ(steadyRange(shown, {-5, -2}, true), shown);
-  EXPECT_EQ(steadyRange(shown, {-3, -2}, true), (AxisRange{-3, -2}));
-  EXPECT_EQ(steadyRange({}, {-3, -2}, false), (AxisRange{-3, -2}));
-  EXPECT_EQ(steadyRange(shown, {}, true), shown);
-}
-
 TEST(FrictionChartModelTest, SkipsWhatHasNoPlaceOnLogarithmicAxes) {
   FrictionChartModel diagram;
   const double nan = std::nan("");
