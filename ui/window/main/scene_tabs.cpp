@@ -96,8 +96,8 @@ SceneTabs::SceneTabs(Session& session, QWidget* parent)
   // Tabs move closer and have shorter titles before any of them would be out of sight.
   tabBar()->setUsesScrollButtons(false);
   tabBar()->setElideMode(Qt::ElideRight);
-  // Clicking here leaves an entry, so that the window gets the keys again.
-  plot_->setFocusPolicy(Qt::ClickFocus);
+  // The chart has keys of its own; clicking here also leaves an entry.
+  plot_->setFocusPolicy(Qt::StrongFocus);
   plot_->setMinimumHeight(kOnePlot);
   // Newer tabs are last, so that the keys of the others stay.
   addPage(
