@@ -61,7 +61,6 @@ class ChartLegend : public QWidget {
   std::vector<Entry> makeEntries() const;
   double sampleWidth() const;  // width of a sample with its gap, pixels
   double statusWidth() const;
-  bool isUnfinished() const;
   QString tipAt(QPointF position) const;
   const Entry* pinAt(QPointF position) const;
   const Entry* entryAt(QPointF position) const;

@@ -299,6 +299,7 @@ DiagramSheet FrictionChartModel::sheet() const {
     }
   diagram.marker = marker();
   sheet.status = status();
+  sheet.isGrowing = curve_ && !isStale() && !curve_->isComplete;
   if (concealed_) hideCurve(sheet);
   return sheet;
 }

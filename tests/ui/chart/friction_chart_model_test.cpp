@@ -86,6 +86,7 @@ TEST(FrictionChartModelTest, KeepsErrorsAndStatesHowFarItIs) {
   EXPECT_DOUBLE_EQ(shown.high - shown.y, 2e-4);
   EXPECT_DOUBLE_EQ(shown.y - shown.low, 2e-4);
   EXPECT_EQ(diagram.sheet().status.english(), "37 of 200 lines");
+  EXPECT_TRUE(diagram.sheet().isGrowing);
   EXPECT_DOUBLE_EQ(diagram.progress(), 37.0 / 200);
 }
 
@@ -546,6 +547,7 @@ TEST(FrictionChartModelTest, OverAnotherKeyStatusAndLegendCountTheSameLines) {
   curve.isComplete = true;
   diagram.take(curve);
   EXPECT_EQ(diagram.sheet().status.english(), "200 of 200 lines");
+  EXPECT_FALSE(diagram.sheet().isGrowing);
   EXPECT_TRUE(seriesOf(diagram, kPresentCurve).name.english().starts_with("mean of 200 lines"));
 }
 
