@@ -215,22 +215,26 @@ bool FrictionChartModel::isDifferenceStale() const {
   return difference_ && (isStale() || !haveSameCurve(*difference_->scene, present()));
 }
 
-CurveSet FrictionChartModel::curves() const {
-  return curve_ ? curvesBeside(present()) : view();
-}
-
-/// Returns the present curve and the pinned ones, named by their differences from a scene. There
-/// must be a curve.
-CurveSet FrictionChartModel::curvesBeside(const Scene& present) const {
+/// Returns the present curve and the pinned ones without their names, which take long to find.
+CurveSet FrictionChartModel::unnamedCurves() const {
   CurveSet set = view();
+  if (!curve_) return set;
   for (const PinnedCurve& pinned : pinned_)
     if (isOnThisAxis(*pinned.curve->scene))
-      set.pinned.push_back({englishName(pinned, present), *pinned.curve->scene,
-                            pinned.curve->points, pinned.colourIndex, pinned.id});
+      set.pinned.push_back(
+          {{}, *pinned.curve->scene, pinned.curve->points, pinned.colourIndex, pinned.id});
   // A curve over the previous key cannot be drawn over the new axis.
   if (!hasCurve()) return set;
   set.present = {{}, *curve_->scene, curve_->points};
   addComparisons(set);
+  return set;
+}
+
+/// Returns the curves with the names of the pinned ones: their differences from a scene.
+CurveSet FrictionChartModel::curvesBeside(const Scene& present) const {
+  CurveSet set = unnamedCurves();
+  for (NamedCurve& curve : set.pinned)
+    curve.name = englishName(*std::ranges::find(pinned_, curve.id, &PinnedCurve::id), present);
   return set;
 }
 
@@ -349,7 +353,7 @@ QString FrictionChartModel::describe(int id, int row) const {
 }
 
 std::optional<double> FrictionChartModel::sweptValue(int id, int row) const {
-  const CurveSet set = curves();
+  const CurveSet set = unnamedCurves();
   const NamedCurve* curve = findCurve(set, id);
   if (!curve || static_cast<std::size_t>(row) >= curve->points.size()) return std::nullopt;
   const CurvePoint& point = curve->points[static_cast<std::size_t>(row)];
@@ -390,7 +394,7 @@ Message FrictionChartModel::status() const {
 }
 
 void FrictionChartModel::fitRanges(bool newCurve) {
-  const CurveSet set = curves();
+  const CurveSet set = unnamedCurves();
   auto [along, up] = curveExtents(set);
   const auto addAlong = [&](double value) { along.add(axisPosition(set.scaleOfX(), value)); };
   if (expected_ && axes_ == CurveAxes::Physical) {

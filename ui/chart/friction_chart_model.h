@@ -112,8 +112,9 @@ class FrictionChartModel {
  private:
   Message englishName(const PinnedCurve& pinned, const Scene& present) const;
   const Scene& present() const { return expected_ ? *expected_ : *curve_->scene; }
-  CurveSet curves() const;
+  CurveSet unnamedCurves() const;
   CurveSet curvesBeside(const Scene& present) const;
+  CurveSet curves() const { return curve_ ? curvesBeside(present()) : view(); }
   /// Adds the theories and the measured friction as they belong to the set's present curve.
   void addComparisons(CurveSet& set) const;
   bool areComparisonsStale() const;
