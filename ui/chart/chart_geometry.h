@@ -94,6 +94,10 @@ VisibleRange panned(const ChartGeometry& geometry, QPointF by);
 /// `whole`.
 VisibleRange heldWithin(const VisibleRange& window, const VisibleRange& whole);
 
+/// Returns the nearest point beyond a value of x among the series with this id; null where there is
+/// none.
+const DiagramPoint* nextPoint(const Diagram& diagram, int id, double x, bool isForward);
+
 /// Returns whether any curve of the diagram passes through the range.
 bool showsCurves(const VisibleRange& window, const Diagram& diagram);
 

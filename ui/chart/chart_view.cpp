@@ -509,19 +509,10 @@ void ChartView::releaseMarker() {
 /// Moves the marker to the next point of the present curve; does nothing without a curve.
 void ChartView::chooseNextPoint(bool forward) {
   if (!hasMarker()) return;
-  const double from = lineValue();
-  const DiagramPoint* best = nullptr;
-  for (const DiagramSeries& series : sheet_.diagrams[0].series) {
-    if (series.id != kPresentCurve) continue;
-    for (const DiagramPoint& point : series.points) {
-      if (!hasPosition(sheet_.diagrams[0], point)) continue;
-      const bool isBeyond = forward ? point.x > from * (1 + 1e-9) : point.x < from * (1 - 1e-9);
-      if (isBeyond && (!best || (point.x < best->x) == forward)) best = &point;
-    }
-  }
-  if (!best) return;
-  targetX_ = best->x;
-  const int row = best->row;
+  const DiagramPoint* next = nextPoint(sheet_.diagrams[0], kPresentCurve, lineValue(), forward);
+  if (!next) return;
+  targetX_ = next->x;
+  const int row = next->row;
   updateMarker();
   emit pointChosen(kPresentCurve, row);
 }
