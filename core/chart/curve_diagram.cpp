@@ -7,18 +7,17 @@
 #include <utility>
 
 #include "core/base/number_text.h"
+#include "core/chart/curve_comparisons.h"
 #include "core/chart/curve_regions.h"
 #include "core/chart/curve_words.h"
+#include "core/chart/extent.h"
 #include "core/fit/derivatives.h"
 #include "core/scene/sweep.h"
 
 namespace asperity {
 namespace {
 
-constexpr double kDifferenceHeight = 0.42;  // relative to the curves' height
-constexpr double kAir = 1.3;                // factor between the outermost points and the frame
-constexpr double kLowestPercent = -100, kHighestPercent = 200;  // of the axis of a difference
-constexpr double kLeastPercent = 0.1;
+constexpr double kAir = 1.3;  // factor between the outermost points and the frame
 constexpr int kLawPoints = 160;
 
 /// Returns the name of the mean. But for the axis of mu_total, curves show the friction of the
@@ -223,153 +222,6 @@ Message blankReason(const CurveSet& set) {
   return "no positive coefficient of friction to show on a logarithmic axis";
 }
 
-/// Returns the shown quantity by a theory; NaN where the theory does not apply.
-double ordinate(const TheoryPoint& point, const CurveSet& set) {
-  return set.axes == CurveAxes::Dimensionless ? point.mu : point.value(set.y);
-}
-
-/// Returns why a theory has no line; empty where it has one.
-Message whyMissing(const TheoryCurve& theory, const CurveSet& set) {
-  const auto isKnown = [&](const TheoryPoint& point) {
-    return std::isfinite(ordinate(point, set));
-  };
-  if (std::ranges::any_of(theory.points, [&](const TheoryPoint& point) {
-        return point.isInRange && isKnown(point);
-      }))
-    return {};
-  const Message name(theoryEntry(theory.theory).name);
-  return std::ranges::any_of(theory.points, isKnown)
-             ? message("{} has no line: nowhere on this axis does it hold.", name)
-             : message("{} has no line: it says nothing about this quantity in this scene.", name);
-}
-
-/// Adds lines where the theories are valid. Theories of this model are thin, each with a stroke of
-/// its own; that of a half-space, which is another model, has a colour.
-void addTheories(Diagram& diagram, const CurveSet& set) {
-  const auto [velocity, friction] = axesFactors(set.present.points, set.axes);
-  for (std::size_t k = 0; k < set.theories.size(); ++k) {
-    const TheoryCurve& theory = set.theories[k];
-    DiagramSeries series{.name = theoryEntry(theory.theory).name,
-                         .stroke = theory.theory == Theory::Eq11 ? SeriesStroke::Solid
-                                   : theory.theory == Theory::CompleteContact
-                                       ? SeriesStroke::Dotted
-                                       : SeriesStroke::Dashed,
-                         .isTheory = theory.theory != Theory::PerssonHalfSpace};
-    if (!series.isTheory) series.colour = kColourOfHalfSpace;
-    series.id = theory.theory == Theory::Eq11 ? kLawCurve : kTheoryCurves - static_cast<int>(k);
-    for (const TheoryPoint& point : theory.points) {
-      const double y = point.isInRange ? ordinate(point, set) * friction : kNotApplicable;
-      series.points.push_back({set.isOfVelocity() ? point.velocity * velocity : point.swept, y});
-    }
-    if (whyMissing(theory, set).empty()) diagram.series.push_back(std::move(series));
-  }
-}
-
-constexpr std::array kMeasuredMarks{SeriesMark::Square, SeriesMark::Diamond, SeriesMark::Triangle,
-                                    SeriesMark::Circle};
-
-/// Returns the temperatures of a table, rising, if there are several but no more than marks.
-std::vector<double> fewTemperatures(const MeasuredCurve& measured) {
-  std::vector<double> all;
-  for (const MeasuredPoint& point : measured.data.points)
-    if (!std::isnan(point.temperature)) all.push_back(point.temperature);
-  if (all.size() < measured.data.points.size()) return {};
-  std::ranges::sort(all);
-  const auto repeated = std::ranges::unique(all);
-  all.erase(repeated.begin(), repeated.end());
-  return all.size() > 1 && all.size() <= kMeasuredMarks.size() ? all : std::vector<double>{};
-}
-
-/// Makes the series of the measured points: one for each table, or for each temperature of a table,
-/// all in the colour of the table, which no pinned curve changes. place(k, i): of point i of table
-/// k, with its row.
-template <class Place>
-void addMeasuredSeries(Diagram& diagram, const CurveSet& set, const Place& place) {
-  for (std::size_t k = 0; k < set.measured.size(); ++k) {
-    const MeasuredCurve& measured = set.measured[k];
-    const std::vector<double> temperatures = fewTemperatures(measured);
-    for (std::size_t part = 0; part < std::max<std::size_t>(temperatures.size(), 1); ++part) {
-      DiagramSeries series;
-      series.name = measured.data.name;
-      if (!temperatures.empty())
-        series.name = message("{}, {:.4g} K", series.name, temperatures[part]);
-      series.stroke = SeriesStroke::None;
-      series.mark = kMeasuredMarks[(k + part) % kMeasuredMarks.size()];
-      series.colour = measuredColour(static_cast<int>(k));
-      for (std::size_t i = 0; i < measured.abscissas.size(); ++i)
-        if (temperatures.empty() || measured.data.points[i].temperature == temperatures[part])
-          series.points.push_back(place(k, i));
-      series.id = kMeasuredCurves - static_cast<int>(k);
-      diagram.series.push_back(std::move(series));
-    }
-  }
-}
-
-/// Adds the measured points with error bars.
-void addMeasured(Diagram& diagram, const CurveSet& set) {
-  const AxesFactors factors = axesFactors(set.present.points, set.axes);
-  addMeasuredSeries(diagram, set, [&](std::size_t k, std::size_t i) {
-    const MeasuredCurve& measured = set.measured[k];
-    const MeasuredPoint& point = measured.data.points[i];
-    const double friction = measuredFactor(measured, i, set, factors);
-    return DiagramPoint{measured.abscissas[i] * factors.velocity, point.mu * friction,
-                        (point.mu - point.muError) * friction,
-                        (point.mu + point.muError) * friction, static_cast<int>(i)};
-  });
-}
-
-/// Returns ends around all ratios and 1, so that no mark is cut: on a logarithmic axis whole
-/// decades, which have numbers.
-void fixRatioAxis(DiagramAxis& axis, const std::vector<DiagramSeries>& series) {
-  double least = 1, most = 1, low = 1, high = 1;
-  const auto add = [](double value, double& from, double& to) {
-    if (!std::isfinite(value)) return;
-    from = std::min(from, value);
-    to = std::max(to, value);
-  };
-  for (const DiagramSeries& one : series)
-    for (const DiagramPoint& point : one.points) {
-      add(point.y, least, most);
-      for (const double value : {point.y, point.low, point.high}) add(value, low, high);
-    }
-  // On a linear axis all ratios but the largest would lie on the line of 1.
-  constexpr double kDecade = 10, kMargin = 0.08;
-  if (least > 0 && most >= kDecade * least) {
-    axis.scale = AxisScale::Logarithmic;
-    axis.from = std::pow(kDecade, std::floor(std::log10(least / kAir)));
-    axis.to = std::pow(kDecade, std::ceil(std::log10(most * kAir)));
-    return;
-  }
-  const double margin = kMargin * std::max(high - low, kMargin);
-  axis.from = low - margin;
-  axis.to = high + margin;
-}
-
-/// Makes the diagram of measured over computed friction at each measured point, over the axis of
-/// the curves.
-Diagram residualDiagram(const CurveSet& set, const DiagramAxis& x) {
-  Diagram diagram{
-      .x = x, .y = {"measured / computed", "", AxisScale::Linear}, .height = kDifferenceHeight};
-  const double factor = axesFactors(set.present.points, set.axes).velocity;
-  addMeasuredSeries(diagram, set, [&](std::size_t k, std::size_t i) {
-    const MeasuredCurve& measured = set.measured[k];
-    const MeasuredPoint& point = measured.data.points[i];
-    const double whole =
-        i < measured.computed.size() ? totalMu(measured.computed[i]) : kNotApplicable;
-    return DiagramPoint{measured.abscissas[i] * factor, point.mu / whole,
-                        (point.mu - point.muError) / whole, (point.mu + point.muError) / whole,
-                        static_cast<int>(i)};
-  });
-  for (DiagramSeries& series : diagram.series) {
-    series.name = {};
-    series.id = -1;
-  }
-  fixRatioAxis(diagram.y, diagram.series);
-  DiagramSeries one{.isTheory = true, .points = {{x.from, 1}, {x.to, 1}}};
-  diagram.series.insert(diagram.series.begin(), std::move(one));
-  return diagram;
-}
-
 /// Sets title, unit, scale and range of both axes.
 void setAxes(Diagram& diagram, const CurveSet& set) {
   const bool isPhysical = set.axes == CurveAxes::Physical;
@@ -433,65 +285,14 @@ void fixAlong(Diagram& diagram) {
   if (diagram.x.from < diagram.x.to) return;
   constexpr double kMargin = 0.04;  // of a linear axis
   const bool isLinear = diagram.x.scale == AxisScale::Linear;
-  double low = kNotApplicable, high = kNotApplicable;
+  Extent along;
   for (const DiagramSeries& series : diagram.series)
-    for (const DiagramPoint& point : series.points) {
-      if (!hasPosition(diagram, point)) continue;
-      low = std::isnan(low) ? point.x : std::min(low, point.x);
-      high = std::isnan(high) ? point.x : std::max(high, point.x);
-    }
-  if (std::isnan(low) || !(high > low)) return;
-  diagram.x.from = isLinear ? low - kMargin * (high - low) : low / kAir;
-  diagram.x.to = isLinear ? high + kMargin * (high - low) : high * kAir;
-}
-
-/// Sets ends around all values and 0, limited to a readable range.
-void fixDifferenceAxis(DiagramAxis& axis, const DiagramSeries& series) {
-  constexpr double kAround = 1.1, kBesideZero = 0.15;
-  double low = 0, high = 0;
-  for (const DiagramPoint& point : series.points) {
-    if (!std::isfinite(point.y)) continue;
-    low = std::min({low, point.y, std::isfinite(point.low) ? point.low : point.y});
-    high = std::max({high, point.y, std::isfinite(point.high) ? point.high : point.y});
-  }
-  const double least = kBesideZero * std::max({-low, high, kLeastPercent});
-  axis.from = std::max(-std::max(-kAround * low, least), kLowestPercent);
-  axis.to = std::min(std::max(kAround * high, least), kHighestPercent);
-}
-
-/// Makes the diagram of the difference in per cent, over the axis of the curves. A value beyond the
-/// axis is a triangle at its end.
-Diagram differenceDiagram(const CurveSet& set, const DiagramAxis& x) {
-  Diagram diagram{
-      .x = x, .y = {"difference \u0394", "%", AxisScale::Linear}, .height = kDifferenceHeight};
-  const double factor = axesFactors(set.present.points, set.axes).velocity;
-  DiagramSeries series{
-      .name = message("{} minus the curve above", settingName(set.difference->setting)),
-      .mark = SeriesMark::Diamond,
-      .colour = pinColour(kPinColours - 1),
-      .id = kDifferenceCurve};
-  DiagramSeries zero{.isTheory = true};
-  for (std::size_t i = 0; i < set.difference->points.size(); ++i) {
-    const DifferencePoint& point = set.difference->points[i];
-    const double value = 100 * point.relative, error = 100 * point.standardError;
-    series.points.push_back(
-        {point.velocity * factor, value, value - error, value + error, static_cast<int>(i)});
-    zero.points.push_back({point.velocity * factor, 0});
-  }
-  fixDifferenceAxis(diagram.y, series);
-  DiagramSeries beyond = series;
-  beyond.name = {};
-  beyond.mark = SeriesMark::Triangle;
-  beyond.stroke = SeriesStroke::None;
-  beyond.points.clear();
-  const DiagramAxis& axis = diagram.y;
-  for (const DiagramPoint& point : series.points)
-    if (std::isfinite(point.y) && (point.y < axis.from || point.y > axis.to))
-      beyond.points.push_back({point.x, std::clamp(point.y, axis.from, axis.to), kNotApplicable,
-                               kNotApplicable, point.row});
-  diagram.series = {std::move(zero), std::move(series)};
-  if (!beyond.points.empty()) diagram.series.push_back(std::move(beyond));
-  return diagram;
+    for (const DiagramPoint& point : series.points)
+      if (hasPosition(diagram, point)) along.add(point.x);
+  if (!(along.most > along.least)) return;
+  const double margin = kMargin * along.size();
+  diagram.x.from = isLinear ? along.least - margin : along.least / kAir;
+  diagram.x.to = isLinear ? along.most + margin : along.most * kAir;
 }
 
 /// Returns the title of a chart whose scene has none.
@@ -532,23 +333,17 @@ DiagramSheet curveSheet(const CurveSet& set) {
     notes.emplace_back(
         "Beyond the measured frequencies: more than a tenth of the loss rests on frequencies at "
         "which the rubber was not measured.");
-  for (const TheoryCurve& theory : set.theories)
-    if (Message reason = whyMissing(theory, set); !reason.empty())
-      notes.push_back(std::move(reason));
-    else if (theory.theory != Theory::Eq11)
-      notes.emplace_back(theoryEntry(theory.theory).range);
+  for (Message& note : theoryNotes(set)) notes.push_back(std::move(note));
   for (const NamedCurve& curve : set.pinned)
     if (std::isnan(reduction(curve.scene, set)))
       notes.push_back(message("{} is not shown: its rubber has no shift at {:.4g} K.", curve.name,
                               scene.elastomer.temperature));
   for (const Message& note : set.notes) notes.push_back(message("{}.", note));
   sheet.note = sentences(notes);
-  const bool hasResiduals = std::ranges::any_of(
-      set.measured, [](const MeasuredCurve& measured) { return !measured.computed.empty(); });
-  if (!set.difference && !hasResiduals) return sheet;
+  if (!set.difference && !hasResiduals(set)) return sheet;
   fixAlong(sheet.diagrams.front());
   const DiagramAxis x = sheet.diagrams.front().x;
-  if (hasResiduals) sheet.diagrams.push_back(residualDiagram(set, x));
+  if (hasResiduals(set)) sheet.diagrams.push_back(residualDiagram(set, x));
   if (set.difference) sheet.diagrams.push_back(differenceDiagram(set, x));
   sheet.columns = 1;
   sheet.sharesAxis = true;

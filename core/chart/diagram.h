@@ -165,6 +165,7 @@ struct DiagramSheet {
   std::vector<Diagram> diagrams{};
   int columns = 0;          // diagrams in a row; 0: up to three in one row, more in a square
   bool sharesAxis = false;  // of one column: all share the x-axis and are aligned
+  bool isGrowing = false;   // more results follow: a view should not change its layout meanwhile
   Message status{};         // of work in progress: "37 of 200 realizations"; not in pictures
 };
 

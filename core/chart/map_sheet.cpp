@@ -12,6 +12,7 @@
 #include "core/chart/contours.h"
 #include "core/chart/curve_regions.h"
 #include "core/chart/curve_words.h"
+#include "core/chart/extent.h"
 
 namespace asperity {
 namespace {
@@ -123,13 +124,10 @@ std::vector<double> axisPositions(const std::vector<double>& values, AxisScale s
 DiagramAxis colourAxis(const std::vector<double>& values, std::string_view quantity) {
   DiagramAxis axis{mapQuantityTitle(quantity), std::string(mapQuantityUnit(quantity)),
                    AxisScale::Linear};
-  double least = std::numeric_limits<double>::infinity(), most = -least;
-  for (const double value : values) {
-    if (!std::isfinite(value)) continue;
-    least = std::min(least, value);
-    most = std::max(most, value);
-  }
-  if (!(least <= most)) return axis;
+  Extent extent;
+  for (const double value : values) extent.add(value);
+  if (extent.isEmpty()) return axis;
+  const auto [least, most] = extent;
   if (least > 0 && most > kLogarithmicSpan * least && quantity != "exponent")
     axis.scale = AxisScale::Logarithmic;
   axis.from = least;

@@ -1863,33 +1863,6 @@
     </message>
 </context>
 <context>
-    <name>asperity::FrictionChartModel</name>
-    <message>
-        <source>in contact %1 %</source>
-        <translation>in Kontakt %1 %</translation>
-    </message>
-    <message>
-        <source>with local friction: %1</source>
-        <translation>mit lokaler Reibung: %1</translation>
-    </message>
-    <message>
-        <source>Eq. (11): %1</source>
-        <translation>Gl. (11): %1</translation>
-    </message>
-    <message>
-        <source>difference %1</source>
-        <translation>Unterschied %1</translation>
-    </message>
-    <message>
-        <source>with %1</source>
-        <translation>mit %1</translation>
-    </message>
-    <message>
-        <source>computed: %1</source>
-        <translation>berechnet: %1</translation>
-    </message>
-</context>
-<context>
     <name>asperity::GalleryPage</name>
     <message>
         <source>Figures of Li et al. (2013), computed here and now</source>
@@ -3774,6 +3747,33 @@
     </message>
 </context>
 <context>
+    <name>asperity::PointText</name>
+    <message>
+        <source>in contact %1 %</source>
+        <translation>in Kontakt %1 %</translation>
+    </message>
+    <message>
+        <source>with local friction: %1</source>
+        <translation>mit lokaler Reibung: %1</translation>
+    </message>
+    <message>
+        <source>Eq. (11): %1</source>
+        <translation>Gl. (11): %1</translation>
+    </message>
+    <message>
+        <source>difference %1</source>
+        <translation>Unterschied %1</translation>
+    </message>
+    <message>
+        <source>with %1</source>
+        <translation>mit %1</translation>
+    </message>
+    <message>
+        <source>computed: %1</source>
+        <translation>berechnet: %1</translation>
+    </message>
+</context>
+<context>
     <name>asperity::PredictionFields</name>
     <message>
         <source>Prediction</source>
@@ -4438,12 +4438,12 @@
 <context>
     <name>asperity::StatusLine</name>
     <message>
-        <source> (mean %1 ± %2 %)</source>
-        <translation> (Mittel %1 ± %2 %)</translation>
+        <source>, mean of %1: %2 ± %3 %</source>
+        <translation>, Mittel von %1: %2 ± %3 %</translation>
     </message>
     <message>
-        <source> (mean ≈ %1 ± %2 %)</source>
-        <translation> (Mittel ≈ %1 ± %2 %)</translation>
+        <source>, mean of %1 ≈ %2 ± %3 %</source>
+        <translation>, Mittel von %1 ≈ %2 ± %3 %</translation>
     </message>
     <message>
         <source>Eq. (13) of the paper: relaxation time × velocity × rms slope / (√2 × rms height); of a motion at this moment</source>
@@ -4454,8 +4454,8 @@
         <translation>Wo die Geschwindigkeit auf der Reibungskurve liegt: Bereiche I bis IV der Arbeit, gefunden auf der vollständigen Kurve</translation>
     </message>
     <message>
-        <source>Coefficient of friction of this line, of a motion at this moment; in brackets the mean of all lines at this velocity with its standard error. After ≈ it is interpolated between two points of the curve.</source>
-        <translation>Reibungszahl dieser Linie, bei einer Bewegung in diesem Augenblick; in Klammern das Mittel aller Linien bei dieser Geschwindigkeit mit seinem Standardfehler. Nach ≈ ist es zwischen zwei Punkten der Kurve interpoliert.</translation>
+        <source>Coefficient of friction of this line, of a motion at this moment; then the mean of all lines at this velocity with its standard error. After ≈ it is interpolated between two points of the curve.</source>
+        <translation>Reibungszahl dieser Linie, bei einer Bewegung in diesem Augenblick; danach das Mittel aller Linien bei dieser Geschwindigkeit mit seinem Standardfehler. Nach ≈ ist es zwischen zwei Punkten der Kurve interpoliert.</translation>
     </message>
     <message>
         <source>Eq. (14) of the paper: normal force / (shear modulus × rms height × length)</source>
@@ -4514,8 +4514,12 @@
         <translation>%1 Simulationen/s</translation>
     </message>
     <message>
-        <source>friction μ = %1%2</source>
-        <translation>Reibungszahl μ = %1%2</translation>
+        <source>friction μ = %1</source>
+        <translation>Reibungszahl μ = %1</translation>
+    </message>
+    <message>
+        <source>this line μ = %1</source>
+        <translation>diese Linie μ = %1</translation>
     </message>
     <message>
         <source>force F̄ = %1</source>
@@ -4546,8 +4550,12 @@
         <translation>Hinweise, wie weit die Ergebnisse gelten</translation>
     </message>
     <message>
-        <source>deformation μ = %1%2</source>
-        <translation>Verformung μ = %1%2</translation>
+        <source>deformation μ = %1</source>
+        <translation>Verformung μ = %1</translation>
+    </message>
+    <message>
+        <source>this line, deformation μ = %1</source>
+        <translation>diese Linie, Verformung μ = %1</translation>
     </message>
     <message>
         <source>settling</source>

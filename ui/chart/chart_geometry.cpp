@@ -155,6 +155,20 @@ VisibleRange heldWithin(const VisibleRange& window, const VisibleRange& whole) {
   return {held(window.x, whole.x), held(window.y, whole.y)};
 }
 
+const DiagramPoint* nextPoint(const Diagram& diagram, int id, double x, bool isForward) {
+  const double slack = 1e-9 * std::abs(x);  // a marker at a point may differ by rounding
+  const DiagramPoint* best = nullptr;
+  for (const DiagramSeries& series : diagram.series) {
+    if (series.id != id) continue;
+    for (const DiagramPoint& point : series.points) {
+      if (!hasPosition(diagram, point)) continue;
+      const bool isBeyond = isForward ? point.x > x + slack : point.x < x - slack;
+      if (isBeyond && (!best || (point.x < best->x) == isForward)) best = &point;
+    }
+  }
+  return best;
+}
+
 bool showsCurves(const VisibleRange& window, const Diagram& diagram) {
   const Box box = toBox({window.x.from, window.y.from, window.x.size(), window.y.size()});
   return std::ranges::any_of(diagram.series, [&](const DiagramSeries& series) {

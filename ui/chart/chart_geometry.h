@@ -28,6 +28,10 @@ struct VisibleRange {
   bool operator==(const VisibleRange&) const = default;
 };
 
+/// Length in pixels, times the scale, by which a frame on the screen extends beyond the ends of its
+/// x-axis, so that marks there are complete.
+inline constexpr double kFrameEdge = 6;
+
 /// Maps the values of one diagram to positions inside its frame, on the screen or in a picture.
 struct ChartGeometry {
   QRectF area;
@@ -36,6 +40,8 @@ struct ChartGeometry {
   double names = 18;  // pixels, height of the names of regions above the frame
   double scale = 1;   // factor of marks and pens, which grow with the font
 
+  /// Returns the frame on the screen, which is a little wider than the axes.
+  QRectF frame() const { return area.adjusted(-kFrameEdge * scale, 0, kFrameEdge * scale, 0); }
   /// Returns the position of a pair of values; NaN for values that the axes cannot show.
   QPointF at(double xValue, double yValue) const;
   double mapX(double value) const;
@@ -87,6 +93,10 @@ VisibleRange panned(const ChartGeometry& geometry, QPointF by);
 /// Moves the range as little as possible so that on each axis at least half of it lies within
 /// `whole`.
 VisibleRange heldWithin(const VisibleRange& window, const VisibleRange& whole);
+
+/// Returns the nearest point beyond a value of x among the series with this id; null where there is
+/// none.
+const DiagramPoint* nextPoint(const Diagram& diagram, int id, double x, bool isForward);
 
 /// Returns whether any curve of the diagram passes through the range.
 bool showsCurves(const VisibleRange& window, const Diagram& diagram);

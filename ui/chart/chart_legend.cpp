@@ -123,14 +123,6 @@ double ChartLegend::statusWidth() const {
   return QFontMetricsF(font()).horizontalAdvance(text.replace(number, longest));
 }
 
-/// Returns whether the status reports an incomplete curve: "37 of 200 lines", "33 % of the curve".
-bool ChartLegend::isUnfinished() const {
-  static const QRegularExpression counts(QStringLiteral("(\\d+)\\D+(\\d+)"));
-  const QString text = QString::fromStdString(sheet_.status.text);
-  const auto found = counts.match(text);
-  return text.contains('%') || (found.hasMatch() && found.captured(1) != found.captured(2));
-}
-
 /// Arranges the entries in rows; the first row ends at the status. The last entry shows how many
 /// did not fit. The legend keeps its height while a curve is computed: the first result, of one
 /// line, has a shorter name, and the chart would move for a moment.
@@ -153,7 +145,7 @@ void ChartLegend::arrange() {
   const bool isEmpty = entries_.empty() && sheet_.status.empty();
   const double bottom = entries_.empty() ? 4 + height : entries_.back().box.bottom();
   int all = isEmpty ? 0 : static_cast<int>(bottom + 4);
-  if (isUnfinished()) all = std::max(all, minimumHeight());
+  if (sheet_.isGrowing) all = std::max(all, minimumHeight());
   if (minimumHeight() != all || maximumHeight() != all) setFixedHeight(all);
 }
 

@@ -10,7 +10,7 @@
 
 #include "core/chart/curve_diagram.h"
 #include "core/chart/explanations.h"
-#include "ui/chart/chart_panel.h"
+#include "ui/chart/chart_style.h"
 
 namespace asperity {
 
@@ -61,7 +61,6 @@ class ChartLegend : public QWidget {
   std::vector<Entry> makeEntries() const;
   double sampleWidth() const;  // width of a sample with its gap, pixels
   double statusWidth() const;
-  bool isUnfinished() const;
   QString tipAt(QPointF position) const;
   const Entry* pinAt(QPointF position) const;
   const Entry* entryAt(QPointF position) const;

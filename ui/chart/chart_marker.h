@@ -8,7 +8,8 @@
 #include <QString>
 #include <optional>
 
-#include "ui/chart/chart_panel.h"
+#include "ui/chart/chart_geometry.h"
+#include "ui/chart/chart_style.h"
 
 namespace asperity {
 

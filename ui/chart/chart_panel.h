@@ -1,7 +1,7 @@
 // One diagram of the interactive chart. Qt Charts draws its axes with their labels and its series:
 // curves (QLineSeries), marks (QScatterSeries) and bands (QAreaSeries), whose points are replaced
-// when the diagram changes. What Qt Charts cannot do is painted here, in two items under and over
-// the series, for these reasons:
+// when the diagram changes. What Qt Charts cannot do is painted by two items under and over the
+// series (chart_items.h), for these reasons:
 // - ticks: its logarithmic axis has none between decades, and cannot have our labels. Therefore the
 //   axes hold decimal logarithms (or plain values) under the labels that every picture has.
 // - the grid: a QCategoryAxis has no lines between its labels, and lines between pixels are faint.
@@ -16,27 +16,17 @@
 
 #include "core/chart/diagram.h"
 #include "ui/chart/chart_geometry.h"
+#include "ui/chart/chart_items.h"
 #include "ui/chart/chart_style.h"
-#include "ui/chart/diagram_axes.h"
-#include "ui/chart/occupancy_grid.h"
 
 class QAreaSeries;
 class QCategoryAxis;
 class QChart;
-class QGraphicsItem;
 class QGraphicsScene;
 class QLineSeries;
 class QScatterSeries;
 
 namespace asperity {
-
-/// Returns what the series of a diagram cover inside its frame.
-OccupancyGrid coveredBySeries(const Diagram& diagram, const ChartGeometry& map,
-                              const ChartStyle& style);
-
-/// Length in pixels, times the scale, by which a frame extends beyond the ends of its x-axis, so
-/// that marks there are complete.
-inline constexpr double kFrameEdge = 6;
 
 class ChartPanel {
  public:
@@ -45,15 +35,8 @@ class ChartPanel {
   ChartPanel(const ChartPanel&) = delete;
   ChartPanel& operator=(const ChartPanel&) = delete;
 
-  /// Shows a diagram. `hasXLabels`: labels and title of the x-axis are drawn below. `titleBeside`:
-  /// the title of the y-axis is on the right and this many pixels wide; 0: it is upright on the
-  /// left, or level above the frame (`titleAbove`). `isTitled`: whether the panel draws the titles
-  /// itself.
-  struct Titled {
-    bool x = true, y = true;
-  };
   void show(const Diagram& diagram, const ChartGeometry& geometry, const ChartStyle& style,
-            bool hasXLabels, double titleBeside, bool titleAbove, Titled isTitled);
+            const AxisTitles& titles);
 
   /// Returns the titles with their units as they fit the visible range.
   const QString& xTitle() const { return xTitle_; }
@@ -73,9 +56,6 @@ class ChartPanel {
   QString elidedTitle() const;
 
  private:
-  class UnderItem;
-  class OverItem;
-
   void showAxis(QCategoryAxis& axis, const TickedAxis& ticked, const AxisRange& range);
   void applyStyle(QCategoryAxis& axis, const ChartStyle& style);
   void showSeries(const Diagram& diagram, const ChartGeometry& geometry, const ChartStyle& style);

@@ -1,5 +1,6 @@
 #include "ui/chart/chart_style.h"
 
+#include <QFontInfo>
 #include <QFontMetricsF>
 #include <QPainter>
 #include <QPolygonF>
@@ -37,6 +38,13 @@ double ChartStyle::line() const {
 double markScale(const QFont& font) {
   constexpr double kDefault = 17;  // pixels, height of a usual line of text on a desktop
   return std::max(1.0, QFontMetricsF(font).height() / kDefault);
+}
+
+DiagramSizes tickSizes(const ChartStyle& style) {
+  DiagramSizes sizes;
+  sizes.unit = static_cast<float>(style.scale());
+  sizes.tick = sizes.axis = static_cast<float>(QFontInfo(style.font).pixelSize());
+  return sizes;
 }
 
 void paintMark(QPainter& painter, SeriesMark mark, QPointF centre, double size) {

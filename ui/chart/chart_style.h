@@ -7,6 +7,7 @@
 #include <QPointF>
 
 #include "core/chart/diagram.h"
+#include "ui/chart/diagram_layout.h"
 #include "ui/draw/fonts.h"
 #include "ui/draw/theme.h"
 
@@ -43,6 +44,9 @@ inline constexpr double kFadedOpacity = 0.3;
 
 /// Returns the size of the font relative to the usual one, at least 1; marks and pens grow with it.
 double markScale(const QFont& font);
+
+/// Returns the font sizes of the ticks, in the form that the layout of pictures uses.
+DiagramSizes tickSizes(const ChartStyle& style);
 
 /// Paints a mark as in pictures, filled with the painter's brush. `size`: its width.
 void paintMark(QPainter& painter, SeriesMark mark, QPointF centre, double size);

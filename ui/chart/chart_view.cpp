@@ -3,7 +3,6 @@
 #include <QApplication>
 #include <QEvent>
 #include <QFocusEvent>
-#include <QFontMetricsF>
 #include <QGraphicsScene>
 #include <QGraphicsView>
 #include <QHBoxLayout>
@@ -22,6 +21,7 @@
 #include "core/chart/curve_diagram.h"
 #include "ui/chart/chart_legend.h"
 #include "ui/chart/chart_marker.h"
+#include "ui/chart/chart_panel.h"
 #include "ui/chart/diagram_axes.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
@@ -32,13 +32,6 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kOverlayDepth = 100;  // above everything in the charts
-constexpr double kSmall = 20;          // pixels, of a frame that does not fit
-constexpr double kMinLines = 1.8;      // minimum height of a second diagram, in lines of text
-constexpr double kMinStrip = 2.0;      // the same of a strip; fewer of them are shown in a low view
-constexpr double kMinTitle = 0.8;      // of its usual size, for the title of a strip
-constexpr std::size_t kStrips = 3;     // from this number of diagrams on, titles are beside them
-constexpr double kBesideGap = 8;       // on either side of those titles
-constexpr double kMaxBeside = 0.2;     // part of the width for titles in one line, at most
 constexpr double kWheel = 1.25;        // factor of one notch of the wheel
 constexpr double kKeyZoom = 1.5;
 constexpr double kKeyStep = 0.05;  // decades per key press
@@ -119,8 +112,7 @@ ChartView::ChartView(QWidget* parent)
 ChartView::~ChartView() = default;
 
 void ChartView::setChoosers(QWidget* x, QWidget* y) {
-  xChooser_ = x;
-  yChooser_ = y;
+  hasChoosers_ = true;
   head_->setContentsMargins(8, 4, 0, 0);
   head_->insertWidget(0, y, 0, Qt::AlignTop);
   foot_->setContentsMargins(8, 0, 8, 4);
@@ -175,7 +167,7 @@ QPointF ChartView::corner() const {
 }
 
 QPointF ChartView::mapToPosition(double x, double y, std::size_t diagram) const {
-  return diagram < frames_.size() ? frames_[diagram].at(x, y) + corner() : QPointF();
+  return diagram < layout_.frames.size() ? layout_.frames[diagram].at(x, y) + corner() : QPointF();
 }
 
 bool ChartView::hasMarker() const {
@@ -183,8 +175,8 @@ bool ChartView::hasMarker() const {
 }
 
 std::optional<ChartGeometry> ChartView::frame() const {
-  if (frames_.empty()) return std::nullopt;
-  ChartGeometry frame = frames_[0];
+  if (layout_.frames.empty()) return std::nullopt;
+  ChartGeometry frame = layout_.frames[0];
   frame.area.translate(corner());
   return frame;
 }
@@ -258,16 +250,17 @@ void ChartView::showAll() {
   legend_->show(sheet_, english_, style_);
   layout()->activate();  // the charts must not cover the legend
   view_->scene()->setSceneRect(0, 0, view_->width(), view_->height());
-  layOutFrames();
-  while (panels_.size() > frames_.size()) panels_.pop_back();
-  while (panels_.size() < frames_.size())
+  layout_ = layOutChart(sheet_, visibleRange(), view_->size(), style_, hasChoosers_);
+  const std::vector<ChartGeometry>& frames = layout_.frames;
+  while (panels_.size() > frames.size()) panels_.pop_back();
+  while (panels_.size() < frames.size())
     panels_.push_back(std::make_unique<ChartPanel>(*view_->scene()));
-  const double beside = besideTitleWidth();
   update();
-  for (std::size_t i = 0; i < frames_.size(); ++i)
-    panels_[i]->show(sheet_.diagrams[i], frames_[i], style_, i + 1 == frames_.size(), beside,
-                     i > 0 && hasTitlesAbove_, {!xChooser_, i > 0 || !yChooser_});
-  if (!frames_.empty() &&
+  for (std::size_t i = 0; i < frames.size(); ++i)
+    panels_[i]->show(sheet_.diagrams[i], frames[i], style_,
+                     {!hasChoosers_, i > 0 || !hasChoosers_, i + 1 == frames.size(),
+                      layout_.titleBeside, i > 0 && layout_.hasTitlesAbove});
+  if (!frames.empty() &&
       (xTitle_ != panels_.back()->xTitle() || yTitle_ != panels_.front()->yTitle())) {
     xTitle_ = panels_.back()->xTitle();
     yTitle_ = panels_.front()->yTitle();
@@ -280,105 +273,25 @@ void ChartView::showAll() {
     tip_->clear();
 }
 
-/// Returns the width of titles beside strips, which are too low for upright titles. A title has one
-/// line where that leaves most of the width to the strips, otherwise two, otherwise one for each
-/// word.
-double ChartView::besideTitleWidth() const {
-  if (sheet_.diagrams.size() < kStrips) return 0;
-  const QFontMetricsF metrics(font());
-  double whole = 0, halves = 0, words = 0;
-  for (const Diagram& diagram : sheet_.diagrams) {
-    const std::string unit = diagram.y.unit.empty() ? "" : " (m" + diagram.y.unit + ")";
-    const QString title =
-        QString::fromStdString(diagram.y.title.text + (unit.empty() ? " (10⁻⁸)" : unit));
-    const auto textWidth = [&](const QString& text) { return metrics.horizontalAdvance(text); };
-    whole = std::max(whole, textWidth(title));
-    double half = textWidth(title);
-    for (qsizetype at = title.indexOf(' '); at >= 0; at = title.indexOf(' ', at + 1))
-      half = std::min(half, std::max(textWidth(title.left(at)), textWidth(title.mid(at + 1))));
-    halves = std::max(halves, half);
-    for (const QString& word : title.split(' ')) words = std::max(words, textWidth(word));
-  }
-  const double most = kMaxBeside * width();
-  return std::ceil(whole < most ? whole : halves < most ? halves : words) + 2;
-}
-
-/// Lays out the frames. The margins depend only on the longest possible texts, so that the frames
-/// do not move during a zoom.
-void ChartView::layOutFrames() {
-  frames_.clear();
-  const std::vector<Diagram>& diagrams = sheet_.diagrams;
-  if (diagrams.empty()) return;
-  const QFontMetricsF metrics(font());
-  const double line = metrics.height(), scale = style_.scale(), edge = kFrameEdge * scale;
-  const double names = std::max(18.0, std::ceil(line));
-  const double beside = besideTitleWidth();
-  const bool hasUprightTitle = beside == 0 && !(yChooser_ && diagrams.size() == 1);
-  const double left =
-      12 + (hasUprightTitle ? line : 0) + metrics.horizontalAdvance(QStringLiteral("5×10⁻⁵")) + 12;
-  // The right margin holds half of the label at the end of the x-axis, or the titles.
-  const double half = metrics.horizontalAdvance(QStringLiteral("10⁻⁵")) / 2 + 4;
-  const double right = beside > 0 ? beside + 2 * kBesideGap : std::max(18.0, half);
-  const double above = diagrams[0].spans.empty() ? 9 : names + 2;
-  const double below = (xChooser_ ? line : 2 * line) + (xChooser_ ? 12 : 20);
-  double gap = beside > 0 ? 8 : 12;
-  const double available = view_->height() - above - below;
-  std::size_t count = diagrams.size();
-  double share = 0;
-  for (const Diagram& diagram : diagrams) share += diagram.height;
-  const auto frameHeight = [&](std::size_t i) {
-    return std::floor((available - static_cast<double>(count - 1) * gap) * diagrams[i].height /
-                      share);
-  };
-  // The title of a strip is above it where the strip is too low for an upright one.
-  const auto isTooLowFor = [&](std::size_t i) {
-    const double length =
-        metrics.horizontalAdvance(QString::fromStdString(diagrams[i].y.title.text));
-    return kMinTitle * length > frameHeight(i);
-  };
-  hasTitlesAbove_ = false;
-  for (std::size_t i = 1; i < count && beside == 0; ++i) hasTitlesAbove_ |= isTooLowFor(i);
-  if (hasTitlesAbove_) gap = line + 5;
-  const double least = (count < kStrips ? kMinLines : kMinStrip) * line;
-  while (count > 1 && frameHeight(count - 1) < least) share -= diagrams[--count].height;
-  const VisibleRange shown = visibleRange();
-  const double width = view_->width() - left - right;
-  double top = above;
-  for (std::size_t i = 0; i < count; ++i) {
-    ChartGeometry map;
-    map.area = QRectF(left, top, width, frameHeight(i));
-    if (!(width > kSmall && map.area.height() > kSmall)) map.area.setSize({kSmall, kSmall});
-    map.area.adjust(edge, 0, -edge, 0);
-    map.x = shown.x;
-    map.y = i == 0 ? shown.y : yRange(diagrams[i], shown.x);
-    map.xScale = diagrams[i].x.scale;
-    map.yScale = diagrams[i].y.scale;
-    map.names = names;
-    map.scale = scale;
-    top = map.area.bottom() + gap;
-    frames_.push_back(map);
-  }
-}
-
 void ChartView::updateMarker() {
-  if (frames_.empty()) return marker_->update({}, std::nullopt, kNaN, style_, {}, {});
+  if (layout_.frames.empty()) return marker_->update({}, std::nullopt, kNaN, style_, {}, {});
   const auto& marker = sheet_.diagrams[0].marker;
-  if (panels_.empty()) return marker_->update(frames_[0], marker, targetX_, style_, {}, {});
-  panels_[0]->avoidLine(frames_[0].mapX(lineValue()));
+  if (panels_.empty()) return marker_->update(layout_.frames[0], marker, targetX_, style_, {}, {});
+  panels_[0]->avoidLine(layout_.frames[0].mapX(lineValue()));
   QList<QRectF> taken = panels_[0]->namesInside();
   const QRectF sentence = panels_[0]->sentence();
   if (!sentence.isEmpty()) taken += sentence;
-  marker_->update(frames_[0], marker, targetX_, style_, taken, sentence);
+  marker_->update(layout_.frames[0], marker, targetX_, style_, taken, sentence);
 }
 
 void ChartView::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return QWidget::mousePressEvent(event);
   const QPointF position = event->position() - corner();
-  pressed_ = targetAt(frames_, sheet_, position);
+  pressed_ = targetAt(layout_.frames, sheet_, position);
   pressedAt_ = panAt_ = position;
   gesture_ = Gesture::Press;
   if (!pressed_.isMarker) return;
-  grippedX_ = frames_[0].mapX(sheet_.diagrams[0].marker->x);
+  grippedX_ = layout_.frames[0].mapX(sheet_.diagrams[0].marker->x);
   gripMarker(position, event->modifiers() & Qt::ShiftModifier);
 }
 
@@ -403,8 +316,8 @@ void ChartView::mouseMoveEvent(QMouseEvent* event) {
 
 /// Pans on both axes or on one, as long as a curve stays visible.
 void ChartView::pan(QPointF by) {
-  if (frames_.empty()) return;
-  const ChartGeometry map = frames_[0];
+  if (layout_.frames.empty()) return;
+  const ChartGeometry map = layout_.frames[0];
   const Diagram& diagram = sheet_.diagrams[0];
   const bool isEmpty = !showsCurves(visibleRange(), diagram);
   for (const QPointF displacement : {by, QPointF(by.x(), 0), QPointF(0, by.y())}) {
@@ -429,7 +342,7 @@ void ChartView::mouseReleaseEvent(QMouseEvent* event) {
 
 void ChartView::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return QWidget::mouseDoubleClickEvent(event);
-  const ChartTarget target = targetAt(frames_, sheet_, event->position() - corner());
+  const ChartTarget target = targetAt(layout_.frames, sheet_, event->position() - corner());
   if (target.isPoint() || target.isMarker) return;
   fit();
   emit fitRequested();
@@ -437,10 +350,10 @@ void ChartView::mouseDoubleClickEvent(QMouseEvent* event) {
 
 void ChartView::wheelEvent(QWheelEvent* event) {
   const QPointF position = event->position() - corner();
-  if (frames_.empty()) return event->ignore();
-  const ZoomAxes axes = axesAt(frames_[0], position);
+  if (layout_.frames.empty()) return event->ignore();
+  const ZoomAxes axes = axesAt(layout_.frames[0], position);
   if ((!axes.x && !axes.y) || event->angleDelta().y() == 0) return event->ignore();
-  setZoom(zoomed(frames_[0], position, std::pow(kWheel, -notches(*event)), axes));
+  setZoom(zoomed(layout_.frames[0], position, std::pow(kWheel, -notches(*event)), axes));
   event->accept();
 }
 
@@ -477,7 +390,8 @@ void ChartView::keyPressEvent(QKeyEvent* event) {
 }
 
 void ChartView::zoom(double factor) {
-  if (!frames_.empty()) setZoom(zoomed(frames_[0], frames_[0].area.center(), factor, {true, true}));
+  if (!layout_.frames.empty())
+    setZoom(zoomed(layout_.frames[0], layout_.frames[0].area.center(), factor, {true, true}));
 }
 
 void ChartView::fit() {
@@ -496,7 +410,7 @@ void ChartView::setZoom(const std::optional<VisibleRange>& requested) {
 
 /// Shows a reading of the object under the pointer, and the matching shape of the pointer.
 void ChartView::read(QPointF position) {
-  const ChartTarget target = targetAt(frames_, sheet_, position);
+  const ChartTarget target = targetAt(layout_.frames, sheet_, position);
   const auto explanation = explanationAt(target, position);
   anchor_ = explanation ? anchorText(*explanation) : QString();
   if (target.isMarker)
@@ -511,7 +425,7 @@ void ChartView::read(QPointF position) {
     const DiagramPoint& point = sheet_.diagrams[i]
                                     .series[static_cast<std::size_t>(target.series)]
                                     .points[static_cast<std::size_t>(target.point)];
-    at = frames_[i].at(point.x, point.y);
+    at = layout_.frames[i].at(point.x, point.y);
   }
   tip_->show(text, at, target.isPoint(), view_->sceneRect(), style_);
 }
@@ -519,7 +433,7 @@ void ChartView::read(QPointF position) {
 /// Returns the explanation of the region, the shade or the curve at a position.
 std::optional<HoverExplanation> ChartView::explanationAt(const ChartTarget& target,
                                                          QPointF position) const {
-  if (frames_.empty()) return std::nullopt;
+  if (layout_.frames.empty()) return std::nullopt;
   if (target.isPoint())
     return findExplanation(english_.diagrams[static_cast<std::size_t>(target.diagram)]
                                .series[static_cast<std::size_t>(target.series)]
@@ -536,7 +450,7 @@ std::optional<HoverExplanation> ChartView::explanationAt(const ChartTarget& targ
 }
 
 QString ChartView::tipText(const ChartTarget& target, QPointF position) const {
-  if (frames_.empty()) return {};
+  if (layout_.frames.empty()) return {};
   if (target.isPoint()) {
     const DiagramSeries& series = sheet_.diagrams[static_cast<std::size_t>(target.diagram)]
                                       .series[static_cast<std::size_t>(target.series)];
@@ -554,7 +468,8 @@ QString ChartView::tipText(const ChartTarget& target, QPointF position) const {
   if (const auto explanation = explanationAt(target, position))
     return formulaText(explanation->formula) + '\n' +
            translatedText(Message(explanation->sentence));
-  return position.y() > frames_.back().area.bottom() ? panels_.back()->elidedTitle() : QString();
+  return position.y() > layout_.frames.back().area.bottom() ? panels_.back()->elidedTitle()
+                                                            : QString();
 }
 
 void ChartView::gripMarker(QPointF position, bool finely) {
@@ -565,7 +480,7 @@ void ChartView::gripMarker(QPointF position, bool finely) {
 /// Moves the marker. With `finely` it moves by a part of the pointer's distance, from its present
 /// position.
 void ChartView::dragMarker(QPointF position, bool finely) {
-  const ChartGeometry map = frames_[0];
+  const ChartGeometry map = layout_.frames[0];
   if (finely != gripsFinely_) {
     if (std::isfinite(targetX_)) grippedX_ = map.mapX(targetX_);
     gripMarker(position, finely);
@@ -594,19 +509,10 @@ void ChartView::releaseMarker() {
 /// Moves the marker to the next point of the present curve; does nothing without a curve.
 void ChartView::chooseNextPoint(bool forward) {
   if (!hasMarker()) return;
-  const double from = lineValue();
-  const DiagramPoint* best = nullptr;
-  for (const DiagramSeries& series : sheet_.diagrams[0].series) {
-    if (series.id != kPresentCurve) continue;
-    for (const DiagramPoint& point : series.points) {
-      if (!hasPosition(sheet_.diagrams[0], point)) continue;
-      const bool isBeyond = forward ? point.x > from * (1 + 1e-9) : point.x < from * (1 - 1e-9);
-      if (isBeyond && (!best || (point.x < best->x) == forward)) best = &point;
-    }
-  }
-  if (!best) return;
-  targetX_ = best->x;
-  const int row = best->row;
+  const DiagramPoint* next = nextPoint(sheet_.diagrams[0], kPresentCurve, lineValue(), forward);
+  if (!next) return;
+  targetX_ = next->x;
+  const int row = next->row;
   updateMarker();
   emit pointChosen(kPresentCurve, row);
 }

@@ -18,7 +18,9 @@
 #include "core/chart/diagram.h"
 #include "core/chart/explanations.h"
 #include "ui/chart/chart_geometry.h"
-#include "ui/chart/chart_panel.h"
+#include "ui/chart/chart_layout.h"
+#include "ui/chart/chart_style.h"
+#include "ui/chart/occupancy_grid.h"
 
 class QGraphicsView;
 class QHBoxLayout;
@@ -26,6 +28,7 @@ class QHBoxLayout;
 namespace asperity {
 
 class ChartLegend;
+class ChartPanel;
 class MarkerItem;
 class TipItem;
 
@@ -113,8 +116,6 @@ class ChartView : public QWidget {
   std::optional<HoverExplanation> explanationAt(const ChartTarget& target, QPointF position) const;
   VisibleRange whole() const;
   void showAll();
-  void layOutFrames();
-  double besideTitleWidth() const;
   void showFocus(bool shows);
   void updateMarker();
   QPointF corner() const;
@@ -133,14 +134,13 @@ class ChartView : public QWidget {
   bool isDue_ = false;  // the screen shows an earlier sheet
   std::optional<VisibleRange> zoom_;
   QHBoxLayout *head_, *foot_;  // with the choosers
-  QWidget *xChooser_ = nullptr, *yChooser_ = nullptr;
+  bool hasChoosers_ = false;   // which show the titles of the axes
   QString xTitle_, yTitle_;
   QString anchor_;  // of the guide, for the object under the pointer; empty: for none
   ChartLegend* legend_;
   QGraphicsView* view_;
   std::vector<std::unique_ptr<ChartPanel>> panels_;
-  std::vector<ChartGeometry> frames_;  // of the diagrams that fit
-  bool hasTitlesAbove_ = false;        // of strips: they are too low for upright ones
+  ChartLayout layout_;
   MarkerItem* marker_;
   TipItem* tip_;
 

@@ -8,36 +8,20 @@
 #include <utility>
 
 #include "core/base/text_encoding.h"
+#include "core/chart/extent.h"
 #include "ui/draw/fonts.h"
 #include "ui/draw/theme.h"
 
 namespace asperity {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kFarthest = 1e6;  // pixels; keeps coordinates small enough for floats
 
-/// The range of the values added to it; empty at first.
-struct Extent {
-  double least = std::numeric_limits<double>::infinity();
-  double most = -std::numeric_limits<double>::infinity();
-  void add(double value) {
-    if (!std::isfinite(value)) return;
-    least = std::min(least, value);
-    most = std::max(most, value);
-  }
-  bool empty() const { return !(least <= most); }
-};
-
-/// Returns the range that the axis itself prescribes, or NaN.
+/// Returns the range that the axis itself prescribes; empty where it prescribes none.
 AxisRange prescribedRange(const DiagramAxis& axis) {
   const double a = axisPosition(axis.scale, axis.from), b = axisPosition(axis.scale, axis.to);
-  if (axis.from == axis.to || !std::isfinite(a) || !std::isfinite(b)) return {kNaN, kNaN};
+  if (axis.from == axis.to || !std::isfinite(a) || !std::isfinite(b)) return {};
   return {std::min(a, b), std::max(a, b)};
-}
-
-bool isKnown(const AxisRange& range) {
-  return range.from < range.to;
 }
 
 /// Rounds down (-1) or up (1) to 1, 2 or 5 times a power of ten, as decimal logarithms.
@@ -53,7 +37,7 @@ double roundedDecade(double decade, int direction) {
 }
 
 AxisRange paddedLogarithmic(const Extent& extent, bool upwards) {
-  const double size = extent.most - extent.least;
+  const double size = extent.size();
   if (size < 1e-6) return {extent.least - 0.5, extent.most + 0.5};
   const double pad = (upwards ? 0.04 : 0.02) * size;
   if (!upwards) return {extent.least - pad, extent.most + pad};
@@ -61,7 +45,7 @@ AxisRange paddedLogarithmic(const Extent& extent, bool upwards) {
 }
 
 AxisRange paddedLinear(const Extent& extent) {
-  double size = extent.most - extent.least;
+  double size = extent.size();
   const double largest = std::max(std::abs(extent.most), std::abs(extent.least));
   if (!(size > 1e-9 * largest)) size = largest > 0 ? largest : 1;
   const double pad = 0.06 * size;
@@ -70,10 +54,10 @@ AxisRange paddedLinear(const Extent& extent) {
 }
 
 AxisRange padded(const DiagramAxis& axis, const Extent& data, const Extent& theory, bool upwards) {
-  Extent extent = data.empty() ? theory : data;
-  if (extent.empty()) return axis.scale == AxisScale::Linear ? AxisRange{0, 1} : AxisRange{-1, 1};
-  if (upwards && !data.empty() && !theory.empty()) {
-    const double beyond = 0.25 * (data.most - data.least);
+  Extent extent = data.isEmpty() ? theory : data;
+  if (extent.isEmpty()) return axis.scale == AxisScale::Linear ? AxisRange{0, 1} : AxisRange{-1, 1};
+  if (upwards && !data.isEmpty() && !theory.isEmpty()) {
+    const double beyond = 0.25 * data.size();
     extent.add(std::clamp(theory.least, data.least - beyond, data.most));
     extent.add(std::clamp(theory.most, data.least, data.most + beyond));
   }
@@ -121,6 +105,40 @@ TickedAxis logarithmicAxis(const DiagramAxis& axis, const AxisRange& range, int 
   }
   ticked.minor = minorLogTicks(range.from, range.to, ticks, pixels / range.size(), 3.0 * unit);
   return ticked;
+}
+
+/// Returns a logarithmic axis with up to `most` ticks whose labels leave space between each other:
+/// are neighbours apart, at this distance in pixels? A small axis has the outermost two of the
+/// first ticks that do not touch: a single tick does not show the scale.
+template <class AreApart, class DoNotTouch>
+TickedAxis sparseLogarithmicAxis(const DiagramAxis& axis, const AxisRange& range, int most,
+                                 float pixels, float unit, const AreApart& areApart,
+                                 const DoNotTouch& doNotTouch) {
+  const auto hasRoom = [&](const std::vector<Tick>& ticks, const auto& test) {
+    for (std::size_t i = 0; i + 1 < ticks.size(); ++i)
+      if (!test(ticks[i], ticks[i + 1],
+                (ticks[i + 1].value - ticks[i].value) / range.size() * pixels))
+        return false;
+    return ticks.size() > 1;
+  };
+  for (int count = most; count > 1; --count) {
+    TickedAxis ticked = logarithmicAxis(axis, range, count, pixels, unit);
+    if (ticked.ticks.size() < 2) break;
+    if (hasRoom(ticked.ticks, areApart)) return ticked;
+  }
+  constexpr int kMany = 16;
+  for (int count = 2; count <= kMany; ++count) {
+    const TickedAxis ticked = logarithmicAxis(axis, range, count, pixels, unit);
+    for (TickedAxis two : {ticked, withLinearTicks(ticked, axis, count)}) {
+      keepOutermost(two.ticks);
+      if (hasRoom(two.ticks, doNotTouch)) return two;
+    }
+  }
+  const TickedAxis single = logarithmicAxis(axis, range, 1, pixels, unit);
+  if (!single.ticks.empty()) return single;
+  TickedAxis first = logarithmicAxis(axis, range, 2, pixels, unit);
+  if (first.ticks.size() > 1) first.ticks.resize(1);
+  return first;
 }
 
 /// Fits "velocity v (m/s)" in the largest size down to `least`, otherwise "v (m/s)" in the same
@@ -214,7 +232,7 @@ FittedTitle fittedTitle(const std::string& title, float size, float pixels) {
 
 AxisRange xRange(const Diagram& diagram) {
   const AxisRange asked = prescribedRange(diagram.x);
-  if (isKnown(asked)) return asked;
+  if (!asked.isEmpty()) return asked;
   Extent data, theory;
   for (const DiagramSeries& series : diagram.series)
     for (const DiagramPoint& point : series.points)
@@ -225,7 +243,7 @@ AxisRange xRange(const Diagram& diagram) {
 
 AxisRange yRange(const Diagram& diagram, const AxisRange& inX) {
   const AxisRange asked = prescribedRange(diagram.y);
-  if (isKnown(asked)) return asked;
+  if (!asked.isEmpty()) return asked;
   Extent data, theory;
   for (const DiagramSeries& series : diagram.series)
     for (const DiagramPoint& point : series.points) {
@@ -245,20 +263,11 @@ TickedAxis tickedXAxis(const DiagramAxis& axis, const AxisRange& range, float pi
   const float size = sizes.tick;
   if (axis.scale == AxisScale::Linear)
     return linearAxis(axis, range, sparseTicks(range.from, range.to, pixels, size, axis.unit));
-  for (int most = std::clamp(static_cast<int>(pixels / (3.5F * size)), 2, 20);; --most) {
-    TickedAxis ticked = logarithmicAxis(axis, range, most, pixels, sizes.unit);
-    if (most <= 1 || ticked.ticks.size() < 2) return ticked;
-    // Labels must not touch; the distances between multiples of a decade are unequal.
-    bool clear = true;
-    for (std::size_t i = 0; i + 1 < ticked.ticks.size(); ++i) {
-      const double distance = (ticked.ticks[i + 1].value - ticked.ticks[i].value) / range.size() *
-                              static_cast<double>(pixels);
-      const float both =
-          textWidth(ticked.ticks[i].label, size) + textWidth(ticked.ticks[i + 1].label, size);
-      clear = clear && distance > 0.5 * both + 0.8 * size;
-    }
-    if (clear) return ticked;
-  }
+  const auto areApart = [&](const Tick& a, const Tick& b, double distance) {
+    return distance > 0.5 * (textWidth(a.label, size) + textWidth(b.label, size)) + 0.8 * size;
+  };
+  const int most = std::clamp(static_cast<int>(pixels / (3.5F * size)), 2, 20);
+  return sparseLogarithmicAxis(axis, range, most, pixels, sizes.unit, areApart, areApart);
 }
 
 TickedAxis tickedYAxis(const DiagramAxis& axis, const AxisRange& range, float pixels,
@@ -266,29 +275,11 @@ TickedAxis tickedYAxis(const DiagramAxis& axis, const AxisRange& range, float pi
   const float size = sizes.tick;
   if (axis.scale == AxisScale::Linear)
     return linearAxis(axis, range, yTicks(range.from, range.to, pixels, 4 * size, size, axis.unit));
-  const auto pixelsApart = [&](const Tick& below, const Tick& above) {
-    return (above.value - below.value) / range.size() * static_cast<double>(pixels);
-  };
-  for (int most = std::clamp(static_cast<int>(pixels / (2 * size)), 2, 16); most > 1; --most) {
-    TickedAxis ticked = logarithmicAxis(axis, range, most, pixels, sizes.unit);
-    if (ticked.ticks.size() < 2) break;
-    double least = pixels;
-    for (std::size_t i = 0; i + 1 < ticked.ticks.size(); ++i)
-      least = std::min(least, pixelsApart(ticked.ticks[i], ticked.ticks[i + 1]));
-    if (least > 1.5 * size) return ticked;
-  }
-  // A low axis has the outermost two of the first ticks that are far enough apart: a single tick
-  // does not show the scale.
-  for (int most = 2; most <= 16; ++most) {
-    const TickedAxis ticked = logarithmicAxis(axis, range, most, pixels, sizes.unit);
-    for (TickedAxis low : {ticked, withLinearTicks(ticked, axis, most)}) {
-      if (low.ticks.size() < 2) continue;
-      if (pixelsApart(low.ticks.front(), low.ticks.back()) < size) continue;
-      low.ticks.erase(low.ticks.begin() + 1, low.ticks.end() - 1);
-      return low;
-    }
-  }
-  return logarithmicAxis(axis, range, 1, pixels, sizes.unit);
+  const int most = std::clamp(static_cast<int>(pixels / (2 * size)), 2, 16);
+  return sparseLogarithmicAxis(
+      axis, range, most, pixels, sizes.unit,
+      [&](const Tick&, const Tick&, double distance) { return distance > 1.5 * size; },
+      [&](const Tick&, const Tick&, double distance) { return distance >= size; });
 }
 
 float DiagramAxes::px(double x) const {

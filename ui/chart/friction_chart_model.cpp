@@ -6,14 +6,13 @@
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
-#include "core/chart/curve_set.h"
 #include "core/chart/curve_words.h"
 #include "core/fit/derivatives.h"
 #include "core/run/transient_diagram.h"
 #include "core/scene/motion.h"
 #include "core/scene/sweep.h"
-#include "ui/draw/ticks.h"
-#include "ui/language/language.h"
+#include "ui/chart/curve_ranges.h"
+#include "ui/chart/point_text.h"
 #include "ui/language/translated.h"
 
 namespace asperity {
@@ -23,9 +22,7 @@ namespace {
 constexpr AxisRange kEmptyVelocities{-5, 3};  // shown before anything is known
 constexpr AxisRange kEmptyCoefficients{-6, -2};
 
-constexpr double kMarginFactor = 1.15;
-// The binary value of 1e-5 may lie a little below the decade; this must not add another decade.
-constexpr double kSlack = 1e-9;
+constexpr double kMarginFactor = 1.15;  // between friction and the ends of a logarithmic axis
 
 bool isKnown(const CurvePoint& point) {
   return point.realizations > 0;
@@ -37,48 +34,6 @@ bool hasKnownPoint(const CurveUpdate& update) {
 
 bool isOneLine(const CurveUpdate& curve) {
   return curve.realizationsTotal <= 1;
-}
-
-/// The smallest and largest number that an axis of this scale can show.
-struct Extent {
-  AxisScale scale = AxisScale::Logarithmic;
-  double low = kNotApplicable, high = kNotApplicable;
-
-  bool isEmpty() const { return std::isnan(high); }
-  void add(double value) {
-    if (!std::isfinite(value) || (scale == AxisScale::Logarithmic && value <= 0)) return;
-    low = isEmpty() ? value : std::min(low, value);
-    high = isEmpty() ? value : std::max(high, value);
-  }
-  /// Returns whole decades around the numbers, or the numbers with a margin; `marginFactor` is the
-  /// factor between them and the ends of a logarithmic axis.
-  AxisRange range(double marginFactor = 1) const {
-    if (isEmpty()) return {};
-    if (scale == AxisScale::Logarithmic)
-      return decadesAround(low / marginFactor, high * marginFactor);
-    constexpr double kMargin = 0.04;
-    const double margin = high > low ? kMargin * (high - low) : std::max(std::abs(high), 1e-12) / 2;
-    return {low >= 0 && low < (high - low) / 2 ? 0 : low - margin, high + margin};
-  }
-};
-
-void addCurve(const CurveUpdate& curve, const CurveSet& view, Extent& along, Extent& up) {
-  for (const CurvePoint& point : curve.points) {
-    along.add(abscissa(point, *curve.scene, view));
-    if (!isKnown(point)) continue;
-    const double value = ordinate(point, view);
-    up.add(value);
-    const double error = point.muStandardError * perFriction(view.quantity(), point);
-    if (isCoefficient(view.y) && point.mu > 0) up.add(value + error);
-  }
-}
-
-/// Sets the range; an axis for which none is known finds its own.
-void setRange(DiagramAxis& axis, const AxisRange& range) {
-  if (range.isEmpty()) return;
-  const bool isLinear = axis.scale == AxisScale::Linear;
-  axis.from = isLinear ? range.from : std::pow(10, range.from);
-  axis.to = isLinear ? range.to : std::pow(10, range.to);
 }
 
 /// Returns "33 % of the curve". Over another key than velocity every value may have lines of its
@@ -96,32 +51,9 @@ Message progressText(const CurveUpdate& curve) {
   return message("{} of {} lines", curve.realizationsDone, curve.realizationsTotal);
 }
 
-/// Returns the power of ten of a number's first digit.
-int decadeOf(double value) {
-  return static_cast<int>(std::floor(std::log10(std::abs(value))));
-}
-
-/// Returns "0.00116 ± 0.00012" or "(2.637 ± 0.012)×10⁻⁷": two digits of the error, and the value to
-/// the same place, with at least three digits.
-QString valueWithError(double value, double error) {
-  const QString alone = readingLabel(value);
-  if (!(std::isfinite(value) && std::isfinite(error) && error > 0 && value != 0)) return alone;
-  constexpr int kMaxDecimals = 15;
-  const bool isPower = alone.contains(QStringLiteral("10⁻")) || alone.contains(u'×');
-  const int power = isPower ? decadeOf(value) : 0;
-  const int last = std::min(decadeOf(error) - 1, decadeOf(value) - 2) - power;
-  const double unit = std::pow(10, power);
-  const auto text = [&](double number) {
-    const QString digits = QString::number(number / unit, 'f', std::clamp(-last, 0, kMaxDecimals));
-    return inLanguage(QString(digits).replace('-', u'−'));
-  };
-  const QString both = text(value) + QStringLiteral(" ± ") + text(error);
-  return isPower ? '(' + both + QStringLiteral(")×") + QString::fromStdString(powerOfTen(power))
-                 : both;
-}
-
-QString withError(const QString& name, double value, double error) {
-  return name + " = " + valueWithError(value, error);
+/// Returns the range that is needed; the one that is shown where none is known.
+AxisRange knownRange(const AxisRange& needed, const AxisRange& shown) {
+  return needed.isEmpty() ? shown : needed;
 }
 
 /// Removes what was computed for the scene of the comparisons. On an axis other than velocity, the
@@ -134,35 +66,10 @@ void clearComputedComparisons(CurveSet& set) {
   set.notes.clear();
 }
 
-QString velocityText(double velocity) {
-  return QStringLiteral("v = ") + QString::fromStdString(quantity(velocity, "m/s"));
-}
-
-QString signedPercent(double part) {
-  const QString text = readingLabel(std::abs(100 * part));
-  return (part < 0 ? "−" : "+") + text + " %";
-}
-
 }  // namespace
 
 bool haveSameCurve(const Scene& a, const Scene& b) {
   return canonicalCurveScene(a) == canonicalCurveScene(b);
-}
-
-AxisRange decadesAround(double low, double high) {
-  AxisRange range{std::floor(std::log10(low) + kSlack), std::ceil(std::log10(high) - kSlack)};
-  if (range.isEmpty()) range.to = range.from + 1;
-  return range;
-}
-
-AxisRange steadyRange(const AxisRange& shown, const AxisRange& needed, bool mayShrink) {
-  if (needed.isEmpty()) return shown;
-  if (shown.isEmpty()) return needed;
-  AxisRange next{std::min(shown.from, needed.from), std::max(shown.to, needed.to)};
-  if (!mayShrink) return next;
-  if (needed.from - next.from >= 2) next.from = needed.from;
-  if (next.to - needed.to >= 2) next.to = needed.to;
-  return next;
 }
 
 void FrictionChartModel::expect(const Scene& scene) {
@@ -255,7 +162,7 @@ CurveSet FrictionChartModel::view() const {
 }
 
 int FrictionChartModel::pin() {
-  return curve_ ? pin(curve_) : 0;
+  return hasCurve() ? pin(curve_) : 0;
 }
 
 int FrictionChartModel::pin(std::shared_ptr<const CurveUpdate> curve) {
@@ -308,17 +215,26 @@ bool FrictionChartModel::isDifferenceStale() const {
   return difference_ && (isStale() || !haveSameCurve(*difference_->scene, present()));
 }
 
-/// Returns the present curve and the pinned ones, named by their differences from a scene.
-CurveSet FrictionChartModel::curves(const Scene& present) const {
+/// Returns the present curve and the pinned ones without their names, which take long to find.
+CurveSet FrictionChartModel::unnamedCurves() const {
   CurveSet set = view();
   if (!curve_) return set;
-  // A curve over the previous key cannot be drawn over the new axis.
-  if (isOnThisAxis(*curve_->scene)) set.present = {{}, *curve_->scene, curve_->points};
   for (const PinnedCurve& pinned : pinned_)
     if (isOnThisAxis(*pinned.curve->scene))
-      set.pinned.push_back({englishName(pinned, present), *pinned.curve->scene,
-                            pinned.curve->points, pinned.colourIndex, pinned.id});
-  if (isOnThisAxis(*curve_->scene)) addComparisons(set);
+      set.pinned.push_back(
+          {{}, *pinned.curve->scene, pinned.curve->points, pinned.colourIndex, pinned.id});
+  // A curve over the previous key cannot be drawn over the new axis.
+  if (!hasCurve()) return set;
+  set.present = {{}, *curve_->scene, curve_->points};
+  addComparisons(set);
+  return set;
+}
+
+/// Returns the curves with the names of the pinned ones: their differences from a scene.
+CurveSet FrictionChartModel::curvesBeside(const Scene& present) const {
+  CurveSet set = unnamedCurves();
+  for (NamedCurve& curve : set.pinned)
+    curve.name = englishName(*std::ranges::find(pinned_, curve.id, &PinnedCurve::id), present);
   return set;
 }
 
@@ -349,7 +265,7 @@ void FrictionChartModel::addComparisons(CurveSet& set) const {
 }
 
 DiagramSheet FrictionChartModel::sheet() const {
-  CurveSet set = curves(curve_ ? present() : Scene{});
+  CurveSet set = curves();
   if (curve_ && set.isOfVelocity() && set.y == CurveQuantity::Mu) set.difference = difference_;
   DiagramSheet sheet = curveSheet(set);
   Diagram& diagram = sheet.diagrams.front();
@@ -387,6 +303,7 @@ DiagramSheet FrictionChartModel::sheet() const {
     }
   diagram.marker = marker();
   sheet.status = status();
+  sheet.isGrowing = curve_ && !isStale() && !curve_->isComplete;
   if (concealed_) hideCurve(sheet);
   return sheet;
 }
@@ -427,104 +344,20 @@ std::optional<DiagramMarker> FrictionChartModel::marker() const {
   return marker;
 }
 
-const CurveUpdate* FrictionChartModel::find(int id) const {
-  if (id == kPresentCurve || id == kTotalCurve) return curve_.get();
-  for (const PinnedCurve& pinned : pinned_)
-    if (pinned.id == id) return pinned.curve.get();
-  return nullptr;
-}
-
 QString FrictionChartModel::describe(int id, int row) const {
-  const auto index = static_cast<std::size_t>(row);
-  if (id == kDifferenceCurve)
-    return difference_ && index < difference_->points.size() ? reading(difference_->points[index])
-                                                             : QString();
-  const auto table = static_cast<std::size_t>(kMeasuredCurves - id);
-  if (id <= kMeasuredCurves) {
-    const CurveSet set = curves(present());
-    return table < set.measured.size() ? describeMeasured(set.measured[table], index) : QString();
-  }
-  const CurveUpdate* curve = find(id);
-  if (!curve || index >= curve->points.size()) return {};
-  const QString text = reading(curve->points[index], *curve->scene);
-  if (id == kPresentCurve || id == kTotalCurve) return text;
-  const auto pinned = std::ranges::find(pinned_, id, &PinnedCurve::id);
-  return pinnedName(*pinned) + '\n' + text;
-}
-
-QString FrictionChartModel::describeMeasured(const MeasuredCurve& measured,
-                                             std::size_t index) const {
-  if (index >= measured.data.points.size()) return {};
-  const MeasuredPoint& point = measured.data.points[index];
-  const QString name = QString::fromStdString(measured.data.name);
-  QStringList lines{point.label.empty() ? name : name + ", " + QString::fromStdString(point.label)};
-  lines += velocityText(point.velocity);
-  if (index < measured.abscissas.size() && present().sweep.isOfVelocity())
-    lines += reducedReading(point.velocity, measured.abscissas[index], point.temperature);
-  lines += withError(QStringLiteral("μ"), point.mu, point.muError);
-  if (index < measured.computed.size() && !areComparisonsStale())
-    lines += tr("computed: %1").arg(readingLabel(totalMu(measured.computed[index])));
-  return lines.join('\n');
-}
-
-QStringList FrictionChartModel::reducedReading(double velocity, double reduced,
-                                               double temperature) const {
-  QStringList lines;
-  if (axes_ == CurveAxes::Physical && reduced != velocity)
-    lines +=
-        QStringLiteral("a\u1D1B v = ") + QString::fromStdString(asperity::quantity(reduced, "m/s"));
-  if (std::isfinite(temperature))
-    lines +=
-        QStringLiteral("T = ") + QString::fromStdString(asperity::quantity(temperature, "K", 4));
-  return lines;
-}
-
-QString FrictionChartModel::reading(const CurvePoint& point, const Scene& scene) const {
-  QStringList lines;
-  if (!scene.sweep.isOfVelocity())
-    lines += translatedText(describeParameter(scene.sweep.key, withSweptValue(scene, point.swept)));
-  lines += velocityText(point.velocity);
-  CurveSet set = view();
-  if (curve_ && isOnThisAxis(*curve_->scene)) {
-    set.present.scene = *curve_->scene;
-    addComparisons(set);
-  }
-  if (set.hasReducedAxis())
-    lines +=
-        reducedReading(point.velocity, abscissa(point, scene, set), scene.elastomer.temperature);
-  if (axes_ == CurveAxes::Physical && quantity_ != CurveQuantity::Mu) {
-    const QuantityEntry& entry = quantityEntry(quantity_);
-    lines +=
-        translatedText(entry.title) + " = " +
-        QString::fromStdString(asperity::quantity(quantityValue(quantity_, point), entry.unit));
-  }
-  lines += withError(QStringLiteral("μ"), point.mu, point.muStandardError);
-  if (std::isfinite(point.muInterface) && quantity_ != CurveQuantity::MuTotal)
-    lines += tr("with local friction: %1").arg(readingLabel(totalMu(point)));
-  if (axes_ == CurveAxes::Dimensionless) {
-    lines.prepend(QStringLiteral("v̄ = ") + readingLabel(point.dimensionlessVelocity));
-    lines += withError(QStringLiteral("μ / ∇z"), point.normalizedMu,
-                       point.muStandardError * point.normalizedMu / point.mu);
-  }
-  lines += tr("in contact %1 %").arg(readingLabel(100 * point.contactFraction));
-  if (std::isfinite(point.muLaw)) lines += tr("Eq. (11): %1").arg(readingLabel(point.muLaw));
-  return lines.join('\n');
-}
-
-QString FrictionChartModel::reading(const DifferencePoint& point) const {
-  QString difference = tr("difference %1").arg(signedPercent(point.relative));
-  if (std::isfinite(point.standardError))
-    difference += " ± " + readingLabel(100 * point.standardError, 2) + " %";
-  return velocityText(point.velocity) + '\n' + difference + '\n' +
-         withError(QStringLiteral("μ"), point.mu, point.muStandardError) + ' ' +
-         tr("with %1").arg(translatedText(settingName(difference_->setting)));
+  CurveSet set = curves();
+  set.difference = difference_;
+  if (areComparisonsStale())
+    for (MeasuredCurve& measured : set.measured) measured.computed.clear();
+  return pointText(set, id, row);
 }
 
 std::optional<double> FrictionChartModel::sweptValue(int id, int row) const {
-  const CurveUpdate* curve = find(id);
+  const CurveSet set = unnamedCurves();
+  const NamedCurve* curve = findCurve(set, id);
   if (!curve || static_cast<std::size_t>(row) >= curve->points.size()) return std::nullopt;
   const CurvePoint& point = curve->points[static_cast<std::size_t>(row)];
-  return curve->scene->sweep.isOfVelocity() ? point.velocity : point.swept;
+  return set.isOfVelocity() ? point.velocity : point.swept;
 }
 
 std::optional<double> FrictionChartModel::sweptAt(double x) const {
@@ -533,8 +366,8 @@ std::optional<double> FrictionChartModel::sweptAt(double x) const {
 }
 
 std::optional<CurveSet> FrictionChartModel::shown(const std::optional<VisibleRange>& zoom) const {
-  if (!curve_ || !isOnThisAxis(*curve_->scene)) return std::nullopt;
-  CurveSet set = curves(*curve_->scene);
+  if (!hasCurve()) return std::nullopt;
+  CurveSet set = curvesBeside(*curve_->scene);
   if (areComparisonsStale()) clearComputedComparisons(set);
   if (difference_ && haveSameCurve(*difference_->scene, *curve_->scene))
     set.difference = difference_;
@@ -561,59 +394,32 @@ Message FrictionChartModel::status() const {
 }
 
 void FrictionChartModel::fitRanges(bool newCurve) {
-  CurveSet set = view();
-  // The axis is that of the curve: its temperature is that of the reduced velocity.
-  if (curve_ && isOnThisAxis(*curve_->scene)) {
-    set.present.scene = *curve_->scene;
-    addComparisons(set);
-  }
-  Extent along{set.scaleOfX()}, up{set.scaleOfY()};
+  const CurveSet set = unnamedCurves();
+  auto [along, up] = curveExtents(set);
+  const auto addAlong = [&](double value) { along.add(axisPosition(set.scaleOfX(), value)); };
   if (expected_ && axes_ == CurveAxes::Physical) {
     const Sweep& sweep = expected_->sweep;
-    along.add(sweep.isOfVelocity() ? sweep.velocityFrom : sweep.from);
-    along.add(sweep.isOfVelocity() ? sweep.velocityTo : sweep.to);
+    addAlong(sweep.isOfVelocity() ? sweep.velocityFrom : sweep.from);
+    addAlong(sweep.isOfVelocity() ? sweep.velocityTo : sweep.to);
   }
-  if (curve_ && isOnThisAxis(*curve_->scene)) {
-    addCurve(*curve_, set, along, up);
-    const double friction = asperity::axesFactors(curve_->points, axes_).friction;
-    if (set.y == CurveQuantity::Mu)
-      for (const CurvePoint& point : curve_->points) up.add(point.muLaw * friction);
-    if (showsTotal(set))
-      for (const CurvePoint& point : curve_->points)
-        if (isKnown(point)) up.add(totalMu(point) * perFriction(set.quantity(), point));
-  }
-  for (const PinnedCurve& pinned : pinned_)
-    if (isOnThisAxis(*pinned.curve->scene)) addCurve(*pinned.curve, set, along, up);
-  if (!set.measured.empty()) {
-    const AxesFactors factors = asperity::axesFactors(curve_->points, axes_);
-    for (const MeasuredCurve& measured : set.measured)
-      for (std::size_t i = 0; i < measured.abscissas.size(); ++i) {
-        along.add(measured.abscissas[i] * factors.velocity);
-        up.add(measured.data.points[i].mu * measuredFactor(measured, i, set, factors));
-      }
-  }
-  const bool isMarked = marker_ && (expected_ || curve_);
-  if (const std::optional<DiagramMarker> shown = marker(); shown && shown->isFixed) {
+  const std::optional<DiagramMarker> shown = marker();
+  const double height = shown ? axisPosition(set.scaleOfY(), shown->y) : kNotApplicable;
+  if (shown && shown->isFixed) {
     // A motion often comes to rest: the axes then grow with it, but do not shrink.
-    if (set.isOfVelocity())
-      along.add(fastest_ * (axes_ == CurveAxes::Physical ? 1 : markerFactor_));
-    if (up.isEmpty() || std::isgreater(shown->y, up.high)) up.add(shown->y);
-  } else if (shown && isMarked) {
-    along.add(shown->x);
-    up.add(shown->y);
+    if (set.isOfVelocity()) addAlong(fastest_ * (axes_ == CurveAxes::Physical ? 1 : markerFactor_));
+    if (up.isEmpty() || std::isgreater(height, up.most)) up.add(height);
+  } else if (shown && marker_ && (expected_ || curve_)) {
+    addAlong(shown->x);
+    up.add(height);
   }
-  if (const AxisRange needed = along.range(); !needed.isEmpty()) velocities_ = needed;
-  if (up.scale == AxisScale::Linear) {
-    const AxisRange needed = up.range();
-    const bool isUnion = !newCurve && !coefficients_.isEmpty() && !needed.isEmpty();
-    if (isUnion)
-      coefficients_ = {std::min(coefficients_.from, needed.from),
-                       std::max(coefficients_.to, needed.to)};
-    else if (!needed.isEmpty())
-      coefficients_ = needed;
+  velocities_ = knownRange(rangeAround(along, set.scaleOfX()), velocities_);
+  if (set.scaleOfY() == AxisScale::Linear) {
+    const AxisRange needed = rangeAround(up, AxisScale::Linear);
+    coefficients_ = newCurve ? knownRange(needed, coefficients_) : united(coefficients_, needed);
     return;
   }
-  coefficients_ = steadyRange(coefficients_, neededCoefficients(up.range(kMarginFactor)), newCurve);
+  const AxisRange needed = rangeAround(up, AxisScale::Logarithmic, kMarginFactor);
+  coefficients_ = steadyRange(coefficients_, neededCoefficients(needed), newCurve);
 }
 
 /// Before there is a curve, the axis shows some decades of friction around the marker.

@@ -5,7 +5,7 @@
 // compares two settings. Owned by the session; one thread. Cannot fail.
 #pragma once
 
-#include <QCoreApplication>
+#include <QString>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -22,13 +22,6 @@ namespace asperity {
 /// motion.
 bool haveSameCurve(const Scene& a, const Scene& b);
 
-/// Returns the whole decades around [low, high]; both positive and finite.
-AxisRange decadesAround(double low, double high);
-
-/// Returns the range to show next. It grows at once when the data need it, and shrinks only when
-/// `mayShrink` is set and an end lies two decades or more outside the data.
-AxisRange steadyRange(const AxisRange& shown, const AxisRange& needed, bool mayShrink);
-
 /// A curve that stays while the scene changes.
 struct PinnedCurve {
   int id = 0;           // above 0, never reused
@@ -37,8 +30,6 @@ struct PinnedCurve {
 };
 
 class FrictionChartModel {
-  Q_DECLARE_TR_FUNCTIONS(asperity::FrictionChartModel)
-
  public:
   /// Announces the scene that was posted. Its velocities are in the range at once; the present
   /// curve is stale unless it belongs to that scene, too.
@@ -98,7 +89,8 @@ class FrictionChartModel {
   bool isDifferenceStale() const;
 
   bool isStale() const;
-  bool hasCurve() const { return curve_ != nullptr; }
+  /// Returns whether there is a curve over the present axis.
+  bool hasCurve() const { return curve_ && isOnThisAxis(*curve_->scene); }
   /// Returns the finished part of the present scene's curve, 0 to 1. It is 1 only for a complete
   /// curve, because a target accuracy may need more lines at any time.
   double progress() const;
@@ -118,16 +110,11 @@ class FrictionChartModel {
   std::optional<CurveSet> shown(const std::optional<VisibleRange>& zoom) const;
 
  private:
-  const CurveUpdate* find(int id) const;
-  QString describeMeasured(const MeasuredCurve& measured, std::size_t index) const;
-  QString reading(const CurvePoint& point, const Scene& scene) const;
-  /// Returns the position on the axis of the reduced velocity, and the temperature; empty where the
-  /// axis is another one.
-  QStringList reducedReading(double velocity, double reduced, double temperature) const;
-  QString reading(const DifferencePoint& point) const;
   Message englishName(const PinnedCurve& pinned, const Scene& present) const;
   const Scene& present() const { return expected_ ? *expected_ : *curve_->scene; }
-  CurveSet curves(const Scene& present) const;
+  CurveSet unnamedCurves() const;
+  CurveSet curvesBeside(const Scene& present) const;
+  CurveSet curves() const { return curve_ ? curvesBeside(present()) : view(); }
   /// Adds the theories and the measured friction as they belong to the set's present curve.
   void addComparisons(CurveSet& set) const;
   bool areComparisonsStale() const;

@@ -140,7 +140,9 @@ std::vector<double> minorTicks(const AxisTicks& axis, double from, double to) {
   if (axis.ticks.size() < 2) return minor;
   const double step = axis.ticks[1].value - axis.ticks[0].value;
   const double mantissa = step / std::pow(10.0, std::floor(std::log10(step) + 1e-9));
-  const int parts = std::abs(mantissa - 2) < 0.1 ? 4 : 5;
+  const auto isStep = [mantissa](double round) { return std::abs(mantissa - round) < 0.1; };
+  if (!isStep(1) && !isStep(2) && !isStep(5)) return minor;
+  const int parts = isStep(2) ? 4 : 5;
   const double part = step / parts, slack = 1e-9 * step;
   const auto below = static_cast<int>((axis.ticks.front().value - from + slack) / part);
   const auto above = static_cast<int>((to - axis.ticks.front().value + slack) / part);
@@ -149,28 +151,32 @@ std::vector<double> minorTicks(const AxisTicks& axis, double from, double to) {
   return minor;
 }
 
+void keepOutermost(std::vector<Tick>& ticks) {
+  if (ticks.size() > 2) ticks.erase(ticks.begin() + 1, ticks.end() - 1);
+}
+
 AxisTicks sparseTicks(double from, double to, float pixels, float size, std::string_view unit) {
   const auto isSparse = [&](const AxisTicks& axis) {
     const double share = (axis.ticks[1].value - axis.ticks[0].value) / (to - from);
     return widestLabel(axis.ticks, size) + size < share * pixels;
   };
-  const int most = tickCount(pixels, size * 4);
-  for (int count = most; count > 1; --count) {
-    AxisTicks axis = linearTicks(from, to, count, unit);
-    if (axis.ticks.size() > 1) {
-      if (isSparse(axis)) return axis;
-      continue;
-    }
-    // One tick gives no scale: with steps of 1, 2 and 5 more of them may fit.
-    for (int more = most + 1; count == most && more <= kMaxTicks; ++more) {
-      AxisTicks closer = linearTicks(from, to, more, unit);
-      if (closer.ticks.size() < 2) continue;
-      if (isSparse(closer)) return closer;
-      break;
-    }
-    return axis;
+  for (int most = tickCount(pixels, size * 4); most > 1; --most) {
+    AxisTicks axis = linearTicks(from, to, most, unit);
+    if (axis.ticks.size() < 2) break;
+    if (isSparse(axis)) return axis;
   }
-  return linearTicks(from, to, 1, unit);
+  // One tick gives no scale: with steps of 1, 2 and 5 more of them may fit, or the outermost two.
+  AxisTicks single;
+  for (int most = 1; most <= kMaxTicks; ++most) {
+    AxisTicks axis = linearTicks(from, to, most, unit);
+    if (single.ticks.empty()) single = axis;
+    if (axis.ticks.size() < 2) continue;
+    if (isSparse(axis)) return axis;
+    keepOutermost(axis.ticks);
+    if (isSparse(axis)) return axis;
+  }
+  if (single.ticks.size() > 1) single.ticks.resize(1);
+  return single;
 }
 
 AxisTicks yTicks(double from, double to, float pixels, float each, float size,
@@ -186,7 +192,7 @@ AxisTicks yTicks(double from, double to, float pixels, float each, float size,
       return apart * static_cast<double>(pixels) >= 1.1 * static_cast<double>(size);
     };
     // The outermost two give a scale where not all fit; finer steps have them farther apart.
-    if (!ticksFit()) closer.ticks.erase(closer.ticks.begin() + 1, closer.ticks.end() - 1);
+    if (!ticksFit()) keepOutermost(closer.ticks);
     if (ticksFit()) return closer;
   }
   return axis;

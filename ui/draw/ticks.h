@@ -37,10 +37,15 @@ double roundUp(double value);
 /// plain numbers would be long, and so does any unit outside the range of prefixes.
 AxisTicks linearTicks(double from, double to, int most, std::string_view unit);
 
+/// Leaves out all ticks but the first and the last.
+void keepOutermost(std::vector<Tick>& ticks);
+
 /// Returns the minor ticks that split a step of 1, 2, 5 into 5, 4, 5; ascending, in [from, to].
+/// Between two ticks with another distance there are none.
 std::vector<double> minorTicks(const AxisTicks& axis, double from, double to);
 
-/// Returns ticks whose labels, written side by side in fonts of `size`, fit `pixels`.
+/// Returns ticks whose labels, written side by side in fonts of `size`, fit `pixels`: two or more
+/// wherever two fit, because a single tick does not show the scale.
 AxisTicks sparseTicks(double from, double to, float pixels, float size, std::string_view unit);
 
 /// Returns ticks of a vertical axis, `each` pixels for one of them. A low axis has closer ticks as

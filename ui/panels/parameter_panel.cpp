@@ -20,6 +20,7 @@
 #include "ui/panels/number_text.h"
 #include "ui/panels/panel_headers.h"
 #include "ui/panels/parameter_row.h"
+#include "ui/panels/parameter_text.h"
 #include "ui/panels/scene_files.h"
 
 namespace asperity {
@@ -336,7 +337,7 @@ void ParameterPanel::arrange() {
   };
   // Words of everyday language are in the sentences; those of a name select no other row.
   const bool inSentences = isFiltered && std::ranges::none_of(rows_, [&](const auto* row) {
-                             return mayBeVisible(row) && row->matches(words);
+                             return mayBeVisible(row) && isFound(row->parameter(), words);
                            });
   int found = 0;
   for (const Section& section : sections_) {
@@ -345,7 +346,7 @@ void ParameterPanel::arrange() {
     for (ParameterRow* row : section.rows) {
       const std::string_view key = row->parameter().key;
       const bool isPossible = mayBeVisible(row);
-      bool isSelected = isFiltered ? row->matches(words, inSentences) : isWhole;
+      bool isSelected = isFiltered ? isFound(row->parameter(), words, inSentences) : isWhole;
       if (isPossible && isSelected) ++here;
       // A scene's title differs from the default in any case.
       if (isPossible && isSelected && row->isChanged() && !panelSection(row->parameter()).isEmpty())

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
@@ -20,6 +21,7 @@
 #include "ui/panels/list_box.h"
 #include "ui/panels/material_box.h"
 #include "ui/panels/number_text.h"
+#include "ui/panels/parameter_text.h"
 #include "ui/panels/value_entry.h"
 #include "ui/panels/value_slider.h"
 
@@ -38,17 +40,6 @@ ParameterValue sliderValue(const Parameter& parameter, double value) {
   if (std::holds_alternative<IntegerField>(parameter.field))
     return static_cast<std::int64_t>(std::llround(value));
   return value;
-}
-
-/// Returns "shear modulus G"; a label that ends with its symbol, "shift C1", has it once.
-QString labelWithSymbol(const Parameter& parameter) {
-  QString label = ParameterRow::labelText(parameter);
-  if (parameter.symbol.empty()) return label;
-  const QString plain = fromUtf8(parameter.symbol).remove('_');
-  if (label.endsWith(' ' + plain)) label.chop(plain.size() + 1);
-  // A line break never separates the symbol from its name.
-  const bool hasWords = label.contains(' ');
-  return label + (hasWords ? "&nbsp;&nbsp;" : "&nbsp; ") + symbolHtml(parameter.symbol);
 }
 
 /// Returns the width that a label needs where it is broken at spaces and hyphens.
@@ -81,71 +72,6 @@ int labelWidth(const QFont& font) {
     width = std::max(width, needed);
   }
   return width + 4;
-}
-
-/// Returns whether some word of the text begins with these letters.
-bool beginsWordIn(const QString& letters, const QString& text) {
-  static const QRegularExpression between(QStringLiteral(R"([\s._(-]+)"));
-  const QStringList parts = text.split(between);
-  return std::ranges::any_of(
-      parts, [&](const QString& part) { return part.startsWith(letters, Qt::CaseInsensitive); });
-}
-
-/// Returns whether a word is found in a name: a long one anywhere, a short one at the beginning of
-/// a word, because one or two letters are found nearly everywhere.
-bool isWordIn(const QString& word, const QString& text) {
-  return word.size() > 2 ? text.contains(word, Qt::CaseInsensitive) : beginsWordIn(word, text);
-}
-
-/// Returns whether a word is a unit in which the parameter may be typed: "mN", "°C".
-bool isUnit(const QString& word, const Parameter& parameter) {
-  return !parameter.unit.empty() && findUnit(word.toStdString(), parameter.unit).has_value();
-}
-
-/// Returns the usual range of values, that of the slider, in the notation of the entries, or the
-/// words of a choice. The allowed range is in the message that refuses a value.
-QString rangeText(const Parameter& parameter) {
-  if (allowedRange(parameter)) {
-    NumberRule rule = numberRule(parameter);
-    std::visit(
-        [&rule](const auto& field) {
-          if constexpr (requires { field.sliderFrom; }) {
-            rule.minimum = static_cast<double>(field.sliderFrom);
-            rule.maximum = static_cast<double>(field.sliderTo);
-          }
-        },
-        parameter.field);
-    return ParameterRow::tr("usually %1").arg(allowedInWords(rule));
-  }
-  QStringList words;
-  if (const auto* choice = std::get_if<ChoiceField>(&parameter.field))
-    for (const std::string_view word : choice->choices) words += wordText(word, parameter.key);
-  return words.join(QStringLiteral(", "));
-}
-
-/// Returns the default's arms in words, any other value as its row shows it.
-QString resetText(const Parameter& parameter, const QString& value) {
-  if (std::holds_alternative<ArmsField>(parameter.field))
-    return ParameterRow::tr("Back to the default, one arm");
-  return value.isEmpty() ? ParameterRow::tr("Back to the default, which is empty")
-                         : ParameterRow::tr("Back to the default, %1").arg(value);
-}
-
-UnitText shownText(const Parameter& parameter, const ParameterValue& value) {
-  if (const auto* real = std::get_if<double>(&value)) {
-    const UnitText text = inReadableUnit(*real, fromUtf8(parameter.unit));
-    return {inLanguage(text.number), text.unit};
-  }
-  // Texts of shipped scenes are shown in the language of the window.
-  if (const auto* text = std::get_if<std::string>(&value))
-    if (std::holds_alternative<TextField>(parameter.field) && isTranslatedScene(*text))
-      return {sceneText(*text), {}};
-  return {valueText(value), fromUtf8(parameter.unit)};
-}
-
-QString textWithUnit(const Parameter& parameter, const ParameterValue& value) {
-  const UnitText text = shownText(parameter, value);
-  return (text.number + ' ' + text.unit).trimmed();
 }
 
 double asNumber(const ParameterValue& value) {
@@ -186,7 +112,7 @@ ParameterRow::ParameterRow(const Parameter& parameter, QWidget* parent)
 
 void ParameterRow::showTexts() {
   label_->setText(labelWithSymbol(parameter_));
-  label_->setToolTip(meaning());
+  label_->setToolTip(parameterTip(parameter_, rheology_));
   for (QWidget* control : Widgets{slider_, entry_, choice_, table_, material_, list_, text_})
     if (control) describe(*control);
   if (material_) material_->showTexts();
@@ -250,9 +176,8 @@ void ParameterRow::showScene(const Scene& scene, const LineSize& known, bool rep
   const ParameterValue value = parameterValue(parameter_, scene);
   const std::optional<Placeholder> placeholder = placeholderFor(parameter_, scene, known);
   if (rheology_ != scene.elastomer.rheology) {
-    const QString before = explanationText();
-    rheology_ = scene.elastomer.rheology;
-    if (explanationText() != before) showTexts();
+    const Rheology before = std::exchange(rheology_, scene.elastomer.rheology);
+    if (explanationText(parameter_, rheology_) != explanationText(parameter_, before)) showTexts();
   }
   if (slider_)
     showOnSlider(placeholder ? placeholder->value.value_or(0) : asNumber(value), replace);
@@ -287,9 +212,8 @@ void ParameterRow::showEntry(const ParameterValue& value,
   if (browse_) {
     // The button has a text until a file name needs the space, which may not show all of it.
     browse_->setText(text.isEmpty() ? tr("choose file…") : QStringLiteral("…"));
-    entry_->setToolTip(text.isEmpty()
-                           ? description()
-                           : QStringLiteral("<p>%1</p>").arg(text.toHtmlEscaped()) + description());
+    entry_->setToolTip(
+        text.isEmpty() ? tip() : QStringLiteral("<p>%1</p>").arg(text.toHtmlEscaped()) + tip());
   } else {
     entry_->setPlaceholderText(placeholder ? placeholder->text : QString());
   }
@@ -305,9 +229,8 @@ void ParameterRow::showEntry(const ParameterValue& value,
 void ParameterRow::showReset(const ParameterValue& value, const ParameterValue& initial) {
   resetValue_ = initial;
   reset_->setEnabled(value != initial);
-  reset_->setToolTip(initial == defaultValue(parameter_)
-                         ? resetText(parameter_, textWithUnit(parameter_, initial))
-                         : tr("As the file says"));
+  reset_->setToolTip(initial == defaultValue(parameter_) ? resetText(parameter_, initial)
+                                                         : tr("As the file says"));
 }
 
 void ParameterRow::showRefusal(const QString& reason) {
@@ -363,21 +286,6 @@ void ParameterRow::takeFocus() {
   for (QWidget* control : Widgets{slider_, choice_, material_, list_, entry_, text_,
                                   table_ ? &table_->fold() : nullptr})
     if (control && control->isVisibleTo(this)) return control->setFocus(Qt::ShortcutFocusReason);
-}
-
-bool ParameterRow::matches(const QStringList& words, bool inSentence) const {
-  const QString text =
-      labelText(parameter_) + ' ' + fromUtf8(parameter_.label) + ' ' + fromUtf8(parameter_.key);
-  const QString sentence =
-      inSentence ? translatedText(parameter_.sentence) + ' ' + fromUtf8(parameter_.sentence)
-                 : QString();
-  static const QRegularExpression tag(QStringLiteral("<[^>]*>"));
-  const QString symbol = symbolHtml(parameter_.symbol).remove(tag);
-  return std::ranges::all_of(words, [&](const QString& word) {
-    return isWordIn(word, text) || beginsWordIn(word, sentence) ||
-           (!symbol.isEmpty() && word == symbol) || word == fromUtf8(parameter_.symbol) ||
-           isUnit(word, parameter_);
-  });
 }
 
 bool ParameterRow::isChanged() const {
@@ -540,51 +448,16 @@ QString ParameterRow::nameFor(const char* kind) const {
 }
 
 void ParameterRow::describe(QWidget& control) {
-  control.setAccessibleName(accessibleLabel());
+  control.setAccessibleName(accessibleLabel(parameter_));
   control.setAccessibleDescription(translatedText(parameter_.sentence));
-  control.setToolTip(description());
+  control.setToolTip(tip());
 }
 
-/// Returns "normal force (N)".
-QString ParameterRow::accessibleLabel() const {
-  const QString unit = fromUtf8(parameter_.unit);
-  return unit.isEmpty() ? labelText(parameter_)
-                        : QStringLiteral("%1 (%2)").arg(labelText(parameter_), unit);
-}
-
-/// Returns the sentence of the parameter and its formula for the elements of the scene.
-QString ParameterRow::explanationText() const {
-  const auto explanation = findExplanation(parameter_.key);
-  return explanation ? explanationHtml(withFormulaFor(*explanation, rheology_)) : QString();
-}
-
-/// Returns what the parameter is: formula, sentence, key and range.
-QString ParameterRow::meaning() const {
-  return explanationText() + keyLine();
-}
-
-/// Returns the last line of a tooltip: the key, for people who write scene files, and its range.
-QString ParameterRow::keyLine() const {
-  const QString range = rangeText(parameter_);
-  if (range.isEmpty()) return {};
-  return QStringLiteral("<p><small><span style=\"color: gray\">%1: %2</span></small></p>")
-      .arg(fromUtf8(parameter_.key), range.toHtmlEscaped());
-}
-
-/// Returns what the parameter is and how its control is used.
-QString ParameterRow::description() const {
-  QString text = explanationText();
-  if (std::holds_alternative<RealField>(parameter_.field) && !parameter_.unit.empty())
-    text +=
-        QStringLiteral("<p><small>%1</small></p>")
-            .arg(tr("A number alone counts in the unit beside it; any unit may be typed with it."));
-  if (slider_) {
-    QString keys =
-        tr("Arrow keys make steps, with Shift the smallest ones; PageUp and PageDown large ones.");
-    if (!slider_->isHidden()) keys += ' ' + tr("Dragging with Shift is ten times finer.");
-    text += QStringLiteral("<p><small>%1</small></p>").arg(keys);
-  }
-  return text + keyLine();
+QString ParameterRow::tip() const {
+  const SliderUse slider = !slider_              ? SliderUse::None
+                           : slider_->isHidden() ? SliderUse::Hidden
+                                                 : SliderUse::Visible;
+  return controlTip(parameter_, rheology_, slider);
 }
 
 void ParameterRow::contextMenuEvent(QContextMenuEvent* event) {

@@ -75,10 +75,6 @@ class ParameterRow : public QWidget {
   /// Gives its first control the focus.
   void takeFocus();
 
-  /// Returns whether all words are found in the row's label, its key, its symbol or its unit.
-  /// inSentence: or in the sentence that describes it.
-  bool matches(const QStringList& words, bool inSentence = false) const;
-
   /// Returns whether the scene's value differs from that of the reset button.
   bool isChanged() const;
 
@@ -118,11 +114,7 @@ class ParameterRow : public QWidget {
   void showReset(const ParameterValue& value, const ParameterValue& initial);
   QString nameFor(const char* kind) const;
   void describe(QWidget& control);
-  QString explanationText() const;
-  QString meaning() const;
-  QString description() const;
-  QString keyLine() const;
-  QString accessibleLabel() const;
+  QString tip() const;
 
   Parameter parameter_;
   Rheology rheology_ = Rheology::Kelvin;     // of the scene, whose formulas the tooltips have

@@ -119,5 +119,27 @@ TEST(ChartGeometryTest, ACurveIsSeenBetweenItsPoints) {
   EXPECT_FALSE(showsCurves({{-3, 3}, {-4, 0}}, Diagram{}));
 }
 
+/// A marker that stands at a point leaves it, also where values are negative.
+TEST(ChartGeometry, TheNextPointIsAnotherOne) {
+  Diagram diagram;
+  diagram.x.scale = diagram.y.scale = AxisScale::Linear;
+  DiagramSeries curve, other;
+  curve.id = 3;
+  for (const double x : {-1.0, -0.5, 0.0, 0.5, 1.0}) curve.points.push_back({x, 1});
+  curve.points.push_back({0.75, std::nan("")});
+  other.points = {{0.1, 1}};
+  diagram.series = {other, curve};
+  const auto next = [&](double x, bool isForward) {
+    const DiagramPoint* point = nextPoint(diagram, 3, x, isForward);
+    return point ? point->x : 99;
+  };
+  EXPECT_EQ(next(-0.5, true), 0);
+  EXPECT_EQ(next(-0.5, false), -1);
+  EXPECT_EQ(next(0, true), 0.5);
+  EXPECT_EQ(next(0.5 * (1 + 1e-12), true), 1);
+  EXPECT_EQ(next(1, true), 99);
+  EXPECT_EQ(next(-1, false), 99);
+}
+
 }  // namespace
 }  // namespace asperity

@@ -287,6 +287,30 @@ TEST_F(ChartViewTest, TheMarkerAloneCanBeMoved) {
   EXPECT_FALSE(has(look().marker(), at(2, 3e-2)));
 }
 
+/// The legend gives its rows back to the chart, whatever numbers its status has; only while a curve
+/// grows, whose names change, the chart keeps its place.
+TEST_F(ChartViewTest, AShorterLegendLeavesItsSpaceToTheChart) {
+  DiagramSheet few = sampleSheet();
+  few.status = "predicted rate 1/τ + v/ℓ = 12.5 s⁻¹";
+  const auto top = [&](const DiagramSheet& sheet) {
+    view_->setSheet(sheet);
+    QTest::qWait(1);
+    return view_->frame()->area.top();
+  };
+  const double usual = top(few);
+  DiagramSheet many = few;
+  for (int i = 0; i < 6; ++i) {
+    DiagramSeries pinned = seriesWith(i + 1, 2, {{1, 0.1}});
+    pinned.name = "a curve with a name that takes much of a row";
+    many.diagrams[0].series.push_back(pinned);
+  }
+  EXPECT_GT(top(many), usual);
+  EXPECT_EQ(top(few), usual);
+  const double lower = top(many);
+  few.isGrowing = true;
+  EXPECT_EQ(top(few), lower);
+}
+
 TEST_F(ChartViewTest, AnEmptyPlotIsHarmless) {
   view_->setSheet({});
   EXPECT_FALSE(image().isNull());

@@ -11,6 +11,7 @@
 #include "ui/chart/diagram_axes.h"
 #include "ui/chart/diagram_picture.h"
 #include "ui/chart/diagram_style.h"
+#include "ui/draw/fonts.h"
 #include "ui/draw/ticks.h"
 
 namespace asperity {
@@ -246,6 +247,44 @@ TEST(DiagramDrawing, TheAxisOfAStripHasTwoNumbers) {
           const double apart = (axis.ticks[1].value - axis.ticks[0].value) / size;
           EXPECT_GE(apart * letters, 0.999) << "labels must not touch";
         }
+}
+
+/// Returns whether the numbers at two of the positions 1, 2 and 5 times powers of ten fit beside
+/// each other below an axis.
+bool hasSpaceForTwo(const AxisRange& range, float pixels, float size) {
+  const std::vector<Tick> ticks = logTicks(range.from, range.to, 100);
+  for (std::size_t i = 0; i < ticks.size(); ++i)
+    for (std::size_t k = i + 1; k < ticks.size(); ++k) {
+      const double apart = (ticks[k].value - ticks[i].value) / range.size() * pixels;
+      const double labels = textWidth(ticks[i].label, size) + textWidth(ticks[k].label, size);
+      if (apart > 0.5 * labels + 0.8 * size) return true;
+    }
+  return false;
+}
+
+/// Nor does it below a narrow diagram.
+TEST(DiagramDrawing, TheAxisBelowANarrowDiagramHasTwoNumbers) {
+  const DiagramSizes sizes;
+  int count = 0;
+  for (const float letters : {4.0F, 4.5F, 5.0F, 6.0F, 8.0F, 12.0F})
+    for (double from = -3.1; from < 0; from += 0.07)
+      for (const double size : {0.2, 0.37, 0.6, 1.0, 1.3, 1.9, 2.6, 4.0, 7.0}) {
+        const AxisRange range{from, from + size};
+        const float pixels = letters * sizes.tick;
+        const TickedAxis axis =
+            tickedXAxis({"x", "", AxisScale::Logarithmic}, range, pixels, sizes);
+        for (std::size_t i = 0; i + 1 < axis.ticks.size(); ++i) {
+          const double apart =
+              (axis.ticks[i + 1].value - axis.ticks[i].value) / size * static_cast<double>(pixels);
+          EXPECT_GT(apart, 0.5 * (textWidth(axis.ticks[i].label, sizes.tick) +
+                                  textWidth(axis.ticks[i + 1].label, sizes.tick)))
+              << "labels must not touch";
+        }
+        EXPECT_GE(axis.ticks.size(), hasSpaceForTwo(range, pixels, sizes.tick) ? 2U : 1U)
+            << letters << " letters, " << range.from << " to " << range.to;
+        ++count;
+      }
+  EXPECT_GT(count, 1000);
 }
 
 /// The sentence that says why there is no curve is not crossed by the line of the present state.

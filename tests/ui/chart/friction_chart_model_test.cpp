@@ -70,22 +70,6 @@ std::vector<double> velocitiesOf(const FrictionChartModel& chart) {
   return velocities;
 }
 
-TEST(DecadeRanges, SurroundsTheData) {
-  EXPECT_EQ(decadesAround(2e-5, 30), (AxisRange{-5, 2}));
-  EXPECT_EQ(decadesAround(1e-5, 1e3), (AxisRange{-5, 3}));
-  EXPECT_EQ(decadesAround(1, 1), (AxisRange{0, 1}));
-}
-
-TEST(DecadeRanges, GrowsAtOnceAndShrinksReluctantly) {
-  const AxisRange shown{-6, -2};
-  EXPECT_EQ(steadyRange(shown, {-7, -3}, false), (AxisRange{-7, -2}));
-  EXPECT_EQ(steadyRange(shown, {-3, -2}, false), shown);
-  EXPECT_EQ(steadyRange(shown, {-5, -2}, true), shown);
-  EXPECT_EQ(steadyRange(shown, {-3, -2}, true), (AxisRange{-3, -2}));
-  EXPECT_EQ(steadyRange({}, {-3, -2}, false), (AxisRange{-3, -2}));
-  EXPECT_EQ(steadyRange(shown, {}, true), shown);
-}
-
 TEST(FrictionChartModelTest, SkipsWhatHasNoPlaceOnLogarithmicAxes) {
   FrictionChartModel diagram;
   const double nan = std::nan("");
@@ -102,6 +86,7 @@ TEST(FrictionChartModelTest, KeepsErrorsAndStatesHowFarItIs) {
   EXPECT_DOUBLE_EQ(shown.high - shown.y, 2e-4);
   EXPECT_DOUBLE_EQ(shown.y - shown.low, 2e-4);
   EXPECT_EQ(diagram.sheet().status.english(), "37 of 200 lines");
+  EXPECT_TRUE(diagram.sheet().isGrowing);
   EXPECT_DOUBLE_EQ(diagram.progress(), 37.0 / 200);
 }
 
@@ -562,6 +547,7 @@ TEST(FrictionChartModelTest, OverAnotherKeyStatusAndLegendCountTheSameLines) {
   curve.isComplete = true;
   diagram.take(curve);
   EXPECT_EQ(diagram.sheet().status.english(), "200 of 200 lines");
+  EXPECT_FALSE(diagram.sheet().isGrowing);
   EXPECT_TRUE(seriesOf(diagram, kPresentCurve).name.english().starts_with("mean of 200 lines"));
 }
 

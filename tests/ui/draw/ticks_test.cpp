@@ -129,6 +129,34 @@ TEST(Ticks, MinorOnesSplitTheStepsIntoRoundParts) {
   EXPECT_NEAR(quarters.front(), -0.5, 1e-12);
   EXPECT_NEAR(quarters.back(), 3.5, 1e-12);
   EXPECT_TRUE(minor(1, 1, 5).empty());
+  // The outermost two ticks of a low axis may be three steps apart.
+  AxisTicks outermost = linearTicks(0, 6, 4, "m");
+  keepOutermost(outermost.ticks);
+  ASSERT_EQ(labels(outermost), "0 6 m");
+  EXPECT_TRUE(minorTicks(outermost, 0, 6).empty());
+}
+
+/// Two numbers wherever two fit: the outermost ones, if not all.
+TEST(Ticks, BelowANarrowAxisThereAreTwo) {
+  constexpr float kSize = 12;
+  for (const float letters : {4.0F, 5.0F, 7.0F, 10.0F})
+    for (double from = -3.1; from < 0; from += 0.07)
+      for (const double size : {0.2, 0.37, 0.6, 1.0, 1.3, 1.9, 2.6, 4.0}) {
+        const float pixels = letters * kSize;
+        const auto isSparse = [&](const AxisTicks& axis) {
+          const double apart = (axis.ticks[1].value - axis.ticks[0].value) / size * pixels;
+          return apart > widestLabel(axis.ticks, kSize) + kSize;
+        };
+        bool fits = false;
+        for (const int most : {2, 3, 4, 5, 6, 8, 10, 12}) {
+          AxisTicks two = linearTicks(from, from + size, most, "m");
+          keepOutermost(two.ticks);
+          fits = fits || (two.ticks.size() == 2 && isSparse(two));
+        }
+        const AxisTicks axis = sparseTicks(from, from + size, pixels, kSize, "m");
+        EXPECT_GE(axis.ticks.size(), fits ? 2U : 1U) << letters << ' ' << from << ' ' << size;
+        EXPECT_TRUE(axis.ticks.size() < 2 || isSparse(axis));
+      }
 }
 
 TEST(FactorText, GroupsThousands) {

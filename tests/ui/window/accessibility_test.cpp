@@ -8,6 +8,7 @@
 #include <QMap>
 #include <QMenu>
 #include <QMenuBar>
+#include <QSet>
 #include <QTabWidget>
 
 #include "tests/ui/window/main_window_fixture.h"
@@ -55,6 +56,22 @@ TEST_F(AccessibilityTest, WhatTakesTheFocusHasAName) {
     EXPECT_FALSE(nameOf(widget).isEmpty()) << pathOf(widget).toStdString();
   }
   EXPECT_GT(count, 80);
+}
+
+/// The keys of contact and chart are of no use to a person who cannot get there without a pointer.
+TEST_F(AccessibilityTest, TheTabKeyComesToContactAndChart) {
+  ASSERT_TRUE(waitForFrame());
+  QSet<QWidget*> reached;
+  window_.canvas().setFocus();
+  for (QWidget* at = window_.focusWidget(); at && !reached.contains(at);
+       at = window_.focusWidget()) {
+    reached += at;
+    QTest::keyClick(at, Qt::Key_Tab);
+  }
+  EXPECT_TRUE(reached.contains(&window_.canvas()));
+  EXPECT_TRUE(reached.contains(&window_.plotView()));
+  EXPECT_TRUE(window_.plotView().isVisible());
+  EXPECT_GT(reached.size(), 20);
 }
 
 TEST_F(AccessibilityTest, ButtonsWithoutFocusHaveNamesToo) {

@@ -119,6 +119,56 @@ TEST_F(CurveCommandsTest, ArrowKeysMoveTheVelocityWhereTheChartHasTheFocus) {
   EXPECT_NEAR(velocity() / before, std::pow(10, -0.05), 0.005);
 }
 
+/// A zoomed range belongs to its axes: those of forces say nothing of velocities.
+TEST_F(CurveCommandsTest, AZoomEndsWithItsAxis) {
+  ASSERT_TRUE(waitForCurve());
+  Scene scene = session().scene();
+  scene.sweep.key = "load.normal_force";
+  scene.sweep.from = 1e-3;
+  scene.sweep.to = 1;
+  window_.document().edit(scene);
+  ASSERT_TRUE(waitForCurve());
+  plot().zoom(0.3);
+  ASSERT_TRUE(plot().isZoomed());
+  action("undo").trigger();
+  ASSERT_TRUE(waitForCurve());
+  EXPECT_FALSE(plot().isZoomed());
+  // Evenly spaced values have another axis, too.
+  plot().zoom(0.3);
+  scene = session().scene();
+  scene.sweep.scale = SweepScale::Linear;
+  window_.document().edit(scene);
+  ASSERT_TRUE(waitForCurve());
+  EXPECT_FALSE(plot().isZoomed());
+  action("undo").trigger();
+  ASSERT_TRUE(waitForCurve());
+  // Any other change keeps what is looked at; another scene is shown as a whole.
+  plot().zoom(0.3);
+  scene = session().scene();
+  scene.elastomer.shearModulus *= 2;
+  window_.document().edit(scene);
+  ASSERT_TRUE(waitForCurve());
+  EXPECT_TRUE(plot().isZoomed());
+  window_.openShipped("start");
+  EXPECT_FALSE(plot().isZoomed());
+}
+
+/// A curve over the axis before is not shown: it can neither be pinned nor be saved.
+TEST_F(CurveCommandsTest, ACurveOverAnotherAxisCannotBePinnedOrSaved) {
+  ASSERT_TRUE(waitForCurve());
+  ASSERT_TRUE(action("pinCurve").isEnabled());
+  Scene scene = session().scene();
+  scene.sweep.key = "load.normal_force";
+  scene.sweep.from = 1e-3;
+  scene.sweep.to = 1;
+  window_.document().edit(scene);
+  for (const char* name : {"pinCurve", "saveCurve", "copyCurvePicture"})
+    EXPECT_FALSE(action(name).isEnabled()) << name;
+  ASSERT_TRUE(waitForCurve());
+  for (const char* name : {"pinCurve", "saveCurve", "copyCurvePicture"})
+    EXPECT_TRUE(action(name).isEnabled()) << name;
+}
+
 TEST_F(CurveCommandsTest, TheListsAtTheAxesChooseThem) {
   ASSERT_TRUE(waitForCurve());
   auto& keys = control<ChoiceBox>("axisKey");

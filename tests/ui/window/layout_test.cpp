@@ -4,6 +4,7 @@
 #include <QDockWidget>
 #include <QLayout>
 #include <QLineEdit>
+#include <QMenu>
 #include <QMenuBar>
 #include <QScreen>
 #include <QSettings>
@@ -24,8 +25,10 @@
 
 #include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
+#include "ui/window/figures/diagram_view.h"
 #include "ui/window/figures/gallery_page.h"
 #include "ui/window/main/appearance.h"
+#include "ui/window/main/scene_tabs.h"
 #include "ui/window/main/session.h"
 
 namespace asperity {
@@ -152,6 +155,24 @@ TEST_F(LayoutTest, TabsAreHiddenAndShown) {
   EXPECT_FALSE(tabs().isVisible());
   action("restoreLayout").trigger();
   EXPECT_TRUE(tabs().isVisible());
+}
+
+/// It has its key and its entry in the menu, and what its diagrams report is heard.
+TEST_F(LayoutTest, APageThatIsAddedLaterIsOneOfThem) {
+  auto* page = new QWidget;
+  page->setObjectName("laterPage");
+  auto* view = new DiagramView(page);
+  window_.tabs().addPage(*page, [] { return QStringLiteral("Later"); });
+  const int index = tabs().indexOf(page);
+  EXPECT_EQ(tabs().tabText(index), "Later");
+  action("go:laterPage").trigger();
+  EXPECT_EQ(tabs().currentIndex(), index);
+  QSignalSpy failures(&window_.tabs(), &SceneTabs::failed);
+  emit view->failed("The disk is full");
+  EXPECT_EQ(failures.size(), 1);
+  EXPECT_TRUE(control<QMenu>("tabsMenu").actions().contains(&action("tab:laterPage")));
+  action("tab:laterPage").setChecked(false);
+  EXPECT_FALSE(tabs().isTabVisible(index));
 }
 
 TEST_F(LayoutTest, TheMotionsTabComesOnlyWithAMotion) {

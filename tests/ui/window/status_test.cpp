@@ -257,28 +257,61 @@ TEST(StatusLine, AnInterpolatedMeanIsMarked) {
   CurveReading reading;
   reading.mu = 0.2757;
   reading.error = 0.008;
+  reading.lines = 32;
   line.showFrame(movingFrame(1), reading);
   const auto& mu = *line.findChild<QLabel*>("factMu");
-  EXPECT_TRUE(mu.text().contains("(mean 0.276")) << mu.text().toStdString();
+  EXPECT_TRUE(mu.text().contains("mean of 32: 0.276")) << mu.text().toStdString();
   reading.isInterpolated = true;
   line.showFrame(movingFrame(1), reading);
-  EXPECT_TRUE(mu.text().contains(QStringLiteral("(mean ≈ 0.276"))) << mu.text().toStdString();
+  EXPECT_TRUE(mu.text().contains(QStringLiteral("mean of 32 ≈ 0.276"))) << mu.text().toStdString();
 }
 
 /// Value and error end at the same digit, also where that digit is a zero.
 TEST(StatusLine, TheMeanEndsWhereItsErrorBegins) {
   StatusLine line;
   CurveReading reading;
+  reading.lines = 32;
   const auto& mu = *line.findChild<QLabel*>("factMu");
-  for (const auto& [value, error, shown] : {std::tuple{0.3, 0.003, "(mean 0.300 ± 1 %)"},
-                                            {0.9, 0.0045, "(mean 0.900 ± 0.5 %)"},
-                                            {0.00119996, 5e-6, "(mean 0.001200 ± 0.4 %)"},
-                                            {0.5, 0.096, "(mean 0.5 ± 20 %)"}}) {
+  for (const auto& [value, error, shown] : {std::tuple{0.3, 0.003, ", mean of 32: 0.300 ± 1 %"},
+                                            {0.9, 0.0045, ", mean of 32: 0.900 ± 0.5 %"},
+                                            {0.00119996, 5e-6, ", mean of 32: 0.001200 ± 0.4 %"},
+                                            {0.5, 0.096, ", mean of 32: 0.5 ± 20 %"}}) {
     reading.mu = value;
     reading.error = error;
     line.showFrame(movingFrame(1), reading);
     EXPECT_TRUE(mu.text().contains(shown)) << mu.text().toStdString() << ", not " << shown;
   }
+}
+
+/// Header, chart and status line have three numbers of friction: words tell that of the drawn line
+/// from the mean.
+TEST(StatusLine, TheFrictionOfOneLineIsToldFromTheMeanOfAll) {
+  StatusLine line;
+  const auto text = [&] { return line.findChild<QLabel*>("factMu")->text().toStdString(); };
+  Frame frame = movingFrame(1);
+  frame.tangentialForce = 0.25;
+  frame.normalForce = 1;
+  CurveReading reading;
+  reading.mu = 0.3;
+  reading.error = 0.003;
+  reading.lines = 32;
+  line.showFrame(frame, reading);
+  EXPECT_EQ(text(), "this line μ = 0.25, mean of 32: 0.300 ± 1 %");
+  line.showFrame(frame, {});
+  EXPECT_EQ(text(), "this line μ = 0.25");
+  Scene scene = *frame.scene;
+  scene.interface.frictionCoefficient = 0.1;
+  frame.scene = std::make_shared<const Scene>(scene);
+  line.showFrame(frame, {});
+  EXPECT_EQ(text(), "this line, deformation μ = 0.25");
+  scene.surface.kind = SurfaceKind::Sine;
+  frame.scene = std::make_shared<const Scene>(scene);
+  line.showFrame(frame, {});
+  EXPECT_EQ(text(), "deformation μ = 0.25");
+  scene.interface = {};
+  frame.scene = std::make_shared<const Scene>(scene);
+  line.showFrame(frame, {});
+  EXPECT_EQ(text(), "friction μ = 0.25");
 }
 
 /// A long hint in a small window: nothing is computed, and the place of the progress is free.
@@ -301,6 +334,7 @@ TEST(StatusLine, ASmallWindowHasBothDimensionlessNumbers) {
   CurveReading reading;
   reading.mu = 0.01166;
   reading.error = 5e-5;
+  reading.lines = 32;
   reading.isInterpolated = true;
   for (const Language& language : languages()) {
     useLanguage(language.code);

@@ -66,7 +66,6 @@ CurveCommands::CurveCommands(Session& session, ChartView& view, Export run, QObj
   linearX_ = add("linearAxis", [this] { spaceEvenly(linearX_->isChecked()); });
   linearX_->setCheckable(true);
   linearY_ = add("linearQuantity", [this] {
-    view_.fit();
     session_.editCurve(
         [this](FrictionChartModel& plot) { plot.setLinearY(linearY_->isChecked()); });
   });
@@ -174,7 +173,7 @@ void CurveCommands::fillUnpin() {
 
 void CurveCommands::showState() {
   const bool hasPins = !session_.friction().pinned().empty();
-  const bool hasCurve = session_.friction().hasCurve();
+  const bool hasCurve = session_.friction().hasCurve();  // on the present axis
   // A curve that a lesson hides must not appear as a pinned one or in a file.
   const bool isConcealed = session_.friction().isConcealed();
   pin_->setEnabled(hasCurve && !isConcealed);
@@ -193,9 +192,7 @@ void CurveCommands::showState() {
   copy_->setEnabled(hasCurve);
 }
 
-/// Changes the axes. Zoomed ranges belong to the former axes.
 void CurveCommands::setAxes(bool dimensionless) {
-  view_.fit();
   session_.editCurve([dimensionless](FrictionChartModel& plot) {
     plot.setAxes(dimensionless ? CurveAxes::Dimensionless : CurveAxes::Physical);
   });
@@ -262,7 +259,6 @@ void CurveCommands::fillQuantities() {
 }
 
 void CurveCommands::chooseQuantity(CurveQuantity quantity) {
-  view_.fit();
   dimensionless_->setChecked(false);
   session_.editCurve([&](FrictionChartModel& plot) { plot.setQuantity(quantity); });
 }
@@ -281,7 +277,6 @@ void CurveCommands::chooseAxis(const Parameter* parameter) {
     next = sceneOver(usualRange(*parameter, scene), scene);
   if (key == scene.sweep.key) return dimensionless_->setChecked(!parameter);
   next.sweep.points = scene.sweep.points;
-  view_.fit();
   emit axisChosen(next);
   if (!parameter) dimensionless_->setChecked(true);
 }
@@ -289,7 +284,6 @@ void CurveCommands::chooseAxis(const Parameter* parameter) {
 void CurveCommands::spaceEvenly(bool isLinear) {
   Scene next = session_.scene();
   next.sweep.scale = isLinear ? SweepScale::Linear : SweepScale::Logarithmic;
-  view_.fit();
   emit axisChosen(next);
 }
 

@@ -28,6 +28,12 @@ constexpr int kPause = 80;  // ms; painting a diagram takes as long as several p
 constexpr int kDigits = 3, kFineDigits = 5;  // digits of a value that the user sets
 constexpr int kFade = 30;  // ms to wait for a new curve before the old one is drawn faded
 
+CurveAxesChoice chosenAxes(const Session& session) {
+  const FrictionChartModel& friction = session.friction();
+  const Sweep& sweep = session.scene().sweep;
+  return {sweep.key, sweep.scale, friction.axes(), friction.quantity(), friction.isLinearY()};
+}
+
 }  // namespace
 
 CurveDisplay::CurveDisplay(Session& session, ChartView& view, QObject* parent)
@@ -61,7 +67,7 @@ CurveDisplay::CurveDisplay(Session& session, ChartView& view, QObject* parent)
 void CurveDisplay::showSoon() {
   const bool isStale = session_.friction().isStale();
   const bool wasStale = std::exchange(wasStale_, isStale);
-  if (wasStale && !isStale) return show();
+  if ((wasStale && !isStale) || chosenAxes(session_) != axes_) return show();
   isDue_ = true;
   if (isStale && !wasStale) return pause_.start(kFade);
   if (!pause_.isActive()) show();
@@ -69,6 +75,10 @@ void CurveDisplay::showSoon() {
 
 void CurveDisplay::show() {
   isDue_ = false;
+  if (const CurveAxesChoice axes = chosenAxes(session_); axes != axes_) {
+    axes_ = axes;
+    view_.fit();
+  }
   view_.setSheet(session_.friction().sheet());
   pause_.start(kPause);
 }

@@ -11,7 +11,9 @@
 #include <QString>
 #include <QTimer>
 #include <optional>
+#include <string>
 
+#include "core/chart/curve_set.h"
 #include "core/friction/curve_difference.h"
 #include "core/friction/curve_quantity.h"
 #include "core/scene/scene.h"
@@ -24,6 +26,17 @@ class AxisBox;
 class ChartView;
 class CurveCommands;
 class Session;
+
+/// What the axes of the curve show. A zoomed range belongs to them.
+struct CurveAxesChoice {
+  std::string key;  // that is swept
+  SweepScale xScale = SweepScale::Logarithmic;
+  CurveAxes axes = CurveAxes::Physical;
+  CurveQuantity quantity = CurveQuantity::Mu;
+  bool isLinearY = false;
+
+  bool operator==(const CurveAxesChoice&) const = default;
+};
 
 /// Shows the session's diagram.
 class CurveDisplay : public QObject {
@@ -47,6 +60,7 @@ class CurveDisplay : public QObject {
   QTimer pause_;        // runs after the diagram was painted
   bool isDue_ = false;  // a change arrived meanwhile
   bool wasStale_ = false;
+  CurveAxesChoice axes_;             // of the diagram that is shown
   std::optional<double> requested_;  // the newest value of the swept key that was set here
 };
 

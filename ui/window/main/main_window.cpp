@@ -325,6 +325,7 @@ void MainWindow::showScene(const Scene& scene, bool isOpened) {
   canvas_->setScene(scene);
   if (isOpened) {
     canvas_->fit();
+    tabs_->plot().fit();
     timeBar_->showOtherScene(scene);
   } else {
     timeBar_->showScene(scene);

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
+#include <utility>
 
 #include "core/chart/material_sheets.h"
 #include "core/run/line_diagrams.h"
@@ -95,30 +96,47 @@ SceneTabs::SceneTabs(Session& session, QWidget* parent)
   // Tabs move closer and have shorter titles before any of them would be out of sight.
   tabBar()->setUsesScrollButtons(false);
   tabBar()->setElideMode(Qt::ElideRight);
-  // Clicking here leaves an entry, so that the window gets the keys again.
-  plot_->setFocusPolicy(Qt::ClickFocus);
+  // The chart has keys of its own; clicking here also leaves an entry.
+  plot_->setFocusPolicy(Qt::StrongFocus);
   plot_->setMinimumHeight(kOnePlot);
   // Newer tabs are last, so that the keys of the others stay.
-  for (QWidget* page : Widgets{plot_, motion_, spectrum_, statistics_, material_, accuracy_, plan_,
-                               map_, influences_})
-    addTab(page, QString());
+  addPage(
+      *plot_, [] { return tr("Friction curve"); }, [] { return tr("Curve"); });
+  addPage(
+      *motion_, [] { return tr("Motion in time"); }, [] { return tr("Motion"); });
+  addPage(*spectrum_, [] { return tr("Spectrum"); });
+  addPage(*statistics_, [] { return tr("Statistics"); });
+  addPage(*material_, [] { return tr("Material"); });
+  addPage(*accuracy_, [] { return tr("Accuracy"); });
+  addPage(*plan_, [] { return tr("Plan"); });
+  addPage(*map_, [] { return tr("Map"); });
+  addPage(*influences_, [] { return tr("Influences"); });
   setTabVisible(kMotionTab, false);
-  for (int i = 0; i < count(); ++i) {
-    auto* action = named<QAction>("tab:" + widget(i)->objectName(), this);
-    action->setCheckable(true);
-    action->setChecked(true);
-    action->setVisible(i != kMotionTab);
-    connect(action, &QAction::toggled, this, [this, i](bool on) { setTabRequested(i, on); });
-    tabActions_ += action;
-  }
+  pageAt(kMotionTab).action->setVisible(false);
   keepTranslated(*this, [this] { showTexts(); });
   connect(accuracy_, &AccuracyPanel::comparisonChanged, this, &SceneTabs::updatePlotHeight);
-  for (DiagramView* view : findChildren<DiagramView*>()) {
+  connect(statistics_, &DiagramView::visibilityChanged, this, &SceneTabs::fieldsChanged);
+  connect(&session_, &Session::plotChanged, this, &SceneTabs::showMeasuredCurve);
+}
+
+void SceneTabs::addPage(QWidget& widget, Title title, Title brief) {
+  auto* action = named<QAction>("tab:" + widget.objectName(), this);
+  action->setText(title());
+  action->setCheckable(true);
+  action->setChecked(true);
+  const auto index = static_cast<int>(pages_.size());
+  connect(action, &QAction::toggled, this, [this, index](bool on) { setTabRequested(index, on); });
+  pages_.push_back({title, brief ? brief : title, action});
+  addTab(&widget, title());
+  if (menu_) menu_->addAction(action);
+  if (commands_) addKey(index);
+  QList<DiagramView*> views = widget.findChildren<DiagramView*>();
+  if (auto* view = qobject_cast<DiagramView*>(&widget)) views += view;
+  for (DiagramView* view : std::as_const(views)) {
     connect(view, &DiagramView::saved, this, &SceneTabs::saved);
     connect(view, &DiagramView::failed, this, &SceneTabs::failed);
   }
-  connect(statistics_, &DiagramView::visibilityChanged, this, &SceneTabs::fieldsChanged);
-  connect(&session_, &Session::plotChanged, this, &SceneTabs::showMeasuredCurve);
+  if (isVisible()) fitTitles();
 }
 
 void SceneTabs::showTexts() {
@@ -133,23 +151,16 @@ void SceneTabs::showTexts() {
   spectrum_->setAccessibleName(tr("spectrum of the rigid line"));
   statistics_->setAccessibleName(tr("pressures and slopes in contact"));
   material_->setAccessibleName(tr("moduli of the elastomer and the frequencies in use"));
-  const QStringList rest{tr("Spectrum"), tr("Statistics"), tr("Material"),  tr("Accuracy"),
-                         tr("Plan"),     tr("Map"),        tr("Influences")};
-  titles_ = QStringList{tr("Friction curve"), tr("Motion in time")} + rest;
-  briefTitles_ = QStringList{tr("Curve"), tr("Motion")} + rest;
-  for (int i = 0; i < count(); ++i) {
-    tabActions_[i]->setText(titles_[i]);
-    if (commands_) commands_->refresh(("go:" + widget(i)->objectName()).toStdString());
-  }
+  for (const Page& page : pages_) page.action->setText(page.title());
   fitTitles();
 }
 
-/// Returns the width of the visible tabs with these titles.
-int SceneTabs::tabsWidth(const QStringList& titles, int padding) const {
+/// Returns the width of the visible tabs with their whole or their brief titles.
+int SceneTabs::tabsWidth(Title Page::*title, int padding) const {
   const QFontMetrics metrics(tabBar()->font());
   int width = 0;
   for (int i = 0; i < count(); ++i)
-    if (isTabVisible(i)) width += metrics.horizontalAdvance(titles[i]) + 2 * padding;
+    if (isTabVisible(i)) width += metrics.horizontalAdvance((pageAt(i).*title)()) + 2 * padding;
   return width;
 }
 
@@ -162,26 +173,26 @@ int SceneTabs::cornerWidth() const {
 /// makes it wider, because the views would move when the page is shown for the first time.
 QSize SceneTabs::minimumSizeHint() const {
   QSize size = QTabWidget::minimumSizeHint();
-  if (!mayScroll_ && !briefTitles_.isEmpty())
-    size.setWidth(tabsWidth(briefTitles_, kCrowdedTabPadding) + kFreeWidth + cornerWidth());
+  if (!mayScroll_)
+    size.setWidth(tabsWidth(&Page::brief, kCrowdedTabPadding) + kFreeWidth + cornerWidth());
   return size;
 }
 
 /// Gives the tabs margins and titles that fit into the bar: wide or narrow, long or short.
 void SceneTabs::fitTitles() {
   const int available = width() - cornerWidth();
-  const bool isCrowded = tabsWidth(titles_, kTabPadding) > available;
-  const QStringList& shown =
-      isCrowded && tabsWidth(titles_, kCrowdedTabPadding) > available ? briefTitles_ : titles_;
+  const bool isCrowded = tabsWidth(&Page::title, kTabPadding) > available;
+  const bool isBrief = isCrowded && tabsWidth(&Page::title, kCrowdedTabPadding) > available;
+  Title Page::*const shown = isBrief ? &Page::brief : &Page::title;
   const bool needsButtons = mayScroll_ && tabsWidth(shown, kCrowdedTabPadding) > available;
   if (tabBar()->usesScrollButtons() != needsButtons) {
     tabBar()->setUsesScrollButtons(needsButtons);
     tabBar()->setElideMode(needsButtons ? Qt::ElideNone : Qt::ElideRight);
   }
   for (int i = 0; i < count(); ++i) {
-    if (tabText(i) != shown[i]) setTabText(i, shown[i]);
-    setTabToolTip(i,
-                  isTabEnabled(i) ? titles_[i] : tr("%1: hidden until the answer").arg(titles_[i]));
+    const QString title = pageAt(i).title(), text = (pageAt(i).*shown)();
+    if (tabText(i) != text) setTabText(i, text);
+    setTabToolTip(i, isTabEnabled(i) ? title : tr("%1: hidden until the answer").arg(title));
   }
   updateGeometry();  // the minimum width depends on the visible tabs
   if (tabBar()->property("crowded").toBool() == isCrowded) return;
@@ -214,25 +225,30 @@ void SceneTabs::resizeEvent(QResizeEvent* event) {
 
 void SceneTabs::changeEvent(QEvent* event) {
   QTabWidget::changeEvent(event);
-  if (event->type() == QEvent::FontChange && !titles_.isEmpty()) fitTitles();
+  if (event->type() == QEvent::FontChange) fitTitles();
 }
 
 void SceneTabs::addTo(Commands& commands) {
   commands_ = &commands;
-  for (int i = 0; i < count(); ++i) {
-    const std::string name = "go:" + widget(i)->objectName().toStdString();
-    QAction* action = commands.add({name,
-                                    [this, i] { return tr("Show %1").arg(titles_.value(i)); },
-                                    [this, i] { bringToFront(i); },
-                                    {Qt::ALT | static_cast<Qt::Key>(Qt::Key_1 + i)}});
-    keepTranslated(*this, [action] { action->setProperty("group", tr("Tabs")); });
-  }
+  for (int i = 0; i < count(); ++i) addKey(i);
+}
+
+/// Adds the key of a tab: Alt and its number.
+void SceneTabs::addKey(int index) {
+  QList<QKeySequence> keys;
+  if (index < 9) keys += Qt::ALT | static_cast<Qt::Key>(Qt::Key_1 + index);
+  QAction* action =
+      commands_->add({"go:" + widget(index)->objectName().toStdString(),
+                      [this, index] { return tr("Show %1").arg(pageAt(index).title()); },
+                      [this, index] { bringToFront(index); }, keys});
+  keepTranslated(*this, [action] { action->setProperty("group", tr("Tabs")); });
 }
 
 void SceneTabs::addMenu(QMenu& menu) {
-  QMenu* tabs = menu.addMenu(QString());
-  keepTranslated(*tabs, [tabs] { tabs->setTitle(tr("Tabs")); });
-  tabs->addActions(tabActions_);
+  menu_ = menu.addMenu(QString());
+  menu_->setObjectName("tabsMenu");
+  keepTranslated(*menu_, [tabs = menu_] { tabs->setTitle(tr("Tabs")); });
+  for (const Page& page : pages_) menu_->addAction(page.action);
 }
 
 /// Sets the minimum height of the chart: two plots need more than one.
@@ -242,14 +258,15 @@ void SceneTabs::updatePlotHeight() {
 }
 
 void SceneTabs::setTabRequested(int index, bool isRequested) {
-  setTabVisible(index, isRequested && tabActions_.at(index)->isVisible());
+  setTabVisible(index, isRequested && pageAt(index).action->isVisible());
   fitTitles();
-  const auto isOn = [](const QAction* each) { return each->isVisible() && each->isChecked(); };
-  setVisible(std::ranges::any_of(tabActions_, isOn));
+  setVisible(std::ranges::any_of(pages_, [](const Page& page) {
+    return page.action->isVisible() && page.action->isChecked();
+  }));
 }
 
 void SceneTabs::bringToFront(int index) {
-  QAction* action = tabActions_.at(index);
+  QAction* action = pageAt(index).action;
   if (action->isVisible()) action->setChecked(true);
   if (isTabVisible(index) && isTabEnabled(index)) setCurrentIndex(index);
 }
@@ -267,14 +284,14 @@ void SceneTabs::setCurveHidden(bool isHidden) {
 
 QStringList SceneTabs::hiddenTabs() const {
   QStringList names;
-  for (int i = 0; i < tabActions_.size(); ++i)
-    if (!tabActions_[i]->isChecked()) names += widget(i)->objectName();
+  for (int i = 0; i < count(); ++i)
+    if (!pageAt(i).action->isChecked()) names += widget(i)->objectName();
   return names;
 }
 
 void SceneTabs::hideTabs(const QStringList& names) {
-  for (int i = 0; i < tabActions_.size(); ++i)
-    tabActions_[i]->setChecked(!names.contains(widget(i)->objectName()));
+  for (int i = 0; i < count(); ++i)
+    pageAt(i).action->setChecked(!names.contains(widget(i)->objectName()));
 }
 
 void SceneTabs::showScene(const Scene& scene) {
@@ -282,7 +299,7 @@ void SceneTabs::showScene(const Scene& scene) {
   const bool hadMotion = isTabVisible(kMotionTab);
   // The tab of the motion is left before it is hidden; otherwise Qt shows the next one.
   if (!hasMotion && currentWidget() == motion_) setCurrentWidget(plot_);
-  QAction& action = *tabActions_.at(kMotionTab);
+  QAction& action = *pageAt(kMotionTab).action;
   action.setVisible(hasMotion);
   setTabVisible(kMotionTab, hasMotion && action.isChecked());
   fitTitles();

@@ -5,11 +5,11 @@
 #pragma once
 
 #include <QElapsedTimer>
-#include <QList>
 #include <QStringList>
 #include <QTabWidget>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "core/run/frame.h"
 #include "core/scene/scene.h"
@@ -42,6 +42,12 @@ class SceneTabs : public QTabWidget {
   AccuracyPanel& accuracy() { return *accuracy_; }
   MapPanel& map() { return *map_; }
   MotionView& motion() { return *motion_; }
+
+  /// Returns a title in the language of the window.
+  using Title = QString (*)();
+  /// Adds the last tab; the brief title is for a narrow bar. What the page's diagrams report is
+  /// reported by the tabs.
+  void addPage(QWidget& page, Title title, Title brief = nullptr);
 
   /// Adds a key for each tab, which brings it to the front.
   void addTo(Commands& commands);
@@ -92,9 +98,16 @@ class SceneTabs : public QTabWidget {
   void changeEvent(QEvent* event) override;
 
  private:
+  struct Page {
+    Title title, brief;
+    QAction* action;  // checked: the page is shown
+  };
+
   void showTexts();
   void fitTitles();
-  int tabsWidth(const QStringList& titles, int padding) const;
+  const Page& pageAt(int index) const { return pages_[static_cast<std::size_t>(index)]; }
+  void addKey(int index);
+  int tabsWidth(Title Page::*title, int padding) const;
   int cornerWidth() const;
   void bringToFront(int index);
   void setTabRequested(int index, bool isRequested);
@@ -110,9 +123,9 @@ class SceneTabs : public QTabWidget {
   MapPanel* map_;
   InfluencePage* influences_;
   Commands* commands_ = nullptr;
-  QList<QAction*> tabActions_;        // one for each tab, checkable
-  QStringList titles_, briefTitles_;  // of the tabs; the brief ones are for a narrow bar
-  std::optional<Scene> timed_;        // the scene whose curve is timed
+  QMenu* menu_ = nullptr;
+  std::vector<Page> pages_;     // one for each tab
+  std::optional<Scene> timed_;  // the scene whose curve is timed
   bool mayScroll_ = false;
   bool hasMeasuredFriction_ = false;  // its ratio to the curve is a plot of its own
   QElapsedTimer curveTime_;  // since the request for the curve; invalid once it is complete

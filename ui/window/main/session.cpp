@@ -75,6 +75,7 @@ void Session::editCurve(const std::function<void(FrictionChartModel&)>& edit) {
 
 void Session::setScene(const Scene& scene, Begin begin) {
   const bool sameCurve = sceneTime_.isValid() && haveSameCurve(scene, scene_);
+  const bool sameSweep = scene.sweep == scene_.sweep;
   scene_ = scene;
   sceneTime_.start();
   if (!sameCurve) {
@@ -86,7 +87,8 @@ void Session::setScene(const Scene& scene, Begin begin) {
   if (begin == Begin::Restart && !sameCurve) friction_.resetAxes();
   sceneNumber_ = begin == Begin::Restart ? runner_.open(scene_) : runner_.post(scene_);
   // Names of pinned curves contain their differences from the scene.
-  if (wasStale != friction_.isStale() || !friction_.pinned().empty()) emit plotChanged();
+  if (wasStale != friction_.isStale() || !sameSweep || !friction_.pinned().empty())
+    emit plotChanged();
   notifyCommandSent();
 }
 

@@ -48,8 +48,9 @@ QString groupedReading(double value, int digits = 3, Zeros zeros = Zeros::Drop) 
   return QString::fromStdString(grouped(shortNumber(value, digits, zeros)));
 }
 
-/// Returns " (mean ≈ 0.001200 ± 0.4 %)", of which the mean ends at the first digit of the error;
-/// empty where all lines agree except for rounding. At a point of the curve it is without the sign.
+/// Returns ", mean of 32 ≈ 0.001200 ± 0.4 %", of which the mean ends at the first digit of
+/// the error; empty where all lines agree except for rounding. At a point of the curve it has a
+/// colon.
 QString meanText(const CurveReading& reading) {
   constexpr double kRounding = 1e-5;
   const double share = std::abs(reading.error / reading.mu);
@@ -57,10 +58,23 @@ QString meanText(const CurveReading& reading) {
   const auto decade = [](double value) { return std::floor(std::log10(std::abs(value))); };
   const double last = decade(roundedToDigits(reading.error, 1));
   const double digits = std::clamp(decade(reading.mu) - last + 1, 1.0, 5.0);
-  return (reading.isInterpolated ? StatusLine::tr(" (mean ≈ %1 ± %2 %)")
-                                 : StatusLine::tr(" (mean %1 ± %2 %)"))
+  return (reading.isInterpolated ? StatusLine::tr(", mean of %1 ≈ %2 ± %3 %")
+                                 : StatusLine::tr(", mean of %1: %2 ± %3 %"))
+      .arg(reading.lines)
       .arg(groupedReading(reading.mu, static_cast<int>(digits), Zeros::Keep),
            shownNumber(roundedToDigits(100 * share, 1)));
+}
+
+/// Returns the friction of the drawn line, "this line μ = 0.00123", in words that tell it from the
+/// mean of all lines, where there may be several.
+QString frictionText(const Scene& scene, const QString& value) {
+  const bool isOneOfMany = mayHaveManyLines(scene.surface);
+  if (hasLocalFriction(scene))
+    return (isOneOfMany ? StatusLine::tr("this line, deformation μ = %1")
+                        : StatusLine::tr("deformation μ = %1"))
+        .arg(value);
+  return (isOneOfMany ? StatusLine::tr("this line μ = %1") : StatusLine::tr("friction μ = %1"))
+      .arg(value);
 }
 
 /// Returns a rate with two significant digits: "12,000".
@@ -127,7 +141,7 @@ double dimensionlessVelocity(const Frame& frame) {
 StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
   auto* line = new QHBoxLayout(this);
   line->setContentsMargins(12, 3, 12, 3);
-  line->setSpacing(20);
+  line->setSpacing(16);
   // The readings that a narrow window leaves out first are in the middle, so that the others do not
   // move.
   mu_ = addReading(*line, "factMu");
@@ -177,7 +191,7 @@ void StatusLine::showTips() {
       wrappedTip(tr("Where the velocity lies on the friction curve: regions I to IV of the "
                     "paper, found on the complete curve")));
   mu_->setToolTip(wrappedTip(
-      tr("Coefficient of friction of this line, of a motion at this moment; in brackets the mean "
+      tr("Coefficient of friction of this line, of a motion at this moment; then the mean "
          "of all lines at this velocity with its standard error. After ≈ it is interpolated "
          "between two points of the curve.")));
   force_->setToolTip(wrappedTip(forceTip()));
@@ -194,12 +208,13 @@ void StatusLine::showTips() {
 /// Reserves the width of readings that appear only during work, so that the others do not move when
 /// work begins or ends.
 void StatusLine::reserveWidths() {
-  const QString number = QStringLiteral("0.00888");
-  const QString mean = tr(" (mean ≈ %1 ± %2 %)").arg(QStringLiteral("0.0008888"), "0.08");
+  const QString number = QStringLiteral("0.00888"), friction = QStringLiteral("0.000888");
+  const QString mean =
+      tr(", mean of %1 ≈ %2 ± %3 %").arg(88).arg(QStringLiteral("0.0008888"), "0.08");
   QStringList regions;
   for (const char* name : {"I", "II", "III", "IV"}) regions += regionText(name);
   for (const auto& [reading, texts] : std::initializer_list<std::pair<QLabel*, QStringList>>{
-           {mu_, {tr("friction μ = %1%2").arg(number, mean)}},
+           {mu_, {tr("this line μ = %1").arg(friction) + mean}},
            {regime_, regions},
            {force_, {tr("force F̄ = %1").arg(number)}},
            {velocity_, {tr("velocity v̄ = %1").arg(number)}},
@@ -289,9 +304,7 @@ void StatusLine::showFrame(const Frame& frame, const CurveReading& reading) {
   regime_->setText(reading.regime);
   QString mean;
   if (std::isfinite(reading.mu) && std::isfinite(reading.error)) mean = meanText(reading);
-  const QString text =
-      hasLocalFriction(*frame.scene) ? tr("deformation μ = %1%2") : tr("friction μ = %1%2");
-  mu_->setText(text.arg(groupedReading(presentFriction(frame)), mean));
+  mu_->setText(frictionText(*frame.scene, groupedReading(presentFriction(frame))) + mean);
   force_->setText(tr("force F̄ = %1").arg(groupedReading(dimensionlessForce(frame))));
   showVelocity(frame);
   showNotes(reading.notes);

@@ -1,0 +1,44 @@
+// The ranges of the axes of a friction chart.
+#include "ui/chart/curve_ranges.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace asperity {
+namespace {
+
+AxisRange decadesAround(double low, double high) {
+  return rangeAround({std::log10(low), std::log10(high)}, AxisScale::Logarithmic);
+}
+
+TEST(DecadeRanges, SurroundsTheData) {
+  EXPECT_EQ(decadesAround(2e-5, 30), (AxisRange{-5, 2}));
+  EXPECT_EQ(decadesAround(1e-5, 1e3), (AxisRange{-5, 3}));
+  EXPECT_EQ(decadesAround(1, 1), (AxisRange{0, 1}));
+  EXPECT_TRUE(rangeAround({}, AxisScale::Logarithmic).isEmpty());
+}
+
+TEST(DecadeRanges, GrowsAtOnceAndShrinksReluctantly) {
+  const AxisRange shown{-6, -2};
+  EXPECT_EQ(steadyRange(shown, {-7, -3}, false), (AxisRange{-7, -2}));
+  EXPECT_EQ(steadyRange(shown, {-3, -2}, false), shown);
+  EXPECT_EQ(steadyRange(shown, {-5, -2}, true), shown);
+  EXPECT_EQ(steadyRange(shown, {-3, -2}, true), (AxisRange{-3, -2}));
+  EXPECT_EQ(steadyRange({}, {-3, -2}, false), (AxisRange{-3, -2}));
+  EXPECT_EQ(steadyRange(shown, {}, true), shown);
+}
+
+/// A range that nearly reaches zero begins there.
+TEST(LinearRanges, LeaveAMargin) {
+  EXPECT_EQ(rangeAround({10, 20}, AxisScale::Linear), (AxisRange{9.6, 20.4}));
+  EXPECT_EQ(rangeAround({1, 26}, AxisScale::Linear), (AxisRange{0, 27}));
+  EXPECT_EQ(rangeAround({5, 5}, AxisScale::Linear), (AxisRange{2.5, 7.5}));
+  const AxisRange tiny = rangeAround({4e-15, 4e-15}, AxisScale::Linear);
+  EXPECT_DOUBLE_EQ(tiny.from, 2e-15);
+  EXPECT_DOUBLE_EQ(tiny.to, 6e-15);
+  EXPECT_EQ(rangeAround({0, 0}, AxisScale::Linear), (AxisRange{-0.5, 0.5}));
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,296 @@
+#include "ui/chart/chart_items.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/chart/diagram_series.h"
+#include "ui/chart/diagram_style.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr double kBar = 1.3;   // width of an error bar, times the scale
+constexpr double kCap = 3.5;   // half the width of an error bar's caps, times the scale
+constexpr float kCell = 4;     // pixels, resolution of what curves cover
+constexpr double kAside = 4;   // pixels between a shade's edges and its name
+constexpr double kLeft = 6;    // from the edge to a title on the left
+constexpr double kBelow = 8;   // from the frame to the title below it, including the labels
+constexpr double kBeside = 8;  // from the frame to a title on its right
+
+constexpr int kFoot = Qt::AlignHCenter | Qt::AlignBottom | Qt::TextWordWrap;
+constexpr int kHead = Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap;
+constexpr int kSentence = Qt::AlignCenter | Qt::TextWordWrap;
+
+}  // namespace
+
+OccupancyGrid coveredBySeries(const Diagram& diagram, const ChartGeometry& map,
+                              const ChartStyle& style) {
+  DiagramAxes axes;
+  axes.box = toBox(map.area);
+  axes.xAxis.scale = map.xScale;
+  axes.xAxis.range = map.x;
+  axes.yAxis.scale = map.yScale;
+  axes.yAxis.range = map.y;
+  OccupancyGrid covered(axes.box, kCell);
+  coverSeries(covered, diagram,
+              seriesStyles(diagram, tickSizes(style), style.theme, axes.box.width), axes);
+  return covered;
+}
+
+void UnderItem::show(const Diagram& diagram, const ChartGeometry& map, const ChartStyle& style,
+                     const TickedAxis& xAxis, const TickedAxis& yAxis, const AxisTitles& titles) {
+  prepareGeometryChange();
+  spans_ = diagram.spans;
+  shades_ = diagram.shades;
+  map_ = map;
+  style_ = style;
+  // Only names of shades avoid the series.
+  covered_ = shades_.empty() ? OccupancyGrid({}, 1) : coveredBySeries(diagram, map, style);
+  xAxis_ = xAxis;
+  yAxis_ = yAxis;
+  titles_ = titles;
+  frame_ = map.frame();
+  update();
+}
+
+QRectF UnderItem::boundingRect() const {
+  return frame_.adjusted(-frame_.left(), -map_.names - 2, titles_.beside + kBeside + 2,
+                         3 * style_.line() + kBelow);
+}
+
+void UnderItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+  painter->setFont(style_.font);
+  paintSpans(*painter);
+  for (const DiagramSpan& shade : shades_) {
+    painter->setOpacity(shade.isFaded ? kFadedOpacity : 1);
+    painter->fillRect(spanRect(shade), style_.shade());
+  }
+  painter->setOpacity(1);
+  paintGrid(*painter);
+  paintShadeNames(*painter);
+  paintTitles(*painter);
+}
+
+void UnderItem::avoid(double x) {
+  if (x == line_ || (std::isnan(x) && std::isnan(line_))) return;
+  const QList<QRectF> before = namesInside();
+  line_ = x;
+  if (namesInside() != before) update();
+}
+
+QList<QRectF> UnderItem::namesInside() const {
+  QList<QRectF> boxes;
+  for (const DiagramSpan& shade : shades_)
+    if (const QRectF box = shadeName(shade).box; !box.isEmpty()) boxes += box;
+  return boxes;
+}
+
+QString UnderItem::elidedTitle() const {
+  const QString title = QString::fromStdString(xAxis_.title);
+  return titles_.hasX && titles_.hasXLabels && xTitle() != title ? title : QString();
+}
+
+QRectF UnderItem::spanRect(const DiagramSpan& span) const {
+  const auto held = [this](double x) { return std::clamp(x, frame_.left(), frame_.right()); };
+  const double left = held(map_.mapX(span.from)), right = held(map_.mapX(span.to));
+  return {left, frame_.top(), right - left, frame_.height()};
+}
+
+void UnderItem::paintSpans(QPainter& painter) const {
+  const QFontMetricsF metrics(style_.font);
+  bool isShaded = true;
+  for (const DiagramSpan& span : spans_) {
+    const QRectF box = spanRect(span).adjusted(0, -map_.names, 0, 0);
+    painter.setOpacity(span.isFaded ? kFadedOpacity : 1);
+    if (isShaded) painter.fillRect(box, style_.span());
+    isShaded = !isShaded;
+    painter.setPen(style_.faintText());
+    for (const std::string& form : {span.label.text, span.shortLabel}) {
+      const QString label = QString::fromStdString(form);
+      if (metrics.horizontalAdvance(label) + 4 > box.width()) continue;
+      painter.drawText(QRectF(box.left(), box.top(), box.width(), map_.names), Qt::AlignCenter,
+                       label);
+      break;
+    }
+  }
+  painter.setOpacity(1);
+}
+
+void UnderItem::paintShadeNames(QPainter& painter) const {
+  for (const DiagramSpan& shade : shades_) {
+    const Name name = shadeName(shade);
+    if (name.box.isEmpty()) continue;
+    painter.setOpacity(shade.isFaded ? kFadedOpacity : 1);
+    painter.setPen(style_.faintText());
+    painter.drawText(name.area, name.alignment, QString::fromStdString(shade.label.text));
+  }
+  painter.setOpacity(1);
+}
+
+/// Places a name at the foot of its shade, or at the highest position where the fewest curves
+/// pass through it; in the whole width, or on the wider side where the line of the marker would
+/// go through it.
+UnderItem::Name UnderItem::shadeName(const DiagramSpan& shade) const {
+  const QRectF whole = spanRect(shade).adjusted(kAside, kAside, -kAside, -kAside);
+  const Name name = nameIn(whole, shade);
+  const bool isCrossed =
+      !name.box.isEmpty() && line_ > name.box.left() - kAside && line_ < name.box.right() + kAside;
+  if (!isCrossed) return name;
+  QRectF side = whole;
+  if (line_ < whole.center().x())
+    side.setLeft(line_ + 2 * kAside);
+  else
+    side.setRight(line_ - 2 * kAside);
+  const Name beside = nameIn(side, shade);
+  return beside.box.isEmpty() ? name : beside;
+}
+
+/// Places a name in a rectangle, as shadeName() describes.
+UnderItem::Name UnderItem::nameIn(const QRectF& area, const DiagramSpan& shade) const {
+  const auto placed = [&](const QRectF& part, int alignment) {
+    const QRectF box = labelBox(part, alignment, shade);
+    return Name{part, alignment, box, covered_.under(toBox(box))};
+  };
+  Name best = placed(area, kFoot);
+  const double step = QFontMetricsF(style_.font).height() / 2;
+  for (QRectF part = area; best.covered > 0; part.setTop(part.top() + step)) {
+    const Name other = placed(part, kHead);
+    if (other.box.isEmpty()) break;
+    if (other.covered < best.covered) best = other;
+  }
+  // In a low frame a name over the curves hides them.
+  if (3 * best.box.height() > area.height() && best.covered > 0) best.box = {};
+  return best;
+}
+
+/// Returns the box of a name inside a rectangle; empty where it does not fit.
+QRectF UnderItem::labelBox(const QRectF& area, int alignment, const DiagramSpan& shade) const {
+  const QRectF box = QFontMetricsF(style_.font)
+                         .boundingRect(area, alignment, QString::fromStdString(shade.label.text));
+  return area.contains(box) ? box : QRectF();
+}
+
+/// Paints lines on whole pixels: smoothed lines between pixels would be faint, and take most of
+/// the time that painting a diagram takes.
+void UnderItem::paintGrid(QPainter& painter) const {
+  const auto upright = [this](double position) {
+    const double part = (position - map_.x.from) / map_.x.size();
+    const double x = std::floor(map_.area.left() + part * map_.area.width()) + 0.5;
+    return QLineF(x, frame_.top(), x, frame_.bottom());
+  };
+  const auto level = [this](double position) {
+    const double part = (position - map_.y.from) / map_.y.size();
+    const double y = std::floor(map_.area.bottom() - part * map_.area.height()) + 0.5;
+    return QLineF(frame_.left(), y, frame_.right(), y);
+  };
+  QList<QLineF> fine, whole;
+  for (const double position : xAxis_.minor) fine += upright(position);
+  if (yAxis_.scale == AxisScale::Logarithmic)
+    for (const double position : yAxis_.minor) fine += level(position);
+  for (const Tick& tick : xAxis_.ticks) whole += upright(tick.value);
+  for (const Tick& tick : yAxis_.ticks) whole += level(tick.value);
+  const bool wasSmooth = painter.testRenderHint(QPainter::Antialiasing);
+  painter.setRenderHint(QPainter::Antialiasing, false);
+  painter.setPen(QPen(style_.fineGrid(), 1));
+  painter.drawLines(fine);
+  painter.setPen(QPen(style_.grid(), 1));
+  painter.drawLines(whole);
+  painter.setPen(QPen(style_.axis(), 1));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawRect(frame_.toRect());
+  painter.setRenderHint(QPainter::Antialiasing, wasSmooth);
+}
+
+QString UnderItem::xTitle() const {
+  return QFontMetricsF(style_.font)
+      .elidedText(QString::fromStdString(xAxis_.title), Qt::ElideRight, frame_.width());
+}
+
+void UnderItem::paintTitles(QPainter& painter) const {
+  const double line = style_.line();
+  painter.setPen(style_.text());
+  if (titles_.hasX && titles_.hasXLabels)
+    painter.drawText(QRectF(frame_.left(), frame_.bottom() + kBelow + line, frame_.width(), line),
+                     Qt::AlignCenter | Qt::TextDontClip, xTitle());
+  if (!titles_.hasY) return;
+  if (titles_.beside > 0)
+    return painter.drawText(QRectF(frame_.right() + kBeside, frame_.top() - line, titles_.beside,
+                                   frame_.height() + 2 * line),
+                            Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap,
+                            QString::fromStdString(yAxis_.title));
+  if (titles_.isAbove)
+    return painter.drawText(QRectF(frame_.left(), frame_.top() - line - 1, frame_.width(), line),
+                            Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip,
+                            QString::fromStdString(yAxis_.title));
+  const FittedTitle title =
+      fittedTitle(yAxis_.title, tickSizes(style_).axis, static_cast<float>(frame_.height()));
+  painter.save();
+  QFont font = style_.font;
+  font.setPixelSize(static_cast<int>(title.size));
+  painter.setFont(font);
+  painter.translate(kLeft, frame_.center().y());
+  painter.rotate(-90);
+  painter.drawText(QRectF(-frame_.height() / 2, 0, frame_.height(), line),
+                   Qt::AlignCenter | Qt::TextDontClip, QString::fromStdString(title.text));
+  painter.restore();
+}
+
+// ---- Over the series
+
+void OverItem::show(const Diagram& diagram, const ChartGeometry& map, const ChartStyle& style) {
+  prepareGeometryChange();
+  map_ = map;
+  style_ = style;
+  blank_ = QString::fromStdString(diagram.blank.text);
+  bars_.clear();
+  for (const DiagramSeries& series : diagram.series) {
+    if (series.isBand) continue;
+    Bars bars{style.curve(series), series.isFaded ? kFadedOpacity : 1, {}};
+    for (const DiagramPoint& point : series.points) {
+      if (!hasPosition(diagram, point) || !(point.high > point.low)) continue;
+      // The low end may be outside the axis; the bar then reaches the end of the axis.
+      const double low = map.mapY(point.low);
+      bars.lines += QLineF(map.mapX(point.x), map.mapY(point.high), map.mapX(point.x),
+                           std::isfinite(low) ? low : map.area.bottom() + kCap * map.scale + 1);
+    }
+    if (!bars.lines.isEmpty()) bars_.push_back(std::move(bars));
+  }
+  update();
+}
+
+QRectF OverItem::boundingRect() const {
+  return map_.frame();
+}
+
+void OverItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+  painter->save();
+  painter->setClipRect(boundingRect());
+  for (const Bars& bars : bars_) {
+    painter->setOpacity(bars.opacity);
+    painter->setPen(QPen(bars.colour, kBar * map_.scale));
+    for (const QLineF& bar : bars.lines)
+      paintErrorBar(*painter, bar.x1(), bar.y1(), bar.y2(), kCap * map_.scale);
+  }
+  painter->restore();
+  if (blank_.isEmpty()) return;
+  painter->fillRect(sentence(), style_.background());
+  painter->setFont(style_.font);
+  painter->setPen(style_.text());
+  painter->drawText(sentenceArea(), kSentence, blank_);
+}
+
+QRectF OverItem::sentence() const {
+  if (blank_.isEmpty()) return {};
+  return QFontMetricsF(style_.font)
+      .boundingRect(sentenceArea(), kSentence, blank_)
+      .adjusted(-10, -6, 10, 6);
+}
+
+QRectF OverItem::sentenceArea() const {
+  return map_.area.adjusted(12, 8, -12, -8);
+}
+
+}  // namespace asperity
