@@ -78,6 +78,18 @@ TEST(DmaFile, MagnitudeAndPhaseAreAComplexNumber) {
   }
 }
 
+/// One modulus beside magnitude and phase was taken for half of a pair whose other half is missing.
+TEST(DmaFile, AModulusBesideMagnitudeAndPhaseIsNotNeeded) {
+  for (const std::string other : {"G' (MPa)", "G'' (MPa)"}) {
+    const DmaFile file =
+        read("f (Hz),T (C)," + other + ",|G*| (MPa),phase (deg)\n1,20,9,2,30\n10,20,9,4,30\n");
+    ASSERT_EQ(file.rows.size(), 2U) << other;
+    expectRow(file.rows[0], 293.15, 1, 2e6 * std::cos(std::numbers::pi / 6), 1e6);
+    EXPECT_EQ(file.facts.storage.name, "|G*|");
+    EXPECT_EQ(file.facts.loss.name, "phase");
+  }
+}
+
 TEST(DmaFile, BlocksAndWideTablesHaveATemperatureEach) {
   const DmaFile blocks = read(
       "Temperature: 20 C\nf;G';G''\nHz;MPa;MPa\n1;2;1\n2;3;1\n\nTemperature: 30 C\nf;G';G''\n"
@@ -369,7 +381,16 @@ TEST(DmaFile, UnitsInBracketsAreKnownOrRefused) {
         << unit;
 }
 
+/// The other column is a loss factor, which has no unit.
+TEST(DmaFile, ALossModulusWithoutAUnitIsThatOfARubberToo) {
+  EXPECT_THAT(errorOf("f (Hz),T (C),G'',tan delta\n1,20,0.2,0.1\n10,20,0.4,0.1\n"),
+              HasSubstr("G'': has no unit, and 4 Pa would be no rubber; say --modulus-unit MPa"));
+  EXPECT_EQ(read("f (Hz),T (C),G'',tan delta\n1,20,2e5,0.1\n10,20,4e5,0.1\n").rows.size(), 2U);
+}
+
 TEST(DmaFile, WhatIsWrongIsSaidInOneLine) {
+  EXPECT_THAT(errorOf("f (Hz),T (K),G' (MPa),G'' (MPa)\n1,293,2,0.2\n10,3000,3,0.4\n"),
+              HasSubstr("line 3: the temperature is 3000 K, at which no rubber is measured"));
   EXPECT_THAT(errorOf("f (Hz),T (C),G' (Pa),G'' (Pa)\n1,20,2.0e6x,2e5\n10,20,3.0e6x,4e5\n"),
               HasSubstr("G': line 2: '2.0e6x' is no number"));
   const std::string rows = "1,20,2e6,2e5\n10,20,3e6,4e5\n";
