@@ -61,7 +61,7 @@ struct SeriesColumns {
 
 /// Returns whether the numbers of a column are parts of a modulus by its name or unit.
 bool areParts(const TextColumn& column) {
-  return column.unit == "%" || partsOf(seriesWord(column.name)) != PartsOf::Unknown;
+  return column.unit == "%" || partsByName(seriesWord(column.name)) != PartsOf::Unknown;
 }
 
 /// Returns the columns of a series; nothing where the block is none. Throws InputError where it has
@@ -185,7 +185,7 @@ void readWeights(const TextBlock& block, std::size_t column, const std::string& 
   series.isUnitKnown = !unit.empty() && unit != "-" && unit != "1" && !isPercent;
   if (series.isUnitKnown) series.unit = modulusSize(unit, name, rows.column.name);
   rows.weights = block.column(column);
-  if (!series.isUnitKnown) rows.parts = partsOf(seriesWord(rows.column.name));
+  if (!series.isUnitKnown) rows.parts = partsByName(seriesWord(rows.column.name));
   if (!isPercent) return;
   for (double& weight : rows.weights) weight *= 0.01;
   if (rows.parts == PartsOf::Unknown) rows.parts = PartsOf::Instantaneous;
@@ -197,8 +197,13 @@ void readTimes(const TextBlock& block, std::size_t column, const std::string& na
   const TextColumn& times = block.columns[column];
   const bool isRate = isDecayRate(seriesWord(times.name));
   const double size = isRate ? rateSizeOf(times, name) : timeSizeOf(times, name, series);
+  // What does not decay has no relaxation time.
+  const auto timeOf = [&](double number) {
+    if (!isRate) return number * size;
+    return number == 0 ? RawSeries::kNotStated : 1 / (number * size);
+  };
   rows.times = block.column(column);
-  for (double& time : rows.times) time = isRate ? 1 / (time * size) : time * size;
+  std::ranges::transform(rows.times, rows.times.begin(), timeOf);
 }
 
 /// Makes moduli of viscosities and relaxation times.

@@ -38,7 +38,7 @@ bool isDecayRate(std::string_view word) {
 
 bool isArmModulus(std::string_view name) {
   const std::string word = seriesWord(name);
-  return isOneOf(modulusLetter(name), "g gi e ei") || partsOf(word) != PartsOf::Unknown ||
+  return isOneOf(modulusLetter(name), "g gi e ei") || partsByName(word) != PartsOf::Unknown ||
          isOneOf(word,
                  "g gi e ei modulus moduli alpha alphai gimod shearmodulus relativemodulus gk ek");
 }
@@ -53,7 +53,7 @@ bool hasArmIndex(std::string_view word) {
   return isOneOf(word, "gi ei gi/g0 ei/e0 gi/ginf ei/einf gi/ge ei/ee gk ek etai etak");
 }
 
-PartsOf partsOf(std::string_view word) {
+PartsOf partsByName(std::string_view word) {
   if (isOneOf(word, "gi/g0 ei/e0 g/g0 e/e0 gk/g0 ek/e0")) return PartsOf::Instantaneous;
   if (isOneOf(word, "gi/ginf ei/einf g/ginf e/einf gk/ginf ek/einf gi/ge ei/ee g/ge e/ee"))
     return PartsOf::Equilibrium;

@@ -34,7 +34,7 @@ bool hasArmIndex(std::string_view word);
 
 /// The modulus of which the numbers of a column are parts, by its name.
 enum class PartsOf { Unknown, Instantaneous, Equilibrium };
-PartsOf partsOf(std::string_view word);
+PartsOf partsByName(std::string_view word);
 
 /// Returns the plain name of a column of moduli without the words around its letter: "g" for
 /// "Schubmodul G", "ei" for "Young's modulus E_i". A name of such words alone stays.

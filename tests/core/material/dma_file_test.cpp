@@ -679,6 +679,15 @@ TEST(DmaFile, TheShiftBesideAMasterCurveIsRead) {
   }
   EXPECT_THAT(factsIn(head + "ln aT form: C1 = 23.03, C2 = 120\n" + curve),
               testing::Contains(HasSubstr("not read: line 2 is about ln aT")));
+  for (const std::string formula :
+       {"ln(aT) = -C1 (T - Tref) / (C2 + T - Tref)", "aT = exp(-C1*(T-Tref)/(C2+T-Tref))"}) {
+    const DmaFile natural = read(head + "# " + formula + "\n# C1 = 23.03\n# C2 = 120 K\n" + curve);
+    EXPECT_FALSE(natural.shift.has_value()) << formula;
+  }
+  EXPECT_TRUE(read(head +
+                   "# log10(aT) = -C1 (T - Tref) / (C2 + T - Tref)\n# C1 = 10\n# C2 = 120 K\n" +
+                   curve)
+                  .shift.has_value());
   // The same curve from 50 C on.
   const DmaFile apart = read("Temperature: 50 C\n" + head + "C1 = 10\nC2 = 120\n" + curve);
   EXPECT_NEAR(apart.shift->c2, 150, 1e-9);
