@@ -4,6 +4,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <iterator>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -139,6 +140,12 @@ std::optional<Message> lossFactorNote(const TextBlock& block, const ModulusColum
       Message::name(block.label(moduli.second)), Message::name(block.label(moduli.first)));
 }
 
+/// Returns the storage modulus of a loss modulus; infinite, which is refused, where nothing is
+/// lost.
+double storageOf(double loss, double tangent) {
+  return tangent == 0 ? std::numeric_limits<double>::infinity() : loss / tangent;
+}
+
 }  // namespace
 
 const MeasuredPair* measuredPair(const SweepColumns& columns) {
@@ -154,15 +161,23 @@ const MeasuredPair* measuredPair(const SweepColumns& columns) {
        }},
       {Loss, LossTangent,
        [](double loss, double tangent) {
-         return DynamicModulus{0, loss / tangent, loss};
+         return DynamicModulus{0, storageOf(loss, tangent), loss};
        }},
       {Magnitude, Phase,
        [](double magnitude, double phase) {
          return DynamicModulus{0, magnitude * std::cos(phase), magnitude * std::sin(phase)};
        }},
-      {Magnitude, LossTangent, [](double magnitude, double tangent) {
+      {Magnitude, LossTangent,
+       [](double magnitude, double tangent) {
          const double storage = magnitude / std::hypot(1, tangent);
          return DynamicModulus{0, storage, storage * tangent};
+       }},
+      {Storage, Phase,
+       [](double storage, double phase) {
+         return DynamicModulus{0, storage, storage * std::tan(phase)};
+       }},
+      {Loss, Phase, [](double loss, double phase) {
+         return DynamicModulus{0, storageOf(loss, std::tan(phase)), loss};
        }}};
   const auto* const found = std::ranges::find_if(kPairs, [&](const MeasuredPair& pair) {
     return columns.has(pair.first) && columns.has(pair.second);

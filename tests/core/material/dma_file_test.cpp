@@ -78,6 +78,19 @@ TEST(DmaFile, MagnitudeAndPhaseAreAComplexNumber) {
   }
 }
 
+TEST(DmaFile, OneModulusAndThePhaseAreAPair) {
+  for (const std::string columns : {"G' (MPa),delta (deg)\n1,20,2,30\n10,20,3,30\n",
+                                    "G'' (MPa),phase angle (deg)\n1,20,1.1547005383792515,30\n"
+                                    "10,20,1.7320508075688772,30\n"}) {
+    const DmaFile file = read("f (Hz),T (C)," + columns);
+    ASSERT_EQ(file.rows.size(), 2U) << columns;
+    expectRow(file.rows[0], 293.15, 1, 2e6, 2e6 * std::tan(std::numbers::pi / 6));
+  }
+  // No storage modulus follows from a phase of 0; the isotherms refuse an infinite one.
+  const DmaFile file = read("f (Hz),T (C),G'' (MPa),phase (deg)\n1,20,1,0\n10,20,1,30\n");
+  EXPECT_THROW(groupIsotherms(file.rows), InputError);
+}
+
 /// One modulus beside magnitude and phase was taken for half of a pair whose other half is missing.
 TEST(DmaFile, AModulusBesideMagnitudeAndPhaseIsNotNeeded) {
   for (const std::string other : {"G' (MPa)", "G'' (MPa)"}) {

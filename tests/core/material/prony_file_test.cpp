@@ -358,6 +358,15 @@ TEST(PronyFile, TheModulusOfAnotherMaterialIsNone) {
               HasSubstr("line 2: states a property of the same material again"));
 }
 
+/// Random input found a term with a part and without a time, which was left out, and one with
+/// neither.
+TEST(PronyFile, TermsOfAnsysAreComplete) {
+  EXPECT_THAT(seriesError("MP,EX,1,12e6\nTB,PRONY,1\nTBDATA,1,0.5,0.1,0.25\n"),
+              HasSubstr("line 2: has no constant 4"));
+  EXPECT_THAT(seriesError("MP,EX,1,12e6\nTB,PRONY,1\nTBDATA,3,0.5,0.1\n"),
+              HasSubstr("line 2: has no constant 1"));
+}
+
 /// The constants of TB,HYPER are those of a sudden deformation: mu for NEO, 2 (C10 + C01) else.
 TEST(PronyFile, HyperelasticMaterialsOfAnsys) {
   const std::string series = "TB,PRONY,1,1,2,SHEAR\nTBDATA,1,0.5,0.1,0.25,10\n";
