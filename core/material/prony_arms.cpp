@@ -27,8 +27,11 @@ void nameBranches(TextBlock& block, const std::string& name, const PronyChoices&
       std::isfinite(choices.instantaneousModulus) || std::isfinite(choices.equilibriumModulus);
   if (isNamed || !isGiven || block.columns.size() != 3 || !countsRows(block, 0)) return;
   if (!std::ranges::all_of(block.values, [](double value) { return std::isfinite(value); })) return;
-  if (choices.modulusUnit.empty())
-    refuseSoftModulus(name, block.label(1), std::ranges::max(block.column(1)));
+  const double modulus = std::ranges::max(block.column(1)),
+               time = std::ranges::max(block.column(2));
+  if (choices.modulusUnit.empty()) refuseSoftModulus(name, block.label(1), modulus);
+  // Moduli in Pa are larger numbers than times in s; elsewhere the columns have another order.
+  if (time >= modulus * unitSize(choices.modulusUnit, "Pa").value_or(1)) return;
   block.columns = {{"branch", {}, false}, {"G", "Pa", false}, {"tau", "s", false}};
   series.notes.push_back(
       "columns without names are read as branches in a file of COMSOL: number, modulus of shear, "

@@ -15,10 +15,11 @@ std::string seriesWord(std::string_view text) {
 }
 
 bool isEquilibrium(std::string_view word) {
-  return isOneOf(word,
-                 "ginf einf equilibriummodulus longtermmodulus rubberymodulus ge ee gequilibrium "
-                 "eequilibrium inf longtermmodulusg longtermmoduluse equilibriummodulusg "
-                 "equilibriummoduluse");
+  return isOneOf(
+      word,
+      "ginf einf equilibriummodulus longtermmodulus rubberymodulus ge ee geq eeq gequilibrium "
+      "eequilibrium inf longtermmodulusg longtermmoduluse equilibriummodulusg "
+      "equilibriummoduluse");
 }
 
 bool isInstantaneous(std::string_view word) {
@@ -50,12 +51,14 @@ bool isArmViscosity(std::string_view word) {
 }
 
 bool hasArmIndex(std::string_view word) {
-  return isOneOf(word, "gi ei gi/g0 ei/e0 gi/ginf ei/einf gi/ge ei/ee gk ek etai etak");
+  return isOneOf(word,
+                 "gi ei gi/g0 ei/e0 gi/ginf ei/einf gi/ge ei/ee gi/geq ei/eeq gk ek etai etak");
 }
 
 PartsOf partsByName(std::string_view word) {
   if (isOneOf(word, "gi/g0 ei/e0 g/g0 e/e0 gk/g0 ek/e0")) return PartsOf::Instantaneous;
-  if (isOneOf(word, "gi/ginf ei/einf g/ginf e/einf gk/ginf ek/einf gi/ge ei/ee g/ge e/ee"))
+  if (isOneOf(word,
+              "gi/ginf ei/einf g/ginf e/einf gk/ginf ek/einf gi/ge ei/ee g/ge e/ee gi/geq ei/eeq"))
     return PartsOf::Equilibrium;
   return PartsOf::Unknown;
 }

@@ -77,6 +77,7 @@ TEST(PronyTable, PartsOfTheEquilibriumModulusAreRead) {
   for (const std::string text : {"G_inf = 1 MPa\ntau (s),G_i/G_inf\n0.1,2\n10,1\n",
                                  "G_inf = 1 MPa\ntau (s);G_i/G_\u221E\n0.1;2\n10;1\n",
                                  "E_inf = 3 MPa\ntau (s),E_i/E_inf\n0.1,2\n10,1\n",
+                                 "G_eq = 1 MPa\ntau (s),G_i / G_eq\n0.1,2\n10,1\n",
                                  "G0 = 4 MPa\ntau (s),G_i/G_inf (%)\n0.1,200\n10,100\n",
                                  "G_inf = 1 MPa\ntau (s),G_i/G_inf\ninf,1\n0.1,2\n10,1\n"}) {
     SCOPED_TRACE(text);
@@ -173,6 +174,7 @@ TEST(PronyTable, BranchesOfComsolAreRead) {
   // Numbers alone are a list of branches where a user states a modulus beside them.
   EXPECT_FALSE(readSeries("1 2e6 0.1\n2 1e6 10\n").has_value());
   EXPECT_FALSE(readSeries("0 2e6 0.1\n7 1e6 10\n", choices).has_value());
+  EXPECT_FALSE(readSeries("1 1e4 2e6\n2 1e-1 1e6\n", choices).has_value());
   // Energy factors are parts of the equilibrium modulus.
   EXPECT_THAT(seriesError("1 2 0.1\n2 1 10\n", choices),
               HasSubstr("column 2: has no unit, and 2 Pa would be no rubber"));
