@@ -330,9 +330,8 @@ std::optional<RawSeries> ansysSeries(const KeywordFile& file) {
   };
   if (terms) {
     const std::size_t row = chosen[places[terms]];
-    const std::vector<double>& data = terms->data[row];
-    for (std::size_t i = 0; i + 1 < data.size(); i += 2)
-      series.terms.push_back({data[i], data[i + 1], terms->lines[row]});
+    for (std::size_t i = 0; i < terms->data[row].size(); i += 2)
+      series.terms.push_back({constant(*terms, i), constant(*terms, i + 1), terms->lines[row]});
   }
   if (hyper) series.instantaneous = hyperelasticShear(*hyper, chosen[places[hyper]], file.name);
   if (elastic) series.instantaneous = shearFromYoungs(constant(*elastic, 0), constant(*elastic, 1));

@@ -170,75 +170,6 @@ std::string unknownWords(std::string_view name) {
   return unknown;
 }
 
-/// Returns whether a unit goes on as that of a rate: "/min", " / s", " per minute".
-bool goesOnAsRate(std::string_view text) {
-  text = trimmedBlanks(text);
-  const std::size_t over = text.starts_with('/') ? 1 : text.starts_with("per ") ? 4 : 0;
-  if (over == 0) return text.starts_with("min-1") || text.starts_with("min^-1");
-  text = trimmedBlanks(text.substr(over));
-  std::size_t end = 0;
-  while (end < text.size() && std::isalpha(static_cast<unsigned char>(text[end]))) ++end;
-  return isOneOf(lowerCase(text.substr(0, end)), "min minute s sec second h hr hour mm m");
-}
-
-/// Returns the length of a sign with the blanks behind it that begins here, 0 where there is none:
-/// "-", "\u2212", an en dash, "minus". A dash before a blank is a sign at the beginning, behind a
-/// key and behind "at"; elsewhere it separates, as in "NR 60 - 20 \u00B0C".
-std::size_t signLength(std::string_view text, std::size_t begin, bool& isMinus) {
-  const std::string_view rest = text.substr(begin);
-  const std::string_view before = trimmedBlanks(text.substr(0, begin));
-  isMinus = true;
-  if (lowerCase(rest.substr(0, 6)) == "minus ")
-    return before.ends_with('/') || lowerCase(before).ends_with("plus") ? 0 : 6;
-  for (const std::string_view sign : {"-", "+", "\u2212", "\u2013"}) {
-    if (!rest.starts_with(sign)) continue;
-    isMinus = sign != "+";
-    // "20 +/-0.5" and "20 +-0.5" are tolerances.
-    if (before.ends_with('+') || before.ends_with('/')) return 0;
-    if (!rest.substr(sign.size()).starts_with(' ')) return sign.size();
-    const std::size_t word = before.find_last_of(" \t");
-    const bool isBehindKey =
-        before.empty() || std::string_view(":=(@[").find(before.back()) != before.npos ||
-        isOneOf(lowerCase(before.substr(word == before.npos ? 0 : word + 1)), "at bei");
-    return isBehindKey ? sign.size() + 1 : 0;
-  }
-  return 0;
-}
-
-/// Returns the temperature with its unit that begins at this position.
-std::optional<TextTemperature> temperatureAt(std::string_view text, std::size_t begin) {
-  bool isMinus = false;
-  const std::size_t sign = signLength(text, begin, isMinus);
-  std::size_t end = begin + sign;
-  std::string number = sign > 0 && isMinus ? "-" : "";
-  const std::size_t digits = end;
-  while (end < text.size() && (isDigit(text[end]) || text[end] == '.' || text[end] == ','))
-    number += text[end] == ',' ? '.' : text[end], ++end;
-  if (end == digits || !isDigit(text[digits])) return {};
-  double value = 0;
-  if (!readTextNumber(number, '.', value)) return {};
-  while (end < text.size() && (text[end] == ' ' || text[end] == '_')) ++end;
-  // The longest unit is tried first; a letter behind it belongs to another word.
-  constexpr WordList kUnits(
-      "Grad Celsius, grad Celsius, degrees Celsius, degrees C, \u00B0Celsius, \u00B0 Celsius, "
-      "Grad C, deg. C, \u00B0C, \u00BAC, \u2103, degC, deg C, \u00B0 C, \u00B0F, degF, Celsius, "
-      "celsius, Kelvin, kelvin, C, K, F",
-      ',');
-  for (const std::string_view written : kUnits) {
-    if (!text.substr(end).starts_with(written)) continue;
-    const std::size_t behind = end + written.size();
-    if (behind < text.size() && std::isalnum(static_cast<unsigned char>(text[behind]))) continue;
-    if (goesOnAsRate(text.substr(behind))) return {};
-    const std::string_view unit = written.ends_with('F')            ? "F"
-                                  : beginsWithOneOf(written, "K k") ? "K"
-                                                                    : "C";
-    const bool isLetter = written == "C" || written == "F";
-    return TextTemperature{
-        temperatureUnit(unit)->toSi(value), begin, behind, value, unit, isLetter};
-  }
-  return {};
-}
-
 }  // namespace
 
 std::size_t unitPart(std::string_view name) {
@@ -326,36 +257,6 @@ std::optional<double> strainUnit(std::string_view unit) {
   return {};
 }
 
-std::optional<TextTemperature> firstTemperature(std::string_view text) {
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (i > 0 && (isDigit(text[i - 1]) || text[i - 1] == '.')) continue;
-    if (const auto found = temperatureAt(text, i)) return found;
-  }
-  return {};
-}
-
-std::optional<double> findTemperature(std::string_view text) {
-  const auto found = firstTemperature(text);
-  return found ? std::optional(found->kelvin) : std::nullopt;
-}
-
-std::vector<double> findTemperatures(std::string_view text) {
-  std::vector<double> all;
-  while (const auto found = firstTemperature(text)) {
-    all.push_back(found->kelvin);
-    text.remove_prefix(found->end);
-  }
-  return all;
-}
-
-std::optional<double> parseTemperature(std::string_view text) {
-  const auto quantity = parseQuantity(text);
-  if (!quantity) return {};
-  if (quantity->unit.empty()) return quantity->number;
-  const auto unit = temperatureUnit(quantity->unit);
-  return unit ? std::optional(unit->toSi(quantity->number)) : std::nullopt;
-}
-
 std::optional<double> parseStrain(std::string_view text) {
   const auto quantity = parseQuantity(text);
   if (!quantity || !(quantity->unit.empty() || quantity->unit == "%")) return {};
@@ -370,13 +271,6 @@ std::optional<double> frequencyUnit(std::string_view unit, bool isAngular) {
   if (word.starts_with("rad")) return kAngular;
   if (isAngular && isOneOf(word, "1/s s-1 s^-1 s\u207B\u00B9")) return kAngular;
   return unitSize(unit, "Hz");
-}
-
-std::optional<Unit> temperatureUnit(std::string_view unit) {
-  std::string word = lowerCase(unit);
-  for (const std::string_view mark : {"\u00B0", "\u00BA", "deg", ".", " "})
-    replaceAll(word, mark, "");
-  return unitInAnyCase(word, "K");
 }
 
 std::optional<double> angleUnit(std::string_view unit) {

@@ -10,6 +10,7 @@
 
 #include "core/base/message.h"
 #include "core/base/units.h"
+#include "core/material/text_temperature.h"
 
 namespace asperity {
 
@@ -59,33 +60,6 @@ std::string compactName(std::string_view name);
 /// as a unit, known or not. npos where there is none.
 std::size_t unitPart(std::string_view name);
 
-/// The coldest temperature (K) at which a rubber is measured: colder than liquid air. Smaller
-/// numbers are steps, tolerances and degrees Celsius.
-inline constexpr double kColdestTest = 100;
-
-/// A temperature in a text, from its number to the end of its unit.
-struct TextTemperature {
-  double kelvin = 0;
-  std::size_t begin = 0, end = 0;
-  double number = 0;        // as written, with its sign
-  std::string_view unit{};  // "C", "K" or "F"
-  bool isLetter = false;    // whether the unit is written as the letter C or F alone
-};
-
-/// Returns the first temperature in a text; it needs a unit: "sweep at 20 \u00B0C", "T = 293 K". A
-/// rate as "2 K/min" is none.
-std::optional<TextTemperature> firstTemperature(std::string_view text);
-
-/// Returns the same in K.
-std::optional<double> findTemperature(std::string_view text);
-
-/// Returns all temperatures in a text, in their order; K.
-std::vector<double> findTemperatures(std::string_view text);
-
-/// Reads a whole text as a temperature, in K: "20C", "20 \u00B0C", "68F", "293.15", "293.15K"; a
-/// number alone is in K. Nothing where the text is none.
-std::optional<double> parseTemperature(std::string_view text);
-
 /// Reads a strain, "1%" or "0.01"; nothing where the text is no number above 0.
 std::optional<double> parseStrain(std::string_view text);
 
@@ -96,10 +70,6 @@ std::optional<double> strainUnit(std::string_view unit);
 /// Returns one unit of frequency in Hz; nothing where the text is none. An empty text means Hz, or
 /// rad/s for omega.
 std::optional<double> frequencyUnit(std::string_view unit, bool isAngular);
-
-/// Returns a unit of temperature: "\u00B0C", "deg. C", "c", "K", "Fahrenheit"; nothing where the
-/// text is none.
-std::optional<Unit> temperatureUnit(std::string_view unit);
 
 /// Returns one unit of angle in radians; nothing where the text is none.
 std::optional<double> angleUnit(std::string_view unit);

@@ -9,6 +9,7 @@
 #include "core/base/text.h"
 #include "core/base/text_header.h"
 #include "core/base/text_number.h"
+#include "core/material/dma_moduli.h"
 
 namespace asperity {
 namespace {
@@ -275,8 +276,7 @@ void refuseUnclearColumns(const TextBlock& block, const std::string& fileName,
 }  // namespace
 
 bool SweepColumns::hasModuli() const {
-  return (has(Storage) && (has(Loss) || has(LossTangent))) ||
-         (has(Magnitude) && (has(Phase) || has(LossTangent))) || (has(Loss) && has(LossTangent));
+  return measuredPair(*this) != nullptr;
 }
 
 bool SweepColumns::isComplete() const {

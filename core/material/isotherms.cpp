@@ -14,9 +14,6 @@
 namespace asperity {
 namespace {
 
-/// Frequencies of one sweep with a smaller relative difference count as one.
-constexpr double kSameFrequency = 1e-4;
-
 void checkRow(const MeasuredModulus& row) {
   const auto refuse = [&](const char* what, double value) {
     throw InputError("", what,
@@ -122,7 +119,6 @@ std::vector<Isotherm> groupIsotherms(std::vector<MeasuredModulus> rows, double t
 
 namespace {
 
-constexpr double kSameStrain = 1.2;  // the ratio up to which two amplitudes count as one
 constexpr double kLikeStrain = 1.5;  // the ratio up to which one is what a user means
 
 /// Groups amplitudes that follow each other closely, in ascending order.

@@ -40,12 +40,17 @@ struct MeasuredModulus {
   double strainAmplitude = std::numeric_limits<double>::quiet_NaN();  // NaN: not stated
 };
 
+/// Frequencies with a smaller relative difference count as one.
+inline constexpr double kSameFrequency = 1e-4;
+/// Strain amplitudes count as one up to this ratio.
+inline constexpr double kSameStrain = 1.2;
+
 /// Keeps the rows of the chosen strain amplitude, if one is chosen, and returns the median of the
 /// remaining ones; NaN where no row states one. Filled rubber is softer the more it is strained
-/// (Payne effect), so a master curve belongs to one amplitude. Amplitudes within a fifth of each
-/// other count as equal; those at other temperatures or frequencies may differ. Throws InputError
-/// (`name`) where sweeps at one temperature (within `tolerance`, K) were measured at several
-/// amplitudes and none is chosen, and (--strain) where no amplitude is close to the chosen one.
+/// (Payne effect), so a master curve belongs to one amplitude. Amplitudes that count as one may
+/// differ between temperatures and frequencies. Throws InputError (`name`) where sweeps at one
+/// temperature (within `tolerance`, K) were measured at several amplitudes and none is chosen, and
+/// (--strain) where no amplitude is close to the chosen one.
 double chooseStrain(std::vector<MeasuredModulus>& rows, std::optional<double> chosen,
                     double tolerance, const std::string& name);
 

@@ -1,10 +1,7 @@
 #include "core/material/master_curve.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <optional>
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
@@ -15,364 +12,8 @@
 namespace asperity {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kScanStep = 0.01;      // decades
-constexpr double kLeastOverlap = 0.15;  // decades that two isotherms must have in common, or a
-constexpr double kLeastPart = 0.25;     // quarter of the shorter one
-constexpr double kMostMismatch = 0.2;   // decades of modulus, beyond which nothing fits
-constexpr double kEdgeMismatch = 0.02;  // the same where the overlap is the least allowed
-constexpr int kComparisons = 33;        // frequencies at which two isotherms are compared
-constexpr int kHighestDegree = 4;
-// A vertical shift is the change of density times temperature. Where both moduli are power laws it
-// cannot be told from a horizontal one. Then the law of entropy elasticity, b_T ~ T, decides;
-// vertical shifts are expected to deviate from it by about this much.
-constexpr double kUsualVertical = 0.01;    // decades
 constexpr double kSimpleDifference = 0.1;  // decades, see isThermorheologicallySimple
 constexpr double kSignificant = 3;         // standard errors of such a difference
-constexpr double kWrongWay = 0.3;          // decades against the order of temperatures
-
-/// The moduli from which a shift is determined.
-enum class ShiftModuli { Both, Storage, Loss };
-
-/// An isotherm in decades (decimal logarithms).
-struct LogSweep {
-  std::vector<double> x, storage, loss;
-};
-
-LogSweep logarithms(const Isotherm& isotherm) {
-  LogSweep sweep;
-  for (const DynamicModulus& point : isotherm.points) {
-    sweep.x.push_back(std::log10(point.frequency));
-    sweep.storage.push_back(std::log10(point.storage));
-    sweep.loss.push_back(std::log10(point.loss));
-  }
-  return sweep;
-}
-
-/// Interpolates linearly between the points; x lies within them.
-double interpolated(const std::vector<double>& xs, const std::vector<double>& ys, double x) {
-  const auto above = std::ranges::lower_bound(xs, x);
-  const auto i =
-      std::clamp<std::size_t>(static_cast<std::size_t>(above - xs.begin()), 1, xs.size() - 1);
-  const double part = (x - xs[i - 1]) / (xs[i] - xs[i - 1]);
-  return ys[i - 1] + part * (ys[i] - ys[i - 1]);
-}
-
-/// The common range of two isotherms after the colder one has been moved, on the axis of the warmer
-/// one.
-struct CommonRange {
-  double from, to;
-  double width() const { return to - from; }
-};
-
-CommonRange commonRange(const LogSweep& colder, const LogSweep& warmer, double shift) {
-  return {std::max(colder.x.front() + shift, warmer.x.front()),
-          std::min(colder.x.back() + shift, warmer.x.back())};
-}
-
-/// Returns the rms difference of both moduli over the common range, in decades, after a vertical
-/// shift.
-double mismatchAt(const LogSweep& colder, const LogSweep& warmer, double shift,
-                  double vertical = 0) {
-  const CommonRange range = commonRange(colder, warmer, shift);
-  double squares = 0;
-  for (int i = 0; i < kComparisons; ++i) {
-    const double x = range.from + range.width() * i / (kComparisons - 1);
-    const double storage = interpolated(colder.x, colder.storage, x - shift) -
-                           interpolated(warmer.x, warmer.storage, x) - vertical;
-    const double loss = interpolated(colder.x, colder.loss, x - shift) -
-                        interpolated(warmer.x, warmer.loss, x) - vertical;
-    squares += storage * storage + loss * loss;
-  }
-  return std::sqrt(squares / (2 * kComparisons));
-}
-
-/// Returns the best of all shifts with a sufficient common range, after a vertical shift (decades);
-/// nothing where the two do not overlap.
-std::optional<double> scannedShift(const LogSweep& colder, const LogSweep& warmer,
-                                   double vertical = 0) {
-  const double coldWidth = colder.x.back() - colder.x.front();
-  const double warmWidth = warmer.x.back() - warmer.x.front();
-  const double least = std::min(kLeastOverlap, kLeastPart * std::min(coldWidth, warmWidth));
-  const double from = warmer.x.front() + least - colder.x.back();
-  const double to = warmer.x.back() - least - colder.x.front();
-  const int steps = std::max(2, static_cast<int>(std::ceil((to - from) / kScanStep)));
-  int best = 0;
-  double bestMismatch = std::numeric_limits<double>::infinity();
-  for (int i = 0; i <= steps; ++i) {
-    const double mismatch = mismatchAt(colder, warmer, from + (to - from) * i / steps, vertical);
-    if (mismatch < bestMismatch) best = i, bestMismatch = mismatch;
-  }
-  const bool isAtEdge = best == 0 || best == steps;
-  if (bestMismatch > (isAtEdge ? kEdgeMismatch : kMostMismatch)) return {};
-  return from + (to - from) * best / steps;
-}
-
-/// The points that determine the shift, as indices: those in the common range, and on each side the
-/// next one beyond it, so that sparse sweeps have some.
-struct Window {
-  std::vector<std::size_t> colder, warmer;
-  bool operator==(const Window&) const = default;
-  std::size_t size() const { return colder.size() + warmer.size(); }
-};
-
-std::vector<std::size_t> within(const std::vector<double>& xs, double from, double to) {
-  const auto first = std::ranges::lower_bound(xs, from) - xs.begin();
-  const auto last = std::ranges::upper_bound(xs, to) - xs.begin();
-  std::vector<std::size_t> indices;
-  for (auto i = std::max<std::ptrdiff_t>(0, first - 1);
-       i < std::min<std::ptrdiff_t>(std::ssize(xs), last + 1); ++i)
-    indices.push_back(static_cast<std::size_t>(i));
-  return indices;
-}
-
-Window windowAt(const LogSweep& colder, const LogSweep& warmer, double shift) {
-  const CommonRange range = commonRange(colder, warmer, shift);
-  return {within(colder.x, range.from - shift, range.to - shift),
-          within(warmer.x, range.from, range.to)};
-}
-
-struct Estimate {
-  double value = 0, error = kNaN;
-  // The error is the deviation of one modulus, estimated from the residuals, times sensitivity.
-  double sensitivity = 0;
-  double squares = 0;  // of the residuals, decades^2
-  int freedom = 0;     // number of residuals beyond that of the unknowns
-};
-
-struct ShiftEstimate {
-  Estimate horizontal, vertical;
-};
-
-/// Solves the least-squares problem over one window by the Gauss-Newton method. The unknowns are
-/// the coefficients of the polynomials of each modulus, the vertical shift and the horizontal one.
-class WindowFit {
- public:
-  /// expectedVertical: decades; empty where there is no vertical shift.
-  WindowFit(const LogSweep& colder, const LogSweep& warmer, const Window& window,
-            std::optional<double> expectedVertical, ShiftModuli moduli, double shift)
-      : colder_(colder),
-        warmer_(warmer),
-        window_(window),
-        isVertical_(expectedVertical.has_value()),
-        expectedVertical_(expectedVertical.value_or(0)) {
-    if (moduli != ShiftModuli::Loss) moduli_.push_back(&LogSweep::storage);
-    if (moduli != ShiftModuli::Storage) moduli_.push_back(&LogSweep::loss);
-    rows_ = static_cast<Eigen::Index>(window.size());
-    degree_ = std::clamp<Eigen::Index>(rows_ / 2 - 1, 1, kHighestDegree);
-    const CommonRange range = commonRange(colder, warmer, shift);
-    centre_ = 0.5 * (range.from + range.to);
-    scale_ = std::max(0.5 * range.width(), 0.05);
-  }
-
-  /// Returns nothing where the deviations do not determine the shift. The expected vertical shift
-  /// has the weight that the deviations themselves give it, which are not known in advance.
-  std::optional<ShiftEstimate> solve(double start) {
-    if (!isVertical_) return iterate(start);
-    constexpr int kPasses = 4;
-    deviation_ = kUsualVertical;
-    std::optional<ShiftEstimate> found;
-    for (int i = 0; i < kPasses; ++i) {
-      found = iterate(start);
-      if (!found) return {};
-      deviation_ = std::max(1e-6, deviation_);
-    }
-    return found;
-  }
-
- private:
-  std::optional<ShiftEstimate> iterate(double shift) {
-    constexpr int kMostIterations = 60;
-    constexpr double kLongestStep = 0.1, kConverged = 1e-10;  // decades
-    const double start = shift;
-    // The first pass has no polynomials yet, but the step needs their slopes.
-    coefficients_ = Eigen::VectorXd::Zero(linearUnknowns());
-    double step = 0;
-    for (int i = 0; i < kMostIterations; ++i) {
-      assemble(shift, i > 0);
-      const auto solver = system_.colPivHouseholderQr();
-      const Eigen::VectorXd solution = solver.solve(data_);
-      coefficients_ = solution.head(linearUnknowns());
-      if (i == 0) continue;
-      if (solver.rank() < system_.cols()) return {};
-      step = std::clamp(solution[solution.size() - 1], -kLongestStep, kLongestStep);
-      shift += step;
-      if (!(std::abs(shift - start) < 1)) return {};
-      if (std::abs(step) < kConverged) break;
-    }
-    if (!(std::abs(step) < 1e-4)) return {};
-    return estimate(shift);
-  }
-
-  Eigen::Index polynomialUnknowns() const { return degree_ + 1; }
-  Eigen::Index moduliCount() const { return static_cast<Eigen::Index>(moduli_.size()); }
-  Eigen::Index linearUnknowns() const {
-    return moduliCount() * polynomialUnknowns() + (isVertical_ ? 1 : 0);
-  }
-
-  /// Fills the rows: all points of one modulus, then of the other. The last column is the
-  /// derivative of the model with respect to the shift, from the polynomials of the previous pass.
-  void assemble(double shift, bool withShift) {
-    const Eigen::Index block = polynomialUnknowns();
-    const Eigen::Index rows = moduliCount() * rows_ + (isVertical_ ? 1 : 0);
-    system_ = Eigen::MatrixXd::Zero(rows, linearUnknowns() + (withShift ? 1 : 0));
-    data_ = Eigen::VectorXd::Zero(rows);
-    if (isVertical_) {
-      system_(rows - 1, moduliCount() * block) = deviation_ / kUsualVertical;
-      data_[rows - 1] = expectedVertical_ * deviation_ / kUsualVertical;
-    }
-    for (Eigen::Index m = 0; m < moduliCount(); ++m) {
-      Eigen::Index row = m * rows_;
-      const auto add = [&](const LogSweep& sweep, std::size_t i, bool isColder) {
-        const double u = (sweep.x[i] + (isColder ? shift : 0) - centre_) / scale_;
-        double power = 1, slope = 0;
-        for (Eigen::Index k = 0; k < block; ++k) {
-          system_(row, m * block + k) = power;
-          if (k + 1 < block)
-            slope += static_cast<double>(k + 1) * coefficients_[m * block + k + 1] * power;
-          power *= u;
-        }
-        // The measured modulus of the colder isotherm is b_T times the common curve.
-        if (isVertical_ && isColder) system_(row, moduliCount() * block) = 1;
-        if (withShift && isColder) system_(row, system_.cols() - 1) = slope / scale_;
-        data_[row++] = (sweep.*moduli_[static_cast<std::size_t>(m)])[i];
-      };
-      for (const std::size_t i : window_.colder) add(colder_, i, true);
-      for (const std::size_t i : window_.warmer) add(warmer_, i, false);
-    }
-  }
-
-  ShiftEstimate estimate(double shift) {
-    assemble(shift, true);
-    Eigen::VectorXd unknowns(system_.cols());
-    unknowns.head(linearUnknowns()) = coefficients_;
-    unknowns[system_.cols() - 1] = 0;
-    const double squares = (data_ - system_ * unknowns).squaredNorm();
-    const auto left = static_cast<double>(system_.rows() - system_.cols());
-    deviation_ = std::sqrt(squares / std::max(1.0, left));
-    ShiftEstimate found{{shift}, {isVertical_ ? unknowns[system_.cols() - 2] : 0}};
-    if (!isVertical_) found.vertical.error = 0;
-    if (left < 1) return found;
-    const Eigen::MatrixXd covariance =
-        (system_.transpose() * system_)
-            .ldlt()
-            .solve(Eigen::MatrixXd::Identity(system_.cols(), system_.cols())) *
-        (squares / left);
-    const auto errorOf = [&](Eigen::Index i) { return std::sqrt(std::max(0.0, covariance(i, i))); };
-    found.horizontal.error = errorOf(system_.cols() - 1);
-    found.horizontal.squares = squares;
-    found.horizontal.freedom = static_cast<int>(left);
-    if (squares > 0)
-      found.horizontal.sensitivity = found.horizontal.error / std::sqrt(squares / left);
-    if (isVertical_) found.vertical.error = errorOf(system_.cols() - 2);
-    return found;
-  }
-
-  const LogSweep &colder_, &warmer_;
-  const Window& window_;
-  bool isVertical_;
-  double expectedVertical_ = 0;  // decades
-  double deviation_ = 0;         // decades, of one measured modulus
-  std::vector<std::vector<double> LogSweep::*> moduli_;
-  Eigen::Index rows_ = 0, degree_ = 1;
-  double centre_ = 0, scale_ = 1;
-  Eigen::MatrixXd system_;
-  Eigen::VectorXd data_, coefficients_;
-};
-
-/// Repeats the fit until window and shift agree.
-std::optional<ShiftEstimate> fittedShift(const LogSweep& colder, const LogSweep& warmer,
-                                         double shift, std::optional<double> expectedVertical,
-                                         ShiftModuli moduli) {
-  constexpr int kWindows = 4;
-  std::optional<ShiftEstimate> found;
-  Window used;
-  for (int i = 0; i < kWindows; ++i) {
-    if (!(commonRange(colder, warmer, shift).width() > 0)) return found;
-    const Window window = windowAt(colder, warmer, shift);
-    if (window.size() < 4 || window.colder.size() < 2 || window.warmer.size() < 2) return found;
-    if (found && window == used) return found;
-    WindowFit fit(colder, warmer, window, expectedVertical, moduli, shift);
-    const std::optional<ShiftEstimate> next = fit.solve(shift);
-    if (!next) return found;
-    found = next;
-    used = window;
-    shift = next->horizontal.value;
-  }
-  return found;
-}
-
-[[noreturn]] void refuseGap(const Isotherm& colder, const Isotherm& warmer) {
-  throw InputError(
-      "", "",
-      message("the isotherms at {} and {} do not overlap: no shift brings their moduli "
-              "together; a sweep at a temperature between them or over more "
-              "frequencies is needed, or leave the isotherms beyond the gap out",
-              celsius(colder.temperature), celsius(warmer.temperature)));
-}
-
-[[noreturn]] void refuseWithoutVertical(const Isotherm& colder, const Isotherm& warmer) {
-  throw InputError(
-      "", "",
-      message("the isotherms at {} and {} do not overlap: only a vertical shift, as of an entropic "
-              "spring, brings their moduli together; allow it with --vertical-shifts",
-              celsius(colder.temperature), celsius(warmer.temperature)));
-}
-
-/// The shifts that follow from both moduli, and from each alone; the latter start from the first.
-struct NeighbourShifts {
-  Overlap both;
-  Estimate storage{kNaN, kNaN}, loss{kNaN, kNaN};
-};
-
-NeighbourShifts neighbourShifts(const Isotherm& cold, const Isotherm& warm, bool isVertical) {
-  const LogSweep colder = logarithms(cold), warmer = logarithms(warm);
-  const double entropic = std::log10(cold.temperature / warm.temperature);
-  std::optional<double> start = scannedShift(colder, warmer);
-  // Plateaus of different height are joined by a vertical shift alone.
-  if (!start) {
-    start = scannedShift(colder, warmer, entropic);
-    if (!start) refuseGap(cold, warm);
-    if (!isVertical) refuseWithoutVertical(cold, warm);
-  }
-  std::optional<double> expected;
-  if (isVertical) expected = entropic;
-  const auto fitted = fittedShift(colder, warmer, *start, expected, ShiftModuli::Both);
-  NeighbourShifts found;
-  Overlap& both = found.both;
-  const ShiftEstimate common = fitted.value_or(ShiftEstimate{{*start, kNaN}, {0, kNaN}});
-  both.log10Shift = common.horizontal.value;
-  both.standardError = common.horizontal.error;
-  both.log10Vertical = common.vertical.value;
-  both.verticalError = common.vertical.error;
-  both.decades = commonRange(colder, warmer, both.log10Shift).width();
-  if (both.decades > 0)
-    both.mismatch = mismatchAt(colder, warmer, both.log10Shift, both.log10Vertical);
-  // One modulus alone cannot tell a vertical shift from a horizontal one.
-  LogSweep level = colder;
-  for (std::vector<double>* values : {&level.storage, &level.loss})
-    for (double& value : *values) value -= both.log10Vertical;
-  const auto alone = [&](ShiftModuli moduli) {
-    const auto one = fittedShift(level, warmer, both.log10Shift, {}, moduli);
-    return one ? one->horizontal : Estimate{kNaN, kNaN};
-  };
-  found.storage = alone(ShiftModuli::Storage);
-  found.loss = alone(ShiftModuli::Loss);
-  return found;
-}
-
-/// Throws InputError where shifts rise with temperature: a material that becomes slower as it
-/// becomes warmer has its temperatures mixed up.
-void checkOrder(const Isotherm& cold, const Isotherm& warm, const Overlap& overlap) {
-  const double error = std::isfinite(overlap.standardError) ? overlap.standardError : 0;
-  if (overlap.log10Shift > -kWrongWay - 3 * error) return;
-  throw InputError(
-      "", "temperature",
-      message("the isotherm at {} is slower than that at {} by {:.2f} decades: the "
-              "temperatures are out of order; correct the column, or leave an isotherm "
-              "out",
-              celsius(warm.temperature), celsius(cold.temperature), -overlap.log10Shift));
-}
 
 /// Sums of the shifts of neighbours, counted from the reference temperature.
 class Accumulated {
@@ -382,8 +23,8 @@ class Accumulated {
 
   /// steps[i]: from isotherm i to the next warmer one. Errors are those of the steps between the
   /// reference and the isotherm; a step that contains the reference counts with its part.
-  std::vector<Estimate> from(const std::vector<Estimate>& steps) const {
-    std::vector<Estimate> sums(isotherms_.size());
+  std::vector<ShiftEstimate> from(const std::vector<ShiftEstimate>& steps) const {
+    std::vector<ShiftEstimate> sums(isotherms_.size());
     for (std::size_t i = 0; i < isotherms_.size(); ++i) {
       double value = 0, variance = 0;
       for (std::size_t k = 0; k < steps.size(); ++k) {
@@ -414,17 +55,17 @@ class Accumulated {
 /// Widens errors that are too small by chance, because a step left few residuals: one modulus
 /// scatters at least as much in each step as in all of them together. kSignificant of the errors
 /// are then as rare as of a known one.
-void widenErrors(std::vector<Estimate>& steps) {
+void widenErrors(std::vector<ShiftEstimate>& steps) {
   double squares = 0;
   int freedom = 0;
-  for (const Estimate& step : steps) {
+  for (const ShiftEstimate& step : steps) {
     squares += step.squares;
     freedom += step.freedom;
   }
   if (freedom == 0) return;
   const double common = std::sqrt(squares / freedom);
   const double rarity = studentDeviations(kSignificant, freedom) / kSignificant;
-  for (Estimate& step : steps)
+  for (ShiftEstimate& step : steps)
     if (step.freedom > 0) step.error = rarity * std::max(step.error, step.sensitivity * common);
 }
 
@@ -432,8 +73,8 @@ void widenErrors(std::vector<Estimate>& steps) {
 /// linear in T, which is exact at an isotherm. Where a formula fits all shifts, the reference is
 /// moved to its value, which is exact for a formula that holds.
 void moveReference(std::span<const Isotherm> isotherms, double reference,
-                   std::vector<Estimate>& both, std::vector<Estimate>& storage,
-                   std::vector<Estimate>& loss) {
+                   std::vector<ShiftEstimate>& both, std::vector<ShiftEstimate>& storage,
+                   std::vector<ShiftEstimate>& loss) {
   std::vector<ShiftPoint> table;
   for (std::size_t i = 0; i < isotherms.size(); ++i) {
     if (std::abs(isotherms[i].temperature - reference) <= kIsothermTolerance) return;
@@ -442,7 +83,7 @@ void moveReference(std::span<const Isotherm> isotherms, double reference,
   const auto law = interpolatingFormula(table, reference);
   if (!law) return;
   for (auto* estimates : {&both, &storage, &loss})
-    for (Estimate& estimate : *estimates) {
+    for (ShiftEstimate& estimate : *estimates) {
       estimate.value -= law->offset;
       estimate.error = std::hypot(estimate.error, law->rms);
     }
@@ -495,11 +136,10 @@ MasterCurve masterCurve(std::span<const Isotherm> isotherms, double referenceTem
                 PrintedNumber{printedDecimals(highest, 2)}, celsius(lowest), celsius(highest)));
   MasterCurve curve;
   curve.referenceTemperature = referenceTemperature;
-  std::vector<Estimate> both, vertical, storage, loss;
+  std::vector<ShiftEstimate> both, vertical, storage, loss;
   for (std::size_t i = 0; i + 1 < isotherms.size(); ++i) {
     throwIfStopped(stop);
     const NeighbourShifts step = neighbourShifts(isotherms[i], isotherms[i + 1], isVertical);
-    checkOrder(isotherms[i], isotherms[i + 1], step.both);
     curve.overlaps.push_back(step.both);
     both.push_back({step.both.log10Shift, step.both.standardError});
     vertical.push_back({step.both.log10Vertical, step.both.verticalError});

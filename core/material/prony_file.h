@@ -1,7 +1,7 @@
-// Reads ready Prony series as people and finite-element programs write them: a table of relaxation
-// times and moduli; the keywords *ELASTIC or *HYPERELASTIC with *VISCOELASTIC, TIME=PRONY and *TRS
-// of Abaqus; the commands TB,PRONY with TBDATA, MP,EX or TB,HYPER, and TB,SHIFT of Ansys.
-// Pure; any thread. Failure: InputError that names the file and the line or column.
+// Reads ready Prony series as people and finite-element programs write them: tables of relaxation
+// times, moduli or viscosities (prony_table.h); keywords of Abaqus and LS-DYNA and commands of
+// Ansys (prony_keywords.h). Pure; any thread. Failure: InputError that names the file and the line
+// or column.
 #pragma once
 
 #include <limits>

@@ -60,13 +60,15 @@ void checkShift(const TemperatureShift& shift, const std::string& name) {
 
 // ---- LS-DYNA -----------------------------------------------------------------------------------
 
+/// Throws InputError where a file has materials of LS-DYNA alone that are not read.
 void refuseDyna(const std::vector<KeywordLine>& lines, const std::string& name) {
   for (const KeywordLine& line : lines)
     if (line.words.front().starts_with("*mat_"))
       throw InputError(name, line.key(),
-                       "is a keyword of LS-DYNA, which is not read; write the Prony series as a "
-                       "table with columns tau (s) and G (MPa), whose tau is 1/beta, and the "
-                       "equilibrium modulus in a row with tau = inf");
+                       "is a keyword of LS-DYNA that is not read; *MAT_GENERAL_VISCOELASTIC and "
+                       "*MAT_VISCOELASTIC are, or write the Prony series as a table with columns "
+                       "tau (s) and G (MPa), whose tau is 1/beta, and the equilibrium modulus in a "
+                       "row with tau = inf");
 }
 
 // ---- Temperatures ------------------------------------------------------------------------------
@@ -145,7 +147,7 @@ std::size_t rowAt(double wanted, const std::vector<double>& kelvins, const std::
 
 }  // namespace
 
-// ---- What both readers share -------------------------------------------------------------------
+// ---- What the readers share --------------------------------------------------------------------
 
 std::string KeywordLine::word(std::size_t index) const {
   return index < words.size() ? words[index] : std::string();
@@ -245,7 +247,8 @@ std::optional<RawSeries> keywordSeries(std::string_view text, const std::string&
   const auto read = [&](bool hasModulus) {
     const KeywordFile file{lines, name, choices, hasModulus};
     std::optional<RawSeries> series = abaqusSeries(file);
-    return series ? series : ansysSeries(file);
+    if (!series) series = ansysSeries(file);
+    return series ? series : dynaSeries(file);
   };
   std::optional<RawSeries> series;
   try {

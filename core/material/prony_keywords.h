@@ -1,7 +1,6 @@
-// A Prony series before its modulus is known, and its readers in files of finite-element programs.
-// Such a file often has several materials, and values at several temperatures: the modulus is that
-// of the material with the series, and all values are those of one temperature.
-// Pure; any thread.
+// Reads Prony series from files of finite-element programs. Such a file often has several
+// materials, and values at several temperatures: the modulus is that of the material with the
+// series, and all values are those of one temperature. Pure; any thread.
 #pragma once
 
 #include <limits>
@@ -13,36 +12,16 @@
 #include "core/base/message.h"
 #include "core/material/elastomer.h"
 #include "core/material/prony_file.h"
+#include "core/material/raw_series.h"
 
 namespace asperity {
 
-/// The content of all of these files: parts of the instantaneous modulus, or moduli, and one
-/// modulus.
-struct RawSeries {
-  static constexpr double kNotStated = std::numeric_limits<double>::quiet_NaN();
-  struct Term {
-    double weight = 0, time = 0;
-    std::size_t line = 0;
-  };
-  std::vector<Term> terms{};
-  bool isRelative = true;             // weights are parts of the instantaneous modulus
-  double instantaneous = kNotStated;  // in the file's unit, of shear
-  double equilibrium = kNotStated;    // the same
-  double unit = 1;                    // Pa
-  bool isUnitKnown = false;
-  std::optional<TemperatureShift> shift{};
-  std::optional<double> temperature{};  // K, at which the file states its values
-  std::string material{};               // "TREAD"; empty where the file names none
-  Message format{};
-  std::vector<Message> notes{};
-};
-
-/// Reads the keywords of Abaqus or the commands of Ansys; nothing where the text has neither.
-/// Throws InputError (`name`), also for the keywords of LS-DYNA, which are not read.
+/// Reads the keywords of Abaqus or LS-DYNA, or the commands of Ansys; nothing where the text has
+/// none of them. Throws InputError (`name`), also for materials of LS-DYNA that are not read.
 std::optional<RawSeries> keywordSeries(std::string_view text, const std::string& name,
                                        const PronyChoices& choices);
 
-// ---- What both readers share
+// ---- What the readers share
 
 struct KeywordLine {
   std::vector<std::string> words;  // separated by commas, in lower case, without blanks
@@ -97,5 +76,6 @@ std::vector<std::size_t> chooseRows(const std::vector<TemperatureRows>& tables,
 
 std::optional<RawSeries> abaqusSeries(const KeywordFile& file);
 std::optional<RawSeries> ansysSeries(const KeywordFile& file);
+std::optional<RawSeries> dynaSeries(const KeywordFile& file);
 
 }  // namespace asperity

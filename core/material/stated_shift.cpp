@@ -132,6 +132,9 @@ ShiftConstants shiftConstants(const TextTable& table, const std::string& unit) {
       const std::string line = lineOf(entry);
       const std::vector<std::string> ofLine = wordsIn(line);
       if (hasOneOf(ofLine, "wlf arrhenius activation aktivierungsenergie")) found.line = entry.line;
+      // The formula may stand in another line than the values.
+      const bool isNatural = isOneOf("ln", ofLine) || containsOneOf(lowerCase(line), "exp( exp[");
+      if (isNatural && hasOneOf(ofLine, "c1 c2 c\u2081 c\u2082")) found.naturalLine = entry.line;
       for (const std::string_view clause : clausesOf(line)) {
         // "C2 (K)"
         const auto stated = parseStatement(clause);
@@ -147,7 +150,6 @@ ShiftConstants shiftConstants(const TextTable& table, const std::string& unit) {
                               hasOneOf(words, "activation");
         if (const auto size = unitSize(withoutBrackets(stated->unit()), "J/mol"); isEnergy && size)
           found.energy = stated->quantity.number * *size;
-        if (isC1 && isOneOf("ln", ofLine)) found.naturalLine = entry.line;
       }
     }
   }

@@ -1491,6 +1491,10 @@
         <translation>Gleichgewichtsmodul</translation>
     </message>
     <message>
+        <source>instantaneous modulus</source>
+        <translation>Momentanmodul</translation>
+    </message>
+    <message>
         <source>reversal</source>
         <translation>Umkehr</translation>
     </message>
@@ -4127,8 +4131,8 @@
         <translation>der Modul ist %1 und muss mindestens 0 sein</translation>
     </message>
     <message>
-        <source>the relaxation time is %1 s, which must be above 0</source>
-        <translation>die Relaxationszeit ist %1 s und muss über 0 sein</translation>
+        <source>the relaxation time is %1 s, which must be above 0 and at most %2 s</source>
+        <translation>die Relaxationszeit ist %1 s und muss über 0 und darf höchstens %2 s sein</translation>
     </message>
     <message>
         <source>the parts of the instantaneous modulus add up to %1, more than 1</source>
@@ -4591,8 +4595,96 @@
         <translation>sieht aus wie die Relaxationszeiten einer Prony-Reihe, aber es gibt keine Spalte von Moduln; eine solche Tabelle hat Spalten wie tau (s) und G (MPa), oder g_i für Teile des Anfangsmoduls</translation>
     </message>
     <message>
-        <source>is a keyword of LS-DYNA, which is not read; write the Prony series as a table with columns tau (s) and G (MPa), whose tau is 1/beta, and the equilibrium modulus in a row with tau = inf</source>
-        <translation>ist ein Schlüsselwort von LS-DYNA, das nicht gelesen wird; die Prony-Reihe als Tabelle mit den Spalten tau (s) und G (MPa) schreiben, mit tau gleich 1/beta und dem Gleichgewichtsmodul in einer Zeile mit tau = inf</translation>
+        <source>is a keyword of LS-DYNA that is not read; *MAT_GENERAL_VISCOELASTIC and *MAT_VISCOELASTIC are, or write the Prony series as a table with columns tau (s) and G (MPa), whose tau is 1/beta, and the equilibrium modulus in a row with tau = inf</source>
+        <translation>ist ein Schlüsselwort von LS-DYNA, das nicht gelesen wird; *MAT_GENERAL_VISCOELASTIC und *MAT_VISCOELASTIC werden gelesen, oder die Prony-Reihe als Tabelle mit den Spalten tau (s) und G (MPa) schreiben, mit tau gleich 1/beta und dem Gleichgewichtsmodul in einer Zeile mit tau = inf</translation>
+    </message>
+    <message>
+        <source>keywords of LS-DYNA</source>
+        <translation>Schlüsselwörter von LS-DYNA</translation>
+    </message>
+    <message>
+        <source>is a keyword of LS-DYNA without numbers</source>
+        <translation>ist ein Schlüsselwort von LS-DYNA ohne Zahlen</translation>
+    </message>
+    <message>
+        <source>is a keyword of LS-DYNA without a pair of GI and BETAI</source>
+        <translation>ist ein Schlüsselwort von LS-DYNA ohne ein Paar aus GI und BETAI</translation>
+    </message>
+    <message>
+        <source>has fields that are neither 10 characters wide nor separated by commas</source>
+        <translation>hat Felder, die weder 10 Zeichen breit noch durch Kommas getrennt sind</translation>
+    </message>
+    <message>
+        <source>has %1 in place %2, where a number of at least 0 is read</source>
+        <translation>hat %1 an Stelle %2, wo eine Zahl von mindestens 0 gelesen wird</translation>
+    </message>
+    <message>
+        <source>does not tell its units: a density of %1 and a modulus of %2 are those of a rubber in no or in several systems of units; write the Prony series as a table with columns such as tau (s) and G (MPa), whose tau is 1/beta, and the equilibrium modulus in a row with tau = inf</source>
+        <translation>verrät seine Einheiten nicht: eine Dichte von %1 und ein Modul von %2 sind in keinem oder in mehreren Einheitensystemen die eines Gummis; die Prony-Reihe als Tabelle mit Spalten wie tau (s) und G (MPa) schreiben, mit tau gleich 1/beta und dem Gleichgewichtsmodul in einer Zeile mit tau = inf</translation>
+    </message>
+    <message>
+        <source>is of an elastic layer (EF), without a series</source>
+        <translation>ist von einer elastischen Schicht (EF), ohne Reihe</translation>
+    </message>
+    <message>
+        <source>takes its constants from a curve (LCID), which is not read</source>
+        <translation>nimmt seine Konstanten aus einer Kurve (LCID), die nicht gelesen wird</translation>
+    </message>
+    <message>
+        <source>the shift with temperature by TREF, A and B is left out, because the sign and the base of the logarithm that A belongs to are not certain; the series holds at TREF</source>
+        <translation>die Verschiebung mit der Temperatur durch TREF, A und B bleibt weg, weil Vorzeichen und Basis des Logarithmus, zu dem A gehört, nicht sicher sind; die Reihe gilt bei TREF</translation>
+    </message>
+    <message>
+        <source>does not relax: G0 must be above GI, and BETA above 0</source>
+        <translation>relaxiert nicht: G0 muss über GI liegen und BETA über 0</translation>
+    </message>
+    <message>
+        <source>is a second viscoelastic material; keep the one that is meant alone</source>
+        <translation>ist ein zweites viskoelastisches Material; nur das gemeinte stehen lassen</translation>
+    </message>
+    <message>
+        <source>is written in the long format, which is not read</source>
+        <translation>ist im langen Format geschrieben, das nicht gelesen wird</translation>
+    </message>
+    <message>
+        <source>the file states no units; a density of %1 is that of a rubber in %2, so moduli are read in %3 and times in %4</source>
+        <translation>die Datei nennt keine Einheiten; eine Dichte von %1 ist die eines Gummis in %2, also werden Moduln in %3 und Zeiten in %4 gelesen</translation>
+    </message>
+    <message>
+        <source>is a second row without a relaxation time; one, of the equilibrium modulus, is allowed</source>
+        <translation>ist eine zweite Zeile ohne Relaxationszeit; eine, die des Gleichgewichtsmoduls, ist erlaubt</translation>
+    </message>
+    <message>
+        <source>are parts that add up to %1 with that of the row without a relaxation time, and not to 1</source>
+        <translation>sind Teile, die mit dem der Zeile ohne Relaxationszeit zusammen %1 ergeben und nicht 1</translation>
+    </message>
+    <message>
+        <source>has a viscosity and no relaxation time</source>
+        <translation>hat eine Viskosität und keine Relaxationszeit</translation>
+    </message>
+    <message>
+        <source>has no unit; write it behind the name, as in eta_i (Pa s)</source>
+        <translation>hat keine Einheit; sie hinter den Namen schreiben, wie in eta_i (Pa s)</translation>
+    </message>
+    <message>
+        <source>moduli are %1 divided by the relaxation times</source>
+        <translation>die Moduln sind %1 geteilt durch die Relaxationszeiten</translation>
+    </message>
+    <message>
+        <source>relaxation times are %1 divided by the moduli</source>
+        <translation>die Relaxationszeiten sind %1 geteilt durch die Moduln</translation>
+    </message>
+    <message>
+        <source>%1 contradicts the moduli and relaxation times, which are read: in the median it is %2 times their product</source>
+        <translation>%1 widerspricht den Moduln und Relaxationszeiten, die gelesen werden: im Median ist es das %2-Fache ihres Produkts</translation>
+    </message>
+    <message>
+        <source>columns without names are read as branches in a file of COMSOL: number, modulus of shear, relaxation time in s</source>
+        <translation>Spalten ohne Namen werden als Zweige in einer Datei von COMSOL gelesen: Nummer, Schubmodul, Relaxationszeit in s</translation>
+    </message>
+    <message>
+        <source>%1 is read as a logarithm to base 10</source>
+        <translation>%1 wird als Logarithmus zur Basis 10 gelesen</translation>
     </message>
     <message>
         <source>%1 is above the lowest storage modulus of shear, %2; allowed is a modulus below it</source>

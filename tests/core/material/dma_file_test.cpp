@@ -78,6 +78,31 @@ TEST(DmaFile, MagnitudeAndPhaseAreAComplexNumber) {
   }
 }
 
+TEST(DmaFile, OneModulusAndThePhaseAreAPair) {
+  for (const std::string columns : {"G' (MPa),delta (deg)\n1,20,2,30\n10,20,3,30\n",
+                                    "G'' (MPa),phase angle (deg)\n1,20,1.1547005383792515,30\n"
+                                    "10,20,1.7320508075688772,30\n"}) {
+    const DmaFile file = read("f (Hz),T (C)," + columns);
+    ASSERT_EQ(file.rows.size(), 2U) << columns;
+    expectRow(file.rows[0], 293.15, 1, 2e6, 2e6 * std::tan(std::numbers::pi / 6));
+  }
+  // No storage modulus follows from a phase of 0; the isotherms refuse an infinite one.
+  const DmaFile file = read("f (Hz),T (C),G'' (MPa),phase (deg)\n1,20,1,0\n10,20,1,30\n");
+  EXPECT_THROW(groupIsotherms(file.rows), InputError);
+}
+
+/// One modulus beside magnitude and phase was taken for half of a pair whose other half is missing.
+TEST(DmaFile, AModulusBesideMagnitudeAndPhaseIsNotNeeded) {
+  for (const std::string other : {"G' (MPa)", "G'' (MPa)"}) {
+    const DmaFile file =
+        read("f (Hz),T (C)," + other + ",|G*| (MPa),phase (deg)\n1,20,9,2,30\n10,20,9,4,30\n");
+    ASSERT_EQ(file.rows.size(), 2U) << other;
+    expectRow(file.rows[0], 293.15, 1, 2e6 * std::cos(std::numbers::pi / 6), 1e6);
+    EXPECT_EQ(file.facts.storage.name, "|G*|");
+    EXPECT_EQ(file.facts.loss.name, "phase");
+  }
+}
+
 TEST(DmaFile, BlocksAndWideTablesHaveATemperatureEach) {
   const DmaFile blocks = read(
       "Temperature: 20 C\nf;G';G''\nHz;MPa;MPa\n1;2;1\n2;3;1\n\nTemperature: 30 C\nf;G';G''\n"
@@ -369,7 +394,16 @@ TEST(DmaFile, UnitsInBracketsAreKnownOrRefused) {
         << unit;
 }
 
+/// The other column is a loss factor, which has no unit.
+TEST(DmaFile, ALossModulusWithoutAUnitIsThatOfARubberToo) {
+  EXPECT_THAT(errorOf("f (Hz),T (C),G'',tan delta\n1,20,0.2,0.1\n10,20,0.4,0.1\n"),
+              HasSubstr("G'': has no unit, and 4 Pa would be no rubber; say --modulus-unit MPa"));
+  EXPECT_EQ(read("f (Hz),T (C),G'',tan delta\n1,20,2e5,0.1\n10,20,4e5,0.1\n").rows.size(), 2U);
+}
+
 TEST(DmaFile, WhatIsWrongIsSaidInOneLine) {
+  EXPECT_THAT(errorOf("f (Hz),T (K),G' (MPa),G'' (MPa)\n1,293,2,0.2\n10,3000,3,0.4\n"),
+              HasSubstr("line 3: the temperature is 3000 K, at which no rubber is measured"));
   EXPECT_THAT(errorOf("f (Hz),T (C),G' (Pa),G'' (Pa)\n1,20,2.0e6x,2e5\n10,20,3.0e6x,4e5\n"),
               HasSubstr("G': line 2: '2.0e6x' is no number"));
   const std::string rows = "1,20,2e6,2e5\n10,20,3e6,4e5\n";
@@ -658,6 +692,15 @@ TEST(DmaFile, TheShiftBesideAMasterCurveIsRead) {
   }
   EXPECT_THAT(factsIn(head + "ln aT form: C1 = 23.03, C2 = 120\n" + curve),
               testing::Contains(HasSubstr("not read: line 2 is about ln aT")));
+  for (const std::string formula :
+       {"ln(aT) = -C1 (T - Tref) / (C2 + T - Tref)", "aT = exp(-C1*(T-Tref)/(C2+T-Tref))"}) {
+    const DmaFile natural = read(head + "# " + formula + "\n# C1 = 23.03\n# C2 = 120 K\n" + curve);
+    EXPECT_FALSE(natural.shift.has_value()) << formula;
+  }
+  EXPECT_TRUE(read(head +
+                   "# log10(aT) = -C1 (T - Tref) / (C2 + T - Tref)\n# C1 = 10\n# C2 = 120 K\n" +
+                   curve)
+                  .shift.has_value());
   // The same curve from 50 C on.
   const DmaFile apart = read("Temperature: 50 C\n" + head + "C1 = 10\nC2 = 120\n" + curve);
   EXPECT_NEAR(apart.shift->c2, 150, 1e-9);

@@ -1,0 +1,139 @@
+#include "core/material/dma_units.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "core/base/input_error.h"
+#include "core/base/text.h"
+#include "core/base/text_number.h"
+#include "core/material/dma_columns.h"
+
+namespace asperity {
+namespace {
+
+/// Returns the text in brackets, or behind a stroke, at the end of a name that is neither a
+/// quantity nor a word for the kind of modulus: "furlongs" of "G' (furlongs)". It is refused as a
+/// unit.
+std::string unknownUnitIn(const std::string& name) {
+  const std::size_t begin = unitPart(name);
+  if (begin == std::string::npos) return {};
+  std::string unit(withoutBrackets(std::string_view(name).substr(begin)));
+  if (unit.starts_with('/')) unit = trimmedBlanks(unit.substr(1));
+  const DmaColumn meaning = dmaColumn(unit, {});
+  const bool isNone = unit.empty() || meaning.quantity != DmaQuantity::None ||
+                      meaning.temperature || meaning.kind != ModulusKind::Unknown;
+  constexpr WordList kOtherWords(
+      "real imaginary imag in-phase out-of-phase elastic viscous dynamic mean average measured "
+      "corrected smoothed abs complex at shifted reference linear absolute");
+  return isNone || isOneOf(lowerCase(unit), kOtherWords) ? std::string() : unit;
+}
+
+/// Returns name and unit of a column; the user's choice of a unit overrides that of the file.
+DmaColumnFact columnFact(const DmaBlock& in, std::size_t column, const std::string& choice) {
+  DmaColumnFact fact;
+  fact.name = in.block.label(column);
+  fact.unit = choice.empty() ? in.block.columns[column].unit : choice;
+  // The brackets of "G' [20 °C]" contain a temperature and no unit.
+  if (choice.empty() && findTemperature(fact.unit)) fact.unit.clear();
+  if (fact.unit.empty()) fact.unit = unknownUnitIn(in.block.columns[column].name);
+  fact.isUnitAssumed = fact.unit.empty();
+  return fact;
+}
+
+[[noreturn]] void refuseUnit(const DmaBlock& in, const DmaColumnFact& fact,
+                             const std::string& allowed, const char* option) {
+  throw InputError(in.fileName, fact.name,
+                   message("has the unit {}, which is not one of {}; {} says which is meant",
+                           shortened(fact.unit), allowed, option));
+}
+
+std::optional<double> tangentSize(const std::string& unit) {
+  if (unit.empty() || unit == "1" || unit == "-") return 1;
+  return unitSize(unit == "percent" ? "%" : unit, "");
+}
+
+}  // namespace
+
+SizedColumn frequencyColumn(const DmaBlock& in, std::size_t column) {
+  SizedColumn found{columnFact(in, column, in.choices.frequencyUnit)};
+  const TextColumn& written = in.block.columns[column];
+  const bool isAngular = dmaColumn(written.name, written.unit).isAngular;
+  const auto size = frequencyUnit(found.fact.unit, isAngular);
+  if (!size) refuseUnit(in, found.fact, "rad/s, " + unitNames("Hz"), "--frequency-unit");
+  if (found.fact.unit.empty()) found.fact.unit = isAngular ? "rad/s" : "Hz";
+  found.size = *size;
+  return found;
+}
+
+SizedColumn modulusColumn(const DmaBlock& in, std::size_t column) {
+  SizedColumn found{columnFact(in, column, in.choices.modulusUnit)};
+  if (found.fact.unit.empty()) found.fact.unit = "Pa";
+  const auto size = unitSize(found.fact.unit, "Pa");
+  if (!size) refuseUnit(in, found.fact, unitNames("Pa"), "--modulus-unit");
+  found.size = *size;
+  return found;
+}
+
+std::optional<double> lossTangentSize(const DmaBlock& in, std::size_t column) {
+  return tangentSize(columnFact(in, column, {}).unit);
+}
+
+SizedColumn lossTangentColumn(const DmaBlock& in, std::size_t column) {
+  const DmaColumnFact fact = columnFact(in, column, {});
+  if (const auto size = tangentSize(fact.unit)) return {{fact.name, {}, false}, *size};
+  throw InputError(in.fileName, fact.name,
+                   message("has the unit {}; a loss factor has none, or %", shortened(fact.unit)));
+}
+
+SizedColumn phaseColumn(const DmaBlock& in, std::size_t column) {
+  SizedColumn found{columnFact(in, column, {})};
+  DmaColumnFact& fact = found.fact;
+  if (const auto size = angleUnit(in.block.columns[column].unit)) return {fact, *size};
+  if (!fact.unit.empty())
+    throw InputError(in.fileName, fact.name,
+                     message("has the unit {}; an angle is in rad or deg", shortened(fact.unit)));
+  double largest = 0;
+  for (const double value : in.block.column(column))
+    if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+  const bool isInDegrees = largest > std::numbers::pi / 2;
+  fact.unit = isInDegrees ? "deg" : "rad";
+  found.size = isInDegrees ? std::numbers::pi / 180 : 1;
+  return found;
+}
+
+TemperatureColumn temperatureColumn(const DmaBlock& in, std::size_t column) {
+  DmaColumnFact fact = columnFact(in, column, in.choices.temperatureUnit);
+  if (!fact.unit.empty()) {
+    const auto unit = temperatureUnit(fact.unit);
+    if (!unit) refuseUnit(in, fact, unitNames("K"), "--temperature-unit");
+    return {fact, *unit};
+  }
+  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+  for (const double value : in.block.column(column))
+    if (std::isfinite(value)) lowest = std::min(lowest, value), highest = std::max(highest, value);
+  if (lowest < 200 && highest > 250)
+    throw InputError(in.fileName, fact.name,
+                     message("runs from {} to {} without a unit: kelvins and degrees Celsius seem "
+                             "to be mixed; say which with --temperature-unit, or correct the "
+                             "column",
+                             lowest, highest));
+  fact.unit = lowest >= 200 ? "K" : "\u00B0C";
+  return {fact, *temperatureUnit(fact.unit)};
+}
+
+double strainAt(const DmaBlock& in, std::size_t row, std::size_t column) {
+  const double value = in.block.at(row, column);
+  if (!std::isfinite(value) || value <= 0) return std::numeric_limits<double>::quiet_NaN();
+  const TextColumn& strain = in.block.columns[column];
+  const bool isPercent = strain.unit.empty() && lowerCase(strain.name).ends_with("pct");
+  const auto unit = strainUnit(isPercent ? "%" : strain.unit);
+  if (!unit)
+    throw InputError(in.fileName, "--strain-column",
+                     message("the unit '{}' is no unit of strain; known are %, ppm, mm/mm",
+                             shortened(strain.unit)));
+  return value * *unit;
+}
+
+}  // namespace asperity

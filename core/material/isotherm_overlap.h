@@ -1,0 +1,48 @@
+// The shift between two neighbouring isotherms: one is moved along the logarithm of frequency until
+// both agree where they overlap. master_curve.h adds these shifts up. Pure functions; any thread;
+// equal input gives equal bits.
+#pragma once
+
+#include <limits>
+
+#include "core/material/isotherms.h"
+
+namespace asperity {
+
+/// The relation of two neighbouring isotherms, by least squares. Over the common range both are one
+/// polynomial in the logarithm of frequency for each modulus (of degree 1 to 4, as the number of
+/// points allows); the shift is the unknown that moves one isotherm against the other; all relative
+/// deviations have equal weight. The standard errors follow from the covariance of all unknowns and
+/// the residuals; they are NaN where no residuals are left to estimate them.
+struct Overlap {
+  double log10Shift = 0;     // decades, log10 of a_T of the colder over that of the warmer
+  double standardError = 0;  // decades
+  double log10Vertical = 0;  // decades, log10 of b_T of the colder over that of the warmer
+  double verticalError = 0;  // decades
+  double mismatch = 0;       // decades of modulus, rms difference of the two where they overlap
+  double decades = 0;        // of frequency that they have in common
+};
+
+/// A shift by least squares.
+struct ShiftEstimate {
+  double value = 0;                                         // decades
+  double error = std::numeric_limits<double>::quiet_NaN();  // decades, standard error
+  // The error is the deviation of one modulus, estimated from the residuals, times sensitivity.
+  double sensitivity = 0;
+  double squares = 0;  // of the residuals, decades^2
+  int freedom = 0;     // number of residuals beyond that of the unknowns
+};
+
+/// The shifts that follow from both moduli, and from each alone. An estimate that is not available
+/// is NaN.
+struct NeighbourShifts {
+  Overlap both;
+  ShiftEstimate storage, loss;
+};
+
+/// Returns the shifts that bring an isotherm onto the next warmer one. isVertical: whether the
+/// moduli are shifted, too. Throws InputError where no shift does, and where the warmer isotherm is
+/// clearly the slower one: then the temperatures are mixed up.
+NeighbourShifts neighbourShifts(const Isotherm& cold, const Isotherm& warm, bool isVertical);
+
+}  // namespace asperity

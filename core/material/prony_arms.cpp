@@ -1,0 +1,365 @@
+#include "core/material/prony_arms.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/input_error.h"
+#include "core/base/number_text.h"
+#include "core/base/statistics.h"
+#include "core/base/text.h"
+#include "core/base/text_number.h"
+#include "core/material/prony_names.h"
+
+namespace asperity {
+namespace {
+
+/// Names the columns of a list of branches as COMSOL saves it: the number of the branch, its
+/// modulus or its energy factor, and its relaxation time, without names and units. Only a user who
+/// states a modulus says that a file may be one. Throws InputError where the numbers may be
+/// factors.
+void nameBranches(TextBlock& block, const std::string& name, const PronyChoices& choices,
+                  RawSeries& series) {
+  const bool isNamed = std::ranges::any_of(
+      block.columns, [](const TextColumn& column) { return !column.name.empty(); });
+  const bool isGiven =
+      std::isfinite(choices.instantaneousModulus) || std::isfinite(choices.equilibriumModulus);
+  if (isNamed || !isGiven || block.columns.size() != 3 || !countsRows(block, 0)) return;
+  if (!std::ranges::all_of(block.values, [](double value) { return std::isfinite(value); })) return;
+  const double modulus = std::ranges::max(block.column(1)),
+               time = std::ranges::max(block.column(2));
+  if (choices.modulusUnit.empty()) refuseSoftModulus(name, block.label(1), modulus);
+  // Moduli in Pa are larger numbers than times in s; elsewhere the columns have another order.
+  if (time >= modulus * unitSize(choices.modulusUnit, "Pa").value_or(1)) return;
+  block.columns = {{"branch", {}, false}, {"G", "Pa", false}, {"tau", "s", false}};
+  series.notes.push_back(
+      "columns without names are read as branches in a file of COMSOL: number, modulus of shear, "
+      "relaxation time in s");
+}
+
+/// Undoes the logarithms of a table, as "log10 tau" and "lg(G/MPa)".
+void undoSeriesLogarithms(TextTable& table, const TextBlock& block, RawSeries& series) {
+  const std::vector<TextColumn> before = block.columns;
+  undoLogarithms(table, [](const std::string& quantity) {
+    const std::string word = seriesWord(quantity);
+    return isRelaxationTime(word) || isArmModulus(quantity) || isArmViscosity(word);
+  });
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const std::string written = lowerCase(before[i].name);
+    if (block.columns[i].name == before[i].name || !written.starts_with("log") ||
+        written.starts_with("log10"))
+      continue;
+    series.notes.push_back(
+        message("{} is read as a logarithm to base 10", Message::name(before[i].name)));
+  }
+}
+
+// ---- Columns ------------------------------------------------------------------------------------
+
+/// The columns of a series; two of them describe an arm.
+struct SeriesColumns {
+  std::optional<std::size_t> time{}, modulus{}, viscosity{};
+};
+
+/// Returns whether the numbers of a column are parts of a modulus by its name or unit.
+bool areParts(const TextColumn& column) {
+  return column.unit == "%" || partsByName(seriesWord(column.name)) != PartsOf::Unknown;
+}
+
+/// Returns the columns of a series; nothing where the block is none. Throws InputError where it has
+/// a part of one.
+std::optional<SeriesColumns> seriesColumns(const TextBlock& block, const std::string& name) {
+  SeriesColumns found;
+  bool hasIndex = false;
+  for (std::size_t i = 0; i < block.columns.size(); ++i) {
+    const TextColumn& column = block.columns[i];
+    const std::string word = seriesWord(column.name);
+    if (dmaColumn(column.name, column.unit).quantity == DmaQuantity::Frequency) return {};
+    const std::string_view bare =
+        std::string_view(column.name).substr(0, column.name.find_first_of("(["));
+    if (!found.time && (isRelaxationTime(word) || isRelaxationTime(seriesWord(bare)))) {
+      found.time = i;
+    } else if (!found.modulus && isArmModulus(column.name)) {
+      found.modulus = i;
+      hasIndex = hasIndex || hasArmIndex(word);
+    } else if (!found.viscosity && isArmViscosity(word)) {
+      found.viscosity = i;
+      hasIndex = hasIndex || hasArmIndex(word);
+    }
+  }
+  if (found.time && (found.modulus || found.viscosity)) return found;
+  // No other table has moduli or viscosities with an index; elsewhere both may be those of a fluid.
+  // Parts of a modulus give no time.
+  if (found.modulus && found.viscosity && hasIndex && !areParts(block.columns[*found.modulus]))
+    return found;
+  if (found.time)
+    throw InputError(name, block.columns[*found.time].name,
+                     "looks like the relaxation times of a Prony series, but there is no column of "
+                     "moduli; such a table has columns as tau (s) and G (MPa), or g_i for parts of "
+                     "the instantaneous modulus");
+  if (found.modulus && hasIndex)
+    throw InputError(name, block.columns[*found.modulus].name,
+                     "looks like the moduli of a Prony series, but there is no column of "
+                     "relaxation times; such a table has columns as tau (s) and G (MPa), or g_i "
+                     "for parts of the instantaneous modulus");
+  return {};
+}
+
+// ---- Units --------------------------------------------------------------------------------------
+
+/// Returns the size of a unit of time in s; nothing where it is none.
+std::optional<double> timeSize(std::string_view unit) {
+  const std::string word = lowerCase(unit);
+  if (isOneOf(word, "second seconds sekunde sekunden")) return 1;
+  if (isOneOf(word, "msec millisecond milliseconds")) return 1e-3;
+  if (isOneOf(word, "usec \u00B5sec \u03BCsec microsecond microseconds")) return 1e-6;
+  if (isOneOf(word, "minute minutes minuten")) return 60;
+  if (isOneOf(word, "hr hrs hour hours stunde stunden")) return 3600;
+  if (isOneOf(word, "d day days tag tage")) return 86400;
+  return unitSize(unit, "s");
+}
+
+/// Returns the unit of a column of times or rates. A text in brackets, or behind a stroke, at the
+/// end of its name is a unit, too; empty where there is none, as in "tau (relaxation time)".
+std::string writtenUnit(const TextColumn& column) {
+  if (!column.unit.empty()) return column.unit;
+  const std::size_t begin = unitPart(column.name);
+  if (begin == std::string::npos) return {};
+  std::string unit(withoutBrackets(std::string_view(column.name).substr(begin)));
+  if (unit.starts_with('/')) unit = trimmedBlanks(unit.substr(1));
+  return beginsWithOneOf(seriesWord(unit), "tau relaxation") ? std::string() : unit;
+}
+
+/// Returns the size in s of the unit of a column of relaxation times. Throws InputError where it is
+/// not known; adds a note where there is none.
+double timeSizeOf(const TextColumn& column, const std::string& name, RawSeries& series) {
+  const std::string unit = writtenUnit(column);
+  if (unit.empty()) {
+    series.notes.push_back(
+        message("{} has no unit: seconds are assumed", Message::name(column.name)));
+    return 1;
+  }
+  if (const auto size = timeSize(unit)) return *size;
+  throw InputError(name, column.name,
+                   message("has the unit {}, which is not one of {}", shortened(unit),
+                           "s, ms, \u00B5s, min, h, days"));
+}
+
+/// Returns the size in 1/s of the unit of a column of decay rates. Throws InputError where it is
+/// not known: a beta without a unit may be a time.
+double rateSizeOf(const TextColumn& column, const std::string& name) {
+  const std::string unit = writtenUnit(column);
+  if (isOneOf(lowerCase(unit), "1/s s-1 s^-1 s\u207B\u00B9 rad/s hz")) return 1;
+  if (unit.starts_with("1/"))
+    if (const auto size = timeSize(unit.substr(2))) return 1 / *size;
+  throw InputError(name, column.name,
+                   "may be a rate or a time; write its unit, as 1/s, behind the name");
+}
+
+/// Returns the size in Pa s of a unit of viscosity; nothing where it is none.
+std::optional<double> viscositySize(std::string unit) {
+  replaceAll(unit, ".", " ");  // "Pa.s"
+  return unitSize(unit, "Pa s");
+}
+
+/// Returns the size in Pa s of the unit of a column of viscosities; without one it is that of the
+/// user's modulus times s. Throws InputError where it is not known.
+double viscositySizeOf(const TextColumn& column, const std::string& name,
+                       const PronyChoices& choices) {
+  const bool hasUnit = !column.unit.empty() && column.unit != "-";
+  if (const auto size = hasUnit ? viscositySize(column.unit) : unitSize(choices.modulusUnit, "Pa"))
+    return *size;
+  throw InputError(name, column.name,
+                   hasUnit ? message("has the unit {}, which is not one of {}",
+                                     shortened(column.unit), unitNames("Pa s"))
+                           : Message("has no unit; write it behind the name, as in eta_i (Pa s)"));
+}
+
+// ---- Arms ---------------------------------------------------------------------------------------
+
+/// Reads the column of moduli. What has a unit is no part of another modulus; what is in per cent
+/// is one.
+void readWeights(const TextBlock& block, std::size_t column, const std::string& name,
+                 RawSeries& series, SeriesRows& rows) {
+  rows.column = block.columns[column];
+  const std::string& unit = rows.column.unit;
+  const bool isPercent = unit == "%";
+  series.isUnitKnown = !unit.empty() && unit != "-" && unit != "1" && !isPercent;
+  if (series.isUnitKnown) series.unit = modulusSize(unit, name, rows.column.name);
+  rows.weights = block.column(column);
+  if (!series.isUnitKnown) rows.parts = partsByName(seriesWord(rows.column.name));
+  if (!isPercent) return;
+  for (double& weight : rows.weights) weight *= 0.01;
+  if (rows.parts == PartsOf::Unknown) rows.parts = PartsOf::Instantaneous;
+}
+
+/// Reads the column of relaxation times, or of their inverse.
+void readTimes(const TextBlock& block, std::size_t column, const std::string& name,
+               RawSeries& series, SeriesRows& rows) {
+  const TextColumn& times = block.columns[column];
+  const bool isRate = isDecayRate(seriesWord(times.name));
+  const double size = isRate ? rateSizeOf(times, name) : timeSizeOf(times, name, series);
+  // What does not decay has no relaxation time.
+  const auto timeOf = [&](double number) {
+    if (!isRate) return number * size;
+    return number == 0 ? RawSeries::kNotStated : 1 / (number * size);
+  };
+  rows.times = block.column(column);
+  std::ranges::transform(rows.times, rows.times.begin(), timeOf);
+}
+
+/// Makes moduli of viscosities and relaxation times.
+void divideByTimes(const TextBlock& block, std::size_t viscosity, const std::string& name,
+                   const PronyChoices& choices, RawSeries& series, SeriesRows& rows) {
+  const TextColumn& column = block.columns[viscosity];
+  const double size = viscositySizeOf(column, name, choices);
+  series.unit = unitSize(choices.modulusUnit, "Pa").value_or(1);
+  series.isUnitKnown = true;
+  rows.column = {column.name, "Pa", false};
+  rows.weights = block.column(viscosity);
+  for (std::size_t row = 0; row < block.rows; ++row) {
+    double& weight = rows.weights[row];
+    const double time = rows.times[row];
+    if (!std::isfinite(weight)) continue;
+    if (!std::isfinite(time))
+      throw InputError(name, fmt::format("line {}", block.lines[row]),
+                       "has a viscosity and no relaxation time");
+    if (time != 0) weight = weight * size / time / series.unit;
+  }
+  series.notes.push_back(
+      message("moduli are {} divided by the relaxation times", Message::name(column.name)));
+}
+
+/// Makes relaxation times of viscosities and moduli.
+void divideByModuli(const TextBlock& block, std::size_t viscosity, const std::string& name,
+                    const PronyChoices& choices, RawSeries& series, SeriesRows& rows) {
+  const TextColumn& column = block.columns[viscosity];
+  const double size = viscositySizeOf(column, name, choices);
+  const auto chosen = unitSize(choices.modulusUnit, "Pa");
+  if (!chosen && !series.isUnitKnown)
+    throw InputError(name, rows.column.name,
+                     message("has no unit, and {} is in {}; say with --modulus-unit which unit "
+                             "both have",
+                             column.name, column.unit));
+  series.isUnitKnown = true;
+  rows.times = block.column(viscosity);
+  for (std::size_t row = 0; row < block.rows; ++row) {
+    const double modulus = rows.weights[row] * chosen.value_or(series.unit);
+    // An arm without a modulus bears nothing, whatever its time.
+    const bool isArm = std::isfinite(modulus) && modulus != 0;
+    rows.times[row] = isArm ? rows.times[row] * size / modulus : 1;
+  }
+  series.notes.push_back(
+      message("relaxation times are {} divided by the moduli", Message::name(column.name)));
+}
+
+/// Notes viscosities that contradict the product of moduli and relaxation times, by more than a
+/// tenth in the median.
+void noteViscosities(const TextBlock& block, std::size_t viscosity, const PronyChoices& choices,
+                     const SeriesRows& rows, RawSeries& series) {
+  const auto size = viscositySize(block.columns[viscosity].unit);
+  if (!size || !series.isUnitKnown) return;
+  const double unit = unitSize(choices.modulusUnit, "Pa").value_or(series.unit);
+  std::vector<double> ratios;
+  for (std::size_t row = 0; row < block.rows; ++row) {
+    const double product = rows.weights[row] * unit * rows.times[row];
+    const double stated = block.at(row, viscosity) * *size;
+    if (std::isfinite(product) && std::isfinite(stated) && product > 0)
+      ratios.push_back(stated / product);
+  }
+  if (ratios.empty()) return;
+  constexpr double kSame = 0.1;
+  const double ratio = upperMedian(std::move(ratios));
+  if (std::abs(ratio - 1) > kSame)
+    series.notes.push_back(message(
+        "{} contradicts the moduli and relaxation times, which are read: in the median it is {} "
+        "times their product",
+        Message::name(block.label(viscosity)), PrintedNumber{printedNumber(ratio, 3)}));
+}
+
+/// Reads the arms of a table into the series, and the row of the equilibrium modulus.
+SeriesRows readRows(const TextBlock& block, const SeriesColumns& columns, const std::string& name,
+                    const PronyChoices& choices, RawSeries& series) {
+  SeriesRows rows;
+  if (columns.modulus) readWeights(block, *columns.modulus, name, series, rows);
+  if (columns.time) readTimes(block, *columns.time, name, series, rows);
+  if (!columns.modulus) divideByTimes(block, *columns.viscosity, name, choices, series, rows);
+  if (!columns.time) divideByModuli(block, *columns.viscosity, name, choices, series, rows);
+  if (columns.modulus && columns.time && columns.viscosity)
+    noteViscosities(block, *columns.viscosity, choices, rows, series);
+  std::size_t leftOut = 0;
+  for (std::size_t row = 0; row < block.rows; ++row) {
+    const double weight = rows.weights[row], time = rows.times[row];
+    if (!std::isfinite(weight)) {
+      if (std::isfinite(time)) ++leftOut;
+    } else if (std::isfinite(time)) {
+      series.terms.push_back({weight, time, block.lines[row]});
+      rows.sum += weight;
+      rows.most = std::max(rows.most, weight);
+    } else if (std::isfinite(rows.equilibrium)) {
+      throw InputError(name, fmt::format("line {}", block.lines[row]),
+                       "is a second row without a relaxation time; one, of the equilibrium "
+                       "modulus, is allowed");
+    } else {
+      rows.equilibrium = weight;
+    }
+  }
+  if (series.terms.empty()) throw InputError(name, "", "holds no relaxation time");
+  if (leftOut > 0) series.notes.push_back(message("rows without a value, left out: {}", leftOut));
+  return rows;
+}
+
+/// Makes parts of the equilibrium modulus parts of the instantaneous one: G_i / G_0 = (G_i / G_inf)
+/// / (1 + sum of all G_i / G_inf).
+void referToInstantaneous(RawSeries& series, SeriesRows& rows) {
+  if (!(rows.sum > 0)) return;  // is refused below: a part is negative
+  const double whole = 1 + rows.sum;
+  for (RawSeries::Term& term : series.terms) term.weight /= whole;
+  rows.sum /= whole;
+  if (std::isfinite(rows.equilibrium)) rows.equilibrium /= whole;
+}
+
+/// Decides whether the arms are moduli or parts of one. Parts of the instantaneous modulus have no
+/// unit, and their sum is at most 1; with the part of the equilibrium modulus it is 1.
+void decideParts(const std::string& name, RawSeries& series, SeriesRows& rows) {
+  const bool isNamed = rows.parts != PartsOf::Unknown;
+  series.isRelative = isNamed || (!series.isUnitKnown && rows.most < 1 && rows.sum <= 1 + 1e-6);
+  if (rows.parts == PartsOf::Equilibrium) referToInstantaneous(series, rows);
+  if (!series.isRelative || !std::isfinite(rows.equilibrium)) return;
+  if (!isNamed && rows.equilibrium >= 1) return;  // it is the modulus
+  const double all = rows.sum + rows.equilibrium;
+  constexpr double kSame = 0.02;
+  if (std::abs(all - 1) <= kSame) return;
+  if (isNamed)
+    throw InputError(name, rows.column.name,
+                     message("are parts that add up to {:.6g} with that of the row without a "
+                             "relaxation time, and not to 1",
+                             all));
+  series.isRelative = false;
+}
+
+}  // namespace
+
+double modulusSize(const std::string& unit, const std::string& name, const std::string& key) {
+  for (const std::string_view text :
+       {std::string_view(unit), withoutBrackets(unit),
+        std::string_view(unit).substr(0, unit.find_first_of(" ,;(["))})
+    if (const auto size = unitSize(text, "Pa")) return *size;
+  throw InputError(
+      name, key,
+      message("has the unit {}, which is not one of {}", shortened(unit), unitNames("Pa")));
+}
+
+std::optional<SeriesRows> readArms(TextTable& table, TextBlock& block, const std::string& name,
+                                   const PronyChoices& choices, RawSeries& series) {
+  nameBranches(block, name, choices, series);
+  undoSeriesLogarithms(table, block, series);
+  const std::optional<SeriesColumns> columns = seriesColumns(block, name);
+  if (!columns) return {};
+  SeriesRows rows = readRows(block, *columns, name, choices, series);
+  decideParts(name, series, rows);
+  return rows;
+}
+
+}  // namespace asperity

@@ -1,0 +1,223 @@
+#include "core/material/prony_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <vector>
+
+#include "core/base/input_error.h"
+#include "core/base/text.h"
+#include "core/base/text_header.h"
+#include "core/base/text_number.h"
+#include "core/material/isotherms.h"
+#include "core/material/prony_arms.h"
+#include "core/material/stated_temperature.h"
+
+namespace asperity {
+namespace {
+
+/// A modulus that the lines above a table state.
+struct StatedModulus {
+  double number = 0;
+  std::string unit{};
+  ModulusKind kind = ModulusKind::Unknown;
+  bool isInstantaneous = false;
+  std::string key{};
+};
+
+/// Reads "E0 = 600 MPa", "Young's modulus E_inf: 3 MPa", "G_inf (MPa): 1".
+std::optional<StatedModulus> statedModulus(std::string_view clause) {
+  const auto statement = parseStatement(clause);
+  if (!statement) return {};
+  const std::string& name = statement->name.name;
+  const std::string whole = seriesWord(name);
+  std::string word = whole;
+  for (const std::string_view kind : WordList("young's youngs young shear tensile"))
+    replaceAll(word, kind, "");
+  if (!isEquilibrium(word) && !isInstantaneous(word))
+    word = seriesWord(std::string_view(name).substr(name.find_last_of(' ') + 1));
+  if (!isEquilibrium(word) && !isInstantaneous(word)) return {};
+  const ModulusKind ofWord = kindOfModulus(word);
+  return StatedModulus{statement->quantity.number, statement->unit(),
+                       ofWord == ModulusKind::Unknown ? kindOfModulus(whole) : ofWord,
+                       isInstantaneous(word), statement->key};
+}
+
+/// Returns the moduli that the lines around the table of a series state: above and below it, and
+/// above a table of shift factors. Other tables have headers of their own.
+std::vector<StatedModulus> statedModuli(const TextTable& table, const TextBlock& block) {
+  const bool isOnly = std::ranges::all_of(
+      table.blocks, [&block](const TextBlock& one) { return &one == &block || isShiftTable(one); });
+  std::vector<StatedModulus> found;
+  const auto read = [&found](const std::vector<TextEntry>& entries) {
+    for (const TextEntry& entry : entries) {
+      const std::string line = lineOf(entry);
+      for (const std::string_view clause : clausesOf(line))
+        if (auto stated = statedModulus(clause)) found.push_back(std::move(*stated));
+    }
+  };
+  for (const TextBlock& one : table.blocks)
+    if (isOnly || &one == &block) read(one.header);
+  if (isOnly) read(table.trailer);
+  return found;
+}
+
+/// Returns whether the sum of the arms fits a stated modulus: they leave something of the
+/// instantaneous one, and an equilibrium modulus is between 1e-5 of theirs and 30 times theirs.
+bool fitsStated(double sum, double stated, bool isInstantaneous) {
+  const double ratio = sum / stated;
+  return isInstantaneous ? ratio >= 0.01 && ratio <= 1.02 : ratio >= 0.03 && ratio <= 1e5;
+}
+
+/// Gives moduli without a unit one where others have one: that of the others, or Pa, whichever
+/// alone makes both fit, which a note says. Throws InputError where neither or both would.
+/// sum: of the numbers of the arms.
+void assumeUnits(const TextColumn& weights, double sum, std::vector<StatedModulus>& stated,
+                 const std::string& name, RawSeries& series) {
+  if (series.isRelative) return;
+  const auto note = [&series](const std::string& key, const std::string& unit) {
+    series.notes.push_back(message("{} has no unit: {} is assumed, which fits the other moduli",
+                                   Message::name(key), Message::name(unit)));
+  };
+  for (StatedModulus& one : stated) {
+    if (one.number == 0 || one.unit.empty() == !series.isUnitKnown) continue;
+    if (series.isUnitKnown) {
+      const bool inOthers = fitsStated(sum, one.number, one.isInstantaneous);
+      const bool inPascals = fitsStated(sum * series.unit, one.number, one.isInstantaneous);
+      if (series.unit == 1 ? !inOthers : inOthers == inPascals)
+        throw InputError(name, one.key,
+                         message("has no unit, and {} is in {}; write its unit behind the number",
+                                 Message::name(weights.name), Message::name(weights.unit)));
+      one.unit = inOthers ? weights.unit : "Pa";
+      note(one.key, one.unit);
+      continue;
+    }
+    const double size = modulusSize(one.unit, name, one.key);
+    const bool inOthers = fitsStated(sum, one.number, one.isInstantaneous);
+    const bool inPascals = fitsStated(sum, one.number * size, one.isInstantaneous);
+    // Small letters are those of parts, which may be in per cent.
+    const bool isPart = weights.name.starts_with('g') || weights.name.starts_with('e');
+    if (size == 1 ? !inOthers : inOthers == inPascals || (isPart && inOthers))
+      throw InputError(
+          name, weights.name,
+          message("has no unit, and {} is in {}; say with --modulus-unit which unit both have",
+                  Message::name(one.key), Message::name(one.unit)));
+    series.unit = inOthers ? size : 1;
+    series.isUnitKnown = true;
+    note(weights.name, inOthers ? std::string(withoutBrackets(one.unit)) : "Pa");
+    return;
+  }
+}
+
+/// Returns the kind of moduli of a series. The user's word precedes the file's; without both they
+/// are of shear, which a note says.
+ModulusKind kindOfSeries(ModulusKind stated, const PronyChoices& choices, RawSeries& series) {
+  if (choices.modulus != ModulusKind::Unknown) return choices.modulus;
+  if (stated != ModulusKind::Unknown) return stated;
+  series.notes.push_back(
+      "the file does not say of which kind its moduli are: shear is assumed; --modulus tension "
+      "says otherwise");
+  return ModulusKind::Shear;
+}
+
+/// Reads the moduli that the row of equilibrium and the lines around the table state, and turns all
+/// of them into those of shear.
+void readModuli(const TextTable& table, const TextBlock& block, const SeriesRows& rows,
+                const std::string& name, const PronyChoices& choices, RawSeries& series) {
+  std::vector<StatedModulus> above;
+  for (const StatedModulus& stated : statedModuli(table, block)) {
+    // Without a unit and below 1 it is a part of the instantaneous modulus, which the others
+    // leave.
+    const bool isPart = series.isRelative && rows.parts != PartsOf::Equilibrium &&
+                        stated.unit.empty() && stated.number < 1;
+    if (!isPart) above.push_back(stated);
+  }
+  if (choices.modulusUnit.empty()) assumeUnits(rows.column, rows.sum, above, name, series);
+  const double wanted = unitSize(choices.modulusUnit, "Pa").value_or(series.unit);
+  // The letter g of a part says nothing about the modulus of which it is one, and eta is that of no
+  // kind.
+  const std::string letter = modulusLetter(rows.column.name);
+  const ModulusKind ofColumn =
+      isArmViscosity(letter) ? ModulusKind::Unknown : kindOfModulus(letter);
+  ModulusKind kind = series.isRelative ? ModulusKind::Unknown : ofColumn;
+  for (const StatedModulus& stated : above)
+    if (kind == ModulusKind::Unknown) kind = stated.kind;
+  if (kind == ModulusKind::Unknown && ofColumn == ModulusKind::Tension) kind = ModulusKind::Tension;
+  const bool isGiven =
+      std::isfinite(choices.instantaneousModulus) || std::isfinite(choices.equilibriumModulus);
+  if (!series.isRelative || !above.empty() || !isGiven) kind = kindOfSeries(kind, choices, series);
+  const auto shearFactor = [&](ModulusKind one) {
+    return one == ModulusKind::Tension ? shearFromYoungs(1, choices.poissonRatio) : 1;
+  };
+  bool isDivided = !series.isRelative && kind == ModulusKind::Tension;
+  if (!series.isRelative)
+    for (RawSeries::Term& term : series.terms) term.weight *= shearFactor(kind);
+  // Below 1 it is a part, too: what the others leave.
+  if (std::isfinite(rows.equilibrium) &&
+      (!series.isRelative || (rows.parts == PartsOf::Unknown && rows.equilibrium >= 1)))
+    series.equilibrium = rows.equilibrium * shearFactor(kind);
+  for (const StatedModulus& stated : above) {
+    const bool isOwn =
+        choices.modulus == ModulusKind::Unknown && stated.kind != ModulusKind::Unknown;
+    const ModulusKind own = isOwn ? stated.kind : kind;
+    const double size =
+        stated.unit.empty() ? 1 : modulusSize(stated.unit, name, stated.key) / wanted;
+    (stated.isInstantaneous ? series.instantaneous : series.equilibrium) =
+        stated.number * size * shearFactor(own);
+    isDivided = isDivided || own == ModulusKind::Tension;
+  }
+  if (isDivided)
+    series.notes.push_back(dividedForShear(choices.poissonRatio));
+  else if (kind == ModulusKind::Shear)
+    series.notes.push_back("moduli of shear, not divided");
+}
+
+/// Reads the temperature and the shift that a table states. The user's temperature precedes, and is
+/// that of a shift without a reference.
+void readTemperature(const TextTable& table, const TextBlock& block, const std::string& name,
+                     const PronyChoices& choices, RawSeries& series) {
+  series.temperature = choices.temperature;
+  std::optional<double> reference = choices.temperature;
+  try {
+    const auto stated = statedTemperature(table, block, name, choices.temperatureUnit, true);
+    const auto inFile = stated ? std::optional(stated->kelvin) : std::nullopt;
+    if (!choices.temperature) series.temperature = inFile;
+    if (!choices.temperature && stated)
+      series.notes.push_back(message("temperature: {} (line {}: {})", celsius(stated->kelvin),
+                                     stated->line, Message::name(shortened(stated->text))));
+    constexpr double kSame = 1e-6;  // K, of converted degrees
+    if (inFile && !(reference && std::abs(*inFile - *reference) < kSame)) reference = inFile;
+  } catch (const InputError&) {
+    if (!choices.temperature) throw;
+  }
+  if (!reference) return;
+  StatedShift stated = statedShift(table, *reference, name, choices.temperatureUnit);
+  series.shift = std::move(stated.shift);
+  std::ranges::move(stated.notes, std::back_inserter(series.notes));
+}
+
+/// Returns the table with the most numbers that is none of shift factors; null where there is none.
+TextBlock* largestSeries(TextTable& table) {
+  TextBlock* largest = nullptr;
+  for (TextBlock& one : table.blocks)
+    if (!isShiftTable(one) && (!largest || one.values.size() > largest->values.size()))
+      largest = &one;
+  return largest;
+}
+
+}  // namespace
+
+std::optional<RawSeries> tableSeries(TextTable table, const std::string& name,
+                                     const PronyChoices& choices) {
+  TextBlock* const block = largestSeries(table);
+  if (!block) return {};
+  RawSeries series;
+  series.format = "a table of relaxation times and moduli";
+  const std::optional<SeriesRows> rows = readArms(table, *block, name, choices, series);
+  if (!rows) return {};
+  readModuli(table, *block, *rows, name, choices, series);
+  readTemperature(table, *block, name, choices, series);
+  return series;
+}
+
+}  // namespace asperity

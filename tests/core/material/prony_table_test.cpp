@@ -1,0 +1,186 @@
+// Tables of relaxation times, moduli and viscosities in every form.
+#include "core/material/prony_table.h"
+
+#include <gmock/gmock.h>
+
+#include "tests/core/material/prony_reading.h"
+
+namespace asperity {
+namespace {
+
+using testing::HasSubstr;
+
+/// G_i = eta_i / tau_i; two of the three describe an arm.
+TEST(PronyTable, ViscositiesOfArmsAreRead) {
+  for (const std::string text :
+       {"G_inf = 1 MPa\ntau_i (s),eta_i (Pa s)\n0.1,2e5\n10,1e7\n",
+        "G_inf = 1 MPa\ntau_i (s);\u03B7_i (MPa s)\n0.1;0.2\n10;10\n",
+        "G_inf = 1 MPa\nRelaxation time (ms),Viscosity (kPa s)\n100,200\n10000,10000\n",
+        "G_inf = 1 MPa\nlambda_i (s),eta_i (Pa.s)\n0.1,2e5\n10,1e7\n",
+        "G_inf = 1 MPa\nG_i (MPa),eta_i (MPa s)\n2,0.2\n1,10\n",
+        "G_inf = 1 MPa\nG_i (kPa),eta (Pa s)\n2000,2e5\n1000,1e7\n",
+        "G_inf = 1 MPa\ntau_i (s),G_i (MPa),eta_i (Pa s)\n0.1,2,2e5\n10,1,1e7\n"}) {
+    SCOPED_TRACE(text);
+    expectSeriesNearly(readSeries(text));
+    EXPECT_THAT(seriesNotes(readSeries(text)),
+                testing::Not(testing::Contains(HasSubstr("contradicts"))));
+  }
+  // Moduli of tension have viscosities of tension.
+  expectSeriesNearly(readSeries("E_inf = 3 MPa\ntau (s),eta (MPa s)\n0.1,0.6\n10,30\n"));
+  PronyChoices unit;
+  unit.modulusUnit = "MPa";
+  expectSeriesNearly(readSeries("G_inf = 1\ntau (s),eta_i\n0.1,0.2\n10,10\n", unit));
+  expectSeriesNearly(readSeries("G_inf = 1\nG_i,eta_i\n2,0.2\n1,10\n", unit));
+  EXPECT_THAT(
+      seriesNotes(readSeries("G_inf = 1 MPa\ntau (s),G (MPa),eta (MPa s)\n0.1,2,0.4\n10,1,20\n")),
+      testing::Contains("eta contradicts the moduli and relaxation times, which are read: "
+                        "in the median it is 2 times their product"));
+}
+
+TEST(PronyTable, ViscositiesNeedAUnitAndARelaxationTime) {
+  EXPECT_THAT(seriesError("G_inf = 1 MPa\ntau (s),eta_i\n0.1,0.2\n10,10\n"),
+              HasSubstr("eta_i: has no unit; write it behind the name, as in eta_i (Pa s)"));
+  EXPECT_THAT(seriesError("G_inf = 1 MPa\ntau (s),eta_i (MPa)\n0.1,0.2\n10,10\n"),
+              HasSubstr("eta_i: has the unit MPa, which is not one of Pa s"));
+  EXPECT_THAT(seriesError("G_inf = 1 MPa\nG_i,eta_i (Pa s)\n2,0.2\n1,10\n"),
+              HasSubstr("G_i: has no unit, and eta_i is in Pa s; say with --modulus-unit"));
+  EXPECT_THAT(seriesError("G_0 = 1 MPa\ng_i (%),eta_i (Pa s)\n50,0.2\n20,10\n"),
+              HasSubstr("there is no column of relaxation times"));
+  EXPECT_THAT(seriesError("tau (s),eta_i (Pa s)\n0.1,2e5\ninf,1e7\n"),
+              HasSubstr("line 3: has a viscosity and no relaxation time"));
+  EXPECT_THAT(seriesError("tau (s),eta_i (Pa s)\n0.1,2e5\n0,1e7\n"),
+              HasSubstr("line 3: the relaxation time is 0 s"));
+  // Modulus and viscosity of a fluid are no arms.
+  EXPECT_FALSE(readSeries("T (C),G (Pa),eta (Pa s)\n20,2e5,1e3\n30,1e5,5e2\n").has_value());
+  EXPECT_FALSE(readSeries("shear rate (1/s),eta (Pa s)\n0.1,2e5\n10,1e4\n").has_value());
+}
+
+TEST(PronyTable, LogarithmsAreUndone) {
+  for (const std::string text :
+       {"G_inf = 1 MPa\nlog10 tau,G_i (MPa)\n-1,2\n1,1\n",
+        "G_inf = 1 MPa\nlog10(tau/s),G_i (MPa)\n-1,2\n1,1\n",
+        "G_inf = 1 MPa\nlg \u03C4 (ms);G_i (MPa)\n2;2\n4;1\n",
+        "G_inf = 1 MPa\nlog tau_i [s],log G_i [Pa]\n-1,6.301029995663981\n1,6\n",
+        "G_inf = 1 MPa\nlog_tau (s),G_i (MPa)\n-1,2\n1,1\n",
+        "G_inf = 1 MPa\nln tau (s),G_i (MPa)\n-2.302585092994046,2\n2.302585092994046,1\n",
+        "G_inf = 1 MPa\nlog10 tau (s),log10 eta_i (Pa s)\n-1,5.301029995663981\n1,7\n"}) {
+    SCOPED_TRACE(text);
+    expectSeriesNearly(readSeries(text));
+  }
+  EXPECT_THAT(seriesNotes(readSeries("G_inf = 1 MPa\nlog tau (s),G_i (MPa)\n-1,2\n1,1\n")),
+              testing::Contains("log tau is read as a logarithm to base 10"));
+}
+
+/// G_i / G_inf are parts of another modulus than G_i / G_0: of arms of 2 and 1 MPa beside 1 MPa
+/// they are 2 and 1, not 0.5 and 0.25.
+TEST(PronyTable, PartsOfTheEquilibriumModulusAreRead) {
+  for (const std::string text : {"G_inf = 1 MPa\ntau (s),G_i/G_inf\n0.1,2\n10,1\n",
+                                 "G_inf = 1 MPa\ntau (s);G_i/G_\u221E\n0.1;2\n10;1\n",
+                                 "E_inf = 3 MPa\ntau (s),E_i/E_inf\n0.1,2\n10,1\n",
+                                 "G_eq = 1 MPa\ntau (s),G_i / G_eq\n0.1,2\n10,1\n",
+                                 "G0 = 4 MPa\ntau (s),G_i/G_inf (%)\n0.1,200\n10,100\n",
+                                 "G_inf = 1 MPa\ntau (s),G_i/G_inf\ninf,1\n0.1,2\n10,1\n"}) {
+    SCOPED_TRACE(text);
+    expectSeriesNearly(readSeries(text));
+    EXPECT_THAT(seriesNotes(readSeries(text)),
+                testing::Not(testing::Contains(HasSubstr("contradict"))));
+  }
+  // Parts below 1 are no parts of the instantaneous modulus either.
+  const auto soft = readSeries("G_inf = 1 MPa\ntau (s),G_i/G_inf\n0.1,0.2\n10,0.1\n");
+  EXPECT_NEAR(soft->equilibriumModulus, 1e6, 1e-6);
+  EXPECT_NEAR(soft->arms.at(1).modulus, 0.2e6, 1e-6);
+  PronyChoices choices;
+  choices.equilibriumModulus = 1e6;
+  expectSeriesNearly(readSeries("tau (s),G_i/G_inf\n0.1,2\n10,1\n", choices));
+  choices = {};
+  choices.instantaneousModulus = 4e6;
+  expectSeriesNearly(readSeries("tau (s),G_i/G_inf\n0.1,2\n10,1\n", choices));
+  EXPECT_THAT(seriesError("tau (s),G_i/G_inf\n0.1,2\n10,1\n"),
+              HasSubstr("has parts of a modulus and not the modulus itself"));
+  EXPECT_THAT(seriesError("G_inf = 1 MPa\ntau (s),G_i/G_inf\ninf,3\n0.1,2\n10,1\n"),
+              HasSubstr("G_i/G_inf: are parts that add up to 1.5 with that of the row without a"));
+  EXPECT_THAT(seriesError("G_inf = 1 MPa\ntau (s),G_i/G_inf\n0.1,-2\n10,1\n"),
+              HasSubstr("line 3: the modulus is -2"));
+}
+
+/// Parts that add up to more than 1 were taken for moduli.
+TEST(PronyTable, PartsByTheirNameAreNoModuli) {
+  PronyChoices unit;
+  unit.modulusUnit = "MPa";
+  for (const std::string column : {"G_i/G_0\n0.1,1.5\n10,0.8\n", "g_i (%)\n0.1,150\n10,80\n"})
+    EXPECT_THAT(seriesError("G0 = 4\ntau (s)," + column, unit),
+                HasSubstr("the parts of the instantaneous modulus add up to 2.3, more than 1"));
+}
+
+/// A row of equilibrium that is not what the others leave says that the numbers are moduli.
+TEST(PronyTable, SmallModuliAreNoParts) {
+  PronyChoices unit;
+  unit.modulusUnit = "MPa";
+  const auto file = readSeries("tau (s),G\ninf,0.3\n0.1,0.2\n10,0.1\n", unit);
+  EXPECT_NEAR(file->equilibriumModulus, 0.3e6, 1e-6);
+  EXPECT_NEAR(file->arms.at(0).modulus, 0.1e6, 1e-6);
+  PronyChoices choices;
+  choices.instantaneousModulus = 4e6;
+  expectSeries(readSeries("tau (s),g_i\ninf,0.25\n0.1,0.5\n10,0.25\n", choices));
+}
+
+TEST(PronyTable, RowsWithoutAValueAreCountedOrRefused) {
+  EXPECT_THAT(seriesNotes(readSeries("G_inf = 1 MPa\ntau (s),G (MPa)\n0.1,2\n1,\n10,1\n")),
+              testing::Contains("rows without a value, left out: 1"));
+  EXPECT_THAT(seriesError("tau (s),G (MPa)\n0.1,2\n,5\n10,1\ninf,1\n"),
+              HasSubstr("line 5: is a second row without a relaxation time"));
+}
+
+TEST(PronyTable, RatesHaveTheirOwnUnit) {
+  expectSeriesNearly(readSeries("G_inf = 1 MPa\nG_i (MPa),beta_i (1/ms)\n2,0.01\n1,0.0001\n"));
+  expectSeriesNearly(readSeries("G_i (MPa),beta_i (1/s)\n1,0\n2,10\n1,0.1\n"));
+  EXPECT_THAT(seriesError("G_inf = 1 MPa\nG_i (MPa),beta_i (kHz)\n2,10\n1,0.1\n"),
+              HasSubstr("beta_i: may be a rate or a time; write its unit, as 1/s"));
+}
+
+/// A number without a unit that fits the others in no unit was read in Pa, and said to fit.
+TEST(PronyTable, AUnitThatDoesNotFitIsNotAssumed) {
+  EXPECT_THAT(seriesError("G_inf = 1\ntau (s);G_i (Pa)\n0.1;2e6\n10;1e6\n"),
+              HasSubstr("G_inf: has no unit, and G_i is in Pa; write its unit"));
+  EXPECT_THAT(seriesError("G_inf = 1e6 Pa\ntau (s);G_i\n0.1;2\n10;1\n"),
+              HasSubstr("G_i: has no unit, and G_inf is in Pa; say with --modulus-unit"));
+}
+
+TEST(PronyTable, AnInstantaneousModulusIsAboveZero) {
+  PronyChoices liquid;
+  liquid.isLiquid = true;
+  EXPECT_THAT(seriesError("G0 = -4 MPa\ntau (s),g_i\n0.1,0.5\n10,0.25\n", liquid),
+              HasSubstr("instantaneous modulus: is not above 0"));
+}
+
+/// COMSOL exports a table with % before the lines above it, and saves a list of branches without
+/// names: number of the branch, modulus, relaxation time.
+TEST(PronyTable, BranchesOfComsolAreRead) {
+  PronyChoices choices;
+  choices.equilibriumModulus = 1e6;
+  for (const std::string text :
+       {"% Model:              tread.mph\n% Version:            COMSOL 6.1.0.252\n"
+        "% Date:               Mar 3 2024, 10:12\n% Table:              Table 1 - Branches\n"
+        "% Branch  Shear modulus (Pa)  Relaxation time (s)\n"
+        "1                        2000000                   0.1\n"
+        "2                        1000000                   10\n",
+        "% Branch,Shear modulus (MPa),Relaxation time (ms)\n1,2,100\n2,1,10000\n",
+        "1 2e6 0.1\n2 1e6 10\n", "1\t2000000\t0.1\n2\t1000000\t10\n"}) {
+    SCOPED_TRACE(text);
+    expectSeriesNearly(readSeries(text, choices));
+  }
+  EXPECT_THAT(seriesNotes(readSeries("1 2e6 0.1\n2 1e6 10\n", choices)),
+              testing::Contains(HasSubstr("columns without names are read as branches")));
+  // Numbers alone are a list of branches where a user states a modulus beside them.
+  EXPECT_FALSE(readSeries("1 2e6 0.1\n2 1e6 10\n").has_value());
+  EXPECT_FALSE(readSeries("0 2e6 0.1\n7 1e6 10\n", choices).has_value());
+  EXPECT_FALSE(readSeries("1 1e4 2e6\n2 1e-1 1e6\n", choices).has_value());
+  // Energy factors are parts of the equilibrium modulus.
+  EXPECT_THAT(seriesError("1 2 0.1\n2 1 10\n", choices),
+              HasSubstr("column 2: has no unit, and 2 Pa would be no rubber"));
+  choices.modulusUnit = "MPa";
+  expectSeriesNearly(readSeries("1 2 0.1\n2 1 10\n", choices));
+}
+
+}  // namespace
+}  // namespace asperity
