@@ -21,6 +21,7 @@ struct Unit {
   double size = 1, offset = 0;
 
   double toSi(double number) const;
+  bool operator==(const Unit&) const = default;
 };
 
 /// Returns the unit with this name: an SI unit with a prefix from f to P ("kPa s", "\u00B5m",
@@ -35,6 +36,8 @@ std::optional<Unit> findUnit(std::string_view name, std::string_view si);
 /// Returns the same as instruments write it, in any case where that leaves no doubt: "KHZ", "MPA"
 /// and "mpa" (megapascals, for nobody measures rubber in millipascals), "MS" (milliseconds). "FN"
 /// and "Fn" are no femtonewtons: they are symbols of the normal force.
+/// A power of ten may stand in front, "10^-3 m/s", or alone for a pure number; "100 N" is no unit,
+/// because it may be a load.
 std::optional<Unit> unitInAnyCase(std::string_view name, std::string_view si);
 
 /// Returns how many of the SI unit one of such a unit is, also with a power of ten in front of it:
@@ -70,6 +73,10 @@ bool isUnitWord(std::string_view text);
 
 /// Returns the same of a unit with or without brackets around it, or with a power of ten in front.
 bool isKnownUnit(std::string_view text);
+
+/// Returns whether a text is a power of ten that is written as such: "10^-3",
+/// "\u00D710\u207B\u00B3", "1e-3".
+bool isWrittenPower(std::string_view text);
 
 /// Returns the number of metres in one of this unit: "m", "mm", "\u00B5m", "um", "microns", "nm",
 /// "\u00C5", "in", "mil", "1e-6 m", "10^-9 m", with or without brackets; letters large or small.
