@@ -15,7 +15,7 @@
 namespace asperity {
 namespace {
 
-constexpr WordList kSigns("\u00B1 +/- +-");
+constexpr WordList kErrorSigns("\u00B1 +/- +-");
 
 /// A number at the beginning of a text.
 struct Beginning {
@@ -62,13 +62,12 @@ std::optional<std::string_view> takeConcise(const Beginning& value, char decimal
 
 /// Reads a sign of errors with the error behind it, and the unit of one or both.
 bool takeTolerance(std::string_view text, double number, char decimal, TextCell& rest) {
-  for (const std::string_view sign : kSigns) {
+  for (const std::string_view sign : kErrorSigns) {
     const std::size_t at = text.find(sign);
     if (at == std::string_view::npos) continue;
     const std::string_view own = trimmedBlanks(text.substr(0, at));
     const auto error = takeNumber(text.substr(at + sign.size()), decimal);
-    if (!error || !isDigit(error->digits.front()) || !(own.empty() || isCellUnit(own)))
-      return false;
+    if (!error || !(error->number >= 0) || !(own.empty() || isCellUnit(own))) return false;
     const std::string_view unit = trimmedBlanks(error->rest);
     const bool isShare = unit == "%" && own != "%";
     rest.error = isShare ? std::abs(number) * error->number / 100 : error->number;
@@ -96,7 +95,7 @@ std::optional<CellQuantity> readCell(std::string_view text, char decimal) {
   cell.digits = value->digits;
   cell.number = value->number;
   const std::string_view rest = trimmedBlanks(value->rest);
-  if (containsOneOf(rest, kSigns)) {
+  if (containsOneOf(rest, kErrorSigns)) {
     if (!takeTolerance(rest, cell.number, decimal, cell.rest)) return {};
   } else {
     std::string_view unit = rest;
@@ -116,7 +115,7 @@ std::optional<CellQuantity> readCell(std::string_view text, char decimal) {
 
 void joinErrors(std::vector<std::string_view>& fields) {
   for (std::size_t i = 1; i + 1 < fields.size(); ++i) {
-    if (!isOneOf(fields[i], kSigns)) continue;
+    if (!isOneOf(fields[i], kErrorSigns)) continue;
     const char* const begin = fields[i - 1].data();
     const std::string_view last = fields[i + 1];
     fields[i - 1] = {begin, static_cast<std::size_t>(last.data() + last.size() - begin)};

@@ -258,13 +258,12 @@ struct PowerOfTen {
 /// Reads a power of ten: "1e-6", "100", "1/100", "10^-6", "\u00D710\u207B\u2076", "x10-6"; empty
 /// where the text is none.
 std::optional<PowerOfTen> powerOfTenIn(std::string_view text) {
-  constexpr std::string_view kTimes = "\u00D7";
   constexpr std::array kRaised{"\u2070"sv, "\u00B9"sv, "\u00B2"sv, "\u00B3"sv, "\u2074"sv,
                                "\u2075"sv, "\u2076"sv, "\u2077"sv, "\u2078"sv, "\u2079"sv};
   text = trimmedBlanks(text);
   const std::size_t whole = text.size();
-  if (text.starts_with(kTimes)) text.remove_prefix(kTimes.size());
-  if (text.starts_with('x') || text.starts_with('*')) text.remove_prefix(1);
+  for (const std::string_view times : {"\u00D7"sv, "\u00B7"sv, "\u22C5"sv, "x"sv, "*"sv})
+    if (text.starts_with(times)) text.remove_prefix(times.size());
   const bool hasTimes = text.size() < whole;
   text = trimmedBlanks(text);
   if (text.starts_with("1/")) {

@@ -334,7 +334,9 @@ std::vector<HeaderStatement> readStatements(const TextEntry& entry, HeaderMark m
   for (const std::string_view clause : clausesOf(separated))
     std::ranges::copy(splitStatements(clause), std::back_inserter(clauses));
   std::vector<HeaderStatement> statements;
-  bool isBehindHardness = false;
+  // "Hardness: 60 Shore A, 23 \u00B0C"
+  const bool isHardness = clauses.size() == 2 && isOfHardness(wordsIn(clauses.front())) &&
+                          isBareTemperature(clauses.back(), mark);
   for (const std::string_view clause : clauses) {
     // "Load: 30 N; 60 N" states two loads.
     if (const auto value = readValue(clause, mark); value && !statements.empty()) {
@@ -351,10 +353,7 @@ std::vector<HeaderStatement> readStatements(const TextEntry& entry, HeaderMark m
       statements.push_back(complete({.candidate = quantity}, text));
     else if (isRoomTemperature(clause))
       statements.push_back(complete({.candidate = FrictionQuantity::Temperature}, text));
-    // "Hardness: 60 Shore A, 23 \u00B0C"
-    if (isBehindHardness && statements.size() > before && isBareTemperature(clause, mark))
-      statements.back().candidate.reset();
-    isBehindHardness = isOfHardness(wordsIn(clause));
+    if (isHardness && statements.size() > before) statements.back().candidate.reset();
   }
   if (statements.empty() && whole) statements.push_back(complete(*whole, asWritten));
   return statements;

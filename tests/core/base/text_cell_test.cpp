@@ -34,17 +34,20 @@ void expectCell(const Expected& expected, char decimal) {
 }
 
 TEST(TextCell, ReadsErrorsAndUnits) {
-  for (const Expected& expected : {Expected{"0.31 \u00B1 0.02", 0.31, 0.02, ""},
-                                   {"0.31+/-0.02", 0.31, 0.02, ""},
-                                   {"-3.1e-2 +- 1e-3", -0.031, 0.001, ""},
-                                   {"10 mm/s", 10, kNone, "mm/s"},
-                                   {"23\u00B0C", 23, kNone, "\u00B0C"},
-                                   {"31 %", 31, kNone, "%"},
-                                   {"10 \u00B1 1 mm/s", 10, 1, "mm/s"},
-                                   {"10 mm/s \u00B1 1 mm/s", 10, 1, "mm/s"},
-                                   {"10 mm/s \u00B1 5 %", 10, 0.5, "mm/s"},
-                                   {"(31 \u00B1 2) %", 31, 2, "%"},
-                                   {"5 \u00D7 10^-3 m/s", 5, kNone, "\u00D7 10^-3 m/s"}})
+  for (const Expected& expected :
+       {Expected{"0.31 \u00B1 0.02", 0.31, 0.02, ""},
+        {"0.31+/-0.02", 0.31, 0.02, ""},
+        {"0.31 \u00B1 .02", 0.31, 0.02, ""},
+        {"5\u00B710\u207B\u00B3 m/s", 5, kNone, "\u00B710\u207B\u00B3 m/s"},
+        {"-3.1e-2 +- 1e-3", -0.031, 0.001, ""},
+        {"10 mm/s", 10, kNone, "mm/s"},
+        {"23\u00B0C", 23, kNone, "\u00B0C"},
+        {"31 %", 31, kNone, "%"},
+        {"10 \u00B1 1 mm/s", 10, 1, "mm/s"},
+        {"10 mm/s \u00B1 1 mm/s", 10, 1, "mm/s"},
+        {"10 mm/s \u00B1 5 %", 10, 0.5, "mm/s"},
+        {"(31 \u00B1 2) %", 31, 2, "%"},
+        {"5 \u00D7 10^-3 m/s", 5, kNone, "\u00D7 10^-3 m/s"}})
     expectCell(expected, '.');
   expectCell({"0,31 \u00B1 0,02", 0.31, 0.02, ""}, ',');
   expectCell({"2,5 bar", 2.5, kNone, "bar"}, ',');

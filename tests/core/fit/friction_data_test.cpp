@@ -712,7 +712,8 @@ TEST(FrictionData, ListsPropertiesOfTheRubber) {
   for (const char* line :
        {"Stress at 50 % of the load: 0.2 MPa", "Stress: 0.2 MPa", "Hardness: 60 Shore A, 30 N",
         "Compound: NR 60 Shore A, 23 \u00B0C", "Mischung A12, 20 \u00B0C", "Spannung 100: 3 MPa",
-        "Hardness: 60 Shore A, 23 \u00B0C, 2 bar"})
+        "Hardness: 60 Shore A, 23 \u00B0C, 2 bar",
+        "Compound: X, hardness: 60 Shore A, 23 \u00B0C, load: 30 N"})
     EXPECT_THAT(errorOf(std::string(line) + "\nv (mm/s);mu\n1;0,5\n10;0,7\n"),
                 HasSubstr("but is not understood"))
         << line;
