@@ -113,15 +113,22 @@ std::optional<CellQuantity> readCell(std::string_view text, char decimal) {
   return cell;
 }
 
-void joinErrors(std::vector<std::string_view>& fields) {
-  for (std::size_t i = 1; i + 1 < fields.size(); ++i) {
-    if (!isOneOf(fields[i], kErrorSigns)) continue;
-    const char* const begin = fields[i - 1].data();
-    const std::string_view last = fields[i + 1];
-    fields[i - 1] = {begin, static_cast<std::size_t>(last.data() + last.size() - begin)};
-    fields.erase(fields.begin() + static_cast<std::ptrdiff_t>(i),
-                 fields.begin() + static_cast<std::ptrdiff_t>(i) + 2);
+void joinCells(std::vector<std::string_view>& fields) {
+  std::size_t count = 0;  // of the fields that are left
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    const bool isSign = count > 0 && i + 1 < fields.size() && isOneOf(fields[i], kErrorSigns);
+    const bool isUnit = count > 0 && fields[i].size() > 1 && isDigit(fields[count - 1].back()) &&
+                        isCellUnit(fields[i]);
+    if (!isSign && !isUnit) {
+      fields[count++] = fields[i];
+      continue;
+    }
+    if (isSign) ++i;  // the error
+    const char* const begin = fields[count - 1].data();
+    const char* const end = fields[i].data() + fields[i].size();
+    fields[count - 1] = {begin, static_cast<std::size_t>(end - begin)};
   }
+  fields.resize(count);
 }
 
 void unifyUnits(TextBlock& block, const std::string& name) {

@@ -34,9 +34,10 @@ struct CellQuantity {
 /// else.
 std::optional<CellQuantity> readCell(std::string_view text, char decimal);
 
-/// Joins what blanks separate about a sign of errors: "0.31", "±", "0.02" to "0.31 ± 0.02". The
-/// fields are parts of one line.
-void joinErrors(std::vector<std::string_view>& fields);
+/// Joins what blanks separate within cells: "0.31", "\u00B1", "0.02" and "10", "mm/s". A unit of
+/// one letter may be a label, as in "0.31 C". The fields are parts of one line, separated by
+/// blanks.
+void joinCells(std::vector<std::string_view>& fields);
 
 /// Expresses the numbers of each column, without their errors, in one unit, that of the column: a
 /// unit that all cells share or, where they have several units of one quantity, the SI unit. Throws

@@ -76,7 +76,7 @@ void splitNumbers(std::string_view line, const TextDialect& dialect, bool readsC
                   std::vector<std::string_view>& fields) {
   splitRow(line, dialect, fields);
   if (!readsCells) return;
-  joinErrors(fields);
+  if (!dialect.isExact()) joinCells(fields);
   for (std::string_view& field : fields)
     if (const auto cell = readCell(field, dialect.decimal)) field = cell->digits;
 }

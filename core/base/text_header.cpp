@@ -7,6 +7,7 @@
 #include <iterator>
 #include <numeric>
 
+#include "core/base/power_of_ten.h"
 #include "core/base/text.h"
 #include "core/base/text_number.h"
 #include "core/base/units.h"

@@ -143,7 +143,7 @@ class TableReader {
       splitFields(line, table_.dialect.separator, fields);
     else
       splitRow(line, table_.dialect, fields);
-    if (options_.readsCells) joinErrors(fields);
+    if (options_.readsCells && !table_.dialect.isExact()) joinCells(fields);
   }
 
   /// Fills fields_, kinds_ and cells_.

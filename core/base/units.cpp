@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "core/base/number_text.h"
+#include "core/base/power_of_ten.h"
 #include "core/base/text.h"
 #include "core/base/text_number.h"
 
@@ -248,70 +249,6 @@ bool isFemto(std::string_view name) {
   return isOneOf(lowerCase(usualSpelling(name)), "fn fpa fm/s");
 }
 
-/// A power of ten in front of a unit.
-struct PowerOfTen {
-  double value = 1;
-  int exponent = 0;
-  bool isWritten = false;  // as a power, "10^-3"; otherwise as a number, "100"
-};
-
-/// Reads a power of ten: "1e-6", "100", "1/100", "10^-6", "\u00D710\u207B\u2076", "x10-6"; empty
-/// where the text is none.
-std::optional<PowerOfTen> powerOfTenIn(std::string_view text) {
-  constexpr std::array kRaised{"\u2070"sv, "\u00B9"sv, "\u00B2"sv, "\u00B3"sv, "\u2074"sv,
-                               "\u2075"sv, "\u2076"sv, "\u2077"sv, "\u2078"sv, "\u2079"sv};
-  text = trimmedBlanks(text);
-  const std::size_t whole = text.size();
-  for (const std::string_view times : {"\u00D7"sv, "\u00B7"sv, "\u22C5"sv, "x"sv, "*"sv})
-    if (text.starts_with(times)) text.remove_prefix(times.size());
-  const bool hasTimes = text.size() < whole;
-  text = trimmedBlanks(text);
-  if (text.starts_with("1/")) {
-    const auto divisor = powerOfTenIn(text.substr(2));
-    if (!divisor) return {};
-    return PowerOfTen{1 / divisor->value, -divisor->exponent};
-  }
-  double number = 0;
-  if (readTextNumber(text, '.', number)) {
-    if (!(number > 0)) return {};
-    // Any other number is a length: "59.00 um" is no unit.
-    const double exponent = std::log10(number);
-    if (std::abs(exponent - std::round(exponent)) >= 1e-9) return {};
-    return PowerOfTen{number, static_cast<int>(std::round(exponent)),
-                      text.find_first_of("eE") != std::string_view::npos};
-  }
-  if (!text.starts_with("10")) return {};
-  std::string exponent(text.substr(2));
-  replaceAll(exponent, "\u2212", "-");
-  const std::string flat = exponent;
-  for (const auto& [raised, plain] : {std::pair{"\u207B"sv, "-"sv}, {"^"sv, ""sv}})
-    replaceAll(exponent, raised, plain);
-  for (std::size_t digit = 0; digit < kRaised.size(); ++digit)
-    replaceAll(exponent, kRaised[digit], std::to_string(digit));
-  constexpr double kLargest = 30;
-  if (!readTextNumber(exponent, '.', number) || std::abs(number) > kLargest) return {};
-  // "10-3" without a sign of multiplication may be a range.
-  return PowerOfTen{std::pow(10.0, number), static_cast<int>(number),
-                    (hasTimes || exponent != flat) && number == std::round(number)};
-}
-
-/// A unit and the power of ten in front of it.
-struct ScaledUnit {
-  PowerOfTen power{};
-  std::string_view unit{};
-};
-
-/// Reads "1e-6 m", "10^-9*m", "x 10^3 Pa s". Empty where there is no power of ten in front.
-std::optional<ScaledUnit> scaledUnit(std::string_view text) {
-  constexpr std::string_view kMarks = " *";
-  for (std::size_t at = 0; (at = text.find_first_of(kMarks, at)) != std::string_view::npos; ++at)
-    if (const auto power = powerOfTenIn(text.substr(0, at))) {
-      const std::size_t unit = std::min(text.find_first_not_of(kMarks, at), text.size());
-      return ScaledUnit{*power, text.substr(unit)};
-    }
-  return {};
-}
-
 }  // namespace
 
 std::optional<Unit> unitInAnyCase(std::string_view name, std::string_view si) {
@@ -445,11 +382,6 @@ bool isUnitWord(std::string_view text) {
     const std::string_view prefix = std::string_view(word).substr(0, word.size() - symbol.size());
     return prefix.empty() || isOneOf(prefix, kLowerCasePrefixes);
   });
-}
-
-bool isWrittenPower(std::string_view text) {
-  const auto power = powerOfTenIn(text);
-  return power && power->isWritten;
 }
 
 bool isKnownUnit(std::string_view text) {

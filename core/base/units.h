@@ -74,10 +74,6 @@ bool isUnitWord(std::string_view text);
 /// Returns the same of a unit with or without brackets around it, or with a power of ten in front.
 bool isKnownUnit(std::string_view text);
 
-/// Returns whether a text is a power of ten that is written as such: "10^-3",
-/// "\u00D710\u207B\u00B3", "1e-3".
-bool isWrittenPower(std::string_view text);
-
 /// Returns the number of metres in one of this unit: "m", "mm", "\u00B5m", "um", "microns", "nm",
 /// "\u00C5", "in", "mil", "1e-6 m", "10^-9 m", with or without brackets; letters large or small.
 /// A number in front has to be a power of ten. Empty where the text is no unit of length.

@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/power_of_ten.h"
 #include "core/base/text.h"
 #include "core/base/text_header.h"
 #include "core/base/text_number.h"
-#include "core/base/units.h"
 #include "core/fit/friction_columns.h"
 
 namespace asperity {

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/text_table.h"
@@ -96,15 +97,19 @@ TEST(TextCell, IsNothingWhereItIsInDoubt) {
     EXPECT_FALSE(readCell(text, '.')) << text;
 }
 
-TEST(TextCell, JoinsWhatBlanksSeparateAboutASign) {
-  const std::string line = "10 0.31 \u00B1 0.02 A";
-  std::vector<std::string_view> fields;
-  splitFields(line, TextDialect::Separator::Blanks, fields);
-  joinErrors(fields);
-  EXPECT_EQ(fields, (std::vector<std::string_view>{"10", "0.31 \u00B1 0.02", "A"}));
-  fields = {"\u00B1", "0.02"};
-  joinErrors(fields);
-  EXPECT_EQ(fields.size(), 2U);
+TEST(TextCell, JoinsWhatBlanksSeparate) {
+  const auto joined = [](const std::string& line) {
+    std::vector<std::string_view> fields;
+    splitFields(line, TextDialect::Separator::Blanks, fields);
+    joinCells(fields);
+    return std::vector<std::string>(fields.begin(), fields.end());
+  };
+  using Fields = std::vector<std::string>;
+  EXPECT_EQ(joined("10 mm/s 0.31 \u00B1 0.02 A"), (Fields{"10 mm/s", "0.31 \u00B1 0.02", "A"}));
+  EXPECT_EQ(joined("0.31 C 5 N mm/s"), (Fields{"0.31", "C", "5", "N", "mm/s"}));
+  EXPECT_EQ(joined("\u00B1 0.02"), (Fields{"\u00B1", "0.02"}));
+  EXPECT_EQ(joined("0.31 \u00B1"), (Fields{"0.31", "\u00B1"}));
+  EXPECT_TRUE(joined("").empty());
 }
 
 TextBlock read(const std::string& text) {
@@ -128,6 +133,12 @@ TEST(TextCell, AreReadInRowsWithoutPlainNumbers) {
   EXPECT_EQ(block.at(1, 1), 4.5);
   EXPECT_EQ(block.cells[1][1].unit, "N");
   EXPECT_EQ(read("name;v;F\nA;10 mm/s;3.5 N\nB;20 mm/s;4.5 N\n").texts[0][1], "B");
+  const TextBlock blanks = read("v F\n10 mm/s 3.5 kN\n20 mm/s 4.5 kN\n");
+  ASSERT_EQ(blanks.rows, 2U);
+  EXPECT_EQ(blanks.cells[1][0].unit, "kN");
+  // Other separators separate.
+  EXPECT_EQ(read("v;F;note\n1;2;mm\n3;4;mm\n").texts[2][1], "mm");
+  EXPECT_EQ(read("v;a;b;F\n1;0.3;\u00B1;2\n3;0.4;\u00B1;4\n").columns.size(), 4U);
   // A line of values that is no row of a table belongs to the header.
   const TextBlock below = read("Mischung;A12\n20 \u00B0C;30 N\nv;F\n1;2\n3;4\n");
   EXPECT_EQ(below.header.size(), 3U);

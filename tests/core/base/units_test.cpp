@@ -5,6 +5,8 @@
 #include <cmath>
 #include <string>
 
+#include "core/base/power_of_ten.h"
+
 namespace asperity {
 namespace {
 

@@ -640,6 +640,8 @@ TEST(FrictionData, ReadsUnitsInCells) {
   EXPECT_THAT(same.notes[0].english(), HasSubstr("column 1: velocity (mm/s)"));
   EXPECT_DOUBLE_EQ(parsed("v (mm/s);mu\n1 mm/s;0.3\n10;0.4\n").points[1].velocity, 1e-2);
   EXPECT_DOUBLE_EQ(
+      parsed("v mu\n10 mm/s 0.31 \u00B1 0.02\n1 m/s 0.35 \u00B1 0.02\n").points[0].velocity, 1e-2);
+  EXPECT_DOUBLE_EQ(
       parsed("v;mu;T\n1 m/s;0.3;293.15 K\n2 m/s;0.4;20 \u00B0C\n").points[1].temperature, 293.15);
   EXPECT_THAT(errorOf("v;mu\n1 mm/s;0.3\n10;0.4\n"),
               HasSubstr("row 3: column v has no unit here, and mm/s elsewhere"));
