@@ -149,14 +149,14 @@ void unifyUnits(TextBlock& block, const std::string& name) {
       if (std::isnan(block.at(row, i)) || unit == common) continue;
       if (unit.empty() && !column.unit.empty()) continue;
       if (unit.empty())
-        refuse(row, message("column {} has no unit here, and {} elsewhere", block.label(i),
-                            shortened(common)));
+        refuse(row, message("column {} has no unit here, and {} elsewhere",
+                            shortened(block.label(i)), shortened(common)));
       const auto other = findUnit(unit);
       const bool isSame = of && other && other->si == of->si;
       // Above the column and in the cell are two statements about one number.
       if (!isSame || (!column.unit.empty() && !(*other == *of)))
-        refuse(row, message("column {} has the unit {} here, and {} elsewhere", block.label(i),
-                            shortened(unit), shortened(common)));
+        refuse(row, message("column {} has the unit {} here, and {} elsewhere",
+                            shortened(block.label(i)), shortened(unit), shortened(common)));
       isMixed = isMixed || !(*other == *of);
     }
     for (std::size_t row = 0; row < block.rows && isMixed; ++row) {

@@ -31,6 +31,20 @@ bool isOfFriction(const TextBlock& block) {
   return hasVelocity && hasMu;
 }
 
+/// Reads the blocks of a text and prepares their columns.
+TextTable readTable(std::string_view bytes, const std::string& name) {
+  TextTableOptions options;
+  options.keepsTexts = options.readsCells = true;
+  options.textColumns = {"label", "sample",  "name", "set",  "series",      "specimen",
+                         "track", "surface", "run",  "lauf", "wiederholung"};
+  TextTable table = readTextTable(bytes, name, options);
+  undoLogarithms(table, [](const std::string& quantity) {
+    return findMeaning(quantity, kAnyUnit).has_value();
+  });
+  for (TextBlock& block : table.blocks) prepareColumns(block);
+  return table;
+}
+
 /// Returns the decimal mark of a table. A table of whole numbers shows none; where it may be a mark
 /// of thousands, a note says which one is taken.
 HeaderMark markOf(const TextBlock& block, const TextDialect& dialect) {
@@ -217,20 +231,16 @@ std::vector<Message> notesOn(const TextBlock& block, const FrictionRoles& roles,
 
 }  // namespace
 
-bool isFrictionTable(const TextTable& table) {
-  return isOfFriction(table.largest());
+bool isFrictionTable(std::string_view bytes) {
+  try {
+    return isOfFriction(readTable(bytes, {}).largest());
+  } catch (const InputError&) {
+    return false;
+  }
 }
 
 FrictionData parseFrictionData(std::string_view bytes, const std::string& name) {
-  TextTableOptions options;
-  options.keepsTexts = options.readsCells = true;
-  options.textColumns = {"label", "sample",  "name", "set",  "series",      "specimen",
-                         "track", "surface", "run",  "lauf", "wiederholung"};
-  TextTable table = readTextTable(bytes, name, options);
-  undoLogarithms(table, [](const std::string& quantity) {
-    return findMeaning(quantity, kAnyUnit).has_value();
-  });
-  for (TextBlock& block : table.blocks) prepareColumns(block);
+  const TextTable table = readTable(bytes, name);
   const TextBlock* first = nullptr;
   for (const TextBlock& block : table.blocks) {
     if (!isOfFriction(block)) continue;

@@ -14,44 +14,44 @@
 namespace asperity {
 namespace {
 
-struct Expected {
+struct ExpectedCell {
   const char* text;
   double number, error;
   const char* unit;
 };
 
-constexpr double kNone = -1;  // no error
+constexpr double kNoError = -1;  // no error
 
-void expectCell(const Expected& expected, char decimal) {
+void expectCell(const ExpectedCell& expected, char decimal) {
   const auto cell = readCell(expected.text, decimal);
   ASSERT_TRUE(cell) << expected.text;
   EXPECT_DOUBLE_EQ(cell->number, expected.number) << expected.text;
   EXPECT_EQ(cell->rest.unit, expected.unit) << expected.text;
   EXPECT_EQ(cell->rest.text, expected.text);
-  if (expected.error == kNone)
+  if (expected.error == kNoError)
     EXPECT_TRUE(std::isnan(cell->rest.error)) << expected.text;
   else
     EXPECT_DOUBLE_EQ(cell->rest.error, expected.error) << expected.text;
 }
 
 TEST(TextCell, ReadsErrorsAndUnits) {
-  for (const Expected& expected :
-       {Expected{"0.31 \u00B1 0.02", 0.31, 0.02, ""},
+  for (const ExpectedCell& expected :
+       {ExpectedCell{"0.31 \u00B1 0.02", 0.31, 0.02, ""},
         {"0.31+/-0.02", 0.31, 0.02, ""},
         {"0.31 \u00B1 .02", 0.31, 0.02, ""},
-        {"5\u00B710\u207B\u00B3 m/s", 5, kNone, "\u00B710\u207B\u00B3 m/s"},
+        {"5\u00B710\u207B\u00B3 m/s", 5, kNoError, "\u00B710\u207B\u00B3 m/s"},
         {"-3.1e-2 +- 1e-3", -0.031, 0.001, ""},
-        {"10 mm/s", 10, kNone, "mm/s"},
-        {"23\u00B0C", 23, kNone, "\u00B0C"},
-        {"31 %", 31, kNone, "%"},
+        {"10 mm/s", 10, kNoError, "mm/s"},
+        {"23\u00B0C", 23, kNoError, "\u00B0C"},
+        {"31 %", 31, kNoError, "%"},
         {"10 \u00B1 1 mm/s", 10, 1, "mm/s"},
         {"10 mm/s \u00B1 1 mm/s", 10, 1, "mm/s"},
         {"10 mm/s \u00B1 5 %", 10, 0.5, "mm/s"},
         {"(31 \u00B1 2) %", 31, 2, "%"},
-        {"5 \u00D7 10^-3 m/s", 5, kNone, "\u00D7 10^-3 m/s"}})
+        {"5 \u00D7 10^-3 m/s", 5, kNoError, "\u00D7 10^-3 m/s"}})
     expectCell(expected, '.');
   expectCell({"0,31 \u00B1 0,02", 0.31, 0.02, ""}, ',');
-  expectCell({"2,5 bar", 2.5, kNone, "bar"}, ',');
+  expectCell({"2,5 bar", 2.5, kNoError, "bar"}, ',');
 }
 
 /// The digits in brackets are those of the last place; the examples of JCGM 100:2008, 7.2.2, in
@@ -112,7 +112,7 @@ TEST(TextCell, JoinsWhatBlanksSeparate) {
   EXPECT_TRUE(joined("").empty());
 }
 
-TextBlock read(const std::string& text) {
+TextBlock blockOf(const std::string& text) {
   TextTableOptions options;
   options.keepsTexts = options.readsCells = true;
   return readTextTable(text, "mine.csv", options).largest();
@@ -128,19 +128,19 @@ TEST(TextCell, AreTextsWithoutTheOption) {
 }
 
 TEST(TextCell, AreReadInRowsWithoutPlainNumbers) {
-  const TextBlock block = read("v;F\n10 mm/s;3,5 N\n20 mm/s;4,5 N\n");
+  const TextBlock block = blockOf("v;F\n10 mm/s;3,5 N\n20 mm/s;4,5 N\n");
   ASSERT_EQ(block.rows, 2U);
   EXPECT_EQ(block.at(1, 1), 4.5);
   EXPECT_EQ(block.cells[1][1].unit, "N");
-  EXPECT_EQ(read("name;v;F\nA;10 mm/s;3.5 N\nB;20 mm/s;4.5 N\n").texts[0][1], "B");
-  const TextBlock blanks = read("v F\n10 mm/s 3.5 kN\n20 mm/s 4.5 kN\n");
+  EXPECT_EQ(blockOf("name;v;F\nA;10 mm/s;3.5 N\nB;20 mm/s;4.5 N\n").texts[0][1], "B");
+  const TextBlock blanks = blockOf("v F\n10 mm/s 3.5 kN\n20 mm/s 4.5 kN\n");
   ASSERT_EQ(blanks.rows, 2U);
   EXPECT_EQ(blanks.cells[1][0].unit, "kN");
   // Other separators separate.
-  EXPECT_EQ(read("v;F;note\n1;2;mm\n3;4;mm\n").texts[2][1], "mm");
-  EXPECT_EQ(read("v;a;b;F\n1;0.3;\u00B1;2\n3;0.4;\u00B1;4\n").columns.size(), 4U);
+  EXPECT_EQ(blockOf("v;F;note\n1;2;mm\n3;4;mm\n").texts[2][1], "mm");
+  EXPECT_EQ(blockOf("v;a;b;F\n1;0.3;\u00B1;2\n3;0.4;\u00B1;4\n").columns.size(), 4U);
   // A line of values that is no row of a table belongs to the header.
-  const TextBlock below = read("Mischung;A12\n20 \u00B0C;30 N\nv;F\n1;2\n3;4\n");
+  const TextBlock below = blockOf("Mischung;A12\n20 \u00B0C;30 N\nv;F\n1;2\n3;4\n");
   EXPECT_EQ(below.header.size(), 3U);
   EXPECT_EQ(below.rows, 2U);
 }
@@ -158,7 +158,7 @@ TEST(TextCell, ShowsTheDecimalMark) {
 }
 
 TEST(TextCell, AColumnHasOneUnitAfterwards) {
-  TextBlock block = read("v;F\n10 mm/s;3 N\n1 m/s;4 N\n");
+  TextBlock block = blockOf("v;F\n10 mm/s;3 N\n1 m/s;4 N\n");
   unifyUnits(block, "mine.csv");
   EXPECT_EQ(block.columns[0].unit, "m/s");
   EXPECT_DOUBLE_EQ(block.at(0, 0), 0.01);
@@ -167,11 +167,11 @@ TEST(TextCell, AColumnHasOneUnitAfterwards) {
   EXPECT_EQ(block.at(1, 1), 4);
   for (const char* text : {"v;F\n10 mm/s;3 N\n1;4 N\n", "v;F\n10 mm/s;3 N\n1 mm;4 N\n",
                            "v (m/s);F\n1 m/s;3 N\n1 mm/s;4 N\n"}) {
-    TextBlock mixed = read(text);
+    TextBlock mixed = blockOf(text);
     EXPECT_NE(errorFrom([&] { unifyUnits(mixed, "mine.csv"); }), "no error") << text;
   }
   // A missing value needs no unit.
-  TextBlock missing = read("v;F\n10 mm/s;3 N\n;4 N\n1 m/s;5 N\n");
+  TextBlock missing = blockOf("v;F\n10 mm/s;3 N\n;4 N\n1 m/s;5 N\n");
   unifyUnits(missing, "mine.csv");
   EXPECT_TRUE(std::isnan(missing.at(1, 0)));
   EXPECT_DOUBLE_EQ(missing.at(2, 0), 1);
@@ -179,7 +179,7 @@ TEST(TextCell, AColumnHasOneUnitAfterwards) {
 
 /// A text behind cells with units makes all of them texts.
 TEST(TextCell, ATextMakesAColumnOfTexts) {
-  const TextBlock block = read("v;note\n1;5 mm\n2;\n3;smooth\n");
+  const TextBlock block = blockOf("v;note\n1;5 mm\n2;\n3;smooth\n");
   EXPECT_TRUE(block.columns[1].isText);
   EXPECT_EQ(block.texts[1], (std::vector<std::string>{"5 mm", "", "smooth"}));
 }

@@ -7,28 +7,12 @@
 #include <cmath>
 #include <string>
 
-#include "core/base/input_error.h"
-#include "core/base/text_number.h"
-#include "tests/core/error_from.h"
+#include "tests/core/fit/friction_texts.h"
 
 namespace asperity {
 namespace {
 
 using testing::HasSubstr;
-
-FrictionData parsed(const std::string& text) {
-  return parseFrictionData(text, "mine.csv");
-}
-
-/// Reads a text whose commas are replaced by a separator.
-FrictionData parsed(std::string text, const char* separator) {
-  replaceAll(text, ",", separator);
-  return parsed(text);
-}
-
-std::string errorOf(const std::string& text) {
-  return errorFrom([&] { parsed(text); });
-}
 
 TEST(FrictionData, ReadsVelocityAndFriction) {
   for (const char* text :
@@ -302,33 +286,6 @@ TEST(FrictionData, RefusesLoadsAndTemperaturesThatMayBeMeant) {
   EXPECT_EQ(both.notes[1].english(), "not used: F, T_track");
 }
 
-/// Lines above the table state what all points share; columns count more.
-TEST(FrictionData, ReadsLoadAndTemperatureAboveTheTable) {
-  const std::string rows = "v (mm/s);mu;std\n1;0,45;0,02\n10;0,62;0,02\n";
-  const FrictionData data =
-      parsed("# Tester LFT\n# Nominal pressure: 0,3 MPa\n# Temperature: 5 \u00B0C\n" + rows);
-  EXPECT_DOUBLE_EQ(data.points[1].nominalPressure, 3e5);
-  EXPECT_DOUBLE_EQ(data.points[1].temperature, 278.15);
-  EXPECT_THAT(data.notes[0].english(),
-              HasSubstr("line 3: temperature of all points (Temperature: 5 \u00B0C)"));
-  EXPECT_DOUBLE_EQ(parsed("Belastung [N]: 50\n" + rows).points[0].normalForce, 50);
-
-  const FrictionData loads =
-      parsed("# Normal load: 50 N\n# Nominal pressure: 0.3 MPa\n# Track temperature: 5 C\n" + rows);
-  EXPECT_TRUE(std::isnan(loads.points[0].normalForce));
-  EXPECT_TRUE(std::isnan(loads.points[0].nominalPressure));
-  EXPECT_TRUE(std::isnan(loads.points[0].temperature));
-  ASSERT_EQ(loads.notes.size(), 3U);
-  EXPECT_EQ(loads.notes[1].english(),
-            "not used: Normal load: 50 N, Nominal pressure: 0.3 MPa, Track temperature: 5 C");
-  EXPECT_THAT(loads.notes[2].english(), HasSubstr("state several loads"));
-
-  const FrictionData columns =
-      parsed("Belastung [N]: 50\nv (mm/s);mu;Belastung (N)\n1;0,45;60\n10;0,62;60\n");
-  EXPECT_DOUBLE_EQ(columns.points[0].normalForce, 60);
-  EXPECT_EQ(columns.notes[1].english(), "not used: Belastung [N]: 50");
-}
-
 /// Loads, temperatures and means under the names of test benches.
 TEST(FrictionData, ReadsUsualNamesOfTestBenches) {
   const auto first = [](const std::string& name) {
@@ -370,81 +327,6 @@ TEST(FrictionData, TracksAreLabels) {
   EXPECT_EQ(parsed("v;mu;Track (m)\n1;0,6;5\n10;0,8;5\n").points[0].label, "");
 }
 
-/// A line may have several statements, without signs, with a tolerance or a remark.
-TEST(FrictionData, ReadsEachStatementOfALine) {
-  const auto first = [](const std::string& line, const std::string& rows) {
-    return parsed(line + "\n" + rows).points[0];
-  };
-  const std::string points = "v (mm/s),mu\n1,0.5\n10,0.7\n",
-                    commas = "v (mm/s);mu\n1;0,5\n10;0,7\n";
-  for (const std::string& rows : {points, commas, std::string("v (mm/s)\tmu\n1\t0.5\n10\t0.7\n"),
-                                  std::string("v_mm/s mu\n1 0.5\n10 0.7\n")}) {
-    for (const char* line : {"Load 30 N", "# Load = 30 N", "F = 30 N", "Load: 30 N \u00B1 1 N",
-                             "Load: 30 N (constant)", "Normal load at constant 30 N"})
-      EXPECT_DOUBLE_EQ(first(line, rows).normalForce, 30) << line << "\n" << rows;
-    for (const char* line :
-         {"T = 23 \u00B0C", "T = 23 \u00B1 1 \u00B0C", "T = (23 +/- 1) \u00B0C",
-          "Temperature T: 23 C", "T 23 \u00B0C", "Test conditions: T = 23 \u00B0C",
-          "Test 3: T = 23 \u00B0C", "Temperature: 23 deg C"})
-      EXPECT_DOUBLE_EQ(first(line, rows).temperature, 296.15) << line << "\n" << rows;
-    for (const char* line : {"Load 30 N, T 23 \u00B0C", "Load = 30 N, T = 23 \u00B0C",
-                             "F = 30 N; T = 23 \u00B0C", "# T=23C; F=30N"}) {
-      EXPECT_DOUBLE_EQ(first(line, rows).normalForce, 30) << line << "\n" << rows;
-      EXPECT_DOUBLE_EQ(first(line, rows).temperature, 296.15) << line << "\n" << rows;
-    }
-    EXPECT_DOUBLE_EQ(first("Nominal pressure 0.2 MPa", rows).nominalPressure, 2e5) << rows;
-  }
-  for (const char* line : {"Temperatur: \u20135 \u00B0C", "Temperatur: - 5 \u00B0C",
-                           "Temperatur = \u2212 5 \u00B0C", "Temperatur: minus 5 \u00B0C"})
-    EXPECT_DOUBLE_EQ(first(line, commas).temperature, 268.15) << line;
-}
-
-/// A load or temperature above the table that is not understood is refused where it may be the one
-/// meant, and named where it is another.
-TEST(FrictionData, ListsStatementsThatItDoesNotUse) {
-  for (const char* line :
-       {"Weight of 30 N", "30 N", "T = 20 - 25 \u00B0C", "T = 20...25 \u00B0C",
-        "Measured with 30 N on the sled", "Temperature - 5 \u00B0C", "Load: 300 g", "Load: 30",
-        "Load: 30 N; 60 N", "Load = 30 N, 60 N", "Load: 30 N and 60 N",
-        "Mischung 4711, 20 \u00B0C, 30 N", "Mischung: NR 60 Shore A, 2,5 bar, 23 \u00B0C",
-        "Load: 3 kg", "Line load: 30 N/m", "T = RT", "Temperature: < 25 \u00B0C"}) {
-    const std::string error = errorOf(std::string(line) + "\nv (mm/s);mu\n1;0,5\n10;0,7\n");
-    EXPECT_THAT(error, HasSubstr("but is not understood; write it as in")) << line;
-    EXPECT_THAT(error, testing::ContainsRegex("set (load|elastomer)\\.")) << line;
-  }
-  for (const char* line :
-       {"Track temperature: 23 \u00B0C", "Track: T = 23 \u00B0C", "Temperature: 23 \u00B0C (track)",
-        "Air pressure: 1013 hPa", "Aged 168 h at 70 \u00B0C", "Load cell: 500 N", "M100: 3 MPa",
-        "Rebound at 23 \u00B0C: 45 %"}) {
-    const FrictionData data = parsed(std::string(line) + "\nv (mm/s);mu\n1;0,5\n10;0,7\n");
-    EXPECT_TRUE(std::isnan(data.points[0].temperature)) << line;
-    EXPECT_TRUE(std::isnan(data.points[0].normalForce)) << line;
-    ASSERT_EQ(data.notes.size(), 2U) << line;
-    EXPECT_THAT(data.notes[1].english(), testing::StartsWith("not used: ")) << line;
-  }
-  EXPECT_EQ(
-      parsed("Track 5 \u00B0C, T = 23 \u00B0C\nv (mm/s);mu\n1;0,5\n10;0,7\n").notes[1].english(),
-      "not used: Track 5 \u00B0C");
-  for (const char* line : {"Sample 5, rough", "Radius: 5 mm", "Date: 2024-05-02", "v = 5 mm/s"})
-    EXPECT_EQ(parsed(std::string(line) + "\nv (mm/s);mu\n1;0,5\n10;0,7\n").notes.size(), 1U)
-        << line;
-}
-
-/// The decimal mark of the rows says what the marks above the table mean.
-TEST(FrictionData, ReadsThousandsAboveTheTable) {
-  for (const char* text : {"Last: 4.000 N\nv (mm/s);mu\n1;0,5\n10;0,7\n",
-                           "Last [N];4.000\nv (mm/s);mu\n1;0,5\n10;0,7\n",
-                           "Load: 4,000 N\nv (mm/s),mu\n1,0.5\n10,0.7\n"}) {
-    const FrictionData data = parsed(text);
-    EXPECT_DOUBLE_EQ(data.points[0].normalForce, 4000) << text;
-    ASSERT_EQ(data.notes.size(), 2U) << text;
-    EXPECT_THAT(data.notes[1].english(), HasSubstr("is read as 4000; the decimal mark")) << text;
-  }
-  EXPECT_DOUBLE_EQ(parsed("Last: 4,000 N\nv (mm/s);mu\n1;0,5\n10;0,7\n").points[0].normalForce, 4);
-  EXPECT_THAT(errorOf("Last: 4.000 N\nv (mm/s);mu (%)\n1;50\n10;70\n"),
-              HasSubstr("'Last: 4.000 N' may state the normal force"));
-}
-
 /// One point a hundred times too high or too low is named; a steep or noisy curve is not.
 TEST(FrictionData, NamesAPointWithASlipOfItsDecimalMark) {
   const auto text = [](std::size_t wrong, double factor) {
@@ -467,23 +349,6 @@ TEST(FrictionData, NamesAPointWithASlipOfItsDecimalMark) {
   EXPECT_EQ(parsed(text(4, 1)).notes.size(), 1U);
   EXPECT_EQ(parsed(text(4, 2)).notes.size(), 1U);
   EXPECT_EQ(parsed(text(0, 100)).notes.size(), 1U);
-}
-
-TEST(FrictionData, ReadsStatementsWithoutCommas) {
-  for (const char* line :
-       {"p=0.2MPa T=23C", "Pressure 2 bar / Temperature 23 degC", "p = 0.2 MPa T = 23 \u00B0C"}) {
-    const MeasuredPoint point =
-        parsed(std::string(line) + "\nv (mm/s),mu\n1,0.5\n10,0.7\n").points[0];
-    EXPECT_DOUBLE_EQ(point.nominalPressure, 2e5) << line;
-    EXPECT_DOUBLE_EQ(point.temperature, 296.15) << line;
-  }
-  for (const char* line : {"# Aged 168 h, T = 23 \u00B0C", "Temperature: approx. 23 \u00B0C"})
-    EXPECT_DOUBLE_EQ(
-        parsed(std::string(line) + "\nv (mm/s),mu\n1,0.5\n10,0.7\n").points[0].temperature, 296.15)
-        << line;
-  for (const char* rows : {"T\n1,0.5,RT\n10,0.7,RT\n", "T (deg)\n1,0.5,23\n10,0.7,23\n"})
-    EXPECT_THAT(errorOf(std::string("v (mm/s),mu,") + rows),
-                HasSubstr("column T: is it the temperature of the rubber?"));
 }
 
 /// Errors that are not one standard error have a factor in their name.
@@ -551,202 +416,6 @@ TEST(FrictionData, ReadsRepeatsAndForces) {
     EXPECT_THAT(errorOf(std::string("v,") + names + "\n1,0.3,0.2\n2,0.4,0.3\n"),
                 HasSubstr("in several states side by side"))
         << names;
-}
-
-/// The error of friction stands in its cells: as the GUM (JCGM 100:2008, 7.2.2) writes it, the
-/// digits in brackets count in the last place.
-TEST(FrictionData, ReadsErrorsInCells) {
-  for (const char* cell : {"0.31\u00B10.02", "0.31 \u00B1 0.02", "0.31 +/- 0.02", "0.31+-0.02",
-                           "0.31(2)", "0.31(0.02)", "(0.31 \u00B1 0.02)", "0.310(20)"})
-    for (const char* separator : {",", ";", "\t"}) {
-      const FrictionData data =
-          parsed(std::string("v,mu\n1,") + cell + "\n10," + cell + "\n", separator);
-      ASSERT_EQ(data.points.size(), 2U) << cell << separator;
-      EXPECT_DOUBLE_EQ(data.points[1].mu, 0.31) << cell << separator;
-      EXPECT_DOUBLE_EQ(data.points[1].muError, 0.02) << cell << separator;
-      EXPECT_DOUBLE_EQ(data.points[1].velocity, 10) << cell << separator;
-      ASSERT_EQ(data.notes.size(), 1U) << cell << separator;
-      EXPECT_THAT(data.notes[0].english(),
-                  HasSubstr("column 2, in its cells: error of the coefficient of friction"));
-    }
-  const FrictionData german = parsed("v [mm/s];Reibwert\n1;0,31 \u00B1 0,02\n10;0,35(12)\n");
-  EXPECT_DOUBLE_EQ(german.points[0].mu, 0.31);
-  EXPECT_DOUBLE_EQ(german.points[0].muError, 0.02);
-  EXPECT_DOUBLE_EQ(german.points[1].muError, 0.12);
-  for (const char* rows :
-       {"1 0.31 \u00B1 0.02\n10 0.35 \u00B1 0.03\n", "1  0.31 +/- 0.02\n10  0.35 +/- 0.03\n"})
-    EXPECT_DOUBLE_EQ(parsed(std::string("v_mm/s mu\n") + rows).points[1].muError, 0.03) << rows;
-  const FrictionData percent = parsed("v;mu (%)\n1;31 \u00B1 2\n10;35 \u00B1 3\n");
-  EXPECT_DOUBLE_EQ(percent.points[0].mu, 0.31);
-  EXPECT_DOUBLE_EQ(percent.points[1].muError, 0.03);
-  const FrictionData inCells = parsed("v;mu\n1;(31 \u00B1 2) %\n10;(35 \u00B1 3) %\n");
-  EXPECT_DOUBLE_EQ(inCells.points[1].mu, 0.35);
-  EXPECT_DOUBLE_EQ(inCells.points[1].muError, 0.03);
-}
-
-/// The name of the column says what stands behind the sign.
-TEST(FrictionData, ReadsScalesOfErrorsInCells) {
-  const auto errorAt = [](const std::string& name) {
-    return parsed("v [mm/s];" + name + "\n1;0.5 \u00B1 0.1\n10;0.7 \u00B1 0.1\n").points[0].muError;
-  };
-  for (const char* name : {"mu \u00B1 std", "\u00B5 \u00B1 SD", "COF +/- SD", "mu \u00B1 u",
-                           "mu \u00B1 u(mu)", "Reibwert \u00B1 Standardabweichung"})
-    EXPECT_DOUBLE_EQ(errorAt(name), 0.1) << name;
-  for (const char* name : {"mu \u00B1 2 sigma", "mu \u00B1 U (k=2)", "mu \u00B1 2\u03C3"})
-    EXPECT_DOUBLE_EQ(errorAt(name), 0.05) << name;
-  EXPECT_DOUBLE_EQ(errorAt("mu \u00B1 95 % CI"), 0.1 / 1.96);
-  for (const char* name : {"mu \u00B1 range", "mu \u00B1 expanded uncertainty", "mu \u00B1 w"})
-    EXPECT_THAT(errorOf(std::string("v;") + name + "\n1;0.5 \u00B1 0.1\n10;0.7 \u00B1 0.1\n"),
-                HasSubstr("how many standard errors"))
-        << name;
-}
-
-/// What may mean something else is refused; errors that no fit uses are named.
-TEST(FrictionData, RefusesCellsInDoubt) {
-  for (const char* cell :
-       {"0.31 \u00B1 5 %", "0.31 (2)", "0.3(5)", "0.31 \u00B1 0.02 (n=3)", "0.31 +0.02 -0.01",
-        "0.31(2)(5)", "0.31..0.35", "0.31 \u00B1", "0.31a(2)"})
-    EXPECT_NE(errorOf(std::string("v;mu\n1;") + cell + "\n2;" + cell + "\n"), "no error") << cell;
-  EXPECT_THAT(errorOf("v;mu\n1;0.31 \u00B1 5 %\n2;0.32 \u00B1 5 %\n"),
-              HasSubstr("'0.31 \u00B1 5 %' is not understood as a value with its error"));
-  EXPECT_THAT(errorOf("v;mu\n1;0.31 \u00B1 0.02\n2;0.32\n"),
-              HasSubstr("row 3: the error of the coefficient of friction is missing"));
-  EXPECT_THAT(errorOf("v;mu;std\n1;0.31 \u00B1 0.02;0.1\n2;0.32 \u00B1 0.02;0.1\n"),
-              HasSubstr("column mu: has errors in its cells, and std gives them, too"));
-  const FrictionData data =
-      parsed("v (mm/s);mu;F (N)\n1 \u00B1 0.1;0.31;30 \u00B1 1\n2(1);0.32;30(2)\n");
-  EXPECT_DOUBLE_EQ(data.points[1].velocity, 2e-3);
-  EXPECT_DOUBLE_EQ(data.points[1].normalForce, 30);
-  EXPECT_FALSE(data.hasErrors());
-  ASSERT_EQ(data.notes.size(), 3U);
-  EXPECT_EQ(data.notes[1].english(), "column 1: the errors in its cells are not used");
-  EXPECT_EQ(data.notes[2].english(), "column 3: the errors in its cells are not used");
-}
-
-/// Units may stand in the cells; several of one quantity are converted.
-TEST(FrictionData, ReadsUnitsInCells) {
-  const FrictionData data =
-      parsed("v;mu;F;T\n10 mm/s;0,31;30 N;23 \u00B0C\n0,1 m/s;0,35;0,03 kN;23 \u00B0C\n");
-  EXPECT_DOUBLE_EQ(data.points[0].velocity, 0.01);
-  EXPECT_DOUBLE_EQ(data.points[1].velocity, 0.1);
-  EXPECT_DOUBLE_EQ(data.points[0].normalForce, 30);
-  EXPECT_DOUBLE_EQ(data.points[1].normalForce, 30);
-  EXPECT_DOUBLE_EQ(data.points[1].temperature, 296.15);
-  EXPECT_THAT(data.notes[0].english(), HasSubstr("column 1: velocity (m/s)"));
-  EXPECT_THAT(data.notes[0].english(), HasSubstr("column 4: temperature (\u00B0C)"));
-  const FrictionData same = parsed("v,mu\n1 mm/s,0.31(2)\n10 mm/s,0.35(2)\n");
-  EXPECT_DOUBLE_EQ(same.points[0].velocity, 1e-3);
-  EXPECT_DOUBLE_EQ(same.points[0].muError, 0.02);
-  EXPECT_THAT(same.notes[0].english(), HasSubstr("column 1: velocity (mm/s)"));
-  EXPECT_DOUBLE_EQ(parsed("v (mm/s);mu\n1 mm/s;0.3\n10;0.4\n").points[1].velocity, 1e-2);
-  EXPECT_DOUBLE_EQ(
-      parsed("v mu\n10 mm/s 0.31 \u00B1 0.02\n1 m/s 0.35 \u00B1 0.02\n").points[0].velocity, 1e-2);
-  EXPECT_DOUBLE_EQ(
-      parsed("v;mu;T\n1 m/s;0.3;293.15 K\n2 m/s;0.4;20 \u00B0C\n").points[1].temperature, 293.15);
-  EXPECT_THAT(errorOf("v;mu\n1 mm/s;0.3\n10;0.4\n"),
-              HasSubstr("row 3: column v has no unit here, and mm/s elsewhere"));
-  EXPECT_THAT(errorOf("v (mm/s);mu\n1 mm/s;0.3\n10 m/s;0.4\n"),
-              HasSubstr("row 3: column v has the unit m/s here, and mm/s elsewhere"));
-  EXPECT_THAT(errorOf("v;mu\n1 mm/s;0.3\n10 mm;0.4\n"), HasSubstr("has the unit mm here"));
-  EXPECT_THAT(errorOf("v;mu\n1 knots;0.3\n10 knots;0.4\n"), HasSubstr("texts where numbers"));
-  EXPECT_THAT(errorOf("v;mu;Last\n1;0.3;3 mm\n10;0.4;3 mm\n"), HasSubstr("the unit mm is unknown"));
-  EXPECT_THAT(errorOf("v;mu;Druckluft\n1;0.3;2.5 bar\n10;0.4;2.5 bar\n"),
-              HasSubstr("column Druckluft: is it the nominal pressure?"));
-  // A label is what it is, and a value that is no quantity makes a column of texts.
-  EXPECT_EQ(parsed("Probe;v;mu\n5 mm;1;0.3\n8 mm;1;0.4\n").points[1].label, "8 mm");
-  EXPECT_EQ(parsed("v;mu;Bemerkung\n1;0.3;5 mm\n2;0.4;glatt\n").notes[1].english(),
-            "not used: Bemerkung");
-  EXPECT_THAT(
-      errorOf("Rad;Last;Temperatur\nA;30 N;20 \u00B0C\nB;60 N;20 \u00B0C\nv;mu\n1;0,5\n2;0,6\n"
-              "3;0,7\n4;0,8\n5;0,9\n"),
-      HasSubstr("line 2: '30 N' may state the normal force"));
-  const FrictionData labels = parsed("Probe;v;mu\nA;10 mm/s;0,31(2)\nB;10 mm/s;0,35(2)\n");
-  EXPECT_EQ(labels.points[1].label, "B");
-  EXPECT_DOUBLE_EQ(labels.points[1].muError, 0.02);
-  // These lines state a load and are no rows.
-  EXPECT_THAT(errorOf("Mischung;A12\n20 \u00B0C;30 N\nv;mu\n1;0,5\n10;0,7\n"),
-              HasSubstr("is not understood"));
-}
-
-/// A power of ten belongs to the unit; with a name alone it may have multiplied the values.
-TEST(FrictionData, ReadsUnitsWithAFactor) {
-  const auto first = [](const std::string& names, const std::string& row) {
-    return parsed(names + "\n" + row + "\n2;0,6;2\n").points[0];
-  };
-  for (const char* name : {"v (10^-3 m/s)", "v / 10^-3 m/s", "v/10^-3 m/s", "v in 10^-3 m/s",
-                           "v (1e-3 m/s)", "v [\u00D710\u207B\u00B3 m/s]", "v (x 10^-3 m/s)",
-                           "v (10\u207B\u00B3 m/s)", "v (x10-3 m/s)"})
-    EXPECT_DOUBLE_EQ(first(std::string(name) + ";mu;n", "5;0,5;1").velocity, 5e-3) << name;
-  EXPECT_DOUBLE_EQ(first("v;mu;F (x 10^3 N)", "1;0,5;1").normalForce, 1000);
-  EXPECT_DOUBLE_EQ(first("v;mu;p / 10^5 Pa", "1;0,5;3").nominalPressure, 3e5);
-  for (const char* name :
-       {"mu (10^-2)", "mu (\u00D710\u207B\u00B2)", "mu / 10^-2", "mu [10^-2]", "mu (1e-2)"})
-    EXPECT_DOUBLE_EQ(parsed(std::string("v;") + name + "\n1;31\n2;35\n").points[0].mu, 0.31)
-        << name;
-  EXPECT_DOUBLE_EQ(parsed("v;mu (10^-2)\n1;31 \u00B1 2\n2;35 \u00B1 2\n").points[0].muError, 0.02);
-  EXPECT_DOUBLE_EQ(parsed("Last: 3 x 10^3 N\nv;mu\n1;0,5\n2;0,6\n").points[0].normalForce, 3000);
-  for (const char* name : {"mu (10^3)", "mu (\u00D710\u00B3)"})
-    EXPECT_THAT(errorOf(std::string("v;") + name + "\n1;310\n2;350\n"),
-                HasSubstr("may multiply or divide"))
-        << name;
-  EXPECT_THAT(errorOf("v;mu (10^-2)\n1;0,31\n2;0,35\n"), HasSubstr("may multiply or divide"));
-  for (const char* name : {"v x 10^3 (m/s)", "10^3 v (m/s)", "v (10 m/s)", "v \u00D7 10^-3 m/s"})
-    EXPECT_NE(errorOf(std::string(name) + ";mu\n1;0,5\n2;0,6\n"), "no error") << name;
-  for (const char* name : {"Load (100 N)", "F x 10^3 (N)", "Load (10-20 N)", "Load (10-3 N)"})
-    EXPECT_NE(errorOf(std::string("v;mu;") + name + "\n1;0,5;1\n2;0,6;1\n"), "no error") << name;
-  EXPECT_TRUE(std::isnan(first("v;mu;F (100 N)", "1;0,5;1").normalForce));
-}
-
-/// Lines about the rubber state no load, and the temperature beside a hardness is that of its test.
-TEST(FrictionData, ListsPropertiesOfTheRubber) {
-  for (const char* line :
-       {"Stress at 100 %: 3 MPa", "Stress at 100 % strain: 3 MPa",
-        "Spannung bei 100 % Dehnung: 3 MPa", "Spannungswert 100 %: 3 MPa",
-        "Tensile stress at 300 %: 12 MPa", "Hardness: 60 Shore A, 23 \u00B0C",
-        "H\u00E4rte: 60 Shore A, 23 \u00B0C", "Shore A: 60, 23 \u00B0C", "Shore A 60 at 23 \u00B0C",
-        "100 % modulus: 3 MPa", "S100: 3 MPa", "\u03C3100 = 3 MPa"}) {
-    const FrictionData data = parsed(std::string(line) + "\nv (mm/s);mu\n1;0,5\n10;0,7\n");
-    EXPECT_TRUE(std::isnan(data.points[0].temperature)) << line;
-    EXPECT_TRUE(std::isnan(data.points[0].nominalPressure)) << line;
-    ASSERT_EQ(data.notes.size(), 2U) << line;
-    EXPECT_THAT(data.notes[1].english(), testing::StartsWith("not used: ")) << line;
-  }
-  for (const char* line :
-       {"Stress at 50 % of the load: 0.2 MPa", "Stress: 0.2 MPa", "Hardness: 60 Shore A, 30 N",
-        "Compound: NR 60 Shore A, 23 \u00B0C", "Mischung A12, 20 \u00B0C", "Spannung 100: 3 MPa",
-        "Hardness: 60 Shore A, 23 \u00B0C, 2 bar",
-        "Compound: X, hardness: 60 Shore A, 23 \u00B0C, load: 30 N"})
-    EXPECT_THAT(errorOf(std::string(line) + "\nv (mm/s);mu\n1;0,5\n10;0,7\n"),
-                HasSubstr("but is not understood"))
-        << line;
-  EXPECT_DOUBLE_EQ(parsed("Hardness: 60 Shore A, T = 23 \u00B0C\nv (mm/s);mu\n1;0,5\n10;0,7\n")
-                       .points[0]
-                       .temperature,
-                   296.15);
-}
-
-/// A sentence about the test with nothing but a temperature.
-TEST(FrictionData, ReadsTheTemperatureOfATest) {
-  for (const char* line :
-       {"Test at 23 \u00B0C", "# Tested at 23 \u00B0C", "Measured at 23 \u00B0C",
-        "Messung bei 23 \u00B0C", "gemessen bei 23 \u00B0C", "Pr\u00FCfung bei 23 \u00B0C",
-        "Friction test at 23 \u00B0C", "Versuch bei 23 \u00B1 1 \u00B0C", "Test: at 23 \u00B0C"}) {
-    const FrictionData data = parsed(std::string(line) + "\nv (mm/s);mu\n1;0,5\n10;0,7\n");
-    EXPECT_DOUBLE_EQ(data.points[0].temperature, 296.15) << line;
-    EXPECT_THAT(data.notes[0].english(), HasSubstr("line 1: temperature of all points (")) << line;
-  }
-  for (const char* line : {"Test at 30 N", "Test 23 \u00B0C", "Test at 23 \u00B0C or 40 \u00B0C",
-                           "Swollen and tested at 23 \u00B0C", "Test at 2 bar",
-                           "Compression set test at 70 \u00B0C", "Rheometer test at 160 \u00B0C"})
-    EXPECT_THAT(errorOf(std::string(line) + "\nv (mm/s);mu\n1;0,5\n10;0,7\n"),
-                HasSubstr("but is not understood"))
-        << line;
-  EXPECT_THAT(errorOf("Test at 23 \u00B0C\nTest at 40 \u00B0C\nv (mm/s);mu\n1;0,5\n10;0,7\n"),
-              HasSubstr("line 1: 'Test at 23 \u00B0C' may state the temperature"));
-  for (const char* line : {"Hardness test at 23 \u00B0C", "Tensile test at 23 \u00B0C"})
-    EXPECT_THAT(parsed(std::string(line) + "\nv (mm/s);mu\n1;0,5\n10;0,7\n").notes[1].english(),
-                HasSubstr("not used"))
-        << line;
 }
 
 }  // namespace
