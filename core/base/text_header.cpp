@@ -7,6 +7,7 @@
 #include <iterator>
 #include <numeric>
 
+#include "core/base/power_of_ten.h"
 #include "core/base/text.h"
 #include "core/base/text_number.h"
 #include "core/base/units.h"
@@ -150,6 +151,18 @@ TextColumn parts(std::string_view name, std::string_view unit) {
   return {std::string(trimmedField(name)), std::string(trimmedBlanks(unit))};
 }
 
+/// Returns the same of a name with a unit behind a stroke or a blank; a power of ten in front of
+/// the unit belongs to it: "v / 10^-3 m/s".
+TextColumn scaledParts(std::string_view name, std::string_view unit) {
+  const std::string_view front = trimmedBlanks(name);
+  const std::size_t at = front.find_last_of(" /_");
+  const std::size_t begin = at == front.npos ? 0 : at + 1;
+  const std::string_view word = front.substr(begin);
+  if (begin == 0 || word.empty() || !isDigit(word.front()) || !isWrittenPower(word))
+    return parts(name, unit);
+  return parts(front.substr(0, begin), fmt::format("{} {}", word, trimmedBlanks(unit)));
+}
+
 /// Splits at tabs and at runs of at least two blanks.
 std::vector<std::string> splitAtWideBlanks(std::string_view line) {
   std::vector<std::string> fields;
@@ -224,7 +237,7 @@ TextColumn parseColumnName(std::string_view text) {
   if (const std::size_t at = text.find_last_of("_ ");
       at != std::string_view::npos && at > 0 && text.find('/', at) != std::string_view::npos &&
       isUnitWord(text.substr(at + 1)))
-    return parts(text.substr(0, at), text.substr(at + 1));
+    return scaledParts(text.substr(0, at), text.substr(at + 1));
 
   // The unit may be behind a stroke, which may also be part of it: "v / m/s".
   for (std::size_t at = 0; (at = text.find('/', at)) != std::string_view::npos; ++at)
@@ -240,7 +253,7 @@ TextColumn parseColumnName(std::string_view text) {
     const bool isLoose = between == " " || between == "_";
     if (isFahrenheit(text.substr(0, at), unit)) return parts(text.substr(0, at), unit);
     if (isUnitWord(unit) && (!isLoose || suitsLetter(text.substr(0, at), unit)))
-      return parts(text.substr(0, at), unit);
+      return scaledParts(text.substr(0, at), unit);
   }
   return {std::string(text), {}};
 }

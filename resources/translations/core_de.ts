@@ -6591,8 +6591,36 @@
         <translation>Zeile %1: &apos;%2&apos; nennt vielleicht %3, wird aber nicht verstanden; wie in &quot;%4&quot; schreiben, oder die Zeile herausnehmen und %5 setzen</translation>
     </message>
     <message>
-        <source>column %1: &apos;%2&apos; is a value with its error; write them in two columns, mu and mu_error</source>
-        <translation>Spalte %1: &apos;%2&apos; ist ein Wert mit seinem Fehler; beide in zwei Spalten schreiben, mu und mu_error</translation>
+        <source>column %1: &apos;%2&apos; is not understood as a value with its error; write both as in &quot;0.31 ± 0.02&quot;, or in two columns, mu and mu_error</source>
+        <translation>Spalte %1: &apos;%2&apos; ist nicht als Wert mit Fehler verständlich; beide wie in &quot;0.31 ± 0.02&quot; oder in zwei Spalten schreiben, mu und mu_error</translation>
+    </message>
+    <message>
+        <source>column %1: has errors in its cells, and %2 gives them, too; keep one of them</source>
+        <translation>Spalte %1: hat Fehler in ihren Zellen, und %2 gibt sie ebenfalls an; nur eines davon behalten</translation>
+    </message>
+    <message>
+        <source>column %1, in its cells: %2</source>
+        <translation>Spalte %1, in ihren Zellen: %2</translation>
+    </message>
+    <message>
+        <source>column %1: the errors in its cells are not used</source>
+        <translation>Spalte %1: Die Fehler in ihren Zellen werden nicht verwendet</translation>
+    </message>
+    <message>
+        <source>column %1: the factor %2 may multiply or divide the numbers; write the coefficients of friction without it</source>
+        <translation>Spalte %1: Der Faktor %2 kann die Zahlen malnehmen oder teilen; die Reibungszahlen ohne ihn schreiben</translation>
+    </message>
+    <message>
+        <source>column %1 has no unit here, and %2 elsewhere</source>
+        <translation>Spalte %1 hat hier keine Einheit und sonst %2</translation>
+    </message>
+    <message>
+        <source>column %1 has the unit %2 here, and %3 elsewhere</source>
+        <translation>Spalte %1 hat hier die Einheit %2 und sonst %3</translation>
+    </message>
+    <message>
+        <source>line %1: &apos;%2&apos; may state the %3, but is not understood; write it as &quot;name: value&quot;, or take the line out</source>
+        <translation>Zeile %1: &apos;%2&apos; nennt vielleicht %3, wird aber nicht verstanden; als &quot;Name: Wert&quot; schreiben oder die Zeile herausnehmen</translation>
     </message>
     <message>
         <source>its square root</source>

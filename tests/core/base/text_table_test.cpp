@@ -192,6 +192,13 @@ TEST(TextTable, FindsUnitsInNames) {
   expect("T [\u00B0C]", "T", "\u00B0C");
   expect("omega (rad/s)", "omega", "rad/s");
   expect("Height (1e-6 m)", "Height", "1e-6 m");
+  for (const char* between : {" / ", "/", " in ", ", ", " "}) {
+    expect(std::string("v") + between + "10^-3 m/s", "v", "10^-3 m/s");
+    expect(std::string("h") + between + "10\u207B\u00B3 mm", "h", "10\u207B\u00B3 mm");
+  }
+  // Such a factor may have multiplied the values, and a number is none.
+  expect("h \u00D7 10^-3 (mm)", "h \u00D7 10^-3", "mm");
+  expect("sample 10 mm", "sample 10", "mm");
   expect("E' (MPa)", "E'", "MPa");
   expect("E_s", "E_s", "");
   expect("Storage modulus (E')", "Storage modulus (E')", "");
