@@ -106,6 +106,47 @@ TEST_F(MaterialImportTest, ChoicesMakeItAnew) {
   EXPECT_FALSE(page_->errorText().contains('\n'));
 }
 
+/// The page still has the material, and another folder takes it. The measurements are never
+/// replaced.
+TEST_F(MaterialImportTest, WhatCannotBeWrittenThereIsWrittenElsewhere) {
+  const QString measurements = folder_.filePath("own.csv");
+  ASSERT_TRUE(QFile::copy(kMeasurements, measurements));
+  openPage(measurements);
+  ASSERT_TRUE(waitForPage());
+  auto& accept = inPage<QPushButton>("importAccept");
+  for (const QString& file : {QStringLiteral("/nowhere/own.json"), measurements}) {
+    page_->setFileChooser([&](QWidget*, const QString&) { return file; });
+    accept.click();
+    ASSERT_TRUE(page_);
+    EXPECT_TRUE(page_->errorText().contains(file)) << page_->errorText().toStdString();
+    EXPECT_TRUE(accept.isEnabled());
+    EXPECT_TRUE(inPage<DiagramView>("dmaSheet").isVisibleTo(page_));
+  }
+  QFile kept(measurements), original(kMeasurements);
+  ASSERT_TRUE(kept.open(QIODevice::ReadOnly) && original.open(QIODevice::ReadOnly));
+  EXPECT_EQ(kept.readAll(), original.readAll());
+  page_->setFileChooser([this](QWidget*, const QString&) { return folder_.filePath("own.json"); });
+  accept.click();
+  EXPECT_TRUE(waitFor([&] { return page_.isNull(); }));
+  EXPECT_TRUE(QFile::exists(folder_.filePath("own.json")));
+}
+
+/// A user mends the table in another program while the page says what is wrong with it.
+TEST_F(MaterialImportTest, AMendedFileIsReadAgain) {
+  const QString file = folder_.filePath("own.csv");
+  QFile table(file);
+  ASSERT_TRUE(table.open(QIODevice::WriteOnly));
+  table.write("frequency [Hz],G' [MPa],G'' [MPa]\n1,2,0.2\n");
+  table.close();
+  openPage(file);
+  ASSERT_TRUE(waitForPage());
+  EXPECT_FALSE(page_->isReady());
+  ASSERT_TRUE(QFile::remove(file) && QFile::copy(kMeasurements, file));
+  enter("dmaReference", "15 °C");
+  ASSERT_TRUE(waitForPage());
+  EXPECT_TRUE(page_->isReady()) << page_->errorText().toStdString();
+}
+
 TEST_F(MaterialImportTest, SaysWhatIsWrongWithAFile) {
   QFile file(folder_.filePath("one.csv"));
   ASSERT_TRUE(file.open(QIODevice::WriteOnly));

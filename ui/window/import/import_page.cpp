@@ -125,6 +125,10 @@ void ImportPage::finish(const QString& errorText) {
   setState(errorText.isEmpty() ? State::Shown : State::Wrong);
 }
 
+void ImportPage::showFailure(const QString& reason) {
+  errorLabel_->setText(reason);
+}
+
 void ImportPage::setState(State state) {
   state_ = state;
   const bool isReading = state == State::Reading, isStopped = state == State::Stopped;

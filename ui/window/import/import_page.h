@@ -47,6 +47,9 @@ class ImportPage : public QDialog {
   void showProgress(double part);
   /// Ends the reading, with what is wrong; empty: it can be accepted.
   void finish(const QString& errorText);
+  /// Shows why the result could not be kept, such as a folder that is read-only. It stays, and can
+  /// be accepted again.
+  void showFailure(const QString& reason);
   /// Returns the background work of the derived class.
   virtual BackgroundWork& work() = 0;
 
