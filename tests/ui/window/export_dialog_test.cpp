@@ -407,6 +407,8 @@ TEST_F(ExportDialogTest, ACancelledExportLeavesTheFileAsItWas) {
   EXPECT_EQ(asked_, 1);
   QTest::qWait(500);
   EXPECT_FALSE(dialog_->form().isEnabled());
+  EXPECT_FALSE(
+      in<QPushButton>("exportBrowse").isEnabled());  // another name would be told as written
   dialog_->reject();
   ASSERT_TRUE(dialog_);
   EXPECT_TRUE(dialog_->form().isEnabled());
@@ -574,6 +576,26 @@ TEST_F(ExportDialogTest, AnotherUnitIsTheSameSize) {
   choose("exportUnit", "");
   EXPECT_EQ(in<QLineEdit>("exportWidth").text(), "1219");
   EXPECT_EQ(in<QLineEdit>("exportHeight").text(), "600");
+}
+
+TEST_F(ExportDialogTest, ASizeThatNoWholeNumberHoldsIsRefused) {
+  openDialog(ExportKind::Picture);
+  choose("exportUnit", "mm");
+  enter("exportWidth", "1e300");
+  choose("exportUnit", "");
+  EXPECT_GT(in<QLineEdit>("exportWidth").text().toDouble(), 1e300);
+  EXPECT_TRUE(dialog_->form().errorText().contains("width"))
+      << dialog_->form().errorText().toStdString();
+}
+
+/// An extension alone would be a hidden file of no format.
+TEST_F(ExportDialogTest, AFileWithoutANameKeepsTheProposedOne) {
+  openDialog(ExportKind::Picture);
+  enter("exportFile", " ");
+  choose("exportFormat", ".svg");
+  EXPECT_EQ(in<QLineEdit>("exportFile").text().trimmed(), "");
+  EXPECT_TRUE(dialog_->words().at(dialog_->words().indexOf("-o") + 1).endsWith("/small.svg"))
+      << dialog_->words().join(' ').toStdString();
 }
 
 TEST_F(ExportDialogTest, NoTransparencyIsOfferedToAFormatWithoutIt) {

@@ -21,7 +21,6 @@
 #include <utility>
 
 #include "ui/panels/controls.h"
-#include "ui/window/export/asperity_command.h"
 #include "ui/window/export/export_form.h"
 #include "ui/window/export/export_preview.h"
 #include "ui/window/main/picture_files.h"
@@ -118,11 +117,11 @@ QWidget* ExportDialog::makeBottom() {
   auto* fileLabel = new QLabel(tr("File &name"));
   fileLabel->setBuddy(file_);
   file_->setAccessibleName(tr("file name"));
-  auto* browse = named<QPushButton>("exportBrowse", tr("&Browse…"));
-  connect(browse, &QPushButton::clicked, this, &ExportDialog::askFile);
+  browse_ = named<QPushButton>("exportBrowse", tr("&Browse…"));
+  connect(browse_, &QPushButton::clicked, this, &ExportDialog::askFile);
   grid->addWidget(fileLabel, 0, 0);
   grid->addWidget(file_, 0, 1);
-  grid->addWidget(browse, 0, 2);
+  grid->addWidget(browse_, 0, 2);
 
   auto* commandLabel = new QLabel(tr("Command line"));
   commandLabel->setAlignment(Qt::AlignTop);
@@ -216,7 +215,7 @@ void ExportDialog::renameFile() {
   const QString last = '.' + QFileInfo(name).suffix().toLower();
   if (known.contains(last)) {
     if (last != extension) file_->setText(name.chopped(last.size()) + extension);
-  } else if (isOther) {
+  } else if (isOther && !name.isEmpty()) {
     file_->setText(name + extension);
   }
 }
@@ -371,9 +370,7 @@ void ExportDialog::showFailure(const QString& reason) {
 
 /// While the file is written nothing can be changed, and the button at the right cancels.
 void ExportDialog::showRunning(bool isRunning) {
-  form_->setEnabled(!isRunning);
-  file_->setEnabled(!isRunning);
-  write_->setEnabled(!isRunning);
+  for (QWidget* control : Widgets{form_, file_, browse_, write_}) control->setEnabled(!isRunning);
   progress_->setVisible(isRunning);
   failure_->setVisible(!isRunning);
   progress_->setRange(0, 0);

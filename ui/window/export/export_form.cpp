@@ -342,7 +342,7 @@ void ExportForm::convertSize() {
     const double size = machineNumber(*entry).toDouble();
     if (!(size > 0)) continue;
     entry->setText(isOnPaper() ? QString::number(size * kInch / perInch, 'g', 6)
-                               : QString::number(std::lround(size * perInch / kInch)));
+                               : QString::number(std::round(size * perInch / kInch), 'g', 15));
   }
 }
 

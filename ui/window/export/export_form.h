@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ui/window/export/asperity_command.h"
+#include "ui/window/export/command_run.h"
 
 class QCheckBox;
 class QComboBox;
