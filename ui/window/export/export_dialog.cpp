@@ -66,6 +66,7 @@ ExportDialog::ExportDialog(Subject subject, ExportKind kind, const QString& prog
   form_->setKind(kind);
 
   auto* scroll = scrolled(form_, Qt::ScrollBarAlwaysOff);
+  scroll->setFocusPolicy(Qt::NoFocus);  // its controls take the focus
   scroll->setMinimumWidth(form_->minimumWidth() + 16);
   auto* middle = new QHBoxLayout;
   middle->setSpacing(14);

@@ -96,6 +96,7 @@ FitPage::FitPage(const Scene& scene, const FitSelection& before, const Theme& th
   column->addWidget(notes_);
   column->addStretch(1);
   auto* scroll = scrolled(texts);
+  scroll->setAccessibleName(tr("values and notes of the fit"));
   scroll->setFixedHeight(10 * fontMetrics().lineSpacing());
   right->addWidget(scroll);
   right->addWidget(sheets_);

@@ -103,6 +103,7 @@ void MaterialImport::buildViews(const Theme& theme) {
   summary_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   auto* scroll = scrolled(summary_, Qt::ScrollBarAlwaysOff);
   scroll->setFixedHeight(8 * fontMetrics().lineSpacing());
+  scroll->setAccessibleName(tr("summary of the material"));
   views().addWidget(sheets_);
   views().addWidget(sheet_, 1);
   views().addWidget(scroll);
@@ -224,6 +225,7 @@ void MaterialImport::buildChoices() {
                      tr("Where the measurements come from, so that a reader can look it up"));
   auto* scroll = scrolled(content, Qt::ScrollBarAlwaysOff);
   scroll->setObjectName("dmaChoices");
+  scroll->setFocusPolicy(Qt::NoFocus);  // its controls take the focus
   constexpr int kMinWidth = 330;
   scroll->setFixedWidth(std::max(kMinWidth, content->minimumSizeHint().width() +
                                                 scroll->verticalScrollBar()->sizeHint().width()));

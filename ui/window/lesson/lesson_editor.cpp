@@ -67,7 +67,9 @@ LessonEditor::LessonEditor(LessonDocument document, ShownNow shownNow, QWidget* 
   step_ = new LessonStepPage;
   pages_ = new QStackedWidget;
   pages_->addWidget(head_);
-  pages_->addWidget(scrolled(step_));
+  auto* scroll = scrolled(step_);
+  scroll->setFocusPolicy(Qt::NoFocus);  // its fields take the focus
+  pages_->addWidget(scroll);
   for (const LessonForm* page : std::initializer_list<const LessonForm*>{head_, step_})
     connect(page, &LessonForm::edited, this, &LessonEditor::take);
   auto* right = new QVBoxLayout;

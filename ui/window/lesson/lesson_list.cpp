@@ -59,6 +59,7 @@ LessonList::LessonList(QWidget* parent, AnswerFunction answer)
   about_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   about_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   auto* scroll = scrolled(about_);
+  keepTranslated(*scroll, [scroll] { scroll->setAccessibleName(tr("about the lesson")); });
   auto* halves = new QHBoxLayout;
   halves->setSpacing(16);
   auto* right = new QVBoxLayout;

@@ -138,7 +138,7 @@ void PredictionFields::show(const LessonStep& step) {
   kind_->setCurrentIndex(step.prediction ? 1 + static_cast<int>(prediction.kind) : kNone);
   page_.showText(*question_, prediction.question);
   const QString places =
-      tr("{answer}: the computed answer, or the right choice; {given}: that of the student");
+      tr("{answer}: the right answer; {given}: that of the student");  // the tooltip says more
   page_.showText(*right_, prediction.right, places);
   page_.showText(*wrong_, prediction.wrong, places);
   tolerance_->setText(percentText(prediction.tolerance));
