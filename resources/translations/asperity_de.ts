@@ -1162,6 +1162,10 @@
 <context>
     <name>asperity::ExportDialog</name>
     <message>
+        <source>The program has written no file.</source>
+        <translation>Das Programm hat keine Datei geschrieben.</translation>
+    </message>
+    <message>
         <source>Export</source>
         <translation>Exportieren</translation>
     </message>
@@ -1248,6 +1252,10 @@
 </context>
 <context>
     <name>asperity::ExportForm</name>
+    <message>
+        <source>%1: the name of the file belongs into its own line.</source>
+        <translation>%1: Der Dateiname gehört in seine eigene Zeile.</translation>
+    </message>
     <message>
         <source>&amp;Kind</source>
         <translation>&amp;Art</translation>

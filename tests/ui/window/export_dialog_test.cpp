@@ -180,6 +180,41 @@ TEST_F(ExportDialogTest, OtherOptionsReachTheCommand) {
   EXPECT_TRUE(reason().contains("--no-such-option")) << reason().toStdString();
 }
 
+/// A table may have several files: the preview would write this one without a question.
+TEST_F(ExportDialogTest, TheOtherOptionsNameNoFile) {
+  const QString file = folder_.filePath("data.csv");
+  QFile before(file);
+  ASSERT_TRUE(before.open(QIODevice::WriteOnly));
+  before.write("before");
+  before.close();
+  openDialog(ExportKind::Table);
+  for (const char* option : {"-o %1", "--output=%1", "-o%1"}) {
+    enter("exportFurther", QString(option).arg(file));
+    EXPECT_FALSE(waitForPreview()) << option;
+    EXPECT_TRUE(reason().contains("file")) << reason().toStdString();
+    EXPECT_FALSE(in<QPushButton>("exportWrite").isEnabled());
+    EXPECT_EQ(bytesOf(file), "before");
+  }
+}
+
+TEST_F(ExportDialogTest, TheNumberOfThreadsCanBeTyped) {
+  openDialog(ExportKind::Table);
+  enter("exportFurther", "--threads 2");
+  EXPECT_TRUE(waitForPreview()) << reason().toStdString();
+}
+
+TEST_F(ExportDialogTest, WhatWritesNoFileIsNoExport) {
+  openDialog(ExportKind::Table);
+  enter("exportFurther", "--help");
+  EXPECT_FALSE(waitForPreview());
+  EXPECT_TRUE(reason().contains("no file")) << reason().toStdString();
+  dialog_->setFile(folder_.filePath("curve.csv"));
+  dialog_->write();
+  ASSERT_TRUE(waitFor([&] { return dialog_->form().isEnabled(); }));
+  EXPECT_TRUE(exports_->isEmpty());
+  EXPECT_TRUE(dialog_->isVisible());
+}
+
 TEST_F(ExportDialogTest, AFilmHasTheBytesOfItsCommand) {
   openDialog(ExportKind::Film);
   choose("exportContent", "contact");

@@ -39,6 +39,11 @@ constexpr int kSteps = 1000;           // of the progress bar
 constexpr qint64 kTableBytes = 16000;  // of a table that are shown
 const QString kFolder = QStringLiteral("export/folder");
 
+/// Returns why a call failed that ended well: "--help" among the other options writes nothing.
+QString noFileText() {
+  return ExportDialog::tr("The program has written no file.");
+}
+
 /// Returns the beginning of a table, up to the end of a line.
 QString firstLines(QFile& table) {
   QByteArray text = table.read(kTableBytes);
@@ -92,6 +97,7 @@ ExportDialog::ExportDialog(Subject subject, ExportKind kind, const QString& prog
   connect(writing_, &CommandRun::done, this, [this] {
     showRunning(false);
     const QString written = file();
+    if (!QFileInfo::exists(written)) return showFailure(noFileText());
     emit exported(written);
     QDialog::accept();
   });
@@ -294,9 +300,9 @@ void ExportDialog::requestPreview() {
   previewNote_ = notes.join(' ');
   previewFile_ = folder_.filePath(QStringLiteral("preview_%1%2").arg(++number_).arg(extension));
   previewFigure_ = request.kind == ExportKind::Figure ? request.content : QString();
+  if (!form_->isTyped("--threads")) request.further += {"--threads", "1"};
   previews_->run(
-      exportWords(subject_.origin, subject_.scene, request, subject_.shown, previewFile_) +
-          QStringList{"--threads", "1"},
+      exportWords(subject_.origin, subject_.scene, request, subject_.shown, previewFile_),
       folder_.path());
 }
 
@@ -317,6 +323,7 @@ void ExportDialog::refuse(const QString& reason) {
 }
 
 void ExportDialog::takePreview() {
+  if (!QFileInfo::exists(previewFile_)) return refuse(noFileText());
   showFailure({});
   QFile made(previewFile_);
   if (!previewFigure_.isEmpty()) {
