@@ -51,6 +51,12 @@ class MaterialImportTest : public MainWindowTest {
     QTest::keyClick(&entry, Qt::Key_Return);
   }
   const Scene& scene() { return window_.document().scene(); }
+  QString writeTable(const QString& name, const QByteArray& text) {
+    QFile file(folder_.filePath(name));
+    EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(text);
+    return file.fileName();
+  }
 
   QTemporaryDir folder_;
   QPointer<MaterialImport> page_;
@@ -133,11 +139,7 @@ TEST_F(MaterialImportTest, WhatCannotBeWrittenThereIsWrittenElsewhere) {
 
 /// A user mends the table in another program while the page says what is wrong with it.
 TEST_F(MaterialImportTest, AMendedFileIsReadAgain) {
-  const QString file = folder_.filePath("own.csv");
-  QFile table(file);
-  ASSERT_TRUE(table.open(QIODevice::WriteOnly));
-  table.write("frequency [Hz],G' [MPa],G'' [MPa]\n1,2,0.2\n");
-  table.close();
+  const QString file = writeTable("own.csv", "frequency [Hz],G' [MPa],G'' [MPa]\n1,2,0.2\n");
   openPage(file);
   ASSERT_TRUE(waitForPage());
   EXPECT_FALSE(page_->isReady());
@@ -148,11 +150,7 @@ TEST_F(MaterialImportTest, AMendedFileIsReadAgain) {
 }
 
 TEST_F(MaterialImportTest, SaysWhatIsWrongWithAFile) {
-  QFile file(folder_.filePath("one.csv"));
-  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
-  file.write("frequency [Hz],G' [MPa],G'' [MPa]\n1,2,0.2\n");
-  file.close();
-  openPage(file.fileName());
+  openPage(writeTable("one.csv", "frequency [Hz],G' [MPa],G'' [MPa]\n1,2,0.2\n"));
   ASSERT_TRUE(waitForPage());
   EXPECT_FALSE(page_->isReady());
   EXPECT_FALSE(page_->errorText().isEmpty());
@@ -161,11 +159,7 @@ TEST_F(MaterialImportTest, SaysWhatIsWrongWithAFile) {
 
 /// Core speaks of options of the command; the page names its own controls.
 TEST_F(MaterialImportTest, AComplaintNamesTheControlThatHelps) {
-  QFile file(folder_.filePath("parts.csv"));
-  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
-  file.write("tau (s),g\n0.001,0.3\n0.1,0.2\n");
-  file.close();
-  openPage(file.fileName());
+  openPage(writeTable("parts.csv", "tau (s),g\n0.001,0.3\n0.1,0.2\n"));
   ASSERT_TRUE(waitForPage());
   EXPECT_FALSE(page_->isReady());
   EXPECT_TRUE(page_->errorText().contains("instantaneous modulus G₀”"))
