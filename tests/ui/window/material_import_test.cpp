@@ -21,6 +21,7 @@
 #include "tests/ui/window/main_window_fixture.h"
 #include "ui/window/figures/diagram_view.h"
 #include "ui/window/import/import_commands.h"
+#include "ui/window/import/surface_import.h"
 #include "ui/window/main/scene_tabs.h"
 
 namespace asperity {
@@ -135,6 +136,20 @@ TEST_F(MaterialImportTest, WhatCannotBeWrittenThereIsWrittenElsewhere) {
   accept.click();
   EXPECT_TRUE(waitFor([&] { return page_.isNull(); }));
   EXPECT_TRUE(QFile::exists(folder_.filePath("own.json")));
+}
+
+TEST_F(MaterialImportTest, TheTabKeyComesToTheButtonsLast) {
+  const auto placeOf = [](const QWidget& page, const QWidget& control) {
+    int place = 0;
+    for (const QWidget* one = &page; one != &control; one = one->nextInFocusChain()) ++place;
+    return place;
+  };
+  openPage();
+  EXPECT_LT(placeOf(*page_, inPage<QLineEdit>("dmaSource")),
+            placeOf(*page_, inPage<QPushButton>("importCancel")));
+  SurfaceImport& surface = window_.imports().openSurface(kMeasurements);
+  EXPECT_LT(placeOf(surface, *surface.panel().findChildren<ValueEntry*>().constLast()),
+            placeOf(surface, *surface.findChild<QPushButton*>("importCancel")));
 }
 
 /// A user mends the table in another program while the page says what is wrong with it.

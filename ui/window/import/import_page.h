@@ -41,7 +41,8 @@ class ImportPage : public QDialog {
   QHBoxLayout& halves() { return *halves_; }  // for the widgets at the right
   const QString& file() const { return file_; }
 
-  /// Begins again with the present choices; begin() of the derived class follows.
+  /// Begins again with the present choices; begin() of the derived class follows. Its constructor
+  /// ends with the first call.
   void restart();
   virtual void begin() = 0;
   void showProgress(double part);
@@ -57,6 +58,7 @@ class ImportPage : public QDialog {
 
  private:
   enum class State { Reading, Shown, Wrong, Stopped };
+  void addFoot(QVBoxLayout& page);
   void setState(State state);
   void pressStop();
   void showBeginning();
