@@ -144,6 +144,19 @@ TEST_F(LessonsTest, AButtonIsPressedByReturnThoughItIsNotTheOneThatLeadsOn) {
   EXPECT_FALSE(lessons().results().find(0)->given.isGiven());
 }
 
+/// Where the focus goes with a step, a screen reader says what the step asks or tells.
+TEST_F(LessonsTest, AListenerHearsTheQuestionWithTheFirstAnswer) {
+  Json json = sampleLesson();
+  json["steps"].push_back({{"text", "All is *said*."}});
+  lessons().start(lessonOf(json));
+  EXPECT_EQ(control<QRadioButton>("lessonChoice:0").accessibleDescription(), "Twice as fast?");
+  EXPECT_EQ(control<QRadioButton>("lessonChoice:1").accessibleDescription(), "");
+  lessons().player().show(1);
+  EXPECT_EQ(control<QLineEdit>("lessonNumber").accessibleDescription(), "Indentation?");
+  lessons().player().show(2);
+  EXPECT_TRUE(button("lessonNext").accessibleDescription().startsWith("All is said."));
+}
+
 TEST_F(LessonsTest, TheTabKeyGoesFromTheQuestionToTheAnswerAndOn) {
   ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
   lessons().start(lessonOf(sampleLesson()), 1);

@@ -33,6 +33,11 @@ class FootButton : public QPushButton {
   QSize minimumSizeHint() const override { return sizeHint(); }
 };
 
+/// Returns HTML as a screen reader says it.
+QString spoken(const QString& html) {
+  return QTextDocumentFragment::fromHtml(html).toPlainText();
+}
+
 }  // namespace
 
 LessonPane::LessonPane(QWidget* parent) : QWidget(parent) {
@@ -141,8 +146,9 @@ void LessonPane::showStep(const LessonPage& page) {
     reveal = richText(step.reveal, *step.prediction, *page.answer, *page.given) + page.remark;
   }
   fill(*verdict_, verdict);
-  // The focus moves to the button; its description gives the right answer to screen readers.
-  next_->setAccessibleDescription(QTextDocumentFragment::fromHtml(verdict + reveal).toPlainText());
+  // The focus moves to the button; its description gives the right answer to screen readers, or the
+  // text of a step that asks nothing.
+  next_->setAccessibleDescription(spoken(step.prediction ? verdict + reveal : text_->text()));
   fill(*reveal_, reveal);
   showButtons();
   isRevealed_ = page.answer != nullptr;
@@ -194,8 +200,12 @@ void LessonPane::setInput(AnswerInput* input) {
     if (next_->isEnabled()) next_->click();
   });
   inputLayout_->addWidget(input);
+  const QWidgetList controls = input->controls();
+  // The focus moves to the first one, beyond the question.
+  if (!controls.isEmpty())
+    controls.constFirst()->setAccessibleDescription(spoken(question_->text()));
   QWidget* before = question_;
-  for (QWidget* control : input->controls()) {
+  for (QWidget* control : controls) {
     setTabOrder(before, control);
     before = control;
   }
