@@ -2975,6 +2975,14 @@
         <translation>ist ein Ordner; nötig ist ein Dateiname</translation>
     </message>
     <message>
+        <source>is not a folder and cannot be made one</source>
+        <translation>ist kein Ordner und lässt sich nicht anlegen</translation>
+    </message>
+    <message>
+        <source>is what is read, and would be replaced</source>
+        <translation>ist die gelesene Datei und würde ersetzt</translation>
+    </message>
+    <message>
         <source>is not a plain file and would be replaced</source>
         <translation>ist keine gewöhnliche Datei und würde ersetzt</translation>
     </message>
