@@ -147,8 +147,31 @@ TextColumn parts(std::string_view name, std::string_view unit) {
   while (!name.empty() &&
          (name.back() == '_' || name.back() == ',' || name.back() == ' ' || name.back() == '/'))
     name.remove_suffix(1);
-  if (name.ends_with(" in")) name.remove_suffix(3);  // "v in m/s"
+  if (name.ends_with(" in") || name.ends_with("_in")) name.remove_suffix(3);  // "v in m/s"
   return {std::string(trimmedField(name)), std::string(trimmedBlanks(unit))};
+}
+
+/// Names without special letters, as data frames have them, spell a quotient: "v_mm_s", "v_mm_s-1"
+/// and "v_mm_per_s" are in mm/s, "p_N_mm2" in N/mm2, "eta_Pa_s" in Pa s. Empty where a name has
+/// none.
+std::optional<TextColumn> splitSpelledUnit(std::string_view text) {
+  const auto takeWord = [&text] {
+    const std::size_t at = text.find_last_of("_ ");
+    if (at == text.npos) return std::string_view();
+    const std::string_view word = text.substr(at + 1);
+    text = text.substr(0, at);
+    return word;
+  };
+  const std::string_view divisor = takeWord();
+  std::string_view dividend = takeWord();
+  if (dividend == "per") dividend = takeWord();
+  if (dividend.empty() || text.empty()) return {};
+  const bool isViscosity = lowerCase(dividend).ends_with("pa");
+  const bool isInverse = divisor.ends_with("-1");
+  const std::string unit =
+      fmt::format("{}{}{}", dividend, isViscosity || isInverse ? " " : "/", divisor);
+  if (!findUnit(unit)) return {};
+  return parts(text, unit);
 }
 
 /// Returns the same of a name with a unit behind a stroke or a blank; a power of ten in front of
@@ -244,6 +267,8 @@ TextColumn parseColumnName(std::string_view text) {
     if (at > 0 &&
         (isKnownUnit(text.substr(at + 1)) || isFahrenheit(text.substr(0, at), text.substr(at + 1))))
       return parts(text.substr(0, at), text.substr(at + 1));
+
+  if (auto spelled = splitSpelledUnit(text)) return std::move(*spelled);
 
   // Behind a comma, " in ", a blank or "_".
   for (const std::string_view between : {", "sv, ","sv, " in "sv, " "sv, "_"sv}) {

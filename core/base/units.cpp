@@ -79,6 +79,7 @@ constexpr std::array kOthers{
     OtherUnit{"sec", {"s"}},
     OtherUnit{"min", {"s", 0, 60}},
     OtherUnit{"h", {"s", 0, 3600}},
+    OtherUnit{"mps", {"m/s"}},
     OtherUnit{"km/h kmh kph", {"m/s", 0, 1 / 3.6}},
     OtherUnit{"mph", {"m/s", 0, 0.44704}},
     OtherUnit{"in/s", {"m/s", 0, 0.0254}},

@@ -67,8 +67,9 @@ class FrictionRoleFinder {
     if (!roles_.find(Quantity::Mu) && roles_.find(Quantity::Force)) findFrictionForce();
     for (const Quantity needed : {Quantity::Velocity, Quantity::Mu})
       if (!roles_.find(needed))
-        refuse(message("has no column of the {}; its columns are {}", Message(meaningOf(needed)),
-                       Message::name(namesOfColumns())));
+        refuse(message("has no column of the {}; its columns are {}; name it as in \"{}\"",
+                       Message(meaningOf(needed)), Message::name(namesOfColumns()),
+                       needed == Quantity::Mu ? "mu" : "v (m/s)"));
     if (roles_.find(Quantity::Force) && roles_.find(Quantity::Pressure))
       refuse("has both a normal force and a nominal pressure; one of them says the load");
   }

@@ -327,8 +327,8 @@
         <translation>hat %1 Zeile mit Zahlen; mindestens 2 werden gebraucht</translation>
     </message>
     <message>
-        <source>has no column of the %1; its columns are %2</source>
-        <translation>hat keine Spalte mit %1; die Spalten sind %2</translation>
+        <source>has no column of the %1; its columns are %2; name it as in "%3"</source>
+        <translation>hat keine Spalte mit %1; die Spalten sind %2; nennen Sie sie wie in „%3“</translation>
     </message>
     <message>
         <source>has the velocity of row %1, %2 m/s; average repeated measurements and give their error as mu_error, or tell them apart by a label</source>

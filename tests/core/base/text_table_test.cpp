@@ -191,6 +191,18 @@ TEST(TextTable, FindsUnitsInNames) {
   expect("v_m/s", "v", "m/s");
   expect("T [\u00B0C]", "T", "\u00B0C");
   expect("omega (rad/s)", "omega", "rad/s");
+  // Names without special letters spell quotients and products.
+  expect("velocity_m_s", "velocity", "m/s");
+  expect("sliding_speed_mm_s", "sliding_speed", "mm/s");
+  expect("v_mm_per_s", "v", "mm/s");
+  expect("v km per h", "v", "km/h");
+  expect("v_mm_s-1", "v", "mm s-1");
+  expect("v_in_mm_min", "v", "mm/min");
+  expect("v_mps", "v", "mps");
+  expect("omega_rad_s", "omega", "rad/s");
+  expect("p_N_mm2", "p", "N/mm2");
+  expect("eta_MPa_s", "eta", "MPa s");
+  expect("storage_modulus_MPa_mean", "storage_modulus_MPa_mean", "");
   expect("Height (1e-6 m)", "Height", "1e-6 m");
   for (const char* between : {" / ", "/", " in ", ", ", " "}) {
     expect(std::string("v") + between + "10^-3 m/s", "v", "10^-3 m/s");
