@@ -159,6 +159,7 @@ class Fitting {
                   "{:.3g} for {} degrees of freedom; the errors of the values are computed from "
                   "errors of the points that are {:.2g} times as large",
                   fit_.chiSquared, fit_.freedom, fit_.errorScale));
+    noteOutlier();
     // These notes tell how the tables were understood.
     for (const FrictionData& table : data_)
       for (const Message& note : table.notes)
@@ -202,6 +203,33 @@ class Fitting {
     }
     if (!fit_.hasConverged)
       fit_.notes.emplace_back("the fit ended before the sum of squares stopped falling");
+  }
+
+  /// Names the point that alone makes most of the sum of squares: it pulls all values towards
+  /// itself, and its deviation is many times that of the others.
+  void noteOutlier() {
+    constexpr double kShare = 0.5, kTimesTheOthers = 4;
+    if (!fit_.hasFoundPoints || fit_.freedom < 3) return;
+    double largest = 0, sum = 0;
+    std::size_t at = 0;
+    for (std::size_t i = 0; i < objective_.size(); ++i) {
+      const double distance =
+          (fit_.computed[i].mu - objective_.point(i).mu) / objective_.deviation(i);
+      sum += distance * distance;
+      if (distance * distance <= largest) continue;
+      largest = distance * distance;
+      at = i;
+    }
+    const double others = (sum - largest) / static_cast<double>(fit_.freedom - 1);
+    const bool isExpected = objective_.hasErrors() && !fit_.missesPoints;
+    if (isExpected || largest < kShare * sum ||
+        largest < kTimesTheOthers * kTimesTheOthers * others)
+      return;
+    const MeasuredPoint& point = objective_.point(at);
+    fit_.notes.push_back(message(
+        "one point makes {:.2g} % of the sum of squares: at {:.3g} m/s friction is measured "
+        "as {:.3g} and computed as {:.3g}; check it, because it moves all values",
+        100 * largest / sum, point.velocity, point.mu, fit_.computed[at].mu));
   }
 
   /// Returns whether points are shifted in temperature by constants that are only defaults.

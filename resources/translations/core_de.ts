@@ -259,6 +259,10 @@
         <translation>die Punkte liegen weiter von der Kurve, als ihre Fehler sagen: Chi-Quadrat ist %1 bei %2 Freiheitsgraden; die Fehler der Werte sind aus %3-mal so großen Fehlern der Punkte berechnet</translation>
     </message>
     <message>
+        <source>one point makes %1 % of the sum of squares: at %2 m/s friction is measured as %3 and computed as %4; check it, because it moves all values</source>
+        <translation>ein Punkt macht %1 % der Quadratsumme aus: bei %2 m/s ist die Reibung als %3 gemessen und als %4 berechnet; prüfen Sie ihn, denn er verschiebt alle Werte</translation>
+    </message>
+    <message>
         <source>the fit has not found the points: computed and measured friction differ by more than a factor of two on average, and the values and their errors say nothing; begin from other values, or vary further ones</source>
         <translation>die Anpassung hat die Punkte nicht gefunden: berechnete und gemessene Reibung unterscheiden sich im Mittel um mehr als den Faktor zwei, und die Werte und ihre Fehler sagen nichts; mit anderen Werten beginnen oder weitere verändern</translation>
     </message>

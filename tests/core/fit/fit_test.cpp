@@ -125,6 +125,23 @@ TEST(Fit, RegionsOneToFourDetermineAllThree) {
   EXPECT_LT(errorOfModulus, std::log(2.0));
 }
 
+TEST(Fit, NamesAPointThatMovesAllValues) {
+  const Scene scene = start(16, 3);
+  const std::vector<VariedParameter> height{{"surface.rms_height", scene}};
+  const auto isNamed = [&](const FrictionData& data) {
+    const Fit fit = fitFriction(scene, {&data, 1}, height, withoutProfiles());
+    return std::ranges::any_of(fit.notes, [](const Message& note) {
+      return note.english().starts_with("one point makes");
+    });
+  };
+  FrictionData data = noisy(exactFriction(truth(), 1e-4, 0.3), 5);
+  EXPECT_FALSE(isNamed(data));
+  data.points[data.points.size() / 2].mu *= 3;
+  EXPECT_TRUE(isNamed(data));
+  for (MeasuredPoint& point : data.points) point.muError = kNotApplicable;
+  EXPECT_TRUE(isNamed(data));
+}
+
 TEST(Fit, SaysThatAParameterIsNotDetermined) {
   const FrictionData data = noisy(exactFriction(truth(), 1e-4, 0.3), 5);
   const Scene scene = start(50, 3);

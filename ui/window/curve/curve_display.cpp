@@ -24,7 +24,7 @@ namespace asperity {
 
 namespace {
 
-constexpr int kPause = 80;  // ms; painting a diagram takes as long as several pictures
+constexpr int kDiagramPause = 80;  // ms; painting a diagram takes as long as several pictures
 constexpr int kDigits = 3, kFineDigits = 5;  // digits of a value that the user sets
 constexpr int kFade = 30;  // ms to wait for a new curve before the old one is drawn faded
 
@@ -80,7 +80,7 @@ void CurveDisplay::show() {
     view_.fit();
   }
   view_.setSheet(session_.friction().sheet());
-  pause_.start(kPause);
+  pause_.start(kDiagramPause);
 }
 
 void CurveDisplay::showMarker() {

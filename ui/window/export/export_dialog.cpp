@@ -29,7 +29,7 @@ namespace asperity {
 
 namespace {
 
-constexpr int kPause = 250;            // ms without a change before the preview is requested
+constexpr int kPreviewPause = 250;     // ms without a change before the preview is requested
 constexpr double kPreview = 640;       // largest width or height of a preview, pixels
 constexpr double kMin = 160;           // smallest side of a picture that a command draws
 constexpr double kMinDensity = 24;     // smallest density, pixels per inch
@@ -83,7 +83,7 @@ ExportDialog::ExportDialog(Subject subject, ExportKind kind, const QString& prog
   write_->setDefault(true);  // which takes a dialog around it
 
   quiet_->setSingleShot(true);
-  quiet_->setInterval(kPause);
+  quiet_->setInterval(kPreviewPause);
   connect(quiet_, &QTimer::timeout, this, &ExportDialog::requestPreview);
   connect(form_, &ExportForm::changed, this, &ExportDialog::requestChanged);
   connect(file_, &QLineEdit::textEdited, this, &ExportDialog::fileChanged);

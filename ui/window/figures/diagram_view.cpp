@@ -25,8 +25,8 @@ namespace asperity {
 
 namespace {
 
-constexpr int kPause = 400;        // ms between two pictures
-constexpr float kMinText = 0.85F;  // views are low, which would make their texts small
+constexpr int kPicturePause = 400;  // ms between two pictures
+constexpr float kMinText = 0.85F;   // views are low, which would make their texts small
 
 DiagramSheet sheetOf(const DiagramView::Maker& maker) {
   try {
@@ -65,7 +65,7 @@ DiagramSheet readableSheet(DiagramSheet sheet, const DiagramOptions& options) {
 DiagramView::DiagramView(QWidget* parent) : QWidget(parent), pause_(new QTimer(this)) {
   setAttribute(Qt::WA_OpaquePaintEvent);
   pause_->setSingleShot(true);
-  pause_->setInterval(kPause);
+  pause_->setInterval(kPicturePause);
   connect(pause_, &QTimer::timeout, this, [this] {
     if (isDue_) request();
   });

@@ -29,7 +29,7 @@ namespace asperity {
 namespace {
 
 constexpr int kPoints = 64;              // along each side
-constexpr int kPause = 40;               // ms between two pictures
+constexpr int kMapPause = 40;            // ms between two pictures
 constexpr double kSectionHeight = 0.42;  // height of the cut over that of the map
 constexpr int kDigits = 3;               // of a value that the cross sets
 constexpr int kErrorShare = 3;           // of the row; each list has 1
@@ -108,7 +108,7 @@ MapPanel::MapPanel(QWidget* parent)
       view_(named<MapView>("mapView")) {
   setObjectName("mapPanel");
   save_->setEnabled(false);  // until there is a map
-  view_->setPause(kPause);
+  view_->setPause(kMapPause);
   for (QComboBox* box : {x_, y_, quantity_}) box->setMaximumWidth(kWidestList);
   auto* row = new QHBoxLayout;
   row->setContentsMargins(8, 4, 8, 0);
