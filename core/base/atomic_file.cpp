@@ -162,6 +162,13 @@ void checkWritable(const fs::path& file) {
     throw InputError(file.string(), "", message("folder {} cannot be written to", folder.string()));
 }
 
+void checkReplacesNone(const fs::path& file, std::span<const fs::path> inputs) {
+  std::error_code ignored;  // a missing file counts as an empty one
+  for (const fs::path& input : inputs)
+    if (fs::equivalent(file, input, ignored))
+      throw InputError(file.string(), "", "is what is read, and would be replaced");
+}
+
 AtomicFile::AtomicFile(const fs::path& file) {
   checkWritable(file);
   target_ = targetOf(file);

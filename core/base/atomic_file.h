@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -12,6 +13,11 @@ namespace asperity {
 /// folder, an existing object that is not a plain file, or a link to a missing file. Call it before
 /// long work.
 void checkWritable(const std::filesystem::path& file);
+
+/// Throws InputError (file, "", why) where the file is one of those that are read, which writing
+/// would replace.
+void checkReplacesNone(const std::filesystem::path& file,
+                       std::span<const std::filesystem::path> inputs);
 
 /// A file without a name in the folder of the final one. If the process is killed it leaves nothing
 /// behind, except at the moment of replacing a file, when it has a hidden name. Where the file

@@ -10,6 +10,7 @@
 #include <set>
 #include <system_error>
 
+#include "core/base/text_cell.h"
 #include "core/base/text_number.h"
 
 namespace asperity {
@@ -45,11 +46,13 @@ constexpr std::size_t kStretch = std::size_t{1} << 15, kMostLines = 200;
 /// Lines from the beginning, the end and three parts in between.
 struct Sample {
   Lines lines;
+  bool readsCells = false;      // numbers may have errors and units
   std::size_t ofBeginning = 0;  // number of consecutive lines from the first one on
 };
 
-Sample sampleOf(std::string_view text) {
+Sample sampleOf(std::string_view text, bool readsCells) {
   Sample sample;
+  sample.readsCells = readsCells;
   const auto take = [&sample, text](std::string_view rest) {
     const std::size_t whole = rest.size();
     const std::size_t most = text.size() <= kStretch ? text.size() : kMostLines;
@@ -68,6 +71,16 @@ Sample sampleOf(std::string_view text) {
   return sample;
 }
 
+/// Splits a line into fields; those with errors or units are left with their numbers alone.
+void splitNumbers(std::string_view line, const TextDialect& dialect, bool readsCells,
+                  std::vector<std::string_view>& fields) {
+  splitRow(line, dialect, fields);
+  if (!readsCells) return;
+  if (!dialect.isExact()) joinCells(fields);
+  for (std::string_view& field : fields)
+    if (const auto cell = readCell(field, dialect.decimal)) field = cell->digits;
+}
+
 /// The quality of a dialect for the lines of a sample.
 struct Fit {
   double score = 0;           // lines that are rows of numbers; those of another width count less
@@ -77,7 +90,8 @@ struct Fit {
   std::size_t withTexts = 0;  // of these, with a field that is no number
 };
 
-Fit fitOf(const Lines& lines, const TextDialect& dialect) {
+Fit fitOf(const Sample& sample, const TextDialect& dialect) {
+  const Lines& lines = sample.lines;
   std::vector<std::string_view> fields;
   std::map<std::size_t, double> ofColumns;  // sum of the scores for each number of fields
   Fit fit;
@@ -85,7 +99,7 @@ Fit fitOf(const Lines& lines, const TextDialect& dialect) {
   double sum = 0;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (trimmedBlanks(lines[i]).empty() || isComment(lines[i])) continue;
-    splitRow(lines[i], dialect, fields);
+    splitNumbers(lines[i], dialect, sample.readsCells, fields);
     while (fields.size() > 1 && trimmedBlanks(fields.back()).empty()) fields.pop_back();
     std::size_t numbers = 0, texts = 0;
     bool isGrouped = false;
@@ -228,14 +242,15 @@ enum class Mark { Decimal, Unclear, Thousands };
 /// Returns the meaning of the marks in the numbers. Where each mark has exactly three digits behind
 /// it, it may separate thousands. It does where numbers below a thousand have no mark: some of so
 /// many decimals would end with a zero, which programs omit where whole numbers have no mark.
-Mark meaningOf(const Lines& lines, const TextDialect& dialect, const Fit& fit,
+Mark meaningOf(const Sample& sample, const TextDialect& dialect, const Fit& fit,
                std::size_t someMarked = 3) {
+  const Lines& lines = sample.lines;
   constexpr std::size_t kManyMarked = 50, kManyWhole = 3;
   std::vector<MarkedNumbers> columns(fit.columns);
   std::vector<std::string_view> fields;
   for (std::size_t i = fit.firstRow; i < lines.size(); ++i) {
     if (isComment(lines[i])) continue;
-    splitRow(lines[i], dialect, fields);
+    splitNumbers(lines[i], dialect, sample.readsCells, fields);
     if (fields.size() != columns.size()) continue;
     for (std::size_t j = 0; j < columns.size(); ++j)
       if (readField(fields[j], dialect.decimal).kind == FieldKind::Number &&
@@ -259,11 +274,11 @@ TextDialect withRightMark(const Sample& sample, const TextDialect& dialect, cons
   if (separatorCharacter(dialect.separator) == ',' && !isQuoted) return dialect;
   TextDialect other = dialect;
   other.decimal = dialect.decimal == '.' ? ',' : '.';
-  const Fit otherFit = fitOf(sample.lines, other);
+  const Fit otherFit = fitOf(sample, other);
   if (otherFit.rows >= fit.rows && otherFit.withTexts < fit.withTexts) return other;
   // A quoted comma amid commas is a mark of thousands, unless some number shows that it is not.
-  if (isQuoted && meaningOf(sample.lines, dialect, fit, 1) != Mark::Decimal) return other;
-  const Mark mark = meaningOf(sample.lines, dialect, fit);
+  if (isQuoted && meaningOf(sample, dialect, fit, 1) != Mark::Decimal) return other;
+  const Mark mark = meaningOf(sample, dialect, fit);
   TextDialect right = mark == Mark::Thousands ? other : dialect;
   right.isUnclear = mark != Mark::Decimal;
   return right;
@@ -335,8 +350,8 @@ void splitRow(std::string_view line, const TextDialect& dialect,
   if (hasTexts()) splitFields(line, dialect.separator, fields);  // a label such as "tread #2"
 }
 
-TextDialect detectDialect(std::string_view text) {
-  const Sample sample = sampleOf(text);
+TextDialect detectDialect(std::string_view text, bool readsCells) {
+  const Sample sample = sampleOf(text, readsCells);
   // The first one of equal fits is taken.
   constexpr std::array<TextDialect, 11> kCandidates{{{Separator::Semicolon, '.'},
                                                      {Separator::Semicolon, ','},
@@ -352,7 +367,7 @@ TextDialect detectDialect(std::string_view text) {
   TextDialect best;
   Fit bestFit;
   for (const TextDialect& candidate : kCandidates) {
-    const Fit fit = fitOf(sample.lines, candidate);
+    const Fit fit = fitOf(sample, candidate);
     if (candidate.isExact() && fit.columns < 2) continue;
     // In "1,5, 2,5" each column has two of the fields that every comma makes.
     const bool halves = candidate.separator == Separator::CommaBlank &&
@@ -379,7 +394,7 @@ TextDialect detectDialect(std::string_view text) {
         static_cast<std::size_t>(std::ranges::count_if(sample.lines, hasPoint));
     if (2 * points < sample.lines.size()) {
       best = ofWholeNumbers(sample, bestFit);
-      bestFit = fitOf(sample.lines, best);
+      bestFit = fitOf(sample, best);
     }
   }
   return withRightMark(sample, best, bestFit);

@@ -29,8 +29,9 @@ struct TextDialect {
 };
 
 /// Returns the dialect in which most lines of the text are rows of equally many numbers. Of a long
-/// text only some parts are examined.
-TextDialect detectDialect(std::string_view text);
+/// text only some parts are examined. readsCells: whether numbers may have errors and units in
+/// their cells.
+TextDialect detectDialect(std::string_view text, bool readsCells = false);
 
 /// Replaces `fields` by those of one line; separators within double quotes, which begin with the
 /// field, do not count. The fields still have their blanks and quotes.

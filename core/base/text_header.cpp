@@ -7,6 +7,7 @@
 #include <iterator>
 #include <numeric>
 
+#include "core/base/power_of_ten.h"
 #include "core/base/text.h"
 #include "core/base/text_number.h"
 #include "core/base/units.h"
@@ -146,8 +147,43 @@ TextColumn parts(std::string_view name, std::string_view unit) {
   while (!name.empty() &&
          (name.back() == '_' || name.back() == ',' || name.back() == ' ' || name.back() == '/'))
     name.remove_suffix(1);
-  if (name.ends_with(" in")) name.remove_suffix(3);  // "v in m/s"
+  if (name.ends_with(" in") || name.ends_with("_in")) name.remove_suffix(3);  // "v in m/s"
   return {std::string(trimmedField(name)), std::string(trimmedBlanks(unit))};
+}
+
+/// Names without special letters, as data frames have them, spell a quotient: "v_mm_s", "v_mm_s-1"
+/// and "v_mm_per_s" are in mm/s, "p_N_mm2" in N/mm2, "eta_Pa_s" in Pa s. Empty where a name has
+/// none.
+std::optional<TextColumn> splitSpelledUnit(std::string_view text) {
+  const auto takeWord = [&text] {
+    const std::size_t at = text.find_last_of("_ ");
+    if (at == text.npos) return std::string_view();
+    const std::string_view word = text.substr(at + 1);
+    text = text.substr(0, at);
+    return word;
+  };
+  const std::string_view divisor = takeWord();
+  std::string_view dividend = takeWord();
+  if (dividend == "per") dividend = takeWord();
+  if (dividend.empty() || text.empty()) return {};
+  const bool isViscosity = lowerCase(dividend).ends_with("pa");
+  const bool isInverse = divisor.ends_with("-1");
+  const std::string unit =
+      fmt::format("{}{}{}", dividend, isViscosity || isInverse ? " " : "/", divisor);
+  if (!findUnit(unit)) return {};
+  return parts(text, unit);
+}
+
+/// Returns the same of a name with a unit behind a stroke or a blank; a power of ten in front of
+/// the unit belongs to it: "v / 10^-3 m/s".
+TextColumn scaledParts(std::string_view name, std::string_view unit) {
+  const std::string_view front = trimmedBlanks(name);
+  const std::size_t at = front.find_last_of(" /_");
+  const std::size_t begin = at == front.npos ? 0 : at + 1;
+  const std::string_view word = front.substr(begin);
+  if (begin == 0 || word.empty() || !isDigit(word.front()) || !isWrittenPower(word))
+    return parts(name, unit);
+  return parts(front.substr(0, begin), fmt::format("{} {}", word, trimmedBlanks(unit)));
 }
 
 /// Splits at tabs and at runs of at least two blanks.
@@ -224,13 +260,15 @@ TextColumn parseColumnName(std::string_view text) {
   if (const std::size_t at = text.find_last_of("_ ");
       at != std::string_view::npos && at > 0 && text.find('/', at) != std::string_view::npos &&
       isUnitWord(text.substr(at + 1)))
-    return parts(text.substr(0, at), text.substr(at + 1));
+    return scaledParts(text.substr(0, at), text.substr(at + 1));
 
   // The unit may be behind a stroke, which may also be part of it: "v / m/s".
   for (std::size_t at = 0; (at = text.find('/', at)) != std::string_view::npos; ++at)
     if (at > 0 &&
         (isKnownUnit(text.substr(at + 1)) || isFahrenheit(text.substr(0, at), text.substr(at + 1))))
       return parts(text.substr(0, at), text.substr(at + 1));
+
+  if (auto spelled = splitSpelledUnit(text)) return std::move(*spelled);
 
   // Behind a comma, " in ", a blank or "_".
   for (const std::string_view between : {", "sv, ","sv, " in "sv, " "sv, "_"sv}) {
@@ -240,7 +278,7 @@ TextColumn parseColumnName(std::string_view text) {
     const bool isLoose = between == " " || between == "_";
     if (isFahrenheit(text.substr(0, at), unit)) return parts(text.substr(0, at), unit);
     if (isUnitWord(unit) && (!isLoose || suitsLetter(text.substr(0, at), unit)))
-      return parts(text.substr(0, at), unit);
+      return scaledParts(text.substr(0, at), unit);
   }
   return {std::string(text), {}};
 }

@@ -107,6 +107,7 @@ class TableReader {
     if (!readPlainRow(line.text, table_.dialect, row_)) return false;
     if (!above_.empty() && !goesOn()) return false;  // begins a block, the slow way
     hasNumbers_.assign(row_.size(), true);
+    cells_.clear();
     addRow(line);
     return true;
   }
@@ -124,6 +125,13 @@ class TableReader {
     if (count_ + row_.size() > kMostNumbers)
       fail(message("has more than {} numbers", kMostNumbers));
     count_ += row_.size();
+    for (std::size_t i = 0; i < block().cells.size(); ++i) {
+      std::vector<TextCell>& cells = block().cells[i];
+      const bool isThere = isCell(i) && !block().columns[i].isText;
+      if (!isThere && cells.empty()) continue;
+      cells.resize(block().rows);
+      cells.push_back(isThere ? cells_[i] : TextCell{});
+    }
     block().values.insert(block().values.end(), row_.begin(), row_.end());
     block().lines.push_back(static_cast<std::uint32_t>(line.number));
     ++block().rows;
@@ -135,15 +143,35 @@ class TableReader {
       splitFields(line, table_.dialect.separator, fields);
     else
       splitRow(line, table_.dialect, fields);
+    if (options_.readsCells && !table_.dialect.isExact()) joinCells(fields);
   }
 
-  /// Fills fields_ and kinds_.
+  /// Fills fields_, kinds_ and cells_.
   void readRow(std::string_view line) {
     split(line, fields_);
     kinds_.clear();
-    for (const std::string_view field : fields_)
-      kinds_.push_back(readField(field, table_.dialect.decimal));
+    cells_.clear();
+    for (const std::string_view field : fields_) {
+      TextCell rest;
+      kinds_.push_back(read(field, &rest));
+      if (rest.text.empty()) continue;
+      cells_.resize(fields_.size());
+      cells_[kinds_.size() - 1] = std::move(rest);
+    }
   }
+
+  /// Reads a field; rest: set where it is more than a number.
+  Field read(std::string_view text, TextCell* rest = nullptr) const {
+    const Field field = readField(text, table_.dialect.decimal);
+    if (field.kind != FieldKind::Text || !options_.readsCells) return field;
+    auto cell = readCell(text, table_.dialect.decimal);
+    if (!cell) return field;
+    if (rest != nullptr) *rest = std::move(cell->rest);
+    return {FieldKind::Number, cell->number};
+  }
+
+  /// Returns whether a field of the row is more than a number.
+  bool isCell(std::size_t i) const { return i < cells_.size() && !cells_[i].text.empty(); }
 
   std::size_t countOf(FieldKind kind) const {
     return static_cast<std::size_t>(
@@ -185,13 +213,30 @@ class TableReader {
       if (fields.size() != columns.size()) return false;
       bool anyNumber = false;
       for (std::size_t i = 0; i < fields.size(); ++i) {
-        const FieldKind kind = readField(fields[i], table_.dialect.decimal).kind;
+        const FieldKind kind = read(fields[i]).kind;
         if (kind == FieldKind::Text && !columns[i].isText && hasNumbers_[i]) return false;
         anyNumber = anyNumber || kind == FieldKind::Number;
       }
       return anyNumber;
     }
     return false;
+  }
+
+  /// Returns whether the next line has numbers and texts where this one has them; values may be
+  /// missing.
+  bool nextLineIsAlike() const {
+    std::string_view rest = rest_;
+    const std::string_view line = takeLine(rest);
+    std::vector<std::string_view> fields;
+    split(line, fields);
+    if (fields.size() != fields_.size()) return false;
+    bool anyNumber = false;
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      const FieldKind kind = read(fields[i]).kind;
+      anyNumber = anyNumber || kind == FieldKind::Number;
+      if (kind != kinds_[i].kind && kind != FieldKind::Missing) return false;
+    }
+    return anyNumber;
   }
 
   /// Returns whether a field is a number or looks like one; "1. Ra" in a list does not.
@@ -233,6 +278,15 @@ class TableReader {
                      shortened(trimmedField(fields_[i])), i + 1));
   }
 
+  /// Turns a column without plain numbers so far into one of texts.
+  void keepAsTexts(std::size_t column) {
+    block().columns[column].isText = true;
+    std::vector<std::string>& texts = block().texts[column];
+    for (const TextCell& cell : block().cells[column]) texts.push_back(cell.text);
+    texts.resize(block().rows);
+    block().cells[column].clear();
+  }
+
   void append(const TextLine& line) {
     if (!above_.empty() && !goesOn()) return start(line);
     const std::size_t columns = block().columns.size();
@@ -241,10 +295,10 @@ class TableReader {
       const bool isThere = i < fields_.size();
       if (isThere && kinds_[i].kind == FieldKind::Text && options_.keepsTexts &&
           !block().columns[i].isText) {
-        block().columns[i].isText = hasTexts_ = true;
-        block().texts[i].assign(block().rows, {});
+        keepAsTexts(i);
+        hasTexts_ = true;
       }
-      if (isThere && kinds_[i].kind == FieldKind::Number) hasNumbers_[i] = true;
+      if (isThere && kinds_[i].kind == FieldKind::Number && !isCell(i)) hasNumbers_[i] = true;
       if (block().columns[i].isText)
         block().texts[i].emplace_back(isThere ? trimmedField(fields_[i]) : std::string_view{});
       else if (isThere && kinds_[i].kind != FieldKind::Text)
@@ -307,7 +361,13 @@ class TableReader {
   /// Returns whether the fields can be the first row of a block.
   bool startsBlock(const TextLine& line) {
     if (countOf(FieldKind::Number) == 0) return false;
-    if (countOf(FieldKind::Text) == 0) return true;
+    if (countOf(FieldKind::Text) == 0 && cells_.empty()) return true;
+    // "Load; 30 N" states something of the rows below.
+    constexpr std::size_t kFewestCells = 2;
+    const auto cells = static_cast<std::size_t>(
+        std::ranges::count_if(cells_, [](const TextCell& cell) { return !cell.text.empty(); }));
+    if (countOf(FieldKind::Number) == cells && (cells < kFewestCells || !nextLineIsAlike()))
+      return false;
     if (!options_.keepsTexts || keyEnd(line.text) != std::string_view::npos) return false;
     const auto named = namedColumns(above_, table_.dialect, kinds_);
     return std::ranges::none_of(named,
@@ -341,6 +401,7 @@ class TableReader {
     TextBlock fresh;
     fresh.columns = namedColumns(above_, table_.dialect, kinds_);
     fresh.texts.resize(fields_.size());
+    fresh.cells.resize(fields_.size());
     hasTexts_ = false;
     for (std::size_t i = 0; i < fields_.size(); ++i) {
       TextColumn& column = fresh.columns[i];
@@ -378,6 +439,7 @@ class TableReader {
   std::vector<TextLine> above_;   // lines since the last row
   std::vector<std::string_view> fields_;
   std::vector<Field> kinds_;
+  std::vector<TextCell> cells_;  // of the row; empty where it has numbers alone
   std::vector<double> row_;
   std::vector<std::size_t> flags_;  // indices in the last block's values of words such as "valid"
   std::size_t blankLines_ = 0;      // since the last row
@@ -418,7 +480,7 @@ TextTable readTextTable(std::string_view bytes, const std::string& name,
   TextTable table;
   const DecodedText decoded(bytes, name);
   table.encoding = decoded.encoding;
-  table.dialect = detectDialect(decoded.text);
+  table.dialect = detectDialect(decoded.text, options.readsCells);
   TableReader(decoded.text, name, options, table).read();
   return table;
 }
@@ -432,7 +494,7 @@ void undoLogarithms(TextTable& table, const std::function<bool(const std::string
       const std::string name = lowerCase(column.name);
       const auto* const found = std::ranges::find_if(
           kLogarithms, [&](const auto& logarithm) { return name.starts_with(logarithm.first); });
-      if (found == std::end(kLogarithms) || column.isText) continue;
+      if (found == std::end(kLogarithms) || column.isText || !block.cells[i].empty()) continue;
       std::string_view rest = std::string_view(column.name).substr(found->first.size());
       rest = trimmedBlanks(rest.substr(std::min(rest.find_first_not_of("_ "), rest.size())));
       const TextColumn inner = parseColumnName(withoutBrackets(rest));

@@ -7,11 +7,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/base/message.h"
+#include "core/base/text_cell.h"
 #include "core/base/text_dialect.h"
 
 namespace asperity {
@@ -20,6 +22,7 @@ struct TextColumn {
   std::string name{};   // without the unit; empty where the file has no names
   std::string unit{};   // as written ("\u00B5m", "rad/s"), from the name or from a row of units
   bool isText = false;  // labels, in TextBlock::texts
+  std::optional<std::size_t> errorsOf{};  // the column in whose cells the numbers stand as errors
 };
 
 /// A line that is not a row of numbers: "key: value", "key = value", "key;value", "# key: value".
@@ -35,8 +38,10 @@ struct TextBlock {
   std::size_t rows = 0;
   std::vector<double> values{};                   // rows x columns, row by row; NaN where missing
   std::vector<std::vector<std::string>> texts{};  // of each column; empty where it has numbers
-  std::vector<TextEntry> header{};                // the lines between the block before and this one
-  std::vector<std::uint32_t> lines{};             // of each row, counted from 1
+  /// Errors and units of each column that has some in its cells (TextTableOptions::readsCells).
+  std::vector<std::vector<TextCell>> cells{};
+  std::vector<TextEntry> header{};     // the lines between the block before and this one
+  std::vector<std::uint32_t> lines{};  // of each row, counted from 1
 
   double at(std::size_t row, std::size_t column) const {
     return values[row * columns.size() + column];
@@ -68,6 +73,9 @@ struct TextTableOptions {
   bool keepsTexts = false;
   /// The names (in lower case) of columns that are texts even where they look like numbers: labels.
   std::vector<std::string> textColumns{};
+  /// Whether numbers may have errors and units in their cells. A row of such cells alone begins a
+  /// block only below names, and above another one.
+  bool readsCells = false;
   /// Whether a blank line between the numbers of a single column is a row without a value, as
   /// spreadsheets write it, unless such a line follows every row.
   bool blankLinesAreGaps = false;

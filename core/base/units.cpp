@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "core/base/number_text.h"
+#include "core/base/power_of_ten.h"
 #include "core/base/text.h"
 #include "core/base/text_number.h"
 
@@ -78,6 +79,7 @@ constexpr std::array kOthers{
     OtherUnit{"sec", {"s"}},
     OtherUnit{"min", {"s", 0, 60}},
     OtherUnit{"h", {"s", 0, 3600}},
+    OtherUnit{"mps", {"m/s"}},
     OtherUnit{"km/h kmh kph", {"m/s", 0, 1 / 3.6}},
     OtherUnit{"mph", {"m/s", 0, 0.44704}},
     OtherUnit{"in/s", {"m/s", 0, 0.0254}},
@@ -253,6 +255,14 @@ bool isFemto(std::string_view name) {
 std::optional<Unit> unitInAnyCase(std::string_view name, std::string_view si) {
   if (isFemto(name)) return {};
   if (const auto exact = findUnit(name, si)) return exact;
+  if (const auto power = powerOfTenIn(name); power && power->isWritten && si.empty())
+    return Unit{si, power->exponent};
+  if (const auto scaled = scaledUnit(name); scaled && scaled->power.isWritten) {
+    auto unit = unitInAnyCase(scaled->unit, si);
+    if (!unit || unit->offset != 0) return {};
+    unit->exponent += scaled->power.exponent;
+    return unit;
+  }
   const std::string text = lowerCase(usualSpelling(name));
   for (const OtherUnit& one : kOthers)
     for (const std::string_view known : one.names)
@@ -348,63 +358,13 @@ std::optional<double> namedLength(std::string_view unit) {
   return {};
 }
 
-/// Reads a power of ten: "1e-6", "100", "1/100", "10^-6", "\u00D710\u207B\u2076", "x10-6"; empty
-/// where the text is none.
-std::optional<double> powerOfTenIn(std::string_view text) {
-  constexpr std::string_view kTimes = "\u00D7";
-  constexpr std::array kRaised{"\u2070"sv, "\u00B9"sv, "\u00B2"sv, "\u00B3"sv, "\u2074"sv,
-                               "\u2075"sv, "\u2076"sv, "\u2077"sv, "\u2078"sv, "\u2079"sv};
-  text = trimmedBlanks(text);
-  if (text.starts_with(kTimes)) text.remove_prefix(kTimes.size());
-  if (text.starts_with('x') || text.starts_with('*')) text.remove_prefix(1);
-  text = trimmedBlanks(text);
-  if (text.starts_with("1/")) {
-    const auto divisor = powerOfTenIn(text.substr(2));
-    return divisor ? std::optional(1 / *divisor) : std::nullopt;
-  }
-  double number = 0;
-  if (readTextNumber(text, '.', number)) {
-    if (!(number > 0)) return {};
-    // Any other number is a length: "59.00 um" is no unit.
-    const double exponent = std::log10(number);
-    return std::abs(exponent - std::round(exponent)) < 1e-9 ? std::optional(number) : std::nullopt;
-  }
-  if (!text.starts_with("10")) return {};
-  std::string exponent(text.substr(2));
-  for (const auto& [raised, plain] :
-       {std::pair{"\u207B"sv, "-"sv}, {"^"sv, ""sv}, {"\u2212"sv, "-"sv}})
-    replaceAll(exponent, raised, plain);
-  for (std::size_t digit = 0; digit < kRaised.size(); ++digit)
-    replaceAll(exponent, kRaised[digit], std::to_string(digit));
-  constexpr double kLargest = 30;
-  if (!readTextNumber(exponent, '.', number) || std::abs(number) > kLargest) return {};
-  return std::pow(10.0, number);
-}
-
-/// A unit and the power of ten in front of it.
-struct ScaledUnit {
-  double factor = 1;
-  std::string_view unit;
-};
-
-/// Reads "1e-6 m", "10^-9*m", "x 10^3 Pa s". Empty where there is no power of ten in front.
-std::optional<ScaledUnit> scaledUnit(std::string_view text) {
-  constexpr std::string_view kMarks = " *";
-  for (std::size_t at = 0; (at = text.find_first_of(kMarks, at)) != std::string_view::npos; ++at)
-    if (const auto factor = powerOfTenIn(text.substr(0, at))) {
-      const std::size_t unit = std::min(text.find_first_not_of(kMarks, at), text.size());
-      return ScaledUnit{*factor, text.substr(unit)};
-    }
-  return {};
-}
-
 }  // namespace
 
 std::optional<double> unitSize(std::string_view name, std::string_view si) {
   const auto scaled = scaledUnit(name);
   const auto unit = unitInAnyCase(scaled ? scaled->unit : name, si);
   if (!unit || unit->offset != 0) return {};
-  return unit->toSi(1) * (scaled ? scaled->factor : 1);
+  return unit->toSi(1) * (scaled ? scaled->power.value : 1);
 }
 
 bool isUnitWord(std::string_view text) {
@@ -436,7 +396,7 @@ std::optional<double> metresPer(std::string_view unit) {
   if (const auto metres = namedLength(unit)) return metres;
   const auto scaled = scaledUnit(unit);
   const auto metres = scaled ? namedLength(scaled->unit) : std::nullopt;
-  return metres ? std::optional(*metres * scaled->factor) : std::nullopt;
+  return metres ? std::optional(*metres * scaled->power.value) : std::nullopt;
 }
 
 namespace {

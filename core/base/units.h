@@ -21,6 +21,7 @@ struct Unit {
   double size = 1, offset = 0;
 
   double toSi(double number) const;
+  bool operator==(const Unit&) const = default;
 };
 
 /// Returns the unit with this name: an SI unit with a prefix from f to P ("kPa s", "\u00B5m",
@@ -35,6 +36,8 @@ std::optional<Unit> findUnit(std::string_view name, std::string_view si);
 /// Returns the same as instruments write it, in any case where that leaves no doubt: "KHZ", "MPA"
 /// and "mpa" (megapascals, for nobody measures rubber in millipascals), "MS" (milliseconds). "FN"
 /// and "Fn" are no femtonewtons: they are symbols of the normal force.
+/// A power of ten may stand in front, "10^-3 m/s", or alone for a pure number; "100 N" is no unit,
+/// because it may be a load.
 std::optional<Unit> unitInAnyCase(std::string_view name, std::string_view si);
 
 /// Returns how many of the SI unit one of such a unit is, also with a power of ten in front of it:

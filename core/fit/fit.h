@@ -67,13 +67,11 @@ struct Combination {
   double standardError = 0;       // of the sum of exponent times coordinate
 };
 
-struct Fit {
-  Scene scene;  // with the best values
-  std::vector<FittedParameter> parameters;
-  Eigen::MatrixXd correlation;            // of the coordinates
-  std::vector<Combination> combinations;  // best determined first
-  std::vector<ObjectiveProfile> profiles;
-  std::vector<CurvePoint> computed;    // at the measured points
+/// What a minimum says about the errors of the fit.
+struct FitErrors {
+  Eigen::MatrixXd covariance;        // of the coordinates
+  bool isByLines = false;            // the scatter of the lines is the larger part of some variance
+  std::vector<CurvePoint> computed;  // at the measured points
   std::vector<double> computedErrors;  // of those means, by the scatter of the lines
   std::vector<double> bandErrors;      // of the computed friction, by the errors of the parameters
   double chiSquared = 0;
@@ -81,14 +79,22 @@ struct Fit {
   /// The factor by which the errors of the points are scaled: 1 where they hold. Without errors
   /// theirs are 100 %, and this is the relative scatter.
   double errorScale = 1;
-  std::int64_t freedom = 0;  // points minus parameters
-  bool hasConverged = false;
   /// Whether the points are further from the curve than their errors and the scatter of the lines
   /// allow.
   bool missesPoints = false;
   /// false: friction differs from the points by more than a factor of two (root mean square of its
   /// logarithm), so that values and errors belong to no useful minimum.
   bool hasFoundPoints = true;
+};
+
+struct Fit : FitErrors {
+  Scene scene;  // with the best values
+  std::vector<FittedParameter> parameters;
+  Eigen::MatrixXd correlation;            // of the coordinates
+  std::vector<Combination> combinations;  // best determined first
+  std::vector<ObjectiveProfile> profiles;
+  std::int64_t freedom = 0;  // points minus parameters
+  bool hasConverged = false;
   int evaluations = 0;
   std::vector<Message> notes;
 };

@@ -88,7 +88,13 @@ class Residuals : public ceres::CostFunction {
 
 Objective::Objective(const Scene& scene, std::span<const FrictionData> data,
                      std::span<const VariedParameter> parameters, const FitOptions& options)
-    : scene_(scene), fixed_(scene), parameters_(parameters), options_(options) {
+    : scene_(scene),
+      fixed_(scene),
+      parameters_(parameters),
+      options_(options),
+      hasErrors_(std::ranges::any_of(data, &FrictionData::hasErrors)),
+      all_(parameters.size()) {
+  std::iota(all_.begin(), all_.end(), 0);
   fixResolution(fixed_);
   for (const FrictionData& set : data)
     for (const MeasuredPoint& point : set.points) points_.push_back(point);
@@ -230,6 +236,10 @@ Minimum minimize(const Objective& objective, const VectorXd& start, const std::v
   minimum.chiSquared = 2 * summary.final_cost;
   minimum.hasConverged = summary.termination_type == ceres::CONVERGENCE;
   return minimum;
+}
+
+Minimum atCoordinates(const Objective& objective, const VectorXd& coordinates) {
+  return {coordinates, objective.chiSquared(objective.evaluate(coordinates, {})), true};
 }
 
 }  // namespace asperity

@@ -1,11 +1,13 @@
 // The objective of a fit: the scene at the measured points for any values of its parameters, the
 // residuals of its friction, and the minimum of the sum of their squares (the method of Levenberg
-// and Marquardt, Ceres Solver). It is a part of core/fit/fit.cpp.
+// and Marquardt, Ceres Solver). The files fit*.cpp share it.
 // Failure: InputError for states that cannot slide, StopRequested where the computation was
 // stopped.
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
+#include <numbers>
 #include <span>
 #include <vector>
 
@@ -14,6 +16,9 @@
 #include "core/fit/friction_data.h"
 
 namespace asperity {
+
+/// A fit that is further from the points in the logarithm than a factor of two has not found them.
+inline constexpr double kFarFromPoints = std::numbers::ln2;
 
 class Objective {
  public:
@@ -26,6 +31,14 @@ class Objective {
   const MeasuredPoint& point(std::size_t i) const { return points_[i]; }
   double deviation(std::size_t i) const { return deviations_[i]; }
   int evaluations() const { return evaluations_; }
+  /// Returns whether the points have errors of their own.
+  bool hasErrors() const { return hasErrors_; }
+  /// Returns the number of points minus that of parameters.
+  std::int64_t freedom() const {
+    return static_cast<std::int64_t>(points_.size()) - static_cast<std::int64_t>(all_.size());
+  }
+  /// Returns the indices of all parameters.
+  const std::vector<int>& all() const { return all_; }
   const std::stop_token& stop() const { return options_.stop; }
 
   Scene sceneAt(const Eigen::VectorXd& coordinates) const { return at(scene_, coordinates); }
@@ -65,6 +78,8 @@ class Objective {
   Scene fixed_;  // with its resolution stated
   std::span<const VariedParameter> parameters_;
   const FitOptions& options_;
+  bool hasErrors_;
+  std::vector<int> all_;
   std::vector<MeasuredPoint> points_;
   std::vector<std::vector<bool>> isStated_;  // [parameter][point]
   std::vector<double> deviations_;           // of each point; without errors 100 %
@@ -77,11 +92,17 @@ struct Minimum {
   bool hasConverged = false;
 };
 
+/// Returns the sum of squares at some coordinates.
+Minimum atCoordinates(const Objective& objective, const Eigen::VectorXd& coordinates);
+
 /// The residuals that are squared and summed: the differences or, for an initial guess that is far
 /// away, ln(computed / measured friction) over the point's relative error. Friction is close to a
 /// product of powers of the parameters, so steps of logarithms converge from decades away, where
 /// steps of differences exceed all limits.
 enum class Distance { Difference, Logarithm };
+
+/// The steps of a minimization from a start that may be far away.
+inline constexpr int kFitIterations = 60;
 
 /// Minimizes the sum of squares over the free parameters; the others are held fixed.
 Minimum minimize(const Objective& objective, const Eigen::VectorXd& start,

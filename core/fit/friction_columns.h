@@ -80,12 +80,4 @@ std::vector<std::string> nameWords(std::string text);
 /// Returns words in the order in which they stand: "velocity (mm/s) mu" has three.
 std::vector<std::string> blankSeparated(std::string_view text);
 
-/// Gives names to columns whose line of names has blanks within the names as well, "velocity (mm/s)
-/// mu normal force (mN)", of which the line nearest to the numbers is taken. Separates units such
-/// as "(% of mu)" from the names.
-void prepareColumns(TextBlock& block);
-
-/// Returns whether some words of the line name a quantity.
-bool namesQuantity(const std::string& line);
-
 }  // namespace asperity

@@ -1,6 +1,6 @@
 // Measured coefficients of friction from a table of a user: columns of velocity and mu and, where
 // present, of their errors, the normal force or the nominal pressure, the temperature and a label.
-// The columns are recognized by name and unit.
+// The columns are recognized by name and unit (friction_columns.h, friction_roles.h).
 // Pure; any thread. Failure: InputError that names the file and the row.
 #pragma once
 
@@ -14,8 +14,6 @@
 #include "core/scene/scene.h"
 
 namespace asperity {
-
-struct TextTable;
 
 /// One row of the table. A value that the table does not have is NaN: the scene's own value
 /// applies.
@@ -42,13 +40,15 @@ struct FrictionData {
 /// Read a table of at least two rows. The columns need names unless there are two (velocity and mu)
 /// or three (with the error of mu). Units: those of SI with their usual prefixes; km/h; % for
 /// errors (of mu: percentage points where mu is in %, else a share); degrees Celsius or Fahrenheit
-/// if stated. Lines above the table, such as "Temperature: 5 C", hold for all points where no
-/// column says otherwise. label: replaces the file's name.
+/// if stated. Cells may have units of their own, and those of mu its standard error. Lines above
+/// the table, such as "Temperature: 5 C", hold for all points where no column says otherwise.
+/// label: replaces the file's name.
 FrictionData readFrictionData(const std::filesystem::path& file, const std::string& label = {});
 FrictionData parseFrictionData(std::string_view bytes, const std::string& name);
 
-/// Returns whether the table has named columns of a velocity and of a coefficient of friction.
-bool isFrictionTable(const TextTable& table);
+/// Returns whether a text has a table with named columns of a velocity and of a coefficient of
+/// friction.
+bool isFrictionTable(std::string_view bytes);
 
 /// Returns the scene at a measured point: in steady sliding at its velocity, with the force,
 /// pressure and temperature of the table.

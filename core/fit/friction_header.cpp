@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/base/input_error.h"
 #include "core/base/text.h"
 #include "core/base/text_dialect.h"
 #include "core/base/text_header.h"
@@ -32,6 +33,32 @@ bool isFiller(const std::string& word) {
                  "approximately about ca circa etwa ungef\u00E4hr");
 }
 
+/// Returns whether a statement with these words is about the hardness of the rubber.
+bool isOfHardness(const std::vector<std::string>& words) {
+  return !words.empty() && beginsWithOneOf(words.front(), "hardness h\u00E4rte haerte shore irhd");
+}
+
+/// Returns whether a text states the stress of the rubber at a strain: "Stress at 100 %: 3 MPa",
+/// "Spannung bei 100 % Dehnung: 3 MPa". "50 % of the load" is none.
+bool isStressAtStrain(std::string_view text) {
+  const std::size_t percent = text.find('%');
+  if (percent == text.npos) return false;
+  std::vector<std::string> front = wordsIn(text.substr(0, percent));
+  if (front.size() < 2 || !isDigit(front.back().front())) return false;
+  front.pop_back();
+  const std::string_view rest = text.substr(percent + 1);
+  const auto behind = wordsIn(rest.substr(0, rest.find_first_of(":=0123456789")));
+  return hasOneOf(front, "stress spannung spannungswert zugspannung") &&
+         std::ranges::all_of(
+             front,
+             [](const std::string& word) {
+               return isOneOf(word, "stress tensile spannung spannungswert zugspannung at bei");
+             }) &&
+         std::ranges::all_of(behind, [](const std::string& word) {
+           return isOneOf(word, "strain elongation extension dehnung");
+         });
+}
+
 /// Returns whether a text names a thing whose load or temperature is not that of the contact.
 bool namesOther(std::string_view text) {
   std::vector<std::string> words = wordsIn(text);
@@ -39,10 +66,12 @@ bool namesOther(std::string_view text) {
   constexpr WordList kOtherThings(
       "track road air water oil storage store aged ageing aging vulc cure curing tg glass cell "
       "sensor supply pneum tire tyre inflat preload vorlast tensile tear strength young hardness "
-      "rebound resil r\u00FCckprall elongation bruchdehn m50 m100 m200 m300 ref tref "
+      "rebound resil r\u00FCckprall elongation bruchdehn m50 m100 m200 m300 s100 s200 s300 "
+      "\u03C3100 \u03C3200 \u03C3300 h\u00E4rte haerte ref tref "
       "strecke fahrbahn luft wasser \u00F6l lager gealtert alter vulk glas zugfest reifen "
       "f\u00FCll umgebung");
-  return isOtherLoad(words) || std::ranges::any_of(words, [&](const std::string& word) {
+  return isOtherLoad(words) || isOfHardness(words) || isStressAtStrain(text) ||
+         std::ranges::any_of(words, [&](const std::string& word) {
            return beginsWithOneOf(word, kOtherThings) || containsOneOf(word, "aufnehmer modul");
          });
 }
@@ -222,6 +251,36 @@ std::optional<HeaderStatement> readStatement(std::string_view clause, HeaderMark
   return statement;
 }
 
+/// Reads "Tested at 23 \u00B0C", a sentence that says nothing but the temperature of the test.
+std::optional<HeaderStatement> readSentence(std::string_view clause, HeaderMark mark) {
+  constexpr WordList kOfTest(
+      "test tests tested testing measured measurement measurements experiment friction versuch "
+      "versuche messung messungen gemessen pr\u00FCfung pruefung gepr\u00FCft geprueft reibung "
+      "reibversuch reibungsmessung");
+  const std::size_t begin = std::min(findNumber(clause), clause.size());
+  std::vector<std::string> words = wordsIn(clause.substr(0, begin));
+  if (words.size() < 2 || !isOneOf(words.back(), "at bei")) return {};
+  words.pop_back();
+  const auto isOfTest = [&](const std::string& word) { return isOneOf(word, kOfTest); };
+  const auto value = readValue(clause.substr(begin), mark);
+  if (!std::ranges::all_of(words, isOfTest) || !value || value->isUnclear || !value->remark.empty())
+    return {};
+  const auto unit = unitOfQuantity(value->unit, FrictionQuantity::Temperature);
+  if (!unit) return {};
+  HeaderStatement statement;
+  statement.quantity = statement.candidate = FrictionQuantity::Temperature;
+  statement.value = unit->toSi(value->number);
+  statement.number = value->number;
+  statement.isSentence = true;
+  return statement;
+}
+
+/// Returns whether a clause is a temperature alone.
+bool isBareTemperature(std::string_view clause, HeaderMark mark) {
+  const auto value = readValue(clause, mark);
+  return value && value->remark.empty() && measures(value->unit, FrictionQuantity::Temperature);
+}
+
 /// Splits a clause where a second statement begins without a comma: "p = 0.2 MPa T = 23 C",
 /// "Load 30 N / T 23 C".
 std::vector<std::string_view> splitStatements(std::string_view clause) {
@@ -252,8 +311,8 @@ bool isRoomTemperature(std::string_view text) {
          containsOneOf(plainWord(text), "roomtemperature raumtemperatur zimmertemperatur");
 }
 
-}  // namespace
-
+/// Returns the loads and temperatures that a line states, also those that are not understood but
+/// have a unit of such a quantity.
 std::vector<HeaderStatement> readStatements(const TextEntry& entry, HeaderMark mark) {
   const std::string line = lineOf(entry), asWritten = lineOf(entry, ": ");
   const auto complete = [&entry](HeaderStatement statement, std::string text) {
@@ -275,6 +334,9 @@ std::vector<HeaderStatement> readStatements(const TextEntry& entry, HeaderMark m
   for (const std::string_view clause : clausesOf(separated))
     std::ranges::copy(splitStatements(clause), std::back_inserter(clauses));
   std::vector<HeaderStatement> statements;
+  // "Hardness: 60 Shore A, 23 \u00B0C"
+  const bool isHardness = clauses.size() == 2 && isOfHardness(wordsIn(clauses.front())) &&
+                          isBareTemperature(clauses.back(), mark);
   for (const std::string_view clause : clauses) {
     // "Load: 30 N; 60 N" states two loads.
     if (const auto value = readValue(clause, mark); value && !statements.empty()) {
@@ -282,15 +344,79 @@ std::vector<HeaderStatement> readStatements(const TextEntry& entry, HeaderMark m
       if (before.quantity && measures(value->unit, *before.quantity)) before.quantity.reset();
     }
     const std::string text = clauses.size() == 1 ? asWritten : std::string(clause);
-    if (const auto statement = readStatement(clause, mark))
+    const std::size_t before = statements.size();
+    if (const auto sentence = readSentence(clause, mark))
+      statements.push_back(complete(*sentence, text));
+    else if (const auto statement = readStatement(clause, mark))
       statements.push_back(complete(*statement, text));
     else if (const auto quantity = findLoadUnit(clause))
       statements.push_back(complete({.candidate = quantity}, text));
     else if (isRoomTemperature(clause))
       statements.push_back(complete({.candidate = FrictionQuantity::Temperature}, text));
+    if (isHardness && statements.size() > before) statements.back().candidate.reset();
   }
   if (statements.empty() && whole) statements.push_back(complete(*whole, asWritten));
   return statements;
+}
+
+/// Throws InputError for a load or temperature above the table that is not understood and may be
+/// the one meant, unless another line or column gives it.
+void refuseUnclear(const HeaderStatement& one, const std::vector<HeaderStatement>& common,
+                   const std::function<bool(FrictionQuantity)>& isGiven, const std::string& name) {
+  if (one.quantity || !one.candidate || isGiven(*one.candidate)) return;
+  const bool isTemperature = one.candidate == FrictionQuantity::Temperature;
+  for (const HeaderStatement& other : common)
+    if ((other.quantity == FrictionQuantity::Temperature) == isTemperature) return;
+  struct WayOut {
+    FrictionQuantity quantity;
+    const char *example, *key;
+  };
+  constexpr WayOut kWaysOut[] = {
+      {FrictionQuantity::Temperature, "Temperature: 23 \u00B0C", "elastomer.temperature"},
+      {FrictionQuantity::Pressure, "Nominal pressure: 0.2 MPa", "load.nominal_pressure"},
+      {FrictionQuantity::Force, "Normal force: 30 N", "load.normal_force"}};
+  const auto& [quantity, example, key] =
+      *std::ranges::find(kWaysOut, *one.candidate, &WayOut::quantity);
+  throw InputError(
+      name, "",
+      message("line {}: '{}' may state the {}, but is not understood; write it as in \"{}\", or "
+              "take the line out and set {}",
+              one.line, shortened(one.text), Message(meaningOf(quantity)), example, key));
+}
+
+}  // namespace
+
+HeaderStatements readHeader(const std::vector<TextEntry>& header, HeaderMark mark,
+                            const std::function<bool(FrictionQuantity)>& isGiven,
+                            const std::string& name) {
+  HeaderStatements read;
+  std::vector<HeaderStatement> possible;
+  for (const TextEntry& entry : header)
+    for (HeaderStatement& statement : readStatements(entry, mark)) {
+      const bool isCommon = statement.quantity && !isGiven(*statement.quantity);
+      (isCommon ? possible : read.unused).push_back(std::move(statement));
+    }
+  const auto saysLoad = [](const HeaderStatement& one) {
+    return one.quantity != FrictionQuantity::Temperature;
+  };
+  // Two values of one quantity, or a force and a pressure, leave open which one is meant.
+  const auto isDoubtful = [&](const HeaderStatement& one) {
+    return !(one.value > 0) || std::ranges::any_of(possible, [&](const HeaderStatement& other) {
+      return one.quantity == other.quantity ? one.value != other.value
+                                            : saysLoad(one) && saysLoad(other);
+    });
+  };
+  for (const HeaderStatement& one : possible) {
+    (isDoubtful(one) ? read.unused : read.common).push_back(one);
+    // A sentence that is contradicted is not understood.
+    if (isDoubtful(one) && one.isSentence) read.unused.back().quantity.reset();
+  }
+  read.hasTwoLoads = std::ranges::count_if(possible, [&](const HeaderStatement& one) {
+                       return saysLoad(one) && isDoubtful(one);
+                     }) > 1;
+  std::ranges::stable_sort(read.unused, {}, &HeaderStatement::line);
+  for (const HeaderStatement& one : read.unused) refuseUnclear(one, read.common, isGiven, name);
+  return read;
 }
 
 }  // namespace asperity

@@ -1,8 +1,10 @@
 // What the lines above a table of measured friction state of all its points ("Load = 30 N,
-// T = 23 °C"), in English and German. Pure functions; any thread.
+// T = 23 °C"), in English and German.
+// Pure functions; any thread. Failure: InputError that names the file and the line.
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,10 +31,21 @@ struct HeaderStatement {
   /// The load or temperature that may be meant where it is not understood; nothing where the line
   /// names another thing, such as the air.
   std::optional<FrictionQuantity> candidate{};
+  bool isSentence = false;  // "Tested at 23 °C", which has no name of the quantity
 };
 
-/// Returns the loads and temperatures that a line states, also those that are not understood but
-/// have a unit of such a quantity.
-std::vector<HeaderStatement> readStatements(const TextEntry& entry, HeaderMark mark);
+/// What the lines above a table state.
+struct HeaderStatements {
+  std::vector<HeaderStatement> common{};  // of all points
+  std::vector<HeaderStatement> unused{};  // not understood, doubtful, or given by a column
+  bool hasTwoLoads = false;               // several loads are stated, so that none counts
+};
+
+/// Reads all lines above a table. isGiven: whether a column gives a quantity. name: of the file.
+/// Throws InputError for a load or temperature that is not understood and may be the one meant,
+/// unless another line or a column gives it.
+HeaderStatements readHeader(const std::vector<TextEntry>& header, HeaderMark mark,
+                            const std::function<bool(FrictionQuantity)>& isGiven,
+                            const std::string& name);
 
 }  // namespace asperity

@@ -52,6 +52,8 @@ LessonNumber computeLessonValue(const Scene& scene, const LessonValue& value,
 
 /// Computes the right answer of a step that has a prediction, and the values of its texts.
 LessonAnswer lessonAnswer(const LessonStep& step, const CurveOptions& options = {});
+/// This function, or another one in tests.
+using AnswerFunction = std::function<LessonAnswer(const LessonStep&, const CurveOptions&)>;
 
 /// Returns the right choice, counted from 0. Where a number decides, it is the choice whose range
 /// contains `number`. Throws InputError where no range does.

@@ -1162,6 +1162,10 @@
 <context>
     <name>asperity::ExportDialog</name>
     <message>
+        <source>The program has written no file.</source>
+        <translation>Das Programm hat keine Datei geschrieben.</translation>
+    </message>
+    <message>
         <source>Export</source>
         <translation>Exportieren</translation>
     </message>
@@ -1248,6 +1252,10 @@
 </context>
 <context>
     <name>asperity::ExportForm</name>
+    <message>
+        <source>%1: the name of the file belongs into its own line.</source>
+        <translation>%1: Der Dateiname gehört in seine eigene Zeile.</translation>
+    </message>
     <message>
         <source>&amp;Kind</source>
         <translation>&amp;Art</translation>
@@ -1737,6 +1745,10 @@
 </context>
 <context>
     <name>asperity::FitPage</name>
+    <message>
+        <source>values and notes of the fit</source>
+        <translation>Werte und Hinweise der Anpassung</translation>
+    </message>
     <message>
         <source>Folder of the report</source>
         <translation>Ordner des Berichts</translation>
@@ -2484,6 +2496,10 @@
 <context>
     <name>asperity::LessonList</name>
     <message>
+        <source>about the lesson</source>
+        <translation>über die Lektion</translation>
+    </message>
+    <message>
         <source>Lessons</source>
         <translation>Lektionen</translation>
     </message>
@@ -3217,6 +3233,10 @@
 <context>
     <name>asperity::MaterialImport</name>
     <message>
+        <source>summary of the material</source>
+        <translation>Zusammenfassung des Materials</translation>
+    </message>
+    <message>
         <source>Save material</source>
         <translation>Material speichern</translation>
     </message>
@@ -3884,8 +3904,8 @@
         <translation>Schreiben Sie {answer}, wo die berechnete oder die richtige Antwort stehen soll, und {given}, wo die der Lernenden stehen soll</translation>
     </message>
     <message>
-        <source>{answer}: the computed answer, or the right choice; {given}: that of the student</source>
-        <translation>{answer}: die berechnete oder die richtige Antwort; {given}: die der Lernenden</translation>
+        <source>{answer}: the right answer; {given}: that of the student</source>
+        <translation>{answer}: die richtige Antwort; {given}: die der Lernenden</translation>
     </message>
     <message>
         <source>Tolerance of the place in %</source>
@@ -4564,6 +4584,10 @@
 </context>
 <context>
     <name>asperity::SurfaceImport</name>
+    <message>
+        <source>what is known of the surface</source>
+        <translation>was von der Oberfläche bekannt ist</translation>
+    </message>
     <message>
         <source>raw</source>
         <translation>roh</translation>

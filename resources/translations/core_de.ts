@@ -327,8 +327,8 @@
         <translation>hat %1 Zeile mit Zahlen; mindestens 2 werden gebraucht</translation>
     </message>
     <message>
-        <source>has no column of the %1; its columns are %2</source>
-        <translation>hat keine Spalte mit %1; die Spalten sind %2</translation>
+        <source>has no column of the %1; its columns are %2; name it as in "%3"</source>
+        <translation>hat keine Spalte mit %1; die Spalten sind %2; nennen Sie sie wie in „%3“</translation>
     </message>
     <message>
         <source>has the velocity of row %1, %2 m/s; average repeated measurements and give their error as mu_error, or tell them apart by a label</source>
@@ -2973,6 +2973,14 @@
     <message>
         <source>is a folder; a file name is needed</source>
         <translation>ist ein Ordner; nötig ist ein Dateiname</translation>
+    </message>
+    <message>
+        <source>is not a folder and cannot be made one</source>
+        <translation>ist kein Ordner und lässt sich nicht anlegen</translation>
+    </message>
+    <message>
+        <source>is what is read, and would be replaced</source>
+        <translation>ist die gelesene Datei und würde ersetzt</translation>
     </message>
     <message>
         <source>is not a plain file and would be replaced</source>
@@ -6591,8 +6599,36 @@
         <translation>Zeile %1: &apos;%2&apos; nennt vielleicht %3, wird aber nicht verstanden; wie in &quot;%4&quot; schreiben, oder die Zeile herausnehmen und %5 setzen</translation>
     </message>
     <message>
-        <source>column %1: &apos;%2&apos; is a value with its error; write them in two columns, mu and mu_error</source>
-        <translation>Spalte %1: &apos;%2&apos; ist ein Wert mit seinem Fehler; beide in zwei Spalten schreiben, mu und mu_error</translation>
+        <source>column %1: &apos;%2&apos; is not understood as a value with its error; write both as in &quot;0.31 ± 0.02&quot;, or in two columns, mu and mu_error</source>
+        <translation>Spalte %1: &apos;%2&apos; ist nicht als Wert mit Fehler verständlich; beide wie in &quot;0.31 ± 0.02&quot; oder in zwei Spalten schreiben, mu und mu_error</translation>
+    </message>
+    <message>
+        <source>column %1: has errors in its cells, and %2 gives them, too; keep one of them</source>
+        <translation>Spalte %1: hat Fehler in ihren Zellen, und %2 gibt sie ebenfalls an; nur eines davon behalten</translation>
+    </message>
+    <message>
+        <source>column %1, in its cells: %2</source>
+        <translation>Spalte %1, in ihren Zellen: %2</translation>
+    </message>
+    <message>
+        <source>column %1: the errors in its cells are not used</source>
+        <translation>Spalte %1: Die Fehler in ihren Zellen werden nicht verwendet</translation>
+    </message>
+    <message>
+        <source>column %1: the factor %2 may multiply or divide the numbers; write the coefficients of friction without it</source>
+        <translation>Spalte %1: Der Faktor %2 kann die Zahlen malnehmen oder teilen; die Reibungszahlen ohne ihn schreiben</translation>
+    </message>
+    <message>
+        <source>column %1 has no unit here, and %2 elsewhere</source>
+        <translation>Spalte %1 hat hier keine Einheit und sonst %2</translation>
+    </message>
+    <message>
+        <source>column %1 has the unit %2 here, and %3 elsewhere</source>
+        <translation>Spalte %1 hat hier die Einheit %2 und sonst %3</translation>
+    </message>
+    <message>
+        <source>line %1: &apos;%2&apos; may state the %3, but is not understood; write it as &quot;name: value&quot;, or take the line out</source>
+        <translation>Zeile %1: &apos;%2&apos; nennt vielleicht %3, wird aber nicht verstanden; als &quot;Name: Wert&quot; schreiben oder die Zeile herausnehmen</translation>
     </message>
     <message>
         <source>its square root</source>

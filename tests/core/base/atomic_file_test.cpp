@@ -43,6 +43,16 @@ TEST(AtomicFile, NamesThatCanNeverBeWrittenAreRefusedBeforeAnyWork) {
 
 /// A file size limit stands for a full disk: write fails in the middle. Run in a child process,
 /// because the limit holds for all files of a process.
+TEST(AtomicFile, WhatIsReadIsNotReplacedUnderAnyName) {
+  TemporaryFolder folder;
+  folder.write("read.csv", "1");
+  std::filesystem::create_symlink(folder / "read.csv", folder / "link.csv");
+  const std::vector<std::filesystem::path> inputs{folder / "gone.csv", folder / "read.csv"};
+  for (const char* name : {"read.csv", "link.csv"})
+    EXPECT_THROW(checkReplacesNone(folder / name, inputs), InputError) << name;
+  EXPECT_NO_THROW(checkReplacesNone(folder / "gone.csv", inputs));
+}
+
 TEST(AtomicFile, AFullDiskLeavesTheOldFileAndNoPart) {
   const TemporaryFolder folder;
   const auto file = folder.write("a.csv", "old");

@@ -191,7 +191,26 @@ TEST(TextTable, FindsUnitsInNames) {
   expect("v_m/s", "v", "m/s");
   expect("T [\u00B0C]", "T", "\u00B0C");
   expect("omega (rad/s)", "omega", "rad/s");
+  // Names without special letters spell quotients and products.
+  expect("velocity_m_s", "velocity", "m/s");
+  expect("sliding_speed_mm_s", "sliding_speed", "mm/s");
+  expect("v_mm_per_s", "v", "mm/s");
+  expect("v km per h", "v", "km/h");
+  expect("v_mm_s-1", "v", "mm s-1");
+  expect("v_in_mm_min", "v", "mm/min");
+  expect("v_mps", "v", "mps");
+  expect("omega_rad_s", "omega", "rad/s");
+  expect("p_N_mm2", "p", "N/mm2");
+  expect("eta_MPa_s", "eta", "MPa s");
+  expect("storage_modulus_MPa_mean", "storage_modulus_MPa_mean", "");
   expect("Height (1e-6 m)", "Height", "1e-6 m");
+  for (const char* between : {" / ", "/", " in ", ", ", " "}) {
+    expect(std::string("v") + between + "10^-3 m/s", "v", "10^-3 m/s");
+    expect(std::string("h") + between + "10\u207B\u00B3 mm", "h", "10\u207B\u00B3 mm");
+  }
+  // Such a factor may have multiplied the values, and a number is none.
+  expect("h \u00D7 10^-3 (mm)", "h \u00D7 10^-3", "mm");
+  expect("sample 10 mm", "sample 10", "mm");
   expect("E' (MPa)", "E'", "MPa");
   expect("E_s", "E_s", "");
   expect("Storage modulus (E')", "Storage modulus (E')", "");

@@ -110,6 +110,24 @@ TEST(Units, AreReadInAnyCaseWhereThatLeavesNoDoubt) {
   EXPECT_EQ(size("fm/s", "m/s"), 0);
 }
 
+/// A factor that is written as a power of ten belongs to the unit; "100 N" and "10-20 N" may be a
+/// load or a range.
+TEST(Units, MayHaveAPowerOfTenInFront) {
+  const auto toSi = [](const char* name, const char* si) {
+    const auto unit = unitInAnyCase(name, si);
+    return unit ? unit->toSi(5) : 0;
+  };
+  for (const char* name : {"10^-3 m/s", "1e-3 m/s", "10\u207B\u00B3 m/s",
+                           "\u00D710\u207B\u00B3 m/s", "x 10^-3 m/s", "x10-3 m/s", "10^-3*m/s"})
+    EXPECT_EQ(toSi(name, "m/s"), 5e-3) << name;
+  EXPECT_EQ(toSi("10^3 N", "N"), 5e3);
+  EXPECT_EQ(toSi("10^-3 kN", "N"), 5);
+  EXPECT_EQ(toSi("10^-2", ""), 5e-2);
+  for (const char* name : {"100 N", "10-3 N", "10-20 N", "0.1 N", "1/100 N", "10^-3", "10^3 m"})
+    EXPECT_EQ(toSi(name, "N"), 0) << name;
+  EXPECT_EQ(toSi("10^3 \u00B0C", "K"), 0);
+}
+
 /// Messages name what is read.
 TEST(Units, AreListedFromTheirTable) {
   EXPECT_EQ(unitNames("Pa"),

@@ -56,6 +56,17 @@ bool saysSomewhere(const MeasuredFile& file, const std::string& part) {
 
 // ---- Profiles ----------------------------------------------------------------------------------
 
+/// A power of ten in front of the unit was left to the name, and its factor was lost.
+TEST(TextProfile, ReadsPowersOfTenInUnits) {
+  const std::string body =
+      rows([](int i) { return fmt::format("{};{:.9f}", 2e-3 * i, profileMicrometres(i)); });
+  for (const char* names : {"x (mm);z (10^-3 mm)", "x (mm);z in 10^-3 mm", "x (mm);z / 10^-3 mm",
+                            "x (mm);z 10\u207B\u00B3 mm", "x (mm);z (1e-3 mm)"}) {
+    SCOPED_TRACE(names);
+    expectProfile(read(std::string(names) + "\n" + body));
+  }
+}
+
 TEST(TextProfile, ReadsUnitsWhereverTheyStand) {
   const auto body = [](const std::string& separator, double ofX, double ofZ) {
     return rows([&](int i) {

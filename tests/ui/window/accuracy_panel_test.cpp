@@ -99,6 +99,8 @@ TEST_F(AccuracyPanelTest, TheSliderSetsTheTargetAndTheButtonTakesItAway) {
   EXPECT_EQ(edited.accuracy.targetRelativeError, targetAt(1));
   EXPECT_EQ(edited.accuracy.scheme, Scheme::Cubic);
   EXPECT_TRUE(text("accuracyTarget").startsWith("target:"));
+  // Its value is a position from 0 to 20, which says nothing to a listener.
+  EXPECT_EQ(control<QSlider>("accuracySlider").accessibleDescription(), text("accuracyTarget"));
   QTest::mouseClick(&control<QPushButton>("accuracyFree"), Qt::LeftButton);
   EXPECT_EQ(edited.accuracy.targetRelativeError, 0);
   EXPECT_FALSE(control<QPushButton>("accuracyFree").isEnabled());

@@ -76,6 +76,14 @@ class ExportDialogTest : public MainWindowTest {
   QString reason() { return in<QLabel>("exportFailure").text(); }
   QString command() { return in<QPlainTextEdit>("exportCommand").toPlainText(); }
 
+  /// Returns a file that is there already.
+  QString fileOfBefore(const QString& name) {
+    QFile file(folder_.filePath(name));
+    EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("before");
+    return file.fileName();
+  }
+
   /// Writes the file by the dialog and then, in its place, by the command in a shell.
   void expectSameBytes(const QString& name) {
     SCOPED_TRACE(name.toStdString());
@@ -178,6 +186,37 @@ TEST_F(ExportDialogTest, OtherOptionsReachTheCommand) {
   enter("exportFurther", "--no-such-option");
   EXPECT_FALSE(waitForPreview());
   EXPECT_TRUE(reason().contains("--no-such-option")) << reason().toStdString();
+}
+
+/// A table may have several files: the preview would write this one without a question.
+TEST_F(ExportDialogTest, TheOtherOptionsNameNoFile) {
+  const QString file = fileOfBefore("data.csv");
+  openDialog(ExportKind::Table);
+  for (const char* option : {"-o %1", "--output=%1", "-o%1"}) {
+    enter("exportFurther", QString(option).arg(file));
+    EXPECT_FALSE(waitForPreview()) << option;
+    EXPECT_TRUE(reason().contains("file")) << reason().toStdString();
+    EXPECT_FALSE(in<QPushButton>("exportWrite").isEnabled());
+    EXPECT_EQ(bytesOf(file), "before");
+  }
+}
+
+TEST_F(ExportDialogTest, TheNumberOfThreadsCanBeTyped) {
+  openDialog(ExportKind::Table);
+  enter("exportFurther", "--threads 2");
+  EXPECT_TRUE(waitForPreview()) << reason().toStdString();
+}
+
+TEST_F(ExportDialogTest, WhatWritesNoFileIsNoExport) {
+  openDialog(ExportKind::Table);
+  enter("exportFurther", "--help");
+  EXPECT_FALSE(waitForPreview());
+  EXPECT_TRUE(reason().contains("no file")) << reason().toStdString();
+  dialog_->setFile(folder_.filePath("curve.csv"));
+  dialog_->write();
+  ASSERT_TRUE(waitFor([&] { return !dialog_ || dialog_->form().isEnabled(); }));
+  EXPECT_TRUE(exports_->isEmpty());
+  EXPECT_TRUE(dialog_ && dialog_->isVisible());
 }
 
 TEST_F(ExportDialogTest, AFilmHasTheBytesOfItsCommand) {
@@ -395,18 +434,16 @@ TEST_F(ExportDialogTest, ACancelledExportLeavesTheFileAsItWas) {
   choose("exportContent", "contact");
   choose("exportPreset", "hd");
   enter("exportDuration", "600");
-  const QString file = folder_.filePath("film.webp");
+  const QString file = fileOfBefore("film.webp");
   choose("exportFormat", ".webp");
-  QFile before(file);
-  ASSERT_TRUE(before.open(QIODevice::WriteOnly));
-  before.write("before");
-  before.close();
   dialog_->setFile(file);
   answer(QMessageBox::Yes);
   dialog_->write();
   EXPECT_EQ(asked_, 1);
   QTest::qWait(500);
   EXPECT_FALSE(dialog_->form().isEnabled());
+  EXPECT_FALSE(
+      in<QPushButton>("exportBrowse").isEnabled());  // another name would be told as written
   dialog_->reject();
   ASSERT_TRUE(dialog_);
   EXPECT_TRUE(dialog_->form().isEnabled());
@@ -419,11 +456,7 @@ TEST_F(ExportDialogTest, ACancelledExportLeavesTheFileAsItWas) {
 }
 
 TEST_F(ExportDialogTest, AnExistingFileIsReplacedOnlyAfterAQuestion) {
-  const QString file = folder_.filePath("curve.csv");
-  QFile before(file);
-  ASSERT_TRUE(before.open(QIODevice::WriteOnly));
-  before.write("before");
-  before.close();
+  const QString file = fileOfBefore("curve.csv");
   openDialog(ExportKind::Table);
   dialog_->setFile(file);
   answer(QMessageBox::Cancel);
@@ -574,6 +607,26 @@ TEST_F(ExportDialogTest, AnotherUnitIsTheSameSize) {
   choose("exportUnit", "");
   EXPECT_EQ(in<QLineEdit>("exportWidth").text(), "1219");
   EXPECT_EQ(in<QLineEdit>("exportHeight").text(), "600");
+}
+
+TEST_F(ExportDialogTest, ASizeThatNoWholeNumberHoldsIsRefused) {
+  openDialog(ExportKind::Picture);
+  choose("exportUnit", "mm");
+  enter("exportWidth", "1e300");
+  choose("exportUnit", "");
+  EXPECT_GT(in<QLineEdit>("exportWidth").text().toDouble(), 1e300);
+  EXPECT_TRUE(dialog_->form().errorText().contains("width"))
+      << dialog_->form().errorText().toStdString();
+}
+
+/// An extension alone would be a hidden file of no format.
+TEST_F(ExportDialogTest, AFileWithoutANameKeepsTheProposedOne) {
+  openDialog(ExportKind::Picture);
+  enter("exportFile", " ");
+  choose("exportFormat", ".svg");
+  EXPECT_EQ(in<QLineEdit>("exportFile").text().trimmed(), "");
+  EXPECT_TRUE(dialog_->words().at(dialog_->words().indexOf("-o") + 1).endsWith("/small.svg"))
+      << dialog_->words().join(' ').toStdString();
 }
 
 TEST_F(ExportDialogTest, NoTransparencyIsOfferedToAFormatWithoutIt) {

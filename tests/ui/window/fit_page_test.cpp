@@ -8,6 +8,7 @@
 #include <QElapsedTimer>
 #include <QFile>
 #include <QMenu>
+#include <QPointer>
 #include <QProcess>
 #include <QPushButton>
 #include <QSpinBox>
@@ -181,6 +182,20 @@ TEST_F(FitPageTest, TheReportIsThatOfTheCommand) {
   }
   for (const char* name : {"curve.png", "profiles.png", "fitted.scene.json"})
     EXPECT_TRUE(QFile::exists(QDir(folder).filePath(name))) << name;
+}
+
+/// The disk may be full: nobody would learn it from a page that is gone.
+TEST_F(FitPageTest, ThePageStaysUntilItsReportIsWritten) {
+  QPointer<FitPage> page = &openPage(withData());
+  tick(*page, "surface.rms_height");
+  ASSERT_TRUE(fit(*page));
+  page->setFolderChooser([&](QWidget*, const QString&) { return file_; });
+  button(*page, "fitSave").click();
+  page->close();
+  ASSERT_TRUE(page && page->isVisible());
+  EXPECT_TRUE(waitFor([&] { return page->errorText().contains("mine.csv"); }));
+  page->close();
+  EXPECT_TRUE(waitFor([&] { return page.isNull(); }));
 }
 
 TEST_F(FitPageTest, IsStoppedAtOnceAndBeginsAgain) {

@@ -227,6 +227,28 @@ TEST_F(PageTest, FiguresAreSaved) {
   EXPECT_FALSE(QFile::exists(folder.filePath("a.txt")));
 }
 
+TEST_F(PageTest, WhyAFileWasNotWrittenStaysWhileTheFigureIsComputedAgain) {
+  bool isEndless = false;
+  GalleryPage& page = show([&](FigureName name, const FigureOptions& options) {
+    if (!isEndless) return quickFigure(name, options);
+    for (double part = 0; !options.stop.stop_requested(); part += 0.001) {
+      options.progress(part);
+      QThread::msleep(2);
+    }
+    throw StopRequested{};
+  });
+  page.choose(FigureName::Plateau, true);
+  ASSERT_TRUE(waitUntilMade(FigureName::Plateau));
+  isEndless = true;
+  click("compute");
+  ASSERT_TRUE(waitFor([&] { return isComputing(FigureName::Plateau); }));
+  page.savePicture("/nowhere/plateau.png");
+  ASSERT_TRUE(waitFor([&] { return page.messages().text().contains("plateau.png"); }));
+  const double part = status(FigureName::Plateau).part;
+  ASSERT_TRUE(waitFor([&] { return status(FigureName::Plateau).part > part + 0.01; }));
+  EXPECT_TRUE(page.messages().isVisible());
+}
+
 TEST_F(PageTest, GoesAwayInTheMiddleOfAComputation) {
   show(endlessFigure).choose(FigureName::Hurst, true);
   ASSERT_TRUE(waitFor([&] { return isComputing(FigureName::Hurst); }));

@@ -10,12 +10,14 @@
 #include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QSet>
 #include <QSpinBox>
 #include <QStandardItemModel>
 #include <QTabBar>
 #include <QTableWidget>
 #include <QTest>
 #include <QTimer>
+#include <QToolButton>
 #include <QWheelEvent>
 
 #include "core/lesson/lesson_file.h"
@@ -550,6 +552,33 @@ TEST_F(LessonEditorTest, TheWheelChangesOnlyAFieldWithFocus) {
 }
 
 /// A style sheet creates the popup list of a combo box at once; it is no part of the order.
+/// A scene that the lesson names may go while the lesson is edited.
+TEST_F(LessonEditorTest, AHandoutOfALessonWithoutItsSceneIsRefused) {
+  TemporaryFolder folder;
+  Json json = sampleLesson();
+  folder.write("line.json", json["steps"][0]["scene"].dump());
+  json["steps"][0]["scene"] = "line.json";
+  folder.write("lesson.json", json.dump());
+  const std::filesystem::path file = folder / "lesson.json";
+  editor_ =
+      &window_.lessons().showEditor(readLessonFile(file), QString::fromStdString(file.string()));
+  auto& handout = field<QPushButton>("editorHandout");
+  ASSERT_TRUE(handout.isEnabled()) << errorText();
+  std::filesystem::remove(folder / "line.json");
+  EXPECT_NO_THROW(handout.click());
+  EXPECT_TRUE(errorText().find("line.json") != std::string::npos) << errorText();
+  EXPECT_FALSE(handout.isEnabled());
+}
+
+/// A page has several lists of changes, whose buttons have the same text.
+TEST_F(LessonEditorTest, TheButtonsOfTheListsOfChangesSayWhichOneTheyBelongTo) {
+  edit(sampleLesson(), 1);
+  QSet<QString> lists;
+  for (const char* name : {"editorSet", "editorAfter", "editorValueSet"})
+    lists += field<QToolButton>(name).accessibleDescription();
+  EXPECT_EQ(lists.size(), 3);
+}
+
 TEST_F(LessonEditorTest, TheTabKeyGoesThroughTheChangesInTheirOrder) {
   Json json = sampleLesson();
   json["steps"][1]["set"] = {{"accuracy.scheme", "nodal"}, {"load.normal_force", "20mN"}};

@@ -3,20 +3,31 @@
 // on are in sight, and the Tab key reaches every control.
 #include <gmock/gmock.h>
 
+#include <QCheckBox>
+#include <QDialog>
 #include <QDockWidget>
+#include <QGuiApplication>
 #include <QLabel>
+#include <QListWidget>
 #include <QPushButton>
+#include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QTextDocument>
 #include <set>
 
 #include "core/lesson/lesson_file.h"
+#include "core/lesson/lesson_results.h"
+#include "tests/core/temporary_folder.h"
 #include "tests/ui/window/qt_application.h"
+#include "tests/ui/window/readable_widgets.h"
 #include "tests/ui/window/window_in.h"
+#include "ui/window/lesson/lesson_editor.h"
+#include "ui/window/lesson/lesson_list.h"
 #include "ui/window/lesson/lesson_pane.h"
 #include "ui/window/lesson/lessons.h"
 #include "ui/window/lesson/prediction_point.h"
+#include "ui/window/main/scene_library.h"
 #include "ui/window/main/scene_tabs.h"
 
 namespace asperity {
@@ -168,6 +179,51 @@ std::vector<std::string> shippedNames() {
 
 INSTANTIATE_TEST_SUITE_P(All, LessonLayout, testing::ValuesIn(shippedNames()),
                          [](const auto& one) { return one.param; });
+
+class LessonPages : public testing::TestWithParam<const char*> {};
+
+/// The list, the editor at every step of a lesson, and the results.
+TEST_P(LessonPages, AreReadableAndReachable) {
+  WindowIn window(GetParam());
+  window->move(QGuiApplication::screens().back()->geometry().topLeft());
+  window->resize(kSmall);
+  const auto expectNoFaults = [](QWidget& page, const std::string& name) {
+    page.resize(page.size().boundedTo(kSmall - QSize(40, 80)));
+    QStringList faults = readingFaults(page);
+    faults += sizeFaults(page, kSmall) + tabFaults(page);
+    EXPECT_TRUE(faults.isEmpty()) << name << ":\n" << faults.join('\n').toStdString();
+  };
+  Lessons& lessons = window->lessons();
+  LessonList& list = lessons.showList();
+  expectNoFaults(list, "list");
+  list.findChild<QCheckBox*>("lessonNotes")->click();
+  expectNoFaults(list, "list with notes");
+  list.close();
+  const Lesson lesson = readNamedLesson("rubber_is_not_coulomb", readNamedScene);
+  LessonEditor& editor = lessons.showEditor(lesson, {});
+  for (int row = 0; row <= static_cast<int>(lesson.steps.size()); ++row) {
+    editor.findChild<QListWidget*>("editorSteps")->setCurrentRow(row);
+    expectNoFaults(editor, "editor " + std::to_string(row));
+  }
+  editor.close();
+  TemporaryFolder folder;
+  LessonResults results = emptyResults(lesson);
+  for (int step = 0; step < static_cast<int>(lesson.steps.size()); ++step)
+    if (askingStep(lesson, step)) {
+      LessonResult one;
+      one.step = step;
+      results.set(one);
+    }
+  folder.write("ada.json", resultsJson(results));
+  const QString file = QString::fromStdString((folder / "ada.json").string());
+  ASSERT_TRUE(lessons.open(file));
+  expectNoFaults(*window->findChild<QDialog*>("lessonResults"), "results");
+  window->findChild<QDialog*>("lessonResults")->close();
+  ASSERT_TRUE(lessons.openResults({file, file}));
+  expectNoFaults(*window->findChild<QDialog*>("classResults"), "class");
+}
+
+INSTANTIATE_TEST_SUITE_P(Languages, LessonPages, testing::Values("en", "de"));
 
 }  // namespace
 }  // namespace asperity

@@ -19,11 +19,13 @@
 #include <QSettings>
 #include <QTableWidget>
 #include <QTextBrowser>
+#include <QThread>
 #include <QToolButton>
 #include <array>
 #include <atomic>
 #include <stdexcept>
 
+#include "core/base/stop.h"
 #include "tests/core/lesson/lesson_samples.h"
 #include "tests/core/temporary_folder.h"
 #include "tests/ui/window/main_window_fixture.h"
@@ -140,6 +142,20 @@ TEST_F(LessonsTest, AButtonIsPressedByReturnThoughItIsNotTheOneThatLeadsOn) {
   QTest::keyClick(window_.windowHandle(), Qt::Key_Return);
   ASSERT_TRUE(waitForAnswer());
   EXPECT_FALSE(lessons().results().find(0)->given.isGiven());
+}
+
+/// Where the focus goes with a step, a screen reader says what the step asks or tells.
+TEST_F(LessonsTest, AListenerHearsTheQuestionWithTheFirstAnswer) {
+  Json json = sampleLesson();
+  json["steps"].push_back({{"text", "All is *said*."}});
+  lessons().start(lessonOf(json));
+  EXPECT_EQ(control<QRadioButton>("lessonChoice:0").accessibleDescription(), "Twice as fast?");
+  EXPECT_EQ(control<QRadioButton>("lessonChoice:1").accessibleDescription(), "");
+  lessons().player().show(1);
+  EXPECT_EQ(control<QLineEdit>("lessonNumber").accessibleDescription(), "Indentation?");
+  lessons().player().show(2);
+  EXPECT_TRUE(button("lessonNext").accessibleDescription().startsWith("All is said."));
+  QTest::qWait(0);  // the fields of the former steps go, of which one had the focus
 }
 
 TEST_F(LessonsTest, TheTabKeyGoesFromTheQuestionToTheAnswerAndOn) {
@@ -500,6 +516,129 @@ TEST_F(LessonsTest, GoesForwardAndBackByKeys) {
   QTest::keyClick(&window_, Qt::Key_Left, Qt::ControlModifier | Qt::AltModifier);
   EXPECT_EQ(lessons().step(), 0);
   EXPECT_TRUE(lessons().isRevealed());  // what was answered stays answered
+}
+
+/// A choice that is made and not checked yet, a number and a point.
+TEST_F(LessonsTest, AnotherLanguageKeepsWhatTheStudentHasEntered) {
+  const auto inGerman = [this](const QString& check) {
+    useLanguage("de");
+    EXPECT_TRUE(waitFor([&] { return button("lessonNext").text() == check; }));
+    EXPECT_TRUE(button("lessonNext").isEnabled());
+  };
+  lessons().start(lessonOf(sampleLesson()));
+  control<QRadioButton>("lessonChoice:1").click();
+  inGerman("Prüfen");
+  EXPECT_TRUE(control<QRadioButton>("lessonChoice:1").isChecked());
+  useLanguage("en");
+  lessons().start(lessonOf(sampleLesson()), 1);
+  EXPECT_EQ(control<QLineEdit>("lessonNumber").text(), "");  // nothing of the other step
+  QTest::keyClicks(&control<QLineEdit>("lessonNumber"), "0.3 um");
+  inGerman("Prüfen");
+  EXPECT_EQ(control<QLineEdit>("lessonNumber").text(), "0.3 um");
+  useLanguage("en");
+  Json json = sampleLesson();
+  json["steps"][1]["prediction"] = {
+      {"kind", "point"}, {"question", {{"en", "Where?"}, {"de", "Wo?"}}}, {"tolerance", 0.5}};
+  lessons().start(lessonOf(json), 1);
+  PredictionPoint& point = lessons().point();
+  ASSERT_TRUE(waitFor([&] { return window_.plotView().frame().has_value(); }));
+  QTest::keyClick(&point, Qt::Key_Up);
+  ASSERT_TRUE(point.point());
+  inGerman("Prüfen");
+  EXPECT_TRUE(point.point());
+  EXPECT_TRUE(point.accessibleName().startsWith("Wo?")) << point.accessibleName().toStdString();
+  EXPECT_FALSE(point.toolTip().contains("Drag")) << point.toolTip().toStdString();
+  useLanguage("en");
+}
+
+TEST_F(LessonsTest, AnswersAreSavedBesideOneThatIsNotCheckedYet) {
+  TemporaryFolder folder;
+  lessons().start(lessonOf(sampleLesson()));
+  control<QRadioButton>("lessonChoice:1").click();
+  ASSERT_TRUE(lessons().keepResults(QString::fromStdString((folder / "ada.json").string())));
+  EXPECT_TRUE(control<QRadioButton>("lessonChoice:1").isChecked());
+  EXPECT_TRUE(button("lessonNext").isEnabled());
+}
+
+/// The same lesson may run in another window of the program, or on another day.
+TEST_F(LessonsTest, AnswersThatAFileGotElsewhereStay) {
+  TemporaryFolder folder;
+  const Lesson lesson = lessonOf(sampleLesson());
+  const std::filesystem::path file = folder / "ada.json";
+  lessons().start(lesson);
+  ASSERT_TRUE(lessons().keepResults(QString::fromStdString(file.string())));
+  LessonResults elsewhere = emptyResults(lesson);
+  LessonResult second;
+  second.step = 1;
+  second.kind = PredictionKind::Number;
+  second.given.number = 1e-6;
+  elsewhere.set(second);
+  writeResults(file, elsewhere, lesson);
+  control<QRadioButton>("lessonChoice:0").click();
+  click("lessonNext");
+  ASSERT_TRUE(waitForAnswer());
+  EXPECT_NE(readResults(file, lesson).find(0), nullptr);
+  EXPECT_NE(readResults(file, lesson).find(1), nullptr);
+}
+
+/// The window asks about the answers first, and then perhaps about the scene.
+TEST_F(LessonsTest, DiscardedAnswersStayUntilTheLessonEnds) {
+  const Lesson lesson = lessonOf(sampleLesson());
+  lessons().start(lesson);
+  control<QRadioButton>("lessonChoice:0").click();
+  click("lessonNext");
+  ASSERT_TRUE(waitForAnswer());
+  answer(QMessageBox::Discard);
+  ASSERT_TRUE(lessons().mayLeave());
+  EXPECT_TRUE(lessons().isRevealed());  // the window stays open after all
+  lessons().end();
+  EXPECT_FALSE(keptAnswers(lesson));
+  lessons().start(lesson);
+  EXPECT_FALSE(lessons().isRevealed());
+}
+
+/// Whoever answers soon does not wait longer.
+TEST_F(LessonsTest, AnAnswerIsComputedOnce) {
+  std::atomic<int> calls = 0;
+  std::atomic<bool> mayEnd = false;
+  lessons().player().setAnswerFunction([&](const LessonStep& step, const CurveOptions& options) {
+    ++calls;
+    while (!mayEnd) {
+      throwIfStopped(options.stop);
+      QThread::msleep(1);
+    }
+    return lessonAnswer(step, options);
+  });
+  lessons().start(lessonOf(sampleLesson()));
+  control<QRadioButton>("lessonChoice:1").click();
+  ASSERT_TRUE(waitFor([&] { return calls == 1; }));
+  click("lessonNext");
+  EXPECT_TRUE(said("lessonNote").contains("computes"));
+  mayEnd = true;
+  ASSERT_TRUE(waitForAnswer());
+  EXPECT_EQ(calls, 1);
+}
+
+TEST_F(LessonsTest, WhatWasLockedInAStepIsNotBroughtIntoTheNext) {
+  lessons().start(lessonOf(sampleLesson()));
+  Scene changed = session().scene();
+  changed.load.normalForce *= 3;
+  window_.document().edit(changed);
+  lessons().player().show(1);
+  const Scene second = session().scene();
+  QTest::qWait(50);
+  EXPECT_EQ(session().scene(), second);
+}
+
+/// The teacher closes the list while its handout is being made.
+TEST_F(LessonsTest, AHandoutIsSavedThoughItsPageIsClosed) {
+  TemporaryFolder folder;
+  LessonList& list = lessons().showList();
+  list.saver().save(lessonOf(sampleLesson()),
+                    QString::fromStdString((folder / "handout.html").string()), false);
+  list.close();
+  EXPECT_TRUE(waitFor([&] { return std::filesystem::exists(folder / "handout.html"); }));
+  EXPECT_TRUE(waitFor([&] { return window_.messages().text().contains("handout.html"); }));
 }
 
 /// The picture's title, too, which is that of the step; what was changed stays.
@@ -989,15 +1128,38 @@ TEST_F(LessonsTest, AStudentsResultsAreShownInWords) {
   writeResults(folder / "ada.json", results, lesson);
   const QString file = QString::fromStdString((folder / "ada.json").string());
   window_.documentCommands().openFile(file);
-  const auto* box = window_.findChild<QMessageBox*>("lessonResults");
-  ASSERT_NE(box, nullptr);
+  const auto* dialog = window_.findChild<QDialog*>("lessonResults");
+  ASSERT_NE(dialog, nullptr);
+  const auto& table = *dialog->findChild<QTextBrowser*>("lessonResultsTable");
+  const QString text = table.toPlainText();
   const LessonPrediction& asked = *lesson.steps[1].prediction;
   for (const QString& part :
        {plainText(lesson.title), plainText(asked.question), plainText(asked.choices[0].text),
         plainText(asked.choices[1].text), QStringLiteral("0 right, 1 wrong, 0 shown"),
         QStringLiteral("2026-11-27 10:00:00"), QStringLiteral("ada.json")})
-    EXPECT_TRUE(box->text().contains(part.toHtmlEscaped())) << part.toStdString();
+    EXPECT_TRUE(text.contains(part)) << part.toStdString() << text.toStdString();
   EXPECT_FALSE(window_.messages().isVisible());
+}
+
+/// Of a long lesson, too: a screen of 1024 x 700 pixels does not hold its table.
+TEST_F(LessonsTest, TheResultsOfALongLessonAreScrolledTo) {
+  TemporaryFolder folder;
+  const Lesson lesson = readNamedLesson("load_and_friction", readNamedScene);
+  LessonResults results = emptyResults(lesson);
+  for (int step = 0; step < 60; ++step) {
+    LessonResult one;
+    one.step = step;
+    one.given.choice = 0;
+    one.expected.choice = 1;
+    results.set(one);
+  }
+  folder.write("ada.json", resultsJson(results));
+  showLessonResults(window_, QString::fromStdString((folder / "ada.json").string()));
+  const auto& dialog = control<QDialog>("lessonResults");
+  const auto* table = dialog.findChild<QTextBrowser*>("lessonResultsTable");
+  ASSERT_NE(table, nullptr);
+  EXPECT_LE(dialog.height(), dialog.screen()->availableSize().height());
+  EXPECT_TRUE(waitFor([&] { return table->verticalScrollBar()->maximum() > 0; }));
 }
 
 /// Of a lesson that the program does not know as well.

@@ -21,6 +21,7 @@
 #include "tests/ui/window/main_window_fixture.h"
 #include "ui/window/figures/diagram_view.h"
 #include "ui/window/import/import_commands.h"
+#include "ui/window/import/surface_import.h"
 #include "ui/window/main/scene_tabs.h"
 
 namespace asperity {
@@ -51,6 +52,12 @@ class MaterialImportTest : public MainWindowTest {
     QTest::keyClick(&entry, Qt::Key_Return);
   }
   const Scene& scene() { return window_.document().scene(); }
+  QString writeTable(const QString& name, const QByteArray& text) {
+    QFile file(folder_.filePath(name));
+    EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(text);
+    return file.fileName();
+  }
 
   QTemporaryDir folder_;
   QPointer<MaterialImport> page_;
@@ -106,12 +113,59 @@ TEST_F(MaterialImportTest, ChoicesMakeItAnew) {
   EXPECT_FALSE(page_->errorText().contains('\n'));
 }
 
+/// The page still has the material, and another folder takes it. The measurements are never
+/// replaced.
+TEST_F(MaterialImportTest, WhatCannotBeWrittenThereIsWrittenElsewhere) {
+  const QString measurements = folder_.filePath("own.csv");
+  ASSERT_TRUE(QFile::copy(kMeasurements, measurements));
+  openPage(measurements);
+  ASSERT_TRUE(waitForPage());
+  auto& accept = inPage<QPushButton>("importAccept");
+  for (const QString& file : {QStringLiteral("/nowhere/own.json"), measurements}) {
+    page_->setFileChooser([&](QWidget*, const QString&) { return file; });
+    accept.click();
+    ASSERT_TRUE(page_);
+    EXPECT_TRUE(page_->errorText().contains(file)) << page_->errorText().toStdString();
+    EXPECT_TRUE(accept.isEnabled());
+    EXPECT_TRUE(inPage<DiagramView>("dmaSheet").isVisibleTo(page_));
+  }
+  QFile kept(measurements), original(kMeasurements);
+  ASSERT_TRUE(kept.open(QIODevice::ReadOnly) && original.open(QIODevice::ReadOnly));
+  EXPECT_EQ(kept.readAll(), original.readAll());
+  page_->setFileChooser([this](QWidget*, const QString&) { return folder_.filePath("own.json"); });
+  accept.click();
+  EXPECT_TRUE(waitFor([&] { return page_.isNull(); }));
+  EXPECT_TRUE(QFile::exists(folder_.filePath("own.json")));
+}
+
+TEST_F(MaterialImportTest, TheTabKeyComesToTheButtonsLast) {
+  const auto placeOf = [](const QWidget& page, const QWidget& control) {
+    int place = 0;
+    for (const QWidget* one = &page; one != &control; one = one->nextInFocusChain()) ++place;
+    return place;
+  };
+  openPage();
+  EXPECT_LT(placeOf(*page_, inPage<QLineEdit>("dmaSource")),
+            placeOf(*page_, inPage<QPushButton>("importCancel")));
+  SurfaceImport& surface = window_.imports().openSurface(kMeasurements);
+  EXPECT_LT(placeOf(surface, *surface.panel().findChildren<ValueEntry*>().constLast()),
+            placeOf(surface, *surface.findChild<QPushButton*>("importCancel")));
+}
+
+/// A user mends the table in another program while the page says what is wrong with it.
+TEST_F(MaterialImportTest, AMendedFileIsReadAgain) {
+  const QString file = writeTable("own.csv", "frequency [Hz],G' [MPa],G'' [MPa]\n1,2,0.2\n");
+  openPage(file);
+  ASSERT_TRUE(waitForPage());
+  EXPECT_FALSE(page_->isReady());
+  ASSERT_TRUE(QFile::remove(file) && QFile::copy(kMeasurements, file));
+  enter("dmaReference", "15 °C");
+  ASSERT_TRUE(waitForPage());
+  EXPECT_TRUE(page_->isReady()) << page_->errorText().toStdString();
+}
+
 TEST_F(MaterialImportTest, SaysWhatIsWrongWithAFile) {
-  QFile file(folder_.filePath("one.csv"));
-  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
-  file.write("frequency [Hz],G' [MPa],G'' [MPa]\n1,2,0.2\n");
-  file.close();
-  openPage(file.fileName());
+  openPage(writeTable("one.csv", "frequency [Hz],G' [MPa],G'' [MPa]\n1,2,0.2\n"));
   ASSERT_TRUE(waitForPage());
   EXPECT_FALSE(page_->isReady());
   EXPECT_FALSE(page_->errorText().isEmpty());
@@ -120,11 +174,7 @@ TEST_F(MaterialImportTest, SaysWhatIsWrongWithAFile) {
 
 /// Core speaks of options of the command; the page names its own controls.
 TEST_F(MaterialImportTest, AComplaintNamesTheControlThatHelps) {
-  QFile file(folder_.filePath("parts.csv"));
-  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
-  file.write("tau (s),g\n0.001,0.3\n0.1,0.2\n");
-  file.close();
-  openPage(file.fileName());
+  openPage(writeTable("parts.csv", "tau (s),g\n0.001,0.3\n0.1,0.2\n"));
   ASSERT_TRUE(waitForPage());
   EXPECT_FALSE(page_->isReady());
   EXPECT_TRUE(page_->errorText().contains("instantaneous modulus G₀”"))

@@ -31,6 +31,8 @@ class MeasuredFrictionTest : public MainWindowTest {
 TEST_F(MeasuredFrictionTest, ATableIsToldFromOthers) {
   EXPECT_EQ(kindOfFile(write("a.csv", "velocity (mm/s);mu\n1;0,2\n10;0,3\n").toStdString()),
             FileKind::Friction);
+  EXPECT_EQ(kindOfFile(write("cells.csv", "v;mu\n1 mm/s;0,2(1)\n10 mm/s;0,3(1)\n").toStdString()),
+            FileKind::Friction);
   EXPECT_EQ(kindOfFile(write("b.csv", "x (mm),z (um)\n0,1\n1,2\n2,1\n").toStdString()),
             FileKind::Surface);
 }

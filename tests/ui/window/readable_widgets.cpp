@@ -4,6 +4,7 @@
 #include <QAbstractItemView>
 #include <QAbstractScrollArea>
 #include <QAbstractSpinBox>
+#include <QAccessible>
 #include <QApplication>
 #include <QComboBox>
 #include <QGroupBox>
@@ -311,6 +312,12 @@ bool takesTab(const QWidget& widget, const QWidget& window) {
   return (widget.focusPolicy() & Qt::TabFocus) != 0;
 }
 
+/// Returns whether a screen reader says more than the kind of the control that has the focus.
+bool hasName(QWidget& widget) {
+  const QAccessibleInterface* spoken = QAccessible::queryAccessibleInterface(&widget);
+  return spoken && !spoken->text(QAccessible::Name).isEmpty();
+}
+
 /// A button of a tool bar stands for a command of a menu.
 bool needsAKey(const QAbstractButton& button, const QWidget& window) {
   static const QRegularExpression key(QStringLiteral("\\([^)]+\\)$"));
@@ -341,7 +348,7 @@ QStringList tabFaults(QWidget& window) {
   window.activateWindow();
   if (!QTest::qWaitForWindowActive(&window)) return {"the window does not become active"};
   QStringList faults;
-  QSet<const QWidget*> reached;
+  QSet<QWidget*> reached;
   for (int i = 0; i < kMost; ++i) {
     QWidget* before = QApplication::focusWidget();
     if (before) {
@@ -354,7 +361,9 @@ QStringList tabFaults(QWidget& window) {
       break;
     }
   }
-  for (const QWidget* widget : window.findChildren<QWidget*>())
+  for (QWidget* widget : reached)
+    if (!hasName(*widget)) faults += nameOf(*widget) + ": has no name for screen readers";
+  for (QWidget* widget : window.findChildren<QWidget*>())
     if (takesTab(*widget, window) && !reached.contains(widget))
       faults += nameOf(*widget) + ": is not reached by the Tab key";
   for (const QAbstractButton* button : window.findChildren<QAbstractButton*>())

@@ -15,8 +15,9 @@ namespace asperity {
 /// sight count as readable.
 QStringList readingFaults(QWidget& window);
 
-/// Returns the controls of the active window that the Tab key does not reach, and those that keep
-/// it. A button may do without the key where its tooltip names another one: "Close (Esc)".
+/// Returns the controls of the active window that the Tab key does not reach, those that keep it,
+/// and those that it reaches but that have no name for screen readers. A button may do without the
+/// key where its tooltip names another one: "Close (Esc)".
 QStringList tabFaults(QWidget& window);
 
 /// Returns why the window with its frame does not fit on a screen of this size; empty where it

@@ -14,46 +14,14 @@
 #include "ui/contact/contact_picture.h"
 #include "ui/window/tasks/background_work.h"
 
-class QCheckBox;
-class QComboBox;
 class QLabel;
 class QPushButton;
 class QSlider;
-class QSpinBox;
 
 namespace asperity {
 
+class ComparisonBox;
 class RegionPictures;
-
-/// The setting with which the friction curve is compared: another scheme, oversampling and number
-/// of lines.
-class ComparisonBox : public QWidget {
-  Q_OBJECT
-
- public:
-  explicit ComparisonBox(QWidget* parent = nullptr);
-
-  /// Returns the setting, or nothing where the box is not ticked.
-  std::optional<CurveSetting> setting() const;
-  /// Enables the box. With a target accuracy there is no single resolution to compare with.
-  void allow(bool allowed);
-  /// Proposes as many lines as the scene has, unless the user chose another number: fewer lines
-  /// would add their own scatter to the difference.
-  void suggestLines(std::int64_t lines);
-
- signals:
-  void settingChanged();
-
- private:
-  void showTexts();
-  void showLines();
-
-  QCheckBox* compare_;
-  QComboBox* scheme_;
-  QSpinBox* oversampling_;
-  QSpinBox* lines_;
-  int suggested_ = 0;  // number of lines that was proposed, not chosen
-};
 
 /// The slider's positions: target 20 % at 0 (quick), 0.2 % at kAccuracySteps (exact).
 inline constexpr int kAccuracySteps = 20;

@@ -21,7 +21,6 @@
 #include <utility>
 
 #include "ui/panels/controls.h"
-#include "ui/window/export/asperity_command.h"
 #include "ui/window/export/export_form.h"
 #include "ui/window/export/export_preview.h"
 #include "ui/window/main/picture_files.h"
@@ -39,6 +38,11 @@ constexpr int kFigureLines = 4;        // of a figure of the paper in a preview
 constexpr int kSteps = 1000;           // of the progress bar
 constexpr qint64 kTableBytes = 16000;  // of a table that are shown
 const QString kFolder = QStringLiteral("export/folder");
+
+/// Returns why a call failed that ended well: "--help" among the other options writes nothing.
+QString noFileText() {
+  return ExportDialog::tr("The program has written no file.");
+}
 
 /// Returns the beginning of a table, up to the end of a line.
 QString firstLines(QFile& table) {
@@ -67,6 +71,7 @@ ExportDialog::ExportDialog(Subject subject, ExportKind kind, const QString& prog
   form_->setKind(kind);
 
   auto* scroll = scrolled(form_, Qt::ScrollBarAlwaysOff);
+  scroll->setFocusPolicy(Qt::NoFocus);  // its controls take the focus
   scroll->setMinimumWidth(form_->minimumWidth() + 16);
   auto* middle = new QHBoxLayout;
   middle->setSpacing(14);
@@ -92,6 +97,7 @@ ExportDialog::ExportDialog(Subject subject, ExportKind kind, const QString& prog
   connect(writing_, &CommandRun::done, this, [this] {
     showRunning(false);
     const QString written = file();
+    if (!QFileInfo::exists(written)) return showFailure(noFileText());
     emit exported(written);
     QDialog::accept();
   });
@@ -118,11 +124,11 @@ QWidget* ExportDialog::makeBottom() {
   auto* fileLabel = new QLabel(tr("File &name"));
   fileLabel->setBuddy(file_);
   file_->setAccessibleName(tr("file name"));
-  auto* browse = named<QPushButton>("exportBrowse", tr("&Browse…"));
-  connect(browse, &QPushButton::clicked, this, &ExportDialog::askFile);
+  browse_ = named<QPushButton>("exportBrowse", tr("&Browse…"));
+  connect(browse_, &QPushButton::clicked, this, &ExportDialog::askFile);
   grid->addWidget(fileLabel, 0, 0);
   grid->addWidget(file_, 0, 1);
-  grid->addWidget(browse, 0, 2);
+  grid->addWidget(browse_, 0, 2);
 
   auto* commandLabel = new QLabel(tr("Command line"));
   commandLabel->setAlignment(Qt::AlignTop);
@@ -216,7 +222,7 @@ void ExportDialog::renameFile() {
   const QString last = '.' + QFileInfo(name).suffix().toLower();
   if (known.contains(last)) {
     if (last != extension) file_->setText(name.chopped(last.size()) + extension);
-  } else if (isOther) {
+  } else if (isOther && !name.isEmpty()) {
     file_->setText(name + extension);
   }
 }
@@ -294,9 +300,9 @@ void ExportDialog::requestPreview() {
   previewNote_ = notes.join(' ');
   previewFile_ = folder_.filePath(QStringLiteral("preview_%1%2").arg(++number_).arg(extension));
   previewFigure_ = request.kind == ExportKind::Figure ? request.content : QString();
+  if (!form_->isTyped("--threads")) request.further += {"--threads", "1"};
   previews_->run(
-      exportWords(subject_.origin, subject_.scene, request, subject_.shown, previewFile_) +
-          QStringList{"--threads", "1"},
+      exportWords(subject_.origin, subject_.scene, request, subject_.shown, previewFile_),
       folder_.path());
 }
 
@@ -317,6 +323,7 @@ void ExportDialog::refuse(const QString& reason) {
 }
 
 void ExportDialog::takePreview() {
+  if (!QFileInfo::exists(previewFile_)) return refuse(noFileText());
   showFailure({});
   QFile made(previewFile_);
   if (!previewFigure_.isEmpty()) {
@@ -371,9 +378,7 @@ void ExportDialog::showFailure(const QString& reason) {
 
 /// While the file is written nothing can be changed, and the button at the right cancels.
 void ExportDialog::showRunning(bool isRunning) {
-  form_->setEnabled(!isRunning);
-  file_->setEnabled(!isRunning);
-  write_->setEnabled(!isRunning);
+  for (QWidget* control : Widgets{form_, file_, browse_, write_}) control->setEnabled(!isRunning);
   progress_->setVisible(isRunning);
   failure_->setVisible(!isRunning);
   progress_->setRange(0, 0);

@@ -8,6 +8,7 @@
 #include <QTemporaryDir>
 
 #include "ui/window/export/asperity_command.h"
+#include "ui/window/export/command_run.h"
 
 class QFileInfo;
 class QLabel;
@@ -84,7 +85,7 @@ class ExportDialog : public QDialog {
   QPlainTextEdit* command_;
   QLabel* failure_;
   QProgressBar* progress_;
-  QPushButton *write_, *close_;
+  QPushButton *browse_, *write_, *close_;
   QTimer* quiet_;         // until the user pauses in changing values
   QTemporaryDir folder_;  // of previews; also where commands run
   CommandRun *previews_, *writing_;

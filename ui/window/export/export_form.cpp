@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QProcess>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -342,7 +343,7 @@ void ExportForm::convertSize() {
     const double size = machineNumber(*entry).toDouble();
     if (!(size > 0)) continue;
     entry->setText(isOnPaper() ? QString::number(size * kInch / perInch, 'g', 6)
-                               : QString::number(std::lround(size * perInch / kInch)));
+                               : QString::number(std::round(size * perInch / kInch), 'g', 15));
   }
 }
 
@@ -433,9 +434,8 @@ void ExportForm::chooseExtension(const QString& extension) {
 /// The command names the size that it was given and one that is enough, "640x444" and "640x530",
 /// in pixels of the preview.
 std::optional<double> ExportForm::heightEnough(const NeededHeight& needed) const {
-  const bool isTyped = further_->text().contains("--size");
   const double height = machineNumber(*height_).toDouble();
-  if (isTyped || needed.enough <= needed.given || !(height > 0)) return std::nullopt;
+  if (isTyped("--size") || needed.enough <= needed.given || !(height > 0)) return std::nullopt;
   return std::ceil(height * needed.enough / needed.given);
 }
 
@@ -445,7 +445,17 @@ bool ExportForm::raiseHeight(double height) {
   return true;
 }
 
+bool ExportForm::isTyped(const QString& option) const {
+  return std::ranges::any_of(
+      request().further, [&](const QString& typed) { return typed.section('=', 0, 0) == option; });
+}
+
 QString ExportForm::errorText() const {
+  // The preview, too, would write such a file, and ask nobody.
+  for (const QString& typed : request().further)
+    if (typed.section('=', 0, 0) == "--output" || typed.startsWith("-o"))
+      return tr("%1: the name of the file belongs into its own line.")
+          .arg(further_->accessibleName());
   for (const QLineEdit* entry : numbers())
     if (!(machineNumber(*entry).toDouble() > 0))
       return tr("%1: “%2” is not a number above 0.").arg(entry->accessibleName(), entry->text());
@@ -481,8 +491,7 @@ QString ExportForm::sizeError() const {
 
 QString ExportForm::inWords(const QString& reason, const NeededHeight& needed) const {
   const QString option = reason.section(':', 0, 0);
-  for (const QString& typed : request().further)
-    if (typed.section('=', 0, 0) == option) return reason;
+  if (isTyped(option)) return reason;
   if (option == "--size") {
     if (const auto height = heightEnough(needed))
       return tr("The picture is too small for its diagrams; %1 × %2 %3 are enough.")

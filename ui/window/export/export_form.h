@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ui/window/export/asperity_command.h"
+#include "ui/window/export/command_run.h"
 
 class QCheckBox;
 class QComboBox;
@@ -44,7 +45,11 @@ class ExportForm : public QWidget {
   /// whether it is.
   bool raiseHeight(double height);
 
-  /// Returns what is wrong with the size of the picture or another number; empty where nothing is.
+  /// Returns whether the user typed this option, such as "--threads", among the other ones.
+  bool isTyped(const QString& option) const;
+
+  /// Returns what is wrong with the size of the picture, another number or the other options; empty
+  /// where nothing is.
   QString errorText() const;
 
   /// Returns the reason that a command gave, with the label of a control in place of its option.

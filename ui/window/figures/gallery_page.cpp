@@ -89,7 +89,9 @@ GalleryPage::GalleryPage(FigureMaker maker, QWidget* parent)
   connect(list_, &FigureList::chosenChanged, this, &GalleryPage::showChosen);
   connect(list_, &FigureList::computeRequested, this, &GalleryPage::compute);
   connect(gallery_, &FigureGallery::changed, this, &GalleryPage::take);
-  connect(picture_, &FigurePicture::failed, messages_, &MessageBar::showMessage);
+  connect(picture_, &FigurePicture::failed, this, [this](const QString& reason) {
+    messages_->showFailure(MessageBar::Failure::Scene, reason);
+  });
   auto* escape =
       new QShortcut(Qt::Key_Escape, this, nullptr, nullptr, Qt::WidgetWithChildrenShortcut);
   connect(escape, &QShortcut::activated, this, &GalleryPage::closed);
@@ -267,10 +269,11 @@ void GalleryPage::showChosen() {
   const FigureStatus& status = gallery_->status(chosen());
   showPlaceholder();
   if (status.made != shown_) showComputed(status.made);
+  // Why a file could not be written stays while the figure is computed again.
   if (status.error.isEmpty())
-    messages_->hide();
+    messages_->end(MessageBar::Failure::Scene);
   else
-    messages_->showMessage(status.error);
+    messages_->showFailure(MessageBar::Failure::Scene, status.error);
   showWork();
 }
 

@@ -96,6 +96,7 @@ FitPage::FitPage(const Scene& scene, const FitSelection& before, const Theme& th
   column->addWidget(notes_);
   column->addStretch(1);
   auto* scroll = scrolled(texts);
+  scroll->setAccessibleName(tr("values and notes of the fit"));
   scroll->setFixedHeight(10 * fontMetrics().lineSpacing());
   right->addWidget(scroll);
   right->addWidget(sheets_);
@@ -250,6 +251,7 @@ void FitPage::showState() {
   run_->setText(isFitting_ ? tr("&Stop") : fitted_ ? tr("&Fit again") : tr("&Fit"));
   run_->setEnabled(isFitting_ || choices_->isEnough());
   choices_->setEnabled(!isFitting_);
+  close_->setEnabled(!isSaving_);
   for (QWidget* part : Widgets{progress_, progressText_}) part->setVisible(isFitting_);
   for (QPushButton* button : {save_, use_})
     button->setEnabled(fitted_ && !isFitting_ && !isSaving_);
@@ -297,6 +299,11 @@ void FitPage::saveReport() {
         isSaving_ = false;
         finish(reason);
       });
+}
+
+/// The page stays until its report is written: nobody would learn that it could not be.
+void FitPage::reject() {
+  if (!isSaving_) QDialog::reject();
 }
 
 void FitPage::keyPressEvent(QKeyEvent* event) {

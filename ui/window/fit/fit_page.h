@@ -49,6 +49,7 @@ class FitPage : public QDialog {
   void reportSaved(const QString& folder);
 
  protected:
+  void reject() override;
   void keyPressEvent(QKeyEvent* event) override;
 
  private:

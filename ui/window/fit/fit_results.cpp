@@ -164,13 +164,6 @@ namespace {
 // The size, theme and scale that the command has by default.
 constexpr int kWidth = 1200, kHeight = 900;
 
-void checkNoInput(const std::filesystem::path& file, const Scene& scene) {
-  std::error_code ignored;  // a missing file counts as an empty one
-  for (const std::filesystem::path& input : filesReadBy(scene))
-    if (std::filesystem::equivalent(file, input, ignored))
-      throw InputError(file.string(), "", "is what is read, and would be replaced");
-}
-
 /// The options of the command for a file of this name.
 nlohmann::ordered_json optionsOf(const FittedCurve& fitted, const std::string& name,
                                  const nlohmann::ordered_json& language = {}) {
@@ -213,9 +206,10 @@ QStringList writeFitReport(const std::string& folder, const FittedCurve& fitted)
   for (const NamedSheet& sheet : report.sheets)
     for (const char* extension : {".png", ".svg", ".pdf"}) names.push_back(sheet.name + extension);
   for (const auto& [name, bytes] : report.texts) names.push_back(name);
+  const std::vector<std::filesystem::path> inputs = filesReadBy(fitted.fit.scene);
   for (const std::string& name : names) {
     checkWritable(within / name);
-    checkNoInput(within / name, fitted.fit.scene);
+    checkReplacesNone(within / name, inputs);
   }
   DiagramOptions options;
   options.width = kWidth;

@@ -79,6 +79,7 @@ FileKind kindOfText(const std::string& text) {
   } catch (const InputError&) {
     return FileKind::Moduli;  // a series with a fault, which its page explains
   }
+  if (isFrictionTable(text)) return FileKind::Friction;
   std::optional<TextTable> table;
   try {
     TextTableOptions options;
@@ -87,7 +88,6 @@ FileKind kindOfText(const std::string& text) {
   } catch (const InputError&) {
     return FileKind::Surface;
   }
-  if (isFrictionTable(*table)) return FileKind::Friction;
   if (hasModuli(*table)) return FileKind::Moduli;
   try {
     return readPronyFile(text, &*table, "", {}) ? FileKind::Moduli : FileKind::Surface;

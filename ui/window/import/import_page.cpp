@@ -74,6 +74,16 @@ ImportPage::ImportPage(const QString& file, const QString& accept, QWidget* pare
   halves_->setSpacing(12);
   halves_->addLayout(left, 1);
 
+  auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(14, 12, 14, 12);
+  all->addLayout(halves_, 1);
+  resizePage(*this, kDefault);
+  connect(this, &QDialog::finished, this, &ImportPage::deleteWhenFinished);
+}
+
+/// Adds the error and the buttons below the widgets of the derived class, and so behind them in the
+/// order of the Tab key.
+void ImportPage::addFoot(QVBoxLayout& page) {
   errorLabel_->setProperty("role", "error");
   errorLabel_->setStyleSheet(panelStyleSheet(palette()));
   errorLabel_->setMinimumHeight(3 * fontMetrics().lineSpacing());
@@ -92,13 +102,7 @@ ImportPage::ImportPage(const QString& file, const QString& accept, QWidget* pare
   foot->addSpacing(8);
   foot->addWidget(cancel_);
   foot->addWidget(accept_);
-
-  auto* all = new QVBoxLayout(this);
-  all->setContentsMargins(14, 12, 14, 12);
-  all->addLayout(halves_, 1);
-  all->addLayout(foot);
-  resizePage(*this, kDefault);
-  connect(this, &QDialog::finished, this, &ImportPage::deleteWhenFinished);
+  page.addLayout(foot);
 }
 
 QString ImportPage::sentence(QString text) {
@@ -112,6 +116,7 @@ QString ImportPage::errorText() const {
 }
 
 void ImportPage::restart() {
+  if (!accept_->parentWidget()) addFoot(*static_cast<QVBoxLayout*>(layout()));
   setState(State::Reading);
   begin();
 }
@@ -123,6 +128,10 @@ void ImportPage::showProgress(double part) {
 void ImportPage::finish(const QString& errorText) {
   errorLabel_->setText(errorText);
   setState(errorText.isEmpty() ? State::Shown : State::Wrong);
+}
+
+void ImportPage::showFailure(const QString& reason) {
+  errorLabel_->setText(reason);
 }
 
 void ImportPage::setState(State state) {

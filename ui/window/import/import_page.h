@@ -41,12 +41,16 @@ class ImportPage : public QDialog {
   QHBoxLayout& halves() { return *halves_; }  // for the widgets at the right
   const QString& file() const { return file_; }
 
-  /// Begins again with the present choices; begin() of the derived class follows.
+  /// Begins again with the present choices; begin() of the derived class follows. Its constructor
+  /// ends with the first call.
   void restart();
   virtual void begin() = 0;
   void showProgress(double part);
   /// Ends the reading, with what is wrong; empty: it can be accepted.
   void finish(const QString& errorText);
+  /// Shows why the result could not be kept, such as a folder that is read-only. It stays, and can
+  /// be accepted again.
+  void showFailure(const QString& reason);
   /// Returns the background work of the derived class.
   virtual BackgroundWork& work() = 0;
 
@@ -54,6 +58,7 @@ class ImportPage : public QDialog {
 
  private:
   enum class State { Reading, Shown, Wrong, Stopped };
+  void addFoot(QVBoxLayout& page);
   void setState(State state);
   void pressStop();
   void showBeginning();

@@ -14,6 +14,7 @@
 #include <QTabBar>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <tuple>
@@ -102,6 +103,7 @@ void MaterialImport::buildViews(const Theme& theme) {
   summary_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   auto* scroll = scrolled(summary_, Qt::ScrollBarAlwaysOff);
   scroll->setFixedHeight(8 * fontMetrics().lineSpacing());
+  scroll->setAccessibleName(tr("summary of the material"));
   views().addWidget(sheets_);
   views().addWidget(sheet_, 1);
   views().addWidget(scroll);
@@ -223,6 +225,7 @@ void MaterialImport::buildChoices() {
                      tr("Where the measurements come from, so that a reader can look it up"));
   auto* scroll = scrolled(content, Qt::ScrollBarAlwaysOff);
   scroll->setObjectName("dmaChoices");
+  scroll->setFocusPolicy(Qt::NoFocus);  // its controls take the focus
   constexpr int kMinWidth = 330;
   scroll->setFixedWidth(std::max(kMinWidth, content->minimumSizeHint().width() +
                                                 scroll->verticalScrollBar()->sizeHint().width()));
@@ -306,7 +309,7 @@ void MaterialImport::begin() {
     wanted = choices();
   } catch (const InputError& error) {
     work_.cancel();
-    return take({bytes_, {}, {{error.key(), error.message()}}});
+    return refuse(error.key(), error.message());
   }
   work_.request(
       [file = file().toStdString(), bytes = bytes_, wanted](const BackgroundWork::Run& run) {
@@ -328,13 +331,17 @@ void MaterialImport::begin() {
       [this](const QString& reason) { finish(reason); });
 }
 
+/// Shows what is wrong with an entry (its option), or with the file.
+void MaterialImport::refuse(const std::string& option, const Message& reason) {
+  material_.reset();
+  finish(withControlNames(option, translatedText(reason)));
+}
+
 void MaterialImport::take(const Preview& preview) {
-  bytes_ = preview.bytes;
+  // A file with a fault is read again: the user may mend it meanwhile.
+  bytes_ = preview.fault ? nullptr : preview.bytes;
+  if (preview.fault) return refuse(preview.fault->first, preview.fault->second);
   material_ = preview.material;
-  if (preview.fault) {
-    const auto& [option, message] = *preview.fault;
-    return finish(withControlNames(option, translatedText(message)));
-  }
   const std::vector<NamedSheet> sheets = materialSheets(*material_);
   const QString before = sheets_->tabData(sheets_->currentIndex()).toString();
   {
@@ -382,11 +389,11 @@ void MaterialImport::accept() {
   if (written.isEmpty()) return;
   try {
     const std::filesystem::path path = std::filesystem::absolute(written.toStdString());
-    checkWritable(path);
+    checkReplacesNone(path, std::array{std::filesystem::path(file().toStdString())});
     writeFileAtomically(path, materialJson(*material_));
     written = QString::fromStdString(path.string());
   } catch (const std::exception& error) {
-    return finish(translatedError(error));
+    return showFailure(translatedError(error));
   }
   emit materialWritten(written);
   QDialog::accept();

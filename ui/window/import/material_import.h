@@ -64,10 +64,11 @@ class MaterialImport : public ImportPage {
   MaterialChoices choices() const;
   QString withControlNames(const std::string& option, QString text) const;
   void take(const Preview& preview);
+  void refuse(const std::string& option, const Message& reason);
   void showSheet();
 
   FileChooser chooser_;
-  std::shared_ptr<const std::string> bytes_;  // of the file, once it is read
+  std::shared_ptr<const std::string> bytes_;  // of the file, once a material was made of them
   std::shared_ptr<const Material> material_;
   DiagramView* sheet_;
   QTabBar* sheets_;

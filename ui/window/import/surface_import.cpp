@@ -234,6 +234,7 @@ void SurfaceImport::buildViews(const Theme& theme) {
   facts_ = addText(*column, "surfaceFacts");
   column->addStretch(1);
   auto* scroll = scrolled(texts, Qt::ScrollBarAlwaysOff);
+  scroll->setAccessibleName(tr("what is known of the surface"));
   values_ = named<QLabel>("surfaceValues");
   values_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   values_->setTextInteractionFlags(Qt::TextSelectableByMouse);

@@ -253,13 +253,18 @@ void writeHandout(const std::filesystem::path& file, const Lesson& lesson,
 
 // ---- Saving in the window
 
-HandoutSaver::HandoutSaver(QWidget* window) : QObject(window), window_(window) {}
+HandoutSaver::HandoutSaver(QWidget* page)
+    : QObject(page->parentWidget() ? page->parentWidget() : page), page_(page) {
+  connect(page, &QObject::destroyed, this, [this] {
+    if (!isSaving_) deleteLater();
+  });
+}
 
 void HandoutSaver::ask(const Lesson& lesson, const QString& name) {
   QMessageBox box(QMessageBox::Question, tr("Handout"),
                   tr("A handout for students has the questions; one for teachers has the answers "
                      "and the notes, too."),
-                  QMessageBox::Cancel, window_);
+                  QMessageBox::Cancel, page_);
   box.setObjectName("handoutQuestion");
   auto* students = box.addButton(tr("For &students"), QMessageBox::AcceptRole);
   auto* teachers = box.addButton(tr("For &teachers"), QMessageBox::AcceptRole);
@@ -270,7 +275,7 @@ void HandoutSaver::ask(const Lesson& lesson, const QString& name) {
   const bool forTeacher = box.clickedButton() == teachers;
   const QString proposed = name + (forTeacher ? "_teacher.pdf" : ".pdf");
   const QString file =
-      askSaveFile(window_, tr("Save handout"), proposed, tr("PDF (*.pdf);;Web page (*.html)"));
+      askSaveFile(page_, tr("Save handout"), proposed, tr("PDF (*.pdf);;Web page (*.html)"));
   if (!file.isEmpty()) save(lesson, file, forTeacher);
 }
 
@@ -291,6 +296,9 @@ void HandoutSaver::save(const Lesson& lesson, const QString& file, bool forTeach
 void HandoutSaver::setSaving(bool isSaving, const QString& status) {
   isSaving_ = isSaving;
   emit statusChanged(status);
+  if (page_) return;
+  emit endedWithoutPage(status);
+  deleteLater();
 }
 
 }  // namespace asperity

@@ -24,6 +24,7 @@
 #include "core/base/input_error.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
+#include "ui/panels/controls.h"
 #include "ui/window/lesson/handout.h"
 #include "ui/window/lesson/lesson_check.h"
 #include "ui/window/lesson/lesson_pages.h"
@@ -51,8 +52,7 @@ LessonEditor::LessonEditor(LessonDocument document, ShownNow shownNow, QWidget* 
       keeping_(new QTimer(this)) {
   setObjectName("lessonEditor");
   setWindowTitle(tr("Lesson editor"));
-  language_ = new QTabBar;
-  language_->setObjectName("editorLanguage");
+  language_ = named<QTabBar>("editorLanguage");
   language_->addTab(QStringLiteral("English"));
   language_->addTab(QStringLiteral("Deutsch"));
   language_->setCurrentIndex(presentLanguage() == "de" ? 1 : 0);
@@ -65,12 +65,10 @@ LessonEditor::LessonEditor(LessonDocument document, ShownNow shownNow, QWidget* 
   language_->setAccessibleName(tr("language of the texts"));
   head_ = new LessonHeadPage;
   step_ = new LessonStepPage;
-  auto* scroll = new QScrollArea;
-  scroll->setWidget(step_);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
   pages_ = new QStackedWidget;
   pages_->addWidget(head_);
+  auto* scroll = scrolled(step_);
+  scroll->setFocusPolicy(Qt::NoFocus);  // its fields take the focus
   pages_->addWidget(scroll);
   for (const LessonForm* page : std::initializer_list<const LessonForm*>{head_, step_})
     connect(page, &LessonForm::edited, this, &LessonEditor::take);
@@ -81,11 +79,7 @@ LessonEditor::LessonEditor(LessonDocument document, ShownNow shownNow, QWidget* 
   halves->setSpacing(14);
   halves->addWidget(buildSteps());
   halves->addLayout(right, 1);
-  messageLabel_ = new QLabel;
-  messageLabel_->setObjectName("editorComplaint");
-  messageLabel_->setWordWrap(true);
-  messageLabel_->setTextFormat(Qt::PlainText);
-  messageLabel_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  messageLabel_ = textLabel("editorComplaint");
   messageLabel_->setMinimumHeight(2 * fontMetrics().lineSpacing());
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(14, 12, 14, 12);
@@ -119,8 +113,7 @@ LessonEditor::LessonEditor(LessonDocument document, ShownNow shownNow, QWidget* 
 /// Makes a button that calls a function of the editor.
 template <class Slot>
 QPushButton* LessonEditor::makeButton(const char* name, const QString& text, Slot slot) {
-  auto* button = new QPushButton(text);
-  button->setObjectName(name);
+  auto* button = named<QPushButton>(name, text);
   button->setAutoDefault(false);
   connect(button, &QPushButton::clicked, this, slot);
   return button;
@@ -130,8 +123,7 @@ QWidget* LessonEditor::buildSteps() {
   auto* part = new QWidget;
   auto* column = new QVBoxLayout(part);
   column->setContentsMargins(0, 0, 0, 0);
-  steps_ = new QListWidget;
-  steps_->setObjectName("editorSteps");
+  steps_ = named<QListWidget>("editorSteps");
   steps_->setAccessibleName(tr("steps"));
   column->addWidget(steps_, 1);
   auto* add =
@@ -159,18 +151,16 @@ QLayout* LessonEditor::buildFoot() {
   auto* open = makeButton("editorOpen", tr("&Open…"), &LessonEditor::openOther);
   handout_ = makeButton("editorHandout", tr("&Handout…"), [this] {
     const QString name = QFileInfo(document_.file()).completeBaseName();
-    saver_->ask(document_.read(), name.isEmpty() ? QStringLiteral("lesson") : name);
+    useRead([&](const Lesson& read) {
+      saver_->ask(read, name.isEmpty() ? QStringLiteral("lesson") : name);
+    });
   });
   handout_->setToolTip(tr("Pages to print, as PDF or as a web page"));
   undo_ = makeButton("editorUndo", tr("U&ndo"), &LessonEditor::undo);
   redo_ = makeButton("editorRedo", tr("R&edo"), &LessonEditor::redo);
   auto* close = makeButton("editorClose", tr("&Close"), &LessonEditor::reject);
   try_ = makeButton("editorTry", tr("&Try this step"), [this] {
-    try {
-      emit trialRequested(document_.read(), std::max(0, presentStep()));
-    } catch (const InputError&) {
-      check();
-    }
+    useRead([this](const Lesson& read) { emit trialRequested(read, std::max(0, presentStep())); });
   });
   auto* saveAs = makeButton("editorSaveAs", tr("Sa&ve as…"), &LessonEditor::askAndSave);
   auto* save = makeButton("editorSave", tr("&Save"), &LessonEditor::save);
@@ -180,6 +170,16 @@ QLayout* LessonEditor::buildFoot() {
   foot->addStretch(1);
   for (QPushButton* one : {close, try_, saveAs, save}) foot->addWidget(one);
   return foot;
+}
+
+/// Uses the lesson as its file would be read, or shows what is wrong: a scene that it names may
+/// have gone since it was checked.
+void LessonEditor::useRead(const std::function<void(const Lesson&)>& use) {
+  try {
+    use(document_.read());
+  } catch (const InputError&) {
+    check();
+  }
 }
 
 // ---- Showing

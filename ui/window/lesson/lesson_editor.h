@@ -52,6 +52,7 @@ class LessonEditor : public QDialog {
   const QString& errorText() const { return check_->error(); }
   bool isComputing() const { return check_->isComputing(); }
   bool hasWork() const { return check_->hasWork(); }
+  HandoutSaver& saver() { return *saver_; }
 
   void addShownStep();
   void removeStep();
@@ -82,6 +83,7 @@ class LessonEditor : public QDialog {
   QLayout* buildFoot();
   template <class Slot>
   QPushButton* makeButton(const char* name, const QString& text, Slot slot);
+  void useRead(const std::function<void(const Lesson&)>& use);
   int presentStep() const;
   LessonStep* present();
   bool isGerman() const;

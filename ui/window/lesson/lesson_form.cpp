@@ -61,12 +61,14 @@ UnitText readable(const QString& text, const Parameter& row) {
 
 // ---- Changes of a scene
 
-AssignmentList::AssignmentList(const QString& name, QWidget* parent)
+AssignmentList::AssignmentList(const QString& name, const QString& label, QWidget* parent)
     : QWidget(parent), name_(name), column_(new QVBoxLayout(this)), add_(new QToolButton) {
   column_->setContentsMargins(0, 0, 0, 0);
   column_->setSpacing(4);
   add_->setObjectName(name);
   add_->setText(tr("Change a parameter…"));
+  add_->setAccessibleDescription(label);
+  setAccessibleName(label);
   add_->setPopupMode(QToolButton::InstantPopup);
   add_->setMenu(new QMenu(add_));
   add_->setFocusPolicy(Qt::StrongFocus);
@@ -279,8 +281,7 @@ QComboBox* LessonForm::addChoice(const QString& label, const char* name) {
 }
 
 AssignmentList* LessonForm::addAssignments(const QString& label, const char* name) {
-  auto* list = new AssignmentList(QString::fromLatin1(name));
-  list->setAccessibleName(label);
+  auto* list = new AssignmentList(QString::fromLatin1(name), label);
   addRow(label, list);
   connect(list, &AssignmentList::edited, this, &LessonForm::notifyEdited);
   return list;

@@ -30,8 +30,9 @@ class AssignmentList : public QWidget {
   Q_OBJECT
 
  public:
-  /// The rows are named NAME:KEY, the button that adds one NAME.
-  explicit AssignmentList(const QString& name, QWidget* parent = nullptr);
+  /// The rows are named NAME:KEY, the button that adds one NAME. label: of the list, by which
+  /// screen readers tell its button from those of other lists.
+  AssignmentList(const QString& name, const QString& label, QWidget* parent = nullptr);
 
   /// Shows changes of this scene, which may have them already.
   void show(const std::vector<std::string>& assignments, const Scene& scene);

@@ -14,6 +14,7 @@
 
 #include "core/lesson/lesson_file.h"
 #include "ui/language/language.h"
+#include "ui/panels/controls.h"
 #include "ui/window/lesson/handout.h"
 #include "ui/window/lesson/lesson_text.h"
 #include "ui/window/main/scene_library.h"
@@ -41,43 +42,35 @@ const std::vector<Lesson>& readShippedLessons() {
 LessonList::LessonList(QWidget* parent, AnswerFunction answer)
     : QDialog(parent),
       answer_(std::move(answer)),
-      list_(new QListWidget),
-      about_(new QLabel),
-      status_(new QLabel),
+      list_(named<QListWidget>("lessonNames")),
+      notes_(named<QCheckBox>("lessonNotes")),
+      about_(named<QLabel>("lessonAbout")),
+      status_(named<QLabel>("lessonStatus")),
       saver_(new HandoutSaver(this)) {
   setObjectName("lessonList");
-  list_->setObjectName("lessonNames");
   list_->setWordWrap(true);
   for (const Lesson& lesson : readShippedLessons()) {
     auto* item = new QListWidgetItem;
     item->setData(Qt::UserRole, QString::fromStdString(lesson.name));
     list_->addItem(item);
   }
-  about_->setObjectName("lessonAbout");
   about_->setWordWrap(true);
   about_->setTextFormat(Qt::RichText);
   about_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   about_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-  auto* scroll = new QScrollArea;
-  scroll->setWidget(about_);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
+  auto* scroll = scrolled(about_);
+  keepTranslated(*scroll, [scroll] { scroll->setAccessibleName(tr("about the lesson")); });
   auto* halves = new QHBoxLayout;
   halves->setSpacing(16);
-  // The notes contain answers, which students should not read by chance.
-  notes_ = new QCheckBox;
-  notes_->setObjectName("lessonNotes");
   auto* right = new QVBoxLayout;
   right->addWidget(scroll, 1);
-  right->addWidget(notes_);
+  right->addWidget(notes_);  // they contain answers, which students should not read by chance
   halves->addWidget(list_, 4);
   halves->addLayout(right, 6);
-  status_->setObjectName("lessonStatus");
   status_->setWordWrap(true);
   status_->setMinimumHeight(fontMetrics().lineSpacing());
   const auto button = [](const char* name) {
-    auto* made = new QPushButton;
-    made->setObjectName(name);
+    auto* made = named<QPushButton>(name);
     made->setAutoDefault(false);
     return made;
   };

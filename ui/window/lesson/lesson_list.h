@@ -25,13 +25,12 @@ class LessonList : public QDialog {
   Q_OBJECT
 
  public:
-  using AnswerFunction = std::function<LessonAnswer(const LessonStep&, const CurveOptions&)>;
-
   /// answer: computes the right answer to the question of a step, on a thread of its own.
   explicit LessonList(QWidget* parent, AnswerFunction answer = lessonAnswer);
 
   /// Returns the name of the chosen shipped lesson.
   QString chosen() const;
+  HandoutSaver& saver() { return *saver_; }
 
  signals:
   /// Emitted with the name of a shipped lesson, or a file.

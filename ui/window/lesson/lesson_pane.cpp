@@ -1,25 +1,20 @@
 #include "ui/window/lesson/lesson_pane.h"
 
-#include <QButtonGroup>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
-#include <QLineEdit>
 #include <QPushButton>
-#include <QRadioButton>
-#include <QRegularExpression>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QTextDocumentFragment>
 #include <QTimer>
 #include <QVBoxLayout>
 
-#include "core/base/units.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/controls.h"
-#include "ui/panels/number_text.h"
+#include "ui/window/lesson/answer_input.h"
 #include "ui/window/lesson/lesson_text.h"
 
 namespace asperity {
@@ -27,26 +22,6 @@ namespace asperity {
 namespace {
 
 constexpr int kNoteMargin = 4;  // pixels below a note that is scrolled to
-
-/// Returns the style sheet of choices in the colours of the window: those of the style are black in
-/// a dark window. The buttons grow with the letters.
-QString choiceStyle(const QPalette& palette, const QFontMetrics& letters) {
-  const int size = std::max(11, static_cast<int>(0.7 * letters.height()));
-  const int ring = std::max(4, size * 4 / 11);
-  const auto name = [&palette](QPalette::ColorRole role) { return palette.color(role).name(); };
-  return QStringLiteral(R"(
-    QRadioButton::indicator { width: %5px; height: %5px; border: 1px solid %1;
-                              border-radius: %6px; background: %2; }
-    QRadioButton::indicator:checked { border: %7px solid %3; width: %8px; height: %8px; }
-    QRadioButton::indicator:disabled { border-color: %4; }
-    QRadioButton::indicator:focus { border-color: %3; })")
-      .arg(name(QPalette::PlaceholderText), name(QPalette::Base), name(QPalette::Highlight),
-           name(QPalette::Mid))
-      .arg(size)
-      .arg((size + 1) / 2)
-      .arg(ring)
-      .arg(size + 2 - 2 * ring);
-}
 
 /// A button that is no wider than its text needs, so that three of them fit beside each other.
 class FootButton : public QPushButton {
@@ -58,54 +33,16 @@ class FootButton : public QPushButton {
   QSize minimumSizeHint() const override { return sizeHint(); }
 };
 
-/// A choice. An arrow key chooses the one to which it goes, though none was chosen before.
-class ChoiceButton : public QRadioButton {
- protected:
-  void keyPressEvent(QKeyEvent* event) override {
-    QRadioButton::keyPressEvent(event);
-    auto* reached = qobject_cast<QRadioButton*>(window()->focusWidget());
-    if (reached && reached != this && reached->group() == group()) reached->setChecked(true);
-  }
-};
-
-/// A choice whose text may take several lines, as a radio button's own text cannot.
-class ChoiceLine : public QWidget {
- public:
-  ChoiceLine(QRadioButton* button, const QString& text) {
-    auto* line = new QHBoxLayout(this);
-    line->setContentsMargins(0, 0, 0, 0);
-    line->setSpacing(6);
-    label_ = new QLabel(text);
-    label_->setWordWrap(true);
-    label_->setTextFormat(Qt::PlainText);
-    label_->installEventFilter(this);
-    button_ = button;
-    line->addWidget(button, 0, Qt::AlignTop);
-    line->addWidget(label_, 1);
-    button->setAccessibleName(text);
-  }
-  QLabel& label() { return *label_; }
-
- protected:
-  bool eventFilter(QObject* watched, QEvent* event) override {
-    if (event->type() == QEvent::MouseButtonRelease && button_->isEnabled()) {
-      button_->setFocus(Qt::MouseFocusReason);
-      button_->click();
-    }
-    return QWidget::eventFilter(watched, event);
-  }
-
- private:
-  QLabel* label_;
-  QRadioButton* button_;
-};
+/// Returns HTML as a screen reader says it.
+QString spoken(const QString& html) {
+  return QTextDocumentFragment::fromHtml(html).toPlainText();
+}
 
 }  // namespace
 
-LessonPane::LessonPane(QWidget* parent) : QWidget(parent), scroll_(new QScrollArea) {
+LessonPane::LessonPane(QWidget* parent) : QWidget(parent) {
   setObjectName("lessonPane");
-  auto* content = new QWidget;
-  content->setObjectName("lessonContent");
+  auto* content = named<QWidget>("lessonContent");
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(14, 8, 14, 8);
   column->setSpacing(6);
@@ -124,23 +61,12 @@ LessonPane::LessonPane(QWidget* parent) : QWidget(parent), scroll_(new QScrollAr
   strong.setBold(true);
   question_->setFont(strong);
 
-  scroll_->setWidget(content);
-  scroll_->setWidgetResizable(true);
-  scroll_->setFrameShape(QFrame::NoFrame);
+  scroll_ = scrolled(content, Qt::ScrollBarAlwaysOff);
   scroll_->setFocusPolicy(Qt::NoFocus);  // its texts take the focus
-  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-
-  progress_ = new QLabel;
-  progress_->setObjectName("lessonProgress");
-  const auto button = [](const char* name) {
-    auto* made = new FootButton;
-    made->setObjectName(name);
-    made->setAutoDefault(false);
-    return made;
-  };
-  back_ = button("lessonBack");
-  show_ = button("lessonShow");
-  next_ = button("lessonNext");
+  progress_ = named<QLabel>("lessonProgress");
+  back_ = named<FootButton>("lessonBack");
+  show_ = named<FootButton>("lessonShow");
+  next_ = named<FootButton>("lessonNext");
   auto* foot = new QHBoxLayout;
   foot->setContentsMargins(14, 6, 14, 8);
   foot->setSpacing(6);
@@ -178,8 +104,7 @@ LessonPane::LessonPane(QWidget* parent) : QWidget(parent), scroll_(new QScrollAr
 }
 
 QLabel* LessonPane::addText(QVBoxLayout& column, const char* name) {
-  auto* label = new QLabel;
-  label->setObjectName(name);
+  auto* label = named<QLabel>(name);
   label->setWordWrap(true);
   label->setTextFormat(Qt::RichText);
   label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
@@ -199,29 +124,31 @@ void LessonPane::showStep(const LessonPage& page) {
   isLast_ = page.step + 1 == count;
   isWaiting_ = false;
   isPointPlaced_ = false;
-  unit_ = page.unit;
   progress_->setText(tr("%1 of %2").arg(page.step + 1).arg(count));
   fill(*title_, lineText(step.title).toHtmlEscaped());
   fill(*text_, richText(shown(step.text)) + (step.prediction ? QString() : page.remark));
   fill(*note_, {});
-  clearInput();
   isAsking_ = step.prediction && !page.answer;
   kind_.reset();
   if (step.prediction) kind_ = step.prediction->kind;
   fill(*question_,
        step.prediction ? lineText(step.prediction->question).toHtmlEscaped() : QString());
   fill(*tolerance_, step.prediction ? pointTolerance(*step.prediction).toHtmlEscaped() : QString());
-  if (step.prediction && step.prediction->kind == PredictionKind::Choice)
-    addChoices(*step.prediction, page);
-  if (isAsking_ && step.prediction->kind == PredictionKind::Number) addNumber(page);
+  AnswerInput* input = nullptr;
+  if (kind_ == PredictionKind::Choice)
+    input = new ChoiceInput(*step.prediction, page.answer, page.given);
+  else if (isAsking_ && kind_ == PredictionKind::Number)
+    input = new NumberInput(page.unit);
+  setInput(input);
   QString verdict, reveal;
   if (step.prediction && page.answer) {
     verdict = verdictText(*step.prediction, *page.answer, *page.given, page.isRight);
     reveal = richText(step.reveal, *step.prediction, *page.answer, *page.given) + page.remark;
   }
   fill(*verdict_, verdict);
-  // The focus moves to the button; its description gives the right answer to screen readers.
-  next_->setAccessibleDescription(QTextDocumentFragment::fromHtml(verdict + reveal).toPlainText());
+  // The focus moves to the button; its description gives the right answer to screen readers, or the
+  // text of a step that asks nothing.
+  next_->setAccessibleDescription(spoken(step.prediction ? verdict + reveal : text_->text()));
   fill(*reveal_, reveal);
   showButtons();
   isRevealed_ = page.answer != nullptr;
@@ -258,116 +185,45 @@ void LessonPane::scrollToStep() {
   bar.setValue(from);
 }
 
-void LessonPane::clearInput() {
-  choices_ = nullptr;
-  number_ = nullptr;
-  if (!input_) return;
-  inputLayout_->removeWidget(input_);
-  input_->setParent(nullptr);
-  input_->deleteLater();
-  input_ = nullptr;
-}
-
-/// Adds the choices; once the answer is known, the right one and a wrong given one are marked.
-void LessonPane::addChoices(const LessonPrediction& prediction, const LessonPage& page) {
-  input_ = new QWidget;
-  input_->setStyleSheet(choiceStyle(palette(), fontMetrics()));
-  auto* column = new QVBoxLayout(input_);
-  column->setContentsMargins(2, 0, 0, 4);
-  column->setSpacing(5);
-  choices_ = new QButtonGroup(input_);
-  for (std::size_t i = 0; i < prediction.choices.size(); ++i) {
-    const int number = static_cast<int>(i);
-    auto* button = new ChoiceButton;
-    button->setObjectName(QStringLiteral("lessonChoice:%1").arg(number));
-    QString text = lineText(prediction.choices[i].text);
-    if (page.answer) {
-      const bool isRight = number == page.answer->choice;
-      const bool isGiven = number == page.given->choice;
-      if (isRight) text += QStringLiteral("\u00A0\u00A0✓");
-      if (isGiven && !isRight) text += QStringLiteral("\u00A0\u00A0✗");
-      button->setChecked(isGiven);
-      button->setEnabled(false);
-    }
-    auto* line = new ChoiceLine(button, text);
-    line->label().setObjectName(QStringLiteral("lessonChoiceText:%1").arg(number));
-    // The given answer stays as legible as the right one.
-    line->label().setEnabled(!page.answer || number == page.answer->choice ||
-                             (page.given && number == page.given->choice));
-    choices_->addButton(button, number);
-    column->addWidget(line);
-    connect(button, &QRadioButton::toggled, this, &LessonPane::showButtons);
+/// Shows the control with which the question is answered, or was; null: none.
+void LessonPane::setInput(AnswerInput* input) {
+  if (input_) {
+    inputLayout_->removeWidget(input_);
+    input_->setParent(nullptr);
+    input_->deleteLater();
   }
-  inputLayout_->addWidget(input_);
-  QWidget* before = question_;
-  for (QAbstractButton* button : choices_->buttons()) {
-    setTabOrder(before, button);
-    before = button;
-  }
-}
-
-void LessonPane::addNumber(const LessonPage& page) {
-  input_ = new QWidget;
-  auto* line = new QHBoxLayout(input_);
-  line->setContentsMargins(2, 0, 0, 4);
-  number_ = new QLineEdit;
-  number_->setObjectName("lessonNumber");
-  number_->setAccessibleName(tr("your answer"));
-  number_->setPlaceholderText(tr("a number"));
-  number_->setMaximumWidth(16 * fontMetrics().horizontalAdvance('0'));
-  line->addWidget(number_);
-  line->addWidget(new QLabel(QString::fromStdString(page.unit)));
-  line->addStretch(1);
-  connect(number_, &QLineEdit::textChanged, this, [this](const QString& text) {
-    showNote(readingText(text));
-    showButtons();
-  });
-  connect(number_, &QLineEdit::returnPressed, this, [this] {
+  input_ = input;
+  if (!input) return;
+  connect(input, &AnswerInput::edited, this, &LessonPane::showButtons);
+  connect(input, &AnswerInput::readAs, this, &LessonPane::showNote);
+  connect(input, &AnswerInput::returnPressed, this, [this] {
     if (next_->isEnabled()) next_->click();
   });
-  inputLayout_->addWidget(input_);
-  setTabOrder(question_, number_);
-}
-
-/// Returns how a number is read whose mark people take for a decimal sign or for one between
-/// thousands; empty for any other text.
-QString LessonPane::readingText(const QString& typed) const {
-  static const QRegularExpression ambiguous(QStringLiteral(R"([1-9]\d{0,2}([.,]\d{3})+(?!\d))"));
-  if (!ambiguous.match(typed).hasMatch() || !typedAnswer()) return {};
-  static const QRegularExpression digits(QStringLiteral(R"(^[+\-\x{2212}]?[\d.]+)"));
-  const QString text = withoutGroups(typed.trimmed());
-  const QRegularExpressionMatch number = digits.match(text);
-  const QString value = number.captured().replace(QStringLiteral("−"), QStringLiteral("-"));
-  return tr("Your number is read as %1.")
-      .arg(shownNumber(value.toDouble()) + text.mid(number.capturedEnd()));
-}
-
-/// Returns the answer that was chosen or typed; nothing where it cannot be read.
-std::optional<GivenAnswer> LessonPane::typedAnswer() const {
-  GivenAnswer given;
-  if (choices_) {
-    if (choices_->checkedId() < 0) return std::nullopt;
-    given.choice = choices_->checkedId();
-  } else if (number_) {
-    QString text = withoutGroups(number_->text().trimmed());
-    text.replace(QStringLiteral("−"), QStringLiteral("-"));
-    const TypedQuantity typed = typedQuantity(text.toStdString(), {unit_, unit_ == "K", false});
-    if (!typed.value) return std::nullopt;
-    given.number = *typed.value;
+  inputLayout_->addWidget(input);
+  const QWidgetList controls = input->controls();
+  // The focus moves to the first one, beyond the question.
+  if (!controls.isEmpty())
+    controls.constFirst()->setAccessibleDescription(spoken(question_->text()));
+  QWidget* before = question_;
+  for (QWidget* control : controls) {
+    setTabOrder(before, control);
+    before = control;
   }
-  return given;
+}
+
+QString LessonPane::entry() const {
+  return input_ ? input_->entry() : QString();
+}
+
+void LessonPane::enter(const QString& entry) {
+  if (input_ && isAsking_) input_->enter(entry);
 }
 
 void LessonPane::check() {
-  const std::optional<GivenAnswer> given = typedAnswer();
-  if (!given) {
-    const QString unit = QString::fromStdString(unit_);
-    showNote(unit.isEmpty() ? tr("A number is needed, such as 0.5.")
-                            : tr("A number is needed, in %1.").arg(unit));
-    if (number_) number_->setFocus();
-    return;
-  }
-  emit answered(*given);
+  const std::optional<GivenAnswer> given = input_ ? input_->answer() : GivenAnswer();
+  if (given) return emit answered(*given);
+  showNote(input_->refusal());
+  input_->controls().constFirst()->setFocus();
 }
 
 void LessonPane::setWaiting(bool isWaiting) {
@@ -394,11 +250,7 @@ void LessonPane::scrollToNote() {
 
 void LessonPane::showButtons() {
   bool isAnswered = true;
-  if (isAsking_) {
-    if (kind_ == PredictionKind::Point) isAnswered = isPointPlaced_;
-    if (choices_) isAnswered = choices_->checkedId() >= 0;
-    if (number_) isAnswered = !number_->text().trimmed().isEmpty();
-  }
+  if (isAsking_) isAnswered = kind_ == PredictionKind::Point ? isPointPlaced_ : !entry().isEmpty();
   back_->setEnabled(!isFirst_ && !isWaiting_);
   show_->setVisible(isAsking_);
   show_->setEnabled(!isWaiting_);
@@ -408,10 +260,8 @@ void LessonPane::showButtons() {
 }
 
 void LessonPane::focusStep() {
-  if (isAsking_ && choices_ && !choices_->buttons().isEmpty())
-    choices_->buttons().constFirst()->setFocus();
-  else if (isAsking_ && number_)
-    number_->setFocus();
+  if (isAsking_ && input_ && !input_->controls().isEmpty())
+    input_->controls().constFirst()->setFocus();
   else if (next_->isEnabled())
     next_->setFocus();
   else
@@ -426,13 +276,9 @@ void LessonPane::keyPressEvent(QKeyEvent* event) {
 
 void LessonPane::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
-  const bool hasOtherLetters = event->type() == QEvent::FontChange;
-  if (hasOtherLetters && next_) {
-    setHeading();
-    showButtons();
-  }
-  if ((hasOtherLetters || event->type() == QEvent::PaletteChange) && choices_)
-    input_->setStyleSheet(choiceStyle(palette(), fontMetrics()));
+  if (event->type() != QEvent::FontChange || !next_) return;
+  setHeading();
+  showButtons();
 }
 
 }  // namespace asperity

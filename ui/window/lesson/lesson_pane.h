@@ -5,18 +5,17 @@
 
 #include <QWidget>
 #include <optional>
-#include <vector>
 
 #include "core/lesson/lesson_answers.h"
 
-class QButtonGroup;
 class QLabel;
-class QLineEdit;
 class QPushButton;
 class QScrollArea;
 class QVBoxLayout;
 
 namespace asperity {
+
+class AnswerInput;
 
 /// The content of the pane. The pointers need to be valid only during the call of showStep().
 struct LessonPage {
@@ -40,6 +39,10 @@ class LessonPane : public QWidget {
   void setWaiting(bool isWaiting);
   /// Shows a note below the answer, such as the reason why it cannot be computed.
   void showNote(const QString& text);
+  /// Returns what the student has entered and not checked yet; enter() enters it again where the
+  /// same question is shown anew.
+  QString entry() const;
+  void enter(const QString& entry);
   /// Reports that a point was placed on the chart.
   void setPointPlaced(bool isPlaced);
 
@@ -59,26 +62,19 @@ class LessonPane : public QWidget {
 
  private:
   QLabel* addText(QVBoxLayout& column, const char* name);
-  void addChoices(const LessonPrediction& prediction, const LessonPage& page);
-  void addNumber(const LessonPage& page);
-  void clearInput();
+  void setInput(AnswerInput* input);
   void setHeading();
   void scroll();
   void scrollToStep();
   void scrollToNote();
   void showButtons();
   void check();
-  std::optional<GivenAnswer> typedAnswer() const;
-  QString readingText(const QString& typed) const;
 
   QScrollArea* scroll_;
-  QWidget* input_ = nullptr;
+  AnswerInput* input_ = nullptr;  // of the question of the step; null: it has none here
   QVBoxLayout* inputLayout_;
   QLabel *title_, *text_, *question_, *tolerance_, *verdict_, *reveal_, *note_, *progress_;
-  QPushButton *back_, *show_, *next_;
-  QButtonGroup* choices_ = nullptr;
-  QLineEdit* number_ = nullptr;
-  std::string unit_;
+  QPushButton *back_ = nullptr, *show_ = nullptr, *next_ = nullptr;
   bool isAsking_ = false, isWaiting_ = false, isLast_ = false, isFirst_ = true;
   std::optional<PredictionKind> kind_;
   bool isPointPlaced_ = false;

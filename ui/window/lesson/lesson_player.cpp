@@ -57,8 +57,10 @@ LessonPlayer::LessonPlayer(const Parts& parts)
   connect(pane_, &LessonPane::solutionRequested, this, [this] { answer({}, true); });
   connect(point_, &PredictionPoint::placed, this, [this] { pane_->setPointPlaced(true); });
   connect(&parts_.document, &SceneDocument::sceneChanged, this,
-          [this](const Scene& scene, SceneChange change) {
-            if (isRunning() && change == SceneChange::Edited) lockControls(scene);
+          [this](const Scene&, SceneChange change) {
+            // It runs later: the document is in the middle of its step.
+            if (change == SceneChange::Edited)
+              QTimer::singleShot(0, this, &LessonPlayer::lockControls);
           });
 }
 
@@ -93,15 +95,21 @@ void LessonPlayer::buildDock() {
     keep_->setAccessibleName(tr("Save results…"));
     close_->setToolTip(tr("Ends the lesson; your own scene comes back"));
     close_->setAccessibleName(tr("end the lesson"));
-    if (isRunning()) {
-      // The scene has the step's title, and keeps what the student changed.
-      Scene scene = parts_.document.scene();
-      scene.title = shown(present().title);
-      if (!(scene == parts_.document.scene())) parts_.document.edit(scene);
-      showPage();
-    }
+    if (isRunning()) translateStep();
     showTitle();
   });
+}
+
+/// Shows the step in another language. What the student has changed, placed or entered stays.
+void LessonPlayer::translateStep() {
+  Scene scene = parts_.document.scene();
+  scene.title = shown(present().title);  // of the step
+  if (!(scene == parts_.document.scene())) parts_.document.edit(scene);
+  if (present().prediction) point_->setQuestion(plainText(present().prediction->question));
+  const QString entry = pane_->entry();
+  showPage();
+  pane_->enter(entry);
+  if (waiting_) pane_->setWaiting(true);
 }
 
 void LessonPlayer::addTo(Commands& commands) {
@@ -150,8 +158,7 @@ bool LessonPlayer::isRevealed() const {
 void LessonPlayer::show(int step) {
   if (!isRunning() || step < 0 || step >= static_cast<int>(lesson_->steps.size())) return;
   step_ = step;
-  waiting_.reset();
-  finding_.cancel();
+  stopFinding();
   showScene();
   // The text of a step may describe a movement, so its picture moves.
   if (!present().sceneName.empty() || !present().sceneJson.empty()) parts_.session.setPlaying(true);
@@ -243,21 +250,19 @@ void LessonPlayer::showControls() {
   parts_.panel.setRowAccess(access);
 }
 
-/// Undoes a change of a control that is not free.
-void LessonPlayer::lockControls(const Scene& scene) {
+/// Undoes changes of controls that are not free.
+void LessonPlayer::lockControls() {
+  if (!isRunning()) return;
+  const Scene& scene = parts_.document.scene();
   LessonControls controls = present().controls;
   if (!isRevealed()) controls = {{}, {}, {}, ControlState::Locked};
   const Scene shown = shownScene();
   const std::vector<std::string_view> changed = lockedChanges(controls, shown, scene);
   if (changed.empty()) return;
-  const Scene held = withinControls(controls, shown, scene);
   const QString name = translatedText(findParameter(changed.front())->label);
-  QTimer::singleShot(0, this, [this, held, name] {
-    if (!isRunning()) return;
-    parts_.document.edit(held);
-    pane_->showNote(isRevealed() ? tr("“%1” is locked in this step.").arg(name)
-                                 : tr("First make your guess; then you can try it."));
-  });
+  parts_.document.edit(withinControls(controls, shown, scene));
+  pane_->showNote(isRevealed() ? tr("“%1” is locked in this step.").arg(name)
+                               : tr("First make your guess; then you can try it."));
 }
 
 void LessonPlayer::showChart() {
@@ -318,24 +323,33 @@ void LessonPlayer::showPoint() {
 
 // ---- Answers
 
+/// Computes the answer to the present step, unless that is being done already.
 void LessonPlayer::findAnswer() {
+  if (isFinding_) return;
+  isFinding_ = true;
   finding_.request(
-      [step = present()](const BackgroundWork::Run& run) {
+      [step = present(), find = find_](const BackgroundWork::Run& run) {
         CurveOptions options;
         options.stop = run.stop();
-        return lessonAnswer(step, options);
+        return find(step, options);
       },
-      [this, step = step_](const LessonAnswer& answer) { takeAnswer(step, answer); },
+      [this](const LessonAnswer& answer) { takeAnswer(answer); },
       [this](const QString& reason) {
-        waiting_.reset();
+        stopFinding();
         pane_->setWaiting(false);
         pane_->showNote(reason);
       });
 }
 
-void LessonPlayer::takeAnswer(int step, const LessonAnswer& answer) {
-  answers_[step] = answer;
-  if (step != step_) return;
+void LessonPlayer::stopFinding() {
+  isFinding_ = false;
+  waiting_.reset();
+  finding_.cancel();
+}
+
+void LessonPlayer::takeAnswer(const LessonAnswer& answer) {
+  isFinding_ = false;
+  answers_[step_] = answer;
   if (waiting_) return settle(*std::exchange(waiting_, std::nullopt));
   if (isRevealed()) showPage();  // the result is from a file, and its texts get their values now
 }
@@ -378,9 +392,8 @@ void LessonPlayer::next() {
 // ---- The end
 
 void LessonPlayer::end() {
-  finding_.cancel();
+  stopFinding();
   comparisons_.cancel();
-  waiting_.reset();
   lesson_.reset();
   point_->dismiss();
   dock_->hide();

@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/lesson/lesson_results.h"
@@ -45,6 +46,9 @@ class LessonPlayer : public QObject {
   };
   explicit LessonPlayer(const Parts& parts);
 
+  /// Replaces lessonAnswer(), which computes the right answers on a thread of its own.
+  void setAnswerFunction(AnswerFunction find) { find_ = std::move(find); }
+
   void addTo(Commands& commands);
 
   /// Begins a lesson at a step, with the answers that are known; no other one may run. A trial is
@@ -80,18 +84,20 @@ class LessonPlayer : public QObject {
  private:
   const LessonStep& present() const { return lesson_->steps[static_cast<std::size_t>(step_)]; }
   void buildDock();
+  void translateStep();
   void showPage();
   void showTitle();
   void showScene();
   Scene shownScene() const;
   void showControls();
-  void lockControls(const Scene& scene);
+  void lockControls();
   void showChart();
   void showBeside();
   void showPoint();
   QString summary() const;
   void findAnswer();
-  void takeAnswer(int step, const LessonAnswer& answer);
+  void stopFinding();
+  void takeAnswer(const LessonAnswer& answer);
   void answer(GivenAnswer given, bool givesUp);
   void settle(const GivenAnswer& given);
   void next();
@@ -107,7 +113,8 @@ class LessonPlayer : public QObject {
   Commands* commands_ = nullptr;
   std::unique_ptr<Lesson> lesson_;
   int step_ = 0;
-  bool isTrial_ = false;
+  bool isTrial_ = false, isFinding_ = false;
+  AnswerFunction find_ = lessonAnswer;
   std::map<int, LessonAnswer> answers_;  // computed ones, by step
   std::optional<GivenAnswer> waiting_;   // given, while the right answer is computed
   LessonResults results_;

@@ -1,11 +1,8 @@
 #include "ui/window/lesson/lesson_results_page.h"
 
-#include <QAbstractButton>
 #include <QDialog>
 #include <QFileInfo>
-#include <QMessageBox>
 #include <QPushButton>
-#include <QScreen>
 #include <QTextBrowser>
 #include <QVBoxLayout>
 #include <cmath>
@@ -18,8 +15,10 @@
 #include "core/scene/sweep.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
+#include "ui/panels/controls.h"
 #include "ui/window/lesson/lesson_text.h"
 #include "ui/window/main/scene_library.h"
+#include "ui/window/main/window_layout.h"
 
 namespace asperity {
 
@@ -170,36 +169,38 @@ QString LessonResultsPage::classHtml(const QStringList& files) {
   return html;
 }
 
-void showClassResults(QWidget& window, const QStringList& files) {
-  constexpr QSize kSize(820, 460);  // pixels
-  constexpr int kScreenMargin = 60;
-  auto* page = new QTextBrowser;
-  page->setObjectName("classResultsTable");
-  page->setLineWrapMode(QTextEdit::NoWrap);
-  page->setHtml(LessonResultsPage::classHtml(files));
-  auto* dialog = new QDialog(&window);
-  dialog->setObjectName("classResults");
+namespace {
+
+/// Shows a page in a dialog, in which what does not fit is scrolled to.
+void showPage(QWidget& window, const QString& name, const QString& title, const QString& html,
+              QTextEdit::LineWrapMode wrap) {
+  auto* page = named<QTextBrowser>(name + "Table");
+  page->setAccessibleName(title);
+  page->setLineWrapMode(wrap);
+  page->setHtml(html);
+  auto* dialog = named<QDialog>(name, &window);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setWindowTitle(LessonResultsPage::tr("Results of a class"));
+  dialog->setWindowTitle(title);
   auto* close = new QPushButton(LessonResultsPage::tr("&Close"));
   QObject::connect(close, &QPushButton::clicked, dialog, &QDialog::reject);
   auto* column = new QVBoxLayout(dialog);
   column->addWidget(page, 1);
   column->addWidget(close, 0, Qt::AlignRight);
-  dialog->resize(
-      kSize.boundedTo(window.screen()->availableSize() - QSize(kScreenMargin, kScreenMargin)));
+  constexpr QSize kSize(820, 460);  // pixels
+  resizePage(*dialog, kSize);
   dialog->open();
 }
 
+}  // namespace
+
 void showLessonResults(QWidget& window, const QString& file) {
-  auto* box = new QMessageBox(QMessageBox::NoIcon, LessonResultsPage::tr("Results of a lesson"),
-                              LessonResultsPage::html(file), QMessageBox::Close, &window);
-  box->setObjectName("lessonResults");
-  box->setAttribute(Qt::WA_DeleteOnClose);
-  box->setTextFormat(Qt::RichText);
-  box->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-  box->button(QMessageBox::Close)->setText(LessonResultsPage::tr("&Close"));
-  box->open();
+  showPage(window, "lessonResults", LessonResultsPage::tr("Results of a lesson"),
+           LessonResultsPage::html(file), QTextEdit::WidgetWidth);
+}
+
+void showClassResults(QWidget& window, const QStringList& files) {
+  showPage(window, "classResults", LessonResultsPage::tr("Results of a class"),
+           LessonResultsPage::classHtml(files), QTextEdit::NoWrap);
 }
 
 }  // namespace asperity

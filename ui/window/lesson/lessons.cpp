@@ -20,6 +20,7 @@
 #include "ui/panels/parameter_panel.h"
 #include "ui/panels/scene_files.h"
 #include "ui/window/figures/figure_pages.h"
+#include "ui/window/lesson/handout.h"
 #include "ui/window/lesson/lesson_editor.h"
 #include "ui/window/lesson/lesson_list.h"
 #include "ui/window/lesson/lesson_pane.h"
@@ -96,7 +97,7 @@ Lessons::Lessons(const Parts& parts, MessageBar& messages)
   connect(&parts_.document, &SceneDocument::trialEnded, this, &Lessons::end);
   connect(player_, &LessonPlayer::answered, this, [this] {
     isSaved_ = false;
-    writeResultsFile();
+    if (!resultsFile_.isEmpty()) saveAnswers(resultsFile_);
     keepUnsavedAnswers();
   });
   connect(player_, &LessonPlayer::savingRequested, this, &Lessons::askResultsFile);
@@ -121,6 +122,7 @@ LessonList& Lessons::showList() {
   for (LessonList* open : parts_.window.findChildren<LessonList*>()) delete open;
   auto* list = new LessonList(&parts_.window);
   list->setAttribute(Qt::WA_DeleteOnClose);
+  connect(&list->saver(), &HandoutSaver::endedWithoutPage, &messages_, &MessageBar::showMessage);
   connect(list, &LessonList::lessonRequested, this, [this](const QString& name) { open(name); });
   connect(list, &LessonList::resultsRequested, this, &Lessons::openResults);
   connect(list, &LessonList::editorRequested, this, [this](const QString& name) {
@@ -170,6 +172,7 @@ LessonEditor& Lessons::makeEditor(const LessonDocument& document) {
   };
   auto* editor = new LessonEditor(document, shownNow, &parts_.window);
   editor->setAttribute(Qt::WA_DeleteOnClose);
+  connect(&editor->saver(), &HandoutSaver::endedWithoutPage, &messages_, &MessageBar::showMessage);
   connect(editor, &LessonEditor::trialRequested, this,
           [this, editor](const Lesson& edited, int step) {
             // The editor is hidden during the lesson, and shown again when that ends.
@@ -256,6 +259,7 @@ bool Lessons::open(const QString& nameOrFile) {
     }
     const Lesson lesson = readNamedLesson(nameOrFile.toStdString(), readNamedScene);
     if (!mayLeave()) return false;
+    end();
     offerAnswers(lesson);
     start(lesson);
     if (QFileInfo::exists(nameOrFile)) file_ = QFileInfo(nameOrFile).absoluteFilePath();
@@ -329,8 +333,7 @@ bool Lessons::mayLeave() {
       askResultsFile();
       return isSaved_;
     case SaveAnswer::Discard:
-      player_->setResults(emptyResults(*lesson()));
-      keepUnsavedAnswers();
+      isSaved_ = true;  // the lesson goes on with them where it does not end after all
       return true;
     case SaveAnswer::Cancel:
       break;
@@ -375,36 +378,33 @@ void Lessons::askResultsFile() {
 }
 
 bool Lessons::keepResults(const QString& file) {
-  if (!isRunning()) return false;
+  if (!isRunning() || !saveAnswers(file)) return false;
+  resultsFile_ = file;
+  keepUnsavedAnswers();
+  // A step that is still open stays as it is, with what the student has entered.
+  if (isRevealed()) player_->show(step());
+  player_->pane().showNote(tr("Your answers are kept in %1.").arg(QFileInfo(file).fileName()));
+  return true;
+}
+
+/// Writes the answers into a file, together with those that it has already: the lesson may also run
+/// elsewhere. Returns whether it could be written; the message bar shows the reason.
+bool Lessons::saveAnswers(const QString& file) {
   try {
-    LessonResults kept = readResults(file.toStdString(), *lesson());
-    for (const LessonResult& one : results().results) kept.set(one);
-    kept.date = std::max(kept.date, results().date);  // the later one
-    std::erase_if(kept.results,
+    LessonResults all = readResults(file.toStdString(), *lesson());
+    for (const LessonResult& one : results().results) all.set(one);
+    all.date = std::max(all.date, results().date);  // the later one
+    std::erase_if(all.results,
                   [&](const LessonResult& one) { return !askingStep(*lesson(), one.step); });
-    writeResults(file.toStdString(), kept, *lesson());
-    player_->setResults(std::move(kept));
-    resultsFile_ = file;
-    isSaved_ = true;
-    keepUnsavedAnswers();
+    writeResults(file.toStdString(), all, *lesson());
+    player_->setResults(std::move(all));
   } catch (const std::exception& error) {
     messages_.showFailure(MessageBar::Failure::Export, translatedError(error));
     return false;
   }
   messages_.end(MessageBar::Failure::Export);
-  player_->show(step());
-  player_->pane().showNote(tr("Your answers are kept in %1.").arg(QFileInfo(file).fileName()));
+  isSaved_ = true;
   return true;
-}
-
-void Lessons::writeResultsFile() {
-  if (resultsFile_.isEmpty()) return;
-  try {
-    writeResults(resultsFile_.toStdString(), results(), *lesson());
-    isSaved_ = true;
-  } catch (const std::exception& error) {
-    messages_.showFailure(MessageBar::Failure::Export, translatedError(error));
-  }
 }
 
 void Lessons::end() {

@@ -74,6 +74,7 @@ class Lessons : public QObject {
   int step() const { return player_->step(); }
   bool isRevealed() const { return player_->isRevealed(); }
   const LessonResults& results() const { return player_->results(); }
+  LessonPlayer& player() { return *player_; }
   LessonPane& pane() { return player_->pane(); }
   PredictionPoint& point() { return player_->point(); }
 
@@ -92,7 +93,7 @@ class Lessons : public QObject {
   void leave();
   void askResultsFile();
   QString resultsName() const;
-  void writeResultsFile();
+  bool saveAnswers(const QString& file);
 
   Parts parts_;
   MessageBar& messages_;
@@ -100,7 +101,7 @@ class Lessons : public QObject {
   Lesson written_;  // the lesson that runs, as it was written
   QString file_;    // of the lesson; empty: a shipped one, or one that was never saved
   QString resultsFile_;
-  bool isSaved_ = false;  // the file has the results
+  bool isSaved_ = false;  // the file has the answers, or the student does not want them
   /// Answers of lessons that were left for another scene, by the digest of the lesson.
   std::map<std::string, LessonResults> left_;
 };

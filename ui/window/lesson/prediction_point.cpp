@@ -47,17 +47,23 @@ PredictionPoint::PredictionPoint(ChartView& chart) : QWidget(&chart), chart_(cha
 
 void PredictionPoint::ask(std::optional<double> x, const QString& name) {
   x_ = x;
-  name_ = name;
   point_.reset();
   isDecided_ = isComputed_ = isDragged_ = false;
   setAttribute(Qt::WA_TransparentForMouseEvents, false);
   setFocusPolicy(Qt::StrongFocus);
-  setToolTip(x ? tr("Drag up and down, or use the arrow keys (with Shift finer)")
-               : tr("Drag, or use the arrow keys (with Shift finer)"));
   setGeometry(chart_.rect());
-  describePosition();
+  setQuestion(name);
   show();
   raise();
+}
+
+void PredictionPoint::setQuestion(const QString& name) {
+  name_ = name;
+  if (!isDecided_)
+    setToolTip(x_ ? tr("Drag up and down, or use the arrow keys (with Shift finer)")
+                  : tr("Drag, or use the arrow keys (with Shift finer)"));
+  describePosition();
+  update();
 }
 
 void PredictionPoint::showDecided(double x, double y, Whose whose) {

@@ -28,6 +28,8 @@ class PredictionPoint : public QWidget {
   enum class Whose { Given, Computed };
   void showDecided(double x, double y, Whose whose = Whose::Given);
   void dismiss() { hide(); }
+  /// Sets the question in another language; the point stays.
+  void setQuestion(const QString& name);
 
   /// Returns the position in the units of the axes, once the point was placed.
   std::optional<QPointF> point() const { return point_; }

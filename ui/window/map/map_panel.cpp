@@ -141,7 +141,8 @@ MapPanel::MapPanel(QWidget* parent)
   connect(quantity_, &QComboBox::currentIndexChanged, this, [this] { showMap(); });
   connect(save_, &QPushButton::clicked, view_, &MapView::saveAs);
   connect(view_, &MapView::crossMoved, this, &MapPanel::moveTo);
-  connect(view_, &MapView::pointedAt, this, &MapPanel::read);
+  connect(view_, &MapView::pointedAt, this,
+          [this](double x, double y) { view_->setReading(readingAt(x, y)); });
   connect(view_, &MapView::left, view_, [this] { view_->setReading({}); });
 }
 
@@ -162,6 +163,7 @@ void MapPanel::showTexts() {
     for (int i = 0; i < box->count(); ++i)
       if (const Parameter* row = findParameter(box->itemData(i).toString().toStdString()))
         box->setItemText(i, translatedText(row->label));
+  if (map_) showCross();
   showTips();
   showProgress();
 }
@@ -208,7 +210,7 @@ void MapPanel::showEvent(QShowEvent* event) {
 /// A hidden map costs nothing.
 void MapPanel::hideEvent(QHideEvent* event) {
   QWidget::hideEvent(event);
-  if (map_ && map_->isFinal) return;
+  if (!isWaiting()) return;
   work_.cancel();
   requested_.reset();
 }
@@ -220,6 +222,11 @@ bool MapPanel::isCoveredBy(const ParameterMap& map) const {
          y_->currentData().toString().toStdString() == y.key &&
          differOnlyIn(scene_, map.scene, x, y) && holds(map.x, parameterNumber(x, scene_)) &&
          holds(map.y, parameterNumber(y, scene_));
+}
+
+/// Returns whether the map of the present scene is still being computed.
+bool MapPanel::isWaiting() const {
+  return requested_ && !(map_ && map_->isFinal && isCoveredBy(*map_));
 }
 
 void MapPanel::compute() {
@@ -304,8 +311,7 @@ void MapPanel::showMap() {
   if (!map_) return;
   save_->setEnabled(map_->isFinal);  // a stage has fewer lines than a file of it would state
   const std::string shown = quantity().toStdString();
-  view_->setCross(parameterNumber(*map_->x.range.row, map_->scene),
-                  parameterNumber(*map_->y.range.row, map_->scene));
+  showCross();
   const auto origin = [map = map_, shown] { return provenanceLine(mapProvenance(*map, shown)); };
   view_->show([map = map_, shown] { return mapSheetWithSection(*map, shown); },
               {"map", origin,
@@ -315,8 +321,18 @@ void MapPanel::showMap() {
                [map = map_, shown] { return mapSheet(*map, shown); }});
 }
 
+void MapPanel::showCross() {
+  const double x = parameterNumber(*map_->x.range.row, map_->scene);
+  const double y = parameterNumber(*map_->y.range.row, map_->scene);
+  view_->setCross(x, y);
+  view_->setAccessibleDescription(readingAt(x, y));  // for those who move it by keys
+}
+
+/// Sets both parameters. A map of another scene, which is shown until there is that of the present
+/// one, would bring its own scene back; its cross stays.
 void MapPanel::moveTo(double x, double y) {
   if (!map_) return;
+  if (!isCoveredBy(*map_)) return showCross();
   try {
     emit sceneEdited(sceneAt(*map_, roundedToDigits(x, kDigits), roundedToDigits(y, kDigits)));
   } catch (const InputError&) {
@@ -334,9 +350,9 @@ void MapPanel::showError(const QString& text) {
 /// Says of how many lines the shown values are the mean and how much of the map over all lines is
 /// computed, in the place of the button that saves the complete map.
 void MapPanel::showProgress() {
-  const bool isWaiting = requested_ && !(map_ && map_->isFinal && isCoveredBy(*map_));
-  end_->setCurrentWidget(isWaiting ? static_cast<QWidget*>(progressLabel_) : save_);
-  if (!isWaiting)
+  const bool waits = isWaiting();
+  end_->setCurrentWidget(waits ? static_cast<QWidget*>(progressLabel_) : save_);
+  if (!waits)
     return save_->setToolTip(tr("Save the map as a picture or a table, once it is computed"));
   const bool isStage = map_ && !map_->isFinal && !map_->points.empty() && isCoveredBy(*map_);
   const std::int64_t shown = isStage ? map_->points.front().realizations : 0;
@@ -357,9 +373,9 @@ void MapPanel::showTips() {
   for (QComboBox* box : {x_, y_, quantity_}) box->setToolTip(box->currentText());
 }
 
-/// Reads the nearest cell.
-void MapPanel::read(double x, double y) {
-  if (!map_) return;
+/// Returns the two values and the friction of the nearest cell.
+QString MapPanel::readingAt(double x, double y) const {
+  if (!map_) return {};
   const auto nearest = [](const MapAxis& axis, double value) {
     const auto place = [&](double v) { return axis.range.isLogarithmic ? std::log(v) : v; };
     std::size_t best = 0;
@@ -372,11 +388,11 @@ void MapPanel::read(double x, double y) {
   const std::size_t i = nearest(map_->x, x), j = nearest(map_->y, y);
   const std::string shown = quantity().toStdString();
   const double value = mapValues(*map_, shown)[j * map_->x.values.size() + i];
-  view_->setReading(QStringLiteral("%1, %2: %3%4")
-                        .arg(quantityLabel(map_->x.values[i], map_->x.range.row->unit),
-                             quantityLabel(map_->y.values[j], map_->y.range.row->unit),
-                             map_->isFinal ? QString() : QStringLiteral("\u2248 "),
-                             quantityLabel(value, mapQuantityUnit(shown))));
+  return QStringLiteral("%1, %2: %3%4")
+      .arg(quantityLabel(map_->x.values[i], map_->x.range.row->unit),
+           quantityLabel(map_->y.values[j], map_->y.range.row->unit),
+           map_->isFinal ? QString() : QStringLiteral("\u2248 "),
+           quantityLabel(value, mapQuantityUnit(shown)));
 }
 
 }  // namespace asperity

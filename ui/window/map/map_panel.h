@@ -46,11 +46,13 @@ class MapPanel : public QWidget {
   void showTexts();
   void fillChoosers();
   bool isCoveredBy(const ParameterMap& map) const;
+  bool isWaiting() const;
   void compute();
   void take(ParameterMap map);
   void showMap();
+  void showCross();
   void moveTo(double x, double y);
-  void read(double x, double y);
+  QString readingAt(double x, double y) const;
   void showError(const QString& text);
   void showProgress();
   void showTips();

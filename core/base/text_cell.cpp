@@ -1,0 +1,171 @@
+#include "core/base/text_cell.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/base/input_error.h"
+#include "core/base/text.h"
+#include "core/base/text_number.h"
+#include "core/base/text_table.h"
+#include "core/base/units.h"
+
+namespace asperity {
+namespace {
+
+constexpr WordList kErrorSigns("\u00B1 +/- +-");
+
+/// A number at the beginning of a text.
+struct Beginning {
+  std::string_view digits;
+  double number = 0;
+  std::string_view rest;
+};
+
+/// Takes the longest beginning that is a number; no thousands, because what stands behind them may
+/// be anything.
+std::optional<Beginning> takeNumber(std::string_view text, char decimal) {
+  text = trimmedBlanks(text);
+  constexpr std::string_view kLetters = "0123456789+-.,eEdD\xE2\x88\x92";
+  for (std::size_t size = std::min(text.find_first_not_of(kLetters), text.size()); size > 0;
+       --size) {
+    double number = 0;
+    if (readTextNumber(text.substr(0, size), decimal, number))
+      return Beginning{text.substr(0, size), number, text.substr(size)};
+  }
+  return {};
+}
+
+/// Returns whether a text can be the unit of a cell. One that begins with a digit is the end of a
+/// number, "1 000 mm/s", or another remark, "0.31 (2)".
+bool isCellUnit(std::string_view text) {
+  text = withoutBrackets(text);
+  return !text.empty() && !isDigit(text.front()) && text != "-" && isKnownUnit(text);
+}
+
+/// Reads the error in brackets behind a number: "0.31(2)", "0.31(0.02)". Returns what stands behind
+/// it.
+std::optional<std::string_view> takeConcise(const Beginning& value, char decimal, double& error) {
+  const std::size_t end = value.rest.find(')');
+  if (end == std::string_view::npos) return {};
+  const std::string_view inner = value.rest.substr(1, end - 1);
+  if (!readTextNumber(inner, decimal, error) || !isDigit(inner.front())) return {};
+  if (value.digits.find_first_of("eEdD") != std::string_view::npos) return {};
+  const std::size_t mark = value.digits.find(decimal);
+  if (inner.find(decimal) == std::string_view::npos && mark != std::string_view::npos)
+    readTextNumber(fmt::format("{}e-{}", inner, value.digits.size() - mark - 1), '.', error);
+  if (!(error < std::abs(value.number))) return {};
+  return trimmedBlanks(value.rest.substr(end + 1));
+}
+
+/// Reads a sign of errors with the error behind it, and the unit of one or both.
+bool takeTolerance(std::string_view text, double number, char decimal, TextCell& rest) {
+  for (const std::string_view sign : kErrorSigns) {
+    const std::size_t at = text.find(sign);
+    if (at == std::string_view::npos) continue;
+    const std::string_view own = trimmedBlanks(text.substr(0, at));
+    const auto error = takeNumber(text.substr(at + sign.size()), decimal);
+    if (!error || !(error->number >= 0) || !(own.empty() || isCellUnit(own))) return false;
+    const std::string_view unit = trimmedBlanks(error->rest);
+    const bool isShare = unit == "%" && own != "%";
+    rest.error = isShare ? std::abs(number) * error->number / 100 : error->number;
+    rest.unit = withoutBrackets(own.empty() ? unit : own);
+    if (own.empty()) return unit.empty() || (!isShare && isCellUnit(unit));
+    return isShare || unit == own;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::optional<CellQuantity> readCell(std::string_view text, char decimal) {
+  text = trimmedField(text);
+  CellQuantity cell;
+  cell.rest.text = text;
+  std::string_view behind;
+  if (const std::size_t end = text.rfind(')'); text.starts_with('(') && end != text.npos) {
+    behind = trimmedBlanks(text.substr(end + 1));
+    text = text.substr(1, end - 1);
+    if (!behind.empty() && !isCellUnit(behind)) return {};
+  }
+  const auto value = takeNumber(text, decimal);
+  if (!value) return {};
+  cell.digits = value->digits;
+  cell.number = value->number;
+  const std::string_view rest = trimmedBlanks(value->rest);
+  if (containsOneOf(rest, kErrorSigns)) {
+    if (!takeTolerance(rest, cell.number, decimal, cell.rest)) return {};
+  } else {
+    std::string_view unit = rest;
+    if (value->rest.starts_with('(')) {
+      const auto left = takeConcise(*value, decimal, cell.rest.error);
+      if (!left) return {};
+      unit = *left;
+    }
+    if (unit.empty() ? std::isnan(cell.rest.error) : !isCellUnit(unit)) return {};
+    cell.rest.unit = withoutBrackets(unit);
+  }
+  // "(0.31 \u00B1 0.02) N"
+  if (!behind.empty() && !cell.rest.unit.empty()) return {};
+  if (!behind.empty()) cell.rest.unit = behind;
+  return cell;
+}
+
+void joinCells(std::vector<std::string_view>& fields) {
+  std::size_t count = 0;  // of the fields that are left
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    const bool isSign = count > 0 && i + 1 < fields.size() && isOneOf(fields[i], kErrorSigns);
+    const bool isUnit = count > 0 && fields[i].size() > 1 && isDigit(fields[count - 1].back()) &&
+                        isCellUnit(fields[i]);
+    if (!isSign && !isUnit) {
+      fields[count++] = fields[i];
+      continue;
+    }
+    if (isSign) ++i;  // the error
+    const char* const begin = fields[count - 1].data();
+    const char* const end = fields[i].data() + fields[i].size();
+    fields[count - 1] = {begin, static_cast<std::size_t>(end - begin)};
+  }
+  fields.resize(count);
+}
+
+void unifyUnits(TextBlock& block, const std::string& name) {
+  for (std::size_t i = 0; i < block.cells.size(); ++i) {
+    std::vector<TextCell>& cells = block.cells[i];
+    TextColumn& column = block.columns[i];
+    const auto hasUnit = [](const TextCell& cell) { return !cell.unit.empty(); };
+    const auto first = std::ranges::find_if(cells, hasUnit);
+    if (first == cells.end()) continue;
+    const auto refuse = [&](std::size_t row, const Message& what) {
+      throw InputError(name, "", message("row {}: {}", block.lines[row], what));
+    };
+    const std::string common = column.unit.empty() ? first->unit : column.unit;
+    const auto of = findUnit(common);
+    bool isMixed = false;
+    for (std::size_t row = 0; row < block.rows; ++row) {
+      const std::string& unit = cells[row].unit;
+      if (std::isnan(block.at(row, i)) || unit == common) continue;
+      if (unit.empty() && !column.unit.empty()) continue;
+      if (unit.empty())
+        refuse(row, message("column {} has no unit here, and {} elsewhere",
+                            shortened(block.label(i)), shortened(common)));
+      const auto other = findUnit(unit);
+      const bool isSame = of && other && other->si == of->si;
+      // Above the column and in the cell are two statements about one number.
+      if (!isSame || (!column.unit.empty() && !(*other == *of)))
+        refuse(row, message("column {} has the unit {} here, and {} elsewhere",
+                            shortened(block.label(i)), shortened(unit), shortened(common)));
+      isMixed = isMixed || !(*other == *of);
+    }
+    for (std::size_t row = 0; row < block.rows && isMixed; ++row) {
+      if (cells[row].unit.empty()) continue;  // a missing value
+      double& value = block.values[row * block.columns.size() + i];
+      value = findUnit(cells[row].unit)->toSi(value);
+    }
+    column.unit = isMixed ? std::string(of->si) : common;
+  }
+}
+
+}  // namespace asperity

@@ -1,0 +1,16 @@
+// The errors of a fit at its minimum (see fit.h): the covariance of the coordinates by the errors
+// of the points and the scatter of the lines, and the scale of the points' errors where these do
+// not hold. Pure; several threads.
+#pragma once
+
+#include "core/fit/fit.h"
+#include "core/fit/fit_objective.h"
+
+namespace asperity {
+
+FitErrors fitErrors(const Objective& objective, const Minimum& best);
+
+/// Returns the error of a coordinate beyond which a parameter counts as not determined.
+double openBeyond(const VariedParameter& parameter);
+
+}  // namespace asperity

@@ -1,0 +1,144 @@
+#include "core/fit/friction_checks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <optional>
+
+#include "core/base/input_error.h"
+#include "core/base/number_text.h"
+#include "core/base/power_of_ten.h"
+#include "core/base/text.h"
+
+namespace asperity {
+namespace {
+
+/// Returns whether two points differ at most in their velocity and friction.
+bool areOfOneSeries(const MeasuredPoint& a, const MeasuredPoint& b) {
+  const auto areEqual = [](double x, double y) {
+    return (std::isnan(x) && std::isnan(y)) || x == y;
+  };
+  return a.label == b.label && areEqual(a.normalForce, b.normalForce) &&
+         areEqual(a.nominalPressure, b.nominalPressure) && areEqual(a.temperature, b.temperature);
+}
+
+/// Throws InputError for friction without a unit that is too high for any rubber: it is in per
+/// cent.
+void refusePercent(const std::vector<MeasuredPoint>& points, const TextBlock& block,
+                   const FrictionRoles& roles, const std::string& name) {
+  constexpr double kHighest = 5;
+  const auto [least, most] = std::ranges::minmax_element(points, {}, &MeasuredPoint::mu);
+  if (!block.columns[roles.find(FrictionQuantity::Mu)->index].unit.empty() ||
+      !(least->mu > kHighest))
+    return;
+  throw InputError(
+      name, "",
+      message("the coefficients of friction are {} to {}; name their unit in the header, as "
+              "in \"mu (%)\" or \"mu (1)\"",
+              plain(least->mu), plain(most->mu)));
+}
+
+/// Throws InputError for a power of ten as unit of friction that may be the factor by which
+/// friction was multiplied: one above 1, or numbers below 1 that need none.
+void refuseFactor(const std::vector<MeasuredPoint>& points, const TextBlock& block,
+                  const FrictionRoles& roles, const std::string& name) {
+  const FrictionRole& mu = *roles.find(FrictionQuantity::Mu);
+  const TextColumn& column = block.columns[mu.index];
+  const double factor = mu.conversion.unit.toSi(1);
+  const auto most = std::ranges::max_element(points, {}, &MeasuredPoint::mu);
+  if (!isWrittenPower(column.unit) || (factor <= 1 && most->mu >= factor)) return;
+  throw InputError(
+      name, "",
+      message("column {}: the factor {} may multiply or divide the numbers; write the coefficients "
+              "of friction without it",
+              shortened(column.name), column.unit));
+}
+
+/// Throws InputError for a force that is proportional to friction: it is the force of friction,
+/// under a constant load.
+void refuseFrictionForce(const std::vector<MeasuredPoint>& points, const TextBlock& block,
+                         const FrictionRoles& roles, const std::string& name) {
+  constexpr std::size_t kFewest = 3;
+  constexpr double kRounding = 1.02, kVaries = 1.1;
+  const FrictionRole* force = roles.find(FrictionQuantity::Force);
+  if (!force || points.size() < kFewest) return;
+  const auto ratio = [](const MeasuredPoint& point) { return point.normalForce / point.mu; };
+  const auto [least, most] = std::ranges::minmax_element(points, {}, &MeasuredPoint::mu);
+  const auto [low, high] = std::ranges::minmax_element(points, {}, ratio);
+  if (most->mu < kVaries * least->mu || ratio(*high) > kRounding * ratio(*low)) return;
+  throw InputError(
+      name, "",
+      message("column {}: the force is proportional to the coefficient of friction, as a force of "
+              "friction is; name it friction force, and give the normal force in a column "
+              "normal_force or a line \"Normal force: {:.3g} N\"",
+              shortened(block.columns[force->index].name), ratio(*low)));
+}
+
+/// Returns a note on the point of a series, in the order of velocities, that lies furthest from
+/// the line between its neighbours in double logarithm, where it is far above or below both. The
+/// first and the last two points are left out: there it is open which one is wrong.
+std::optional<Message> slipOf(const std::vector<const MeasuredPoint*>& series) {
+  constexpr double kFarFromLine = 8, kFarFromBoth = 3;
+  double most = 1;
+  std::size_t furthest = 0;
+  for (std::size_t i = 1; i + 1 < series.size(); ++i) {
+    const MeasuredPoint &before = *series[i - 1], &behind = *series[i + 1];
+    const double part = std::log(series[i]->velocity / before.velocity) /
+                        std::log(behind.velocity / before.velocity);
+    const double ratio = series[i]->mu / (before.mu * std::pow(behind.mu / before.mu, part));
+    if (std::max(ratio, 1 / ratio) <= std::max(most, 1 / most)) continue;
+    most = ratio;
+    furthest = i;
+  }
+  if (furthest < 2 || furthest + 2 >= series.size()) return {};
+  const double mu = series[furthest]->mu, before = series[furthest - 1]->mu,
+               behind = series[furthest + 1]->mu;
+  const bool isFar =
+      mu > kFarFromBoth * std::max(before, behind) || kFarFromBoth * mu < std::min(before, behind);
+  if (!isFar || std::max(most, 1 / most) < kFarFromLine) return {};
+  return message(
+      "row {}: the coefficient of friction {} is {:.2g} times what the points beside it give; is "
+      "its decimal mark right?",
+      series[furthest]->row, plain(mu), most);
+}
+
+}  // namespace
+
+void checkPoints(const std::vector<MeasuredPoint>& points, const TextBlock& block,
+                 const FrictionRoles& roles, const std::string& name) {
+  if (points.size() < 2)
+    throw InputError(name, "",
+                     message("has {} row of numbers; at least 2 are needed", points.size()));
+  refusePercent(points, block, roles, name);
+  refuseFactor(points, block, roles, name);
+  refuseFrictionForce(points, block, roles, name);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (points[i].velocity == points[j].velocity && areOfOneSeries(points[i], points[j]))
+        throw InputError(
+            name, "",
+            message("row {}: {}", points[i].row,
+                    message("has the velocity of row {}, {} m/s; average repeated measurements and "
+                            "give their error as mu_error, or tell them apart by a label",
+                            points[j].row, plain(points[i].velocity))));
+}
+
+std::vector<Message> slipNotes(const std::vector<MeasuredPoint>& points) {
+  std::vector<Message> notes;
+  std::vector<const MeasuredPoint*> open;
+  for (const MeasuredPoint& point : points) open.push_back(&point);
+  while (!open.empty()) {
+    std::vector<const MeasuredPoint*> series;
+    const MeasuredPoint& first = *open.front();
+    const auto isOfSeries = [&first](const MeasuredPoint* point) {
+      return areOfOneSeries(*point, first);
+    };
+    std::ranges::copy_if(open, std::back_inserter(series), isOfSeries);
+    std::erase_if(open, isOfSeries);
+    std::ranges::sort(series, {}, [](const MeasuredPoint* point) { return point->velocity; });
+    if (const auto slip = slipOf(series)) notes.push_back(*slip);
+  }
+  return notes;
+}
+
+}  // namespace asperity

@@ -1,0 +1,24 @@
+// Doubts about measured points of friction that the table itself shows: velocities that repeat,
+// friction in per cent, a force of friction in place of the load, a slip of a decimal mark.
+// Pure functions; any thread. Failure: InputError that names the file and the row or column.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/message.h"
+#include "core/base/text_table.h"
+#include "core/fit/friction_data.h"
+#include "core/fit/friction_roles.h"
+
+namespace asperity {
+
+/// Throws InputError for points that cannot be what the columns of their table say.
+void checkPoints(const std::vector<MeasuredPoint>& points, const TextBlock& block,
+                 const FrictionRoles& roles, const std::string& name);
+
+/// Returns a note on each point that is many times higher or lower than its neighbours: one slip of
+/// a decimal mark moves a whole fit.
+std::vector<Message> slipNotes(const std::vector<MeasuredPoint>& points);
+
+}  // namespace asperity

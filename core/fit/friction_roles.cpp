@@ -1,0 +1,301 @@
+#include "core/fit/friction_roles.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "core/base/input_error.h"
+#include "core/base/text.h"
+#include "core/base/text_header.h"
+#include "core/base/text_number.h"
+#include "core/fit/friction_preparation.h"
+
+namespace asperity {
+namespace {
+
+using Quantity = FrictionQuantity;
+
+class FrictionRoleFinder {
+ public:
+  FrictionRoleFinder(const TextBlock& block, const std::string& name)
+      : block_(block), name_(name) {}
+
+  FrictionRoles find() {
+    const bool hasNames = std::ranges::any_of(
+        block_.columns, [](const TextColumn& column) { return !column.name.empty(); });
+    if (hasNames)
+      findByName();
+    else
+      takeInOrder();
+    return std::move(roles_);
+  }
+
+ private:
+  [[noreturn]] void refuse(const Message& what) const { throw InputError(name_, "", what); }
+
+  /// Takes columns without names for velocity, friction and its error.
+  void takeInOrder() {
+    const std::size_t count = block_.columns.size();
+    for (const TextEntry& entry : block_.header)
+      if (namesQuantity(lineOf(entry, " ")))
+        refuse(
+            message("line {}: '{}' does not name {} columns; separate the names as the "
+                    "numbers are, or write each one without blanks, such as velocity_mm/s",
+                    entry.line, shortened(lineOf(entry, " ")), count));
+    if (count != 2 && count != 3)
+      refuse(
+          message("has {} columns without names; name them: velocity, mu, and where there are "
+                  "some mu_error, normal_force, nominal_pressure, temperature, label",
+                  count));
+    add(Quantity::Velocity, 0);
+    add(Quantity::Mu, 1);
+    if (count == 3) add(Quantity::MuError, 2);
+  }
+
+  void findByName() {
+    refuseSeveralStates();
+    for (std::size_t i = 0; i < block_.columns.size(); ++i) {
+      const TextColumn& column = block_.columns[i];
+      if (const auto quantity = findMeaning(column)) {
+        if (isClear(column) || !hasClearColumn(*quantity)) add(*quantity, i);
+      } else {
+        refuseUnknownUnit(column);
+      }
+    }
+    for (const TextColumn& column : block_.columns) refuseUnclear(column);
+    if (!roles_.find(Quantity::Mu)) findRepeats();
+    if (!roles_.find(Quantity::Mu) && roles_.find(Quantity::Force)) findFrictionForce();
+    for (const Quantity needed : {Quantity::Velocity, Quantity::Mu})
+      if (!roles_.find(needed))
+        refuse(message("has no column of the {}; its columns are {}; name it as in \"{}\"",
+                       Message(meaningOf(needed)), Message::name(namesOfColumns()),
+                       needed == Quantity::Mu ? "mu" : "v (m/s)"));
+    if (roles_.find(Quantity::Force) && roles_.find(Quantity::Pressure))
+      refuse("has both a normal force and a nominal pressure; one of them says the load");
+  }
+
+  /// Throws InputError for friction at several temperatures or loads side by side.
+  void refuseSeveralStates() const {
+    std::string names;
+    int count = 0;
+    for (const TextColumn& column : block_.columns) {
+      const std::vector<std::string> words = nameWords(column.name);
+      if (words.empty() || quantityNamed(words.front()) != Quantity::Mu) continue;
+      // "mu (0.1 MPa)", "mu 20 \u00B0C"; "mu 1" is the first of several measurements.
+      const bool isInUnit = column.unit.size() > 1 && isDigit(column.unit.front());
+      const bool isInName = words.size() > 1 && isDigit(words[1].front()) &&
+                            (words.size() > 2 || !column.unit.empty()) && !findMeaning(column);
+      if (!isInUnit && !isInName) continue;
+      names += (count++ > 0 ? ", " : "") + shortened(column.name);
+    }
+    if (count > 1)
+      refuse(
+          message("has friction in several states side by side ({}); write them one below the "
+                  "other, with a column that tells them apart, such as temperature",
+                  Message::name(names)));
+  }
+
+  /// Finds columns "mu1", "mu2", ... of repeated measurements.
+  void findRepeats() {
+    for (std::size_t i = 0; i < block_.columns.size(); ++i) {
+      const TextColumn& column = block_.columns[i];
+      const std::string word = plainWord(column.name);
+      const std::string name = word.substr(0, word.find_last_not_of("0123456789") + 1);
+      if (name != word && quantityNamed(name) == Quantity::Mu && isPureUnit(column.unit) &&
+          !column.isText)
+        roles_.repeats.push_back(i);
+    }
+    if (roles_.repeats.size() < 2 || roles_.find(Quantity::MuError)) {
+      roles_.repeats.clear();
+      return;
+    }
+    roles_.columns.push_back(
+        {Quantity::Mu,
+         roles_.repeats.front(),
+         {},
+         message("columns {} to {}: repeated measurements of the coefficient of "
+                 "friction; each point is their mean, with a standard error from "
+                 "the scatter in all rows",
+                 roles_.repeats.front() + 1, roles_.repeats.back() + 1)});
+  }
+
+  /// Finds the one column of the force of friction, which gives mu beside the normal force.
+  void findFrictionForce() {
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < block_.columns.size(); ++i)
+      if (isOneOf(plainWord(block_.columns[i].name),
+                  "fx ft fr ff frictionforce reibkraft reibungskraft") &&
+          !block_.columns[i].isText)
+        found.push_back(i);
+    if (found.size() != 1) return;
+    FrictionConversion conversion =
+        findConversion(Quantity::Force, block_.columns[found.front()], block_, name_);
+    conversion.isForce = true;
+    roles_.columns.push_back(
+        {Quantity::Mu, found.front(), conversion,
+         message("column {}: force of friction; its magnitude over the normal force "
+                 "is the coefficient of friction",
+                 found.front() + 1)});
+  }
+
+  static bool isClear(const TextColumn& column) {
+    return !isAmbiguousName(column.name) && !findErrorScale(column);
+  }
+
+  /// Returns whether a column names the quantity by more than an ambiguous letter.
+  bool hasClearColumn(Quantity quantity) const {
+    return std::ranges::any_of(block_.columns, [&](const TextColumn& column) {
+      return findMeaning(column) == quantity && isClear(column);
+    });
+  }
+
+  /// Throws InputError for a known quantity in an unknown unit, such as "load (stone)".
+  void refuseUnknownUnit(const TextColumn& column) const {
+    const std::size_t open = column.name.find_last_of("([");
+    if (!column.unit.empty() || open == std::string::npos || open == 0) return;
+    const std::string unit = column.name.substr(open);
+    TextColumn known{std::string(trimmedBlanks(column.name.substr(0, open))),
+                     std::string(withoutBrackets(unit)), false};
+    if (const auto quantity = findMeaning(known)) {
+      findConversion(*quantity, known, block_, name_);
+      refuse(message("column {}: the unit {} is not understood", shortened(column.name),
+                     shortened(known.unit)));
+    }
+  }
+
+  /// Throws InputError for bounds of a quantity, and for a load or temperature, by its name or its
+  /// unit, that is not understood while no other column gives it: leaving these out would change
+  /// the result.
+  void refuseUnclear(const TextColumn& column) const {
+    if (findMeaning(column)) return;
+    if (column.name == "T" && !roles_.give(Quantity::Temperature) &&
+        (column.unit.empty() || isOneOf(plainWord(column.unit), "deg degree degrees \u00B0")))
+      refuse(
+          "column T: is it the temperature of the rubber? Give it as numbers with a unit, as "
+          "in \"T (\u00B0C)\", or take the column out");
+    if (column.isText) return;
+    const auto scale = findErrorScale(column);
+    const bool isIndefinite = scale && scale->isIndefinite;
+    if ((isIndefinite || column.errorsOf) && !roles_.find(Quantity::MuError))
+      refuse(
+          message("column {}: it is not known how many standard errors this is; give one standard "
+                  "error as mu_error, or take the column out",
+                  shortened(column.name)));
+    if (column.name == "s" && column.unit.empty() && !roles_.find(Quantity::MuError))
+      refuse(
+          "column s: is it the standard deviation of the coefficient of friction? Name it "
+          "std, or take the column out");
+    const std::vector<std::string> words = nameWords(column.name);
+    if (words.empty()) return;
+    const auto isBound = [](const std::string& word) {
+      return isOneOf(word, "min max minimum maximum lower upper low high");
+    };
+    std::string subject;
+    for (const std::string& word : words)
+      if (!isBound(word)) subject += word;
+    const bool hasBound = std::ranges::any_of(words, isBound);
+    auto named = quantityNamed(subject);
+    if (!named) named = findMeaning(TextColumn{subject});
+    if (hasBound && named)
+      refuse(
+          message("column {}: bounds of the {} are not read; give its error as a column such "
+                  "as mu_error, or take the column out",
+                  shortened(column.name), Message(meaningOf(*named))));
+    if (isErrorName(column.name) || isOtherLoad(words)) return;
+    for (const Quantity quantity : kLoadsAndTemperature) {
+      if (roles_.give(quantity)) continue;
+      constexpr std::size_t kShortest = 4;  // letters; shorter names mean something else in a text
+      const auto names = [&](const std::string& word) {
+        return words.size() > 1 && word.size() >= kShortest && quantityNamed(word) == quantity;
+      };
+      if (!measures(column.unit, quantity) && !names(words.front()) && !names(words.back()))
+        continue;
+      if (quantity == Quantity::Temperature)
+        refuse(
+            message("column {}: is it the temperature of the rubber, and not of the track or "
+                    "the air? Name it temperature alone, with its unit in brackets, or take "
+                    "the column out",
+                    shortened(column.name)));
+      refuse(
+          message("column {}: is it the {}? Name it so alone, with its unit in brackets, "
+                  "or take the column out",
+                  shortened(column.name), Message(meaningOf(quantity))));
+    }
+  }
+
+  std::string namesOfColumns() const {
+    std::string names;
+    for (const TextColumn& column : block_.columns)
+      names += (names.empty() ? "" : ", ") + shortened(column.name);
+    return names;
+  }
+
+  void add(Quantity quantity, std::size_t index) {
+    const TextColumn& column = block_.columns[index];
+    const FrictionRole* other = roles_.find(quantity);
+    if (other && column.errorsOf)
+      refuse(message("column {}: has errors in its cells, and {} gives them, too; keep one of them",
+                     shortened(block_.columns[*column.errorsOf].name),
+                     Message::name(shortened(block_.columns[other->index].name))));
+    if (other && quantity != Quantity::Label)
+      refuse(message("has two columns of the {}: {} and {}", Message(meaningOf(quantity)),
+                     shortened(block_.columns[other->index].name), shortened(column.name)));
+    const auto hasError = [](const std::string& text) {
+      return containsOneOf(text, "\u00B1 +/- +- (");
+    };
+    if (column.isText && quantity == Quantity::Mu)
+      if (const auto cell = std::ranges::find_if(block_.texts[index], hasError);
+          cell != block_.texts[index].end())
+        refuse(
+            message("column {}: '{}' is not understood as a value with its error; write both as in "
+                    "\"0.31 \u00B1 0.02\", or in two columns, mu and mu_error",
+                    shortened(column.name), shortened(*cell)));
+    if (column.isText && quantity != Quantity::Label)
+      refuse(message("column {} has texts where numbers are expected", shortened(column.name)));
+    // Numbers of samples and lengths of tracks are no labels.
+    if (quantity == Quantity::Label && (!column.isText || !column.unit.empty())) return;
+    const FrictionConversion conversion = findConversion(quantity, column, block_, name_);
+    Message unit = conversion.unitText;
+    if (unit.empty())
+      unit = Message::name(column.unit.empty() ? std::string(conversion.unit.si) : column.unit);
+    const auto number = static_cast<int>(column.errorsOf.value_or(index)) + 1;
+    const Message meaning(meaningOf(quantity));
+    const Message note = column.errorsOf ? message("column {}, in its cells: {}", number, meaning)
+                                         : message("column {}: {}", number, meaning);
+    roles_.columns.push_back(
+        {quantity, index, conversion, unit.empty() ? note : message("{} ({})", note, unit)});
+  }
+
+  const TextBlock& block_;
+  const std::string& name_;
+  FrictionRoles roles_;
+};
+
+}  // namespace
+
+const FrictionRole* FrictionRoles::find(Quantity quantity) const {
+  const auto found = std::ranges::find(columns, quantity, &FrictionRole::quantity);
+  return found == columns.end() ? nullptr : &*found;
+}
+
+bool FrictionRoles::give(Quantity quantity) const {
+  if (quantity == Quantity::Temperature) return find(quantity) != nullptr;
+  return find(Quantity::Force) != nullptr || find(Quantity::Pressure) != nullptr;
+}
+
+bool FrictionRoles::use(std::size_t index) const {
+  return std::ranges::find(columns, index, &FrictionRole::index) != columns.end() ||
+         std::ranges::find(repeats, index) != repeats.end();
+}
+
+bool FrictionRoles::useErrorsOf(const TextBlock& block, std::size_t index) const {
+  return std::ranges::any_of(columns, [&](const FrictionRole& role) {
+    return block.columns[role.index].errorsOf == index;
+  });
+}
+
+FrictionRoles findRoles(const TextBlock& block, const std::string& name) {
+  return FrictionRoleFinder(block, name).find();
+}
+
+}  // namespace asperity

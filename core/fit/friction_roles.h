@@ -1,0 +1,45 @@
+// Which columns of a table of measured friction give what: the velocity, the coefficient of
+// friction or what it is computed from, their errors, the load and the temperature. A column that
+// may be one of these, and is not understood, is refused. Pure functions; any thread. Failure:
+// InputError that names the file and the column.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "core/base/message.h"
+#include "core/base/text_table.h"
+#include "core/fit/friction_columns.h"
+#include "core/fit/friction_conversion.h"
+
+namespace asperity {
+
+/// A column that is used.
+struct FrictionRole {
+  FrictionQuantity quantity = FrictionQuantity::Label;
+  std::size_t index = 0;  // of the column
+  FrictionConversion conversion{};
+  Message note{};  // "column 2: velocity (mm/s)"
+};
+
+struct FrictionRoles {
+  std::vector<FrictionRole> columns{};
+  std::vector<std::size_t> repeats{};  // columns of one coefficient of friction, "mu1", "mu2"
+
+  /// Returns the first column of a quantity; null where there is none.
+  const FrictionRole* find(FrictionQuantity quantity) const;
+  /// Returns whether a column gives this load or the temperature; a force and a pressure both say
+  /// the load.
+  bool give(FrictionQuantity quantity) const;
+  /// Returns whether a column is used.
+  bool use(std::size_t index) const;
+  /// Returns whether the errors in the cells of a column are used.
+  bool useErrorsOf(const TextBlock& block, std::size_t index) const;
+};
+
+/// Finds the roles of the columns. The columns need names unless there are two or three. name: of
+/// the file.
+FrictionRoles findRoles(const TextBlock& block, const std::string& name);
+
+}  // namespace asperity

@@ -1,0 +1,302 @@
+#include "core/measured/text_lengths.h"
+
+#include <algorithm>
+#include <iterator>
+#include <string_view>
+#include <vector>
+
+#include "core/base/text.h"
+#include "core/base/text_header.h"
+#include "core/base/text_number.h"
+#include "core/base/units.h"
+#include "core/measured/text_columns.h"
+
+namespace asperity {
+namespace {
+
+/// The names of a kind of lengths, in lower case and with blanks in place of "-" and "_".
+struct LengthNames {
+  WordList ofX, ofY;  // name the axis
+  WordList withAxis;  // need the letter of the axis: "x range", "size x", "deltax"
+  WordList ofBoth;    // may have it
+};
+
+constexpr LengthNames kSteps{
+    WordList("dx, pixelbreite, pixel width, pixelwidth", ','),
+    WordList("dy, pixelh\u00F6he, pixel height, pixelheight", ','), WordList("delta", ','),
+    WordList("cellsize, cell size, spacing, increment, step, step size, stepsize, sampling "
+             "interval, sampling step, sample interval, point spacing, pixel size, pixelsize, "
+             "punktabstand, messpunktabstand, schrittweite, abtastweite, abtastabstand, data "
+             "spacing, pitch, data pitch, point pitch, sampling pitch, measuring pitch, pas, "
+             "\u6E2C\u5B9A\u30D4\u30C3\u30C1, lateral resolution, xy calibration, xy justierung, "
+             "xy kalibrierung, xy\uCE98\uB9AC\uBE0C\uB808\uC774\uC158",
+             ',')};
+
+/// The keys of Gwyddion in each of its languages, and others.
+constexpr LengthNames kExtents{
+    WordList("width, breite, largeur, \u0160\u00ED\u0159ka, \u0161\u00ED\u0159ka, larghezza, "
+             "anchura, ancho, largura, \u0448\u0438\u0440\u0438\u043D\u0430, "
+             "\u0428\u0438\u0440\u0438\u043D\u0430, \u5E45",
+             ','),
+    WordList("height, h\u00F6he, hauteur, v\u00FD\u0161ka, altezza, altura, "
+             "\u0432\u044B\u0441\u043E\u0442\u0430, \u0412\u044B\u0441\u043E\u0442\u0430, "
+             "\u9AD8\u3055",
+             ','),
+    WordList("size, range, length, real, l\u00E4nge", ','),
+    WordList("scan size, scansize, scan range, scan area, field of view, fov, image size, "
+             "measuring area, messfeld, sichtfeld, scanbereich",
+             ',')};
+
+/// The place of a key among the names of a kind: the first one counts.
+struct KeyPlace {
+  std::size_t place = 0;
+  bool hasAxis = false;
+};
+
+std::optional<KeyPlace> placeOf(std::string_view key, const LengthNames& names, char axis) {
+  std::string text = lowerCase(key);
+  std::ranges::replace_if(
+      text, [](char letter) { return letter == '-' || letter == '_'; }, ' ');
+  const std::string_view whole = text;
+  const auto behind = whole.starts_with(axis) ? trimmedBlanks(whole.substr(1)) : "";
+  const auto before = whole.ends_with(axis) ? trimmedBlanks(whole.substr(0, whole.size() - 1)) : "";
+  std::size_t place = 0;
+  for (const std::string_view name : axis == 'x' ? names.ofX : names.ofY) {
+    if (name == whole) return KeyPlace{place, true};
+    ++place;
+  }
+  for (const bool needsAxis : {true, false})
+    for (const std::string_view name : needsAxis ? names.withAxis : names.ofBoth) {
+      if (name == behind || name == before) return KeyPlace{place, true};
+      if (!needsAxis && name == whole) return KeyPlace{place, false};
+      ++place;
+    }
+  return {};
+}
+
+/// Returns a length with the unit of its own or, where it has none, that of its key; nothing where
+/// the unit is none of length.
+std::optional<HeaderLength> lengthFrom(double number, std::string unit,
+                                       const std::string& unitOfKey) {
+  for (const std::string_view each : WordList("/pixel /px /point"))
+    if (lowerCase(unit).ends_with(each)) unit.resize(unit.size() - each.size());
+  if (unit.empty()) unit = unitOfKey;
+  if (!(number > 0)) return {};
+  if (unit.empty()) return HeaderLength{number, {}};
+  const auto metres = metresPer(unit);
+  return metres ? std::optional(HeaderLength{number, StatedUnit{unit, *metres}}) : std::nullopt;
+}
+
+/// One length, or two of them: "0.5 um", "10 um x 20 um", "10 x 20 um".
+struct OneOrTwo {
+  HeaderLength first;
+  std::optional<HeaderLength> second{};
+};
+
+std::optional<OneOrTwo> parseLengths(std::string_view text, const std::string& unitOfKey) {
+  const auto quantity = parseQuantity(text);
+  if (!quantity) return {};
+  const std::string_view rest = quantity->unit;
+  for (const std::string_view times : {"x", "X", "*", "\u00D7"}) {
+    const std::size_t at = rest.find(times);
+    if (at == rest.npos) continue;
+    const std::string_view behind = trimmedBlanks(rest.substr(at + times.size()));
+    const bool isPower = lowerCase(behind).starts_with("1e");  // "0.5 x 1e-6 m"
+    const auto next = isPower ? std::nullopt : parseQuantity(behind);
+    if (!next) continue;
+    const std::string_view own = trimmedBlanks(rest.substr(0, at));
+    const auto first =
+        lengthFrom(quantity->number, own.empty() ? next->unit : std::string(own), unitOfKey);
+    const auto second = lengthFrom(next->number, next->unit, unitOfKey);
+    if (first && second) return OneOrTwo{*first, second};
+  }
+  const auto length = lengthFrom(quantity->number, quantity->unit, unitOfKey);
+  return length ? std::optional(OneOrTwo{*length}) : std::nullopt;
+}
+
+/// Reads an entry without a key: "DeltaX 0.5 um", "10 um x 20 um".
+TextEntry keyedEntry(const TextEntry& entry) {
+  const std::size_t number = entry.value.find_first_of("0123456789");
+  if (!entry.key.empty() || number == std::string::npos) return entry;
+  return {std::string(trimmedBlanks(std::string_view(entry.value).substr(0, number))),
+          entry.value.substr(number), entry.line};
+}
+
+}  // namespace
+
+std::optional<HeaderLength> headerLength(const TextTable& table, const TextBlock& block,
+                                         LengthKind kind, char axis) {
+  const LengthNames& names = kind == LengthKind::Step ? kSteps : kExtents;
+  constexpr std::size_t kWithoutKey = 1000;  // behind all names
+  std::size_t first = kWithoutKey;
+  std::optional<HeaderLength> found;
+  for (const TextBlock& one : table.blocks) {
+    for (const TextEntry& line : one.header) {
+      const TextEntry entry = keyedEntry(line);
+      const TextColumn name = parseColumnName(entry.key);
+      auto place = placeOf(name.name, names, axis);
+      if (entry.key.empty() && kind == LengthKind::Extent) place = KeyPlace{kWithoutKey};
+      if (!place || place->place > first) continue;
+      const auto lengths = parseLengths(entry.value, name.unit);
+      if (!lengths || (place->hasAxis && lengths->second)) continue;
+      const bool isPair = lengths->second.has_value();
+      // "50x 10 um" is no pair of lengths.
+      const bool isClear =
+          isPair && lengths->first.unit && line.value.find(" x ") != line.value.npos;
+      if (entry.key.empty() && !isClear) continue;
+      if (!place->hasAxis && axis == 'y' && !isPair) continue;
+      first = place->place;
+      found = axis == 'y' && isPair ? lengths->second : lengths->first;
+    }
+    if (&one == &block) break;
+  }
+  return found;
+}
+
+std::optional<HeaderLength> countedStep(const TextTable& table, const TextBlock& block,
+                                        std::int64_t count, char axis) {
+  constexpr WordList kForms(
+      "axis {}, {} axis, {}-axis, achse {}, {}-achse, axe {}, axe des {}, eje {}, asse {}", ',');
+  for (const std::string_view form : kForms) {
+    std::string key(form);
+    replaceAll(key, "{}", std::string_view(&axis, 1));
+    const std::string text = table.entry(key, block);
+    const std::size_t end = std::min(text.find_first_of(" \t"), text.size());
+    const auto length = parseQuantity(std::string_view(text).substr(end));
+    double points = 0;
+    if (!length || !readTextNumber(std::string_view(text).substr(0, end), '.', points)) continue;
+    const auto metres = metresPer(length->unit);
+    if (!metres || points != static_cast<double>(count) || count < 2 || !(length->number > 0))
+      continue;
+    return HeaderLength{length->number / (points - 1), StatedUnit{length->unit, *metres}};
+  }
+  constexpr WordList kNumbers(
+      "points, number of points, data points, data number, punkte, anzahl punkte, messpunkte, "
+      "nombre de points, \u30C7\u30FC\u30BF\u6570",
+      ',');
+  constexpr WordList kTraverses(
+      "traverse length, measuring length, measurement length, tracing length, messl\u00E4nge, "
+      "messstrecke, taststrecke, longueur de mesure, \u6E2C\u5B9A\u9577\u3055",
+      ',');
+  if (axis != 'x' || count < 2) return {};
+  for (const std::string_view number : kNumbers) {
+    const auto points = parseQuantity(table.entry(number, block));
+    if (!points || points->number != static_cast<double>(count)) continue;
+    for (const std::string_view traverse : kTraverses)
+      if (auto lengths = parseLengths(table.entry(traverse, block), {});
+          lengths && !lengths->second) {
+        lengths->first.value /= static_cast<double>(count - 1);
+        return lengths->first;
+      }
+  }
+  return {};
+}
+
+namespace {
+
+/// Returns the text in brackets at the end of a name; empty where there is none.
+std::string_view inBrackets(std::string_view name) {
+  const std::size_t begin = name.rfind('(');
+  if (begin == std::string_view::npos || begin == 0 || !name.ends_with(')')) return {};
+  return trimmedBlanks(name.substr(begin + 1, name.size() - begin - 2));
+}
+
+/// Returns whether a text may be meant as a unit: it is short and no number.
+bool canBeUnit(std::string_view text) {
+  constexpr std::size_t kLongest = 20;
+  return !text.empty() && text.size() <= kLongest &&
+         text.find_first_of("0123456789") == std::string_view::npos;
+}
+
+/// The keys, in lower case, of entries that state a unit.
+std::vector<std::string_view> unitKeys(bool ofHeights, UnitEntries entries) {
+  constexpr WordList kOfHeights(
+      "z, value units, value unit, z unit, z units, z-unit, unit z, units z, height unit, height "
+      "units, zunit, einheiten, werteinheit, werteinheiten, z-axis unit, z-axis units, z axis "
+      "unit, z axis units, einheit z-achse, einheit z, z-einheit, unit\u00E9s, unit\u00E9s des "
+      "valeurs, unit\u00E9 z, unit\u00E9 des hauteurs, \u9AD8\u3055\u5358\u4F4D, jednotky hodnot, "
+      "unit\u00E0 valore, h\u00F6heneinheit, \u5024\u306E\u5358\u4F4D, "
+      "\u0415\u0434\u0438\u043D\u0438\u0446\u044B "
+      "\u0438\u0437\u043C\u0435\u0440\u0435\u043D\u0438\u044F",
+      ',');
+  constexpr WordList kOfPositions(
+      "x unit, x units, x-unit, unit x, units x, xunit, lateral unit, position unit, xy unit, xy "
+      "units, x-einheit, einheit x, unit\u00E9 x, x-axis unit, x-axis units, x axis unit, x axis "
+      "units, einheit x-achse, x",
+      ',');
+  std::vector<std::string_view> keys;
+  std::ranges::copy(ofHeights ? kOfHeights : kOfPositions, std::back_inserter(keys));
+  if (entries == UnitEntries::AndCommon)
+    std::ranges::copy(WordList("unit, units, einheit, length unit", ','), std::back_inserter(keys));
+  return keys;
+}
+
+}  // namespace
+
+std::optional<StatedUnit> headerUnit(const TextTable& table, const TextBlock& block, bool ofHeights,
+                                     UnitEntries entries) {
+  for (const std::string_view key : unitKeys(ofHeights, entries)) {
+    const std::string text = table.entry(key, block);
+    // "x: mm" states a unit, "x: 5 mm" a length.
+    const bool isAlone = text.find_first_of("0123456789") == std::string::npos;
+    const auto metres = metresPer(text);
+    if (metres && (isAlone || key.size() > 1))
+      return StatedUnit{std::string(withoutBrackets(text)), *metres};
+  }
+  return {};
+}
+
+std::string unknownUnit(const TextTable& table, const TextBlock& block, int column,
+                        bool ofHeights) {
+  if (column >= 0)
+    if (const auto text = inBrackets(block.columns[static_cast<std::size_t>(column)].name);
+        canBeUnit(text) && !metresPer(text))
+      return std::string(text);
+  for (const std::string_view key : unitKeys(ofHeights, UnitEntries::AndCommon)) {
+    const std::string text = table.entry(key, block);
+    const std::string_view unit = withoutBrackets(text);
+    if (key.size() > 1 && canBeUnit(unit) && !metresPer(unit)) return std::string(unit);
+  }
+  return {};
+}
+
+CornerUnits cornerUnits(const TextBlock& block) {
+  CornerUnits units;
+  // The line above the numbers has the whole text of the corner as its key.
+  std::string corner = block.header.empty() ? "" : block.header.back().key;
+  if (corner.empty()) corner = block.columns[0].name + " [" + block.columns[0].unit + "]";
+  for (const std::string_view mark : {"\\", "|", ";", " / "}) replaceAll(corner, mark, "\n");
+  for (const std::string_view text : splitText(corner, "\n")) {
+    TextColumn part = parseColumnName(text);
+    if (part.unit.empty() && metresPer(part.name)) std::swap(part.name, part.unit);
+    if (part.unit.empty() && canBeUnit(inBrackets(part.name))) part.unit = inBrackets(part.name);
+    if (part.unit.empty()) continue;
+    const std::string name = lowerCase(part.name);
+    const bool isHeight = isHeightName(name);
+    if (const auto metres = metresPer(part.unit))
+      (isHeight ? units.z : isRowName(name) ? units.y : units.x) = {part.unit, *metres};
+    else
+      (isHeight ? units.unknownHeight : units.unknownPosition) = part.unit;
+  }
+  return units;
+}
+
+std::optional<StatedUnit> columnUnit(const SurfaceSource& source, const TextTable& table,
+                                     const TextBlock& block, int column, bool ofHeights) {
+  const std::string& unit = block.columns[static_cast<std::size_t>(column)].unit;
+  const bool isChosen =
+      (ofHeights ? source.choices.heightUnit : source.choices.positionUnit) != "auto";
+  if (unit.empty()) {
+    const std::string_view text = inBrackets(block.columns[static_cast<std::size_t>(column)].name);
+    if (const auto metres = metresPer(text)) return StatedUnit{std::string(text), *metres};
+    return headerUnit(table, block, ofHeights);
+  }
+  if (const auto metres = metresPer(unit)) return StatedUnit{unit, *metres};
+  if (isChosen) return {};
+  const char* key = ofHeights ? "surface.height_unit" : "surface.position_unit";
+  throw InputError(source.name, key,
+                   message("{} is in '{}', which is no unit of length; {} can name another one",
+                           columnText(block, column), shortened(unit), key));
+}
+
+}  // namespace asperity

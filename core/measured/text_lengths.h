@@ -1,0 +1,60 @@
+// The lengths and the units of lengths that a text table states beside its numbers: steps and
+// extents above them, units in the names of columns, in lines of their own and in the corner of a
+// matrix. Only the readers of text in this folder use it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "core/base/text_table.h"
+#include "core/measured/surface_draft.h"
+
+namespace asperity {
+
+/// A length in the header of a file.
+struct HeaderLength {
+  double value = 0;
+  std::optional<StatedUnit> unit{};
+};
+/// What a length is: the step between two points, or the extent of the whole field.
+enum class LengthKind { Step, Extent };
+
+/// Returns the length that the lines above the numbers state along an axis, 'x' or 'y', by its
+/// usual names: "X increment: 0.5 um", "Breite: 10 um". A length of both axes counts for x alone,
+/// and two lengths in a line, as "Scan size: 10 um x 20 um", for x and y.
+std::optional<HeaderLength> headerLength(const TextTable& table, const TextBlock& block,
+                                         LengthKind kind, char axis);
+
+/// Returns the step between `count` points where the header states their number and the length from
+/// the first to the last one: "Axis X", 60, "59.00 um", as MountainsMap writes it, or "Points: 60"
+/// and "Traverse length: 59 um".
+std::optional<HeaderLength> countedStep(const TextTable& table, const TextBlock& block,
+                                        std::int64_t count, char axis);
+
+/// Which entries of the header are searched for a unit: only those for positions or heights, or
+/// also a common one such as "Unit".
+enum class UnitEntries { Own, AndCommon };
+
+/// Returns the unit that an entry of the header states for positions or for heights.
+std::optional<StatedUnit> headerUnit(const TextTable& table, const TextBlock& block, bool ofHeights,
+                                     UnitEntries entries = UnitEntries::AndCommon);
+
+/// Returns the text in place of a unit, in the name of the column (-1: there is none) or in the
+/// header, that is no known unit. Empty where there is no such text.
+std::string unknownUnit(const TextTable& table, const TextBlock& block, int column, bool ofHeights);
+
+/// Returns the unit of a column by its name, else by the header. Throws InputError where it is no
+/// unit of length and the user chooses no other one.
+std::optional<StatedUnit> columnUnit(const SurfaceSource& source, const TextTable& table,
+                                     const TextBlock& block, int column, bool ofHeights);
+
+/// The units that the corner of a matrix with positions in its first row and column states: "y\x
+/// [um]", "Z [um] | X [mm] / Y [mm]", "mm".
+struct CornerUnits {
+  std::optional<StatedUnit> x{}, y{}, z{};
+  std::string unknownPosition{}, unknownHeight{};
+};
+CornerUnits cornerUnits(const TextBlock& block);
+
+}  // namespace asperity
