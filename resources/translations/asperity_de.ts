@@ -3096,6 +3096,10 @@
         <translation>Dies ist die vorige Szene; die geänderte wird noch berechnet</translation>
     </message>
     <message>
+        <source>This is the previous scene; the changed one cannot be computed</source>
+        <translation>Dies ist die vorige Szene; die geänderte lässt sich nicht berechnen</translation>
+    </message>
+    <message>
         <source>The curve&apos;s picture is on the clipboard</source>
         <translation>Das Bild der Kurve ist in der Zwischenablage</translation>
     </message>
@@ -3455,6 +3459,14 @@
 </context>
 <context>
     <name>asperity::MessageBar</name>
+    <message>
+        <source>less</source>
+        <translation>weniger</translation>
+    </message>
+    <message>
+        <source>more</source>
+        <translation>mehr</translation>
+    </message>
     <message>
         <source>close message</source>
         <translation>Meldung schließen</translation>

@@ -187,19 +187,35 @@ std::string pictureTitle(const Frame& frame) {
       {surfaceName(frame.scene->surface)});
 }
 
-/// Returns "t = 3.2 ms, slid 1.5 mm", of a motion that returns "displaced by 1.5 mm", or nothing
-/// before the first step.
+/// Returns "t = 3.2 ms, slid 1.5 mm", of a motion that returns "displaced by 1.5 mm".
+std::string progressWords(bool returns, double time, double distance) {
+  return filled(returns ? Words::tr("t = %1, displaced by %2") : Words::tr("t = %1, slid %2"),
+                {grouped(quantity(time, "s", 3, Zeros::Keep)),
+                 grouped(quantity(distance, "m", 3, Zeros::Keep))});
+}
+
+/// Returns whether the line moves back and forth; its distance is then that from its beginning.
+bool returns(const Frame& frame) {
+  const SlidingKind kind = frame.scene ? frame.scene->sliding.kind : SlidingKind::Steady;
+  return kind == SlidingKind::Oscillation || kind == SlidingKind::Reversal;
+}
+
+/// Returns how far the line has come; nothing before the first step.
 std::string progressText(const Frame& frame) {
   if (!(frame.time > 0)) return {};
   constexpr double kRounding = 1e-12;  // part of the period, for a motion that returned
   const double slid = std::abs(frame.distance);
-  const SlidingKind kind = frame.scene ? frame.scene->sliding.kind : SlidingKind::Steady;
-  // Of a line that moves back and forth the distance is that from its beginning.
-  const bool returns = kind == SlidingKind::Oscillation || kind == SlidingKind::Reversal;
-  return filled(
-      returns ? Words::tr("t = %1, displaced by %2") : Words::tr("t = %1, slid %2"),
-      {grouped(quantity(frame.time, "s", 3, Zeros::Keep)),
-       grouped(quantity(slid > kRounding * frame.length ? slid : 0, "m", 3, Zeros::Keep))});
+  return progressWords(returns(frame), frame.time, slid > kRounding * frame.length ? slid : 0);
+}
+
+/// Returns the width that is kept for the progress: that of the usual numbers, so that the title
+/// beside them does not change with their digits.
+float progressWidth(const Frame& frame, const std::string& progress, float size) {
+  if (progress.empty()) return 0;
+  float width = textWidth(progress, size);
+  for (const double wide : {88.8e-6, 88.8e-3})
+    width = std::max(width, textWidth(progressWords(returns(frame), wide, wide), size));
+  return width;
 }
 
 float titleBaseline(const Sizes& s) {
@@ -218,14 +234,16 @@ TitleLine titleLine(const Frame& frame, const ContactPictureOptions& options) {
   const auto width = static_cast<float>(options.width);
   TitleLine line{
       pictureTitle(frame), {}, progressText(frame), std::round(16 * s.unit), 0, 0, s.title};
-  const float progress = textWidth(line.progress, s.small);
-  line.progressAt = std::floor(width - line.side - progress);
+  const float progress = progressWidth(frame, line.progress, s.small);
+  line.progressAt = std::floor(width - line.side - textWidth(line.progress, s.small));
   const float alone = width - 2 * line.side, beside = alone - progress - 2 * line.side;
-  const float wanted = textWidth(line.whole, s.title, true);
-  if (!(progress < 0.4F * width) || (wanted > beside && wanted <= alone)) line.progress.clear();
+  const float smallest = std::max(kSmallestFont, std::round(0.8F * s.title));
+  // A whole title is worth more than the time beside it.
+  const bool fitsAlone = textWidth(line.whole, smallest, true) <= alone;
+  const bool fitsBeside = textWidth(line.whole, s.title, true) <= beside;
+  if (!(progress < 0.4F * width) || (fitsAlone && !fitsBeside)) line.progress.clear();
   line.width = line.progress.empty() ? alone : beside;
-  line.size = fittingSize(line.whole, s.title, std::max(kSmallestFont, std::round(0.8F * s.title)),
-                          true, line.width);
+  line.size = fittingSize(line.whole, s.title, smallest, true, line.width);
   line.shown = elided(line.whole, line.size, true, line.width);
   return line;
 }

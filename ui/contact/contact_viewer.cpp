@@ -23,6 +23,16 @@ bool showsTheSame(const Frame& last, const Frame& now) {
          last.time <= now.time;
 }
 
+/// Returns the image of a periodic position at or after the left end of the view; it may lie beyond
+/// the right end.
+double fromLeftEnd(double x, const ContactView& view, double period) {
+  return x - period * std::floor((x - view.left) / period);
+}
+
+bool isWithin(double x, const ContactView& view, double period) {
+  return fromLeftEnd(x, view, period) <= view.left + view.width;
+}
+
 }  // namespace
 
 void ContactViewer::setFrame(std::shared_ptr<const Frame> frame) {
@@ -49,25 +59,36 @@ void ContactViewer::setLabelSpace(double part) {
   fitHeightsToFrame();
 }
 
-/// Finds the greatest pressure, but keeps the previous position while its pressure is still
-/// similar.
+/// Finds the greatest pressure in the view, but keeps the previous position while its pressure is
+/// still similar.
 void ContactViewer::followPeak(const Frame* last) {
   const Frame& frame = *frame_;
   if (!isDrawable(frame)) return;
   const double period = periodLength(frame);
   const double moved = last && last->length == frame.length ? frame.distance - last->distance : 0;
   const double here = peak_ + moved;
-  std::size_t most = 0;
-  std::optional<std::size_t> same;
+  const ContactView seen = view();
+  std::optional<std::size_t> most, same;
   for (std::size_t i = 0; i < frame.pressure.size(); ++i) {
-    const double p = frame.pressure[i];
-    if (p > frame.pressure[most]) most = i;
-    const double away = std::remainder(static_cast<double>(i) * frame.spacing - here, period);
-    if (p > 0 && std::abs(away) < kSame * period && (!same || p > frame.pressure[*same])) same = i;
+    const double p = frame.pressure[i], x = static_cast<double>(i) * frame.spacing;
+    if (!(p > 0) || !isWithin(x, seen, period)) continue;
+    if (!most || p > frame.pressure[*most]) most = i;
+    const double away = std::remainder(x - here, period);
+    if (std::abs(away) < kSame * period && (!same || p > frame.pressure[*same])) same = i;
   }
-  const bool stays = same && frame.pressure[most] < kMore * frame.pressure[*same];
+  const bool stays =
+      same && isWithin(here, seen, period) && frame.pressure[*most] < kMore * frame.pressure[*same];
   // The magnifier moves with the line, not with the element that has the greatest pressure.
-  peak_ = stays ? here : static_cast<double>(most) * frame.spacing;
+  peak_ = stays || !most ? here : static_cast<double>(*most) * frame.spacing;
+}
+
+/// Returns the middle of what the magnifier enlarges: always a position in the view, which a line
+/// that slides leaves at one end and enters again at the other.
+double ContactViewer::magnified(const ContactView& seen) const {
+  if (!isDrawable(*frame_)) return peak_;
+  const double period = periodLength(*frame_);
+  return isWithin(peak_, seen, period) ? fromLeftEnd(peak_, seen, period)
+                                       : seen.left + 0.5 * seen.width;
 }
 
 ContactView ContactViewer::view() const {
@@ -86,7 +107,7 @@ ContactPictureOptions ContactViewer::options() const {
   options.view = view();
   options.overlay = overlay_;
   options.probe = pointer();
-  if (magnifies_) options.magnifier = Magnifier{options.probe.value_or(peak_)};
+  if (magnifies_) options.magnifier = Magnifier{options.probe.value_or(magnified(options.view))};
   return options;
 }
 
@@ -96,25 +117,31 @@ FrameFields ContactViewer::fields() const {
   return fields;
 }
 
+/// Shows another part; the magnifier follows also while no new frame comes.
+void ContactViewer::navigate(const ViewNavigation& navigation) {
+  navigation_ = navigation;
+  if (magnifies_ && frame_ && fitted_) followPeak(frame_.get());
+}
+
 void ContactViewer::zoom(const ViewPosition& at, double steps) {
-  navigation_ =
-      navigation_.zoomed(at, std::pow(kStep, steps), std::pow(kStep, kHeights * steps), finest());
+  navigate(
+      navigation_.zoomed(at, std::pow(kStep, steps), std::pow(kStep, kHeights * steps), finest()));
   // Zooming out to the whole period shows everything.
   if (steps < 0 && navigation_.enlargement() == 1) fit();
 }
 
 void ContactViewer::exaggerate(const ViewPosition& at, double steps) {
-  navigation_ = navigation_.zoomed(at, 1, std::pow(kStep, steps), finest());
+  navigate(navigation_.zoomed(at, 1, std::pow(kStep, steps), finest()));
 }
 
 void ContactViewer::pan(double dx, double dy) {
   // A view of all heights keeps them when it is moved, and a view of the whole period its axis.
-  navigation_ = navigation_.panned(navigation_.enlargement() > 1 ? dx : 0,
-                                   navigation_.hasFittedHeights() ? 0 : dy);
+  navigate(navigation_.panned(navigation_.enlargement() > 1 ? dx : 0,
+                              navigation_.hasFittedHeights() ? 0 : dy));
 }
 
 void ContactViewer::fit() {
-  navigation_ = navigation_.fitted();
+  navigate(navigation_.fitted());
 }
 
 void ContactViewer::fitHeights() {

@@ -63,7 +63,9 @@ class ContactViewer {
   ContactView view() const;
   double finest() const;
   void fitHeightsToFrame();
+  void navigate(const ViewNavigation& navigation);
   void followPeak(const Frame* last);
+  double magnified(const ContactView& seen) const;
 
   std::shared_ptr<const Frame> frame_;
   std::optional<ContactView> fitted_;

@@ -351,6 +351,31 @@ TEST(ContactTexts, EveryReadingHasItsSentence) {
   EXPECT_TRUE(contactReadings(frame, plain).empty());
 }
 
+/// Whatever the digits of the time are, the title is the same; it is whole where it fits alone.
+TEST(ContactTexts, TheTitleDoesNotChangeWithTheTime) {
+  SampleOptions sample;
+  sample.points = 300;
+  Frame frame = *sampleFrame(sample);
+  Scene scene = *frame.scene;
+  scene.title = "Figure 2: how friction typically depends on the velocity of sliding";
+  frame.scene = std::make_shared<const Scene>(scene);
+  ContactPictureOptions options;
+  options.height = 400;
+  for (options.width = 420; options.width < 1000; options.width += 7) {
+    const auto titleAt = [&](double time) {
+      frame.time = frame.distance = time;
+      const DrawList list = composeContact(frame, options);
+      const DrawText& title = list.texts.front();
+      return title.utf8 + " in " + std::to_string(title.size);
+    };
+    const std::string first = titleAt(1.11e-3);
+    for (const double time : {88.8e-6, 444e-6, 11.1e-3, 0.7}) EXPECT_EQ(titleAt(time), first);
+    if (options.width > 640) {
+      EXPECT_TRUE(first.starts_with(scene.title)) << options.width;
+    }
+  }
+}
+
 /// At the large texts of a presentation, too.
 TEST(ContactTexts, ATitleThatIsTooLongIsToldWhereItStands) {
   SampleOptions sample;

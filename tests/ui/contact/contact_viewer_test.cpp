@@ -166,6 +166,30 @@ TEST(ContactViewer, MagnifierFindsTheAsperityPressedMostAndGoesWithIt) {
               1.5 * first->spacing);
 }
 
+/// A line that slides on leaves the view at one end and enters it again at the other.
+TEST(ContactViewer, TheMagnifiedAsperityIsAlwaysInTheView) {
+  ContactViewer viewer = viewerOf(frameAt(0));
+  viewer.magnify(true);
+  const auto isInView = [&] {
+    const ContactPictureOptions shown = viewer.options();
+    const double from = shown.magnifier->position - shown.view.left;
+    return from >= 0 && from <= shown.view.width;
+  };
+  for (int i = 1; i <= 60; ++i) {
+    viewer.setFrame(frameAt(i * 1e-3));  // three periods
+    ASSERT_TRUE(isInView()) << i;
+  }
+  // Also in a part of the period, which it leaves for good, while no frame comes, and without
+  // contact.
+  for (const double x : {0.0, 0.3, 0.6, 1.0}) {
+    viewer.fit();
+    viewer.zoom({x, 0.5}, 6);
+    ASSERT_TRUE(isInView()) << x;
+  }
+  viewer.setFrame(frameAt(0.061));
+  EXPECT_TRUE(isInView());
+}
+
 TEST(ContactViewer, MagnifierFollowsTheCrosshair) {
   ContactViewer viewer = viewerOf(frameAt(0));
   viewer.magnify(true);

@@ -115,7 +115,10 @@ TEST_F(AccessibilityTest, TheSheetSaysEveryKey) {
   QStringList said;
   for (const ShortcutGroup& group : shortcutGroups(window_)) {
     EXPECT_FALSE(group.title.isEmpty());
-    for (const ShortcutGroup::Entry& entry : group.entries) said += entry.keys;
+    for (const ShortcutGroup::Entry& entry : group.entries) {
+      EXPECT_FALSE(entry.keys.isEmpty()) << entry.text.toStdString();
+      said += entry.keys;
+    }
   }
   for (const QAction* each : window_.findChildren<QAction*>())
     for (const QKeySequence& key : each->shortcuts())
@@ -125,6 +128,7 @@ TEST_F(AccessibilityTest, TheSheetSaysEveryKey) {
           return keys.split(" or ").contains(text);
         })) << text.toStdString();
       }
+  EXPECT_TRUE(said.contains("Ctrl+Q")) << "on every desktop";
   auto* extra = new QAction("Something new…", &window_);
   extra->setShortcut(Qt::CTRL | Qt::ALT | Qt::Key_J);
   window_.addAction(extra);

@@ -6,6 +6,7 @@
 #include <QDockWidget>
 #include <QFile>
 #include <QScrollBar>
+#include <QSlider>
 #include <QTabBar>
 #include <QTabWidget>
 #include <QTemporaryDir>
@@ -107,7 +108,8 @@ TEST_P(WindowInEachLanguage, EveryTabIsInSightInASmallWindow) {
           if (!bar.isTabVisible(i)) continue;
           constexpr int kAir = 7;  // at each side, as in the style sheet of a crowded bar
           const int air = bar.property("crowded").toBool() ? kAir : 2 * kAir;
-          const int needed = bar.fontMetrics().horizontalAdvance(bar.tabText(i)) + 2 * air;
+          const int text = bar.fontMetrics().size(Qt::TextShowMnemonic, bar.tabText(i)).width();
+          const int needed = text + 2 * air;
           const QRect place = bar.tabRect(i);
           if (place.right() >= bar.width() || place.width() < needed || place.left() < 0)
             return false;
@@ -120,6 +122,22 @@ TEST_P(WindowInEachLanguage, EveryTabIsInSightInASmallWindow) {
     for (int i = 0; i < bar.count(); ++i)
       EXPECT_GE(bar.tabToolTip(i).size(), bar.tabText(i).size()) << i;
   }
+}
+
+/// A motion has a track on which its moment is chosen, and the view keeps its width for it.
+TEST_P(WindowInEachLanguage, ASmallWindowHasATrackForTheMoment) {
+  WindowIn window(GetParam());
+  window->resize(1024, 700);
+  const auto& tabs = *window->findChild<QTabWidget*>("tabs");
+  Scene moving = smallScene();
+  moving.sliding.kind = SlidingKind::Oscillation;
+  moving.sliding.amplitude = 0.5;
+  window->document().open(moving);
+  const auto& moment = *window->findChild<QSlider*>("moment");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return moment.isVisible(); }, 2000));
+  QTest::qWait(100);
+  EXPECT_GE(moment.width(), 80);
+  EXPECT_LE(tabs.width(), 660) << "the panel keeps its part of the window";
 }
 
 /// Numbers below zero have the decimal sign of the language, as they come and as they are typed.

@@ -4,16 +4,21 @@
 #include <QDockWidget>
 #include <QLayout>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QMenu>
 #include <QMenuBar>
+#include <QPlainTextEdit>
+#include <QPushButton>
 #include <QScreen>
 #include <QSettings>
+#include <QSpinBox>
 #include <QSplitter>
 #include <QStatusBar>
 #include <QStyle>
 #include <QStyleOption>
 #include <QTabBar>
 #include <QTabWidget>
+#include <QTableWidget>
 #include <QToolBar>
 #include <QToolButton>
 #include <QTreeWidget>
@@ -30,6 +35,7 @@
 #include "ui/window/main/appearance.h"
 #include "ui/window/main/scene_tabs.h"
 #include "ui/window/main/session.h"
+#include "ui/window/main/window_style.h"
 
 namespace asperity {
 namespace {
@@ -196,11 +202,52 @@ TEST_F(LayoutTest, FullScreenAndBack) {
   EXPECT_FALSE(action("leave").isEnabled());
 }
 
-TEST(PresentedScale, KeepsTheShareOfALargeScreenAndIsNeverSmall) {
-  for (const QSizeF small : {QSizeF(1280, 720), QSizeF(1600, 900), QSizeF(3000, 600)})
-    EXPECT_DOUBLE_EQ(presentationScale(small), 1.5) << small.width();
-  for (const double height : {1080.0, 1440.0, 2160.0})
+/// Of a small screen, too, or there would be no space for the pictures.
+TEST(PresentedScale, IsTheSamePartOfEveryScreenAndEnlarges) {
+  for (const double height : {720.0, 900.0, 1080.0, 1440.0, 2160.0})
     EXPECT_DOUBLE_EQ(presentationScale({16 * height / 9, height}) / height, 1.5 / 900) << height;
+  EXPECT_LT(presentationScale({1024, 700}), 1.2);
+  EXPECT_DOUBLE_EQ(presentationScale({3000, 500}), 1.1);
+}
+
+/// A title is shortened as soon as one pixel is missing.
+TEST_F(LayoutTest, TitlesOfTabsAreWholeAtEveryWidth) {
+  const QTabBar& bar = *tabs().tabBar();
+  for (int width = 1024; width < 1180; width += 3) {
+    window_.resize(width, 700);
+    QTest::qWait(1);
+    EXPECT_GE(bar.width(), bar.sizeHint().width()) << width;
+  }
+}
+
+/// The whole text is one click away, and in the tooltip.
+TEST_F(LayoutTest, ALongDescriptionLeavesTheContactItsHeight) {
+  window_.resize(1024, 700);
+  Scene scene = session().scene();
+  scene.description = "One of the sentences of a long description.";
+  for (int i = 0; i < 4; ++i) scene.description += " " + scene.description;
+  window_.document().open(scene);
+  auto& bar = control<MessageBar>("descriptionBar");
+  ASSERT_TRUE(waitFor([&] { return bar.isVisible(); }));
+  QTest::qWait(50);
+  auto& text = *bar.findChild<QLabel*>("messageText");
+  auto& more = *bar.findChild<QToolButton*>("moreOfMessage");
+  const auto lines = [&] { return text.height() / text.fontMetrics().lineSpacing(); };
+  EXPECT_LE(lines(), 2);
+  EXPECT_TRUE(text.text().endsWith(u'…'));
+  EXPECT_TRUE(text.toolTip().contains("long description"));
+  ASSERT_TRUE(more.isVisible());
+  more.click();
+  QTest::qWait(50);
+  EXPECT_GT(lines(), 4);
+  EXPECT_TRUE(text.text().endsWith(u'.'));
+  more.click();
+  QTest::qWait(50);
+  EXPECT_LE(lines(), 2);
+  scene.description = "Short.";
+  window_.document().open(scene);
+  ASSERT_TRUE(waitFor([&] { return text.text() == "Short."; }));
+  EXPECT_FALSE(more.isVisible());
 }
 
 TEST_F(LayoutTest, ThePageOfFiguresShowsOneAtOnceAndNothingOfTheScene) {
@@ -246,6 +293,7 @@ TEST_F(LayoutTest, APresentationShowsLittleInLargeLettersUntilEscape) {
     EXPECT_FALSE(hidden->isVisible());
   EXPECT_TRUE(window_.messages().isVisible());
   EXPECT_TRUE(window_.messages().text().startsWith("F9 shows the parameters"));
+  EXPECT_TRUE(window_.messages().property("note").toBool()) << "it is no error";
   QTest::keyClick(&window_, Qt::Key_F9);  // keys go on without a menu
   EXPECT_TRUE(dock().isVisible());
   EXPECT_FALSE(window_.messages().isVisible());
@@ -279,6 +327,33 @@ TEST_F(LayoutTest, HandlesOfSlidersGrowWithTheLetters) {
   }
   QTest::mouseClick(&slider, Qt::LeftButton, {}, {150, slider.height() / 2});
   EXPECT_GT(slider.value(), slider.minimum());
+}
+
+/// Buttons, entries, boxes and lists have one border, which is seen in both themes.
+TEST(WindowStyle, GivesAllControlsTheSameBorder) {
+  WindowStyle style;
+  QPushButton push("A button");
+  QToolButton tool;
+  QLineEdit entry;
+  QSpinBox number;
+  QPlainTextEdit text;
+  QListWidget list;
+  QTableWidget table(2, 2);
+  for (const Theme& theme : {lightTheme(), darkTheme()}) {
+    const QPalette palette = themePalette(theme);
+    for (QWidget* control : Widgets{&push, &tool, &entry, &number, &text, &list, &table}) {
+      control->setStyle(&style);
+      control->setPalette(palette);
+      control->resize(120, 60);
+      const QImage picture = control->grab().toImage();
+      for (const QPoint edge : {QPoint(0, 30), QPoint(119, 30), QPoint(60, 0), QPoint(60, 59)})
+        EXPECT_EQ(picture.pixelColor(edge).name(), palette.color(QPalette::Mid).name())
+            << control->metaObject()->className() << ' ' << edge.x() << ' ' << edge.y();
+    }
+    EXPECT_GE(push.sizeHint().width(), push.fontMetrics().horizontalAdvance(push.text()) + 20);
+  }
+  for (QWidget* control : Widgets{&push, &tool, &entry, &number, &text, &list, &table})
+    control->setStyle(nullptr);  // before the style ends
 }
 
 /// On a small screen not all titles fit: they have the whole bar, and buttons that can be hit.

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/core/elastomers.h"
 #include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
 #include "ui/draw/ticks.h"
@@ -204,6 +205,43 @@ TEST(StatusLine, TheDimensionlessVelocityOfAMotionIsThatOfTheMoment) {
   Frame steady = movingFrame(0.3);
   steady.transient.reset();
   EXPECT_EQ(dimensionlessVelocity(steady), 0);
+}
+
+/// A motion that goes back has a sign before its numbers, for which their widths have space.
+TEST(StatusLine, ASignMovesNothingAndIsNotCut) {
+  StatusLine line;
+  line.setFixedWidth(1440);
+  line.show();
+  const auto& force = *line.findChild<QLabel*>("factForce");
+  const auto& velocity = *line.findChild<QLabel*>("factVelocity");
+  line.showFrame(movingFrame(0.02478), {});
+  QTest::qWait(1);
+  const int place = force.x(), width = velocity.width();
+  EXPECT_GE(width, velocity.sizeHint().width() +
+                       velocity.fontMetrics().horizontalAdvance(QStringLiteral("−")));
+  line.showFrame(movingFrame(-0.02478), {});
+  QTest::qWait(1);
+  EXPECT_EQ(force.x(), place);
+  EXPECT_EQ(velocity.width(), width);
+  EXPECT_GE(velocity.width(), velocity.sizeHint().width());
+}
+
+/// There is no work on a scene that cannot be computed, and the contact is still the previous one.
+TEST_F(StatusTest, ARefusedSceneIsNoWorkAndItsContactIsDimmed) {
+  ASSERT_TRUE(waitFor([this] { return session().friction().progress() >= 1; }));
+  ASSERT_TRUE(waitForFrame());
+  Scene scene = session().scene();
+  scene.elastomer = prony(0, {});
+  window_.document().edit(scene);
+  ASSERT_TRUE(waitFor([this] { return window_.messages().isVisible(); }));
+  const auto& progress = control<QProgressBar>("workProgress");
+  EXPECT_TRUE(waitFor([&] { return !progress.isVisible(); }));
+  EXPECT_FALSE(control<QToolButton>("workStop").isVisible());
+  const auto& veil = control<QLabel>("contactVeil");
+  EXPECT_TRUE(veil.isVisible());
+  EXPECT_TRUE(veil.text().contains("previous scene"));
+  action("undo").trigger();
+  EXPECT_TRUE(waitFor([&] { return !veil.isVisible(); }));
 }
 
 TEST(StatusLine, ADimensionlessVelocityThatIsMissingIsLeftOut) {

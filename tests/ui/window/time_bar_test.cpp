@@ -175,6 +175,33 @@ TEST_F(TimeBarTest, APictureThatIsTooSlowHasOneNumber) {
   EXPECT_EQ(part<QLineEdit>("slowMotion").text(), QStringLiteral("600× slower"));
 }
 
+/// The views above do not move when the computer falls behind: the space of the sign is kept.
+TEST_F(TimeBarTest, FallingBehindMovesNothing) {
+  const QSize before = bar_.minimumSizeHint();
+  bar_.resize(before.width(), bar_.sizeHint().height());
+  bar_.show();
+  const auto placeOfPace = [this] { return part<QSlider>("paceSlider").geometry(); };
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+  const QRect place = placeOfPace();
+  frame_.timeScale = 1 / 1200.0;
+  for (int i = 0; i < 9; ++i) bar_.showFrame(frame_);
+  const auto& behind = part<QLabel>("behindText");
+  ASSERT_TRUE(behind.isVisible());
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+  EXPECT_EQ(bar_.minimumSizeHint(), before);
+  EXPECT_EQ(placeOfPace(), place);
+  EXPECT_GE(behind.width(), behind.fontMetrics().horizontalAdvance(behind.text()));
+  EXPECT_EQ(behind.accessibleName(), "the computer cannot keep up");
+}
+
+TEST_F(TimeBarTest, AMomentCanBeChosenHoweverNarrowTheBar) {
+  scene_.sliding.kind = SlidingKind::Oscillation;
+  show();
+  bar_.resize(1, bar_.sizeHint().height());
+  bar_.show();
+  EXPECT_GE(part<QSlider>("moment").width(), 80);
+}
+
 TEST_F(TimeBarTest, ALongPaceIsNotCut) {
   auto& box = part<QLineEdit>("slowMotion");
   scene_.sliding.velocity = 1;

@@ -64,13 +64,13 @@ void PlanList::resizeEvent(QResizeEvent* event) {
 
 /// Gives a row as many lines as its reason needs: the list itself counts one for each.
 void PlanList::fitRows() {
-  constexpr int kAround = 8;  // pixels beside a text
+  constexpr int kAround = 8, kBetween = 6;  // pixels beside a text and between rows
   const int available = viewport()->width() - columnWidth(0) - columnWidth(1) - kAround;
   for (int row = 0; row < topLevelItemCount(); ++row) {
     QTreeWidgetItem& item = *topLevelItem(row);
     const QRect rect = fontMetrics().boundingRect(QRect(0, 0, std::max(available, 1), 10000),
                                                   Qt::TextWordWrap, item.text(2));
-    const QSize needed(rect.width() + kAround, rect.height());
+    const QSize needed(rect.width() + kAround, rect.height() + kBetween);
     if (item.sizeHint(2) != needed) item.setSizeHint(2, needed);
   }
 }

@@ -26,13 +26,15 @@ namespace asperity {
 
 namespace {
 
-constexpr double kFastest = 2, kSlowest = 600;  // s on the screen for a period
-constexpr double kSlowestStart = 60;            // s, the same for a scene that was just opened
-constexpr int kPositions = 240;                 // of the slider of the pace
-constexpr int kMoments = 1000;                  // of the slider of the moment
-constexpr int kLongestQuote = 60;               // letters of what was typed, in a message
-constexpr int kEntryMargin = 16;                // pixels around the text of an entry
-constexpr int kTipTime = 8000;                  // ms, how long a refusal stays at the entry
+constexpr double kFastest = 2, kSlowest = 600;       // s on the screen for a period
+constexpr double kSlowestStart = 60;                 // s, the same for a scene that was just opened
+constexpr int kPositions = 240;                      // of the slider of the pace
+constexpr int kMoments = 1000;                       // of the slider of the moment
+constexpr int kLongestQuote = 60;                    // letters of what was typed, in a message
+constexpr int kEntryMargin = 16;                     // pixels around the text of an entry
+constexpr int kTipTime = 8000;                       // ms, how long a refusal stays at the entry
+constexpr int kMinTrack = 84;                        // pixels in which a moment can still be chosen
+constexpr int kPaceTrack = 110, kMinPaceTrack = 50;  // pixels of the slider of the pace
 
 constexpr double kBehind = 0.7, kAgainOnTime = 0.9;  // of the requested pace
 constexpr int kFramesBehind = 5;  // in a row, before the bar reports that the picture is too slow
@@ -87,17 +89,22 @@ TimeBar::TimeBar(QWidget* parent)
   moment_->setPageStep(kMoments / 20);
   slider_->setRange(0, kPositions);
   slider_->setPageStep(kPositions / 12);
-  slider_->setFixedWidth(110);
+  moment_->setMinimumWidth(kMinTrack);
+  slider_->setMinimumWidth(kMinPaceTrack);
+  slider_->setMaximumWidth(kPaceTrack);
   keep_->setChecked(true);
   row->addWidget(moment_, 1);
   row->addWidget(momentText_);
   row->addStretch(0);
+  // A sign alone, for which space is kept: nothing moves when the computer falls behind.
+  behindText_->setText(QStringLiteral("⚠"));
+  QSizePolicy keepsSpace = behindText_->sizePolicy();
+  keepsSpace.setRetainSizeWhenHidden(true);
+  behindText_->setSizePolicy(keepsSpace);
   behindText_->hide();
   row->addWidget(behindText_);
-  row->addSpacing(8);
   row->addWidget(name_);
   row->addWidget(slider_);
-  factor_->setTextMargins(4, 0, 4, 0);  // within kEntryMargin, as in entries of the panel
   row->addWidget(factor_);
   row->addWidget(keep_);
   name_->setBuddy(slider_);
@@ -142,7 +149,7 @@ void TimeBar::showTexts() {
   for (QWidget* part : Widgets{name_, slider_, factor_}) part->setToolTip(tip);
   factor_->setAccessibleName(tr("pace of the picture, times slower or faster than in reality"));
   name_->setText(tr("pace"));
-  behindText_->setText(tr("the computer cannot keep up"));
+  behindText_->setAccessibleName(tr("the computer cannot keep up"));
   behindText_->setToolTip(wrappedTip(
       tr("The line has too many elements to move as fast as was asked for. The number is "
          "the pace that the picture has.")));
@@ -188,6 +195,7 @@ void TimeBar::takeScene(const Scene& scene) {
   scene_ = scene;
   duration_ = scene.sliding.kind == SlidingKind::Steady ? 0 : scene.sliding.duration;
   for (QWidget* part : Widgets{moment_, momentText_}) part->setVisible(duration_ > 0);
+  name_->setVisible(!(duration_ > 0));  // the number says it, too, and the moment needs its space
   setWidths();
 }
 

@@ -1,4 +1,4 @@
-// The look of the window: its colours, style sheet and style. All colours are derived from the
+// The look of the window: its colours and its style sheet. All colours are derived from the
 // picture's Theme, so that contact view, chart and controls match. The user chooses the theme:
 // light, dark or the system's. GUI thread. Cannot fail.
 #pragma once
@@ -6,7 +6,6 @@
 #include <QColor>
 #include <QObject>
 #include <QPalette>
-#include <QProxyStyle>
 #include <QSizeF>
 #include <QString>
 
@@ -58,28 +57,13 @@ class Appearance : public QObject {
   bool isDark_ = false;
 };
 
-/// Qt's Fusion style with visible check boxes, sliders and borders of entries in the dark theme,
-/// where Fusion draws them black on black.
-class WindowStyle : public QProxyStyle {
- public:
-  WindowStyle();
-
-  void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
-                     const QWidget* widget) const override;
-  int pixelMetric(PixelMetric metric, const QStyleOption* option,
-                  const QWidget* widget) const override;
-  QRect subControlRect(ComplexControl control, const QStyleOptionComplex* option, SubControl part,
-                       const QWidget* widget) const override;
-  void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option,
-                          QPainter* painter, const QWidget* widget) const override;
-};
-
 /// Returns whether the desktop's own colours are dark, read at the first call, before setPalette().
 bool systemIsDark();
 QPalette themePalette(const Theme& theme);
 
-/// Returns the factor of all texts in a presentation on a screen of this size in pixels. It keeps
-/// the size of texts relative to a large screen, so that they can be read from the back of a room.
+/// Returns the factor of all texts in a presentation on a screen of this size in pixels. Texts are
+/// the same part of the height of every screen, so that they can be read from the back of a room,
+/// and a small screen keeps its space for the pictures.
 double presentationScale(const QSizeF& screen);
 
 /// Returns the style sheet of the main window: bars, docks, menus, splitter, message bar.

@@ -234,8 +234,8 @@ void MainWindow::buildCommands() {
                           *messages_, *status_});
   exports_->addTo(*commands_);
   appearance_->addTo(*commands_);
-  windowLayout_ = new WindowLayout(
-      {*this, *dock_, *panel_, *splitter_, *canvas_, *tabs_, *figures_, *appearance_, *messages_});
+  windowLayout_ = new WindowLayout({*this, *dock_, *panel_, *splitter_, *canvas_, *tabs_, *figures_,
+                                    *appearance_, *messages_, *description_});
   windowLayout_->addTo(*commands_);
   tabs_->addTo(*commands_);
   tour_ = new Tour(*document_, *tourBar_, *hint_, *this);
@@ -258,7 +258,7 @@ void MainWindow::buildCommands() {
                   {Qt::Key_F1, Qt::Key_Question}});
   commands_->add({"guide", [] { return tr("Guide"); }, [this] { openGuide({}); }});
   commands_->add({"about", [] { return tr("About Asperity"); }, [this] { showAbout(); }});
-  commands_->add({"quit", [] { return tr("Quit"); }, [this] { close(); }, {QKeySequence::Quit}});
+  commands_->add({"quit", [] { return tr("Quit"); }, [this] { close(); }, {Qt::CTRL | Qt::Key_Q}});
   const auto run = [this](std::function<void()> work, std::function<void()> done) {
     exports_->run(std::move(work), std::move(done));
   };
@@ -368,13 +368,10 @@ void MainWindow::connectFrames() {
     commands_->setSymbol("play", playing ? Symbol::Pause : Symbol::Play);
     commands_->refresh("play");
   });
-  const auto showVeil = [this] {
-    canvas_->setVeil(session_->isWaiting()
-                         ? tr("This is the previous scene; the changed one is being computed")
-                         : QString());
-  };
-  keepTranslated(*canvas_, showVeil);
-  connect(session_, &Session::waitingChanged, this, showVeil);
+  keepTranslated(*canvas_, [this] { showVeil(); });
+  connect(session_, &Session::waitingChanged, this, &MainWindow::showVeil);
+  connect(session_, &Session::errorOccurred, this, &MainWindow::showVeil);
+  connect(session_, &Session::sceneRuns, this, &MainWindow::showVeil);
   connect(canvas_, &ContactCanvas::failed, messages_, &MessageBar::showMessage);
   connect(canvas_, &ContactCanvas::fieldsChanged, this, &MainWindow::requestFields);
   connect(tabs_, &SceneTabs::fieldsChanged, this, &MainWindow::requestFields);
@@ -401,9 +398,23 @@ void MainWindow::connectFrames() {
   connect(status_, &StatusLine::backRequested, this, [this] { document_->history().undo(); });
 }
 
+/// Dims a contact of the previous scene. A scene that was posted twice has its own contact before
+/// the second frame comes.
+void MainWindow::showVeil() {
+  const bool isWaiting = session_->isWaiting();
+  const bool isMissing = isWaiting || session_->isRefused();
+  const std::shared_ptr<const Frame> frame = session_->frame();
+  const bool hasIt = isMissing && frame && frame->scene && *frame->scene == session_->scene();
+  canvas_->setVeil(!isMissing || hasIt ? QString()
+                   : isWaiting
+                       ? tr("This is the previous scene; the changed one is being computed")
+                       : tr("This is the previous scene; the changed one cannot be computed"));
+}
+
 void MainWindow::showFrame() {
   const std::shared_ptr<const Frame> frame = session_->frame();
   if (figures_->isShowingViews()) canvas_->setFrame(frame);
+  showVeil();
   tabs_->showFrame(*frame);
   if (frame->sceneNumber == session_->sceneNumber()) {
     timeBar_->showFrame(*frame);

@@ -110,6 +110,7 @@ class MainWindow : public QMainWindow {
   void showDescription();
   void showTitle();
   void showFrame();
+  void showVeil();
   void showReadings();
   void showWarnings(const Frame& frame, NoteSet notes);
   void step(bool finely);

@@ -3,6 +3,9 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QResizeEvent>
+#include <QStyle>
+#include <QTextLayout>
 #include <QToolButton>
 #include <utility>
 
@@ -13,9 +16,35 @@
 
 namespace asperity {
 
+namespace {
+
+/// Returns the text as far as it fits into so many lines of this width, with an ellipsis where that
+/// is not all.
+QString inLines(const QString& text, int lines, int width, const QFont& font) {
+  QTextLayout layout(text, font);
+  layout.beginLayout();
+  qsizetype lastBegin = 0;
+  bool isWhole = true;
+  for (int i = 0;; ++i) {
+    QTextLine line = layout.createLine();
+    if (!line.isValid()) break;
+    line.setLineWidth(width);
+    isWhole = i < lines;
+    if (!isWhole) break;
+    lastBegin = line.textStart();
+  }
+  layout.endLayout();
+  if (isWhole) return text;
+  return text.left(lastBegin) +
+         QFontMetrics(font).elidedText(text.mid(lastBegin), Qt::ElideRight, width);
+}
+
+}  // namespace
+
 MessageBar::MessageBar(QWidget* parent)
     : QFrame(parent),
       label_(textLabel("messageText")),
+      more_(named<QToolButton>("moreOfMessage")),
       accept_(named<QPushButton>("acceptOffer")),
       close_(named<QToolButton>("closeMessage")) {
   setObjectName("messageBar");
@@ -23,6 +52,12 @@ MessageBar::MessageBar(QWidget* parent)
   accept_->setFocusPolicy(Qt::TabFocus);
   accept_->hide();
   connect(accept_, &QPushButton::clicked, this, &MessageBar::accepted);
+  more_->setFocusPolicy(Qt::TabFocus);
+  more_->hide();
+  connect(more_, &QToolButton::clicked, this, [this] {
+    showsAll_ = !showsAll_;
+    fitText();
+  });
   close_->setText(QStringLiteral("✕"));
   close_->setFocusPolicy(Qt::TabFocus);
   connect(close_, &QToolButton::clicked, this, [this] {
@@ -33,6 +68,7 @@ MessageBar::MessageBar(QWidget* parent)
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(16, 7, 10, 7);
   layout->addWidget(label_, 1);
+  layout->addWidget(more_, 0, Qt::AlignTop);
   layout->addWidget(accept_, 0, Qt::AlignTop);
   layout->addWidget(close_, 0, Qt::AlignTop);
   hide();
@@ -46,6 +82,7 @@ void MessageBar::showTexts() {
     showText(offer_());
     accept_->setText(offerButton_());
   }
+  fitText();
   if (sceneError_ && !isHidden() && failure_ == Failure::Scene) updateSceneError();
 }
 
@@ -100,13 +137,65 @@ void MessageBar::showMessage(const QString& text) {
   offer_ = offerButton_ = nullptr;
   accept_->hide();
   failure_ = Failure::None;
+  setNote(false);
   showText(text);
   show();
 }
 
+void MessageBar::showNote(const QString& text) {
+  showMessage(text);
+  setNote(true);
+}
+
+/// Chooses the colours of an error or of a note, which the style sheet of the window has.
+void MessageBar::setNote(bool isNote) {
+  if (property("note").toBool() == isNote) return;
+  setProperty("note", isNote);
+  for (QWidget* part : Widgets{this, label_, more_, close_}) {
+    part->style()->unpolish(part);
+    part->style()->polish(part);
+  }
+}
+
 void MessageBar::showText(const QString& text) {
+  if (text != text_) showsAll_ = false;
   text_ = text;
-  label_->setText(keptTogether(text));
+  fitText();
+}
+
+void MessageBar::setLineLimit(int lines) {
+  lineLimit_ = lines;
+  fitText();
+}
+
+/// Shortens the text where it has more lines than the limit. The button for the rest takes its
+/// width from the text only then.
+void MessageBar::fitText() {
+  const QString whole = keptTogether(text_);
+  const QMargins margins = layout()->contentsMargins();
+  const int gap = layout()->spacing();
+  int available = width() - margins.left() - margins.right() - close_->sizeHint().width() - gap;
+  if (!accept_->isHidden()) available -= accept_->sizeHint().width() + gap;
+  label_->ensurePolished();
+  const QFont font = label_->font();
+  const bool isLong = lineLimit_ > 0 && inLines(whole, lineLimit_, available, font) != whole;
+  more_->setText(showsAll_ ? tr("less") : tr("more"));
+  more_->setVisible(isLong);
+  available -= more_->sizeHint().width() + gap;
+  const bool isCut = isLong && !showsAll_;
+  label_->setText(isCut ? inLines(whole, lineLimit_, available, font) : whole);
+  label_->setToolTip(isCut ? wrappedTip(text_) : QString());
+  label_->setAccessibleName(isCut ? text_ : QString());
+}
+
+void MessageBar::resizeEvent(QResizeEvent* event) {
+  QFrame::resizeEvent(event);
+  if (event->oldSize().width() != event->size().width()) fitText();
+}
+
+void MessageBar::changeEvent(QEvent* event) {
+  QFrame::changeEvent(event);
+  if (event->type() == QEvent::FontChange && lineLimit_ > 0) fitText();
 }
 
 }  // namespace asperity

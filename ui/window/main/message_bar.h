@@ -1,6 +1,7 @@
-// A bar over the views for error messages. It is not modal, and closes by its button or when the
-// error is over. A message about the scene reappears when another message that replaced it is
-// removed. GUI thread; owned by its parent.
+// A bar over the views for error messages, and in other colours for notes. It is not modal, and
+// closes by its button or when the error is over. A message about the scene reappears when another
+// message that replaced it is removed. A limit of lines shortens a long text; a button then shows
+// all of it. GUI thread; owned by its parent.
 #pragma once
 
 #include <QFrame>
@@ -23,6 +24,11 @@ class MessageBar : public QFrame {
   explicit MessageBar(QWidget* parent = nullptr);
 
   void showMessage(const QString& text);
+  /// Shows what is no error.
+  void showNote(const QString& text);
+
+  /// Shows at most this many lines of a text until the user asks for more; 0: all.
+  void setLineLimit(int lines);
 
   /// The sources of errors. end() removes a message once its source succeeds again; end() returns
   /// whether the message was visible.
@@ -49,17 +55,26 @@ class MessageBar : public QFrame {
   /// Emitted with the translated message about the scene when it appears or changes.
   void sceneErrorShown(const QString& key, const QString& text);
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
  private:
   void updateSceneError();
   void showTexts();
   void showText(const QString& text);
+  void setNote(bool isNote);
+  void fitText();
 
   QLabel* label_;
+  QToolButton* more_;
   QPushButton* accept_;
   QToolButton* close_;
   QString text_;
   Text offer_, offerButton_;
   Failure failure_ = Failure::None;
+  int lineLimit_ = 0;                                      // 0: none
+  bool showsAll_ = false;                                  // because the user asked for it
   std::optional<std::pair<QString, Message>> sceneError_;  // key and text
 };
 

@@ -38,6 +38,7 @@
 #include "ui/window/main/status_line.h"
 #include "ui/window/main/tour.h"
 #include "ui/window/main/window_layout.h"
+#include "ui/window/main/window_style.h"
 
 namespace asperity {
 

@@ -155,12 +155,15 @@ void SceneTabs::showTexts() {
   fitTitles();
 }
 
-/// Returns the width of the visible tabs with their whole or their brief titles.
+/// Returns the width of the visible tabs with their whole or their brief titles, measured as
+/// QTabBar measures them: it rounds the width of each title up, and shortens one if a single pixel
+/// is missing.
 int SceneTabs::tabsWidth(Title Page::*title, int padding) const {
-  const QFontMetrics metrics(tabBar()->font());
+  const QFontMetrics metrics = tabBar()->fontMetrics();
   int width = 0;
   for (int i = 0; i < count(); ++i)
-    if (isTabVisible(i)) width += metrics.horizontalAdvance((pageAt(i).*title)()) + 2 * padding;
+    if (isTabVisible(i))
+      width += metrics.size(Qt::TextShowMnemonic, (pageAt(i).*title)()).width() + 2 * padding;
   return width;
 }
 

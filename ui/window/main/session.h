@@ -66,6 +66,8 @@ class Session : public QObject {
 
   /// Returns whether the user waits for the present scene's first frame.
   bool isWaiting() const;
+  /// Returns whether the scene cannot be computed, so that frame() is of the previous one.
+  bool isRefused() const { return brokenNumber_ == sceneNumber_ && runningNumber_ != sceneNumber_; }
 
   /// Takes what the runner has made since the last call.
   void poll();

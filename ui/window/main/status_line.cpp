@@ -118,7 +118,7 @@ Work currentWork(const Session& session) {
     work.state = Work::State::Waiting;
   else if (session.averaging() == Session::Averaging::Running)
     work.state = Work::State::Running;
-  else if (session.averaging() == Session::Averaging::Stopped)
+  else if (session.averaging() == Session::Averaging::Stopped && !session.isRefused())
     work.state = Work::State::Stopped;
   return work;
 }
@@ -206,9 +206,10 @@ void StatusLine::showTips() {
 }
 
 /// Reserves the width of readings that appear only during work, so that the others do not move when
-/// work begins or ends.
+/// work begins or ends. Velocity and friction of a motion may be below zero.
 void StatusLine::reserveWidths() {
-  const QString number = QStringLiteral("0.00888"), friction = QStringLiteral("0.000888");
+  const QString sign = isOfMotion_ ? QStringLiteral("−") : QString();
+  const QString number = QStringLiteral("0.00888"), friction = sign + QStringLiteral("0.000888");
   const QString mean =
       tr(", mean of %1 ≈ %2 ± %3 %").arg(88).arg(QStringLiteral("0.0008888"), "0.08");
   QStringList regions;
@@ -217,7 +218,7 @@ void StatusLine::reserveWidths() {
            {mu_, {tr("this line μ = %1").arg(friction) + mean}},
            {regime_, regions},
            {force_, {tr("force F̄ = %1").arg(number)}},
-           {velocity_, {tr("velocity v̄ = %1").arg(number)}},
+           {velocity_, {tr("velocity v̄ = %1").arg(sign + number)}},
            {simulations_, {tr("%1 simulations/s").arg(rateText(8800000))}},
            {rate_, {tr("%1 frames/s").arg(888)}}})
     reading->setMinimumWidth(widestText(*this, texts));
@@ -301,6 +302,8 @@ void StatusLine::showWork(const Work& work) {
 }
 
 void StatusLine::showFrame(const Frame& frame, const CurveReading& reading) {
+  const bool isOfMotion = frame.transient != nullptr;
+  if (std::exchange(isOfMotion_, isOfMotion) != isOfMotion) reserveWidths();
   regime_->setText(reading.regime);
   QString mean;
   if (std::isfinite(reading.mu) && std::isfinite(reading.error)) mean = meanText(reading);

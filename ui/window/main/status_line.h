@@ -68,6 +68,7 @@ class StatusLine : public QWidget {
   void fitReadings();
 
   Work work_;
+  bool isOfMotion_ = false;  // the frame that is shown
   int framesPerSecond_ = 0;
   ElidedLabel* message_;
   QTimer* messageTimer_;

@@ -139,10 +139,11 @@ QString plain(QString text) {
 }
 
 /// Adds an entry with the keys of a command, each of which runs it; a command without keys has no
-/// entry.
+/// entry. The standard keys of some desktops are empty.
 void addEntry(ShortcutGroup& group, const QAction& action) {
   QStringList keys;
-  for (const QKeySequence& key : action.shortcuts()) keys += key.toString(QKeySequence::NativeText);
+  for (const QKeySequence& key : action.shortcuts())
+    if (!key.isEmpty()) keys += key.toString(QKeySequence::NativeText);
   const QString text = action.property("shortText").toString();
   if (!keys.isEmpty())
     group.entries +=
@@ -167,6 +168,13 @@ ShortcutGroup& findOrAddGroup(QList<ShortcutGroup>& groups, const QString& title
   return groups.last();
 }
 
+/// Puts alternative keys below each other where they would make the whole list wider.
+QString inShortLines(QString keys) {
+  constexpr int kLongest = 30;  // letters
+  const QString separator = ShortcutSheet::tr(" or ");
+  return keys.size() > kLongest ? keys.replace(separator, separator + u'\n') : keys;
+}
+
 QWidget* groupWidget(const ShortcutGroup& group) {
   auto* box = new QWidget;
   box->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
@@ -181,7 +189,7 @@ QWidget* groupWidget(const ShortcutGroup& group) {
   grid->addWidget(title, 0, 0, 1, 2);
   int row = 1;
   for (const ShortcutGroup::Entry& entry : group.entries) {
-    auto* keys = named<QLabel>("shortcutKeys", entry.keys);
+    auto* keys = named<QLabel>("shortcutKeys", inShortLines(entry.keys));
     grid->addWidget(keys, row, 0, Qt::AlignLeft);
     grid->addWidget(new QLabel(entry.text), row++, 1);
   }

@@ -28,7 +28,8 @@ namespace asperity {
 
 namespace {
 
-constexpr int kLayoutVersion = 1;  // version of the layout of docks and tool bars
+constexpr int kDescriptionLines = 2;  // more would take the height of the contact
+constexpr int kLayoutVersion = 1;     // version of the layout of docks and tool bars
 
 /// The largest usual frame of a window manager around a window; the true frame is known only when
 /// the window is shown.
@@ -43,6 +44,7 @@ const QList<int>& defaultSplit() {
 
 WindowLayout::WindowLayout(const LayoutParts& parts) : QObject(&parts.window), parts_(parts) {
   parts_.splitter.setSizes(defaultSplit());
+  parts_.description.setLineLimit(kDescriptionLines);
   connect(&parts_.figures, &FigurePages::pageChanged, this, &WindowLayout::hideDocksForFigures);
   connect(&parts_.dock, &QDockWidget::visibilityChanged, this, [this](bool isVisible) {
     if (isVisible) endPanelNote();
@@ -174,7 +176,10 @@ void WindowLayout::beginPresentation() {
   parts_.appearance.setDark(parts_.appearance.isDark());
   // On a low screen large letters around the chart leave it little height.
   constexpr int kLow = 800;  // pixels
-  if (window.screen()->size().height() < kLow) parts_.splitter.setSizes({540, 460});
+  if (window.screen()->size().height() < kLow) {
+    parts_.splitter.setSizes({540, 460});
+    parts_.description.setLineLimit(1);
+  }
   setFullScreen(true);
 }
 
@@ -183,7 +188,7 @@ void WindowLayout::showPanelNote() {
   constexpr int kShown = 8000;              // milliseconds
   if (!parts_.messages.isHidden()) return;  // an error says more
   panelNote_ = tr("F9 shows the parameters; Esc ends the presentation.");
-  parts_.messages.showMessage(panelNote_);
+  parts_.messages.showNote(panelNote_);
   QTimer::singleShot(kShown, this, &WindowLayout::endPanelNote);
 }
 
@@ -198,6 +203,7 @@ void WindowLayout::endPresentation() {
   const Presentation before = *std::exchange(presentation_, std::nullopt);
   QApplication::setFont(before.font);
   parts_.canvas.setTextScale(1);
+  parts_.description.setLineLimit(kDescriptionLines);
   parts_.tabs.setMayScroll(false);
   window.menuBar()->show();
   window.statusBar()->setVisible(before.hasStatus);

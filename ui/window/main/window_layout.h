@@ -50,6 +50,7 @@ struct LayoutParts {
   FigurePages& figures;
   Appearance& appearance;
   MessageBar& messages;
+  MessageBar& description;  // of the scene
 };
 
 class WindowLayout : public QObject {
