@@ -25,6 +25,12 @@ std::string printed(std::string_view symbol) {
   return std::string(symbol);
 }
 
+/// Returns a value of a row with its unit; a pure number has all digits that were entered.
+PrintedNumber printedValue(double value, const Parameter& row) {
+  constexpr int kDigits = 6;
+  return {row.unit.empty() ? printedNumber(value, kDigits) : printedQuantity(value, row.unit)};
+}
+
 /// Returns the parameter as text; empty where the row has no symbol, or the effect is not present.
 Message inWords(const Parameter& row, const Scene& scene) {
   if (row.symbol.empty() || !isApplicable(row, scene)) return {};
@@ -33,9 +39,7 @@ Message inWords(const Parameter& row, const Scene& scene) {
   const auto* whole = std::get_if<std::int64_t>(&value);
   if (real && *real == 0 && (value == defaultValue(row) || isLeftToProfile(row, scene, 0)))
     return {};
-  if (real && row.unit.empty()) return message("{} = {:g}", printed(row.symbol), *real);
-  if (real)
-    return message("{} = {}", printed(row.symbol), PrintedNumber{printedQuantity(*real, row.unit)});
+  if (real) return message("{} = {}", printed(row.symbol), printedValue(*real, row));
   if (whole && *whole > 0) return message("{} = {}", printed(row.symbol), *whole);
   return {};
 }
@@ -67,9 +71,7 @@ Message inPlainWords(const Parameter& row, const Scene& scene) {
   const Message label(row.label);
   if (isLeftToFile(row, scene)) return message("{} as in the file", label);
   if (const auto* real = std::get_if<double>(&value))
-    return row.unit.empty()
-               ? message("{} = {:g}", label, *real)
-               : message("{} = {}", label, PrintedNumber{printedQuantity(*real, row.unit)});
+    return message("{} = {}", label, printedValue(*real, row));
   if (const auto* whole = std::get_if<std::int64_t>(&value)) return message("{} {}", label, *whole);
   std::string word = std::get<std::string>(value);
   if (!std::holds_alternative<ChoiceField>(row.field)) return message("{} {}", label, word);

@@ -218,7 +218,9 @@ DiagramMarker frameMarker(const Frame& frame, CurveAxes axes, CurveQuantity y) {
   Message label = message("v = {}", PrintedNumber{printedQuantity(velocity, "m/s")});
   if (frame.transient) {
     const std::vector<TransientSample>& samples = *frame.transient;
-    velocity = std::abs(samples.empty() ? frame.velocity : samples.back().velocity);
+    // A line at rest is at no place of the curve; its last time step still had a velocity.
+    const bool rests = samples.empty() || frame.velocity == 0;
+    velocity = std::abs(rests ? frame.velocity : samples.back().velocity);
     mu = samples.empty() ? kNotApplicable : samples.back().mu;
     label = message("|v| = {}", PrintedNumber{printedQuantity(std::abs(frame.velocity), "m/s")});
     marker.isFixed = true;

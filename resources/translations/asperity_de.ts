@@ -108,6 +108,14 @@
         <translation>Ort</translation>
     </message>
     <message>
+        <source>to scale</source>
+        <translation>maßstäblich</translation>
+    </message>
+    <message>
+        <source>heights reduced %1×</source>
+        <translation>Höhen gestaucht, %1-fach</translation>
+    </message>
+    <message>
         <source>vertical exaggeration %1×</source>
         <translation>%1-fach überhöht</translation>
     </message>
@@ -5126,20 +5134,20 @@
         <translation>Zeit seit dem Kontakt</translation>
     </message>
     <message>
-        <source>dissipated power (log scale)</source>
-        <translation>dissipierte Leistung (log. Skala)</translation>
+        <source>dissipated power, log scale</source>
+        <translation>dissipierte Leistung, log. Skala</translation>
     </message>
     <message>
-        <source>contact pressure (line load)</source>
-        <translation>Kontaktdruck (Linienlast)</translation>
+        <source>contact pressure, line load</source>
+        <translation>Kontaktdruck, Linienlast</translation>
     </message>
     <message>
         <source>since contact</source>
         <translation>seit Kontakt</translation>
     </message>
     <message>
-        <source>power (log)</source>
-        <translation>Leistung (log)</translation>
+        <source>power, log</source>
+        <translation>Leistung, log</translation>
     </message>
     <message>
         <source>pressure</source>

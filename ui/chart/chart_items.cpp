@@ -12,16 +12,16 @@ namespace asperity {
 
 namespace {
 
-constexpr double kBar = 1.3;   // width of an error bar, times the scale
-constexpr double kCap = 3.5;   // half the width of an error bar's caps, times the scale
-constexpr float kCell = 4;     // pixels, resolution of what curves cover
-constexpr double kAside = 4;   // pixels between a shade's edges and its name
-constexpr double kLeft = 6;    // from the edge to a title on the left
-constexpr double kBelow = 8;   // from the frame to the title below it, including the labels
-constexpr double kBeside = 8;  // from the frame to a title on its right
+constexpr double kBar = 1.3;      // width of an error bar, times the scale
+constexpr double kCap = 3.5;      // half the width of an error bar's caps, times the scale
+constexpr float kCell = 4;        // pixels, resolution of what curves cover
+constexpr double kAside = 4;      // pixels between a shade's edges and its name
+constexpr double kNumberGap = 7;  // from the numbers of the y-axis to the frame
+constexpr double kLeft = 6;       // from the edge to a title on the left
+constexpr double kBelow = 8;      // from the frame to the title below it, including the labels
+constexpr double kBeside = 8;     // from the frame to a title on its right
 
-constexpr int kFoot = Qt::AlignHCenter | Qt::AlignBottom | Qt::TextWordWrap;
-constexpr int kHead = Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap;
+constexpr int kWrapped = Qt::AlignTop | Qt::TextWordWrap;
 constexpr int kSentence = Qt::AlignCenter | Qt::TextWordWrap;
 
 }  // namespace
@@ -63,14 +63,16 @@ QRectF UnderItem::boundingRect() const {
 
 void UnderItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
   painter->setFont(style_.font);
+  // Tints over the grid leave it equally strong in all regions.
+  paintGrid(*painter);
   paintSpans(*painter);
   for (const DiagramSpan& shade : shades_) {
     painter->setOpacity(shade.isFaded ? kFadedOpacity : 1);
     painter->fillRect(spanRect(shade), style_.shade());
   }
   painter->setOpacity(1);
-  paintGrid(*painter);
   paintShadeNames(*painter);
+  paintNumbers(*painter);
   paintTitles(*painter);
 }
 
@@ -89,8 +91,8 @@ QList<QRectF> UnderItem::namesInside() const {
 }
 
 QString UnderItem::elidedTitle() const {
-  const QString title = QString::fromStdString(xAxis_.title);
-  return titles_.hasX && titles_.hasXLabels && xTitle() != title ? title : QString();
+  const bool isShort = titles_.hasX && titles_.hasXLabels && xTitle().text != xAxis_.title;
+  return isShort ? QString::fromStdString(xAxis_.title) : QString();
 }
 
 QRectF UnderItem::spanRect(const DiagramSpan& span) const {
@@ -130,40 +132,45 @@ void UnderItem::paintShadeNames(QPainter& painter) const {
   painter.setOpacity(1);
 }
 
-/// Places a name at the foot of its shade, or at the highest position where the fewest curves
-/// pass through it; in the whole width, or on the wider side where the line of the marker would
-/// go through it.
+/// Places a name in its shade where no curve and not the line of the marker passes through it: in
+/// the whole width, otherwise on either side of that line, otherwise in more lines in a part of the
+/// width. There is none where no place is free.
 UnderItem::Name UnderItem::shadeName(const DiagramSpan& shade) const {
   const QRectF whole = spanRect(shade).adjusted(kAside, kAside, -kAside, -kAside);
-  const Name name = nameIn(whole, shade);
-  const bool isCrossed =
-      !name.box.isEmpty() && line_ > name.box.left() - kAside && line_ < name.box.right() + kAside;
-  if (!isCrossed) return name;
-  QRectF side = whole;
-  if (line_ < whole.center().x())
-    side.setLeft(line_ + 2 * kAside);
-  else
-    side.setRight(line_ - 2 * kAside);
-  const Name beside = nameIn(side, shade);
-  return beside.box.isEmpty() ? name : beside;
+  QRectF left = whole, right = whole;
+  const bool isSplit = line_ > whole.left() && line_ < whole.right();
+  const double middle = isSplit ? line_ : whole.center().x(), apart = isSplit ? 2 * kAside : 0;
+  left.setRight(middle - apart);
+  right.setLeft(middle + apart);
+  const bool prefersRight = right.width() > left.width();
+  const auto isCrossed = [&](const QRectF& box) {
+    return line_ > box.left() - kAside && line_ < box.right() + kAside;
+  };
+  for (const QRectF& area : {whole, prefersRight ? right : left, prefersRight ? left : right})
+    for (const int side : {Qt::AlignHCenter, Qt::AlignLeft, Qt::AlignRight})
+      if (const Name name = nameIn(area, side, shade); !name.box.isEmpty() && !isCrossed(name.box))
+        return name;
+  return {};
 }
 
-/// Places a name in a rectangle, as shadeName() describes.
-UnderItem::Name UnderItem::nameIn(const QRectF& area, const DiagramSpan& shade) const {
-  const auto placed = [&](const QRectF& part, int alignment) {
-    const QRectF box = labelBox(part, alignment, shade);
-    return Name{part, alignment, box, covered_.under(toBox(box))};
+/// Places a name at this side of a rectangle without a curve: at its foot, otherwise as high as
+/// possible; its box is empty where there is no such place.
+UnderItem::Name UnderItem::nameIn(const QRectF& area, int side, const DiagramSpan& shade) const {
+  if (!area.isValid()) return {};
+  const QRectF head = labelBox(area, side | kWrapped, shade);
+  if (head.isEmpty()) return {};
+  const auto placed = [&](double top) {
+    QRectF part = area;
+    part.setTop(top);
+    return Name{part, side | kWrapped, head.translated(0, top - area.top())};
   };
-  Name best = placed(area, kFoot);
+  const auto isFree = [&](const Name& name) { return covered_.under(toBox(name.box)) <= 0; };
+  const double lowest = area.bottom() - head.height();
+  if (const Name foot = placed(lowest); isFree(foot)) return foot;
   const double step = QFontMetricsF(style_.font).height() / 2;
-  for (QRectF part = area; best.covered > 0; part.setTop(part.top() + step)) {
-    const Name other = placed(part, kHead);
-    if (other.box.isEmpty()) break;
-    if (other.covered < best.covered) best = other;
-  }
-  // In a low frame a name over the curves hides them.
-  if (3 * best.box.height() > area.height() && best.covered > 0) best.box = {};
-  return best;
+  for (double top = area.top(); top < lowest; top += step)
+    if (const Name name = placed(top); isFree(name)) return name;
+  return {};
 }
 
 /// Returns the box of a name inside a rectangle; empty where it does not fit.
@@ -204,17 +211,37 @@ void UnderItem::paintGrid(QPainter& painter) const {
   painter.setRenderHint(QPainter::Antialiasing, wasSmooth);
 }
 
-QString UnderItem::xTitle() const {
-  return QFontMetricsF(style_.font)
-      .elidedText(QString::fromStdString(xAxis_.title), Qt::ElideRight, frame_.width());
+/// Paints the numbers of the y-axis.
+void UnderItem::paintNumbers(QPainter& painter) const {
+  const double line = style_.line();
+  painter.setPen(style_.text());
+  for (const Tick& tick : yAxis_.ticks) {
+    const double part = (tick.value - map_.y.from) / map_.y.size();
+    const double middle = map_.area.bottom() - part * map_.area.height();
+    painter.drawText(QRectF(0, middle - line / 2, frame_.left() - kNumberGap, line),
+                     Qt::AlignRight | Qt::AlignVCenter | Qt::TextDontClip,
+                     QString::fromStdString(tick.label));
+  }
+}
+
+FittedTitle UnderItem::xTitle() const {
+  return fittedTitle(xAxis_.title, tickSizes(style_).axis, static_cast<float>(frame_.width()));
 }
 
 void UnderItem::paintTitles(QPainter& painter) const {
   const double line = style_.line();
   painter.setPen(style_.text());
+  const auto paintTitle = [&](const FittedTitle& title, const QRectF& place) {
+    QFont font = style_.font;
+    font.setPixelSize(static_cast<int>(title.size));
+    painter.setFont(font);
+    paintText(painter, place, Qt::AlignCenter | Qt::TextDontClip,
+              QString::fromStdString(title.text));
+    painter.setFont(style_.font);
+  };
   if (titles_.hasX && titles_.hasXLabels)
-    painter.drawText(QRectF(frame_.left(), frame_.bottom() + kBelow + line, frame_.width(), line),
-                     Qt::AlignCenter | Qt::TextDontClip, xTitle());
+    paintTitle(xTitle(),
+               QRectF(frame_.left(), frame_.bottom() + kBelow + line, frame_.width(), line));
   if (!titles_.hasY) return;
   if (titles_.beside > 0)
     return painter.drawText(QRectF(frame_.right() + kBeside, frame_.top() - line, titles_.beside,
@@ -222,19 +249,15 @@ void UnderItem::paintTitles(QPainter& painter) const {
                             Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap,
                             QString::fromStdString(yAxis_.title));
   if (titles_.isAbove)
-    return painter.drawText(QRectF(frame_.left(), frame_.top() - line - 1, frame_.width(), line),
-                            Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip,
-                            QString::fromStdString(yAxis_.title));
+    return paintText(painter, QRectF(frame_.left(), frame_.top() - line - 1, frame_.width(), line),
+                     Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip,
+                     QString::fromStdString(yAxis_.title));
   const FittedTitle title =
       fittedTitle(yAxis_.title, tickSizes(style_).axis, static_cast<float>(frame_.height()));
   painter.save();
-  QFont font = style_.font;
-  font.setPixelSize(static_cast<int>(title.size));
-  painter.setFont(font);
   painter.translate(kLeft, frame_.center().y());
   painter.rotate(-90);
-  painter.drawText(QRectF(-frame_.height() / 2, 0, frame_.height(), line),
-                   Qt::AlignCenter | Qt::TextDontClip, QString::fromStdString(title.text));
+  paintTitle(title, QRectF(-frame_.height() / 2, 0, frame_.height(), line));
   painter.restore();
 }
 

@@ -52,15 +52,15 @@ class UnderItem : public QGraphicsItem {
   struct Name {
     QRectF area;
     int alignment = 0;
-    QRectF box{};       // empty where it does not fit
-    float covered = 0;  // the part of the box that curves cover
+    QRectF box{};  // empty where it does not fit
   };
 
   QRectF spanRect(const DiagramSpan& span) const;
   Name shadeName(const DiagramSpan& shade) const;
-  Name nameIn(const QRectF& area, const DiagramSpan& shade) const;
+  Name nameIn(const QRectF& area, int side, const DiagramSpan& shade) const;
   QRectF labelBox(const QRectF& area, int alignment, const DiagramSpan& shade) const;
-  QString xTitle() const;
+  FittedTitle xTitle() const;
+  void paintNumbers(QPainter& painter) const;
   void paintSpans(QPainter& painter) const;
   void paintShadeNames(QPainter& painter) const;
   void paintGrid(QPainter& painter) const;

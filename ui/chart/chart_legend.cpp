@@ -69,7 +69,11 @@ std::vector<ChartLegend::Entry> ChartLegend::makeEntries() const {
     const Diagram &diagram = sheet_.diagrams[i], &english = english_.diagrams[i];
     for (std::size_t k = 0; k < diagram.series.size(); ++k) {
       const DiagramSeries& series = diagram.series[k];
-      if (series.name.empty() || series.points.empty()) continue;
+      if (series.name.empty()) continue;
+      if (std::ranges::none_of(series.points, [&](const DiagramPoint& point) {
+            return hasPosition(diagram, point);
+          }))
+        continue;
       Entry entry;
       entry.explanation = findExplanation(english.series[k].name);
       entry.text = QString::fromStdString(series.name.text);
@@ -280,9 +284,10 @@ void ChartLegend::paintEntry(QPainter& painter, const Entry& entry) const {
   if (entry.hasSample) paintSample(painter, entry, centre);
   painter.setPen(entry.hasSample ? style_.text() : style_.faintText());
   for (qsizetype i = 0; i < entry.lines.size(); ++i)
-    painter.drawText(QRectF(box.left() + sampleWidth(), box.top() + static_cast<double>(i) * height,
-                            box.width(), height),
-                     Qt::AlignLeft | Qt::AlignVCenter, entry.lines[i]);
+    paintText(painter,
+              QRectF(box.left() + sampleWidth(), box.top() + static_cast<double>(i) * height,
+                     box.width(), height),
+              Qt::AlignLeft | Qt::AlignVCenter, entry.lines[i]);
   if (!entry.isPinned()) return;
   painter.setPen(isUnder ? style_.text() : style_.faintText());
   painter.drawText(QRectF(box.left(), box.top(), box.width(), height),

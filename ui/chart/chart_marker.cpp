@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/draw/ticks.h"
 #include "ui/language/translated.h"
 
 namespace asperity {
@@ -28,6 +29,7 @@ void MarkerItem::update(const ChartGeometry& geometry, const std::optional<Diagr
   style_ = style;
   bounds_ = label_ = QRectF();
   if (!marker_) return;
+  marker_->label = Message::name(groupedValue(marker_->label.text));
   makeTrace();
   if (!std::isfinite(geometry.mapX(marker_->x))) return;
   lineX_ = geometry.mapX(std::isfinite(lineX) ? lineX : marker_->x);
@@ -50,10 +52,11 @@ QRectF MarkerItem::labelRect(const QList<QRectF>& taken) const {
   const QRectF right(lineX_ + away - 3, foot - metrics.height(), width, metrics.height());
   const QRectF left = right.translated(-width - 2 * away + 6, 0);
   const bool fitsRight = right.right() - 3 <= area.right(), fitsLeft = left.left() >= area.left();
+  const auto touches = [away](const QRectF& text, const QRectF& position) {
+    return text.adjusted(-away, -away / 2, away, away / 2).intersects(position);
+  };
   const auto isFree = [&](const QRectF& position) {
-    return std::ranges::none_of(taken, [&](const QRectF& text) {
-      return text.adjusted(-away / 2, 0, away / 2, 0).intersects(position);
-    });
+    return std::ranges::none_of(taken, [&](const QRectF& text) { return touches(text, position); });
   };
   const double dot = geometry_.at(marker_->x, marker_->y).y(), around = kDot * geometry_.scale;
   const auto isOnCurve = [&](const QRectF& position) {
@@ -63,7 +66,7 @@ QRectF MarkerItem::labelRect(const QList<QRectF>& taken) const {
   if (fitsLeft && isFree(left) && !isOnCurve(left)) return left;
   QRectF lifted = fitsRight ? right : left;
   for (const QRectF& text : taken)
-    if (text.adjusted(-away / 2, 0, away / 2, 0).intersects(lifted)) lifted.moveBottom(text.top());
+    if (touches(text, lifted)) lifted.moveBottom(text.top() - away / 2);
   QRectF head = fitsRight ? right : left;
   head.moveTop(area.top() + away - 3);
   if (isOnCurve(lifted) && !isOnCurve(head) && isFree(head)) return head;
@@ -98,7 +101,7 @@ void MarkerItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
   QColor halo = style_.background();
   halo.setAlphaF(0.85F);
   painter->fillRect(label_, halo);
-  painter->drawText(label_, Qt::AlignCenter, QString::fromStdString(marker_->label.text));
+  paintText(*painter, label_, Qt::AlignCenter, QString::fromStdString(marker_->label.text));
 
   painter->setPen(QPen(style_.background(), 2));
   painter->setBrush(style_.marker());

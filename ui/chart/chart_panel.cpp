@@ -71,6 +71,8 @@ ChartPanel::ChartPanel(QGraphicsScene& scene)
     axis->setTruncateLabels(false);
     axis->setGridLineVisible(false);
   }
+  // The library leaves out numbers of a low axis that are not far apart; `under_` paints them.
+  y_->setLabelsVisible(false);
   under_->setZValue(kUnderDepth);
   over_->setZValue(kOverDepth);
 }

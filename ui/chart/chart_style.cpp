@@ -15,12 +15,20 @@ namespace {
 
 constexpr double kTheory = 2, kCurve = 1.6;  // widths of lines, times the scale
 
+QColor translucent(const Rgba& opaque, float alpha) {
+  QColor colour = toQColor(opaque);
+  colour.setAlphaF(alpha);
+  return colour;
+}
+
 }  // namespace
 
+QColor ChartStyle::span() const {
+  return translucent(theme.text, isDark(theme) ? 0.06F : 0.04F);
+}
+
 QColor ChartStyle::shade() const {
-  QColor colour = toQColor(theme.highlight);
-  colour.setAlphaF(0.1F);
-  return colour;
+  return translucent(theme.highlight, 0.1F);
 }
 QColor ChartStyle::marker() const {
   return toQColor(seriesColour(1, theme));
@@ -57,13 +65,43 @@ void paintMark(QPainter& painter, SeriesMark mark, QPointF centre, double size) 
   painter.drawPolygon(polygon);
 }
 
+void paintText(QPainter& painter, const QRectF& place, int alignment, const QString& text) {
+  constexpr QChar kIndex(0x2099);
+  if (!text.contains(kIndex)) {
+    painter.drawText(place, alignment, text);
+    return;
+  }
+  const QFont font = painter.font();
+  QFont small = font;
+  small.setPixelSize(qRound(0.72 * QFontInfo(font).pixelSize()));
+  const QFontMetricsF metrics(font), smallMetrics(small);
+  const QString index = QStringLiteral("N");
+  const QStringList parts = text.split(kIndex);
+  double width = static_cast<double>(parts.size() - 1) * smallMetrics.horizontalAdvance(index);
+  for (const QString& part : parts) width += metrics.horizontalAdvance(part);
+  const double free = place.width() - width;
+  double x = place.left() + (alignment & Qt::AlignRight     ? free
+                             : alignment & Qt::AlignHCenter ? free / 2
+                                                            : 0);
+  const double baseline = place.center().y() + (metrics.ascent() - metrics.descent()) / 2;
+  for (qsizetype i = 0; i < parts.size(); ++i) {
+    if (i > 0) {
+      painter.setFont(small);
+      painter.drawText(QPointF(x, baseline + 0.22 * metrics.ascent()), index);
+      painter.setFont(font);
+      x += smallMetrics.horizontalAdvance(index);
+    }
+    painter.drawText(QPointF(x, baseline), parts[i]);
+    x += metrics.horizontalAdvance(parts[i]);
+  }
+}
+
 void paintErrorBar(QPainter& painter, double x, double top, double bottom, double cap) {
-  // The line covers whole pixels.
+  // The caps cover whole pixels; the bar passes through the middle of its mark, which does not.
   const auto sharp = [](double pixel) { return std::floor(pixel) + 0.5; };
-  const double middle = sharp(x);
-  painter.drawLine(QPointF(middle, top), QPointF(middle, bottom));
+  painter.drawLine(QPointF(x, top), QPointF(x, bottom));
   for (const double y : {sharp(top), sharp(bottom)})
-    painter.drawLine(QPointF(middle - cap, y), QPointF(middle + cap, y));
+    painter.drawLine(QPointF(x - cap, y), QPointF(x + cap, y));
 }
 
 QPen curvePen(const DiagramSeries& series, const ChartStyle& style) {

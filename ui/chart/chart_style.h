@@ -30,9 +30,8 @@ struct ChartStyle {
   QColor grid() const { return mixed(background(), text(), isDark(theme) ? 0.19 : 0.14); }
   /// Returns the colour between them.
   QColor fineGrid() const { return mixed(background(), grid(), 0.55); }
-  /// Returns the colour of every second region.
-  QColor span() const { return mixed(background(), text(), isDark(theme) ? 0.06 : 0.04); }
-  QColor shade() const;  // a translucent tint
+  QColor span() const;   // of every second region, translucent
+  QColor shade() const;  // the same
   QColor marker() const;
   QColor curve(const DiagramSeries& series) const;
   double scale() const;  // at least 1
@@ -50,6 +49,10 @@ DiagramSizes tickSizes(const ChartStyle& style);
 
 /// Paints a mark as in pictures, filled with the painter's brush. `size`: its width.
 void paintMark(QPainter& painter, SeriesMark mark, QPointF centre, double size);
+
+/// Paints one line of text in the middle of the place's height, like QPainter::drawText(); the
+/// normal force "F\u2099" has a lowered capital N, as in pictures.
+void paintText(QPainter& painter, const QRectF& place, int alignment, const QString& text);
 
 /// Paints an error bar from `top` to `bottom` with caps, with the painter's pen.
 void paintErrorBar(QPainter& painter, double x, double top, double bottom, double cap);

@@ -62,6 +62,19 @@ Paragraph paragraph(const std::string& text, float size, float least, bool bold,
   return p;
 }
 
+/// Returns the text without its last sentence; empty for one sentence. "Eq. (11)" and "z. B." end
+/// none.
+std::string withoutLastSentence(const std::string& text) {
+  constexpr std::size_t kShortestWord = 3;
+  for (std::size_t at = text.rfind(". "); at != text.npos && at > 0;
+       at = text.rfind(". ", at - 1)) {
+    const std::size_t word = at - std::min(at, text.rfind(' ', at) + 1);
+    const char next = at + 2 < text.size() ? text[at + 2] : ' ';
+    if (word >= kShortestWord && next >= 'A' && next <= 'Z') return text.substr(0, at + 1);
+  }
+  return {};
+}
+
 void addParagraph(DrawList& list, const Paragraph& p, DrawPoint at, bool bold, const Rgba& colour) {
   for (const std::string& line : p.lines) {
     addText(list, {{line, bold}}, {at.x, std::round(at.y + p.size)}, p.size, colour);
@@ -206,9 +219,15 @@ float addNote(DrawList& list, const DiagramSheet& sheet, const DiagramSizes& siz
               const Theme& theme) {
   const float side = sheetMargin(sizes), width = static_cast<float>(list.width) - 2 * side;
   const auto bottom = static_cast<float>(list.height);
-  const Paragraph note = paragraph(sheet.note.text, sizes.note,
-                                   std::max(sizes.minFontSize, std::round(0.85F * sizes.note)),
-                                   false, width, linesIn(0.2F * bottom, sizes.note, 5));
+  const float least = std::max(sizes.minFontSize, std::round(0.85F * sizes.note));
+  const auto wrappedNote = [&](const std::string& text) {
+    return paragraph(text, sizes.note, least, false, width, linesIn(0.2F * bottom, sizes.note, 5));
+  };
+  // Whole sentences are shown where not all of them fit.
+  Paragraph note = wrappedNote(sheet.note.text);
+  std::string shorter = sheet.note.text;
+  while (isCut(note.lines) && !(shorter = withoutLastSentence(shorter)).empty())
+    note = wrappedNote(shorter);
   if (note.lines.empty()) return bottom - std::round(8 * sizes.unit);
   const float top = std::round(bottom - 10 * sizes.unit - note.height());
   addParagraph(list, note, {side, top}, false, theme.faintText);

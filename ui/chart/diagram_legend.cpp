@@ -27,6 +27,11 @@ std::vector<LegendEntry> legendEntries(const Diagram& diagram,
   const auto add = [&](std::size_t i) {
     const DiagramSeries& series = diagram.series[i];
     if (series.name.empty() || (diagram.ramp && std::isfinite(series.ramp))) return;
+    const bool isNowhere = !series.points.empty() &&
+                           std::ranges::none_of(series.points, [&](const DiagramPoint& point) {
+                             return hasPosition(diagram, point);
+                           });
+    if (isNowhere) return;
     const bool known = std::any_of(entries.begin(), entries.end(), [&](const LegendEntry& entry) {
       return entry.name == series.name && isSameStyle(entry.style, styles[i]);
     });

@@ -57,9 +57,12 @@ bool DiagramPanel::isReadable() const {
 
 bool DiagramPanel::isWhole() const {
   const float least = axes_.titleAbove ? kLowest : 7;
-  const bool isRead =
-      legend_.empty() || (legendBox_.width > 0 && legend_.isWhole && hidden_ <= kLittleHidden);
-  return isReadable() && axes_.box.height >= least * sizes_.tick && hasTitle() && isRead;
+  return isReadable() && axes_.box.height >= least * sizes_.tick && hasTitle() && hasWholeLegend();
+}
+
+bool DiagramPanel::hasWholeLegend() const {
+  if (!showsLegend_) return sizes_.legendMode == LegendMode::None;
+  return legend_.empty() || (legendBox_.width > 0 && legend_.isWhole && hidden_ <= kLittleHidden);
 }
 
 void DiagramPanel::addTo(DrawList& list) const {
@@ -163,14 +166,16 @@ void DiagramPanel::addSentence(DrawList& list) const {
 
 /// Places the frame and the legend: inside the frame where the legend hides nothing and is whole;
 /// otherwise at the right of the frame or above it where there is enough space; otherwise below
-/// the axis; where the frame would be too low for that, where it hides least.
+/// the axis; otherwise beside it with shortened names. A legend that would still hide a curve is
+/// left out.
 void DiagramPanel::arrange() {
   // The minimum parts of the frame that stay beside a legend.
   constexpr float kMinWidth = 0.55F, kMinHeight = 0.6F;
   constexpr float kMuch = 0.25F;  // part of a legend's box
   below_ = 0;
+  showsLegend_ = sizes_.legendMode != LegendMode::None;
   place(0, 0);
-  if (sizes_.legendMode == LegendMode::Below) return arrangeBelow();
+  if (sizes_.legendMode == LegendMode::Below) return placeBelow(legendBelow(sizes_.legend));
   if (sizes_.legendMode != LegendMode::Automatic) return;
   // A scale of colours that did not fit leaves an empty, incomplete legend.
   if (legend_.isWhole && (legend_.empty() || hidden_ <= 0)) return;
@@ -185,32 +190,58 @@ void DiagramPanel::arrange() {
   const float rest = frame.height - over.height;
   const bool fitsAbove =
       over.isWhole && rest > std::max(kMinHeight * frame.height, 5 * sizes_.tick);
-  const bool prefersOver = fitsAbove && !(fitsBeside && beside.isWhole);
-  if (prefersOver) {
+  const bool hidesMuch = hidden_ > kMuch, hidesCurve = hidden_ > kLittleHidden;
+  if (fitsAbove && !(fitsBeside && beside.isWhole)) {
     place(0, over.height);
     legend_ = over;
     const float above = aboveFrame(diagram_, sizes_) + aboveAxes(axes_, sizes_);
     legendBox_ = {axes_.box.x, top_ - above, over.width, over.height};
     hidden_ = 0;
-  } else if (fitsBeside || (!isAligned_ && !beside.empty() && hidden_ > kMuch)) {
+    return;
+  }
+  const bool needsSpace = hidesCurve || (sizes_.isPrinted && !legend_.isWhole);
+  if (needsSpace && !(fitsBeside && beside.isWhole) && fitBelow()) return;
+  if (fitsBeside || (!isAligned_ && !beside.empty() && hidesMuch)) {
     place(beside.width + gap, 0);
     legend_ = beside;
     legendBox_ = {cell_.right() - beside.width, axes_.box.y, beside.width, beside.height};
     hidden_ = 0;
-  } else if (hidden_ > kLittleHidden || (sizes_.isPrinted && !legend_.isWhole)) {
-    arrangeBelow();
-    if (axes_.box.height >= kLowest * sizes_.tick) return;
-    below_ = 0;  // a legend that hides something is better than no curve
+  } else if (hidesCurve) {
+    showsLegend_ = false;
     place(0, 0);
   }
 }
 
-/// Places the legend under the axis, in rows over the width of the panel.
-void DiagramPanel::arrangeBelow() {
-  if (legend_.empty()) return;
-  Legend below = legendOver(diagram_, styles_, sizes_.legend, cell_.width);
-  if (!below.isWhole)
-    below = legendFor(diagram_, styles_, sizes_.legend, cell_.width, 0.5F * cell_.height);
+/// Places the legend below the axis and returns true where the frame stays high enough: where it
+/// would not, in smaller letters, then with fewer entries.
+bool DiagramPanel::fitBelow() {
+  // On a screen a legend may rather be cut than take most of the frame.
+  const float most = sizes_.isPrinted ? 1 : 0.5F;
+  const float available =
+      std::min(axes_.box.height - kLowest * sizes_.tick, most * axes_.box.height);
+  const float smallest = std::max(sizes_.minFontSize, std::round(0.8F * sizes_.legend));
+  const auto fits = [&](const Legend& legend) {
+    return legend.height <= available && legend.width <= cell_.width;
+  };
+  Legend below = legendBelow(sizes_.legend);
+  while (!fits(below) && below.size - 1 >= smallest) below = legendBelow(below.size - 1);
+  if (!fits(below)) below = legendFor(diagram_, styles_, smallest, cell_.width, available);
+  const bool isOfUse = below.ramp || (!below.entries.empty() && below.entries.front().hasSample);
+  if (!isOfUse || !fits(below)) return false;
+  placeBelow(std::move(below));
+  return true;
+}
+
+/// Returns the legend under the axis, in rows over the width of the panel.
+Legend DiagramPanel::legendBelow(float size) const {
+  Legend below = legendOver(diagram_, styles_, size, cell_.width);
+  return below.isWhole || below.empty()
+             ? below
+             : legendFor(diagram_, styles_, size, cell_.width, 0.5F * cell_.height);
+}
+
+void DiagramPanel::placeBelow(Legend below) {
+  if (below.empty()) return;
   below_ = below.height;
   place(0, 0);
   legend_ = std::move(below);
@@ -244,27 +275,43 @@ void DiagramPanel::place(float right, float above) {
   styles_ = seriesStyles(diagram_, sizes_, theme_, box.width);
   // Letters that must not get smaller need more of a narrow frame.
   const float widest = sizes_.minFontSize > kSmallestFont ? 0.95F : 0.7F;
-  legend_ =
-      sizes_.legendMode == LegendMode::None || below_ > 0
-          ? Legend{}
-          : legendFor(diagram_, styles_, sizes_.legend, widest * box.width, 0.7F * box.height);
+  // Labels need not avoid a legend that will be outside.
+  const bool isInside = showsLegend_ && below_ <= 0 && right <= 0 && above <= 0;
+  legend_ = isInside
+                ? legendFor(diagram_, styles_, sizes_.legend, widest * box.width, 0.7F * box.height)
+                : Legend{};
   OccupancyGrid series(box, 4 * sizes_.unit);
   coverSeries(series, diagram_, styles_, axes_);
   if (diagram_.marker) series.addLine(markerLine(), 1);
   OccupancyGrid map = series;
-  labels_ = placeLabels(diagram_, axes_, map, sizes_);
+  labels_ = labelsOn(map);
   placeLegend(map);
   if (hidden_ <= 0 || labels_.empty()) return;
   // Labels avoid the legend.
   const DiagramPanel before = *this;
   placeLegend(series);
   series.addBox(legendBox_, kTaken);
-  labels_ = placeLabels(diagram_, axes_, series, sizes_);
+  labels_ = labelsOn(series);
   if (labels_.size() < before.labels_.size() || hidden_ >= before.hidden_) {
     labels_ = before.labels_;
     legendBox_ = before.legendBox_;
     hidden_ = before.hidden_;
   }
+}
+
+/// Places the labels, none of them on the marker's line unless one would be missing without that.
+std::vector<PlacedLabel> DiagramPanel::labelsOn(OccupancyGrid& map) const {
+  OccupancyGrid clear = map;
+  if (diagram_.marker) clear.addLine(markerLine(), kTaken);
+  std::vector<PlacedLabel> beside = placeLabels(diagram_, axes_, clear, sizes_);
+  OccupancyGrid onLine = map;
+  std::vector<PlacedLabel> labels = placeLabels(diagram_, axes_, onLine, sizes_);
+  if (beside.size() >= labels.size()) labels = std::move(beside);
+  for (const PlacedLabel& label : labels) {
+    map.addBox(grown(label.box, 0.25F * sizes_.legend), kTaken);
+    if (!label.arrow.empty()) map.addLine(label.arrow, 3);
+  }
+  return labels;
 }
 
 void DiagramPanel::placeLegend(const OccupancyGrid& map) {

@@ -43,6 +43,8 @@ class DiagramPanel {
   /// Returns whether nothing is missing in print: the frame is high enough, and title and legend
   /// are complete and hide next to nothing. Letters on paper cannot get smaller.
   bool isWhole() const;
+  /// Returns whether the legend names everything and hides next to nothing.
+  bool hasWholeLegend() const;
 
   /// Adds the diagram; nothing where the frame would be too small to read.
   void addTo(DrawList& list) const;
@@ -54,8 +56,11 @@ class DiagramPanel {
   Box sentenceBox() const;
   void addSentence(DrawList& list) const;
   void arrange();
-  void arrangeBelow();
+  bool fitBelow();
+  Legend legendBelow(float size) const;
+  void placeBelow(Legend below);
   void place(float right, float above);
+  std::vector<PlacedLabel> labelsOn(OccupancyGrid& map) const;
   void placeLegend(const OccupancyGrid& map);
   float overhang() const;
 
@@ -73,9 +78,10 @@ class DiagramPanel {
   float top_ = 0, bottom_ = 1;  // of the frame if no legend is above it
   float left_ = 0;              // minimum left edge of the frame
   float right_ = 0;             // right edge of the frame; 0: automatic
-  float below_ = 0;             // pixels of a legend below the axis
-  Box legendBox_;               // width 0: not shown
-  float hidden_ = 0;            // part of the legend's box that hides something
+  bool showsLegend_ = true;
+  float below_ = 0;   // pixels of a legend below the axis
+  Box legendBox_;     // width 0: not shown
+  float hidden_ = 0;  // part of the legend's box that hides something
 };
 
 }  // namespace asperity

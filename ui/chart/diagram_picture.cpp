@@ -8,6 +8,7 @@
 #include "ui/chart/diagram_annotations.h"
 #include "ui/chart/diagram_panel.h"
 #include "ui/draw/fonts.h"
+#include "ui/draw/ticks.h"
 #include "ui/language/translated.h"
 
 namespace asperity {
@@ -115,9 +116,17 @@ DiagramSheet prepared(const DiagramSheet& english, const DiagramOptions& options
     DiagramSeries ring = dot;
     ring.name = {};
     ring.mark = SeriesMark::Ring;
-    if (!marker.label.empty()) diagram.labels.push_back({marker.label, marker.x, marker.y});
+    const Message label = Message::name(groupedValue(marker.label.text));
+    if (!label.empty()) diagram.labels.push_back({label, marker.x, marker.y});
+    // At rest there is no dot on a logarithmic axis: the name then is that of the line, which has
+    // no points, or without a line that of the trace.
+    const bool hasLine = std::isfinite(axisPosition(diagram.x.scale, marker.x));
+    const bool hasDot = hasPosition(diagram, dot.points.front());
+    if (!hasDot && hasLine) dot.points.clear();
+    if (!hasDot && !hasLine && !trace.points.empty()) trace.name = marker.name;
     for (DiagramSeries* series : {&trace, &ring, &dot})
-      if (!series->points.empty()) diagram.series.push_back(std::move(*series));
+      if (!series->points.empty() || !series->name.empty())
+        diagram.series.push_back(std::move(*series));
   }
   return sheet;
 }
@@ -133,6 +142,20 @@ std::vector<DiagramPanel> placePanels(const DiagramSheet& sheet, const DiagramOp
   if (std::ranges::all_of(panels, &DiagramPanel::hasTitle)) return panels;
   std::vector<DiagramPanel> others = panelsBetween(top, bottom, sheet, options, true);
   return std::ranges::all_of(others, &DiagramPanel::isReadable) ? others : panels;
+}
+
+/// Returns the sheet as it is drawn: in print without its note where only that makes the legend
+/// complete.
+DiagramSheet fitted(const DiagramSheet& english, const DiagramOptions& options) {
+  DiagramSheet sheet = prepared(english, options);
+  if (!(options.format.fontSize > 0) || sheet.note.empty()) return sheet;
+  const auto isComplete = [&](const DiagramSheet& one) {
+    DrawList list = emptyList(options);
+    return std::ranges::all_of(placePanels(one, options, list), &DiagramPanel::hasWholeLegend);
+  };
+  DiagramSheet withoutNote = sheet;
+  withoutNote.note = {};
+  return !isComplete(sheet) && isComplete(withoutNote) ? withoutNote : sheet;
 }
 
 /// Returns the height of the lowest picture, from options.height in these steps, in which all
@@ -190,7 +213,7 @@ float lowestFrame(const DiagramSheet& english, const DiagramOptions& options) {
 
 std::vector<ChartGeometry> diagramFrames(const DiagramSheet& english,
                                          const DiagramOptions& options) {
-  const DiagramSheet sheet = prepared(english, options);
+  const DiagramSheet sheet = fitted(english, options);
   DrawList list = emptyList(options);
   std::vector<ChartGeometry> frames;
   for (const DiagramPanel& panel : placePanels(sheet, options, list))
@@ -206,10 +229,10 @@ DiagramSheet withoutCrowding(DiagramSheet sheet, const DiagramOptions& options) 
 }
 
 DrawList composeDiagrams(const DiagramSheet& english, const DiagramOptions& asked) {
-  const DiagramSheet sheet = prepared(english, asked);
   DiagramOptions options = asked;
   options.width = std::max(options.width, 1);
   options.height = std::max(options.height, 1);
+  const DiagramSheet sheet = fitted(english, options);
   DrawList list = emptyList(options);
   for (const DiagramPanel& panel : placePanels(sheet, options, list)) panel.addTo(list);
   return list;

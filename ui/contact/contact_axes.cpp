@@ -63,7 +63,7 @@ void addHeightAxis(DrawList& list, DrawLayer& layer, const ContactLayout& layout
 void addNumbersBeside(DrawList& list, const ContactLayout& layout) {
   const Sizes& s = layout.sizes;
   const Box& bar = layout.legend.bar;
-  const std::vector<ColourTick> ticks = layout.scale.ticks(2);
+  const std::vector<ColourTick> ticks = layout.scale.ticks(2, layout.legend.title.empty());
   const float gap = kNumberGap * s.unit, baseline = layout.legend.titleEnd.y;
   addLabel(list, ticks.front().label, {bar.x - gap, baseline}, s.small, TextAnchor::Right,
            layout.theme.faintText);
@@ -75,7 +75,7 @@ void addNumbersBeside(DrawList& list, const ContactLayout& layout) {
 void addLegendLabels(DrawList& list, DrawLayer& layer, const ContactLayout& layout) {
   const Sizes& s = layout.sizes;
   const Box& bar = layout.legend.bar;
-  const std::vector<ColourTick> ticks = layout.scale.ticks(6);
+  const std::vector<ColourTick> ticks = layout.scale.ticks(6, false);
   const float baseline = std::round(bar.bottom() + s.small * 1.15F);
   const float wide = std::max(1.0F, std::round(s.unit));
   const auto write = [&](const ColourTick& tick, TextAnchor anchor) {

@@ -45,7 +45,7 @@ LineNeeds lineNeeds(const ContactLayout& layout, const std::string& title) {
   const Sizes& s = layout.sizes;
   const float wide = title.empty() ? 0 : textWidth(title, s.small) + kTitleGap * s.unit;
   if (!layout.scale.isShown()) return {wide, 0};
-  const std::vector<ColourTick> ends = layout.scale.ticks(2);
+  const std::vector<ColourTick> ends = layout.scale.ticks(2, title.empty());
   const float numbers = textWidth(ends.front().label, s.small) +
                         textWidth(ends.back().label, s.small) + 2 * kNumberGap * s.unit;
   const float bar =
@@ -63,7 +63,7 @@ bool placeLegend(ContactLayout& layout, const std::string& title, float from) {
   layout.legend.title = title;
   layout.legend.titleEnd = {right, baseline};
   if (!layout.scale.isShown()) return true;
-  const float last = textWidth(layout.scale.ticks(2).back().label, s.small);
+  const float last = textWidth(layout.scale.ticks(2, title.empty()).back().label, s.small);
   const float height = std::round(10 * s.unit);
   layout.legend.bar = {std::round(right - last - kNumberGap * s.unit - needs.bar),
                        std::round(baseline - s.small * 0.36F - height / 2), needs.bar, height};
@@ -143,7 +143,11 @@ std::optional<float> ContactLayout::lastPlace(std::string_view id) const {
 }
 
 std::string exaggerationText(const ContactLayout& layout) {
+  constexpr double kRounding = 0.05;  // a picture of whole pixels is to scale up to this part
   const double ratio = layout.pixelsPerMetreY() / layout.pixelsPerMetreX();
+  if (std::isfinite(ratio) && std::abs(ratio - 1) <= kRounding) return Words::tr("to scale");
+  if (std::isfinite(ratio) && ratio < 1)
+    return filled(Words::tr("heights reduced %1\u00D7"), {shortNumber(ratio, 2)});
   return filled(Words::tr("vertical exaggeration %1\u00D7"), {grouped(shortNumber(ratio, 2))});
 }
 

@@ -37,11 +37,14 @@ const OverlayEntry& overlayEntry(ContactOverlay overlay) {
   return kOverlays[static_cast<std::size_t>(overlay)];
 }
 
-/// Returns the maximum with the unit of the numbers before it: "200 N/m" or, where there is no
-/// prefix, "5×10⁻²⁹ N/m".
-std::string lastLabel(double end, const AxisTicks& axis, std::string_view unit) {
-  const bool hasPrefix = axis.unitSize == prefixFor(end).size;
-  return hasPrefix ? shortNumber(end / axis.unitSize) + " " + axis.unit : quantity(end, unit);
+/// Returns the numbers of a scale in one unit, "10⁻²⁹ N/m" outside the range of prefixes.
+AxisTicks countedTicks(const ColourScale& scale, int most) {
+  return linearTicks(0, scale.maximum, most, overlayEntry(scale.overlay).unit);
+}
+
+std::string withUnit(const std::string& title, const ColourScale& scale) {
+  constexpr int kMany = 6;
+  return title + " (" + countedTicks(scale, kMany).unit + ")";
 }
 
 double greatestFinite(const std::vector<double>& values) {
@@ -94,41 +97,40 @@ Rgba ColourScale::colourAt(float position) const {
 std::string ColourScale::title() const {
   switch (overlay) {
     case ContactOverlay::Relaxation:
-      return Words::tr("time since contact");
+      return withUnit(Words::tr("time since contact"), *this);
     case ContactOverlay::Power:
-      return Words::tr("dissipated power (log scale)");
+      return withUnit(Words::tr("dissipated power, log scale"), *this);
     default:
-      return Words::tr("contact pressure (line load)");
+      return withUnit(Words::tr("contact pressure, line load"), *this);
   }
 }
 
 std::string ColourScale::shortTitle() const {
   switch (overlay) {
     case ContactOverlay::Relaxation:
-      return Words::tr("since contact");
+      return withUnit(Words::tr("since contact"), *this);
     case ContactOverlay::Power:
-      return Words::tr("power (log)");
+      return withUnit(Words::tr("power, log"), *this);
     default:
-      return Words::tr("pressure");
+      return withUnit(Words::tr("pressure"), *this);
   }
 }
 
-std::vector<ColourTick> ColourScale::ticks(int most) const {
-  const AxisTicks round = linearTicks(0, maximum, most, overlayEntry(overlay).unit);
-  const std::string last = lastLabel(maximum, round, overlayEntry(overlay).unit);
+std::vector<ColourTick> ColourScale::ticks(int most, bool hasUnit) const {
+  const AxisTicks round = countedTicks(*this, most);
+  const auto label = [&](double value) { return shortNumber(value / round.unitSize); };
   std::vector<ColourTick> ticks;
   if (overlay == ContactOverlay::Power) {
-    // All numbers share one unit; without units they are short enough to fit at each decade.
     for (int decade = kPowerDecades; decade > 0; --decade) {
       const double value = maximum * std::pow(10, -decade);
-      ticks.push_back({position(value), shortNumber(value / round.unitSize)});
+      ticks.push_back({position(value), label(value)});
     }
   } else {
     for (const Tick& tick : round.ticks)
       if (tick.value < maximum * (1 - 1e-9))
-        ticks.push_back({position(tick.value), tick.value == 0 ? "0" : tick.label});
+        ticks.push_back({position(tick.value), label(tick.value)});
   }
-  ticks.push_back({1, last});
+  ticks.push_back({1, label(maximum) + (hasUnit ? " " + round.unit : "")});
   return ticks;
 }
 

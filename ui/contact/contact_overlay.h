@@ -37,11 +37,12 @@ struct ColourScale {
   double minimumShown() const;
   Rgba colour(double value) const { return colourAt(position(value)); }
   Rgba colourAt(float position) const;
+  /// Returns the quantity with the unit of the ticks.
   std::string title() const;
   std::string shortTitle() const;  // where the full title does not fit
-  /// Returns ticks at both ends, and between them round values or, for power, decades; the last one
-  /// has the unit.
-  std::vector<ColourTick> ticks(int most) const;
+  /// Returns ticks at both ends, and between them round values or, for power, decades. `hasUnit`:
+  /// the last one has the unit, where there is no title.
+  std::vector<ColourTick> ticks(int most, bool hasUnit) const;
 };
 
 /// Returns a few words on why the frame has nothing to colour; empty where it has, or where this is

@@ -183,14 +183,21 @@ AxisTicks yTicks(double from, double to, float pixels, float each, float size,
                  std::string_view unit) {
   int most = tickCount(pixels, each);
   AxisTicks axis = linearTicks(from, to, most, unit);
-  // With steps of 1, 2 and 5 the next number of ticks is up to five times as large.
+  const auto isApart = [&](const AxisTicks& ticks, double letters) {
+    const double apart = (ticks.ticks[1].value - ticks.ticks[0].value) / (to - from);
+    return apart * static_cast<double>(pixels) >= letters * static_cast<double>(size);
+  };
+  // With steps of 1, 2 and 5 the next number of ticks is up to five times as large. Three show the
+  // scale better than two, where they do not crowd.
+  constexpr std::size_t kFew = 3;
+  for (int count = most; axis.ticks.size() < kFew && count <= kMaxTicks; ++count)
+    if (AxisTicks closer = linearTicks(from, to, count, unit);
+        closer.ticks.size() >= kFew && isApart(closer, 1.6))
+      return closer;
   while (axis.ticks.size() < 2 && most < kMaxTicks) {
     AxisTicks closer = linearTicks(from, to, ++most, unit);
     if (closer.ticks.size() < 2) continue;
-    const auto ticksFit = [&] {
-      const double apart = (closer.ticks[1].value - closer.ticks[0].value) / (to - from);
-      return apart * static_cast<double>(pixels) >= 1.1 * static_cast<double>(size);
-    };
+    const auto ticksFit = [&] { return isApart(closer, 1.1); };
     // The outermost two give a scale where not all fit; finer steps have them farther apart.
     if (!ticksFit()) keepOutermost(closer.ticks);
     if (ticksFit()) return closer;
@@ -245,6 +252,14 @@ std::string grouped(std::string number) {
   const char* separator = inLanguage(std::string(".")) == "," ? "." : ",";
   for (std::size_t at = end; at > begin + 3;) number.insert(at -= 3, separator);
   return number;
+}
+
+std::string groupedValue(const std::string& text) {
+  constexpr std::string_view kEquals = "= ";
+  const std::size_t at = text.rfind(kEquals);
+  if (at == text.npos) return text;
+  const std::size_t value = at + kEquals.size();
+  return text.substr(0, value) + grouped(text.substr(value));
 }
 
 std::string factorText(double factor) {

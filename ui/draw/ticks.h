@@ -49,7 +49,8 @@ std::vector<double> minorTicks(const AxisTicks& axis, double from, double to);
 AxisTicks sparseTicks(double from, double to, float pixels, float size, std::string_view unit);
 
 /// Returns ticks of a vertical axis, `each` pixels for one of them. A low axis has closer ticks as
-/// far as labels in fonts of `size` fit, because a single tick does not show the scale.
+/// far as labels in fonts of `size` fit: three or more, otherwise two, because a single tick does
+/// not show the scale.
 AxisTicks yTicks(double from, double to, float pixels, float each, float size,
                  std::string_view unit);
 
@@ -67,6 +68,9 @@ std::vector<double> minorLogTicks(double from, double to, const std::vector<Tick
 /// Returns a printed number, which may have a unit, with the groups of thousands of the language:
 /// "12,300 s". A view in which one number has groups gives them to all.
 std::string grouped(std::string number);
+
+/// Returns a text whose last value has the groups of thousands of the language: "v = 1,000 m/s".
+std::string groupedValue(const std::string& text);
 
 /// Returns a positive factor for people, "1,410,000": with three digits, and the groups of
 /// thousands of the language from 1000 on.

@@ -13,6 +13,13 @@ TEST(CurveWords, SayWhatASceneSets) {
   EXPECT_EQ(words.find("T\u1D63"), words.npos) << "a temperature that shifts nothing is not said";
 }
 
+TEST(CurveWords, HaveATrueMinus) {
+  Scene scene;
+  scene.surface.summitCorrelation = -0.9;
+  EXPECT_NE(describeParameters(scene).english().find("\u03BA = \u22120.9"), std::string::npos)
+      << describeParameters(scene).english();
+}
+
 TEST(CurveWords, SayOnlyWhatDiffers) {
   Scene scene, other;
   EXPECT_EQ(describeDifferences(other, scene).english(), "");

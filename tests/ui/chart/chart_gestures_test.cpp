@@ -271,21 +271,36 @@ TEST_F(NamesOfShades, KeepAwayFromCurves) {
   }
 }
 
-/// A curve that is everywhere in a low frame leaves no room.
-TEST_F(NamesOfShades, AreLeftOutOfLowFramesThatTheyWouldFill) {
+/// Between curves in the middle and the edge of the shade there is a place, in more lines.
+TEST_F(NamesOfShades, StandAsideOfCurves) {
   std::vector<DiagramPoint> zigzag;
-  for (int i = 0; i <= 60; ++i) zigzag.push_back({std::pow(10, 0.05 * i), i % 2 == 0 ? 1e-4 : 1});
-  const auto frameHeight = [&] { return (at(1, 1e-4) - at(1, 1)).y(); };
+  for (int i = 0; i <= 60; ++i)
+    zigzag.push_back({std::pow(10, 1.6 + 0.02 * i), i % 2 == 0 ? 1e-4 : 1});
+  show(zigzag);
+  bool isThere = false;
+  for (int down = 2; down < (at(1, 1e-4) - at(1, 1)).y(); down += 4) {
+    QTest::mouseMove(view_.get(), at(6, 1) + QPoint(0, down));
+    isThere |= view_->reading().contains("single summits");
+  }
+  EXPECT_TRUE(isThere);
+}
+
+/// Curves that are everywhere leave no room: a name over them would hide them.
+TEST_F(NamesOfShades, AreLeftOutWhereCurvesAreEverywhere) {
   const auto isAnywhere = [&] {
     bool isThere = false;
-    for (int down = 2; down < frameHeight(); down += 4) isThere |= isNameAt(1, down);
+    for (int down = 2; down < (at(1, 1e-4) - at(1, 1)).y(); down += 4)
+      for (const double x : {3.0, 30.0, 300.0}) {
+        QTest::mouseMove(view_.get(), at(x, 1) + QPoint(0, down));
+        isThere |= view_->reading().contains("single summits");
+      }
     return isThere;
   };
-  show(zigzag);
+  show({{1e-2, 0.8}, {1e3, 0.8}});
   EXPECT_TRUE(isAnywhere());
-  const int line = QFontMetrics(view_->font()).lineSpacing();
-  view_->resize(800, view_->height() - frameHeight() + 2 * line);
-  QTest::qWait(1);
+  std::vector<DiagramPoint> zigzag;
+  for (int i = 0; i <= 60; ++i) zigzag.push_back({std::pow(10, 0.05 * i), i % 2 == 0 ? 1e-4 : 1});
+  show(zigzag);
   EXPECT_FALSE(isAnywhere());
 }
 

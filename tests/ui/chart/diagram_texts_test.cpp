@@ -184,6 +184,76 @@ TEST(DiagramTexts, LegendAndLabelsHideNoCurve) {
   useLanguage("en");
 }
 
+/// The label of the marker stands beside its line, even where curves surround the point.
+TEST(DiagramTexts, TheLabelOfAMarkerIsBesideItsLine) {
+  for (const Size& size : {Size{1200, 800, 1}, {600, 400, 1}, {2000, 1400, 3}}) {
+    DiagramSheet sheet = sheetOf({});
+    Diagram& diagram = sheet.diagrams[0];
+    diagram.series[0].name = {};
+    diagram.series[0].mark = SeriesMark::None;
+    for (int i = 0; i <= 200; ++i)
+      diagram.series[0].points.push_back({0.01 * i, 1 + 0.9 * std::sin(0.63 * i)});
+    diagram.marker = DiagramMarker{{}, "v = 300 mm/s", 1, 1};
+    const DiagramOptions options{size.width, size.height, size.scale, lightTheme()};
+    const float line = static_cast<float>(diagramFrames(sheet, options)[0].mapX(1));
+    bool isThere = false;
+    for (const DrawText& text : composeDiagrams(sheet, options).texts) {
+      if (text.utf8 != "v = 300 mm/s") continue;
+      isThere = true;
+      const Box box = coveredBy(text);
+      EXPECT_TRUE(box.right() < line || box.x > line) << size.width;
+    }
+    EXPECT_TRUE(isThere) << size.width;
+  }
+}
+
+/// What is nowhere on the axes is not in the legend.
+TEST(DiagramTexts, CurvesOffTheAxesAreNotInTheLegend) {
+  DiagramSheet sheet = sheetOf({{1, 1}, {2, 3}});
+  Diagram& diagram = sheet.diagrams[0];
+  diagram.x.scale = diagram.y.scale = AxisScale::Logarithmic;
+  diagram.series.push_back({.name = "no friction", .points = {{1, 0}, {2, 0}}});
+  diagram.marker = DiagramMarker{"this motion, now", "|v| = 0 m/s", 0, 1};
+  const DrawList list = composeDiagrams(sheet, {900, 600, 1, lightTheme()});
+  EXPECT_TRUE(says(list, "points"));
+  EXPECT_FALSE(says(list, "no friction"));
+  EXPECT_FALSE(says(list, "this motion, now"));
+  EXPECT_FALSE(says(list, "|v| = 0 m/s"));
+}
+
+/// Letters of a given size leave little space on a small page: the legend then is under the axis,
+/// whole, and the note ends with a sentence.
+TEST(DiagramTexts, OfASmallPageHideNoCurveAndAreWhole) {
+  DiagramSheet sheet = sheetOf({{1e-4, 3e-6}, {1e-1, 1e-3}, {1, 2e-3}, {1e3, 2e-4}});
+  sheet.title = "Region IV: friction falls again";
+  sheet.subtitle = "L = 20 mm; N = 2000; H = 0.7; h = 500 nm; G = 10 MPa; F\u2099 = 3.4 mN";
+  sheet.note =
+      "Regions as read from the curve: I ends 20 % below its line, III lies above 95 % of the "
+      "maximum. Tinted: F\u2099/(4\u03B7v), the height that all contacts climb, is below a tenth "
+      "of "
+      "the rms height, and single summits carry the load.";
+  Diagram& diagram = sheet.diagrams[0];
+  diagram.series[0].name = "mean of 100 lines \u00B1 standard error";
+  diagram.series.push_back({.name = "Eq. (11)", .isTheory = true});
+  diagram.series.back().points = {{1e-4, 3e-6}, {1, 2e-3}, {1e3, 2e-3}};
+  diagram.marker = DiagramMarker{"this line, now", "v = 300 m/s", 300, 4e-4};
+  DiagramOptions options{1016, 709, 4.17F, printTheme()};
+  options.format.fontSize = 31;
+  options.format.minFontSize = 25;
+  const DrawList list = composeDiagrams(sheet, options);
+  for (const char* name :
+       {"mean of 100 lines \u00B1 standard error", "Eq. (11)", "this line, now", "v = 300 m/s"}) {
+    EXPECT_TRUE(says(list, name)) << name << " in " << allTexts(list);
+    for (const DrawText& text : list.texts)
+      EXPECT_FALSE(text.utf8 == name && isCrossed(list, coveredBy(text))) << text.utf8;
+  }
+  EXPECT_EQ(allTexts(list).find("\u2026"), std::string::npos) << allTexts(list);
+  EXPECT_NE(allTexts(list).find("maximum."), std::string::npos) << allTexts(list);
+  const ChartGeometry frame = diagramFrames(sheet, options)[0];
+  EXPECT_GT(frame.area.width(), 0.7 * options.width);
+  expectTidy(list, "small page");
+}
+
 /// As in the window's low views, where names would not fit into the frame.
 TEST(DiagramTexts, ALegendThatFitsBesideTheFrameIsWhole) {
   DiagramSheet sheet = sheetOf({{1e-5, 1e-2}, {1e-3, 1e-6}});

@@ -173,6 +173,16 @@ TEST(FrictionChartModelTest, AMotionAtItsTurningPointLeavesTheAxesAlone) {
   EXPECT_EQ(diagramOf(diagram).marker->x, 0);
 }
 
+/// A frame at rest between two time steps has no marker at the velocity of the last one.
+TEST(FrictionChartModelTest, AMotionAtRestHasNoPlaceOnTheCurve) {
+  FrictionChartModel diagram;
+  diagram.take(update({}, {point(1e-5, 1e-5), point(1e3, 2e-3)}));
+  Frame atRest = motionFrame({sample(0.5, 1e-3), sample(0.008, 8e-4)});
+  atRest.velocity = 0;
+  diagram.mark(atRest);
+  EXPECT_EQ(diagramOf(diagram).marker->x, 0);
+}
+
 /// A velocity far outside is left again, by Undo or otherwise, and the axis with it.
 TEST(FrictionChartModelTest, TheVelocityAxisFollowsBack) {
   FrictionChartModel diagram;

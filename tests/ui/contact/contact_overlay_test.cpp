@@ -44,21 +44,23 @@ TEST(Overlay, LegendSpansTheBar) {
   for (const ContactOverlay overlay :
        {ContactOverlay::Pressure, ContactOverlay::Relaxation, ContactOverlay::Power}) {
     const ColourScale scale{overlay, 4e-3};
-    const std::vector<ColourTick> ticks = scale.ticks(6);
+    const std::vector<ColourTick> ticks = scale.ticks(6, false);
     ASSERT_GE(ticks.size(), 3U);
     EXPECT_EQ(ticks.front().position, 0);
     EXPECT_EQ(ticks.back().position, 1);
     for (std::size_t i = 1; i < ticks.size(); ++i)
       EXPECT_GT(ticks[i].position, ticks[i - 1].position);
   }
-  EXPECT_EQ((ColourScale{ContactOverlay::Relaxation, 4e-3}).ticks(6).back().label, "4 ms");
+  EXPECT_EQ((ColourScale{ContactOverlay::Relaxation, 4e-3}).ticks(6, true).back().label, "4 ms");
+  EXPECT_EQ((ColourScale{ContactOverlay::Relaxation, 4e-3}).ticks(6, false).back().label, "4");
+  EXPECT_EQ((ColourScale{ContactOverlay::Pressure, 200e3}).shortTitle(), "pressure (kN/m)");
 }
 
 /// Numbers in one unit, which the last one says: short enough for a label at every decade.
 TEST(Overlay, DecadesOfPowerAreLabelledInOneUnit) {
   const auto labels = [](double end) {
     std::string all;
-    for (const ColourTick& tick : (ColourScale{ContactOverlay::Power, end}).ticks(6))
+    for (const ColourTick& tick : (ColourScale{ContactOverlay::Power, end}).ticks(6, true))
       all += tick.label + "|";
     return all;
   };
@@ -159,7 +161,7 @@ TEST(Overlay, NumbersOfTheBarAreShortAtAnySize) {
     for (int power = -40; power <= 40; ++power)
       for (const double digit : {1.0, 1.5, 2.5, 5.0}) {
         const double end = digit * std::pow(10.0, power);
-        const std::vector<ColourTick> ticks = (ColourScale{overlay, end}).ticks(6);
+        const std::vector<ColourTick> ticks = (ColourScale{overlay, end}).ticks(6, true);
         ASSERT_GE(ticks.size(), 2U) << end;
         for (const ColourTick& tick : ticks)
           EXPECT_LT(textWidth(tick.label, 12), 110) << tick.label;
@@ -167,9 +169,9 @@ TEST(Overlay, NumbersOfTheBarAreShortAtAnySize) {
           EXPECT_LE(ticks[i].label.size(), 8U) << ticks[i].label << " of " << end;
       }
   std::string labels;
-  for (const ColourTick& tick : (ColourScale{ContactOverlay::Pressure, 5e-29}).ticks(6))
+  for (const ColourTick& tick : (ColourScale{ContactOverlay::Pressure, 5e-29}).ticks(6, true))
     labels += tick.label + "|";
-  EXPECT_EQ(labels, "0|1|2|3|4|5\u00D710\u207B\u00B2\u2079 N/m|");
+  EXPECT_EQ(labels, "0|1|2|3|4|5 10\u207B\u00B2\u2079 N/m|");
 }
 
 TEST(Overlay, AsksOnlyForWhatItShows) {

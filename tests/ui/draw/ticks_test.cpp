@@ -159,6 +159,15 @@ TEST(Ticks, BelowANarrowAxisThereAreTwo) {
       }
 }
 
+/// Two numbers say less of a scale than three; a low axis has two, though, that do not touch.
+TEST(Ticks, BesideALowAxisThereAreThreeWhereTheyFit) {
+  constexpr float kSize = 10, kEach = 48;
+  for (const float pixels : {110.0F, 80.0F, 60.0F})
+    EXPECT_GE(yTicks(-0.9e-6, 2.4e-6, pixels, kEach, kSize, "m").ticks.size(), 3U) << pixels;
+  EXPECT_EQ(yTicks(-0.9e-6, 2.4e-6, 30, kEach, kSize, "m").ticks.size(), 2U);
+  EXPECT_EQ(yTicks(0, 1, 100, kEach, kSize, "").ticks.size(), 3U);
+}
+
 TEST(FactorText, GroupsThousands) {
   EXPECT_EQ(factorText(0.5), "0.5");
   EXPECT_EQ(factorText(600), "600");
@@ -177,6 +186,12 @@ TEST(GroupedNumber, HasTheGroupsOfTheLanguage) {
   useLanguage("de");
   EXPECT_EQ(grouped("12300,25 s"), "12.300,25 s");
   useLanguage("en");
+}
+
+TEST(GroupedNumber, MayBeTheValueOfAText) {
+  EXPECT_EQ(groupedValue("v = 1000 m/s"), "v = 1,000 m/s");
+  EXPECT_EQ(groupedValue("|v| = 250 mm/s"), "|v| = 250 mm/s");
+  EXPECT_EQ(groupedValue("realizations 2000"), "realizations 2000");
 }
 
 TEST(ReadingLabel, ReadsLikePrint) {

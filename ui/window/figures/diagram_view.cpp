@@ -26,7 +26,7 @@ namespace asperity {
 namespace {
 
 constexpr int kPicturePause = 400;  // ms between two pictures
-constexpr float kMinText = 0.85F;   // views are low, which would make their texts small
+constexpr float kMinText = 1;       // views are low, which would make their texts small
 
 DiagramSheet sheetOf(const DiagramView::Maker& maker) {
   try {
