@@ -102,6 +102,9 @@ class Rendering {
     elapsed_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
 
+  /// Throws where the curve, which is drawn all the same, misses the target of its scene.
+  void requireTarget() const { asperity::requireTarget(curve_); }
+
   std::string summary() const {
     std::string text = "mu = " + shortNumber(lineFriction(last_), 6);
     if (std::isfinite(last_.muError)) text += " \u00B1 " + shortNumber(last_.muError, 2);
@@ -218,9 +221,8 @@ class Rendering {
     steady.scene.sliding.kind = SlidingKind::Steady;
     curves_ = plannedCurveSet(command_.curves, steady);
     PictureComposer(settings_, content()).checkPlanned();
-    Curve curve = computeCurve(steady.scene, command_.common);
-    requireTarget(curve);
-    curves_ = makeCurveSet(command_.curves, steady, std::move(curve.points), command_.common);
+    curve_ = computeCurve(steady.scene, command_.common);
+    curves_ = makeCurveSet(command_.curves, steady, curve_.points, command_.common);
   }
 
   /// Returns the provenance of the whole run: scene, command, version, seed and the options of the
@@ -369,6 +371,7 @@ class Rendering {
   PictureSettings settings_;
   PictureLayout layout_;
   ContactOverlay overlay_;
+  Curve curve_;  // of the scene; empty where the picture has none
   CurveSet curves_;
   std::optional<FrameSource> frames_;
   std::optional<PictureComposer> composer_;
@@ -389,6 +392,7 @@ int runRender(const RenderCommand& command) {
   rendering.run();
   printSummary(command.common.json, command.common.quiet, rendering.summary());
   if (command.common.json) fmt::print("{}\n", rendering.json().dump(2));
+  rendering.requireTarget();
   return kDone;
 }
 

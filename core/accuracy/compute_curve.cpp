@@ -99,18 +99,22 @@ CurvePoint computePoint(Scene scene, double velocity, const CurveOptions& option
   return computeCurve(scene, options).points.front();
 }
 
-void requireTarget(const Curve& curve) {
-  if (curve.isTargetMet) return;
+std::optional<Message> missedTarget(const Curve& curve) {
+  if (curve.isTargetMet) return std::nullopt;
   constexpr double kLargePart = 0.5;
   if (curve.errorOfRows > kLargePart * curve.achievedError)
-    throw TextError(message(
+    return message(
         "accuracy.target_relative_error is not reached: {}; the mean over all rows of the surface "
         "is uncertain by {}, which only a larger piece of the surface lowers",
         PrintedNumber{printedNumber(curve.achievedError, 2)},
-        PrintedNumber{printedNumber(curve.errorOfRows, 2)}));
-  throw TextError(message(
+        PrintedNumber{printedNumber(curve.errorOfRows, 2)});
+  return message(
       "accuracy.target_relative_error is not reached within the lines and memory allowed: {}",
-      PrintedNumber{printedNumber(curve.achievedError, 2)}));
+      PrintedNumber{printedNumber(curve.achievedError, 2)});
+}
+
+void requireTarget(const Curve& curve) {
+  if (const std::optional<Message> missed = missedTarget(curve)) throw TextError(*missed);
 }
 
 }  // namespace asperity

@@ -10,6 +10,9 @@
 // Threading, failure: as frictionCurve.
 #pragma once
 
+#include <optional>
+
+#include "core/base/message.h"
 #include "core/friction/ensemble.h"
 
 namespace asperity {
@@ -33,7 +36,11 @@ Curve computeCurve(const Scene& scene, const CurveOptions& options = {});
 /// scene's sweep.
 CurvePoint computePoint(Scene scene, double velocity, const CurveOptions& options = {});
 
-/// Throws std::runtime_error with the achieved error where a curve misses its target.
+/// Returns the sentence that says why a curve misses its target, with the achieved error; nothing
+/// where it does not.
+std::optional<Message> missedTarget(const Curve& curve);
+
+/// Throws std::runtime_error with this sentence where a curve misses its target.
 void requireTarget(const Curve& curve);
 
 }  // namespace asperity

@@ -209,6 +209,7 @@ struct Runner::Body {
     try {
       Curve curve = computeCurve(*work.scene.scene, curveOptions);
       if (!curve.isComplete || last.isComplete) return;
+      last.missedTarget = missedTarget(curve);
       last.points = std::move(curve.points);
       for (const CurvePoint& point : last.points)
         last.realizationsTotal = std::max(last.realizationsTotal, point.realizations);

@@ -30,7 +30,8 @@ struct CurveUpdate {
   std::int64_t realizationsDone = 0;
   std::int64_t realizationsTotal = 0;  // as planned so far, if the scene has a target
   std::vector<CurvePoint> points;
-  bool isComplete = false;  // no more results follow
+  bool isComplete = false;                // no more results follow
+  std::optional<Message> missedTarget{};  // of a complete curve: why it misses its target
 };
 
 struct PostedScene {

@@ -94,6 +94,7 @@ std::string_view noteKey(Note note, const Scene& scene) {
       return firstOf(std::array<std::string_view, 2>{"surface.outliers", "surface.file"}, scene);
     case Note::ExtrapolatedMaterial:
     case Note::FastEnoughToHeat:
+    case Note::FasterThanTested:
       break;
   }
   return "sliding.velocity";

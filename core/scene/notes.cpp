@@ -35,6 +35,9 @@ constexpr std::array<NoteText, kNotes> kTexts{{
      "so much power is dissipated that the elastomer would become warmer, which is not computed"},
     {"unresolved_friction",
      "too few elements are in contact for the tangential force, which is the error of their sum"},
+    {"faster_than_tested",
+     "the velocity is above 1000 m/s: real elastomers are not slid so fast, and the model leaves "
+     "out the inertia that would then count"},
 }};
 
 }  // namespace

@@ -23,11 +23,17 @@ enum class Note : std::uint8_t {
   FewIndependentRows,       // the error of a mean over rows of a topography is badly known
   FastEnoughToHeat,         // the power dissipated would change the temperature
   UnresolvedFriction,       // too few elements in contact for the tangential force
+  FasterThanTested,         // velocity shown in the window above kFastestTested
 };
-inline constexpr std::size_t kNotes = static_cast<std::size_t>(Note::UnresolvedFriction) + 1;
+inline constexpr std::size_t kNotes = static_cast<std::size_t>(Note::FasterThanTested) + 1;
 
 /// The model takes slopes for small: beyond this rms slope it is an estimate.
 inline constexpr double kSmallSlope = 0.3;
+
+/// Velocity (m/s) above which nobody slides over rubber: waves in it are mostly slower. The model
+/// has no density and therefore no waves; tables of long curves, whose ends are limits, have no
+/// note.
+inline constexpr double kFastestTested = 1000;
 
 /// Returns the word of a note in tables: "slope_above_0.3".
 std::string_view noteWord(Note note);

@@ -2740,6 +2740,10 @@
         <source>Files without results</source>
         <translation>Dateien ohne Ergebnisse</translation>
     </message>
+    <message>
+        <source>&amp;Go on with these answers</source>
+        <translation>Mit diesen Antworten &amp;weitermachen</translation>
+    </message>
 </context>
 <context>
     <name>asperity::LessonStepPage</name>
@@ -3028,6 +3032,18 @@
     <message>
         <source>This lesson was begun before (%1), and its answers are in no file. Go on with these answers?</source>
         <translation>Diese Lektion wurde schon begonnen (%1), und ihre Antworten sind in keiner Datei. Mit diesen Antworten weitermachen?</translation>
+    </message>
+    <message>
+        <source>Your answers to this lesson are in %1. Go on with these answers?</source>
+        <translation>Deine Antworten zu dieser Lektion sind in %1. Mit diesen Antworten weitermachen?</translation>
+    </message>
+    <message>
+        <source>The file stays if you begin anew.</source>
+        <translation>Die Datei bleibt, wenn du neu beginnst.</translation>
+    </message>
+    <message>
+        <source>&amp;Begin anew</source>
+        <translation>&amp;Neu beginnen</translation>
     </message>
 </context>
 <context>

@@ -3099,6 +3099,10 @@
         <translation>für die Tangentialkraft sind zu wenige Elemente im Kontakt; sie ist der Fehler ihrer Summe</translation>
     </message>
     <message>
+        <source>the velocity is above 1000 m/s: real elastomers are not slid so fast, and the model leaves out the inertia that would then count</source>
+        <translation>die Geschwindigkeit liegt über 1000 m/s: so schnell gleitet kein wirkliches Elastomer, und dem Modell fehlt die Trägheit, die dann zählte</translation>
+    </message>
+    <message>
         <source>The period of the line; where the line has a file it may be left out and is as long as the file says.</source>
         <translation>Periode der Linie; hat die Linie eine Datei, kann sie fehlen und ist so lang, wie die Datei sagt.</translation>
     </message>

@@ -162,6 +162,8 @@ TEST_F(AccuracyCommandTest, AMissedTargetIsAFailure) {
 /// Wherever a curve is computed for a picture.
 TEST_F(AccuracyCommandTest, PicturesMissTheirTargetsAsTablesDo) {
   const std::string sine = " --set surface.kind=sine --set accuracy.target_relative_error=";
+  EXPECT_EQ(program.run("render s.json -o missed.svg --layout both" + sine + "1e-17").status, 1);
+  EXPECT_THAT(read("missed.svg"), HasSubstr("<svg")) << "as the window draws it";
   for (const char* call : {"render s.json -o p.svg --layout curve",
                            "curve s.json -o p.svg --with load.normal_force=1"}) {
     EXPECT_EQ(program.run(call + sine + "1e-4").status, 0) << call;

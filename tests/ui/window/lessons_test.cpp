@@ -60,7 +60,8 @@ Lesson sampleWithPoint(bool hasPlace) {
 class LessonsTest : public MainWindowTest {
  protected:
   LessonsTest() {
-    for (const char* kept : {"lessonAnswers", "lessonDraft"}) QSettings().remove(kept);
+    for (const char* kept : {"lessonAnswers", "lessonDraft", "lessonFiles", "lessonSteps"})
+      QSettings().remove(kept);
   }
   Lessons& lessons() { return window_.lessons(); }
   QPushButton& button(const char* name) { return control<QPushButton>(name); }
@@ -341,6 +342,34 @@ TEST_F(LessonsTest, AnswersOutliveACrash) {
     EXPECT_EQ(asked_, 1);
     EXPECT_EQ(next.lessons().isRevealed(), isKept);
     EXPECT_EQ(keptAnswers(lesson).has_value(), isKept);
+    next.lessons().end();
+  }
+}
+
+/// Also in the next session, with the answers in their file; who begins anew is not asked again.
+TEST_F(LessonsTest, ALessonGoesOnWhereItWasLeft) {
+  TemporaryFolder folder;
+  folder.write("mine.json", writeLesson(lessonOf(sampleLesson())));
+  const QString file = QString::fromStdString((folder / "mine.json").string());
+  const QString results = QString::fromStdString((folder / "ada.json").string());
+  ASSERT_TRUE(lessons().open(file));
+  control<QRadioButton>("lessonChoice:0").click();
+  click("lessonNext");
+  ASSERT_TRUE(waitForAnswer());
+  ASSERT_TRUE(lessons().keepResults(results));
+  click("lessonNext");
+  ASSERT_EQ(lessons().step(), 1);
+  lessons().end();
+  for (const auto& [button, goesOn, asked] : {std::tuple(QMessageBox::Yes, true, 1),
+                                              {QMessageBox::No, false, 1},
+                                              {QMessageBox::No, false, 0}}) {
+    MainWindow next(smallScene());
+    next.show();
+    answer(button);
+    ASSERT_TRUE(next.lessons().open(file));
+    EXPECT_EQ(asked_, asked);
+    EXPECT_EQ(next.lessons().step(), goesOn ? 1 : 0);
+    EXPECT_EQ(next.lessons().results().results.size(), goesOn ? 1U : 0U);
     next.lessons().end();
   }
 }
@@ -1139,6 +1168,12 @@ TEST_F(LessonsTest, AStudentsResultsAreShownInWords) {
         QStringLiteral("2026-11-27 10:00:00"), QStringLiteral("ada.json")})
     EXPECT_TRUE(text.contains(part)) << part.toStdString() << text.toStdString();
   EXPECT_FALSE(window_.messages().isVisible());
+  auto* goOn = dialog->findChild<QPushButton*>("resultsGoOn");
+  ASSERT_NE(goOn, nullptr);
+  goOn->click();
+  ASSERT_TRUE(lessons().isRunning());
+  EXPECT_EQ(lessons().step(), 1);
+  EXPECT_TRUE(lessons().isRevealed());
 }
 
 /// Of a long lesson, too: a screen of 1024 x 700 pixels does not hold its table.

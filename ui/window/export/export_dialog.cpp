@@ -14,7 +14,6 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
-#include <QSettings>
 #include <QTimer>
 #include <algorithm>
 #include <cmath>
@@ -37,7 +36,6 @@ constexpr std::int64_t kLines = 8;     // of the curve in a preview
 constexpr int kFigureLines = 4;        // of a figure of the paper in a preview
 constexpr int kSteps = 1000;           // of the progress bar
 constexpr qint64 kTableBytes = 16000;  // of a table that are shown
-const QString kFolder = QStringLiteral("export/folder");
 
 /// Returns why a call failed that ended well: "--help" among the other options writes nothing.
 QString noFileText() {
@@ -109,7 +107,7 @@ ExportDialog::ExportDialog(Subject subject, ExportKind kind, const QString& prog
           });
   extension_ = form_->extension();
   defaultName_ = defaultName();
-  setFile(QDir(lastFolder(kFolder)).filePath(defaultName_));
+  setFile(QDir(proposedFolder(subject_.origin.file)).filePath(defaultName_));
   resize(940, 620);
   requestChanged();
 }
@@ -189,8 +187,9 @@ void ExportDialog::fileChanged() {
 
 QStringList ExportDialog::words() const {
   const QString name = file().isEmpty() ? defaultName() : file();
-  return exportWords(subject_.origin, subject_.scene, form_->request(), subject_.shown,
-                     QFileInfo(QDir(lastFolder(kFolder)), name).absoluteFilePath());
+  return exportWords(
+      subject_.origin, subject_.scene, form_->request(), subject_.shown,
+      QFileInfo(QDir(proposedFolder(subject_.origin.file)), name).absoluteFilePath());
 }
 
 void ExportDialog::askFile() {
@@ -359,7 +358,7 @@ bool ExportDialog::confirmReplace(const QFileInfo& target) {
 void ExportDialog::write() {
   const QFileInfo target(words().at(words().indexOf("-o") + 1));
   if (!confirmReplace(target)) return;
-  QSettings().setValue(kFolder, target.absolutePath());
+  rememberFolder(target.absoluteFilePath());
   file_->setText(target.absoluteFilePath());
   showCommand();
   if (quiet_->isActive() || previews_->isRunning()) preview_->showWork({});

@@ -32,6 +32,7 @@
 #include "ui/window/main/commands.h"
 #include "ui/window/main/document_commands.h"
 #include "ui/window/main/message_bar.h"
+#include "ui/window/main/picture_files.h"
 #include "ui/window/main/scene_document.h"
 #include "ui/window/main/scene_library.h"
 
@@ -137,11 +138,11 @@ void ImportCommands::addTo(Commands& commands) {
       {"openFriction", [] { return tr("Add measured friction…"); }, [this] { askFriction(); }});
 }
 
-/// The folder of the files that the scene names.
+/// The folder of the file of the scene's line, or where it has none that of the document.
 QString ImportCommands::folder() const {
   const Scene& scene = parts_.document.scene();
-  const std::filesystem::path file = scene.folder / scene.surface.file;
-  return QString::fromStdString(file.parent_path().string());
+  const QString line = QString::fromStdString((scene.folder / scene.surface.file).string());
+  return proposedFolder(scene.surface.file.empty() ? parts_.document.file() : line);
 }
 
 void ImportCommands::askSurface(const Scene& scene) {
@@ -149,7 +150,9 @@ void ImportCommands::askSurface(const Scene& scene) {
   for (const std::string_view ending : surfaceFileEndings()) patterns << "*." + fromUtf8(ending);
   const QString file = QFileDialog::getOpenFileName(
       &parts_.window, tr("Open surface"),
-      QString::fromStdString((scene.folder / scene.surface.file).string()),
+      scene.surface.file.empty()
+          ? folder()
+          : QString::fromStdString((scene.folder / scene.surface.file).string()),
       tr("Measured surfaces (%1);;All files (*)").arg(patterns.join(' ')), nullptr,
       QFileDialog::HideNameFilterDetails);
   if (!file.isEmpty()) showSurface(scene, file);

@@ -397,8 +397,10 @@ void LessonEditor::showChange(int row) {
 
 void LessonEditor::openOther() {
   if (!canClose()) return;
-  const QString file = QFileDialog::getOpenFileName(this, tr("Open lesson"), document_.file(),
-                                                    tr("Lessons (*.json);;All files (*)"));
+  const QString file =
+      QFileDialog::getOpenFileName(this, tr("Open lesson"), proposedFolder(document_.file()),
+                                   tr("Lessons (*.json);;All files (*)"));
+  rememberFolder(file);
   if (!file.isEmpty()) openFile(file);
 }
 

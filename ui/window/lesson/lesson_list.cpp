@@ -17,6 +17,7 @@
 #include "ui/panels/controls.h"
 #include "ui/window/lesson/handout.h"
 #include "ui/window/lesson/lesson_text.h"
+#include "ui/window/main/picture_files.h"
 #include "ui/window/main/scene_library.h"
 
 namespace asperity {
@@ -216,10 +217,11 @@ void LessonList::begin() {
 }
 
 void LessonList::askFile() {
-  const QStringList files =
-      QFileDialog::getOpenFileNames(this, tr("Open a lesson or the results of students"), {},
-                                    tr("Lessons and results (*.json);;All files (*)"));
+  const QStringList files = QFileDialog::getOpenFileNames(
+      this, tr("Open a lesson or the results of students"), proposedFolder(),
+      tr("Lessons and results (*.json);;All files (*)"));
   if (files.isEmpty()) return;
+  rememberFolder(files.first());
   accept();
   if (files.size() == 1)
     emit lessonRequested(files.first());

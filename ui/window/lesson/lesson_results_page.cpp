@@ -2,10 +2,12 @@
 
 #include <QDialog>
 #include <QFileInfo>
+#include <QHBoxLayout>
 #include <QPushButton>
 #include <QTextBrowser>
 #include <QVBoxLayout>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <optional>
 
@@ -24,14 +26,11 @@ namespace asperity {
 
 namespace {
 
-/// Returns the shipped lesson to which results belong; nothing for another lesson or version.
+/// Returns the shipped lesson to which results belong, with whole questions.
 std::optional<Lesson> shippedLessonOf(const LessonResults& results) {
-  for (const ShippedLesson& shipped : shippedLessons()) {
-    if (shipped.name != results.lesson) continue;
-    Lesson lesson = readNamedLesson(results.lesson, readNamedScene);
-    if (lesson.digest == results.digest) return withWholeQuestions(std::move(lesson));
-  }
-  return std::nullopt;
+  std::optional<Lesson> lesson = shippedLesson(results);
+  if (lesson) lesson = withWholeQuestions(*std::move(lesson));
+  return lesson;
 }
 
 /// Returns the title in the language of the window where the lesson is a shipped one.
@@ -125,6 +124,15 @@ QString classTable(const std::vector<StudentResults>& students) {
 
 }  // namespace
 
+std::optional<Lesson> shippedLesson(const LessonResults& results) {
+  for (const ShippedLesson& shipped : shippedLessons()) {
+    if (shipped.name != results.lesson) continue;
+    Lesson lesson = readNamedLesson(results.lesson, readNamedScene);
+    if (lesson.digest == results.digest) return lesson;
+  }
+  return std::nullopt;
+}
+
 QString LessonResultsPage::html(const QString& file) {
   const LessonResults results = readResultsFile(file.toStdString());
   const std::optional<Lesson> lesson = shippedLessonOf(results);
@@ -171,9 +179,10 @@ QString LessonResultsPage::classHtml(const QStringList& files) {
 
 namespace {
 
-/// Shows a page in a dialog, in which what does not fit is scrolled to.
+/// Shows a page in a dialog, in which what does not fit is scrolled to. Where there is a way to go
+/// on, a button closes the dialog and calls it.
 void showPage(QWidget& window, const QString& name, const QString& title, const QString& html,
-              QTextEdit::LineWrapMode wrap) {
+              QTextEdit::LineWrapMode wrap, const std::function<void()>& goOn = {}) {
   auto* page = named<QTextBrowser>(name + "Table");
   page->setAccessibleName(title);
   page->setLineWrapMode(wrap);
@@ -185,7 +194,19 @@ void showPage(QWidget& window, const QString& name, const QString& title, const 
   QObject::connect(close, &QPushButton::clicked, dialog, &QDialog::reject);
   auto* column = new QVBoxLayout(dialog);
   column->addWidget(page, 1);
-  column->addWidget(close, 0, Qt::AlignRight);
+  auto* foot = new QHBoxLayout;
+  foot->addStretch(1);
+  if (goOn) {
+    auto* button = named<QPushButton>("resultsGoOn");
+    button->setText(LessonResultsPage::tr("&Go on with these answers"));
+    QObject::connect(button, &QPushButton::clicked, &window, [dialog, goOn] {
+      dialog->reject();
+      goOn();
+    });
+    foot->addWidget(button);
+  }
+  foot->addWidget(close);
+  column->addLayout(foot);
   constexpr QSize kSize(820, 460);  // pixels
   resizePage(*dialog, kSize);
   dialog->open();
@@ -193,9 +214,14 @@ void showPage(QWidget& window, const QString& name, const QString& title, const 
 
 }  // namespace
 
-void showLessonResults(QWidget& window, const QString& file) {
+void showLessonResults(QWidget& window, const QString& file,
+                       const std::function<void(const Lesson&, const LessonResults&)>& goOn) {
+  const LessonResults results = readResultsFile(file.toStdString());
+  std::function<void()> goOnHere;
+  if (const std::optional<Lesson> lesson = shippedLesson(results); goOn && lesson)
+    goOnHere = [goOn, lesson = *lesson, results] { goOn(lesson, results); };
   showPage(window, "lessonResults", LessonResultsPage::tr("Results of a lesson"),
-           LessonResultsPage::html(file), QTextEdit::WidgetWidth);
+           LessonResultsPage::html(file), QTextEdit::WidgetWidth, goOnHere);
 }
 
 void showClassResults(QWidget& window, const QStringList& files) {

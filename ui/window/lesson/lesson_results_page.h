@@ -6,6 +6,10 @@
 #include <QCoreApplication>
 #include <QString>
 #include <QStringList>
+#include <functional>
+#include <optional>
+
+#include "core/lesson/lesson_results.h"
 
 class QWidget;
 
@@ -24,8 +28,14 @@ class LessonResultsPage {
   static QString classHtml(const QStringList& files);
 };
 
-/// Shows the summary in a dialog, which may stay open.
-void showLessonResults(QWidget& window, const QString& file);
+/// Returns the shipped lesson to which results belong, as it was written; nothing for another
+/// lesson or version.
+std::optional<Lesson> shippedLesson(const LessonResults& results);
+
+/// Shows the summary in a dialog, which may stay open. Where the lesson is a shipped one, a button
+/// closes the dialog and calls `goOn` with lesson and results; an empty one has no button.
+void showLessonResults(QWidget& window, const QString& file,
+                       const std::function<void(const Lesson&, const LessonResults&)>& goOn = {});
 
 /// Shows the results of a class in a dialog, which may stay open.
 void showClassResults(QWidget& window, const QStringList& files);

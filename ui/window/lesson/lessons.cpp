@@ -70,6 +70,24 @@ void keepAnswers(const std::string& digest, const LessonResults* results) {
   settings.sync();
 }
 
+/// Returns the setting that names the file in which answers of a lesson were saved last.
+QString resultsFileKey(const std::string& digest) {
+  return QStringLiteral("lessonFiles/") + QString::fromStdString(digest);
+}
+
+/// Returns the setting with the step at which a lesson was left.
+QString stepKey(const std::string& digest) {
+  return QStringLiteral("lessonSteps/") + QString::fromStdString(digest);
+}
+
+/// Returns the step at which to go on with these answers: the one that was left, or that of the
+/// last answer where the lesson ran elsewhere.
+int stepToGoOn(const LessonResults& results) {
+  int last = 0;
+  for (const LessonResult& one : results.results) last = std::max(last, one.step);
+  return QSettings().value(stepKey(results.digest), last).toInt();
+}
+
 /// Returns whether the answers can be those to the questions of a lesson.
 bool belongTo(const LessonResults& results, const Lesson& lesson) {
   return results.digest == lesson.digest && !results.results.empty() &&
@@ -91,6 +109,17 @@ std::optional<LessonResults> keptAnswers(const Lesson& lesson) {
   }
 }
 
+std::optional<LessonResults> savedAnswers(const Lesson& lesson) {
+  const QString file = QSettings().value(resultsFileKey(lesson.digest)).toString();
+  if (lesson.digest.empty() || !QFileInfo(file).isFile()) return std::nullopt;
+  try {
+    const LessonResults results = readResultsFile(file.toStdString());
+    return belongTo(results, lesson) ? std::optional(results) : std::nullopt;
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
 Lessons::Lessons(const Parts& parts, MessageBar& messages)
     : QObject(&parts.window), parts_(parts), messages_(messages), player_(new LessonPlayer(parts)) {
   // Another scene was opened, or the tour begins.
@@ -102,7 +131,11 @@ Lessons::Lessons(const Parts& parts, MessageBar& messages)
   });
   connect(player_, &LessonPlayer::savingRequested, this, &Lessons::askResultsFile);
   connect(player_, &LessonPlayer::endRequested, this, &Lessons::leave);
-  connect(player_, &LessonPlayer::stepShown, this, &Lessons::stepShown);
+  connect(player_, &LessonPlayer::stepShown, this, [this] {
+    if (!player_->isTrial() && !lesson()->digest.empty())
+      QSettings().setValue(stepKey(lesson()->digest), step());
+    emit stepShown();
+  });
 }
 
 void Lessons::addTo(Commands& commands) {
@@ -253,15 +286,23 @@ QString Lessons::failureText(const QString& file, const std::exception& error) c
 bool Lessons::open(const QString& nameOrFile) {
   try {
     if (isResultsFile(nameOrFile.toStdString())) {
-      showLessonResults(parts_.window, nameOrFile);
+      showLessonResults(parts_.window, nameOrFile,
+                        [this, nameOrFile](const Lesson& lesson, const LessonResults& results) {
+                          if (mayLeave())
+                            goOn(lesson, results, QFileInfo(nameOrFile).absoluteFilePath());
+                        });
       messages_.end(MessageBar::Failure::Files);
       return true;
     }
     const Lesson lesson = readNamedLesson(nameOrFile.toStdString(), readNamedScene);
     if (!mayLeave()) return false;
     end();
-    offerAnswers(lesson);
-    start(lesson);
+    const QString results = offerAnswers(lesson);
+    const auto left = left_.find(lesson.digest);
+    if (left == left_.end())
+      start(lesson);
+    else
+      goOn(lesson, LessonResults(left->second), results);
     if (QFileInfo::exists(nameOrFile)) file_ = QFileInfo(nameOrFile).absoluteFilePath();
     messages_.end(MessageBar::Failure::Files);
     return true;
@@ -282,12 +323,23 @@ bool Lessons::openResults(const QStringList& files) {
   }
 }
 
-/// Offers the answers that an earlier session left in no file. Those of this session come back
-/// without a question.
-void Lessons::offerAnswers(const Lesson& lesson) {
-  if (left_.contains(lesson.digest)) return;
+/// Begins a lesson with these answers, at the step where it was left. `file`: they are in it, and
+/// the further ones will be; empty: they are in no file.
+void Lessons::goOn(const Lesson& lesson, const LessonResults& results, const QString& file) {
+  end();
+  left_[lesson.digest] = results;
+  start(lesson, stepToGoOn(results));
+  resultsFile_ = file;
+  isSaved_ = !file.isEmpty();
+  if (isSaved_) QSettings().setValue(resultsFileKey(lesson.digest), file);
+}
+
+/// Offers the answers of an earlier session, and returns their file; those that are in no file come
+/// first. Those of this session that are in no file come back without a question.
+QString Lessons::offerAnswers(const Lesson& lesson) {
+  if (left_.contains(lesson.digest)) return {};
   const std::optional<LessonResults> kept = keptAnswers(lesson);
-  if (!kept) return;
+  if (!kept) return offerSavedAnswers(lesson);
   const QString date = QString::fromStdString(kept->date).replace('T', ' ');
   if (wantsToGoOn("answersQuestion", tr("This lesson was begun before (%1), and its answers are in "
                                         "no file. Go on with these answers?")
@@ -295,6 +347,26 @@ void Lessons::offerAnswers(const Lesson& lesson) {
     left_[lesson.digest] = *kept;
   else
     keepAnswers(lesson.digest, nullptr);
+  return {};
+}
+
+/// Offers the answers in the file of the last time. Who begins anew is not asked again.
+QString Lessons::offerSavedAnswers(const Lesson& lesson) {
+  const std::optional<LessonResults> saved = savedAnswers(lesson);
+  if (!saved) return {};
+  const QString file = QSettings().value(resultsFileKey(lesson.digest)).toString();
+  const Question question{"savedAnswersQuestion", tr("Asperity"),
+                          tr("Your answers to this lesson are in %1. Go on with these answers?")
+                              .arg(QFileInfo(file).fileName()),
+                          tr("The file stays if you begin anew."), QMessageBox::Question};
+  if (ask(&parts_.window, question,
+          {{QMessageBox::Yes, tr("&Go on")}, {QMessageBox::No, tr("&Begin anew")}},
+          QMessageBox::Yes) == QMessageBox::Yes) {
+    left_[lesson.digest] = *saved;
+    return file;
+  }
+  QSettings().remove(resultsFileKey(lesson.digest));
+  return {};
 }
 
 void Lessons::start(const Lesson& lesson, int step, Purpose purpose) {
@@ -404,6 +476,8 @@ bool Lessons::saveAnswers(const QString& file) {
   }
   messages_.end(MessageBar::Failure::Export);
   isSaved_ = true;
+  if (!player_->isTrial() && !lesson()->digest.empty())
+    QSettings().setValue(resultsFileKey(lesson()->digest), QFileInfo(file).absoluteFilePath());
   return true;
 }
 

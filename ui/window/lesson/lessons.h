@@ -45,8 +45,8 @@ class Lessons : public QObject {
   std::function<void()> closeEditorForReopening();
 
   /// Reads a lesson's file, or a shipped one by its name, and begins it; returns whether it did.
-  /// Answers of an earlier session that are in no file are offered. Of a student's results it shows
-  /// a summary.
+  /// Answers of an earlier session are offered, and the lesson goes on where it was left. Of a
+  /// student's results it shows a summary, from which a known lesson goes on.
   bool open(const QString& nameOrFile);
   /// Shows the results of a class side by side; returns whether any file has results.
   bool openResults(const QStringList& files);
@@ -87,7 +87,9 @@ class Lessons : public QObject {
   void hideDuringLesson(LessonEditor& editor);
   bool wantsToGoOn(const QString& name, const QString& question) const;
   QString failureText(const QString& file, const std::exception& error) const;
-  void offerAnswers(const Lesson& lesson);
+  QString offerAnswers(const Lesson& lesson);
+  QString offerSavedAnswers(const Lesson& lesson);
+  void goOn(const Lesson& lesson, const LessonResults& results, const QString& file);
   bool hasUnsavedAnswers() const;
   void keepUnsavedAnswers() const;
   void leave();
@@ -108,5 +110,9 @@ class Lessons : public QObject {
 
 /// Returns the answers to this lesson that an earlier session kept; nothing where there are none.
 std::optional<LessonResults> keptAnswers(const Lesson& lesson);
+
+/// Returns the answers to this lesson in the file in which they were saved last; nothing where the
+/// file has none any more.
+std::optional<LessonResults> savedAnswers(const Lesson& lesson);
 
 }  // namespace asperity

@@ -100,9 +100,10 @@ void DocumentCommands::showHistory() {
 
 void DocumentCommands::askOpen() {
   const QString file = QFileDialog::getOpenFileName(
-      &window_, tr("Open scene"), document_.file(),
+      &window_, tr("Open scene"), proposedFolder(document_.file()),
       tr("Scenes, and what was made from one (*.json *.png *.svg *.pdf *.csv *.mp4 *.webm *.gif "
          "*.webp);;Scenes (*.json);;All files (*)"));
+  rememberFolder(file);
   if (!file.isEmpty()) openFile(file);
 }
 
@@ -169,6 +170,7 @@ bool DocumentCommands::saveTo(const QString& file) {
   document_.saved(file);
   addRecentFile(file);
   fillRecent();
+  emit saved(file);
   return true;
 }
 

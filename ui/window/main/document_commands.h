@@ -54,6 +54,8 @@ class DocumentCommands : public QObject {
   void lessonFound(const QString& file);
   /// Emitted when a requested file has been read, and its scene is shown or not.
   void sceneRead(const QString& file, bool isShown);
+  /// Emitted when the scene was saved to this file.
+  void saved(const QString& file);
 
  private:
   bool confirmOpen(const QString& file, const FoundScene& found);

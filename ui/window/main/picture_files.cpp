@@ -23,18 +23,24 @@ QString firstExtension(const QString& filter) {
   return pattern.match(filter).captured(1);
 }
 
-const QString kSaveFolder = QStringLiteral("files/saveFolder");
+const QString kLastFolder = QStringLiteral("files/saveFolder");
 
 }  // namespace
 
-QString lastFolder(const QString& key) {
-  const QString last = QSettings().value(key).toString();
+QString proposedFolder(const QString& document) {
+  if (const QFileInfo file(document); !document.isEmpty() && file.absoluteDir().exists())
+    return file.absolutePath();
+  const QString last = QSettings().value(kLastFolder).toString();
   return !last.isEmpty() && QFileInfo(last).isDir() ? last : QDir::homePath();
+}
+
+void rememberFolder(const QString& file) {
+  if (!file.isEmpty()) QSettings().setValue(kLastFolder, QFileInfo(file).absolutePath());
 }
 
 QString askSaveFile(QWidget* parent, const QString& title, const QString& name,
                     const QString& filters, bool asksToReplace) {
-  QFileDialog dialog(parent, title, lastFolder(kSaveFolder), filters);
+  QFileDialog dialog(parent, title, proposedFolder(), filters);
   dialog.setAcceptMode(QFileDialog::AcceptSave);
   dialog.setOption(QFileDialog::DontConfirmOverwrite, !asksToReplace);
   dialog.setDefaultSuffix(firstExtension(filters));
@@ -43,7 +49,7 @@ QString askSaveFile(QWidget* parent, const QString& title, const QString& name,
   dialog.selectFile(name);
   if (dialog.exec() != QDialog::Accepted) return {};
   const QString file = dialog.selectedFiles().value(0);
-  if (!file.isEmpty()) QSettings().setValue(kSaveFolder, QFileInfo(file).absolutePath());
+  rememberFolder(file);
   return file;
 }
 

@@ -20,8 +20,12 @@ namespace asperity {
 QString askSaveFile(QWidget* parent, const QString& title, const QString& name,
                     const QString& filters, bool asksToReplace = true);
 
-/// Returns the folder that the settings keep under this key, or the home folder.
-QString lastFolder(const QString& key);
+/// Returns the folder in which a file is looked for or proposed: that of the document's file, or
+/// where it has none that of the file opened or saved last, or the home folder.
+QString proposedFolder(const QString& document = {});
+
+/// Keeps the folder of a file that was opened or saved for proposedFolder().
+void rememberFolder(const QString& file);
 
 /// Writes PNG, SVG or PDF, by the extension. Throws InputError for any other one, and as
 /// writeFileAtomically.
