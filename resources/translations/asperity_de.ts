@@ -1862,8 +1862,8 @@
         <translation>Standardfehler</translation>
     </message>
     <message>
-        <source>corr. %1</source>
-        <translation>Korr. %1</translation>
+        <source>correlation: %1</source>
+        <translation>Korrelation: %1</translation>
     </message>
     <message>
         <source>χ² = %1 for %2 degrees of freedom, %3 evaluations</source>
@@ -1874,8 +1874,8 @@
         <translation>die Punkte haben keine Fehler; sie streuen um %1 % um die Anpassung</translation>
     </message>
     <message>
-        <source>Tick the parameters to fit; limits are optional. Every trial uses the same random lines, and the weighted sum of the squared residuals is minimized.</source>
-        <translation>Die anzupassenden Parameter ankreuzen; Grenzen sind freigestellt. Jeder Versuch benutzt dieselben zufälligen Linien, und die gewichtete Summe der Fehlerquadrate wird minimiert.</translation>
+        <source>Tick the parameters to fit; limits are optional. Every trial uses the same random lines, and the weighted sum of the squared residuals is minimized. The best values appear here, and below them the curve with the points.</source>
+        <translation>Die anzupassenden Parameter ankreuzen; Grenzen sind freigestellt. Jeder Versuch benutzt dieselben zufälligen Linien, und die gewichtete Summe der Fehlerquadrate wird minimiert. Hier erscheinen die besten Werte, darunter die Kurve mit den Punkten.</translation>
     </message>
     <message>
         <source>curve misses the points</source>
@@ -2094,6 +2094,10 @@
 <context>
     <name>asperity::ImportPage</name>
     <message>
+        <source>Nothing of this file can be shown.</source>
+        <translation>Von dieser Datei lässt sich nichts zeigen.</translation>
+    </message>
+    <message>
         <source>&amp;Cancel</source>
         <translation>&amp;Abbrechen</translation>
     </message>
@@ -2133,12 +2137,12 @@
         <translation>Welche Wellenlängen zählen</translation>
     </message>
     <message>
-        <source>friction without the waves shorter than a cut-off, at this velocity</source>
-        <translation>Reibung ohne die Wellen unter einer Grenze, bei dieser Geschwindigkeit</translation>
+        <source>friction without the waves below a cut-off</source>
+        <translation>Reibung ohne die Wellen unter einer Grenze</translation>
     </message>
     <message>
-        <source>per cent of friction for a per cent of each parameter, here and now</source>
-        <translation>Prozent Reibung je Prozent jedes Parameters, hier und jetzt</translation>
+        <source>% of friction for 1 % of each parameter</source>
+        <translation>% Reibung je 1 % jedes Parameters</translation>
     </message>
 </context>
 <context>
@@ -2638,8 +2642,8 @@
         <translation>Bewahrt deine Antworten in einer Datei deiner Wahl auf</translation>
     </message>
     <message>
-        <source>Save results…</source>
-        <translation>Ergebnisse speichern…</translation>
+        <source>Results…</source>
+        <translation>Ergebnisse…</translation>
     </message>
     <message>
         <source>Ends the lesson; your own scene comes back</source>
@@ -3210,6 +3214,10 @@
 </context>
 <context>
     <name>asperity::MapPanel</name>
+    <message>
+        <source>The map is being computed…</source>
+        <translation>Die Karte wird berechnet…</translation>
+    </message>
     <message>
         <source>Shown: the mean of %1 of %2 lines. </source>
         <translation>Gezeigt: das Mittel über %1 von %2 Linien. </translation>

@@ -256,7 +256,7 @@
     </message>
     <message>
         <source>the points lie further from the curve than their errors say: chi squared is %1 for %2 degrees of freedom; the errors of the values are computed from errors of the points that are %3 times as large</source>
-        <translation>die Punkte liegen weiter von der Kurve, als ihre Fehler sagen: Chi-Quadrat ist %1 bei %2 Freiheitsgraden; die Fehler der Werte sind aus %3-mal so großen Fehlern der Punkte berechnet</translation>
+        <translation>die Punkte liegen weiter von der Kurve, als ihre Fehler sagen: χ² ist %1 bei %2 Freiheitsgraden; die Fehler der Werte sind aus %3-mal so großen Fehlern der Punkte berechnet</translation>
     </message>
     <message>
         <source>one point makes %1 % of the sum of squares: at %2 m/s friction is measured as %3 and computed as %4; check it, because it moves all values</source>
@@ -296,7 +296,7 @@
     </message>
     <message>
         <source>chi squared %1 for %2 degrees of freedom</source>
-        <translation>Chi-Quadrat %1 bei %2 Freiheitsgraden</translation>
+        <translation>χ² %1 bei %2 Freiheitsgraden</translation>
     </message>
     <message>
         <source>%1 (± standard error)</source>
@@ -420,7 +420,7 @@
     </message>
     <message>
         <source>chi squared above its least</source>
-        <translation>Chi-Quadrat über dem kleinsten</translation>
+        <translation>χ² über dem kleinsten</translation>
     </message>
     <message>
         <source>Gaussian foundation, low velocity</source>
@@ -3512,7 +3512,7 @@
     </message>
     <message>
         <source>line %1: '%2' is no number</source>
-        <translation>Zeile %1: '%2' ist keine Zahl</translation>
+        <translation>Zeile %1: „%2“ ist keine Zahl</translation>
     </message>
     <message>
         <source>its column %1 is a spectrum of a line, which surface.spectrum_kind does not say</source>
@@ -3528,7 +3528,7 @@
     </message>
     <message>
         <source>has no rows of numbers; line %1: '%2' is no number</source>
-        <translation>hat keine Zeilen mit Zahlen; Zeile %1: '%2' ist keine Zahl</translation>
+        <translation>hat keine Zeilen mit Zahlen; Zeile %1: „%2“ ist keine Zahl</translation>
     </message>
     <message>
         <source>has more than %1 numbers</source>
@@ -4803,8 +4803,8 @@
         <translation>Auswertung</translation>
     </message>
     <message>
-        <source>chi squared</source>
-        <translation>Chi-Quadrat</translation>
+        <source>least χ² so far</source>
+        <translation>kleinstes χ² bisher</translation>
     </message>
     <message>
         <source>a fit</source>
@@ -4816,7 +4816,7 @@
     </message>
     <message>
         <source>'%1' is no unit of temperature</source>
-        <translation>'%1' ist keine Einheit der Temperatur</translation>
+        <translation>„%1“ ist keine Einheit der Temperatur</translation>
     </message>
     <message>
         <source>the unit '%1' is no unit of strain; known are %, ppm, mm/mm</source>
@@ -6720,11 +6720,11 @@
     </message>
     <message>
         <source>column %1 '%2' (in SI units)</source>
-        <translation>Spalte %1 '%2' (in SI-Einheiten)</translation>
+        <translation>Spalte %1 „%2“ (in SI-Einheiten)</translation>
     </message>
     <message>
         <source>column %1 '%2' (%3)</source>
-        <translation>Spalte %1 '%2' (%3)</translation>
+        <translation>Spalte %1 „%2“ (%3)</translation>
     </message>
     <message>
         <source>the spectrum is of an isotropic area, per wave number q: h² = 2π ∫ C q dq</source>

@@ -23,6 +23,8 @@ class MarkerItem : public QGraphicsItem {
   void update(const ChartGeometry& geometry, const std::optional<DiagramMarker>& marker,
               double lineX, const ChartStyle& style, const QList<QRectF>& taken,
               const QRectF& sentence);
+  /// Returns the rectangle of the label; empty where there is none.
+  QRectF label() const { return label_; }
   QRectF boundingRect() const override { return bounds_; }
   void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;
 

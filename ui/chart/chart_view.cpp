@@ -190,6 +190,8 @@ OccupancyGrid ChartView::covered() const {
   covered.addLine({{x, area.y}, {x, area.bottom()}}, 1);
   for (const QRectF& name : panels_[0]->namesInside())
     covered.addBox(toBox(name.translated(corner())), 1);
+  if (const QRectF label = marker_->label(); !label.isEmpty())
+    covered.addBox(toBox(label.translated(corner())), 1);
   return covered;
 }
 

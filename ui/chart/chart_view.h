@@ -57,8 +57,8 @@ class ChartView : public QWidget {
   /// Returns the frame of the first diagram in the widget's pixels; none before it is laid out.
   std::optional<ChartGeometry> frame() const;
 
-  /// Returns what curves, names and the line of the marker cover in the frame of the first diagram,
-  /// in the widget's pixels.
+  /// Returns what curves, names and the marker with its label cover in the frame of the first
+  /// diagram, in the widget's pixels.
   OccupancyGrid covered() const;
 
   /// Returns the visible range: the axes of the sheet unless zoomed.

@@ -41,6 +41,13 @@ QLabel* textLabel(const QString& name) {
   return label;
 }
 
+QLabel* errorTextLabel(const QString& name) {
+  QLabel* label = textLabel(name);
+  label->setProperty("role", "error");
+  label->setStyleSheet(panelStyleSheet(label->palette()));
+  return label;
+}
+
 QProgressBar* thinProgress(const QString& name, int width) {
   auto* bar = named<QProgressBar>(name);
   bar->setTextVisible(false);

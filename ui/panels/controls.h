@@ -49,6 +49,9 @@ QScrollArea* scrolled(QWidget* content, Qt::ScrollBarPolicy sideways = Qt::Scrol
 /// Makes a label of several lines of plain text, which a user can select and copy.
 QLabel* textLabel(const QString& name);
 
+/// Makes such a label for an error, in the colour that errors have everywhere.
+QLabel* errorTextLabel(const QString& name);
+
 /// Makes a thin bar of progress without a text.
 QProgressBar* thinProgress(const QString& name, int width = 120);
 

@@ -7,11 +7,15 @@
 #include <QDir>
 #include <QElapsedTimer>
 #include <QFile>
+#include <QListWidget>
 #include <QMenu>
 #include <QPointer>
 #include <QProcess>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSpinBox>
+#include <QTabBar>
 #include <QTableWidget>
 #include <QTemporaryDir>
 #include <QToolButton>
@@ -111,6 +115,32 @@ TEST_F(FitPageTest, FindsTheValuesAndTheSceneTakesThemInOneStep) {
   window_.document().history().undo();
   EXPECT_DOUBLE_EQ(scene().surface.rmsHeight, before.surface.rmsHeight);
   EXPECT_DOUBLE_EQ(scene().elastomer.relaxationTime, before.elastomer.relaxationTime);
+}
+
+/// Before a fit there is nothing to show but how to begin; tables are shown by their file names.
+TEST_F(FitPageTest, ShowsNoEmptyDiagramBeforeTheFirstFit) {
+  FitPage& page = openPage(withData());
+  EXPECT_FALSE(page.findChild<QTabBar*>("fitSheets")->isVisibleTo(&page));
+  EXPECT_FALSE(page.findChild<DiagramView*>("fitSheet")->isVisibleTo(&page));
+  EXPECT_EQ(page.findChild<QListWidget*>("fitTables")->item(0)->text(), "mine.csv");
+}
+
+/// The correlations are a line of the notes, which wraps.
+TEST_F(FitPageTest, TheValuesFitIntoANarrowPage) {
+  useLanguage("de");
+  FitPage& page = openPage(withData());
+  page.resize(984, 620);
+  tick(page, "surface.rms_height");
+  tick(page, "elastomer.relaxation_time");
+  ASSERT_TRUE(fit(page));
+  ASSERT_TRUE(page.fitted()) << page.errorText().toStdString();
+  EXPECT_TRUE(page.findChild<QLabel*>("fitNotes")->text().contains("Korrelation: r("));
+  EXPECT_TRUE(page.findChild<DiagramView*>("fitSheet")->isVisibleTo(&page));
+  const auto* texts = page.findChild<QScrollArea*>();
+  ASSERT_TRUE(texts->isAncestorOf(page.findChild<QLabel*>("fitTable")));
+  EXPECT_TRUE(waitFor([&] { return texts->horizontalScrollBar()->maximum() == 0; }));
+  EXPECT_EQ(texts->verticalScrollBar()->maximum(), 0);
+  useLanguage("en");
 }
 
 TEST_F(FitPageTest, TheNamesOfTheParametersAreNotCut) {

@@ -8,6 +8,7 @@
 #include <QDockWidget>
 #include <QGuiApplication>
 #include <QLabel>
+#include <QLayout>
 #include <QListWidget>
 #include <QPushButton>
 #include <QScreen>
@@ -22,6 +23,7 @@
 #include "tests/ui/window/qt_application.h"
 #include "tests/ui/window/readable_widgets.h"
 #include "tests/ui/window/window_in.h"
+#include "ui/panels/parameter_panel.h"
 #include "ui/window/lesson/lesson_editor.h"
 #include "ui/window/lesson/lesson_list.h"
 #include "ui/window/lesson/lesson_pane.h"
@@ -86,6 +88,13 @@ void findWhatIsOutOfSight(MainWindow& window, Faults& faults) {
   const auto* scroll = pane.findChild<QScrollArea*>();
   if (scroll->widget()->width() > scroll->viewport()->width())
     faults.push_back("the texts would have to be scrolled sideways");
+  // The text is not scrolled while there is room below the parameters.
+  const auto* rows = window.findChild<ParameterPanel*>()->findChild<QScrollArea*>();
+  constexpr int kRoom = 20;  // pixels that are not worth a movement of the border
+  const int room =
+      rows->viewport()->height() - rows->widget()->layout()->totalMinimumSize().height();
+  if (rows->isVisible() && scroll->verticalScrollBar()->maximum() > 0 && room > kRoom)
+    faults.push_back("the text is scrolled beside free room");
   // What the step speaks of is to be seen beside it.
   if (window.tabs().width() < kLeastChart.width() || window.tabs().height() < kLeastChart.height())
     faults.push_back("the chart is too small");

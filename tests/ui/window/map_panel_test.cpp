@@ -59,6 +59,13 @@ TEST_F(MapPanelTest, TheCrossOfAnotherScenesMapDoesNotBringThatSceneBack) {
   EXPECT_EQ(edited.count(), 0);
 }
 
+/// The first map takes a while; an empty page would look as if there were none.
+TEST_F(MapPanelTest, SaysThatTheFirstMapIsBeingComputed) {
+  EXPECT_EQ(panel_.view().placeholder(), QStringLiteral("The map is being computed…"));
+  ASSERT_TRUE(waitForMap());
+  EXPECT_EQ(panel_.view().placeholder(), QString());
+}
+
 TEST_F(MapPanelTest, AHiddenMapIsNotComputedOn) {
   ASSERT_TRUE(waitForMap());
   const auto before = panel_.map();

@@ -58,5 +58,29 @@ TEST(PredictionPoint, ItsLabelIsBesideItWhereThatIsFree) {
   EXPECT_TRUE(point.label().adjusted(-15, -15, 15, 15).contains(at));
 }
 
+TEST(PredictionPoint, ItsLabelDoesNotLieOnThatOfTheMarker) {
+  ChartView chart;
+  chart.resize(800, 500);
+  chart.setTheme(printTheme());
+  DiagramSheet sheet = crowdedSheet();
+  sheet.diagrams[0].series.resize(1);
+  DiagramMarker marker;
+  marker.x = 0.5;
+  marker.y = 0.8;
+  marker.label = Message::name("v = 10 mm/s");
+  sheet.diagrams[0].marker = marker;
+  chart.setSheet(sheet);
+  chart.show();
+  QTest::qWait(1);
+  // Beside the line of the marker, where its label is: at the foot of the frame.
+  PredictionPoint point(chart);
+  point.showDecided(0.56, 0.03, PredictionPoint::Whose::Computed);
+  point.grab();
+  const QPointF foot = chart.mapToPosition(0.5, 0);
+  const QRectF ofMarker(foot + QPointF(6, -22), QSizeF(50, 12));  // inside the marker's label
+  ASSERT_FALSE(point.label().isEmpty());
+  EXPECT_FALSE(point.label().intersects(ofMarker));
+}
+
 }  // namespace
 }  // namespace asperity

@@ -264,12 +264,13 @@ TEST_F(GalleryTest, TextsFitTheirCards) {
     QCoreApplication::processEvents();
     QFont bold = cards().font();
     bold.setBold(true);
-    int right = 0;
+    int right = 0, rightOfCards = 0;
     for (int row = 0; row < cards().count(); ++row) {
       const QListWidgetItem& item = *cards().item(row);
       const QRect place = cards().visualItemRect(&item);
       right = std::max(right, place.right());
       if (!(item.flags() & Qt::ItemIsEnabled)) continue;
+      rightOfCards = std::max(rightOfCards, place.right());
       const QRect inside(0, 0, place.width() - 23, 9999);
       const int texts =
           QFontMetrics(bold)
@@ -281,6 +282,9 @@ TEST_F(GalleryTest, TextsFitTheirCards) {
       EXPECT_LE(0.6 * place.width() + texts + 10, place.height()) << width << " " << row;
     }
     EXPECT_LE(right, cards().viewport()->width()) << width;
+    // A full row uses the width: no broader strip is free behind it than before it.
+    constexpr int kRest = 12;  // pixels that the columns cannot share
+    EXPECT_GE(rightOfCards, cards().viewport()->width() - cards().spacing() - kRest) << width;
   }
 }
 

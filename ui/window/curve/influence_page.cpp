@@ -86,9 +86,8 @@ void InfluencePage::showTexts() {
   choice_->setAccessibleName(tr("what friction depends on"));
   choice_->setItemText(0, tr("Which parameter matters"));
   choice_->setItemText(1, tr("Which wavelengths matter"));
-  hint_->setText(showsWaves()
-                     ? tr("friction without the waves shorter than a cut-off, at this velocity")
-                     : tr("per cent of friction for a per cent of each parameter, here and now"));
+  hint_->setText(showsWaves() ? tr("friction without the waves below a cut-off")
+                              : tr("% of friction for 1 % of each parameter"));
   view_->setAccessibleName(choice_->currentText());
   view_->setToolTip(translatedText(note_));
 }

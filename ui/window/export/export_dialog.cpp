@@ -59,7 +59,7 @@ ExportDialog::ExportDialog(Subject subject, ExportKind kind, const QString& prog
       preview_(new ExportPreview),
       file_(named<QLineEdit>("exportFile")),
       command_(fixedText("exportCommand")),
-      failure_(named<QLabel>("exportFailure")),
+      failure_(errorTextLabel("exportFailure")),
       progress_(named<QProgressBar>("exportProgress")),
       quiet_(new QTimer(this)),
       previews_(new CommandRun(program, this)),
@@ -140,8 +140,6 @@ QWidget* ExportDialog::makeBottom() {
   grid->addWidget(command_, 1, 1);
   grid->addWidget(copy, 1, 2, Qt::AlignTop);
 
-  failure_->setWordWrap(true);
-  failure_->setTextFormat(Qt::PlainText);
   failure_->setMinimumHeight(2 * QFontMetrics(failure_->font()).lineSpacing());
   progress_->setAccessibleName(tr("progress of the export"));
   progress_->setTextVisible(true);
@@ -149,12 +147,12 @@ QWidget* ExportDialog::makeBottom() {
   row->addStrut(failure_->minimumHeight());  // so that nothing moves while the bar is shown
   row->addWidget(failure_, 1);
   row->addWidget(progress_, 1);
-  write_ = named<QPushButton>("exportWrite", tr("&Export"));
-  connect(write_, &QPushButton::clicked, this, &ExportDialog::write);
   close_ = named<QPushButton>("exportClose");
   connect(close_, &QPushButton::clicked, this, &ExportDialog::reject);
-  row->addWidget(write_);
+  write_ = named<QPushButton>("exportWrite", tr("&Export"));
+  connect(write_, &QPushButton::clicked, this, &ExportDialog::write);
   row->addWidget(close_);
+  row->addWidget(write_);
   grid->addLayout(row, 2, 0, 1, 3);
   showRunning(false);
   return bottom;
@@ -375,7 +373,7 @@ void ExportDialog::showFailure(const QString& reason) {
   write_->setEnabled(reason.isEmpty() && !writing_->isRunning());
 }
 
-/// While the file is written nothing can be changed, and the button at the right cancels.
+/// While the file is written nothing can be changed, and the button that closes cancels.
 void ExportDialog::showRunning(bool isRunning) {
   for (QWidget* control : Widgets{form_, file_, browse_, write_}) control->setEnabled(!isRunning);
   progress_->setVisible(isRunning);

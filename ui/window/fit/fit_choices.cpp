@@ -1,6 +1,7 @@
 #include "ui/window/fit/fit_choices.h"
 
 #include <QCheckBox>
+#include <QFileInfo>
 #include <QFormLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -170,7 +171,7 @@ void FitChoices::fillKeys() {
 void FitChoices::fillTables() {
   tables_->setAccessibleName(tr("measured friction"));
   for (const DataFile& table : scene_.comparison.data) {
-    auto* item = new QListWidgetItem(tableName(table), tables_);
+    auto* item = new QListWidgetItem(QFileInfo(tableName(table)).fileName(), tables_);
     item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable | Qt::ItemIsSelectable);
     item->setCheckState(Qt::Checked);
     item->setToolTip(fromUtf8((scene_.folder / table.file).string()));

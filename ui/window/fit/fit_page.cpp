@@ -69,7 +69,7 @@ FitPage::FitPage(const Scene& scene, const FitSelection& before, const Theme& th
       close_(named<QPushButton>("fitClose", tr("&Close"))),
       table_(named<QLabel>("fitTable")),
       notes_(named<QLabel>("fitNotes")),
-      errorLabel_(textLabel("fitComplaint")),
+      errorLabel_(errorTextLabel("fitComplaint")),
       progressText_(new QLabel),
       progress_(thinProgress("fitProgress")),
       sheets_(named<QTabBar>("fitSheets")),
@@ -90,17 +90,17 @@ FitPage::FitPage(const Scene& scene, const FitSelection& before, const Theme& th
   right->setSpacing(8);
   halves->addLayout(right, 1);
   buildResult(theme);
-  auto* texts = new QWidget;
-  auto* column = flush<QVBoxLayout>(texts);
+  texts_ = new QWidget;
+  auto* column = flush<QVBoxLayout>(texts_);
   column->addWidget(table_);
   column->addWidget(notes_);
   column->addStretch(1);
-  auto* scroll = scrolled(texts);
-  scroll->setAccessibleName(tr("values and notes of the fit"));
-  scroll->setFixedHeight(10 * fontMetrics().lineSpacing());
-  right->addWidget(scroll);
+  scroll_ = scrolled(texts_);
+  scroll_->setAccessibleName(tr("values and notes of the fit"));
+  right->addWidget(scroll_);
   right->addWidget(sheets_);
   right->addWidget(sheet_, 1);
+  right->addStretch(0);  // below the notes, before there is a diagram
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(14, 12, 14, 12);
   all->addLayout(halves, 1);
@@ -112,7 +112,8 @@ FitPage::FitPage(const Scene& scene, const FitSelection& before, const Theme& th
   connect(this, &QDialog::finished, this, [this] { work_.cancel(); });
   notes_->setText(
       tr("Tick the parameters to fit; limits are optional. Every trial uses the same random lines, "
-         "and the weighted sum of the squared residuals is minimized."));
+         "and the weighted sum of the squared residuals is minimized. The best values appear here, "
+         "and below them the curve with the points."));
   showState();
   showSheet();
 }
@@ -235,11 +236,25 @@ void FitPage::take(std::shared_ptr<const FittedCurve> fitted) {
   table_->show();
   notes_->setText(keptTogether(fittedNotes(fitted_->fit)));
   sheets_->setTabEnabled(kProfiles, !fitted_->fit.profiles.empty());
+  giveTextsHeight();
   finish({});
   if (sheets_->currentIndex() == kProgress)
     sheets_->setCurrentIndex(kCurve);
   else
     showSheet();
+}
+
+/// Gives the texts the height that they need, up to a part of the page: the diagram takes the rest.
+void FitPage::giveTextsHeight() {
+  constexpr double kMost = 0.42;  // of the page
+  const int needed = texts_->layout()->totalHeightForWidth(scroll_->width());
+  scroll_->setFixedHeight(std::min(needed, static_cast<int>(kMost * height())));
+}
+
+void FitPage::resizeEvent(QResizeEvent* event) {
+  QDialog::resizeEvent(event);
+  layout()->activate();  // the texts have their width
+  giveTextsHeight();
 }
 
 void FitPage::finish(const QString& errorText) {
@@ -253,6 +268,7 @@ void FitPage::showState() {
   choices_->setEnabled(!isFitting_);
   close_->setEnabled(!isSaving_);
   for (QWidget* part : Widgets{progress_, progressText_}) part->setVisible(isFitting_);
+  for (QWidget* part : Widgets{sheets_, sheet_}) part->setVisible(isFitting_ || fitted_);
   for (QPushButton* button : {save_, use_})
     button->setEnabled(fitted_ && !isFitting_ && !isSaving_);
 }

@@ -51,6 +51,7 @@ class FitPage : public QDialog {
  protected:
   void reject() override;
   void keyPressEvent(QKeyEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void buildResult(const Theme& theme);
@@ -60,6 +61,7 @@ class FitPage : public QDialog {
   void stop();
   void showProgress(int evaluations, double chiSquared);
   void take(std::shared_ptr<const FittedCurve> fitted);
+  void giveTextsHeight();
   void finish(const QString& errorText);
   void showState();
   void showSheet();
@@ -75,6 +77,8 @@ class FitPage : public QDialog {
   QPushButton *run_, *save_, *use_, *close_;
   QLabel *table_, *notes_, *errorLabel_, *progressText_;
   QProgressBar* progress_;
+  QWidget* texts_ = nullptr;  // values and notes, within `scroll_`
+  QScrollArea* scroll_ = nullptr;
   QTabBar* sheets_;
   DiagramView* sheet_;
   // Last: their threads end before other members are destroyed.

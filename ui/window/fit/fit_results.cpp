@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "core/base/atomic_file.h"
@@ -83,42 +84,39 @@ QString combinationText(const Fit& fit) {
       .arg(factors.join(QStringLiteral(" · ")), readingLabel(100 * best.standardError, 2));
 }
 
+/// Returns the correlation of each pair of parameters: "correlation: r(τ, h) = −0.34".
+QString correlationsText(const Fit& fit) {
+  QStringList pairs;
+  for (std::size_t k = 0; k < fit.parameters.size(); ++k)
+    for (std::size_t j = k + 1; j < fit.parameters.size(); ++j) {
+      const double value =
+          fit.correlation(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(j));
+      const QString text = std::isfinite(value)
+                               ? inLanguage(QString::fromStdString(printedDecimals(value, 2)))
+                               : QStringLiteral("–");
+      pairs += QStringLiteral("r(%1, %2) = %3")
+                   .arg(shortName(fit.parameters[k]), shortName(fit.parameters[j]), text);
+    }
+  return FitPage::tr("correlation: %1").arg(pairs.join(QStringLiteral("; ")));
+}
+
 }  // namespace
 
 QString fittedTable(const Fit& fit) {
   const auto cell = [](const QString& text, const char* align) {
     return QStringLiteral("<td align=%1 style='padding-right:8px'>%2</td>").arg(align, text);
   };
-  const bool hasOthers = fit.parameters.size() > 1;
   QString rows = "<tr>" + cell(FitPage::tr("parameter"), "left") +
                  cell("<b>" + FitPage::tr("best value") + "</b>", "right") +
-                 cell(FitPage::tr("standard error"), "right") + cell(QString(), "left");
-  if (hasOthers)
-    for (const FittedParameter& other : fit.parameters) {
-      const QString name = shortName(other);
-      rows += cell(&other == &fit.parameters.front() ? FitPage::tr("corr. %1").arg(name) : name,
-                   "right");
-    }
-  rows += "</tr>";
-  for (std::size_t k = 0; k < fit.parameters.size(); ++k) {
-    const FittedParameter& parameter = fit.parameters[k];
+                 cell(FitPage::tr("standard error"), "right") + cell(QString(), "left") + "</tr>";
+  for (const FittedParameter& parameter : fit.parameters) {
     const Parameter& row = *findParameter(parameter.key);
     QString name = ParameterRow::labelText(row).toHtmlEscaped();
     if (!row.symbol.empty()) name += "&nbsp; " + symbolHtml(row.symbol);
     rows +=
         "<tr>" + cell(name, "left") +
         cell("<b>" + quantityLabel(parameter.value, row.unit).toHtmlEscaped() + "</b>", "right") +
-        cell(errorText(parameter), "right") + cell(stateText(parameter, fit), "left");
-    if (hasOthers)
-      for (std::size_t j = 0; j < fit.parameters.size(); ++j) {
-        const double value =
-            fit.correlation(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(j));
-        const QString text = std::isfinite(value)
-                                 ? inLanguage(QString::fromStdString(printedDecimals(value, 2)))
-                                 : QStringLiteral("–");
-        rows += cell(j == k ? QStringLiteral("1") : text, "right");
-      }
-    rows += "</tr>";
+        cell(errorText(parameter), "right") + cell(stateText(parameter, fit), "left") + "</tr>";
   }
   return "<table cellspacing=0 cellpadding=1>" + rows + "</table>";
 }
@@ -133,6 +131,7 @@ QString fittedNotes(const Fit& fit) {
                  .arg(readingLabel(fit.chiSquared, 4))
                  .arg(fit.freedom)
                  .arg(fit.evaluations);
+  if (fit.parameters.size() > 1) lines += correlationsText(fit);
   const bool isOpen = !std::ranges::all_of(fit.parameters, &FittedParameter::isDetermined);
   const bool areFactors = std::ranges::all_of(fit.parameters, &FittedParameter::isLogarithmic);
   if (isOpen && areFactors && fit.parameters.size() > 1) lines += combinationText(fit);
@@ -145,12 +144,16 @@ DiagramSheet progressSheet(std::span<const double> chiSquared) {
   Diagram diagram;
   diagram.x = {"evaluation", "", AxisScale::Linear, 0,
                std::max(10.0, static_cast<double>(chiSquared.size()) + 1)};
-  diagram.y = {"chi squared", "", AxisScale::Logarithmic};
+  // Profiles evaluate beside the minimum, so the values themselves would end high.
+  diagram.y = {"least χ² so far", "", AxisScale::Logarithmic};
   DiagramSeries series;
   series.mark = SeriesMark::Circle;
   series.colour = 0;
-  for (std::size_t i = 0; i < chiSquared.size(); ++i)
-    series.points.push_back({static_cast<double>(i + 1), chiSquared[i]});
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < chiSquared.size(); ++i) {
+    least = std::min(least, chiSquared[i]);
+    series.points.push_back({static_cast<double>(i + 1), least});
+  }
   diagram.series = {std::move(series)};
   DiagramSheet sheet;
   sheet.diagrams = {std::move(diagram)};

@@ -1,5 +1,5 @@
-// What the page of a fit shows and saves: the values with errors and correlations as a table of
-// rich text, the notes, a diagram of the progress, and the report as files.
+// What the page of a fit shows and saves: the values with errors as a table of rich text,
+// the notes with the correlations, a diagram of the progress, and the report as files.
 #pragma once
 
 #include <QString>
@@ -13,16 +13,16 @@
 
 namespace asperity {
 
-/// Returns one row for each parameter: best value, standard error, whether the data determine it,
-/// and its correlations with the others. This and the next function: GUI thread, whose language
-/// they have.
+/// Returns one row for each parameter: best value, standard error, and whether the data determine
+/// it. This and the next function: GUI thread, whose language they have.
 QString fittedTable(const Fit& fit);
 
-/// Returns the sum of squares, the products that are determined where a single parameter is not,
-/// and the notes of the fit with the names of the panel instead of keys; one line each.
+/// Returns the sum of squares, the correlations, the products that are determined where a single
+/// parameter is not, and the notes of the fit with the names of the panel instead of keys; one line
+/// each.
 QString fittedNotes(const Fit& fit);
 
-/// Returns a diagram of the sums of squares so far over the number of evaluations.
+/// Returns a diagram of the least sum of squares so far over the number of evaluations.
 DiagramSheet progressSheet(std::span<const double> chiSquared);
 
 /// Writes the report of a fit into the folder, which is made where it is missing: the files of

@@ -208,13 +208,13 @@ void CardList::showPicture(const QString& name) {
 
 /// Sets the size of all cards: as many columns as fit, and as high as the longest texts need.
 void CardList::layOut() {
-  const int available = viewport()->width() - 2 * kGap;
+  const int available = viewport()->width() - spacing();  // each card has its spacing behind it
   const int letters = QFontMetrics(font()).averageCharWidth();
-  const int least = std::max(kMinCard, 30 * letters);
-  const int most = std::max(kMaxCard, 50 * letters);
-  const int fitting = std::max(1, (available + kGap) / (least + kGap));
+  const int least = std::max(kMinCard, 30 * letters) + spacing();
+  const int most = std::max(kMaxCard, 50 * letters) + spacing();
+  const int fitting = std::max(1, available / least);
   const int columns = std::max(std::min(kDefaultColumns, fitting), (available + most - 1) / most);
-  const int width = std::max(80, (available - (columns - 1) * kGap) / columns - 1);
+  const int width = std::max(80, available / columns - spacing() - 1);
   int texts = 0;
   const int inside = width - 2 * kInside - 3;
   for (const int row : cardRows())

@@ -48,7 +48,7 @@ ImportPage::ImportPage(const QString& file, const QString& accept, QWidget* pare
       views_(new QVBoxLayout(shown_)),
       beginning_(fixedText("importBeginning")),
       halves_(new QHBoxLayout),
-      errorLabel_(textLabel("importComplaint")),
+      errorLabel_(errorTextLabel("importComplaint")),
       progress_(thinProgress("importProgress")),
       stop_(named<QToolButton>("importStop")),
       accept_(named<QPushButton>("importAccept", accept)),
@@ -64,13 +64,14 @@ ImportPage::ImportPage(const QString& file, const QString& accept, QWidget* pare
   views_->setContentsMargins(0, 0, 0, 0);
   beginning_->setAccessibleName(tr("the first lines of the file"));
   beginning_->setLineWrapMode(QPlainTextEdit::NoWrap);
+  beginning_->setPlaceholderText(tr("Nothing of this file can be shown."));
   beginning_->hide();
   auto* left = new QVBoxLayout;
   left->setSpacing(8);
   left->addWidget(name);
   left->addWidget(shown_, 1);
   left->addWidget(beginning_, 1);
-  left->addStretch(0);  // below the name of a file of which nothing can be shown
+  left->addStretch(0);  // below the name, before the file is read
   halves_->setSpacing(12);
   halves_->addLayout(left, 1);
 
@@ -84,8 +85,6 @@ ImportPage::ImportPage(const QString& file, const QString& accept, QWidget* pare
 /// Adds the error and the buttons below the widgets of the derived class, and so behind them in the
 /// order of the Tab key.
 void ImportPage::addFoot(QVBoxLayout& page) {
-  errorLabel_->setProperty("role", "error");
-  errorLabel_->setStyleSheet(panelStyleSheet(palette()));
   errorLabel_->setMinimumHeight(3 * fontMetrics().lineSpacing());
   progress_->setRange(0, 1000);
   progress_->setAccessibleName(tr("progress of reading"));
@@ -159,7 +158,7 @@ void ImportPage::setState(State state) {
 /// Shows the first lines of the file, so that the user can name its columns.
 void ImportPage::showBeginning() {
   beginning_->setPlainText(beginningOf(file_.toStdString()));
-  beginning_->setVisible(!beginning_->document()->isEmpty());
+  beginning_->show();
 }
 
 void ImportPage::pressStop() {

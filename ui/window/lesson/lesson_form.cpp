@@ -103,6 +103,11 @@ void AssignmentList::showRows() {
   rows->setContentsMargins(0, 0, 0, 0);
   rows->setSpacing(3);
   for (std::size_t i = 0; i < assignments_.size(); ++i) rows->addWidget(makeRow(i));
+  // All values begin at the same place.
+  const QList<QLabel*> names = rows_->findChildren<QLabel*>();
+  int widest = 0;
+  for (const QLabel* name : names) widest = std::max(widest, name->sizeHint().width());
+  for (QLabel* name : names) name->setMinimumWidth(widest);
   column_->insertWidget(0, rows_);
   rows_->setVisible(!assignments_.empty());
   if (previous->window() != window()) return;
@@ -122,7 +127,6 @@ QWidget* AssignmentList::makeRow(std::size_t index) {
   line->setContentsMargins(0, 0, 0, 0);
   const QString label = row ? ParameterRow::labelText(*row) : QString::fromStdString(key);
   auto* name = new QLabel(label);
-  name->setMinimumWidth(16 * fontMetrics().horizontalAdvance('0'));
   if (row) name->setToolTip(translatedText(row->sentence) + '\n' + QString::fromStdString(key));
   line->addWidget(name);
   QWidget* value = nullptr;
@@ -266,7 +270,7 @@ QPlainTextEdit* LessonForm::addText(const QString& label, const char* name, int 
   auto* text = new QPlainTextEdit;
   nameField(*text, label, name);
   text->setTabChangesFocus(true);
-  text->setFixedHeight(lines * fontMetrics().lineSpacing() + 12);
+  text->setFixedHeight(lines * fontMetrics().lineSpacing() + 16);
   // Otherwise the rows would share the space below them.
   text->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   connect(text, &QPlainTextEdit::textChanged, this, &LessonForm::notifyEdited);

@@ -5,6 +5,7 @@
 #include <QDockWidget>
 #include <QHBoxLayout>
 #include <QMainWindow>
+#include <QScrollArea>
 #include <QTimer>
 #include <QToolButton>
 #include <algorithm>
@@ -29,10 +30,20 @@ namespace asperity {
 
 namespace {
 
-// The heights in pixels of the pane and of the parameters below it: a step frees only a few of
-// them.
+// The heights in pixels of the pane and of the parameters below it at the start: a step frees only
+// a few of them.
 constexpr int kDefaultHeight = 430, kParametersHeight = 230;
 constexpr int kMinHeight = 260;  // of the pane
+
+/// Returns by how many pixels the content of an area is higher than what is shown of it; below 0
+/// there is room left.
+int hiddenHeight(const QScrollArea& area) {
+  const QLayout& layout = *area.widget()->layout();
+  const int width = area.viewport()->width();
+  const int needed = layout.hasHeightForWidth() ? layout.totalHeightForWidth(width)
+                                                : layout.minimumSize().height();
+  return needed - area.viewport()->height();
+}
 
 /// The commands of a running lesson.
 const std::initializer_list<const char*> kStepCommands = {"lessonBackStep", "lessonNextStep",
@@ -56,6 +67,9 @@ LessonPlayer::LessonPlayer(const Parts& parts)
           [this](const GivenAnswer& given) { answer(given, false); });
   connect(pane_, &LessonPane::solutionRequested, this, [this] { answer({}, true); });
   connect(point_, &PredictionPoint::placed, this, [this] { pane_->setPointPlaced(true); });
+  // The rows and the texts of the step get their heights with the next events.
+  connect(this, &LessonPlayer::stepShown, this,
+          [this] { QTimer::singleShot(0, this, &LessonPlayer::shareHeight); });
   connect(&parts_.document, &SceneDocument::sceneChanged, this,
           [this](const Scene&, SceneChange change) {
             // It runs later: the document is in the middle of its step.
@@ -91,8 +105,8 @@ void LessonPlayer::buildDock() {
   keepTranslated(*dock_, [this] {
     dock_->setWindowTitle(tr("Lesson"));
     keep_->setToolTip(tr("Keeps your answers in a file of your choice"));
-    keep_->setText(tr("Save results…"));
-    keep_->setAccessibleName(tr("Save results…"));
+    keep_->setText(tr("Results…"));
+    keep_->setAccessibleName(keep_->toolTip());
     close_->setToolTip(tr("Ends the lesson; your own scene comes back"));
     close_->setAccessibleName(tr("end the lesson"));
     if (isRunning()) translateStep();
@@ -231,6 +245,26 @@ Scene LessonPlayer::shownScene() const {
   scene.title = shown(present().title);
   scene.description.clear();
   return scene;
+}
+
+/// Moves the border between the pane and the parameters where one of them has to be scrolled while
+/// the other has room. Where both have to be, the parameters are shown whole if the pane can give
+/// the height: the text may tell the student to move one of them. Elsewhere the border stays, and
+/// with it the buttons.
+void LessonPlayer::shareHeight() {
+  const auto* text = pane_->findChild<QScrollArea*>();
+  const auto* rows = parts_.panel.findChild<QScrollArea*>();
+  if (!isRunning() || !parts_.parameters.isVisible() || !text || !rows) return;
+  const int hiddenText = hiddenHeight(*text), hiddenRows = hiddenHeight(*rows);
+  int toRows = 0;
+  if (hiddenRows > 0)
+    toRows = std::min(hiddenRows, pane_->height() - kMinHeight);
+  else if (hiddenText > 0)
+    toRows = -std::min(hiddenText, -hiddenRows);
+  if (toRows == 0) return;
+  parts_.window.resizeDocks({dock_, &parts_.parameters},
+                            {dock_->height() - toRows, parts_.parameters.height() + toRows},
+                            Qt::Vertical);
 }
 
 /// Frees and locks the controls. Before the prediction is made all are locked: trying them would

@@ -89,6 +89,7 @@ class LessonPlayer : public QObject {
   void showTitle();
   void showScene();
   Scene shownScene() const;
+  void shareHeight();
   void showControls();
   void lockControls();
   void showChart();

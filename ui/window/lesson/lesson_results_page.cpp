@@ -1,8 +1,10 @@
 #include "ui/window/lesson/lesson_results_page.h"
 
+#include <QDateTime>
 #include <QDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
+#include <QLocale>
 #include <QPushButton>
 #include <QTextBrowser>
 #include <QVBoxLayout>
@@ -81,14 +83,30 @@ QString shortAnswer(const LessonResult& result, const LessonStep* asked,
 }
 
 /// Returns a row of a table; its cells are HTML.
-QString rowHtml(const QStringList& cells, const QString& cell = QStringLiteral("td")) {
-  const QString begin = "<" + cell + " align=\"left\">", end = "</" + cell + ">";
+QString rowHtml(const QStringList& cells, const QString& cell = QStringLiteral("td"),
+                const QString& style = {}) {
+  const QString begin = "<" + cell + " align=\"left\" style=\"" + style + "\">";
+  const QString end = "</" + cell + ">";
   return "<tr>" + begin + cells.join(end + begin) + end + "</tr>";
 }
 
 QString tableOf(const QString& rows) {
-  return "<table cellpadding=\"4\">" + rows + "</table>";
+  return "<table cellpadding=\"5\" cellspacing=\"0\" border=\"1\" "
+         "style=\"border-collapse: collapse; border-color: gray\">" +
+         rows + "</table>";
 }
+
+/// Returns the date and time of results as the language of the window writes them; a text that is
+/// no ISO date stays.
+QString dateText(const std::string& date) {
+  const QString text = QString::fromStdString(date);
+  const QDateTime time = QDateTime::fromString(text, Qt::ISODate);
+  if (!time.isValid()) return text;
+  return QLocale(fromUtf8(presentLanguage())).toString(time, QLocale::ShortFormat);
+}
+
+/// The answers of a student stay in one line each; other texts of the page break.
+const QString kOneLine = QStringLiteral("white-space: nowrap");
 
 /// Returns the table of the students in one lesson.
 QString classTable(const std::vector<StudentResults>& students) {
@@ -104,7 +122,7 @@ QString classTable(const std::vector<StudentResults>& students) {
     heads += LessonResultsPage::tr("Step") + ' ' + QString::number(step + 1);
     answers += "<b>" + right.toHtmlEscaped() + "</b>";
   }
-  QString rows = rowHtml(heads, "th") + rowHtml(answers);
+  QString rows = rowHtml(heads, "th", kOneLine) + rowHtml(answers, "td", kOneLine);
   for (const StudentResults& student : students) {
     const LessonResults& results = student.results;
     QStringList cells = {QString::fromStdString(student.file).toHtmlEscaped(),
@@ -117,7 +135,7 @@ QString classTable(const std::vector<StudentResults>& students) {
         cell += " (" + shortAnswer(*one, stepOf(lesson, step), one->given) + ')';
       cells += cell.toHtmlEscaped();
     }
-    rows += rowHtml(cells);
+    rows += rowHtml(cells, "td", kOneLine);
   }
   return tableOf(rows);
 }
@@ -138,8 +156,7 @@ QString LessonResultsPage::html(const QString& file) {
   const std::optional<Lesson> lesson = shippedLessonOf(results);
   QString html = "<h3>" + titleOf(results).toHtmlEscaped() + "</h3><p>" +
                  QFileInfo(file).fileName().toHtmlEscaped();
-  if (!results.date.empty())
-    html += ", " + QString::fromStdString(results.date).replace('T', ' ').toHtmlEscaped();
+  if (!results.date.empty()) html += ", " + dateText(results.date).toHtmlEscaped();
   html += "</p><p><b>" +
           tr("%1 right, %2 wrong, %3 shown")
               .arg(results.right())
@@ -182,10 +199,9 @@ namespace {
 /// Shows a page in a dialog, in which what does not fit is scrolled to. Where there is a way to go
 /// on, a button closes the dialog and calls it.
 void showPage(QWidget& window, const QString& name, const QString& title, const QString& html,
-              QTextEdit::LineWrapMode wrap, const std::function<void()>& goOn = {}) {
+              const std::function<void()>& goOn = {}) {
   auto* page = named<QTextBrowser>(name + "Table");
   page->setAccessibleName(title);
-  page->setLineWrapMode(wrap);
   page->setHtml(html);
   auto* dialog = named<QDialog>(name, &window);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -221,12 +237,12 @@ void showLessonResults(QWidget& window, const QString& file,
   if (const std::optional<Lesson> lesson = shippedLesson(results); goOn && lesson)
     goOnHere = [goOn, lesson = *lesson, results] { goOn(lesson, results); };
   showPage(window, "lessonResults", LessonResultsPage::tr("Results of a lesson"),
-           LessonResultsPage::html(file), QTextEdit::WidgetWidth, goOnHere);
+           LessonResultsPage::html(file), goOnHere);
 }
 
 void showClassResults(QWidget& window, const QStringList& files) {
   showPage(window, "classResults", LessonResultsPage::tr("Results of a class"),
-           LessonResultsPage::classHtml(files), QTextEdit::NoWrap);
+           LessonResultsPage::classHtml(files));
 }
 
 }  // namespace asperity

@@ -9,11 +9,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
 
-#include "core/base/number_text.h"
 #include "ui/chart/chart_view.h"
 #include "ui/draw/ticks.h"
+#include "ui/panels/number_text.h"
 
 namespace asperity {
 
@@ -26,14 +25,10 @@ DrawPoint toDrawPoint(QPointF point) {
   return {static_cast<float>(point.x()), static_cast<float>(point.y())};
 }
 
-QString valueText(double value, const std::string& unit) {
-  return QString::fromStdString(quantity(value, unit, 3));
-}
-
 /// Returns "0.25 at 1 m/s".
 QString positionText(QPointF point, const Diagram& diagram) {
   return PredictionPoint::tr("%1 at %2")
-      .arg(valueText(point.y(), diagram.y.unit), valueText(point.x(), diagram.x.unit));
+      .arg(quantityLabel(point.y(), diagram.y.unit), quantityLabel(point.x(), diagram.x.unit));
 }
 
 }  // namespace
@@ -95,7 +90,7 @@ QPointF PredictionPoint::valueAt(QPointF pixel) const {
 /// Returns the value of the point, and its position on the x-axis unless the question fixes it.
 QString PredictionPoint::placeText() const {
   const Diagram& diagram = chart_.sheet().diagrams.front();
-  return x_ && !isComputed_ ? valueText(point_->y(), diagram.y.unit)
+  return x_ && !isComputed_ ? quantityLabel(point_->y(), diagram.y.unit)
                             : positionText(*point_, diagram);
 }
 

@@ -351,6 +351,7 @@ void MapPanel::showError(const QString& text) {
 /// computed, in the place of the button that saves the complete map.
 void MapPanel::showProgress() {
   const bool waits = isWaiting();
+  view_->setPlaceholder(waits ? tr("The map is being computed…") : QString());
   end_->setCurrentWidget(waits ? static_cast<QWidget*>(progressLabel_) : save_);
   if (!waits)
     return save_->setToolTip(tr("Save the map as a picture or a table, once it is computed"));
@@ -391,7 +392,7 @@ QString MapPanel::readingAt(double x, double y) const {
   return QStringLiteral("%1, %2: %3%4")
       .arg(quantityLabel(map_->x.values[i], map_->x.range.row->unit),
            quantityLabel(map_->y.values[j], map_->y.range.row->unit),
-           map_->isFinal ? QString() : QStringLiteral("\u2248 "),
+           map_->isFinal ? QString() : QStringLiteral("\u2248\u00a0"),
            quantityLabel(value, mapQuantityUnit(shown)));
 }
 

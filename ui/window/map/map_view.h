@@ -22,6 +22,10 @@ class MapView : public DiagramView {
   void setReading(const QString& text);
   QString reading() const { return reading_; }
 
+  /// Sets the text that is shown in the middle while there is no map yet.
+  void setPlaceholder(const QString& text);
+  QString placeholder() const { return placeholder_; }
+
   QSize minimumSizeHint() const override { return {320, 200}; }
 
  signals:
@@ -44,7 +48,7 @@ class MapView : public DiagramView {
   void paintReading(QPainter& painter, const QRectF& frame) const;
   void moveCross(const QPointF& to);
 
-  QString reading_;
+  QString reading_, placeholder_;
   double x_ = 0, y_ = 0;
   bool hasCross_ = false, isDragged_ = false;
 };
