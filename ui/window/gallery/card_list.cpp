@@ -20,7 +20,7 @@ constexpr int kInside = 10;                    // between the edge of a card and
 constexpr int kMinCard = 236, kMaxCard = 400;  // width of a card, pixels
 constexpr int kDefaultColumns = 4;             // more only where cards would be too wide
 constexpr double kShape = 0.6;                 // height of a picture, relative to its width
-constexpr double kCorner = 8;                  // radius, pixels
+constexpr double kCardCorner = 8;              // radius, pixels
 
 QFont boldOf(QFont font) {
   font.setBold(true);
@@ -74,7 +74,7 @@ class CardList::Painter : public QStyledItemDelegate {
     const bool isUnderMouse = option.state & QStyle::State_MouseOver;
     const QRectF card = QRectF(option.rect).adjusted(1.5, 1.5, -1.5, -1.5);
     QPainterPath outline;
-    outline.addRoundedRect(card, kCorner, kCorner);
+    outline.addRoundedRect(card, kCardCorner, kCardCorner);
     painter.fillPath(outline, palette.color(QPalette::Base));
     paintPicture(painter, card, outline, palette, index.data(kNameRole).toString());
     paintTexts(painter, option, index, card);

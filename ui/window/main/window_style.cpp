@@ -13,8 +13,8 @@ namespace asperity {
 
 namespace {
 
-constexpr double kCorner = 5;       // radius of controls, pixels
-constexpr double kFrameCorner = 3;  // of text boxes and lists, whose contents have square corners
+constexpr double kControlCorner = 5;  // radius of controls, pixels
+constexpr double kFrameCorner = 3;    // of text boxes and lists, whose contents have square corners
 constexpr int kBesideButtonText = 12;  // pixels at each side
 constexpr int kBesideEntryText = 4;    // pixels at each side, in addition to those of Fusion
 
@@ -53,7 +53,8 @@ void drawButton(QPainter& painter, const QStyleOption& option) {
                             ? colours.color(QPalette::Active, QPalette::Highlight)
                             : borderColour(option);
   drawBorder(painter, option.rect, border,
-             isEnabled && isDown ? colours.brush(QPalette::Mid) : entryFill(option), kCorner);
+             isEnabled && isDown ? colours.brush(QPalette::Mid) : entryFill(option),
+             kControlCorner);
 }
 
 /// Draws a check box, or a round one, which excludes the others of its group.
@@ -117,13 +118,14 @@ void WindowStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* op
                                 QPainter* painter, const QWidget* widget) const {
   switch (element) {
     case PE_FrameLineEdit:
-      return drawBorder(*painter, option->rect, borderColour(*option), Qt::NoBrush, kCorner);
+      return drawBorder(*painter, option->rect, borderColour(*option), Qt::NoBrush, kControlCorner);
     case PE_PanelLineEdit: {
       // Entries in spin boxes and tables have no border; Fusion fills the corners of others, too.
       const auto* frame = qstyleoption_cast<const QStyleOptionFrame*>(option);
       if (isInSpinBox(widget)) return;
       if (!frame || frame->lineWidth <= 0) break;
-      return drawBorder(*painter, option->rect, borderColour(*option), entryFill(*option), kCorner);
+      return drawBorder(*painter, option->rect, borderColour(*option), entryFill(*option),
+                        kControlCorner);
     }
     case PE_Frame:
       return drawBorder(*painter, option->rect, borderColour(*option), Qt::NoBrush, kFrameCorner);
@@ -162,7 +164,7 @@ void WindowStyle::drawComplexControl(ComplexControl control, const QStyleOptionC
   if (const auto* spin = qstyleoption_cast<const QStyleOptionSpinBox*>(option);
       control == CC_SpinBox && spin) {
     const bool isEnabled = option->state & State_Enabled;
-    drawBorder(*painter, option->rect, borderColour(*option), entryFill(*option), kCorner);
+    drawBorder(*painter, option->rect, borderColour(*option), entryFill(*option), kControlCorner);
     for (const bool isUp : {true, false}) {
       const bool canStep = spin->stepEnabled & (isUp ? QAbstractSpinBox::StepUpEnabled
                                                      : QAbstractSpinBox::StepDownEnabled);
