@@ -206,10 +206,10 @@ void StatusLine::showTips() {
 }
 
 /// Reserves the width of readings that appear only during work, so that the others do not move when
-/// work begins or ends. Velocity and friction of a motion may be below zero.
+/// work begins or ends. The velocity of a motion may be below zero.
 void StatusLine::reserveWidths() {
-  const QString sign = isOfMotion_ ? QStringLiteral("−") : QString();
-  const QString number = QStringLiteral("0.00888"), friction = sign + QStringLiteral("0.000888");
+  const QString number = QStringLiteral("0.00888"), friction = QStringLiteral("0.000888");
+  const QString velocity = isOfMotion_ ? QStringLiteral("−") + number : number;
   const QString mean =
       tr(", mean of %1 ≈ %2 ± %3 %").arg(88).arg(QStringLiteral("0.0008888"), "0.08");
   QStringList regions;
@@ -218,7 +218,7 @@ void StatusLine::reserveWidths() {
            {mu_, {tr("this line μ = %1").arg(friction) + mean}},
            {regime_, regions},
            {force_, {tr("force F̄ = %1").arg(number)}},
-           {velocity_, {tr("velocity v̄ = %1").arg(sign + number)}},
+           {velocity_, {tr("velocity v̄ = %1").arg(velocity)}},
            {simulations_, {tr("%1 simulations/s").arg(rateText(8800000))}},
            {rate_, {tr("%1 frames/s").arg(888)}}})
     reading->setMinimumWidth(widestText(*this, texts));
