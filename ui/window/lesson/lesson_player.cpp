@@ -256,9 +256,10 @@ void LessonPlayer::shareHeight() {
   const auto* rows = parts_.panel.findChild<QScrollArea*>();
   if (!isRunning() || !parts_.parameters.isVisible() || !text || !rows) return;
   const int hiddenText = hiddenHeight(*text), hiddenRows = hiddenHeight(*rows);
+  const int most = std::max(0, pane_->height() - kMinHeight);
   int toRows = 0;
   if (hiddenRows > 0)
-    toRows = std::min(hiddenRows, pane_->height() - kMinHeight);
+    toRows = hiddenRows <= most ? hiddenRows : std::clamp(-hiddenText, 0, most);
   else if (hiddenText > 0)
     toRows = -std::min(hiddenText, -hiddenRows);
   if (toRows == 0) return;
