@@ -42,6 +42,8 @@ class FrictionChartModel {
   /// Marks the position of this frame on the curve. Returns whether the marker lies within the
   /// present axes.
   bool mark(const Frame& frame);
+  /// Removes the marker: the scene cannot be computed.
+  void unmark() { marker_ = dimensionlessMarker_ = std::nullopt; }
   /// Lets the next curve choose the vertical axis: after another scene was opened, the decades of
   /// the one before are only empty.
   void resetAxes() { resetsAxes_ = true; }

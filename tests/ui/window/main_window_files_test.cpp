@@ -22,6 +22,7 @@
 #include "ui/draw/svg_file.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/panels/value_entry.h"
+#include "ui/window/export/export_dialog.h"
 #include "ui/window/main/message_bar.h"
 #include "ui/window/main/picture_files.h"
 #include "ui/window/main/scene_document.h"
@@ -80,7 +81,7 @@ TEST_F(MainWindowTest, AFailureIsOverOnceItGoesWell) {
   broken.surface.kind = SurfaceKind::Sine;
   broken.surface.waves = 8;
   broken.surface.elements = 10;
-  window_.document().open(broken);
+  window_.document().edit(broken);
   ASSERT_TRUE(waitFor([&] { return window_.messages().isVisible(); }));
   const QString complaint = window_.messages().text();
   save(nowhere, false);
@@ -96,6 +97,7 @@ TEST_F(MainWindowTest, ScenesAreSavedAndOpened) {
   QTest::keyClick(&control<ValueSlider>("slider:load.normal_force"), Qt::Key_Right);
   const Scene changed = window_.panel().scene();
   ASSERT_TRUE(window_.documentCommands().saveTo(file));
+  EXPECT_EQ(control<QLabel>("statusMessage").text(), "Saved scene.json");
   window_.document().open(Scene{});
   ASSERT_TRUE(open(file));
   EXPECT_EQ(writeScene(window_.panel().scene()), writeScene(changed));
@@ -274,6 +276,20 @@ TEST_F(MainWindowTest, AFileIsSavedWhereTheLastOneWas) {
   EXPECT_EQ(folderFor("second.txt"), folder.path());
   EXPECT_EQ(folderFor(other.filePath("third.txt")), other.path());
   EXPECT_EQ(folderFor("fourth.txt"), folder.path());  // no file was chosen in the other one
+  QSettings().remove("files/saveFolder");
+}
+
+/// Every dialog begins where the document lies, or else where the last file was.
+TEST_F(MainWindowTest, AFileIsLookedForBesideTheDocument) {
+  const QTemporaryDir beside, last;
+  rememberFolder(last.filePath("results.json"));
+  EXPECT_EQ(proposedFolder(), last.path());
+  EXPECT_EQ(proposedFolder(beside.filePath("scene.json")), beside.path());
+  EXPECT_EQ(proposedFolder("/no/such/folder/scene.json"), last.path());
+  ASSERT_TRUE(window_.documentCommands().saveTo(beside.filePath("scene.json")));
+  ExportDialog& dialog = window_.exports().openDialog(ExportKind::Picture);
+  EXPECT_EQ(QFileInfo(dialog.file()).absolutePath(), beside.path());
+  dialog.close();
   QSettings().remove("files/saveFolder");
 }
 

@@ -10,10 +10,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/accuracy/compute_curve.h"
 #include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
 #include "ui/draw/ticks.h"
 #include "ui/language/language.h"
+#include "ui/language/translated.h"
 #include "ui/window/contact/contact_canvas.h"
 #include "ui/window/curve/curve_reading.h"
 #include "ui/window/main/status_line.h"
@@ -77,6 +79,17 @@ TEST(CurveReading, SaysNothingOfTheCurveOfAnotherScene) {
   EXPECT_FALSE(std::isfinite(readCurve(frame, &curve).mu));
 }
 
+/// Also where no curve reaches; the model itself goes on.
+TEST(CurveReading, NotesAVelocityThatNobodyTests) {
+  const CurveUpdate curve = bentCurve();
+  const auto isNoted = [](const CurveReading& reading) {
+    return reading.notes.has(Note::FasterThanTested);
+  };
+  EXPECT_TRUE(isNoted(readCurve(frameAt(1e9), &curve)));
+  EXPECT_TRUE(isNoted(readCurve(frameAt(1e9), nullptr)));
+  EXPECT_FALSE(isNoted(readCurve(frameAt(1000), &curve)));
+}
+
 TEST(CurveReading, NamesTheRegime) {
   const CurveUpdate curve = bentCurve();
   EXPECT_EQ(readCurve(frameAt(1e-3), &curve).regime, "region I, linear");
@@ -137,6 +150,59 @@ TEST_F(StatusTest, ASingleLineToATargetHasItsCurve) {
   ASSERT_TRUE(waitFor([&] { return session().averaging() == Session::Averaging::Done; }));
   ASSERT_TRUE(waitFor([&] { return fact("accuracyMeasured").contains(", error "); }));
   EXPECT_FALSE(fact("accuracyMeasured").contains(QStringLiteral("–")));
+}
+
+/// In the words of the command line, beside the readings, and only while its curve is shown.
+TEST_F(StatusTest, AMissedTargetIsTold) {
+  Scene scene = smallScene();
+  scene.surface.kind = SurfaceKind::Sine;
+  scene.accuracy.targetRelativeError = 1e-17;
+  const Curve missed = computeCurve(scene);
+  ASSERT_FALSE(missed.isTargetMet);
+  window_.document().open(scene);
+  const auto told = [&] { return control<QToolButton>("factNotes").accessibleDescription(); };
+  const QString reason = translatedText(*missedTarget(missed));
+  EXPECT_TRUE(waitFor([&] { return told().contains(reason); })) << told().toStdString();
+  EXPECT_TRUE(control<QToolButton>("factNotes").isVisible());
+  window_.document().open(smallScene());
+  EXPECT_TRUE(waitFor([&] { return !told().contains(reason); }));
+}
+
+/// The picture of another scene would pass for its own, and there is no curve to wait for.
+TEST_F(StatusTest, ASceneThatCannotBeComputedShowsNoOther) {
+  ASSERT_TRUE(waitFor([&] { return session().averaging() == Session::Averaging::Done; }));
+  ASSERT_TRUE(waitForFrame());
+  ASSERT_FALSE(fact("factMu").isEmpty());
+  Scene missing = smallScene();
+  missing.surface.kind = SurfaceKind::Profile;
+  missing.surface.file = "/there/is/no/such/file.txt";
+  window_.document().open(missing);
+  ASSERT_TRUE(waitFor([&] { return window_.messages().isVisible(); }));
+  EXPECT_FALSE(session().frame());
+  EXPECT_FALSE(window_.canvas().frame());
+  EXPECT_TRUE(fact("factMu").isEmpty());
+  EXPECT_FALSE(session().friction().marker());
+  EXPECT_TRUE(waitFor([&] { return !control<QProgressBar>("workProgress").isVisible(); }));
+  EXPECT_FALSE(control<QToolButton>("workStop").isVisible());
+  press("load.normal_force");  // still without its file
+  QTest::qWait(100);
+  EXPECT_FALSE(session().frame());
+  window_.document().open(smallScene());
+  ASSERT_TRUE(waitForFrame());
+  EXPECT_TRUE(window_.canvas().frame());
+  EXPECT_FALSE(fact("factMu").isEmpty());
+}
+
+/// Within one scene the last picture stays: a value is being tried.
+TEST_F(StatusTest, ARefusedValueKeepsThePicture) {
+  ASSERT_TRUE(waitForFrame());
+  Scene broken = smallScene();
+  broken.surface.kind = SurfaceKind::Sine;
+  broken.surface.waves = 8;
+  broken.surface.elements = 10;
+  window_.document().edit(broken);
+  ASSERT_TRUE(waitFor([&] { return window_.messages().isVisible(); }));
+  EXPECT_TRUE(window_.canvas().frame());
 }
 
 /// A scene with the same curve was not computed again.

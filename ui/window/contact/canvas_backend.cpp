@@ -131,7 +131,10 @@ class SoftwareCanvas : public QWidget, public CanvasBackend {
 
   void show(const PictureRequest& request) override {
     request_ = request;
-    requestPicture();
+    if (request_.frame) return requestPicture();
+    pictures_.cancel();
+    image_ = {};
+    update();
   }
 
  protected:

@@ -19,7 +19,7 @@ namespace asperity {
 
 /// The content of a canvas. Plain values; any thread.
 struct PictureRequest {
-  std::shared_ptr<const Frame> frame;  // never null
+  std::shared_ptr<const Frame> frame;  // null: nothing is drawn
   ContactPictureOptions options;       // without size and scale, which the canvas knows; a backend
                                        // keeps the labels where its last picture had them
   QSize size;                          // device pixels

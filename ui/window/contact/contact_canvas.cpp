@@ -166,7 +166,7 @@ void ContactCanvas::takePainted(const std::vector<LabelPlace>& labels) {
 }
 
 void ContactCanvas::refresh() {
-  if (backend_ && viewer_.frame()) backend_->show(request());
+  if (backend_) backend_->show(viewer_.frame() ? request() : PictureRequest());
 }
 
 /// Returns a request for the picture on the screen; the backend fills this widget.

@@ -25,6 +25,7 @@ constexpr QSize kDefault(600, 260);  // pixels
 
 /// Returns the sentences on the present frame. They leave out a curve that a student is to guess.
 QStringList stateSentences(const Session& session) {
+  if (!session.frame()) return {};
   const Frame& frame = *session.frame();
   CurveAtVelocity curve;
   if (!session.friction().isConcealed()) {

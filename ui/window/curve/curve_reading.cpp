@@ -106,9 +106,13 @@ CurveReading readCurve(const Frame& frame, const CurveUpdate* curve) {
     reading.regime = CurveReadingText::tr("at rest");
   const bool isSameScene = curve && haveSameCurve(*frame.scene, *curve->scene);
   const bool isOfVelocity = frame.scene->sweep.isOfVelocity();
-  if (isSameScene)
+  if (isSameScene) {
     reading.notes =
         notesAt(*curve, isOfVelocity ? std::abs(frame.velocity) : ownSweptValue(*frame.scene));
+    reading.missedTarget = curve->missedTarget;
+  }
+  reading.notes.add(Note::FasterThanTested,
+                    std::max(velocity, std::abs(frame.velocity)) > kFastestTested);
   if (!isSameScene || velocity <= 0 || frame.transient) return reading;
   readMean(*curve, isOfVelocity ? velocity : ownSweptValue(*frame.scene), reading);
   if (isOfVelocity && reading.regime.isEmpty() && curve->isComplete)

@@ -4,6 +4,7 @@
 
 #include <QString>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "core/run/frame.h"
@@ -12,13 +13,14 @@
 namespace asperity {
 
 struct CurveReading {
-  double mu = kNotApplicable;     // mean over the lines, interpolated on the curve
-  double error = kNotApplicable;  // standard error of mu
-  bool isInterpolated = false;    // mu lies between two points of the curve
-  std::int64_t lines = 0;         // over which mu is a mean
-  std::string region{};           // "III"; empty: not known
-  QString regime;                 // "region III, plateau", "at rest"; empty: not known
-  NoteSet notes{};                // of the curve's points on both sides of the velocity
+  double mu = kNotApplicable;             // mean over the lines, interpolated on the curve
+  double error = kNotApplicable;          // standard error of mu
+  bool isInterpolated = false;            // mu lies between two points of the curve
+  std::int64_t lines = 0;                 // over which mu is a mean
+  std::string region{};                   // "III"; empty: not known
+  QString regime;                         // "region III, plateau", "at rest"; empty: not known
+  NoteSet notes{};                        // of the curve's points on both sides of the velocity
+  std::optional<Message> missedTarget{};  // why the curve misses the target of its scene
 };
 
 /// Returns "region III, plateau" for "III".

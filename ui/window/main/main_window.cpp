@@ -356,6 +356,10 @@ void MainWindow::showTitle() {
 
 void MainWindow::connectFrames() {
   connect(session_, &Session::frameArrived, this, &MainWindow::showFrame);
+  connect(session_, &Session::frameLost, this, [this] {
+    canvas_->setFrame(nullptr);
+    status_->clearReadings();
+  });
   // While time is paused no frame follows a curve that is complete.
   connect(session_, &Session::plotChanged, this, [this] {
     if (session_->frame()) showReadings();
@@ -495,6 +499,8 @@ void MainWindow::connectCurve() {
   const auto showSaved = [this](const QString& file, const QString& copied) {
     status_->showMessage(file.isEmpty() ? copied : tr("Saved %1").arg(QFileInfo(file).fileName()));
   };
+  connect(documents_, &DocumentCommands::saved, this,
+          [showSaved](const QString& file) { showSaved(file, {}); });
   connect(curveCommands_, &CurveCommands::exported, this, [this, showSaved](const QString& file) {
     showSaved(file, tr("The curve's picture is on the clipboard"));
     emit exports_->exported(file);

@@ -86,6 +86,7 @@ void Session::setScene(const Scene& scene, Begin begin) {
   friction_.expect(scene_);
   if (begin == Begin::Restart && !sameCurve) friction_.resetAxes();
   sceneNumber_ = begin == Begin::Restart ? runner_.open(scene_) : runner_.post(scene_);
+  if (begin == Begin::Restart) openedNumber_ = sceneNumber_;
   // Names of pinned curves contain their differences from the scene.
   if (wasStale != friction_.isStale() || !sameSweep || !friction_.pinned().empty())
     emit plotChanged();
@@ -196,6 +197,7 @@ void Session::takeMessages() {
   for (const RunnerMessage& message : runner_.takeMessages()) {
     if (message.sceneNumber != sceneNumber_) continue;
     brokenNumber_ = sceneNumber_;
+    if (frame_ && frame_->sceneNumber < openedNumber_) loseFrame();
     emit errorOccurred(QString::fromStdString(message.key), message.text);
   }
 }
@@ -220,6 +222,8 @@ void Session::takeCurves() {
 void Session::takeFrame() {
   std::shared_ptr<const Frame> newest = runner_.newestFrame();
   if (!newest || newest == frame_) return;
+  // The runner goes on with the scene before one that cannot be computed.
+  if (!frame_ && newest->sceneNumber < openedNumber_) return;
   activityTime_.start();
   const bool marked = haveSameMark(frame_.get(), *newest);
   frame_ = std::move(newest);
@@ -231,6 +235,13 @@ void Session::takeFrame() {
   }
   emit frameArrived();
   if (frame_->sceneNumber == sceneNumber_) checkFrame();
+}
+
+void Session::loseFrame() {
+  frame_.reset();
+  friction_.unmark();
+  emit markChanged();
+  emit frameLost();
 }
 
 void Session::checkFrame() {

@@ -70,6 +70,8 @@ class Session : public QObject {
   /// Takes what the runner has made since the last call.
   void poll();
 
+  /// Returns the newest frame; null before the first, and while a scene that was opened cannot be
+  /// computed: the frame of an unrelated scene would pass for its own.
   std::shared_ptr<const Frame> frame() const { return frame_; }
   const FrictionChartModel& friction() const { return friction_; }
   /// Changes what the diagram shows beside the present curve: pins, axes, a difference.
@@ -84,6 +86,8 @@ class Session : public QObject {
   /// Emitted when a command was sent to the runner, whose result is expected soon.
   void commandSent();
   void frameArrived();
+  /// Emitted when there is no frame any more: a scene was opened that cannot be computed.
+  void frameLost();
   void plotChanged();
   /// Emitted when only the marker has changed, and it lies within the present axes.
   void markChanged();
@@ -104,6 +108,7 @@ class Session : public QObject {
   void takeCurves();
   void measureRate(const CurveUpdate& update);
   void takeFrame();
+  void loseFrame();
   void checkFrame();
   void updateWaiting();
 
@@ -111,6 +116,7 @@ class Session : public QObject {
   std::atomic<bool> hasCurveUpdate_ = false;  // the runner has an update that is not taken yet
   Runner runner_;
   std::uint64_t sceneNumber_ = 0;
+  std::uint64_t openedNumber_ = 0;   // of the scene that was opened last
   std::uint64_t runningNumber_ = 0;  // newest scene with a frame
   std::uint64_t brokenNumber_ = 0;   // newest scene with an error of the runner
   QString frameError_;               // last error in the frames of the present scene

@@ -118,7 +118,7 @@ Work currentWork(const Session& session) {
     work.state = Work::State::Waiting;
   else if (session.averaging() == Session::Averaging::Running)
     work.state = Work::State::Running;
-  else if (session.averaging() == Session::Averaging::Stopped)
+  else if (session.averaging() == Session::Averaging::Stopped && session.frame())
     work.state = Work::State::Stopped;
   return work;
 }
@@ -155,8 +155,8 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
   connect(notes_, &QToolButton::clicked, this, [this] {
     QMenu menu(this);
     menu.setObjectName("notesMenu");
-    for (const Note note : shownNotes_.list())
-      menu.addAction(QStringLiteral("⚠ ") + translatedText(noteSentence(note)));
+    for (const Message& note : shownNotes_)
+      menu.addAction(QStringLiteral("⚠ ") + translatedText(note));
     menu.exec(notes_->mapToGlobal(QPoint(0, -menu.sizeHint().height())));
   });
   line->addWidget(notes_);
@@ -307,17 +307,25 @@ void StatusLine::showFrame(const Frame& frame, const CurveReading& reading) {
   mu_->setText(frictionText(*frame.scene, groupedReading(presentFriction(frame))) + mean);
   force_->setText(tr("force F̄ = %1").arg(groupedReading(dimensionlessForce(frame))));
   showVelocity(frame);
-  showNotes(reading.notes);
+  showNotes(reading);
   settling_->setText(frame.isSettling ? tr("settling") : QString());
+  fitReadings();
+}
+
+void StatusLine::clearReadings() {
+  for (QLabel* reading : {mu_, regime_, force_, velocity_, settling_}) reading->clear();
+  showNotes({});
   fitReadings();
 }
 
 /// Shows the number of notes; tooltip and menu have all sentences. The sign appears beside the
 /// readings, so that no view moves.
-void StatusLine::showNotes(const NoteSet& notes) {
-  shownNotes_ = notes;
+void StatusLine::showNotes(const CurveReading& reading) {
+  shownNotes_.clear();
+  if (reading.missedTarget) shownNotes_.push_back(*reading.missedTarget);
+  for (const Note note : reading.notes.list()) shownNotes_.push_back(noteSentence(note));
   QStringList sentences;
-  for (const Note note : notes.list()) sentences += translatedText(noteSentence(note));
+  for (const Message& note : shownNotes_) sentences += translatedText(note);
   QString text;
   if (sentences.size() == 1)
     text = tr("⚠ 1 note");

@@ -40,6 +40,8 @@ class StatusLine : public QWidget {
   void monitor(const Session& session, const ContactCanvas& canvas);
 
   void showFrame(const Frame& frame, const CurveReading& reading);
+  /// Empties the readings: there is no frame of the scene.
+  void clearReadings();
   void showWork(const Work& work);
 
   /// Shows a message for a few seconds instead of the readings at the right.
@@ -61,7 +63,7 @@ class StatusLine : public QWidget {
   static QLabel* addReading(QHBoxLayout& line, const char* name);
   void showTips();
   void showVelocity(const Frame& frame);
-  void showNotes(const NoteSet& notes);
+  void showNotes(const CurveReading& reading);
   void addWork(QHBoxLayout& line);
   void workButtonClicked();
   void reserveWidths();
@@ -73,9 +75,9 @@ class StatusLine : public QWidget {
   QTimer* messageTimer_;
   QLabel* regime_;
   QLabel* mu_;
-  QToolButton* notes_;  // opens a menu of all notes
-  NoteSet shownNotes_;
-  std::vector<QLabel*> leftOut_;  // for lack of room, at the present width
+  QToolButton* notes_;               // opens a menu of all notes
+  std::vector<Message> shownNotes_;  // their sentences
+  std::vector<QLabel*> leftOut_;     // for lack of room, at the present width
   QLabel* force_;
   QLabel* velocity_;
   QLabel* settling_;
