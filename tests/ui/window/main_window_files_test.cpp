@@ -81,7 +81,7 @@ TEST_F(MainWindowTest, AFailureIsOverOnceItGoesWell) {
   broken.surface.kind = SurfaceKind::Sine;
   broken.surface.waves = 8;
   broken.surface.elements = 10;
-  window_.document().open(broken);
+  window_.document().edit(broken);
   ASSERT_TRUE(waitFor([&] { return window_.messages().isVisible(); }));
   const QString complaint = window_.messages().text();
   save(nowhere, false);
