@@ -156,10 +156,10 @@ void TourBar::changeEvent(QEvent* event) {
 
 namespace {
 
-constexpr int kMargin = 5;          // pixels between the control and the outer edge of the frame
-constexpr int kSideMargin = 8;      // the same at its sides, where its text begins
-constexpr double kWidth = 2.5;      // of the line, pixels
-constexpr double kFrameCorner = 7;  // radius, pixels
+constexpr int kMargin = 5;      // pixels between the control and the outer edge of the frame
+constexpr int kSideMargin = 8;  // the same at its sides, where its text begins
+constexpr double kWidth = 2.5;  // of the line, pixels
+constexpr double kSpotlightCorner = 7;  // radius, pixels
 
 QScrollArea* scrollAreaAround(QWidget& control) {
   for (QWidget* each = control.parentWidget(); each; each = each->parentWidget())
@@ -262,9 +262,9 @@ void HighlightFrame::paintEvent(QPaintEvent*) {
   QColor glow = colour;
   glow.setAlphaF(0.25F);
   painter.setPen(QPen(glow, 2 * kWidth));
-  painter.drawRoundedRect(line, kFrameCorner, kFrameCorner);
+  painter.drawRoundedRect(line, kSpotlightCorner, kSpotlightCorner);
   painter.setPen(QPen(colour, kWidth));
-  painter.drawRoundedRect(line, kFrameCorner, kFrameCorner);
+  painter.drawRoundedRect(line, kSpotlightCorner, kSpotlightCorner);
 }
 
 // ---- The steps
