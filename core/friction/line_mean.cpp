@@ -1,6 +1,8 @@
 #include "core/friction/line_mean.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace asperity {
 namespace {
@@ -22,25 +24,35 @@ MeanError meanErrorInOrder(std::span<const double> values) {
   if (values.size() < 3 || !(plain.variance() > 0)) return independent;
   std::vector<double> deviations(values.begin(), values.end());
   for (double& deviation : deviations) deviation -= plain.mean();
-  const double variance = autocovariance(deviations, 0);
-  const double next = autocovariance(deviations, 1);
-  if (!(next > 2 * variance / std::sqrt(n))) return independent;
-  // Two lags at a time; each lag k > 0 stands for -k, too.
-  double sum = -variance, last = variance + next;
+  std::vector<double> known;  // c_0, c_1, ... as far as they are needed
+  const auto c = [&](std::size_t k) {
+    while (known.size() <= k) known.push_back(autocovariance(deviations, known.size()));
+    return known[k];
+  };
+  if (!(c(1) > 2 * c(0) / std::sqrt(n))) return independent;
+  constexpr int kMostRounds = 20;
+  constexpr double kSettled = 1e-3;
+  double ofMean = 0;  // the variance of the mean, which each c_k lacks
   std::size_t lags = 0;
-  for (std::size_t k = 0; k + 1 < values.size(); k += 2) {
-    const double pair =
-        std::min(last, autocovariance(deviations, k) + autocovariance(deviations, k + 1));
-    if (!(pair > 0)) break;
-    sum += 2 * pair;
-    last = pair;
-    lags = k + 2;
+  for (int round = 0; round < kMostRounds; ++round) {
+    // Two lags at a time; each lag k > 0 stands for -k, too.
+    double sum = -(c(0) + ofMean), last = std::numeric_limits<double>::infinity();
+    lags = 0;
+    for (std::size_t k = 0; k + 1 < values.size(); k += 2) {
+      const double products = 2 * (n - static_cast<double>(k)) - 1;
+      const double pair = std::min(last, c(k) + c(k + 1) + ofMean * products / n);
+      if (!(pair > 0)) break;
+      sum += 2 * pair;
+      last = pair;
+      lags = k + 2;
+    }
+    const double before = ofMean;
+    // More than c_0 cannot be told from rows that are no longer than their correlation.
+    ofMean = std::min(sum / n, c(0));
+    if (std::abs(ofMean - before) <= kSettled * ofMean) break;
   }
   const double width = 2 * static_cast<double>(lags) - 1;
-  constexpr double kMostMissing = 0.5;  // where the rows are no longer than their correlation
-  const double missing = std::min(width / n, kMostMissing);
-  const double longer = std::max(1.0, sum / variance / (1 - missing));
-  return {plain.standardError() * std::sqrt(longer), std::clamp(n / width, 1.0, n - 1)};
+  return {std::max(plain.standardError(), std::sqrt(ofMean)), std::clamp(n / width, 1.0, n - 1)};
 }
 
 MeanError lineMeanError(std::span<const double> values, std::int64_t orderedRows) {

@@ -54,14 +54,18 @@ struct MeanError {
 /// Returns the error of the mean of numbers along a line, such as friction of row after row of a
 /// topography, from their autocovariances c_k:
 ///
-///   error^2 = (c_0 + 2 sum_k c_k) / n,
+///   error^2 = V = (c_0 + 2 sum_k c_k) / n,
 ///
 /// where the sum ends by the rule of Geyer (Statist. Sci. 7, 473, 1992): sums of two neighbouring
 /// c_k are taken as long as they are positive, none larger than the one before (the initial
-/// monotone sequence). Each c_k lacks the variance of the mean from which deviations are counted,
-/// so that a sum over w of them, counted on both sides, is too small by 1 - w / n, which is
-/// corrected. The error has n / w degrees of freedom (Bartlett: the relative variance of such a sum
-/// is 2 w / n).
+/// monotone sequence). Deviations are counted from the mean of the same numbers, so that each c_k
+/// is too small by V (1 - k / n). That is added, which lengthens the sum, until V agrees with
+/// itself. The error has n / w degrees of freedom where w lags are summed, counted on both sides
+/// (Bartlett: the relative variance of such a sum is 2 w / n).
+///
+/// It is the error of the mean over one piece of an endless surface whose statistics are the same
+/// everywhere. What is common to all numbers, such as a height that differs from piece to piece,
+/// does not show in them.
 ///
 /// Numbers whose c_1 is smaller than two of its standard errors, c_0 / sqrt(n), are independent as
 /// far as anyone can tell and have the usual error. Needs two numbers.

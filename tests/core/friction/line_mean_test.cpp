@@ -93,6 +93,31 @@ TEST(MeanErrorInOrder, HasFewDegreesOfFreedomForFewIndependentRows) {
   EXPECT_GT(trial.coverage, 0.89);
 }
 
+/// Each autocovariance lacks the variance of the mean. Where that is a large part, a sum that ends
+/// at the first pair below 0 is too short, and the interval misses the mean once in seven times.
+TEST(MeanErrorInOrder, AddsWhatTheSubtractedMeanTook) {
+  const Trial trial =
+      tryMany(4000, [](std::mt19937_64& random) { return autoregressive(random, 40, 0.9); });
+  EXPECT_GT(trial.coverage, 0.88);
+  EXPECT_NEAR(std::sqrt(trial.variance / varianceOfMean(40, 0.9)), 1, 0.15);
+}
+
+/// Rows that share short waves and, to a quarter of their variance, long ones: what correlation is
+/// left at far rows is a large part of the error.
+TEST(MeanErrorInOrder, FindsASmallCorrelationThatReachesFar) {
+  const double slow = 0.25;
+  const Trial trial = tryMany(600, [&](std::mt19937_64& random) {
+    Rows rows = autoregressive(random, 800, 0.6);
+    const Rows waves = autoregressive(random, 800, 0.95);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      rows[i] = std::sqrt(1 - slow) * rows[i] + std::sqrt(slow) * waves[i];
+    return rows;
+  });
+  const double variance = (1 - slow) * varianceOfMean(800, 0.6) + slow * varianceOfMean(800, 0.95);
+  EXPECT_NEAR(std::sqrt(trial.variance / variance), 1, 0.1);
+  EXPECT_GT(trial.coverage, 0.89);
+}
+
 TEST(MeanErrorInOrder, OfIndependentRowsIsTheUsualOne) {
   for (const std::size_t count : {20U, 100U, 640U}) {
     const Trial trial =
