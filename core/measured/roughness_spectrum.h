@@ -70,11 +70,15 @@ struct EquivalentSpectra {
   double factor(double q) const;
 };
 
-/// Returns the spectra of a topography without gaps from its two-dimensional spectrum under a Hann
-/// window, summed over rings. `form` is subtracted from the whole topography before (a plane, a
-/// paraboloid). `progress` is called with the finished part, 0 to 1. Throws StopRequested
-/// (core/base/stop.h) where `stop` was requested, within a row or within the one transform of all
-/// rows.
+/// Returns the spectra of a topography without gaps. The rows give the spectrum that the surface
+/// has if it is isotropic, by the Abel relation (below). The two-dimensional spectrum under a Hann
+/// window, summed over rings, corrects it where the surface is not: by one step of expectation and
+/// maximisation from the isotropic spectrum to these rings, which takes into account how the window
+/// across the rows spreads each wave. Few rows spread long waves over most of the rings, and rows
+/// far apart fold short waves into them; the spectrum is then that of the rows. `form` is
+/// subtracted from the whole topography before (a plane, a paraboloid). `progress` is called with
+/// the finished part, 0 to 1. Throws StopRequested (core/base/stop.h) where `stop` was requested,
+/// within a row or within the one transform of all rows.
 EquivalentSpectra equivalentSpectra(const Topography& topography, FormRemoval form,
                                     const std::stop_token& stop = {},
                                     const std::function<void(double)>& progress = {});

@@ -90,12 +90,21 @@ std::vector<Message> factsOf(const MeasuredSummary& summary) {
   if (summary.spikes > 0) list.push_back(spikesFact(summary.spikes));
   list.push_back(
       summary.isEquivalent
-          ? message("the line is the isotropic equivalent, C = \u03C0 q C\u2082, with the height "
-                    "of the whole surface; its rms height is {} times and its rms slope {} times "
-                    "that of the line as measured",
-                    PrintedNumber{printedNumber(summary.ratios.height, 4)},
-                    PrintedNumber{printedNumber(summary.ratios.slope, 4)})
+          ? message(
+                "the line is the isotropic equivalent, C = \u03C0 q C\u2082, which has the height "
+                "of the whole surface in the mean over all rows; its rms height is {} times "
+                "and its rms slope {} times that of the line as measured",
+                PrintedNumber{printedNumber(summary.ratios.height, 4)},
+                PrintedNumber{printedNumber(summary.ratios.slope, 4)})
           : Message("the line is the surface as measured"));
+  // The window across the rows distinguishes wavelengths from two rows to half of all rows.
+  constexpr std::int64_t kRowsForFourOctaves = 64;
+  if (summary.isEquivalent && summary.rows < kRowsForFourOctaves)
+    list.push_back(
+        summary.rows == 1
+            ? Message("that the surface is isotropic is assumed: one profile cannot show it")
+            : message("that the surface is isotropic is assumed: {} rows are too few to show it",
+                      summary.rows));
   list.push_back(summary.hasTurned ? Message("the line is turned over, because the summits touch")
                                    : Message("the line is not turned over: the valleys touch"));
   list.push_back(

@@ -411,6 +411,21 @@ TEST_F(MeasuredScene, WithALongWaveCutBeyondTheProfileSaysSo) {
   EXPECT_FALSE(says("8e-4"));
 }
 
+TEST_F(MeasuredScene, SaysThatOneProfileCannotShowIsotropy) {
+  const auto says = [&](const char* line) {
+    const Scene measured = readScene(
+        fmt::format(R"({{"surface": {{"kind": "measured", "file": "p.txt", "line": "{}"}}}})",
+                    line),
+        "t", folder_.path());
+    return std::ranges::any_of(
+        factsOf(measuredSummary(measured, LineSource(measured, 1))), [](const Message& fact) {
+          return fact.english().find("one profile cannot show it") != std::string::npos;
+        });
+  };
+  EXPECT_TRUE(says("isotropic_equivalent"));
+  EXPECT_FALSE(says("as_measured"));
+}
+
 TEST_F(MeasuredScene, IsSummedUpInItsOwnOrientation) {
   const Scene measured = scene();
   const LineSource source(measured, 1);
