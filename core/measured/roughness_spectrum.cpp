@@ -166,7 +166,8 @@ BandPowers inBands(std::span<const double> powers, double length) {
   return bands;
 }
 
-ReliableBand reliableBand(std::span<const double> heights, double spacing, double shortWaveCut) {
+ReliableBand reliableBand(std::span<const double> heights, double spacing, double shortWaveCut,
+                          const HeightSteps& steps) {
   const double length = static_cast<double>(heights.size()) * spacing;
   ReliableBand band{3 * kTwoPi / length, 0.5 * std::numbers::pi / spacing};
   if (shortWaveCut > 0) band.to = std::min(band.to, kTwoPi / shortWaveCut);
@@ -190,6 +191,17 @@ ReliableBand reliableBand(std::span<const double> heights, double spacing, doubl
       band.endsInNoise = true;
     }
   }
+  // The error of rounding has the variance step^2 / 12. A stair has fewer independent errors than
+  // points, as many as it has steps.
+  const double stepsPerPoint =
+      steps.step > 0 ? std::min(1.0, std::pow(steps.spread / steps.step, 2)) : 1;
+  const double rounding = steps.step * steps.step / 12 * spacing / std::numbers::pi / stepsPerPoint;
+  constexpr double kClear = 4;
+  for (std::size_t j = bands.bands(); j-- > 0 && densityAt(j) < kClear * rounding;)
+    if (bands.from(j) < band.to) {
+      band.to = bands.from(j);
+      band.endsInNoise = true;
+    }
   // A spectrum does not fall at all where the line is smooth with white noise, or short.
   if (band.to <= band.from) band.to = band.from;
   return band;

@@ -14,6 +14,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "core/measured/height_steps.h"
 #include "core/measured/processing_choices.h"
 #include "core/measured/spectral_density.h"
 #include "core/measured/topography.h"
@@ -32,13 +33,16 @@ SpectralDensity hannSpectrum(std::span<const double> heights, double spacing);
 /// begins at the third wave, because the window mixes each wave with its neighbours. It ends at
 /// half of the highest wave number, or where white noise begins: from there on the spectrum falls
 /// more slowly than 1/q, which the spectrum of no self-affine surface does, and has no peaks, which
-/// that of a machined surface has. The cut-off of the short waves ends the band as well. Smoothing
-/// by the tip of a stylus cannot be recognized from the heights alone.
+/// that of a machined surface has. The cut-off of the short waves ends the band as well, and so
+/// does the noise of heights that are rounded to coarse steps: it is white or, of a stair, confined
+/// to long waves, and matters where the spectrum is less than four times as high. Smoothing by the
+/// tip of a stylus cannot be recognized from the heights alone.
 struct ReliableBand {
   double from = 0, to = 0;  // 1/m
   bool endsInNoise = false;
 };
-ReliableBand reliableBand(std::span<const double> heights, double spacing, double shortWaveCut);
+ReliableBand reliableBand(std::span<const double> heights, double spacing, double shortWaveCut,
+                          const HeightSteps& steps = {});
 
 /// Powers (m^2) in bands of wave numbers. Band j covers the waves first[j] to first[j + 1] - 1 of
 /// the analysed length; the lowest band contains the wave 0 as well.

@@ -6383,6 +6383,10 @@
         <translation>die isotrop gleichwertige Linie, C = π q C₂, der gemessenen Oberfläche</translation>
     </message>
     <message>
+        <source>the heights of the row have only %1 levels, %2 apart, which is about as much as neighbours differ: the line is too steep by these steps; measure in finer steps, or remove waves shorter than %3 by surface.short_wave_cut</source>
+        <translation>die Höhen der Zeile haben nur %1 Stufen im Abstand von %2, etwa so viel, wie sich Nachbarn unterscheiden: um diese Stufen ist die Linie zu steil; in feineren Stufen messen, oder Wellen kürzer als %3 mit surface.short_wave_cut entfernen</translation>
+    </message>
+    <message>
         <source>that the surface is isotropic is assumed: one profile cannot show it</source>
         <translation>dass die Oberfläche isotrop ist, wird angenommen: ein einzelnes Profil kann es nicht zeigen</translation>
     </message>
