@@ -166,7 +166,8 @@ BandPowers inBands(std::span<const double> powers, double length) {
   return bands;
 }
 
-ReliableBand reliableBand(std::span<const double> heights, double spacing, double shortWaveCut) {
+ReliableBand reliableBand(std::span<const double> heights, double spacing, double shortWaveCut,
+                          const HeightSteps& steps) {
   const double length = static_cast<double>(heights.size()) * spacing;
   ReliableBand band{3 * kTwoPi / length, 0.5 * std::numbers::pi / spacing};
   if (shortWaveCut > 0) band.to = std::min(band.to, kTwoPi / shortWaveCut);
@@ -190,6 +191,17 @@ ReliableBand reliableBand(std::span<const double> heights, double spacing, doubl
       band.endsInNoise = true;
     }
   }
+  // The error of rounding has the variance step^2 / 12. A stair has fewer independent errors than
+  // points, as many as it has steps.
+  const double stepsPerPoint =
+      steps.step > 0 ? std::min(1.0, std::pow(steps.spread / steps.step, 2)) : 1;
+  const double rounding = steps.step * steps.step / 12 * spacing / std::numbers::pi / stepsPerPoint;
+  constexpr double kClear = 4;
+  for (std::size_t j = bands.bands(); j-- > 0 && densityAt(j) < kClear * rounding;)
+    if (bands.from(j) < band.to) {
+      band.to = bands.from(j);
+      band.endsInNoise = true;
+    }
   // A spectrum does not fall at all where the line is smooth with white noise, or short.
   if (band.to <= band.from) band.to = band.from;
   return band;
@@ -203,57 +215,6 @@ double EquivalentSpectra::factor(double q) const {
   std::size_t band = 0;
   while (band + 1 < bands && profile.to(band) <= q) ++band;
   return profile.power[band] > 0 ? std::sqrt(line.power[band] / profile.power[band]) : 1;
-}
-
-EquivalentSpectra equivalentSpectra(const Topography& topography, FormRemoval form,
-                                    const std::stop_token& stop,
-                                    const std::function<void(double)>& progress) {
-  const auto rows = static_cast<std::size_t>(topography.rows);
-  const auto columns = static_cast<std::size_t>(topography.columns);
-  // The work passes over all rows three times.
-  RowProgress done(3 * rows, stop, progress);
-  std::vector<double> heights = topography.height;
-  removeForm(heights, rows, columns, form);
-  std::vector<double> profile(columns / 2 + 1);
-  HannAnalysis analysis(columns);
-  for (std::size_t row = 0; row < rows; ++row) {
-    done.next();
-    const std::vector<double> powers =
-        analysis.powers(std::span(heights).subspan(row * columns, columns));
-    for (std::size_t k = 0; k < powers.size(); ++k)
-      profile[k] += powers[k] / static_cast<double>(rows);
-  }
-  const std::vector<double> alongX = hannWindow(columns), alongY = hannWindow(rows);
-  for (std::size_t row = 0; row < rows; ++row) {
-    done.next();
-    for (std::size_t column = 0; column < columns; ++column)
-      heights[row * columns + column] *= alongX[column] * alongY[row];
-  }
-  const auto modes = transform2d(heights, rows, columns);
-  heights = {};
-  // Each ring is as wide as one wave along x. Where the other direction is sampled more coarsely,
-  // rings are incomplete, and the available part represents the whole.
-  const double length = topography.length(), width = topography.width();
-  std::vector<double> ring(columns / 2 + 1), count(ring.size());
-  const double points = static_cast<double>(rows) * static_cast<double>(columns);
-  for (std::size_t row = 0; row < rows; ++row) {
-    done.next();
-    const double ky = static_cast<double>(row <= rows / 2 ? row : rows - row) * length / width;
-    for (std::size_t k = 0; k < columns / 2 + 1; ++k) {
-      const double radius = std::hypot(static_cast<double>(k), ky);
-      const auto number = static_cast<std::size_t>(std::lround(radius));
-      if (number >= ring.size()) continue;
-      const double times = k == 0 || 2 * k == columns ? 1 : 2;
-      ring[number] += times * std::norm(modes[row * (columns / 2 + 1) + k]) / (points * points);
-      count[number] += times;
-    }
-  }
-  const double highestY = 0.5 * static_cast<double>(rows) * length / width;
-  for (std::size_t k = 1; k < ring.size(); ++k) {
-    const double whole = kTwoPi * static_cast<double>(k) * width / length;
-    if (static_cast<double>(k) + 0.5 > highestY && count[k] > 0) ring[k] *= whole / count[k];
-  }
-  return {inBands(profile, length), inBands(ring, length)};
 }
 
 namespace {
@@ -274,6 +235,23 @@ std::vector<double> ringShares(const BandPowers& bands, std::size_t ring) {
     }
   }
   return shares;
+}
+
+/// Improves powers of which `seen` is a picture, by one step of expectation and maximisation (Lucy
+/// 1974; Richardson 1972). shares: of each power, the part that is seen in each band.
+void improve(std::vector<double>& powers, std::span<const double> seen,
+             const std::vector<std::vector<double>>& shares) {
+  std::vector<double> expected(seen.size());
+  for (std::size_t i = 0; i < powers.size(); ++i)
+    for (std::size_t j = 0; j < shares[i].size(); ++j) expected[j] += shares[i][j] * powers[i];
+  for (std::size_t i = 0; i < powers.size(); ++i) {
+    double factor = 0, whole = 0;
+    for (std::size_t j = 0; j < shares[i].size(); ++j) {
+      if (expected[j] > 0) factor += shares[i][j] * (seen[j] / expected[j]);
+      whole += shares[i][j];
+    }
+    if (whole > 0) powers[i] *= factor / whole;
+  }
 }
 
 /// Multiplies all powers by a power law of q so that their sum and their rms slope have the given
@@ -303,24 +281,151 @@ void tilt(BandPowers& bands, double total, double rmsSlope) {
 EquivalentSpectra equivalentSpectra(const BandPowers& profile) {
   constexpr int kRounds = 100;
   EquivalentSpectra spectra{profile, profile};
-  const std::size_t bands = profile.bands();
   std::vector<std::vector<double>> shares;
-  for (std::size_t ring = 0; ring < bands; ++ring) shares.push_back(ringShares(profile, ring));
-  std::vector<double>& power = spectra.line.power;
-  std::vector<double> seen(bands), next(bands);
-  for (int round = 0; round < kRounds; ++round) {
-    std::ranges::fill(seen, 0.0);
-    for (std::size_t ring = 0; ring < bands; ++ring)
-      for (std::size_t j = 0; j <= ring; ++j) seen[j] += shares[ring][j] * power[ring];
-    for (std::size_t ring = 0; ring < bands; ++ring) {
-      double factor = 0;
-      for (std::size_t j = 0; j <= ring; ++j)
-        if (seen[j] > 0) factor += shares[ring][j] * (profile.power[j] / seen[j]);
-      next[ring] = power[ring] * factor;
-    }
-    power = next;
-  }
+  for (std::size_t ring = 0; ring < profile.bands(); ++ring)
+    shares.push_back(ringShares(profile, ring));
+  for (int round = 0; round < kRounds; ++round) improve(spectra.line.power, profile.power, shares);
   tilt(spectra.line, profile.total(), std::numbers::sqrt2 * profile.rmsSlope());
+  return spectra;
+}
+
+namespace {
+
+/// Which modes of a two-dimensional spectrum belong to which ring. Each ring is as wide as one wave
+/// along x. Where the other direction is sampled more coarsely, rings are incomplete, and the
+/// available part represents the whole.
+class Rings {
+ public:
+  explicit Rings(const Topography& topography)
+      : rows_(static_cast<std::size_t>(topography.rows)),
+        columns_(static_cast<std::size_t>(topography.columns)),
+        waves_(topography.length() / topography.width()),
+        scale_(columns_ / 2 + 1) {
+    std::vector<double> count(scale_.size());
+    for (std::size_t row = 0; row < rows_; ++row)
+      for (std::size_t k = 0; k < scale_.size(); ++k)
+        if (const std::size_t ring = number(static_cast<double>(k), waveAcross(row));
+            ring < scale_.size())
+          count[ring] += times(k);
+    const double highestAcross = 0.5 * static_cast<double>(rows_) * waves_;
+    for (std::size_t k = 0; k < scale_.size(); ++k) {
+      const double whole = kTwoPi * static_cast<double>(k) / waves_;
+      const bool isIncomplete = static_cast<double>(k) + 0.5 > highestAcross && count[k] > 0;
+      scale_[k] = isIncomplete && k > 0 ? whole / count[k] : 1;
+    }
+  }
+
+  std::size_t size() const { return scale_.size(); }
+  /// Returns the number of the ring, which may lie beyond the last one. Unit: one wave along x.
+  static std::size_t number(double along, double across) {
+    return static_cast<std::size_t>(std::lround(std::hypot(along, across)));
+  }
+  double waveAcross(std::size_t row) const {
+    return static_cast<double>(std::min(row, rows_ - row)) * waves_;
+  }
+  /// Returns how many modes of the whole spectrum column k of its half stands for.
+  double times(std::size_t k) const { return k == 0 || 2 * k == columns_ ? 1 : 2; }
+  /// Returns the factor that completes a ring.
+  double scale(std::size_t ring) const { return scale_[ring]; }
+
+ private:
+  std::size_t rows_, columns_;
+  double waves_;
+  std::vector<double> scale_;
+};
+
+/// Returns the part of the power of each band of an isotropic surface that the rings show in each
+/// band under the window across the rows. The window spreads each wave over its neighbours: over
+/// the next two by its main lobe, which is wide where the rows are few, and over all by its side
+/// lobes, which matter where the spectrum is steep.
+std::vector<std::vector<double>> sharesUnderWindow(const BandPowers& bands, const Rings& rings,
+                                                   std::size_t rows) {
+  constexpr long kParts = 16;  // of the distance between two waves across
+  constexpr long kReach = 64;  // waves; beyond it are 1e-12 of the power
+  constexpr int kRadii = 16, kAngles = 64;
+  // Padded by zeros, the spectrum of the window is known between the waves across as well.
+  std::vector<double> window = hannWindow(rows);
+  window.resize(static_cast<std::size_t>(kParts) * rows);
+  std::vector<double> spread;
+  for (const std::complex<double>& mode : RealTransform(window.size()).forward(window))
+    spread.push_back(std::norm(mode) / static_cast<double>(rows * rows * kRadii * kAngles));
+  std::vector<std::size_t> bandOfRing(rings.size());
+  for (std::size_t band = 0; band < bands.bands(); ++band)
+    for (std::size_t ring = bands.first[band]; ring < bands.first[band + 1]; ++ring)
+      bandOfRing[ring] = band;
+  const auto period = static_cast<long>(window.size()), count = static_cast<long>(rows);
+  const double unit = kTwoPi / bands.length;
+  std::vector<std::vector<double>> shares(bands.bands(), std::vector<double>(bands.bands()));
+  for (std::size_t band = 0; band < bands.bands(); ++band) {
+    const double low = bands.from(band) / unit, high = bands.to(band) / unit;
+    for (int sample = 0; sample < kRadii * kAngles; ++sample) {
+      const double radius = low * std::pow(high / low, (sample / kAngles + 0.5) / kRadii);
+      const double angle = 0.5 * std::numbers::pi * (sample % kAngles + 0.5) / kAngles;
+      const double along = radius * std::cos(angle), across = radius * std::sin(angle);
+      const long place = std::lround(across / rings.waveAcross(1) * kParts);
+      const long nearest = place / kParts;
+      const long first = nearest - std::min(kReach, count / 2);
+      const long end = std::min(nearest + kReach + 1, first + count);
+      for (long wave = first; wave < end; ++wave) {
+        const long apart = std::abs(wave * kParts - place) % period;
+        // Waves across beyond the highest one appear as lower ones.
+        const auto row = static_cast<std::size_t>((wave % count + count) % count);
+        const std::size_t ring = Rings::number(along, rings.waveAcross(row));
+        if (ring < rings.size())
+          shares[band][bandOfRing[ring]] +=
+              rings.scale(ring) * spread[static_cast<std::size_t>(std::min(apart, period - apart))];
+      }
+    }
+  }
+  return shares;
+}
+
+}  // namespace
+
+EquivalentSpectra equivalentSpectra(const Topography& topography, FormRemoval form,
+                                    const std::stop_token& stop,
+                                    const std::function<void(double)>& progress) {
+  const auto rows = static_cast<std::size_t>(topography.rows);
+  const auto columns = static_cast<std::size_t>(topography.columns);
+  // The work passes over all rows three times.
+  RowProgress done(3 * rows, stop, progress);
+  std::vector<double> heights = topography.height;
+  removeForm(heights, rows, columns, form);
+  std::vector<double> profile(columns / 2 + 1);
+  HannAnalysis analysis(columns);
+  for (std::size_t row = 0; row < rows; ++row) {
+    done.next();
+    const std::vector<double> powers =
+        analysis.powers(std::span(heights).subspan(row * columns, columns));
+    for (std::size_t k = 0; k < powers.size(); ++k)
+      profile[k] += powers[k] / static_cast<double>(rows);
+  }
+  const std::vector<double> alongX = hannWindow(columns), alongY = hannWindow(rows);
+  for (std::size_t row = 0; row < rows; ++row) {
+    done.next();
+    for (std::size_t column = 0; column < columns; ++column)
+      heights[row * columns + column] *= alongX[column] * alongY[row];
+  }
+  const auto modes = transform2d(heights, rows, columns);
+  heights = {};
+  const Rings rings(topography);
+  std::vector<double> ring(rings.size());
+  const double points = static_cast<double>(rows) * static_cast<double>(columns);
+  for (std::size_t row = 0; row < rows; ++row) {
+    done.next();
+    for (std::size_t k = 0; k < columns / 2 + 1; ++k) {
+      const std::size_t number = Rings::number(static_cast<double>(k), rings.waveAcross(row));
+      if (number >= ring.size()) continue;
+      ring[number] += rings.scale(number) * rings.times(k) *
+                      std::norm(modes[row * (columns / 2 + 1) + k]) / (points * points);
+    }
+  }
+  const double length = topography.length();
+  // The rows alone determine the spectrum of an isotropic surface. What the rings show beyond what
+  // they would show of that surface makes the difference of another one.
+  EquivalentSpectra spectra = equivalentSpectra(inBands(profile, length));
+  improve(spectra.line.power, inBands(ring, length).power,
+          sharesUnderWindow(spectra.line, rings, rows));
   return spectra;
 }
 

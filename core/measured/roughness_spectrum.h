@@ -14,6 +14,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "core/measured/height_steps.h"
 #include "core/measured/processing_choices.h"
 #include "core/measured/spectral_density.h"
 #include "core/measured/topography.h"
@@ -32,13 +33,16 @@ SpectralDensity hannSpectrum(std::span<const double> heights, double spacing);
 /// begins at the third wave, because the window mixes each wave with its neighbours. It ends at
 /// half of the highest wave number, or where white noise begins: from there on the spectrum falls
 /// more slowly than 1/q, which the spectrum of no self-affine surface does, and has no peaks, which
-/// that of a machined surface has. The cut-off of the short waves ends the band as well. Smoothing
-/// by the tip of a stylus cannot be recognized from the heights alone.
+/// that of a machined surface has. The cut-off of the short waves ends the band as well, and so
+/// does the noise of heights that are rounded to coarse steps: it is white or, of a stair, confined
+/// to long waves, and matters where the spectrum is less than four times as high. Smoothing by the
+/// tip of a stylus cannot be recognized from the heights alone.
 struct ReliableBand {
   double from = 0, to = 0;  // 1/m
   bool endsInNoise = false;
 };
-ReliableBand reliableBand(std::span<const double> heights, double spacing, double shortWaveCut);
+ReliableBand reliableBand(std::span<const double> heights, double spacing, double shortWaveCut,
+                          const HeightSteps& steps = {});
 
 /// Powers (m^2) in bands of wave numbers. Band j covers the waves first[j] to first[j + 1] - 1 of
 /// the analysed length; the lowest band contains the wave 0 as well.
@@ -70,11 +74,15 @@ struct EquivalentSpectra {
   double factor(double q) const;
 };
 
-/// Returns the spectra of a topography without gaps from its two-dimensional spectrum under a Hann
-/// window, summed over rings. `form` is subtracted from the whole topography before (a plane, a
-/// paraboloid). `progress` is called with the finished part, 0 to 1. Throws StopRequested
-/// (core/base/stop.h) where `stop` was requested, within a row or within the one transform of all
-/// rows.
+/// Returns the spectra of a topography without gaps. The rows give the spectrum that the surface
+/// has if it is isotropic, by the Abel relation (below). The two-dimensional spectrum under a Hann
+/// window, summed over rings, corrects it where the surface is not: by one step of expectation and
+/// maximisation from the isotropic spectrum to these rings, which takes into account how the window
+/// across the rows spreads each wave. Few rows spread long waves over most of the rings, and rows
+/// far apart fold short waves into them; the spectrum is then that of the rows. `form` is
+/// subtracted from the whole topography before (a plane, a paraboloid). `progress` is called with
+/// the finished part, 0 to 1. Throws StopRequested (core/base/stop.h) where `stop` was requested,
+/// within a row or within the one transform of all rows.
 EquivalentSpectra equivalentSpectra(const Topography& topography, FormRemoval form,
                                     const std::stop_token& stop = {},
                                     const std::function<void(double)>& progress = {});

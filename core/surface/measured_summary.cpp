@@ -46,7 +46,12 @@ MeasuredSummary measuredSummary(const Scene& scene, const LineSource& source) {
   markOutliers(levelled, processing.outliers, processing.form);
   interpolateGaps(levelled);
   removeForm(levelled, processing.form);
-  summary.band = reliableBand(levelled, profile.spacing, processing.shortWaveCut);
+  summary.steps = coarseSteps(profile.raw);
+  summary.band = reliableBand(levelled, profile.spacing, processing.shortWaveCut, summary.steps);
+  // A cut-off that ends the band removes what the steps add.
+  constexpr double kRounded = 1.01;
+  if (kRounded * processing.shortWaveCut * summary.band.to >= 2 * std::numbers::pi)
+    summary.steps = {};
   summary.period = source.length();
   summary.lineSlope = source.statistics().rmsSlope;
   summary.ratios = lines.equivalentRatios();
@@ -90,12 +95,21 @@ std::vector<Message> factsOf(const MeasuredSummary& summary) {
   if (summary.spikes > 0) list.push_back(spikesFact(summary.spikes));
   list.push_back(
       summary.isEquivalent
-          ? message("the line is the isotropic equivalent, C = \u03C0 q C\u2082, with the height "
-                    "of the whole surface; its rms height is {} times and its rms slope {} times "
-                    "that of the line as measured",
-                    PrintedNumber{printedNumber(summary.ratios.height, 4)},
-                    PrintedNumber{printedNumber(summary.ratios.slope, 4)})
+          ? message(
+                "the line is the isotropic equivalent, C = \u03C0 q C\u2082, which has the height "
+                "of the whole surface in the mean over all rows; its rms height is {} times "
+                "and its rms slope {} times that of the line as measured",
+                PrintedNumber{printedNumber(summary.ratios.height, 4)},
+                PrintedNumber{printedNumber(summary.ratios.slope, 4)})
           : Message("the line is the surface as measured"));
+  // The window across the rows distinguishes wavelengths from two rows to half of all rows.
+  constexpr std::int64_t kRowsForFourOctaves = 64;
+  if (summary.isEquivalent && summary.rows < kRowsForFourOctaves)
+    list.push_back(
+        summary.rows == 1
+            ? Message("that the surface is isotropic is assumed: one profile cannot show it")
+            : message("that the surface is isotropic is assumed: {} rows are too few to show it",
+                      summary.rows));
   list.push_back(summary.hasTurned ? Message("the line is turned over, because the summits touch")
                                    : Message("the line is not turned over: the valleys touch"));
   list.push_back(
@@ -107,6 +121,13 @@ std::vector<Message> factsOf(const MeasuredSummary& summary) {
         "the long-wave cut-off of {} is longer than the profile of {}: hardly any wave is removed, "
         "and the values are no roughness parameters of ISO 21920-2",
         metres(summary.longWaveCut), metres(summary.used.length)));
+  if (summary.steps.step > 0)
+    list.push_back(
+        message("the heights of the row have only {} levels, {} apart, which is about as much as "
+                "neighbours differ: the line is too steep by these steps; measure in finer steps, "
+                "or remove waves shorter than {} by surface.short_wave_cut",
+                summary.steps.levels, metres(summary.steps.step),
+                metres(2 * std::numbers::pi / summary.band.to)));
   if (!(summary.band.to > summary.band.from)) {
     list.push_back("the profile is too short, or too noisy, for a spectrum that can be relied on");
     return list;

@@ -24,6 +24,7 @@ struct MeasuredSummary {
   bool isRoughness = false;  // a long-wave cut makes the values used R parameters
   double longWaveCut = 0;    // m; 0: none
   SpectralDensity rawSpectrum{}, usedSpectrum{};  // under a Hann window, C1 two-sided
+  HeightSteps steps{};                            // of that row, where they are too coarse
   ReliableBand band{};
   double period = 0;     // m, of the line
   double lineSlope = 0;  // rms, of the line that slides

@@ -6491,8 +6491,20 @@
         <translation>die isotrop gleichwertige Linie, C = π q C₂, der gemessenen Oberfläche</translation>
     </message>
     <message>
-        <source>the line is the isotropic equivalent, C = π q C₂, with the height of the whole surface; its rms height is %1 times and its rms slope %2 times that of the line as measured</source>
-        <translation>die Linie ist die isotrop gleichwertige, C = π q C₂, mit der Höhe der ganzen Oberfläche; ihre RMS-Höhe ist %1-mal und ihre RMS-Steigung %2-mal die der Linie wie gemessen</translation>
+        <source>the heights of the row have only %1 levels, %2 apart, which is about as much as neighbours differ: the line is too steep by these steps; measure in finer steps, or remove waves shorter than %3 by surface.short_wave_cut</source>
+        <translation>die Höhen der Zeile haben nur %1 Stufen im Abstand von %2, etwa so viel, wie sich Nachbarn unterscheiden: um diese Stufen ist die Linie zu steil; in feineren Stufen messen, oder Wellen kürzer als %3 mit surface.short_wave_cut entfernen</translation>
+    </message>
+    <message>
+        <source>that the surface is isotropic is assumed: one profile cannot show it</source>
+        <translation>dass die Oberfläche isotrop ist, wird angenommen: ein einzelnes Profil kann es nicht zeigen</translation>
+    </message>
+    <message>
+        <source>that the surface is isotropic is assumed: %1 rows are too few to show it</source>
+        <translation>dass die Oberfläche isotrop ist, wird angenommen: %1 Zeilen sind zu wenige, um es zu zeigen</translation>
+    </message>
+    <message>
+        <source>the line is the isotropic equivalent, C = π q C₂, which has the height of the whole surface in the mean over all rows; its rms height is %1 times and its rms slope %2 times that of the line as measured</source>
+        <translation>die Linie ist die isotrop gleichwertige, C = π q C₂, die im Mittel über alle Zeilen die Höhe der ganzen Oberfläche hat; ihre RMS-Höhe ist %1-mal und ihre RMS-Steigung %2-mal die der Linie wie gemessen</translation>
     </message>
     <message>
         <source>the shift used is the table of measured shifts</source>

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -353,6 +354,67 @@ TEST(IsotropicEquivalent, HasTheHeightOfTheSurfaceWhereRowsAreLevelled) {
   }
   EXPECT_NEAR(std::sqrt(lines / whole), 1, 0.05);
   EXPECT_LT(std::sqrt(rows / whole), 0.95);
+}
+
+/// Returns the first rows of a topography, or every step-th of them.
+Topography strip(const Topography& all, std::int64_t rows, std::int64_t step) {
+  Topography part{
+      all.columns, rows, all.columnSpacing, static_cast<double>(step) * all.rowSpacing, {}};
+  for (std::int64_t row = 0; row < rows; ++row) {
+    const auto heights = all.row(row * step);
+    part.height.insert(part.height.end(), heights.begin(), heights.end());
+  }
+  return part;
+}
+
+/// A line scanner gives few rows, whose window mixes the long waves with the short ones, and wide
+/// distances between rows fold short waves across. Neither makes the surface steeper.
+TEST(IsotropicEquivalent, OfFewRowsHasTheGradientOfTheirSurface) {
+  IsotropicSurface surface;
+  surface.size = 1024;
+  surface.part = 512;
+  surface.highestWaves = 200;
+  Scene scene = measuredScene();
+  scene.surface.line = LineKind::IsotropicEquivalent;
+  constexpr std::array kStrips{std::pair{8, 1}, std::pair{16, 1}, std::pair{32, 1},
+                               std::pair{16, 4}, std::pair{100, 4}};
+  constexpr unsigned kSurfaces = 6;
+  std::array<double, kStrips.size()> square{};
+  for (unsigned seed = 1; seed <= kSurfaces; ++seed) {
+    const Topography all = surface.make(seed);
+    for (std::size_t i = 0; i < kStrips.size(); ++i) {
+      const auto [rows, step] = kStrips[i];
+      const MeasuredLines lines(scene, fileOf(strip(all, rows, step)));
+      for (std::int64_t row = 0; row < rows; ++row)
+        square[i] += std::pow(rmsSlope(lines.modes(row)), 2) / (kSurfaces * rows);
+    }
+  }
+  for (std::size_t i = 0; i < kStrips.size(); ++i)
+    EXPECT_NEAR(std::sqrt(square[i] / surface.squareGradient()), 1, 0.05) << kStrips[i].first;
+}
+
+/// The rows of a surface with grooves along them are smooth; the whole surface is not.
+TEST(IsotropicEquivalent, HasTheGradientOfGroovesAcrossThem) {
+  constexpr std::int64_t kPoints = 256;
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> phase(0, 2 * std::numbers::pi);
+  std::vector<double> across(kPoints);
+  for (int wave = 8; wave < 40; ++wave) {
+    const double shift = phase(random);
+    for (std::size_t y = 0; y < across.size(); ++y)
+      across[y] +=
+          1e-7 * std::sin(2 * std::numbers::pi * wave * static_cast<double>(y) / kPoints + shift);
+  }
+  std::vector<double> heights;
+  for (const double z : across)
+    for (std::int64_t x = 0; x < kPoints; ++x) heights.push_back(z + 1e-8 * normal(random));
+  double square = 0;
+  for (std::size_t i = 1; i < across.size(); ++i)
+    square += std::pow((across[i] - across[i - 1]) / 1e-6, 2) / kPoints;
+  const EquivalentSpectra spectra =
+      equivalentSpectra(topographyOf(heights, kPoints), FormRemoval::None);
+  EXPECT_NEAR(spectra.line.rmsSlope() / std::sqrt(square), 1, 0.15);
 }
 
 TEST(IsotropicEquivalent, OfCutProfilesIsThatOfTheSurface) {

@@ -77,6 +77,15 @@ class MeasuredScene : public testing::Test {
                      "test", folder_.path(), settings);
   }
 
+  /// Returns whether a sentence of the summary has these words.
+  bool says(const std::vector<std::string>& settings, const std::string& words,
+            const std::string& file = "p.txt") {
+    const Scene measured = scene(settings, file);
+    return std::ranges::any_of(
+        factsOf(measuredSummary(measured, LineSource(measured, 1))),
+        [&words](const Message& fact) { return fact.english().find(words) != std::string::npos; });
+  }
+
   std::string errorOf(const std::vector<std::string>& settings, const std::string& file = "p.txt") {
     return errorFrom([&] { LineSource(scene(settings, file), 1); });
   }
@@ -397,18 +406,32 @@ TEST_F(MeasuredScene, OfASpectrumSaysWhereItsBandEnds) {
 }
 
 TEST_F(MeasuredScene, WithALongWaveCutBeyondTheProfileSaysSo) {
-  const auto says = [&](const char* cut) {
-    const Scene measured = readScene(
-        fmt::format(
-            R"({{"surface": {{"kind": "measured", "file": "p.txt", "long_wave_cut": {}}}}})", cut),
-        "t", folder_.path());
-    const auto facts = factsOf(measuredSummary(measured, LineSource(measured, 1)));
-    return std::ranges::any_of(facts, [](const Message& fact) {
-      return fact.english().find("is longer than the profile of 4 mm") != std::string::npos;
-    });
-  };
-  EXPECT_TRUE(says("5e-3"));
-  EXPECT_FALSE(says("8e-4"));
+  const char* words = "is longer than the profile of 4 mm";
+  EXPECT_TRUE(says({"surface.long_wave_cut=5e-3"}, words));
+  EXPECT_FALSE(says({"surface.long_wave_cut=8e-4"}, words));
+}
+
+TEST_F(MeasuredScene, SaysThatOneProfileCannotShowIsotropy) {
+  const char* words = "one profile cannot show it";
+  EXPECT_TRUE(says({"surface.line=isotropic_equivalent"}, words));
+  EXPECT_FALSE(says({}, words));
+}
+
+/// The cut-off that the sentence names removes what the steps add.
+TEST_F(MeasuredScene, SaysThatStepsOfTheHeightsAreCoarse) {
+  std::string text = "x [mm]\tz [um]\n";
+  for (int i = 0; i < 400; ++i)
+    text +=
+        fmt::format("{:.2f}\t{:.1f}\n", 0.01 * i, std::sin(0.031 * i) + 0.4 * std::sin(0.2 * i));
+  folder_.write("coarse.txt", text);
+  const char* words = "levels, ";
+  EXPECT_TRUE(says({}, words, "coarse.txt"));
+  EXPECT_FALSE(says({}, words));
+  const Scene coarse = scene({}, "coarse.txt");
+  const ReliableBand band = measuredSummary(coarse, LineSource(coarse, 1)).band;
+  const std::string cut =
+      fmt::format("surface.short_wave_cut={:.3g}", 2 * std::numbers::pi / band.to);
+  EXPECT_FALSE(says({cut}, words, "coarse.txt"));
 }
 
 TEST_F(MeasuredScene, IsSummedUpInItsOwnOrientation) {
