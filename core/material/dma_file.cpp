@@ -50,6 +50,7 @@ class Reader {
         throw InputError(name_, block.label(i),
                          message("line {}: '{}' is no number", block.lines.front(),
                                  shortened(block.texts[i].front())));
+    refuseTestOverTime(block);
     constexpr std::size_t kMost = 12;
     std::string list;
     for (std::size_t i = 0; i < std::min(block.columns.size(), kMost); ++i)
@@ -60,6 +61,25 @@ class Reader {
                 "delta, or magnitude and phase) among {}; say which they are with "
                 "--frequency-column, --storage-column and --loss-column",
                 list));
+  }
+
+  /// Refuses a modulus or a compliance over time, G(t) or J(t), and says what is read.
+  void refuseTestOverTime(const TextBlock& block) const {
+    bool hasTime = false, hasAnswer = false;
+    for (const TextColumn& column : block.columns) {
+      const std::string name = compactName(column.name);
+      hasTime = hasTime || name == "t" || name.starts_with("time") || name.starts_with("zeit");
+      for (const char* answer : {"gt", "et", "jt", "dt"})
+        // With its unit, where that is none of a modulus: "J(t) (1/MPa)".
+        hasAnswer = hasAnswer || name == answer || name.starts_with(std::string(answer) + "1/");
+      for (const char* word : {"relax", "creep", "compliance", "kriech", "nachgiebigkeit"})
+        hasAnswer = hasAnswer || name.find(word) != std::string::npos;
+    }
+    if (hasTime && hasAnswer)
+      throw InputError(name_, "",
+                       "holds a test over time: relaxation tests, G(t), and creep tests, J(t), are "
+                       "not read; what is read are G' and G'' over frequency at one or several "
+                       "temperatures, and Prony series");
   }
 
   bool readBlock(const TextBlock& block) {

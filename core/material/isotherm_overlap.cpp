@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/base/input_error.h"
+#include "core/material/stray_points.h"
 
 namespace asperity {
 namespace {
@@ -128,6 +129,7 @@ Window windowAt(const LogSweep& colder, const LogSweep& warmer, double shift) {
 /// The shifts that bring two isotherms together.
 struct FittedShifts {
   ShiftEstimate horizontal, vertical;
+  OverlapResiduals residuals{};  // of both moduli
 };
 
 /// Solves the least-squares problem over one window by the Gauss-Newton method. The unknowns are
@@ -246,12 +248,87 @@ class WindowFit {
         (squares / left);
     const auto errorOf = [&](Eigen::Index i) { return std::sqrt(std::max(0.0, covariance(i, i))); };
     found.horizontal.error = errorOf(system_.cols() - 1);
-    found.horizontal.squares = squares;
-    found.horizontal.freedom = static_cast<int>(left);
-    if (squares > 0)
-      found.horizontal.sensitivity = found.horizontal.error / std::sqrt(squares / left);
     if (isVertical_) found.vertical.error = errorOf(system_.cols() - 2);
+    if (moduliCount() == 2) found.residuals = residuals();
     return found;
+  }
+
+  /// Returns what more unknowns would explain of the assembled rows.
+  OverlapResiduals residuals() const {
+    const Eigen::Index rows = 2 * rows_;  // without that of the expected vertical shift
+    const auto colder = static_cast<Eigen::Index>(window_.colder.size());
+    const Eigen::MatrixXd known = system_.topRows(rows);
+    const Eigen::VectorXd data = data_.head(rows);
+    const auto solver = known.colPivHouseholderQr();
+    Eigen::MatrixXd basis = solver.householderQ() * Eigen::MatrixXd::Identity(rows, solver.rank());
+    const auto rest = [&basis](const Eigen::VectorXd& column) -> Eigen::VectorXd {
+      return column - basis * (basis.transpose() * column);
+    };
+    const auto contrast = [&](const Eigen::VectorXd& column) {
+      constexpr double kIndependent = 1e-6;
+      Contrast found;
+      const Eigen::VectorXd own = rest(column);
+      const double square = own.squaredNorm();
+      if (!(square > kIndependent * kIndependent * column.squaredNorm())) return found;
+      found.value = own.dot(data) / square;
+      found.storageGain = own.head(rows_).squaredNorm() / (square * square);
+      found.lossGain = own.tail(rows_).squaredNorm() / (square * square);
+      found.explained = found.value * found.value * square;
+      found.shiftChange = -found.value * solver.solve(column)[known.cols() - 1];
+      return found;
+    };
+    const auto addToBasis = [&](const Eigen::VectorXd& column) {
+      const Eigen::VectorXd own = rest(column);
+      basis.conservativeResize(Eigen::NoChange, basis.cols() + 1);
+      basis.rightCols(1) = own.normalized();
+    };
+    OverlapResiduals found;
+    found.squares = rest(data).squaredNorm();
+    found.values = static_cast<double>(rows);
+    found.freedom = static_cast<double>(rows - basis.cols());
+    Eigen::VectorXd difference = known.rightCols(1);
+    difference.head(rows_).setZero();
+    found.difference = found.differenceBesideVertical = contrast(difference);
+    if (!isVertical_) {
+      Eigen::VectorXd vertical = Eigen::VectorXd::Zero(rows);
+      vertical.head(colder).setOnes();
+      vertical.segment(rows_, colder).setOnes();
+      found.vertical = contrast(vertical);
+      if (std::isfinite(found.vertical.value)) addToBasis(vertical);
+      found.differenceBesideVertical = contrast(difference);
+    }
+    if (std::isfinite(found.differenceBesideVertical.value)) addToBasis(difference);
+    const Eigen::VectorXd left = rest(data);
+    const auto sum = [&](Eigen::Index from) {
+      OverlapResiduals::Modulus modulus;
+      addNoise(from, colder, modulus);
+      addNoise(from + colder, rows_ - colder, modulus);
+      for (Eigen::Index i = from; i < from + rows_; ++i) {
+        modulus.squares += left[i] * left[i];
+        modulus.freedom += 1 - basis.row(i).squaredNorm();
+        const bool startsSweep = i == from || i == from + colder;
+        if (startsSweep) continue;
+        modulus.products += left[i] * left[i - 1];
+        modulus.whiteProducts -= basis.row(i).dot(basis.row(i - 1));
+        modulus.neighbours += 1;
+      }
+      return modulus;
+    };
+    found.storage = sum(0);
+    found.loss = sum(rows_);
+    return found;
+  }
+
+  /// Adds the residuals of one sweep of one modulus about a polynomial of its own.
+  void addNoise(Eigen::Index from, Eigen::Index count, OverlapResiduals::Modulus& modulus) const {
+    const Eigen::Index block = polynomialUnknowns();
+    if (count <= block) return;
+    const Eigen::Index column = from < rows_ ? 0 : block;
+    const Eigen::MatrixXd own = system_.block(from, column, count, block);
+    const Eigen::VectorXd data = data_.segment(from, count);
+    const auto solver = own.colPivHouseholderQr();
+    modulus.noiseSquares += (data - own * solver.solve(data)).squaredNorm();
+    modulus.noiseFreedom += static_cast<double>(count - block);
   }
 
   const LogSweep &colder_, &warmer_;
@@ -297,6 +374,20 @@ std::optional<FittedShifts> fittedShift(const LogSweep& colder, const LogSweep& 
               celsius(colder.temperature), celsius(warmer.temperature)));
 }
 
+/// Refuses a pair of isotherms that overlap but for a point that is wrong.
+void refuseStray(const Isotherm& cold, const Isotherm& warm) {
+  const std::vector<Isotherm> pair{cold, warm};
+  const std::vector<StrayPoint> strays = strayPoints(pair);
+  if (strays.empty() || !scannedShift(logarithms(withoutStrays(cold, 0, strays)),
+                                      logarithms(withoutStrays(warm, 1, strays))))
+    return;
+  throw InputError("", "",
+                   message("the isotherms at {} and {} overlap only without a point that leaves "
+                           "its curve: {}; correct its row, or take it out",
+                           celsius(cold.temperature), celsius(warm.temperature),
+                           describe(strays.front(), pair)));
+}
+
 [[noreturn]] void refuseWithoutVertical(const Isotherm& colder, const Isotherm& warmer) {
   throw InputError(
       "", "",
@@ -326,6 +417,7 @@ NeighbourShifts neighbourShifts(const Isotherm& cold, const Isotherm& warm, bool
   std::optional<double> start = scannedShift(colder, warmer);
   // Plateaus of different height are joined by a vertical shift alone.
   if (!start) {
+    refuseStray(cold, warm);
     start = scannedShift(colder, warmer, entropic);
     if (!start) refuseGap(cold, warm);
     if (!isVertical) refuseWithoutVertical(cold, warm);
@@ -340,6 +432,7 @@ NeighbourShifts neighbourShifts(const Isotherm& cold, const Isotherm& warm, bool
   both.standardError = common.horizontal.error;
   both.log10Vertical = common.vertical.value;
   both.verticalError = common.vertical.error;
+  found.residuals = common.residuals;
   both.decades = commonRange(colder, warmer, both.log10Shift).width();
   if (both.decades > 0)
     both.mismatch = mismatchAt(colder, warmer, both.log10Shift, both.log10Vertical);

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/material/isotherms.h"
+#include "core/material/overlap_residuals.h"
 
 namespace asperity {
 
@@ -27,10 +28,6 @@ struct Overlap {
 struct ShiftEstimate {
   double value = 0;                                         // decades
   double error = std::numeric_limits<double>::quiet_NaN();  // decades, standard error
-  // The error is the deviation of one modulus, estimated from the residuals, times sensitivity.
-  double sensitivity = 0;
-  double squares = 0;  // of the residuals, decades^2
-  int freedom = 0;     // number of residuals beyond that of the unknowns
 };
 
 /// The shifts that follow from both moduli, and from each alone. An estimate that is not available
@@ -38,6 +35,7 @@ struct ShiftEstimate {
 struct NeighbourShifts {
   Overlap both;
   ShiftEstimate storage, loss;
+  OverlapResiduals residuals{};  // of the fit of both
 };
 
 /// Returns the shifts that bring an isotherm onto the next warmer one. isVertical: whether the

@@ -12,8 +12,9 @@
 namespace asperity {
 namespace {
 
-constexpr double kSimpleDifference = 0.1;  // decades, see isThermorheologicallySimple
-constexpr double kSignificant = 3;         // standard errors of such a difference
+// See isThermorheologicallySimple.
+constexpr double kSimpleDifference = 0.1;  // decades of frequency
+constexpr double kSimpleMisfit = 0.002;    // decades of modulus, half a per cent
 
 /// Sums of the shifts of neighbours, counted from the reference temperature.
 class Accumulated {
@@ -52,23 +53,6 @@ class Accumulated {
   double reference_;
 };
 
-/// Widens errors that are too small by chance, because a step left few residuals: one modulus
-/// scatters at least as much in each step as in all of them together. kSignificant of the errors
-/// are then as rare as of a known one.
-void widenErrors(std::vector<ShiftEstimate>& steps) {
-  double squares = 0;
-  int freedom = 0;
-  for (const ShiftEstimate& step : steps) {
-    squares += step.squares;
-    freedom += step.freedom;
-  }
-  if (freedom == 0) return;
-  const double common = std::sqrt(squares / freedom);
-  const double rarity = studentDeviations(kSignificant, freedom) / kSignificant;
-  for (ShiftEstimate& step : steps)
-    if (step.freedom > 0) step.error = rarity * std::max(step.error, step.sensitivity * common);
-}
-
 /// Moves the reference of the sums to the reference temperature. Between two isotherms the sums are
 /// linear in T, which is exact at an isotherm. Where a formula fits all shifts, the reference is
 /// moved to its value, which is exact for a formula that holds.
@@ -101,24 +85,52 @@ void addPoints(std::span<const Isotherm> isotherms, MasterCurve& curve) {
                            [](const MasterPoint& point) { return point.modulus.frequency; });
 }
 
-double differenceOf(const IsothermShift& shift) {
-  return std::abs(shift.fromStorage - shift.fromLoss);
-}
-
-/// Returns whether the moduli ask for different shifts of an isotherm.
-bool isDifferent(const IsothermShift& shift) {
-  const double difference = differenceOf(shift);
-  return std::isfinite(difference) && std::isfinite(shift.differenceError) &&
-         difference > kSimpleDifference && difference > kSignificant * shift.differenceError;
-}
-
-void compareModuli(MasterCurve& curve) {
-  for (const IsothermShift& shift : curve.shifts) {
-    const double difference = differenceOf(shift);
-    if (!std::isfinite(difference) || !std::isfinite(shift.differenceError)) continue;
-    curve.largestDifference = std::max(curve.largestDifference, difference);
-    if (isDifferent(shift)) curve.isThermorheologicallySimple = false;
+/// Finds out whether one shift serves both moduli and all frequencies. The shifts of one modulus
+/// from its flat side are noise; such pairs count as equal.
+void compareModuli(const OverlapNoise& noise, const Accumulated& sums,
+                   const std::vector<NeighbourShifts>& steps, MasterCurve& curve) {
+  curve.shapeMisfit = noise.misfitOfShape();
+  if (curve.shapeMisfit > kSimpleMisfit) curve.isThermorheologicallySimple = false;
+  constexpr double kClear = 2;  // standard errors
+  const std::vector<double> deviations = noise.deviations(&OverlapResiduals::difference);
+  if (!noise.areSignificant(deviations)) return;
+  std::vector<ShiftEstimate> differences;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const double difference = steps[i].loss.value - steps[i].storage.value;
+    const bool isClear = std::abs(deviations[i]) > kClear && std::isfinite(difference);
+    differences.push_back({isClear ? difference : 0, 0});
+    curve.largestStep = std::max(curve.largestStep, std::abs(differences.back().value));
   }
+  for (const ShiftEstimate& sum : sums.from(differences))
+    curve.largestDifference = std::max(curve.largestDifference, std::abs(sum.value));
+  if (std::max(curve.largestStep, curve.largestDifference) > kSimpleDifference)
+    curve.isThermorheologicallySimple = false;
+}
+
+/// Finds out what vertical shifts would change. Returns the changes of the steps; they are no
+/// noise, and errors of the same sign add up from one isotherm to the next.
+std::vector<ShiftEstimate> considerVertical(const OverlapNoise& noise,
+                                            const std::vector<NeighbourShifts>& steps,
+                                            VerticalEvidence& evidence) {
+  std::vector<ShiftEstimate> changes(steps.size(), ShiftEstimate{0, 0});
+  const std::vector<double> deviations = noise.deviations(&OverlapResiduals::vertical);
+  evidence.isSignificant = noise.areSignificant(deviations);
+  if (!evidence.isSignificant) return changes;
+  double squares = 0, freedom = 0, explained = 0, count = 0;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const OverlapResiduals& residuals = steps[i].residuals;
+    squares += residuals.squares;
+    freedom += residuals.freedom;
+    if (!std::isfinite(residuals.vertical.value)) continue;
+    explained += residuals.vertical.explained;
+    ++count;
+    changes[i].value = residuals.vertical.shiftChange;
+    if (std::abs(deviations[i]) > 1)
+      evidence.largestShift = std::max(evidence.largestShift, std::abs(residuals.vertical.value));
+  }
+  evidence.residual = std::sqrt(squares / freedom);
+  evidence.residualWith = std::sqrt((squares - explained) / std::max(1.0, freedom - count));
+  return changes;
 }
 
 }  // namespace
@@ -136,42 +148,38 @@ MasterCurve masterCurve(std::span<const Isotherm> isotherms, double referenceTem
                 PrintedNumber{printedDecimals(highest, 2)}, celsius(lowest), celsius(highest)));
   MasterCurve curve;
   curve.referenceTemperature = referenceTemperature;
+  std::vector<NeighbourShifts> steps;
+  std::vector<OverlapResiduals> residuals;
   std::vector<ShiftEstimate> both, vertical, storage, loss;
   for (std::size_t i = 0; i + 1 < isotherms.size(); ++i) {
     throwIfStopped(stop);
-    const NeighbourShifts step = neighbourShifts(isotherms[i], isotherms[i + 1], isVertical);
+    const NeighbourShifts& step =
+        steps.emplace_back(neighbourShifts(isotherms[i], isotherms[i + 1], isVertical));
+    residuals.push_back(step.residuals);
     curve.overlaps.push_back(step.both);
     both.push_back({step.both.log10Shift, step.both.standardError});
     vertical.push_back({step.both.log10Vertical, step.both.verticalError});
     storage.push_back(step.storage);
     loss.push_back(step.loss);
-    const double difference = std::abs(step.storage.value - step.loss.value);
-    if (std::isfinite(difference)) curve.largestStep = std::max(curve.largestStep, difference);
   }
-  widenErrors(storage);
-  widenErrors(loss);
+  const OverlapNoise misfit(residuals, OverlapNoise::Of::Misfit);
+  const OverlapNoise noise(residuals, OverlapNoise::Of::Noise);
+  for (ShiftEstimate& step : both) step.error *= std::sqrt(misfit.correlation());
   const Accumulated sums(isotherms, referenceTemperature);
   auto horizontal = sums.from(both), ofStorage = sums.from(storage), ofLoss = sums.from(loss);
   const auto up = sums.from(vertical);
   moveReference(isotherms, referenceTemperature, horizontal, ofStorage, ofLoss);
-  for (std::size_t i = 0; i < isotherms.size(); ++i)
-    curve.shifts.push_back({isotherms[i].temperature, horizontal[i].value, horizontal[i].error,
-                            up[i].value, ofStorage[i].value, ofLoss[i].value,
-                            std::hypot(ofStorage[i].error, ofLoss[i].error)});
-  addPoints(isotherms, curve);
-  compareModuli(curve);
-  return curve;
-}
-
-bool explainsDifferences(const MasterCurve& vertical, const MasterCurve& plain) {
-  if (!vertical.isThermorheologicallySimple) return false;
-  for (std::size_t i = 0; i < plain.shifts.size(); ++i) {
-    const IsothermShift& shift = plain.shifts[i];
-    if (!isDifferent(shift)) continue;
-    const double explained = differenceOf(shift) - differenceOf(vertical.shifts[i]);
-    if (!(explained > kSignificant * shift.differenceError)) return false;
+  const auto changes = sums.from(considerVertical(misfit, steps, curve.vertical));
+  for (std::size_t i = 0; i < isotherms.size(); ++i) {
+    const double change = std::abs(changes[i].value);
+    curve.vertical.largestChange = std::max(curve.vertical.largestChange, change);
+    curve.shifts.push_back({isotherms[i].temperature, horizontal[i].value,
+                            std::hypot(horizontal[i].error, change), up[i].value,
+                            ofStorage[i].value, ofLoss[i].value});
   }
-  return true;
+  addPoints(isotherms, curve);
+  compareModuli(noise, sums, steps, curve);
+  return curve;
 }
 
 double usualReference(std::span<const Isotherm> isotherms) {

@@ -18,13 +18,12 @@ namespace asperity {
 
 /// The shift of one isotherm in the table.
 struct IsothermShift {
-  double temperature = 0;      // K
-  double log10Shift = 0;       // decades, log10 a_T
-  double standardError = 0;    // decades; 0 at the reference
-  double log10Vertical = 0;    // decades, log10 b_T
-  double fromStorage = 0;      // decades, log10 a_T from G' alone; NaN: not available
-  double fromLoss = 0;         // decades, log10 a_T from G'' alone; NaN: not available
-  double differenceError = 0;  // decades, standard error of the difference of these two
+  double temperature = 0;    // K
+  double log10Shift = 0;     // decades, log10 a_T
+  double standardError = 0;  // decades; 0 at the reference
+  double log10Vertical = 0;  // decades, log10 b_T
+  double fromStorage = 0;    // decades, log10 a_T from G' alone; NaN: not available
+  double fromLoss = 0;       // decades, log10 a_T from G'' alone; NaN: not available
 };
 
 /// A point of the master curve.
@@ -33,16 +32,29 @@ struct MasterPoint {
   std::size_t isotherm = 0;  // from which it comes
 };
 
+/// What vertical shifts would change of a master curve without them.
+struct VerticalEvidence {
+  bool isSignificant = false;             // whether more than noise is explained by them
+  double residual = 0, residualWith = 0;  // decades, rms of the overlaps without and with them
+  double largestShift = 0;                // decades of modulus, between neighbours
+  double largestChange = 0;               // decades, of log10 a_T of an isotherm
+};
+
 struct MasterCurve {
   double referenceTemperature = 0;    // K
   std::vector<IsothermShift> shifts;  // of every isotherm, rising temperature
   std::vector<Overlap> overlaps;      // of every isotherm with the next warmer one
   std::vector<MasterPoint> points;    // rising reduced frequency
-  /// Whether one shift serves both moduli: the shifts from G' and from G'' alone nowhere differ by
-  /// more than a tenth of a decade and three standard errors, which count the scatter of all steps.
+  /// Whether one shift serves both moduli: what different shifts explain is within the noise of the
+  /// overlaps, or the shifts nowhere differ by more than a tenth of a decade; and the isotherms
+  /// have one shape where they overlap, whatever the shifts.
   bool isThermorheologicallySimple = true;
-  double largestDifference = 0;  // decades, between the two tables
-  double largestStep = 0;        // decades, the same from one isotherm to the next
+  // Between the shifts from G' and from G'' alone, where more than noise makes them differ,
+  // decades:
+  double largestStep = 0;        // from one isotherm to the next
+  double largestDifference = 0;  // in the table
+  double shapeMisfit = 0;        // decades of modulus, rms, beyond noise and any shifts
+  VerticalEvidence vertical;
 
   double lowestFrequency() const { return points.front().modulus.frequency; }  // Hz
   double highestFrequency() const { return points.back().modulus.frequency; }  // Hz
@@ -56,10 +68,6 @@ struct MasterCurve {
 /// `stop`.
 MasterCurve masterCurve(std::span<const Isotherm> isotherms, double referenceTemperature,
                         bool isVertical = false, const std::stop_token& stop = {});
-
-/// Returns whether vertical shifts explain the differences between the moduli of `plain`, the curve
-/// without them: they leave none that is significant, and remove a significant part of each.
-bool explainsDifferences(const MasterCurve& vertical, const MasterCurve& plain);
 
 /// Returns the default reference temperature (K): 25 °C, the default temperature of a scene, where
 /// it was measured (within kIsothermTolerance), else the nearest isotherm.

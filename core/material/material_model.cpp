@@ -13,6 +13,7 @@
 #include "core/base/number_text.h"
 #include "core/base/text_encoding.h"
 #include "core/material/material_library.h"
+#include "core/material/stray_points.h"
 
 namespace asperity {
 namespace {
@@ -244,13 +245,82 @@ void takeShift(Material& material, const TemperatureShift& stated,
   material.measured.temperatureFrom = material.measured.temperatureTo = 0;
 }
 
-/// Returns whether vertical shifts would let one horizontal shift serve both moduli.
-bool isSimpleWithVertical(const Material& material, const std::stop_token& stop) {
+/// Returns whether vertical shifts explain what neighbours differ by, and leave one horizontal
+/// shift that serves both moduli.
+bool isExplainedByVertical(const Material& material, const std::stop_token& stop) {
+  if (material.isVertical || !material.curve.vertical.isSignificant) return false;
   try {
-    return explainsDifferences(
-        masterCurve(material.isotherms, material.referenceTemperature, true, stop), material.curve);
+    return masterCurve(material.isotherms, material.referenceTemperature, true, stop)
+        .isThermorheologicallySimple;
   } catch (const InputError&) {
     return false;
+  }
+}
+
+/// Returns by how much (decades) a shift to a neighbour changes without a stray point, where that
+/// is more than its error; else 0.
+double changeWithout(const StrayPoint& stray, const Material& material) {
+  constexpr double kVisible = 0.02;  // decades
+  const std::vector<Isotherm>& isotherms = material.isotherms;
+  const Isotherm rest =
+      withoutStrays(isotherms[stray.isotherm], stray.isotherm, std::span(&stray, 1));
+  double largest = 0;
+  const auto compare = [&](std::size_t colder, const Isotherm& cold, const Isotherm& warm) {
+    try {
+      const Overlap without = neighbourShifts(cold, warm, material.isVertical).both;
+      const double change =
+          std::abs(without.log10Shift - material.curve.overlaps[colder].log10Shift);
+      if (!std::isfinite(without.standardError)) return;
+      if (change > std::max(kVisible, 2 * without.standardError))
+        largest = std::max(largest, change);
+    } catch (const InputError&) {
+      // Too few points are left to compare.
+    }
+  };
+  if (stray.isotherm > 0) compare(stray.isotherm - 1, isotherms[stray.isotherm - 1], rest);
+  if (stray.isotherm + 1 < isotherms.size())
+    compare(stray.isotherm, rest, isotherms[stray.isotherm + 1]);
+  return largest;
+}
+
+std::vector<Message> describeStrays(const Material& material,
+                                    const std::vector<StrayPoint>& strays) {
+  constexpr std::size_t kMost = 3;
+  std::vector<Message> lines;
+  for (const StrayPoint& stray : strays) {
+    if (lines.size() == kMost) {
+      lines.push_back(
+          message("more points leave the curve of their neighbours: {}", strays.size() - kMost));
+      break;
+    }
+    const Message point = describe(stray, material.isotherms);
+    const double change = changeWithout(stray, material);
+    lines.push_back(change > 0
+                        ? message("{}; without it a shift changes by {} decades: correct its row, "
+                                  "or take it out",
+                                  point, PrintedNumber{printedNumber(change, 2)})
+                        : message("{}: correct its row, or take it out", point));
+  }
+  return lines;
+}
+
+/// Takes what the isotherms say about superposition without their stray points, of which nothing is
+/// to be concluded.
+void judgeWithout(const std::vector<StrayPoint>& strays, Material& material,
+                  const std::stop_token& stop) {
+  std::vector<Isotherm> rest;
+  for (std::size_t i = 0; i < material.isotherms.size(); ++i)
+    rest.push_back(withoutStrays(material.isotherms[i], i, strays));
+  try {
+    const MasterCurve curve =
+        masterCurve(rest, material.referenceTemperature, material.isVertical, stop);
+    material.curve.isThermorheologicallySimple = curve.isThermorheologicallySimple;
+    material.curve.largestStep = curve.largestStep;
+    material.curve.largestDifference = curve.largestDifference;
+    material.curve.shapeMisfit = curve.shapeMisfit;
+    material.curve.vertical = curve.vertical;
+  } catch (const InputError&) {
+    // Without them too little is left; what they say remains.
   }
 }
 
@@ -267,8 +337,10 @@ Material fitMaterial(std::vector<Isotherm> isotherms, const MaterialChoices& cho
       isChosen ? choices.referenceTemperature : usualReference(material.isotherms);
   material.curve = masterCurve(material.isotherms, material.referenceTemperature,
                                choices.isVertical, choices.stop);
-  if (!material.curve.isThermorheologicallySimple && !choices.isVertical)
-    material.isSimpleWithVertical = isSimpleWithVertical(material, choices.stop);
+  const std::vector<StrayPoint> strays = strayPoints(material.isotherms);
+  material.strays = describeStrays(material, strays);
+  if (!strays.empty()) judgeWithout(strays, material, choices.stop);
+  material.isExplainedByVertical = isExplainedByVertical(material, choices.stop);
   std::vector<DynamicModulus> points;
   for (const MasterPoint& point : material.curve.points) points.push_back(point.modulus);
   PronyOptions series = choices.series;
@@ -451,19 +523,29 @@ std::vector<Message> materialSummary(const Material& material) {
                     : material.shift.kind == ShiftKind::Wlf
                         ? Message("the shift is that of Williams, Landel and Ferry")
                         : Message("the shift is that of Arrhenius"));
-  if (material.isSimpleWithVertical)
+  lines.insert(lines.end(), material.strays.begin(), material.strays.end());
+  const auto decades = [](double value) { return PrintedNumber{printedNumber(value, 2)}; };
+  const auto ofModulus = [&](double value) { return percent(std::pow(10, value) - 1); };
+  const VerticalEvidence& vertical = curve.vertical;
+  if (material.isExplainedByVertical)
     lines.push_back(message(
-        "shifts from G' alone and from G'' alone differ by up to {} decades between neighbours, {} "
-        "in all; vertical shifts, as of an entropic spring, explain that: --vertical-shifts",
-        PrintedNumber{printedNumber(curve.largestStep, 2)},
-        PrintedNumber{printedNumber(curve.largestDifference, 2)}));
-  else if (!curve.isThermorheologicallySimple)
+        "vertical shifts of up to {} % between neighbours, as of an entropic spring or an "
+        "uncertain "
+        "size of the sample, lower what neighbours differ by from {} to {} % (rms); without them "
+        "shifts are uncertain by up to {} decades: --vertical-shifts",
+        ofModulus(vertical.largestShift), ofModulus(vertical.residual),
+        ofModulus(vertical.residualWith), decades(vertical.largestChange)));
+  else if (!curve.isThermorheologicallySimple && curve.largestStep > 0)
     lines.push_back(message(
         "not thermorheologically simple: shifts from G' alone and from G'' alone differ by up to "
         "{} decades between neighbours, {} in all; predictions at other temperatures are "
         "approximate",
-        PrintedNumber{printedNumber(curve.largestStep, 2)},
-        PrintedNumber{printedNumber(curve.largestDifference, 2)}));
+        decades(curve.largestStep), decades(curve.largestDifference)));
+  else if (!curve.isThermorheologicallySimple)
+    lines.push_back(message(
+        "not thermorheologically simple: beyond their noise, neighbours differ by {} % (rms) where "
+        "they overlap, which no shift explains; predictions at other temperatures are approximate",
+        ofModulus(curve.shapeMisfit)));
   return lines;
 }
 

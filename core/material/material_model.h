@@ -57,8 +57,9 @@ struct Material {
   TemperatureFit wlf, arrhenius;
   DmaFacts facts;
   double strainAmplitude = std::numeric_limits<double>::quiet_NaN();  // median; NaN: not stated
-  // whether vertical shifts would make a material simple that is not thermorheologically simple
-  bool isSimpleWithVertical = false;
+  // whether vertical shifts would explain what neighbours differ by, and leave a simple material
+  bool isExplainedByVertical = false;
+  std::vector<Message> strays;  // points that their neighbours contradict, the worst first
   bool isVertical = false;
   double poissonRatio = 0.5;
   Message format;              // of a ready series: "keywords of Abaqus"

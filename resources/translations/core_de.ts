@@ -4491,8 +4491,36 @@
         <translation>bei derselben Temperatur und Frequenz wiederholt: %1 Zeilen, gemittelt; zusammengefasste Moduln unterscheiden sich bis zum Faktor %2</translation>
     </message>
     <message>
-        <source>shifts from G' alone and from G'' alone differ by up to %1 decades between neighbours, %2 in all; vertical shifts, as of an entropic spring, explain that: --vertical-shifts</source>
-        <translation>Verschiebungen aus G' allein und aus G'' allein unterscheiden sich um bis zu %1 Dekaden zwischen Nachbarn, %2 insgesamt; senkrechte Verschiebungen wie bei einer entropischen Feder erklären das: --vertical-shifts</translation>
+        <source>%1 at %2 and %3 is %4, where the points beside it suggest %5</source>
+        <translation>%1 bei %2 und %3 ist %4, wo die Punkte daneben %5 erwarten lassen</translation>
+    </message>
+    <message>
+        <source>the isotherms at %1 and %2 overlap only without a point that leaves its curve: %3; correct its row, or take it out</source>
+        <translation>die Isothermen bei %1 und %2 überlappen nur ohne einen Punkt, der von seiner Kurve abweicht: %3; seine Zeile berichtigen oder herausnehmen</translation>
+    </message>
+    <message>
+        <source>more points leave the curve of their neighbours: %1</source>
+        <translation>weitere Punkte weichen von der Kurve ihrer Nachbarn ab: %1</translation>
+    </message>
+    <message>
+        <source>%1; without it a shift changes by %2 decades: correct its row, or take it out</source>
+        <translation>%1; ohne ihn ändert sich eine Verschiebung um %2 Dekaden: seine Zeile berichtigen oder herausnehmen</translation>
+    </message>
+    <message>
+        <source>%1: correct its row, or take it out</source>
+        <translation>%1: seine Zeile berichtigen oder herausnehmen</translation>
+    </message>
+    <message>
+        <source>vertical shifts of up to %1 % between neighbours, as of an entropic spring or an uncertain size of the sample, lower what neighbours differ by from %2 to %3 % (rms); without them shifts are uncertain by up to %4 decades: --vertical-shifts</source>
+        <translation>senkrechte Verschiebungen von bis zu %1 % zwischen Nachbarn, wie bei einer entropischen Feder oder ungenauer Probengröße, senken die Abweichung der Nachbarn von %2 auf %3 % (Effektivwert); ohne sie sind Verschiebungen um bis zu %4 Dekaden unsicher: --vertical-shifts</translation>
+    </message>
+    <message>
+        <source>not thermorheologically simple: beyond their noise, neighbours differ by %1 % (rms) where they overlap, which no shift explains; predictions at other temperatures are approximate</source>
+        <translation>nicht thermorheologisch einfach: über ihr Rauschen hinaus weichen Nachbarn, wo sie überlappen, um %1 % (Effektivwert) voneinander ab, was keine Verschiebung erklärt; Vorhersagen bei anderen Temperaturen sind Näherungen</translation>
+    </message>
+    <message>
+        <source>holds a test over time: relaxation tests, G(t), and creep tests, J(t), are not read; what is read are G' and G'' over frequency at one or several temperatures, and Prony series</source>
+        <translation>enthält einen Versuch über der Zeit: Relaxationsversuche, G(t), und Kriechversuche, J(t), werden nicht gelesen; gelesen werden G' und G'' über der Frequenz bei einer oder mehreren Temperaturen und Prony-Reihen</translation>
     </message>
     <message>
         <source>one temperature alone: there is no shift, and scenes need elastomer.temperature=%1</source>

@@ -745,5 +745,17 @@ TEST(DmaFile, UnclearMarksAreSaid) {
                   .facts.isMarkUnclear);
 }
 
+/// The columns of such a test are no others that an option could name.
+TEST(DmaFile, RelaxationAndCreepAreNotRead) {
+  for (const char* head : {"time (s),G(t) (MPa)", "time (s),J(t) (1/MPa)",
+                           "t (s),Relaxation modulus (MPa)", "Time (s),Creep compliance (1/MPa)"}) {
+    const std::string text = std::string(head) + "\n0.1,2\n1,1.5\n10,1.2\n";
+    EXPECT_THAT(errorFrom([&] { read(text); }),
+                AllOf(HasSubstr("relaxation tests, G(t), and creep tests, J(t), are not read"),
+                      Not(HasSubstr("--frequency-column"))))
+        << head;
+  }
+}
+
 }  // namespace
 }  // namespace asperity

@@ -19,8 +19,10 @@ namespace asperity {
 namespace {
 
 using testing::Contains;
+using testing::Each;
 using testing::EndsWith;
 using testing::HasSubstr;
+using testing::Not;
 using testing::ResultOf;
 
 std::string measurements(const std::string& name) {
@@ -97,6 +99,39 @@ TEST(MaterialModel, TheSummarySaysWhatWasMeasured) {
   EXPECT_THAT(lines, Contains(HasSubstr("10 isotherms from \u221210.0 \u00B0C to 53.0 \u00B0C")));
   EXPECT_THAT(lines, Contains(HasSubstr("not thermorheologically simple")));
   EXPECT_THAT(lines, Contains(HasSubstr("the shift used is the table of measured shifts")));
+}
+
+/// A slip of the decimal mark is named, and nothing is concluded from it.
+TEST(MaterialModel, ASlipIsNamedAndNothingIsConcludedFromIt) {
+  const auto linesOf = [](const Material& material) {
+    std::vector<std::string> lines;
+    for (const Message& line : materialSummary(material)) lines.push_back(line.english());
+    return lines;
+  };
+  std::vector<Isotherm> isotherms = SyntheticRubber().sweeps(12, 0.01);
+  EXPECT_THAT(linesOf(fitMaterial(isotherms, {})), Each(Not(HasSubstr("beside it"))));
+  isotherms[4].points[6].storage *= 10;
+  const Material material = fitMaterial(isotherms, {});
+  EXPECT_THAT(linesOf(material), Contains(HasSubstr("G' at 35.0 \u00B0C and 1.23 Hz is")));
+  EXPECT_TRUE(material.curve.isThermorheologicallySimple);
+}
+
+TEST(MaterialModel, MissingVerticalShiftsAreNamed) {
+  SyntheticRubber rubber;
+  rubber.equilibrium = 5e6;
+  std::vector<Isotherm> isotherms = rubber.sweeps(15, 0.01);
+  for (Isotherm& isotherm : isotherms)
+    for (DynamicModulus& point : isotherm.points) {
+      point.storage *= isotherm.temperature / 298.15;
+      point.loss *= isotherm.temperature / 298.15;
+    }
+  const auto last = [&](const MaterialChoices& choices) {
+    return materialSummary(fitMaterial(isotherms, choices)).back().english();
+  };
+  MaterialChoices vertical;
+  vertical.isVertical = true;
+  EXPECT_THAT(last({}), EndsWith("--vertical-shifts"));
+  EXPECT_THAT(last(vertical), Not(HasSubstr("--vertical-shifts")));
 }
 
 /// The shipped materials are what the command makes from the shipped measurements.

@@ -1,0 +1,162 @@
+#include "core/material/stray_points.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/base/number_text.h"
+#include "core/base/statistics.h"
+
+namespace asperity {
+namespace {
+
+constexpr Eigen::Index kMostNeighbours = 6, kLeastNeighbours = 4, kMostUnknowns = 4;
+constexpr double kClearScatter = 8;  // standard errors of the prediction
+const double kClearFactor = std::log10(1.5);
+
+/// One modulus of a sweep in decades.
+struct Curve {
+  std::vector<std::size_t> points;  // of the isotherm
+  std::vector<double> x, y;
+};
+
+/// What the points beside one of a curve say about it, decades.
+struct Prediction {
+  double value = 0;
+  double scatter = 0;    // of the points beside it
+  double magnified = 1;  // the error of value and the point itself, over the scatter of one point
+};
+
+Prediction predicted(const Curve& curve, std::size_t at) {
+  const auto count = static_cast<Eigen::Index>(curve.x.size());
+  const Eigen::Index neighbours = std::min(kMostNeighbours, count - 1);
+  const Eigen::Index unknowns = std::min(kMostUnknowns, neighbours - 2);
+  const auto own = static_cast<Eigen::Index>(at);
+  const Eigen::Index first =
+      std::clamp<Eigen::Index>(own - neighbours / 2, 0, count - 1 - neighbours);
+  const double scale = curve.x[static_cast<std::size_t>(first + neighbours)] -
+                       curve.x[static_cast<std::size_t>(first)];
+  Eigen::MatrixXd system(neighbours, unknowns);
+  Eigen::VectorXd data(neighbours);
+  for (Eigen::Index row = 0, i = first; i <= first + neighbours; ++i) {
+    if (i == own) continue;
+    const double u = (curve.x[static_cast<std::size_t>(i)] - curve.x[at]) / scale;
+    for (Eigen::Index k = 0; k < unknowns; ++k)
+      system(row, k) = std::pow(u, static_cast<double>(k));
+    data[row++] = curve.y[static_cast<std::size_t>(i)];
+  }
+  // The polynomial has its origin at the point itself.
+  const Eigen::MatrixXd inverse = system.completeOrthogonalDecomposition().pseudoInverse();
+  const Eigen::VectorXd coefficients = inverse * data;
+  const double squares = (data - system * coefficients).squaredNorm();
+  return {coefficients[0], std::sqrt(squares / static_cast<double>(neighbours - unknowns)),
+          std::sqrt(1 + inverse.row(0).squaredNorm())};
+}
+
+std::vector<Curve> curvesOf(std::span<const Isotherm> isotherms, double DynamicModulus::*modulus) {
+  std::vector<Curve> curves;
+  for (const Isotherm& isotherm : isotherms) {
+    Curve& curve = curves.emplace_back();
+    for (std::size_t i = 0; i < isotherm.points.size(); ++i) {
+      curve.points.push_back(i);
+      curve.x.push_back(std::log10(isotherm.points[i].frequency));
+      curve.y.push_back(std::log10(isotherm.points[i].*modulus));
+    }
+  }
+  return curves;
+}
+
+struct Found {
+  StrayPoint stray;
+  double deviation = 0;  // decades
+};
+
+/// Returns the point of a curve that is the clearest one, if any is clear. The points beside it
+/// seem to deviate as well, but less clearly, because their own neighbours scatter.
+std::optional<std::size_t> clearest(const Curve& curve, double usualScatter, double& suggested) {
+  std::optional<std::size_t> found;
+  double most = kClearScatter;
+  for (std::size_t i = 0; i < curve.x.size(); ++i) {
+    const Prediction prediction = predicted(curve, i);
+    const double deviation = std::abs(curve.y[i] - prediction.value);
+    const double scatter = std::max(prediction.scatter, usualScatter) * prediction.magnified;
+    if (!(deviation > kClearFactor && deviation > most * scatter)) continue;
+    found = i;
+    suggested = prediction.value;
+    if (!(scatter > 0)) break;
+    most = deviation / scatter;
+  }
+  return found;
+}
+
+bool isLongEnough(const Curve& curve) {
+  return std::ssize(curve.x) > static_cast<std::ptrdiff_t>(kLeastNeighbours);
+}
+
+void addStrays(std::span<const Isotherm> isotherms, bool isLoss, std::vector<Found>& found) {
+  std::vector<Curve> curves =
+      curvesOf(isotherms, isLoss ? &DynamicModulus::loss : &DynamicModulus::storage);
+  std::vector<double> scatters;
+  for (const Curve& curve : curves)
+    for (std::size_t i = 0; isLongEnough(curve) && i < curve.x.size(); ++i)
+      scatters.push_back(predicted(curve, i).scatter);
+  const double usual = median(std::move(scatters));
+  constexpr int kMostOfOne = 10;
+  for (std::size_t k = 0; k < curves.size(); ++k) {
+    Curve& curve = curves[k];
+    for (int n = 0; n < kMostOfOne && isLongEnough(curve); ++n) {
+      double suggested = 0;
+      const auto at = clearest(curve, usual, suggested);
+      if (!at) break;
+      const auto index = static_cast<std::ptrdiff_t>(*at);
+      found.push_back({{k, curve.points[*at], isLoss, std::pow(10, suggested)},
+                       std::abs(curve.y[*at] - suggested)});
+      curve.points.erase(curve.points.begin() + index);
+      curve.x.erase(curve.x.begin() + index);
+      curve.y.erase(curve.y.begin() + index);
+    }
+  }
+}
+
+}  // namespace
+
+double StrayPoint::value(std::span<const Isotherm> isotherms) const {
+  const DynamicModulus& modulus = isotherms[isotherm].points[point];
+  return isLoss ? modulus.loss : modulus.storage;
+}
+
+std::vector<StrayPoint> strayPoints(std::span<const Isotherm> isotherms) {
+  std::vector<Found> found;
+  addStrays(isotherms, false, found);
+  addStrays(isotherms, true, found);
+  std::ranges::stable_sort(found, std::ranges::greater{}, &Found::deviation);
+  std::vector<StrayPoint> strays;
+  for (const Found& one : found) strays.push_back(one.stray);
+  return strays;
+}
+
+Isotherm withoutStrays(const Isotherm& isotherm, std::size_t index,
+                       std::span<const StrayPoint> strays) {
+  Isotherm rest = isotherm;
+  rest.points.clear();
+  for (std::size_t i = 0; i < isotherm.points.size(); ++i)
+    if (std::ranges::none_of(strays, [&](const StrayPoint& stray) {
+          return stray.isotherm == index && stray.point == i;
+        }))
+      rest.points.push_back(isotherm.points[i]);
+  return rest;
+}
+
+Message describe(const StrayPoint& stray, std::span<const Isotherm> isotherms) {
+  const Isotherm& isotherm = isotherms[stray.isotherm];
+  const auto quantity = [](double value, const char* unit) {
+    return PrintedNumber{printedQuantity(value, unit, 3)};
+  };
+  return message("{} at {} and {} is {}, where the points beside it suggest {}",
+                 stray.isLoss ? "G''" : "G'", celsius(isotherm.temperature),
+                 quantity(isotherm.points[stray.point].frequency, "Hz"),
+                 quantity(stray.value(isotherms), "Pa"), quantity(stray.suggested, "Pa"));
+}
+
+}  // namespace asperity
