@@ -185,8 +185,9 @@ NamedSheet masterSheet(const Material& material) {
     sheet.sharesAxis = true;
     if (!material.curve.isThermorheologicallySimple)
       sheet.note =
-          "Not thermorheologically simple: G' and G'' alone ask for different shifts, and the "
-          "points of one temperature leave the curve.";
+          "Not thermorheologically simple: shifts of the frequency alone do not bring the points "
+          "of "
+          "all temperatures onto one curve.";
   }
   return {"master_curve", std::move(sheet)};
 }

@@ -4887,8 +4887,8 @@
         <translation>%1, G = %2 im Gleichgewicht, Restabweichung %3 % von G' und %4 % von G'' (Effektivwert)</translation>
     </message>
     <message>
-        <source>Not thermorheologically simple: G' and G'' alone ask for different shifts, and the points of one temperature leave the curve.</source>
-        <translation>Nicht thermorheologisch einfach: G' und G'' allein verlangen verschiedene Verschiebungen, und die Punkte einer Temperatur verlassen die Kurve.</translation>
+        <source>Not thermorheologically simple: shifts of the frequency alone do not bring the points of all temperatures onto one curve.</source>
+        <translation>Nicht thermorheologisch einfach: Verschiebungen der Frequenz allein bringen die Punkte aller Temperaturen nicht auf eine Kurve.</translation>
     </message>
     <message>
         <source>%1: loss tangent</source>
