@@ -170,7 +170,7 @@ std::optional<TextColumn> splitSpelledUnit(std::string_view text) {
   const bool isInverse = divisor.ends_with("-1");
   const std::string unit =
       fmt::format("{}{}{}", dividend, isViscosity || isInverse ? " " : "/", divisor);
-  if (!findUnit(unit)) return {};
+  if (!isUnitWord(unit)) return {};
   return parts(text, unit);
 }
 

@@ -79,7 +79,6 @@ constexpr std::array kOthers{
     OtherUnit{"sec", {"s"}},
     OtherUnit{"min", {"s", 0, 60}},
     OtherUnit{"h", {"s", 0, 3600}},
-    OtherUnit{"mps", {"m/s"}},
     OtherUnit{"km/h kmh kph", {"m/s", 0, 1 / 3.6}},
     OtherUnit{"mph", {"m/s", 0, 0.44704}},
     OtherUnit{"in/s", {"m/s", 0, 0.0254}},
@@ -123,6 +122,7 @@ std::string usualSpelling(std::string_view name) {
   if (text != "m\u00B2") replaceAll(text, "\u00B2", "2");
   if (text.size() > 4 && text.ends_with(" s-1")) text = text.substr(0, text.size() - 4) + "/s";
   if (text.ends_with("/sec")) text.resize(text.size() - 2);
+  if (text == "mps") return "m/s";
   return text;
 }
 

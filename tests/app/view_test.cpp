@@ -83,9 +83,11 @@ TEST_F(ViewTest, RoadsAndPapersAreDrawnToScale) {
 }
 
 TEST_F(ViewTest, ColoursEndWhereTheyAreTold) {
-  EXPECT_THAT(texts("--colours-to 1234"), HasSubstr("1.23 kN/m"));
-  EXPECT_THAT(texts("--overlay power --colours-to 3"), HasSubstr("3 W/m"));
-  EXPECT_THAT(texts("--overlay relaxation --colours-to 5e-3"), HasSubstr("5 ms"));
+  EXPECT_THAT(texts("--colours-to 1234"), AllOf(HasSubstr("|1.23|"), HasSubstr("(kN/m)|")));
+  EXPECT_THAT(texts("--overlay power --colours-to 3"),
+              AllOf(HasSubstr("|3|"), HasSubstr("(W/m)|")));
+  EXPECT_THAT(texts("--overlay relaxation --colours-to 5e-3"),
+              AllOf(HasSubstr("|5|"), HasSubstr("(ms)|")));
 }
 
 TEST_F(ViewTest, CrosshairAndMagnifierStandWhereTheyAreTold) {

@@ -97,8 +97,9 @@ void paintText(QPainter& painter, const QRectF& place, int alignment, const QStr
 }
 
 void paintErrorBar(QPainter& painter, double x, double top, double bottom, double cap) {
-  // The caps cover whole pixels; the bar passes through the middle of its mark, which does not.
+  // The bar and its caps cover whole pixels; between two of them the bar would be pale.
   const auto sharp = [](double pixel) { return std::floor(pixel) + 0.5; };
+  x = sharp(x);
   painter.drawLine(QPointF(x, top), QPointF(x, bottom));
   for (const double y : {sharp(top), sharp(bottom)})
     painter.drawLine(QPointF(x - cap, y), QPointF(x + cap, y));

@@ -190,7 +190,8 @@ ContactLayout layoutContact(const Frame& frame, const ContactPictureOptions& opt
   const bool isPower = layout.scale.overlay == ContactOverlay::Power;
   const float barWidth = std::round(isPower ? std::clamp(width * 0.26F, 150 * u, 360 * u)
                                             : std::clamp(width * 0.2F, 110 * u, 300 * u));
-  const bool oneRow = exaggeration + titleWidth + barWidth + 5 * pad < width;
+  const float heightAxis = s.small * 4.5F;  // its title and usual numbers
+  const bool oneRow = heightAxis + exaggeration + titleWidth + barWidth + 5 * pad < width;
   const bool titleFits = titleWidth + barWidth + 4 * pad < width;
   if (footer) below += oneRow ? footerRow : footerRow + titleRow;
   layout.plot.y = plotTop;

@@ -332,7 +332,7 @@ int widestText(const QWidget& widget, const QStringList& texts) {
   int widest = 0;
   for (const QString& text : texts)
     widest = std::max(widest, widget.fontMetrics().horizontalAdvance(text));
-  return widest;
+  return widest + 1;  // a label may round its width up
 }
 
 }  // namespace asperity

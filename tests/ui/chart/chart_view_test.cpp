@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <QImage>
+#include <QPainter>
 #include <QTest>
 #include <cmath>
 #include <memory>
@@ -219,7 +220,11 @@ TEST_F(ChartViewTest, ShadesRegionsByTurns) {
   view_->setSheet(sheet);
   QTest::qWait(1);
   // Between the lines of the fine grid, away from everything else.
-  EXPECT_EQ(image().pixelColor(at(0.045, 0.35)), look().span());
+  QImage tinted(1, 1, QImage::Format_ARGB32_Premultiplied);
+  tinted.fill(look().background());
+  QPainter(&tinted).fillRect(tinted.rect(), look().span());
+  EXPECT_NE(tinted.pixelColor(0, 0), look().background());
+  EXPECT_EQ(image().pixelColor(at(0.045, 0.35)), tinted.pixelColor(0, 0));
   EXPECT_EQ(image().pixelColor(at(15, 0.35)), look().background());
 }
 

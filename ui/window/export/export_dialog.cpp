@@ -37,11 +37,6 @@ constexpr int kFigureLines = 4;        // of a figure of the paper in a preview
 constexpr int kSteps = 1000;           // of the progress bar
 constexpr qint64 kTableBytes = 16000;  // of a table that are shown
 
-/// Returns why a call failed that ended well: "--help" among the other options writes nothing.
-QString noFileText() {
-  return ExportDialog::tr("The program has written no file.");
-}
-
 /// Returns the beginning of a table, up to the end of a line.
 QString firstLines(QFile& table) {
   QByteArray text = table.read(kTableBytes);
@@ -95,7 +90,7 @@ ExportDialog::ExportDialog(Subject subject, ExportKind kind, const QString& prog
   connect(writing_, &CommandRun::done, this, [this] {
     showRunning(false);
     const QString written = file();
-    if (!QFileInfo::exists(written)) return showFailure(noFileText());
+    if (!QFileInfo::exists(written)) return showFailure(withoutFile());
     emit exported(written);
     QDialog::accept();
   });
@@ -320,7 +315,7 @@ void ExportDialog::refuse(const QString& reason) {
 }
 
 void ExportDialog::takePreview() {
-  if (!QFileInfo::exists(previewFile_)) return refuse(noFileText());
+  if (!QFileInfo::exists(previewFile_)) return refuse(withoutFile());
   showFailure({});
   QFile made(previewFile_);
   if (!previewFigure_.isEmpty()) {

@@ -62,6 +62,8 @@ class ExportDialog : public QDialog {
   void reject() override;
 
  private:
+  /// Returns why a call failed that ended well: "--help" among the other options writes nothing.
+  static QString withoutFile() { return tr("The program has written no file."); }
   QWidget* makeBottom();
   void askFile();
   void fileChanged();

@@ -109,7 +109,9 @@ void LessonPlayer::buildDock() {
     keep_->setAccessibleName(keep_->toolTip());
     close_->setToolTip(tr("Ends the lesson; your own scene comes back"));
     close_->setAccessibleName(tr("end the lesson"));
-    if (isRunning()) translateStep();
+    if (!isRunning()) return;
+    translateStep();
+    QTimer::singleShot(0, this, &LessonPlayer::shareHeight);
     showTitle();
   });
 }

@@ -141,7 +141,7 @@ double dimensionlessVelocity(const Frame& frame) {
 StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
   auto* line = new QHBoxLayout(this);
   line->setContentsMargins(12, 3, 12, 3);
-  line->setSpacing(16);
+  line->setSpacing(14);
   // The readings that a narrow window leaves out first are in the middle, so that the others do not
   // move.
   mu_ = addReading(*line, "factMu");
