@@ -4583,7 +4583,7 @@
     </message>
     <message>
         <source>this line μ = %1</source>
-        <translation>diese Linie μ = %1</translation>
+        <translation>Linie μ = %1</translation>
     </message>
     <message>
         <source>force F̄ = %1</source>

@@ -79,8 +79,9 @@ void addLegendLabels(DrawList& list, DrawLayer& layer, const ContactLayout& layo
   const float baseline = std::round(bar.bottom() + s.small * 1.15F);
   const float wide = std::max(1.0F, std::round(s.unit));
   const auto write = [&](const ColourTick& tick, TextAnchor anchor) {
-    addLabel(list, tick.label, {bar.x + tick.position * bar.width, baseline}, s.small, anchor,
-             layout.theme.faintText);
+    // Smoothed edges of digits stay within the bar.
+    const float x = std::min(bar.x + tick.position * bar.width, bar.right() - 0.5F);
+    addLabel(list, tick.label, {x, baseline}, s.small, anchor, layout.theme.faintText);
   };
   for (const ColourTick& tick : ticks)
     addRule(layer, std::min(bar.x + tick.position * bar.width, bar.right() - wide), bar.bottom(),

@@ -91,8 +91,11 @@ void findWhatIsOutOfSight(MainWindow& window, Faults& faults) {
   // The text is not scrolled while there is room below the parameters.
   const auto* rows = window.findChild<ParameterPanel*>()->findChild<QScrollArea*>();
   constexpr int kRoom = 20;  // pixels that are not worth a movement of the border
-  const int room =
-      rows->viewport()->height() - rows->widget()->layout()->totalMinimumSize().height();
+  const QLayout& layout = *rows->widget()->layout();
+  const int width = rows->viewport()->width();
+  const int needed = layout.hasHeightForWidth() ? layout.totalHeightForWidth(width)
+                                                : layout.totalMinimumSize().height();
+  const int room = rows->viewport()->height() - needed;
   if (rows->isVisible() && scroll->verticalScrollBar()->maximum() > 0 && room > kRoom)
     faults.push_back("the text is scrolled beside free room");
   // What the step speaks of is to be seen beside it.

@@ -69,7 +69,7 @@ LessonPlayer::LessonPlayer(const Parts& parts)
   connect(point_, &PredictionPoint::placed, this, [this] { pane_->setPointPlaced(true); });
   // The rows and the texts of the step get their heights with the next events.
   connect(this, &LessonPlayer::stepShown, this,
-          [this] { QTimer::singleShot(0, this, &LessonPlayer::shareHeight); });
+          [this] { QTimer::singleShot(0, this, [this] { shareHeight(); }); });
   connect(&parts_.document, &SceneDocument::sceneChanged, this,
           [this](const Scene&, SceneChange change) {
             // It runs later: the document is in the middle of its step.
@@ -109,9 +109,10 @@ void LessonPlayer::buildDock() {
     keep_->setAccessibleName(keep_->toolTip());
     close_->setToolTip(tr("Ends the lesson; your own scene comes back"));
     close_->setAccessibleName(tr("end the lesson"));
-    if (!isRunning()) return;
-    translateStep();
-    QTimer::singleShot(0, this, &LessonPlayer::shareHeight);
+    if (isRunning()) {
+      translateStep();
+      QTimer::singleShot(0, this, [this] { shareHeight(); });
+    }
     showTitle();
   });
 }
@@ -253,7 +254,7 @@ Scene LessonPlayer::shownScene() const {
 /// the other has room. Where both have to be, the parameters are shown whole if the pane can give
 /// the height: the text may tell the student to move one of them. Elsewhere the border stays, and
 /// with it the buttons.
-void LessonPlayer::shareHeight() {
+void LessonPlayer::shareHeight(int corrections) {
   const auto* text = pane_->findChild<QScrollArea*>();
   const auto* rows = parts_.panel.findChild<QScrollArea*>();
   if (!isRunning() || !parts_.parameters.isVisible() || !text || !rows) return;
@@ -268,6 +269,9 @@ void LessonPlayer::shareHeight() {
   parts_.window.resizeDocks({dock_, &parts_.parameters},
                             {dock_->height() - toRows, parts_.parameters.height() + toRows},
                             Qt::Vertical);
+  // A scroll bar that came or went has changed the width, and with it the height of the texts.
+  if (corrections > 0)
+    QTimer::singleShot(0, this, [this, corrections] { shareHeight(corrections - 1); });
 }
 
 /// Frees and locks the controls. Before the prediction is made all are locked: trying them would

@@ -89,7 +89,7 @@ class LessonPlayer : public QObject {
   void showTitle();
   void showScene();
   Scene shownScene() const;
-  void shareHeight();
+  void shareHeight(int corrections = 1);
   void showControls();
   void lockControls();
   void showChart();
