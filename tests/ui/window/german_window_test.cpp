@@ -204,7 +204,12 @@ TEST_P(WindowInEachLanguage, NothingIsCutOffInAPresentation) {
   EXPECT_EQ(cutOffIn(window->figures().gallery()), "");
   const auto& list = *window->figures().gallery().findChild<FigureList*>();
   EXPECT_GE(list.width(), list.minimumSizeHint().width());
-  EXPECT_GE(window->figures().gallery().picture().width(), 1280 / 2);
+  // The picture has all that panel and list leave, and the window does not grow for it.
+  constexpr int kBorders = 8;
+  EXPECT_EQ(window->width(), 1280);
+  const int picture = window->figures().gallery().picture().width();
+  EXPECT_GE(picture, 1280 - dock.width() - list.width() - kBorders);
+  EXPECT_GT(picture, std::max(dock.width(), list.width()));
 }
 
 INSTANTIATE_TEST_SUITE_P(Window, WindowInEachLanguage, testing::Values("en", "de"),

@@ -102,6 +102,7 @@ void PredictionFields::addChoices() {
   choices_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
   for (int column = 1; column < 4; ++column)
     choices_->setColumnWidth(column, 8 * choices_->fontMetrics().horizontalAdvance('0'));
+  choices_->setColumnWidth(1, 7 * choices_->fontMetrics().horizontalAdvance('0'));  // a tick
   choices_->verticalHeader()->hide();
   const int row = choices_->fontMetrics().lineSpacing() + 10;
   choices_->verticalHeader()->setDefaultSectionSize(row);
