@@ -77,11 +77,7 @@ TEST_F(MainWindowTest, AFailureIsOverOnceItGoesWell) {
   EXPECT_TRUE(window_.documentCommands().saveTo(folder.filePath("scene.json")));
   EXPECT_FALSE(window_.messages().isVisible());
 
-  Scene broken = smallScene();
-  broken.surface.kind = SurfaceKind::Sine;
-  broken.surface.waves = 8;
-  broken.surface.elements = 10;
-  window_.document().edit(broken);
+  window_.document().edit(refusedScene());
   ASSERT_TRUE(waitFor([&] { return window_.messages().isVisible(); }));
   const QString complaint = window_.messages().text();
   save(nowhere, false);

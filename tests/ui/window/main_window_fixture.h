@@ -41,6 +41,15 @@ inline Scene smallScene() {
   return scene;
 }
 
+/// Returns a scene that is refused: a wave has too few elements.
+inline Scene refusedScene() {
+  Scene scene = smallScene();
+  scene.surface.kind = SurfaceKind::Sine;
+  scene.surface.waves = 8;
+  scene.surface.elements = 10;
+  return scene;
+}
+
 /// Opens a file in a window; whether its scene is shown, once it was read.
 inline bool openIn(MainWindow& window, const QString& file) {
   QSignalSpy reads(&window.documentCommands(), &DocumentCommands::sceneRead);

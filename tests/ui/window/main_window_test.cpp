@@ -267,11 +267,7 @@ TEST_F(MainWindowTest, ASceneThatCannotRunIsExplainedAndTheWindowLives) {
 
 TEST_F(MainWindowTest, WhatMendsASceneTakesItsComplaintsAway) {
   ASSERT_TRUE(waitForFrame());
-  Scene broken = smallScene();
-  broken.surface.kind = SurfaceKind::Sine;
-  broken.surface.waves = 8;
-  broken.surface.elements = 10;
-  window_.document().open(broken);
+  window_.document().open(refusedScene());
   ASSERT_TRUE(waitFor([&] { return window_.messages().isVisible(); }));
   auto& waves = control<ValueEntry>("entry:surface.waves");
   EXPECT_TRUE(waves.hasError());

@@ -197,11 +197,7 @@ TEST_F(StatusTest, ASceneThatCannotBeComputedShowsNoOther) {
 /// Within one scene the last picture stays: a value is being tried.
 TEST_F(StatusTest, ARefusedValueKeepsThePicture) {
   ASSERT_TRUE(waitForFrame());
-  Scene broken = smallScene();
-  broken.surface.kind = SurfaceKind::Sine;
-  broken.surface.waves = 8;
-  broken.surface.elements = 10;
-  window_.document().edit(broken);
+  window_.document().edit(refusedScene());
   ASSERT_TRUE(waitFor([&] { return window_.messages().isVisible(); }));
   EXPECT_TRUE(window_.canvas().frame());
 }

@@ -90,7 +90,7 @@ ExportDialog::ExportDialog(Subject subject, ExportKind kind, const QString& prog
   connect(writing_, &CommandRun::done, this, [this] {
     showRunning(false);
     const QString written = file();
-    if (!QFileInfo::exists(written)) return showFailure(withoutFile());
+    if (!QFileInfo::exists(written)) return showFailure(noFileReason());
     emit exported(written);
     QDialog::accept();
   });
@@ -315,7 +315,7 @@ void ExportDialog::refuse(const QString& reason) {
 }
 
 void ExportDialog::takePreview() {
-  if (!QFileInfo::exists(previewFile_)) return refuse(withoutFile());
+  if (!QFileInfo::exists(previewFile_)) return refuse(noFileReason());
   showFailure({});
   QFile made(previewFile_);
   if (!previewFigure_.isEmpty()) {

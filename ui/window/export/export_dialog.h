@@ -63,7 +63,7 @@ class ExportDialog : public QDialog {
 
  private:
   /// Returns why a call failed that ended well: "--help" among the other options writes nothing.
-  static QString withoutFile() { return tr("The program has written no file."); }
+  static QString noFileReason() { return tr("The program has written no file."); }
   QWidget* makeBottom();
   void askFile();
   void fileChanged();

@@ -132,8 +132,7 @@ Lessons::Lessons(const Parts& parts, MessageBar& messages)
   connect(player_, &LessonPlayer::savingRequested, this, &Lessons::askResultsFile);
   connect(player_, &LessonPlayer::endRequested, this, &Lessons::leave);
   connect(player_, &LessonPlayer::stepShown, this, [this] {
-    if (!player_->isTrial() && !lesson()->digest.empty())
-      QSettings().setValue(stepKey(lesson()->digest), step());
+    if (isRemembered()) QSettings().setValue(stepKey(lesson()->digest), step());
     emit stepShown();
   });
 }
@@ -329,9 +328,15 @@ void Lessons::goOn(const Lesson& lesson, const LessonResults& results, const QSt
   end();
   left_[lesson.digest] = results;
   start(lesson, stepToGoOn(results));
+  if (!file.isEmpty()) setResultsFile(file);
+}
+
+/// Takes a file that has all answers as the one for the further ones, also in the next session.
+void Lessons::setResultsFile(const QString& file) {
   resultsFile_ = file;
-  isSaved_ = !file.isEmpty();
-  if (isSaved_) QSettings().setValue(resultsFileKey(lesson.digest), file);
+  isSaved_ = true;
+  if (isRemembered())
+    QSettings().setValue(resultsFileKey(lesson()->digest), QFileInfo(file).absoluteFilePath());
 }
 
 /// Offers the answers of an earlier session, and returns their file; those that are in no file come
@@ -451,7 +456,6 @@ void Lessons::askResultsFile() {
 
 bool Lessons::keepResults(const QString& file) {
   if (!isRunning() || !saveAnswers(file)) return false;
-  resultsFile_ = file;
   keepUnsavedAnswers();
   // A step that is still open stays as it is, with what the student has entered.
   if (isRevealed()) player_->show(step());
@@ -475,9 +479,7 @@ bool Lessons::saveAnswers(const QString& file) {
     return false;
   }
   messages_.end(MessageBar::Failure::Export);
-  isSaved_ = true;
-  if (!player_->isTrial() && !lesson()->digest.empty())
-    QSettings().setValue(resultsFileKey(lesson()->digest), QFileInfo(file).absoluteFilePath());
+  setResultsFile(file);
   return true;
 }
 

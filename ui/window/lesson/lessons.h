@@ -96,6 +96,9 @@ class Lessons : public QObject {
   void askResultsFile();
   QString resultsName() const;
   bool saveAnswers(const QString& file);
+  void setResultsFile(const QString& file);
+  /// Returns whether the next session goes on with the lesson: it has a file, and is no trial.
+  bool isRemembered() const { return !player_->isTrial() && !lesson()->digest.empty(); }
 
   Parts parts_;
   MessageBar& messages_;

@@ -100,9 +100,9 @@ void PredictionFields::addChoices() {
       tr("Tick the right one; or leave all unticked, give the range of the "
          "computed answer for which each is right, and say below what is computed"));
   choices_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
-  for (int column = 1; column < 4; ++column)
-    choices_->setColumnWidth(column, 8 * choices_->fontMetrics().horizontalAdvance('0'));
-  choices_->setColumnWidth(1, 7 * choices_->fontMetrics().horizontalAdvance('0'));  // a tick
+  const int digit = choices_->fontMetrics().horizontalAdvance('0');
+  for (const auto& [column, digits] : {std::pair(1, 7), {2, 8}, {3, 8}})
+    choices_->setColumnWidth(column, digits * digit);
   choices_->verticalHeader()->hide();
   const int row = choices_->fontMetrics().lineSpacing() + 10;
   choices_->verticalHeader()->setDefaultSectionSize(row);
