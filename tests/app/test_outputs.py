@@ -216,3 +216,16 @@ def test_chart_options_of_a_batch_without_a_chart(tmp_path):
          "entries": [{"name": "one", "scene": "figure_1.json", "show": "contact"}]}))
     refused(tmp_path, "batch", "batch.json", "--regions", "off", "-o", "b",
             says="no entry of the batch shows one")
+
+
+@pytest.mark.parametrize("name", ["epdm_70", "rubber_a"])
+def test_a_shipped_material_is_what_the_program_makes_of_its_measurement(name, tmp_path):
+    with open(f"{ROOT}/resources/materials/{name}.json", encoding="utf-8") as file:
+        shipped = json.load(file)
+    made(tmp_path, "material", f"{os.path.dirname(DMA)}/{name}.csv", "-o", "m",
+         "--name", shipped["name"], "--source", shipped["source"])
+    again = json.loads((tmp_path / "m/material.json").read_text(encoding="utf-8"))
+    assert again["measurement"]["facts"] == shipped["measurement"]["facts"]
+    for now, then in [*zip(again["arms"], shipped["arms"], strict=True),
+                      *zip(again["measurement"]["shifts"], shipped["measurement"]["shifts"], strict=True)]:
+        assert now == pytest.approx(then)
