@@ -377,6 +377,9 @@ TEST_F(LessonsTest, ALessonGoesOnWhereItWasLeft) {
     EXPECT_EQ(questions, asked);
     EXPECT_EQ(lessons().step(), goesOn ? 1 : 0);
     EXPECT_EQ(lessons().results().results.size(), goesOn ? 1U : 0U);
+    window_.activateWindow();  // as the desktop does when the question closes
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
+    EXPECT_EQ(window_.focusWidget()->objectName(), goesOn ? "lessonNumber" : "lessonChoice:0");
     lessons().end();
   }
 }
@@ -494,6 +497,24 @@ TEST_F(LessonsTest, APointIsDraggedOrMovedByKeysOverTheHiddenCurve) {
   }
 }
 
+/// By real keys; the Return key does nothing before the point is placed.
+TEST_F(LessonsTest, APointIsPlacedAndCheckedByKeysAlone) {
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
+  lessons().start(sampleWithPoint(true), 1);
+  ASSERT_TRUE(waitFor(
+      [&] { return lessons().point().isVisible() && window_.plotView().frame().has_value(); }));
+  const auto key = [&](Qt::Key pressed) { QTest::keyClick(window_.windowHandle(), pressed); };
+  key(Qt::Key_Return);
+  EXPECT_FALSE(lessons().point().point());
+  key(Qt::Key_Up);
+  ASSERT_TRUE(lessons().point().point());
+  const double placed = lessons().point().point()->y();
+  key(Qt::Key_Return);
+  ASSERT_TRUE(waitForAnswer());
+  EXPECT_EQ(lessons().results().find(1)->given.number, placed);
+  EXPECT_TRUE(button("lessonNext").hasFocus());
+}
+
 TEST_F(LessonsTest, ResultsAreKeptInAFileOfTheStudentsChoice) {
   TemporaryFolder folder;
   const Lesson lesson = lessonOf(sampleLesson());
@@ -568,9 +589,13 @@ TEST_F(LessonsTest, AnotherLanguageKeepsWhatTheStudentHasEntered) {
   useLanguage("en");
   lessons().start(lessonOf(sampleLesson()), 1);
   EXPECT_EQ(control<QLineEdit>("lessonNumber").text(), "");  // nothing of the other step
-  QTest::keyClicks(&control<QLineEdit>("lessonNumber"), "0.3 um");
+  // Its mark is a decimal sign in English, and one of thousands in German.
+  QTest::keyClicks(&control<QLineEdit>("lessonNumber"), "1.250 um");
   inGerman("Prüfen");
-  EXPECT_EQ(control<QLineEdit>("lessonNumber").text(), "0.3 um");
+  EXPECT_EQ(control<QLineEdit>("lessonNumber").text(), "1,250 um");
+  click("lessonNext");
+  ASSERT_TRUE(waitForAnswer());
+  EXPECT_DOUBLE_EQ(lessons().results().find(1)->given.number, 1.25e-6);
   useLanguage("en");
   Json json = sampleLesson();
   json["steps"][1]["prediction"] = {

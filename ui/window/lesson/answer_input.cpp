@@ -162,6 +162,7 @@ NumberInput::NumberInput(const std::string& unit) : number_(new QLineEdit), unit
   line->addWidget(new QLabel(QString::fromStdString(unit)));
   line->addStretch(1);
   connect(number_, &QLineEdit::textChanged, this, [this](const QString& text) {
+    entry_ = withoutGroups(text.trimmed());
     emit readAs(reading(text));
     emit edited();
   });
@@ -169,15 +170,16 @@ NumberInput::NumberInput(const std::string& unit) : number_(new QLineEdit), unit
 }
 
 QString NumberInput::entry() const {
-  return number_->text().trimmed();
+  return entry_;
 }
 
 void NumberInput::enter(const QString& entry) {
-  number_->setText(entry);
+  entry_ = entry;
+  number_->setText(answer() ? inLanguage(entry) : entry);
 }
 
 std::optional<GivenAnswer> NumberInput::answer() const {
-  QString text = withoutGroups(entry());
+  QString text = entry_;
   text.replace(QStringLiteral("−"), QStringLiteral("-"));
   const TypedQuantity typed = typedQuantity(text.toStdString(), {unit_, unit_ == "K", false});
   if (!typed.value) return std::nullopt;
@@ -202,11 +204,10 @@ QString NumberInput::reading(const QString& typed) const {
   static const QRegularExpression ambiguous(QStringLiteral(R"([1-9]\d{0,2}([.,]\d{3})+(?!\d))"));
   if (!ambiguous.match(typed).hasMatch() || !answer()) return {};
   static const QRegularExpression digits(QStringLiteral(R"(^[+\-\x{2212}]?[\d.]+)"));
-  const QString text = withoutGroups(typed.trimmed());
-  const QRegularExpressionMatch number = digits.match(text);
+  const QRegularExpressionMatch number = digits.match(entry_);
   const QString value = number.captured().replace(QStringLiteral("−"), QStringLiteral("-"));
   return LessonPane::tr("Your number is read as %1.")
-      .arg(shownNumber(value.toDouble()) + text.mid(number.capturedEnd()));
+      .arg(shownNumber(value.toDouble()) + entry_.mid(number.capturedEnd()));
 }
 
 }  // namespace asperity

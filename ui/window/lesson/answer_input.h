@@ -20,7 +20,7 @@ class AnswerInput : public QWidget {
   using QWidget::QWidget;
 
   /// Returns what is entered, which may be no answer yet; empty where nothing is. enter() enters it
-  /// again, in a control for the same question.
+  /// again, in a control for the same question, which may be in another language.
   virtual QString entry() const = 0;
   virtual void enter(const QString& entry) = 0;
   /// Returns the answer; nothing where the entry cannot be read, for which refusal() has the
@@ -78,6 +78,7 @@ class NumberInput : public AnswerInput {
 
   QLineEdit* number_;
   std::string unit_;
+  QString entry_;  // as it was read when it was typed: with a decimal point, without groups
 };
 
 }  // namespace asperity

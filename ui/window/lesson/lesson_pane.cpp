@@ -196,9 +196,7 @@ void LessonPane::setInput(AnswerInput* input) {
   if (!input) return;
   connect(input, &AnswerInput::edited, this, &LessonPane::showButtons);
   connect(input, &AnswerInput::readAs, this, &LessonPane::showNote);
-  connect(input, &AnswerInput::returnPressed, this, [this] {
-    if (next_->isEnabled()) next_->click();
-  });
+  connect(input, &AnswerInput::returnPressed, this, &LessonPane::goOn);
   inputLayout_->addWidget(input);
   const QWidgetList controls = input->controls();
   // The focus moves to the first one, beyond the question.
@@ -268,9 +266,13 @@ void LessonPane::focusStep() {
     text_->setFocus();
 }
 
+void LessonPane::goOn() {
+  next_->click();  // nothing while it is disabled
+}
+
 void LessonPane::keyPressEvent(QKeyEvent* event) {
   const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-  if (isEnter && next_->isEnabled()) return next_->click();
+  if (isEnter && next_->isEnabled()) return goOn();
   QWidget::keyPressEvent(event);
 }
 

@@ -48,6 +48,8 @@ class LessonPane : public QWidget {
 
   /// Puts the focus where a student answers, or reads.
   void focusStep();
+  /// Goes on as Enter does: checks the answer, or leads to the next step.
+  void goOn();
 
  signals:
   void backRequested();

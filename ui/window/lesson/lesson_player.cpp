@@ -67,6 +67,7 @@ LessonPlayer::LessonPlayer(const Parts& parts)
           [this](const GivenAnswer& given) { answer(given, false); });
   connect(pane_, &LessonPane::solutionRequested, this, [this] { answer({}, true); });
   connect(point_, &PredictionPoint::placed, this, [this] { pane_->setPointPlaced(true); });
+  connect(point_, &PredictionPoint::returnPressed, pane_, &LessonPane::goOn);
   // The rows and the texts of the step get their heights with the next events.
   connect(this, &LessonPlayer::stepShown, this,
           [this] { QTimer::singleShot(0, this, [this] { shareHeight(); }); });

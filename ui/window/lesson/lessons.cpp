@@ -325,7 +325,6 @@ bool Lessons::openResults(const QStringList& files) {
 /// Begins a lesson with these answers, at the step where it was left. `file`: they are in it, and
 /// the further ones will be; empty: they are in no file.
 void Lessons::goOn(const Lesson& lesson, const LessonResults& results, const QString& file) {
-  end();
   left_[lesson.digest] = results;
   start(lesson, stepToGoOn(results));
   if (!file.isEmpty()) setResultsFile(file);

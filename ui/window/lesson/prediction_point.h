@@ -1,7 +1,7 @@
 // A point over the friction chart that a student places where the curve is expected: by clicking,
-// by dragging, or with the arrow keys (with Shift finer). It can move over the whole chart, or only
-// up and down at one x. Once the answer is known it stays as a mark. GUI thread; child of the
-// chart. Cannot fail: until the chart is laid out nothing is drawn.
+// by dragging, or with the arrow keys (with Shift finer); Enter answers with it. It can move over
+// the whole chart, or only up and down at one x. Once the answer is known it stays as a mark. GUI
+// thread; child of the chart. Cannot fail: until the chart is laid out nothing is drawn.
 #pragma once
 
 #include <QPointF>
@@ -38,6 +38,8 @@ class PredictionPoint : public QWidget {
 
  signals:
   void placed();
+  /// Emitted when the student presses Return to go on.
+  void returnPressed();
 
  protected:
   void paintEvent(QPaintEvent* event) override;
