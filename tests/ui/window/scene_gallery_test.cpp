@@ -8,6 +8,8 @@
 #include <QLineEdit>
 #include <QSettings>
 #include <QTemporaryDir>
+#include <algorithm>
+#include <map>
 #include <set>
 
 #include "tests/ui/window/main_window_fixture.h"
@@ -286,6 +288,20 @@ TEST_F(GalleryTest, TextsFitTheirCards) {
     constexpr int kRest = 12;  // pixels that the columns cannot share
     EXPECT_GE(rightOfCards, cards().viewport()->width() - cards().spacing() - kRest) << width;
   }
+}
+
+/// Chapters have few scenes: many small cards would leave half of each row free.
+TEST_F(GalleryTest, ALargeScreenIsFilled) {
+  window_.resize(2560, 1400);
+  QCoreApplication::sendPostedEvents();
+  QCoreApplication::processEvents();
+  std::map<int, int> rows;  // of cards, by their height
+  for (int row = 0; row < cards().count(); ++row)
+    if (const QListWidgetItem& item = *cards().item(row); item.flags() & Qt::ItemIsEnabled)
+      ++rows[cards().visualItemRect(&item).top()];
+  const int columns =
+      std::ranges::max_element(rows, {}, &std::pair<const int, int>::second)->second;
+  EXPECT_GE(cards().cardCount(), 0.75 * columns * static_cast<double>(rows.size()));
 }
 
 }  // namespace

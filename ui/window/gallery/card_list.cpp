@@ -17,7 +17,7 @@ enum Role { kNameRole = Qt::UserRole, kTitleRole, kSentenceRole };
 
 constexpr int kGap = 10;                       // pixels between cards
 constexpr int kInside = 10;                    // between the edge of a card and its texts
-constexpr int kMinCard = 236, kMaxCard = 400;  // width of a card, pixels
+constexpr int kMinCard = 236, kMaxCard = 520;  // width of a card, pixels
 constexpr int kDefaultColumns = 4;             // more only where cards would be too wide
 constexpr double kShape = 0.6;                 // height of a picture, relative to its width
 constexpr double kCardCorner = 8;              // radius, pixels

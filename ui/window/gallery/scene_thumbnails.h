@@ -20,8 +20,8 @@
 
 namespace asperity {
 
-/// Pixels of every picture of a scene; a card shows it smaller.
-inline constexpr QSize kScenePicture{480, 288};
+/// Pixels of every picture of a scene; no card shows it larger.
+inline constexpr QSize kScenePicture{520, 312};
 
 /// Draws the picture. A friction curve is the mean of a few lines only, a motion is that of the
 /// scene. Any thread on which no OpenGL context of Qt is current. Throws StopRequested where it is
