@@ -44,8 +44,12 @@ QLabel* textLabel(const QString& name) {
 QLabel* errorTextLabel(const QString& name) {
   QLabel* label = textLabel(name);
   label->setProperty("role", "error");
-  label->setStyleSheet(panelStyleSheet(label->palette()));
   return label;
+}
+
+void setMessage(QLabel& label, const QString& text, MessageKind kind) {
+  setStyleProperty(label, "role", kind == MessageKind::Error ? "error" : "");
+  label.setText(text);
 }
 
 QProgressBar* thinProgress(const QString& name, int width) {
@@ -228,9 +232,6 @@ QString panelStyleSheet(const QPalette& palette) {
     QScrollArea, #parameterRows { background: %1; }
     QLabel[role="heading"] { font-weight: bold; color: %2; }
     QLabel[role="unit"] { color: %3; }
-    QLabel[role="error"] { color: %4; padding-bottom: 3px; }
-    QLabel[role="note"] { color: %7; }
-    QLabel[role="warning"] { color: %8; padding-bottom: 3px; }
     #panelBar { background: %1; border-bottom: 1px solid %6; }
     QToolButton[role^="segment"] { border: 1px solid %6; background: transparent; color: %3;
                                    padding: 1px 9px; min-height: 19px; }
@@ -261,10 +262,27 @@ QString panelStyleSheet(const QPalette& palette) {
     QToolButton[role="reset"]:hover { color: %7; }
     QToolButton[role="reset"]:disabled { color: transparent; }
   )")
-      .arg(name(QPalette::Window), name(QPalette::WindowText), name(QPalette::PlaceholderText),
-           faultColour(palette).name(), name(QPalette::Base), name(QPalette::Mid),
-           name(QPalette::Highlight),
+             .arg(name(QPalette::Window), name(QPalette::WindowText),
+                  name(QPalette::PlaceholderText), faultColour(palette).name(),
+                  name(QPalette::Base), name(QPalette::Mid), name(QPalette::Highlight)) +
+         messageStyleSheet(palette);
+}
+
+QString messageStyleSheet(const QPalette& palette) {
+  return QStringLiteral(R"(
+    QLabel[role="error"] { color: %1; padding-bottom: 3px; }
+    QLabel[role="note"] { color: %2; }
+    QLabel[role="warning"] { color: %3; padding-bottom: 3px; }
+  )")
+      .arg(faultColour(palette).name(), palette.color(QPalette::Highlight).name(),
            isDark(palette) ? QStringLiteral("#e3b341") : QStringLiteral("#8a5a00"));
+}
+
+void setStyleProperty(QWidget& widget, const char* name, const QVariant& value) {
+  if (widget.property(name) == value) return;
+  widget.setProperty(name, value);
+  widget.style()->unpolish(&widget);
+  widget.style()->polish(&widget);
 }
 
 // ---- Labels

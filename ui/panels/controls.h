@@ -49,8 +49,11 @@ QScrollArea* scrolled(QWidget* content, Qt::ScrollBarPolicy sideways = Qt::Scrol
 /// Makes a label of several lines of plain text, which a user can select and copy.
 QLabel* textLabel(const QString& name);
 
-/// Makes such a label for an error, in the colour that errors have everywhere.
+/// Makes such a label for an error, in the colour that errors have everywhere in a window.
 QLabel* errorTextLabel(const QString& name);
+enum class MessageKind { Error, Note };
+/// Shows an error in such a label, or a note in the colour of other texts.
+void setMessage(QLabel& label, const QString& text, MessageKind kind);
 
 /// Makes a thin bar of progress without a text.
 QProgressBar* thinProgress(const QString& name, int width = 120);
@@ -153,6 +156,12 @@ bool isDark(const QPalette& palette);
 QColor faultColour(const QPalette& palette);
 
 QString panelStyleSheet(const QPalette& palette);
+/// Returns its rules for labels that are an error, a warning or a note. The style sheet of a window
+/// has them, too, for its dialogs.
+QString messageStyleSheet(const QPalette& palette);
+
+/// Sets a property on which the style sheet depends.
+void setStyleProperty(QWidget& widget, const char* name, const QVariant& value);
 
 /// A line of text that is shortened where the space is too small; the tooltip then shows all of it.
 class ElidedLabel : public QLabel {

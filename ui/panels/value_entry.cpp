@@ -8,6 +8,7 @@
 #include <QToolTip>
 
 #include "core/base/number_text.h"
+#include "ui/panels/controls.h"
 #include "ui/panels/number_text.h"
 
 namespace asperity {
@@ -54,9 +55,7 @@ void ValueEntry::changeEvent(QEvent* event) {
 void ValueEntry::showError(const QString& reason) {
   if (reason == reason_) return;
   reason_ = reason;
-  setProperty("refused", hasError());
-  style()->unpolish(this);
-  style()->polish(this);
+  setStyleProperty(*this, "refused", hasError());
 }
 
 /// Returns whether the entry handles the key itself: undo and redo only for input that has not been

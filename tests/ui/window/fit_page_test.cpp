@@ -194,6 +194,9 @@ TEST_F(FitPageTest, TheReportIsThatOfTheCommand) {
   QSignalSpy saved(&page, &FitPage::reportSaved);
   button(page, "fitSave").click();
   ASSERT_TRUE(waitFor([&] { return !saved.isEmpty(); })) << page.errorText().toStdString();
+  const auto& message = *page.findChild<QLabel*>("fitComplaint");
+  EXPECT_EQ(message.palette().color(QPalette::WindowText),
+            page.palette().color(QPalette::WindowText));  // it is no error
   QFile scene(folder_.filePath("s.json"));
   ASSERT_TRUE(scene.open(QIODevice::WriteOnly));
   scene.write(QByteArray::fromStdString(writeScene(withData())));
@@ -293,6 +296,12 @@ TEST_F(FitPageTest, WhatCannotBeFittedIsSaidOnThePage) {
   EXPECT_FALSE(page.fitted());
   EXPECT_TRUE(page.errorText().contains("2 points")) << page.errorText().toStdString();
   EXPECT_FALSE(page.errorText().contains("--data"));
+  for (const bool isDark : {true, false}) {
+    window_.appearance().setDark(isDark);
+    const QPalette colours = page.findChild<QLabel*>("fitComplaint")->palette();
+    EXPECT_EQ(colours.color(QPalette::WindowText), faultColour(page.palette()));
+    EXPECT_EQ(asperity::isDark(page.palette()), isDark);
+  }
 }
 
 TEST_F(FitPageTest, TheoriesAreChosenByNameAndUndone) {

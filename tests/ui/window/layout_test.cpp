@@ -557,5 +557,30 @@ TEST_F(LayoutTest, ColoursOfTheDesktopUnlessChosen) {
   EXPECT_EQ(window_.appearance().isDark(), systemIsDark());
 }
 
+/// Makes the colours of the desktop dark or light.
+class DesktopColours : public WindowStyle {
+ public:
+  explicit DesktopColours(bool dark) : dark_(dark) {}
+  void polish(QPalette& palette) override { palette = QPalette(dark_ ? Qt::black : Qt::lightGray); }
+  using WindowStyle::polish;
+
+ private:
+  bool dark_;
+};
+
+TEST_F(LayoutTest, ColoursFollowTheDesktopUnlessChosen) {
+  ASSERT_FALSE(window_.appearance().isDark());
+  QApplication::setStyle(new DesktopColours(true));
+  EXPECT_TRUE(waitFor([&] { return window_.appearance().isDark(); }));
+  window_.appearance().setColours(Colours::Light);
+  EXPECT_FALSE(window_.appearance().isDark());
+  window_.appearance().setColours(Colours::System);
+  EXPECT_TRUE(window_.appearance().isDark());
+  window_.appearance().setColours(Colours::Dark);
+  QApplication::setStyle(new WindowStyle);
+  EXPECT_TRUE(waitFor([&] { return !systemIsDark(); }));
+  EXPECT_TRUE(window_.appearance().isDark());
+}
+
 }  // namespace
 }  // namespace asperity

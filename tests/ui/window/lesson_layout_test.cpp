@@ -237,5 +237,21 @@ TEST_P(LessonPages, AreReadableAndReachable) {
 
 INSTANTIATE_TEST_SUITE_P(Languages, LessonPages, testing::Values("en", "de"));
 
+/// Its colour is that of the text below it, not of what is disabled.
+TEST(LessonTitle, IsATitle) {
+  MainWindow window(smallScene());
+  window.show();
+  for (const bool dark : {false, true}) {
+    window.appearance().setDark(dark);
+    auto& title = *window.findChild<QLabel*>("lessonTitle");
+    title.ensurePolished();
+    const auto colour = [](const QWidget& label) {
+      return label.palette().color(QPalette::WindowText);
+    };
+    EXPECT_EQ(colour(title), colour(*window.findChild<QLabel*>("lessonText")));
+    EXPECT_TRUE(title.font().bold());
+  }
+}
+
 }  // namespace
 }  // namespace asperity

@@ -69,7 +69,7 @@ FitPage::FitPage(const Scene& scene, const FitSelection& before, const Theme& th
       close_(named<QPushButton>("fitClose", tr("&Close"))),
       table_(named<QLabel>("fitTable")),
       notes_(named<QLabel>("fitNotes")),
-      errorLabel_(errorTextLabel("fitComplaint")),
+      message_(errorTextLabel("fitComplaint")),
       progressText_(new QLabel),
       progress_(thinProgress("fitProgress")),
       sheets_(named<QTabBar>("fitSheets")),
@@ -138,7 +138,7 @@ void FitPage::buildResult(const Theme& theme) {
 }
 
 QLayout* FitPage::foot() {
-  errorLabel_->setMinimumHeight(2 * fontMetrics().lineSpacing());
+  message_->setMinimumHeight(2 * fontMetrics().lineSpacing());
   progress_->setRange(0, 0);
   progress_->setAccessibleName(tr("progress of the fit"));
   for (QPushButton* button : {save_, use_, close_}) button->setAutoDefault(false);
@@ -146,7 +146,7 @@ QLayout* FitPage::foot() {
   connect(use_, &QPushButton::clicked, this, &FitPage::useValues);
   connect(close_, &QPushButton::clicked, this, &QDialog::reject);
   auto* foot = new QHBoxLayout;
-  foot->addWidget(errorLabel_, 1);
+  foot->addWidget(message_, 1);
   foot->addWidget(progressText_);
   foot->addWidget(progress_);
   foot->addSpacing(8);
@@ -157,7 +157,7 @@ QLayout* FitPage::foot() {
 }
 
 QString FitPage::errorText() const {
-  return errorLabel_->text();
+  return message_->text();
 }
 
 void FitPage::pressRun() {
@@ -181,7 +181,7 @@ void FitPage::begin() {
   }
   isFitting_ = true;
   chiSquared_.clear();
-  errorLabel_->clear();
+  message_->clear();
   sheets_->setCurrentIndex(kProgress);
   showProgress(0, 0);
   showState();
@@ -217,7 +217,7 @@ void FitPage::begin() {
 void FitPage::stop() {
   work_.cancel();
   isFitting_ = false;
-  finish(tr("The fit was stopped"));
+  finish(tr("The fit was stopped"), MessageKind::Note);
 }
 
 void FitPage::showProgress(int evaluations, double chiSquared) {
@@ -257,8 +257,8 @@ void FitPage::resizeEvent(QResizeEvent* event) {
   giveTextsHeight();
 }
 
-void FitPage::finish(const QString& errorText) {
-  errorLabel_->setText(errorText);
+void FitPage::finish(const QString& text, MessageKind kind) {
+  setMessage(*message_, text, kind);
   showState();
 }
 
@@ -308,7 +308,8 @@ void FitPage::saveReport() {
       },
       [this, folder](const QStringList& files) {
         isSaving_ = false;
-        finish(tr("Saved %1 files in %2").arg(files.size()).arg(QDir::toNativeSeparators(folder)));
+        finish(tr("Saved %1 files in %2").arg(files.size()).arg(QDir::toNativeSeparators(folder)),
+               MessageKind::Note);
         emit reportSaved(folder);
       },
       [this](const QString& reason) {

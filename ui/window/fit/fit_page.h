@@ -37,7 +37,7 @@ class FitPage : public QDialog {
   /// Returns what is shown; null before the first fit has ended.
   const FittedCurve* fitted() const { return fitted_.get(); }
   bool isFitting() const { return isFitting_; }
-  /// Returns the error message; empty without an error.
+  /// Returns the error message, or the note in its place; empty without either.
   QString errorText() const;
 
   /// Replaces the usual dialog.
@@ -62,7 +62,7 @@ class FitPage : public QDialog {
   void showProgress(int evaluations, double chiSquared);
   void take(std::shared_ptr<const FittedCurve> fitted);
   void giveTextsHeight();
-  void finish(const QString& errorText);
+  void finish(const QString& text, MessageKind kind = MessageKind::Error);
   void showState();
   void showSheet();
   void useValues();
@@ -75,7 +75,7 @@ class FitPage : public QDialog {
   bool isFitting_ = false, isSaving_ = false;
   FitChoices* choices_;
   QPushButton *run_, *save_, *use_, *close_;
-  QLabel *table_, *notes_, *errorLabel_, *progressText_;
+  QLabel *table_, *notes_, *message_, *progressText_;
   QProgressBar* progress_;
   QWidget* texts_ = nullptr;  // values and notes, within `scroll_`
   QScrollArea* scroll_ = nullptr;

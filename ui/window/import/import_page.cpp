@@ -48,7 +48,7 @@ ImportPage::ImportPage(const QString& file, const QString& accept, QWidget* pare
       views_(new QVBoxLayout(shown_)),
       beginning_(fixedText("importBeginning")),
       halves_(new QHBoxLayout),
-      errorLabel_(errorTextLabel("importComplaint")),
+      message_(errorTextLabel("importComplaint")),
       progress_(thinProgress("importProgress")),
       stop_(named<QToolButton>("importStop")),
       accept_(named<QPushButton>("importAccept", accept)),
@@ -85,7 +85,7 @@ ImportPage::ImportPage(const QString& file, const QString& accept, QWidget* pare
 /// Adds the error and the buttons below the widgets of the derived class, and so behind them in the
 /// order of the Tab key.
 void ImportPage::addFoot(QVBoxLayout& page) {
-  errorLabel_->setMinimumHeight(3 * fontMetrics().lineSpacing());
+  message_->setMinimumHeight(3 * fontMetrics().lineSpacing());
   progress_->setRange(0, 1000);
   progress_->setAccessibleName(tr("progress of reading"));
   stop_->setAutoRaise(true);
@@ -95,7 +95,7 @@ void ImportPage::addFoot(QVBoxLayout& page) {
   connect(accept_, &QPushButton::clicked, this, &QDialog::accept);
   connect(cancel_, &QPushButton::clicked, this, &QDialog::reject);
   auto* foot = new QHBoxLayout;
-  foot->addWidget(errorLabel_, 1);
+  foot->addWidget(message_, 1);
   foot->addWidget(progress_);
   foot->addWidget(stop_);
   foot->addSpacing(8);
@@ -111,7 +111,7 @@ QString ImportPage::sentence(QString text) {
 }
 
 QString ImportPage::errorText() const {
-  return errorLabel_->text();
+  return message_->text();
 }
 
 void ImportPage::restart() {
@@ -125,12 +125,12 @@ void ImportPage::showProgress(double part) {
 }
 
 void ImportPage::finish(const QString& errorText) {
-  errorLabel_->setText(errorText);
+  showFailure(errorText);
   setState(errorText.isEmpty() ? State::Shown : State::Wrong);
 }
 
 void ImportPage::showFailure(const QString& reason) {
-  errorLabel_->setText(reason);
+  setMessage(*message_, reason, MessageKind::Error);
 }
 
 void ImportPage::setState(State state) {
@@ -164,7 +164,7 @@ void ImportPage::showBeginning() {
 void ImportPage::pressStop() {
   if (state_ == State::Stopped) return restart();
   work().cancel();
-  errorLabel_->setText(tr("Reading was stopped"));
+  setMessage(*message_, tr("Reading was stopped"), MessageKind::Note);
   setState(State::Stopped);
 }
 

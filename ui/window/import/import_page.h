@@ -70,7 +70,7 @@ class ImportPage : public QDialog {
   QVBoxLayout* views_;
   QPlainTextEdit* beginning_;  // of the file, while something is wrong with it
   QHBoxLayout* halves_;
-  QLabel* errorLabel_;
+  QLabel* message_;
   QProgressBar* progress_;
   QToolButton* stop_;
   QPushButton *accept_, *cancel_;

@@ -230,7 +230,6 @@ void SurfaceImport::buildViews(const Theme& theme) {
   auto* column = flush<QVBoxLayout>(texts, 4);
   notes_ = addText(*column, "surfaceNotes");
   notes_->setProperty("role", "warning");
-  notes_->setStyleSheet(panelStyleSheet(palette()));
   facts_ = addText(*column, "surfaceFacts");
   column->addStretch(1);
   auto* scroll = scrolled(texts, Qt::ScrollBarAlwaysOff);

@@ -2,9 +2,11 @@
 
 #include <QActionGroup>
 #include <QApplication>
+#include <QEvent>
 #include <QMenu>
 #include <QWidget>
 #include <algorithm>
+#include <utility>
 
 #include "core/chart/curve_set.h"
 #include "ui/chart/diagram_style.h"
@@ -35,9 +37,9 @@ QColor edgeColour(const Theme& theme) {
 
 }  // namespace
 
+/// Reads a role that themePalette() leaves to the desktop.
 bool systemIsDark() {
-  static const bool dark = isDark(QGuiApplication::palette());
-  return dark;
+  return QApplication::palette().color(QPalette::Midlight).lightness() < 128;
 }
 
 QPalette themePalette(const Theme& theme) {
@@ -144,6 +146,7 @@ QString windowStyleSheet(const Theme& theme) {
     #regionBar QToolButton:focus { border: 1px solid %5; padding: 1px 8px; }
     #dockTitle { background: %1; border-bottom: 1px solid %3; }
     #dockTitle QLabel { color: %6; }
+    #dockTitle #lessonTitle { color: %2; font-weight: bold; }
     #dockTitle QToolButton { border: none; border-radius: 4px; color: %6; padding: 2px 6px; }
     #dockTitle QToolButton:hover { background: %4; color: %2; }
     #dockTitle #lessonKeep { border: 1px solid %3; color: %2; }
@@ -154,16 +157,29 @@ QString windowStyleSheet(const Theme& theme) {
     QScrollBar::add-line, QScrollBar::sub-line { height: 0; }
     QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
   )")
-      .arg(panel.name(), text.name(), edgeColour(theme).name(), mixed(panel, text, 0.1).name(),
-           accentColour(theme).name(), toQColor(theme.faintText).name(),
-           dark ? QStringLiteral("#5b2a2a") : QStringLiteral("#fde3e1"),
-           dark ? QStringLiteral("#ffd9d6") : QStringLiteral("#8c1d18"),
-           mixed(panel, accentColour(theme), 0.12).name(), toQColor(theme.background).name());
+             .arg(panel.name(), text.name(), edgeColour(theme).name(),
+                  mixed(panel, text, 0.1).name(), accentColour(theme).name(),
+                  toQColor(theme.faintText).name(),
+                  dark ? QStringLiteral("#5b2a2a") : QStringLiteral("#fde3e1"),
+                  dark ? QStringLiteral("#ffd9d6") : QStringLiteral("#8c1d18"),
+                  mixed(panel, accentColour(theme), 0.12).name(),
+                  toQColor(theme.background).name()) +
+         messageStyleSheet(themePalette(theme));
 }
 
 Appearance::Appearance(QWidget& window)
-    : QObject(&window), window_(window), isDark_(systemIsDark()) {
+    : QObject(&window), window_(window), isSystemDark_(systemIsDark()), isDark_(isSystemDark_) {
   applyTheme();
+  window.installEventFilter(this);
+}
+
+/// Follows the desktop, also where the user chooses its colours later.
+bool Appearance::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::ApplicationPaletteChange && systemIsDark() != isSystemDark_) {
+    isSystemDark_ = !isSystemDark_;
+    setColours(colours_);
+  }
+  return QObject::eventFilter(watched, event);
 }
 
 void Appearance::addTo(Commands& commands) {
@@ -197,7 +213,7 @@ void Appearance::addMenu(QMenu& menu) {
 void Appearance::setColours(Colours colours) {
   colours_ = colours;
   if (!choices_.isEmpty()) choices_.at(static_cast<int>(colours))->setChecked(true);
-  const bool dark = colours == Colours::System ? systemIsDark() : colours == Colours::Dark;
+  const bool dark = colours == Colours::System ? isSystemDark_ : colours == Colours::Dark;
   if (dark != isDark_) setDark(dark);
 }
 

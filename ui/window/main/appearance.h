@@ -42,6 +42,7 @@ class Appearance : public QObject {
   /// Passes the theme on to the commands, and to all parts by themeChanged.
   void announceTheme();
   bool isDark() const { return isDark_; }
+  bool eventFilter(QObject* watched, QEvent* event) override;
   const Theme& theme() const;
 
  signals:
@@ -54,10 +55,11 @@ class Appearance : public QObject {
   Commands* commands_ = nullptr;
   QList<QAction*> choices_;  // one for each value of Colours
   Colours colours_ = Colours::System;
-  bool isDark_ = false;
+  bool isSystemDark_ = false, isDark_ = false;
 };
 
-/// Returns whether the desktop's own colours are dark, read at the first call, before setPalette().
+/// Returns whether the desktop's own colours are dark. Of the themes of Qt 6.4, that of KDE knows
+/// them and reports their change; those of GNOME are always light.
 bool systemIsDark();
 QPalette themePalette(const Theme& theme);
 

@@ -102,7 +102,6 @@ void prepareApplication(QApplication& application) {
   QApplication::setApplicationDisplayName({});
   QApplication::setApplicationVersion(QStringLiteral(ASPERITY_VERSION));
   QApplication::setStyle(new WindowStyle);
-  systemIsDark();  // called while the palette is still the desktop's
   loadFonts();
   QFont font = application.font();
   if (font.pointSizeF() > 0 && font.pointSizeF() < 9.5) font.setPointSizeF(9.5);
