@@ -1607,6 +1607,10 @@
         <translation>%1 gespeichert</translation>
     </message>
     <message>
+        <source>There is no picture of the contact: this scene has not been computed.</source>
+        <translation>Es gibt kein Bild des Kontakts: Diese Szene ist nicht berechnet.</translation>
+    </message>
+    <message>
         <source>On the clipboard: %1</source>
         <translation>In der Zwischenablage: %1</translation>
     </message>

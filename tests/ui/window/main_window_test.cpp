@@ -33,6 +33,7 @@
 #include "ui/panels/value_entry.h"
 #include "ui/panels/value_slider.h"
 #include "ui/window/contact/contact_canvas.h"
+#include "ui/window/figures/diagram_view.h"
 #include "ui/window/main/appearance.h"
 #include "ui/window/main/message_bar.h"
 #include "ui/window/main/scene_library.h"
@@ -274,6 +275,28 @@ TEST_F(MainWindowTest, WhatMendsASceneTakesItsComplaintsAway) {
   type("surface.elements", "100");
   ASSERT_TRUE(waitFor([&] { return !window_.messages().isVisible(); }));
   EXPECT_FALSE(waves.hasError());
+}
+
+/// The numbers of the former scene would pass for those of the one that cannot be shown.
+TEST_F(MainWindowTest, NoStatisticsStayOfASceneThatWasLeft) {
+  ASSERT_TRUE(waitForFrame());
+  auto& view = control<DiagramView>("statisticsView");
+  action("go:statisticsView").trigger();
+  ASSERT_TRUE(waitFor([&] { return !view.frames().empty(); }));
+  window_.document().open(refusedScene());
+  EXPECT_TRUE(waitFor([&] { return view.isPainted() && view.frames().empty(); }));
+}
+
+TEST_F(MainWindowTest, WithoutAContactNoPictureIsSavedAndTheReasonIsSaid) {
+  ASSERT_TRUE(waitForFrame());
+  window_.document().open(refusedScene());
+  ASSERT_TRUE(waitFor([&] { return !window_.canvas().frame() && window_.messages().isVisible(); }));
+  for (const char* name : {"savePicture", "copyPicture"}) {
+    window_.messages().hide();
+    action(name).trigger();
+    EXPECT_TRUE(window_.messages().isVisible()) << name;
+    EXPECT_TRUE(window_.messages().text().contains("no picture")) << name;
+  }
 }
 
 TEST_F(MainWindowTest, AFailedCurveStaysExplainedWhileTheContactRuns) {

@@ -123,6 +123,15 @@ std::optional<ContactShot> Exports::shot() const {
   return shot;
 }
 
+/// Returns whether there is a contact to draw; otherwise the message bar says why there is none.
+bool Exports::hasPicture() const {
+  if (parts_.canvas.frame()) return true;
+  parts_.messages.showFailure(
+      MessageBar::Failure::Export,
+      tr("There is no picture of the contact: this scene has not been computed."));
+  return false;
+}
+
 /// Draws in the background, so that the window stays responsive.
 void Exports::run(std::function<void()> work, std::function<void()> done) {
   work_.request([work = std::move(work)](const BackgroundWork::Run&) { work(); },
@@ -137,10 +146,9 @@ void Exports::run(std::function<void()> work, std::function<void()> done) {
 
 void Exports::copyPicture() {
   if (parts_.figures.isShowingFigures()) return parts_.figures.gallery().copyPicture();
-  const std::optional<ContactShot> present = shot();
-  if (!present) return;
+  if (!hasPicture()) return;
   const auto image = std::make_shared<QImage>();
-  run([shot = *present, image] { *image = renderContact(shot); },
+  run([shot = *shot(), image] { *image = renderContact(shot); },
       [this, image] {
         QGuiApplication::clipboard()->setImage(*image);
         parts_.status.showMessage(tr("The picture is on the clipboard"));
@@ -150,15 +158,15 @@ void Exports::copyPicture() {
 
 void Exports::askPicture() {
   if (parts_.figures.isShowingFigures()) return parts_.figures.gallery().askPicture();
+  if (!hasPicture()) return;
   const QString file = askSaveFile(&parts_.window, tr("Save picture"), "contact.png",
                                    tr("Pictures (*.png *.svg *.pdf)"));
   if (!file.isEmpty()) savePicture(file);
 }
 
 void Exports::savePicture(const QString& file) {
-  const std::optional<ContactShot> present = shot();
-  if (!present) return;
-  run([shot = *present, file] { writeContact(file, shot); }, [this, file] { showSaved(file); });
+  if (!hasPicture()) return;
+  run([shot = *shot(), file] { writeContact(file, shot); }, [this, file] { showSaved(file); });
 }
 
 void Exports::showSaved(const QString& file) {

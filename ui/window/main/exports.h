@@ -80,6 +80,7 @@ class Exports : public QObject {
 
  private:
   std::optional<ContactShot> shot() const;
+  bool hasPicture() const;
   void copyPicture();
   void askPicture();
   void showSaved(const QString& file);

@@ -358,6 +358,7 @@ void MainWindow::connectFrames() {
   connect(session_, &Session::frameArrived, this, &MainWindow::showFrame);
   connect(session_, &Session::frameLost, this, [this] {
     canvas_->setFrame(nullptr);
+    tabs_->clearFrame();
     status_->clearReadings();
   });
   // While time is paused no frame follows a curve that is complete.

@@ -199,9 +199,7 @@ void SceneTabs::fitTitles() {
   }
   updateGeometry();  // the minimum width depends on the visible tabs
   if (tabBar()->property("crowded").toBool() == isCrowded) return;
-  tabBar()->setProperty("crowded", isCrowded);  // for the style sheet of the window
-  tabBar()->style()->unpolish(tabBar());
-  tabBar()->style()->polish(tabBar());
+  setStyleProperty(*tabBar(), "crowded", isCrowded);
   // The bar updates the sizes of its tabs only after a StyleChange event.
   QEvent changed(QEvent::StyleChange);
   QCoreApplication::sendEvent(tabBar(), &changed);
@@ -338,6 +336,11 @@ void SceneTabs::showFrame(const Frame& frame) {
     statistics_->show(
         [shown = session_.frame()] { return statisticsSheet(*shown); },
         {"statistics", [scene = *frame.scene] { return pictureOrigin("statistics", scene); }, {}});
+}
+
+/// A statistics of the previous scene would pass for that of the present one.
+void SceneTabs::clearFrame() {
+  statistics_->show([] { return DiagramSheet{}; });
 }
 
 void SceneTabs::setTheme(const Theme& theme) {

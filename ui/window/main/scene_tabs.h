@@ -75,6 +75,8 @@ class SceneTabs : public QTabWidget {
   /// Updates the tabs. A new motion comes to the front; its tab leaves with it.
   void showScene(const Scene& scene);
   void showFrame(const Frame& frame);
+  /// Empties what counts in a frame: there is none of the scene.
+  void clearFrame();
   void setTheme(const Theme& theme);
 
   /// Starts the timer of the curve, whose averaging begins again.
