@@ -27,7 +27,7 @@ constexpr double kSteepestAssumed = 10;  // rms slope
 constexpr double kLongestUsual = 10;   // m
 constexpr double kHighestUsual = 0.1;  // m, from the lowest to the highest height
 
-constexpr std::string_view kUnits = "m, mm, um, nm, in";  // those of the keys
+constexpr std::string_view kUnits = "m, mm, \u00B5m, nm, in";  // those of the keys
 constexpr std::string_view kKnownUnits = "m, cm, mm, \u00B5m, nm, pm, \u00C5, in, mil, \u00B5in";
 
 // ---- Formats -----------------------------------------------------------------------------------

@@ -50,13 +50,14 @@ double factorOf(const TextColumn& column, int power, const std::string& file) {
   if (column.unit.empty()) return 1;
   const auto unit = parseLengthPower(column.unit);
   if (!unit || unit->power != power)
-    throw InputError(file, "",
-                     message("{} is not a unit of {}; allowed is {}, with mm, um or nm as well",
-                             shortened(column.unit), shortened(column.name),
-                             power == -1  ? "1/m"
-                             : power == 1 ? "m"
-                             : power == 3 ? "m^3"
-                                          : "m^4"));
+    throw InputError(
+        file, "",
+        message("{} is not a unit of {}; allowed is {}, with mm, \u00B5m or nm as well",
+                shortened(column.unit), shortened(column.name),
+                power == -1  ? "1/m"
+                : power == 1 ? "m"
+                : power == 3 ? "m^3"
+                             : "m^4"));
   return std::pow(unit->metres, power);
 }
 

@@ -3419,8 +3419,8 @@
         <translation>die Linie ist nicht umgedreht: Die Täler haben Kontakt</translation>
     </message>
     <message>
-        <source>%1 is not a unit of %2; allowed is %3, with mm, um or nm as well</source>
-        <translation>%1 ist keine Einheit von %2; erlaubt ist %3, auch mit mm, um oder nm</translation>
+        <source>%1 is not a unit of %2; allowed is %3, with mm, µm or nm as well</source>
+        <translation>%1 ist keine Einheit von %2; erlaubt ist %3, auch mit mm, µm oder nm</translation>
     </message>
     <message>
         <source>line %1: %2</source>

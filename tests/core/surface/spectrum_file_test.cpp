@@ -109,7 +109,7 @@ TEST(SpectrumFile, SaysWhatIsWrongAndWhere) {
       {"q,C\n1,0\n2,0\n", "s: has no wave with a strength above 0"},
       {"q [furlong],C\n1,1\n2,1\n",
        "s: furlong is not a unit of q; allowed is 1/m, with "
-       "mm, um or nm as well"},
+       "mm, \u00B5m or nm as well"},
   };
   for (const auto& one : cases) {
     try {
