@@ -9,6 +9,7 @@
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/stop.h"
+#include "core/measured/round_form.h"
 #include "core/surface/random_phases.h"
 
 namespace asperity {
@@ -309,6 +310,10 @@ CoarseRows MeasuredLines::coarseRows() const {
     }
   });
   return coarseRows_;
+}
+
+double MeasuredLines::radiusOfForm(std::int64_t row) const {
+  return longWaves_ ? 0 : radiusOfRoundForm(stretch(row), file_->topography.columnSpacing);
 }
 
 ProcessedProfile MeasuredLines::profile(std::int64_t row) const {

@@ -85,6 +85,9 @@ class MeasuredLines {
   std::int64_t spikes() const;
   SpectrumLimits spectrumLimits(const ProcessedProfile& profile) const;
   CoarseRows coarseRows() const;
+  /// Returns the radius (m) of a row that is part of a circle (radiusOfRoundForm); 0 where it is
+  /// none, or where a long-wave cut-off removes it.
+  double radiusOfForm(std::int64_t row) const;
   /// Returns the number of that row in the file, counted from 1.
   std::int64_t numberInFile(std::int64_t row) const {
     return rows_[static_cast<std::size_t>(row)] + 1;

@@ -46,6 +46,7 @@ MeasuredSummary measuredSummary(const Scene& scene, const LineSource& source) {
   summary.steps = limits.steps;
   summary.band = limits.band;
   summary.coarseRows = lines.coarseRows();
+  summary.radius = lines.radiusOfForm(source.rowOf(0));
   summary.period = source.length();
   summary.lineSlope = source.statistics().rmsSlope;
   summary.ratios = lines.equivalentRatios();
@@ -122,6 +123,11 @@ std::vector<Message> factsOf(const MeasuredSummary& summary) {
                 "or remove waves shorter than {} by surface.short_wave_cut",
                 summary.steps.levels, metres(summary.steps.step),
                 metres(2 * std::numbers::pi / summary.band.to)));
+  if (summary.radius > 0)
+    list.push_back(
+        message("the profile is part of a circle with a radius of {}, which a parabola does not "
+                "follow: measure a shorter piece, or remove the form by surface.long_wave_cut",
+                PrintedNumber{printedQuantity(summary.radius, "m", 2)}));
   if (summary.coarseRows.examined > 1 && summary.coarseRows.coarse > 0)
     list.push_back(
         message("of {} rows examined, {} have heights in steps that are too coarse for their line",

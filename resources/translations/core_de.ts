@@ -3091,6 +3091,10 @@
         <translation>die Höhen von Zeilen haben Stufen, die etwa so groß sind wie der Unterschied von Nachbarn, und die Linien sind um diese Stufen zu steil: in feineren Stufen messen, oder kurze Wellen mit surface.short_wave_cut entfernen</translation>
     </message>
     <message>
+        <source>the profile is part of a circle, as of a tyre or a roller, which a parabola does not follow, and this form carries load: measure a shorter piece, or remove it by surface.long_wave_cut</source>
+        <translation>das Profil ist Teil eines Kreises, wie bei einem Reifen oder einer Walze, dem eine Parabel nicht folgt, und diese Form trägt Last: ein kürzeres Stück messen, oder sie mit surface.long_wave_cut entfernen</translation>
+    </message>
+    <message>
         <source>the rows of the surface are so much alike that they count as fewer than about ten independent lines: the standard error of the mean is only roughly known</source>
         <translation>die Zeilen der Oberfläche sind einander so ähnlich, dass sie als weniger als etwa zehn unabhängige Linien zählen: Der Standardfehler des Mittels ist nur grob bekannt</translation>
     </message>
@@ -6561,6 +6565,10 @@
     <message>
         <source>of %1 rows examined, %2 have heights in steps that are too coarse for their line</source>
         <translation>von %1 untersuchten Zeilen haben %2 Höhen in Stufen, die für ihre Linie zu grob sind</translation>
+    </message>
+    <message>
+        <source>the profile is part of a circle with a radius of %1, which a parabola does not follow: measure a shorter piece, or remove the form by surface.long_wave_cut</source>
+        <translation>das Profil ist Teil eines Kreises mit dem Radius %1, dem eine Parabel nicht folgt: ein kürzeres Stück messen, oder die Form mit surface.long_wave_cut entfernen</translation>
     </message>
     <message>
         <source>that the surface is isotropic is assumed: one profile cannot show it</source>

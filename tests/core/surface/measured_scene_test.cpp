@@ -461,6 +461,22 @@ TEST_F(MeasuredScene, SaysThatStepsOfOtherRowsAreCoarse) {
     EXPECT_THAT(pointNotes(point), HasSubstr("coarse_heights"));
 }
 
+TEST_F(MeasuredScene, SaysThatAProfileIsPartOfACircle) {
+  std::string text = "x [mm]\tz [mm]\n";
+  for (int i = 0; i < 400; ++i) {
+    const double x = 0.01 * (i - 200);
+    text += fmt::format("{:.2f}\t{:.6f}\n", x, std::sqrt(16 - x * x) + 1e-4 * std::sin(0.2 * i));
+  }
+  folder_.write("roller.txt", text);
+  const auto notes = [&](const std::vector<std::string>& settings, const std::string& file) {
+    return lineNotes(LineSource(scene(settings, file), 1));
+  };
+  EXPECT_TRUE(notes({"surface.form=parabola"}, "roller.txt").has(Note::RoundForm));
+  EXPECT_TRUE(says({}, "part of a circle with a radius of 4 mm", "roller.txt"));
+  EXPECT_FALSE(notes({"surface.long_wave_cut=8e-4"}, "roller.txt").has(Note::RoundForm));
+  EXPECT_FALSE(notes({}, "p.txt").has(Note::RoundForm));
+}
+
 TEST_F(MeasuredScene, IsSummedUpInItsOwnOrientation) {
   const Scene measured = scene();
   const LineSource source(measured, 1);
