@@ -165,10 +165,14 @@ class HeaderReader {
     const bool isInName = before.ends_with('_') && isOne && isUsual(found.kelvin);
     // "Step 3: 20 \u00B0C"
     const bool isBehindKey = endsWithOneOf(before, ": =") && areOnlyOfTest(wordsIn(before));
-    const bool isSeparated = isBehindDash || isBehindKey || isMarked || isInName ||
-                             wordsIn(before).empty() ||
+    const std::vector<std::string> front = wordsIn(before);
+    const bool isSeparated = isBehindDash || isBehindKey || isMarked || isInName || front.empty() ||
                              isOneOf(lowerCase(before), "at bei \u00E0 t");
-    if (!isSeparated && (found.isLetter || found.unit == "K")) return false;
+    // "Td 320 \u00B0C" and "Ts 10 \u00B0C" are other temperatures.
+    constexpr std::size_t kSymbol = 3;
+    const bool isBehindSymbol =
+        !front.empty() && front.back().starts_with('t') && front.back().size() <= kSymbol;
+    if (!isSeparated && (found.isLetter || found.unit == "K" || isBehindSymbol)) return false;
     if (!isInName && !wordsIn(behind).empty()) return false;
     // "3C, 20 \u00B0C": the letter belongs to the name of a sample.
     if (found.isLetter && hasWrittenOutTemperature()) return false;
@@ -182,7 +186,7 @@ class HeaderReader {
 
   /// Returns whether a rubber may have been tested at this temperature, K.
   static bool isUsual(double kelvin) {
-    constexpr double kColdest = 173, kHottest = 523;
+    constexpr double kColdest = 173, kHottest = 474;
     return kelvin > kColdest && kelvin < kHottest;
   }
 

@@ -56,6 +56,7 @@ class NpyHeader {
   /// Returns the type of the numbers, "<f8"; what is no word in quotes as it stands.
   std::string_view type() const {
     const std::string_view text = value("descr");
+    if (text.empty()) return text;
     const std::size_t end = text.find(text.front(), 1);
     const bool isQuoted = (text.front() == '\'' || text.front() == '"') && end != text.npos;
     return isQuoted ? text.substr(1, end - 1) : text.substr(0, text.find(", 'fortran_order'"));

@@ -253,7 +253,7 @@ TEST(DmaFile, NumbersInTheNamesOfSamplesAreNoTemperatures) {
        {"Mischung bei 160 \u00B0C", "Mischung: 160 \u00B0C", "Mix 160 \u00B0C",
         "NR aged (70 \u00B0C)", "NR_aged_70C", "NR_168h_70C", "NR_20C_to_60C", "NR-20C",
         "Netzsch_DMA_242C_x", "DMA 242C", "Hardness 60 Shore A, 23 \u00B0C", "TR10: -40 \u00B0C",
-        "swollen (40 \u00B0C)", "NR_RT_C"})
+        "DMA_242C", "Td 120 \u00B0C", "swollen (40 \u00B0C)", "NR_RT_C"})
     EXPECT_THAT(errorOf(header + "\n" + table),
                 HasSubstr("temperature: is stated nowhere; say at which the moduli were measured"))
         << header;
