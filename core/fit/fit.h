@@ -6,9 +6,10 @@
 // coordinates, and W the weights. If data and computed means have the errors e, the estimate has
 // the error (J'WJ)^-1 J'W e. The covariance of e has two parts: that of the measurement, and that
 // of the mean over the fit's own lines, which all points share. So cov = (J'WJ)^-1 J'W (S_data +
-// S_lines) WJ (J'WJ)^-1. Where the tables have no errors, all points have the same relative error,
-// which is estimated from the residuals; where their errors do not hold, they are scaled to the
-// residuals.
+// S_lines) WJ (J'WJ)^-1. S_lines is larger than the scatter of the lines by the square of Student's
+// factor, because few lines know their scatter badly. Where the tables have no errors, all points
+// have the same relative error, which is estimated from the residuals; where their errors do not
+// hold, they are scaled to the residuals.
 //
 // Valleys. Where parameters can replace one another, the sum of squares is no parabola, and few
 // lines make it uneven. The profiles follow such a valley: where a point of one lies lower than the

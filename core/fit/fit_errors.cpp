@@ -40,6 +40,17 @@ MatrixXd scatterOfLines(const FrictionWithDerivatives& found) {
   return about;
 }
 
+/// Returns the factor by which an error from the scatter of the lines is larger than this scatter,
+/// because few lines know it badly: two such errors hold as often as two of a known one (Student).
+double factorOfFewLines(const FrictionWithDerivatives& found) {
+  constexpr double kErrors = 2;
+  double freedom = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < found.muOfLines.size(); ++i)
+    if (found.muOfLines[i].size() > 1)
+      freedom = std::min(freedom, lineMeanError(found.muOfLines[i], found.orderedRows[i]).freedom);
+  return std::isfinite(freedom) ? studentDeviations(kErrors, freedom) / kErrors : 1;
+}
+
 /// The Fisher information of the points about the parameters, a symmetric matrix, by its principal
 /// directions.
 class Information {
@@ -122,7 +133,8 @@ FitErrors fitErrors(const Objective& objective, const Minimum& best) {
                     errors);
   const VectorXd ofPoints = errors.errorScale * errors.errorScale * weights.cwiseInverse();
   const MatrixXd byPoints = response * ofPoints.asDiagonal() * response.transpose();
-  const MatrixXd byLines = ofLines * ofLines.transpose();
+  const double known = factorOfFewLines(found);
+  const MatrixXd byLines = known * known * ofLines * ofLines.transpose();
   errors.covariance = byPoints + byLines + information.openCovariance();
   errors.isByLines = (byLines.diagonal().array() > byPoints.diagonal().array()).any();
   errors.computed = found.points;

@@ -165,6 +165,8 @@ class Reader {
           message("is stated nowhere; say at which the moduli were measured with --temperature, "
                   "such as --temperature 20C (line {} may be about something else: {})",
                   line->line, Message::name(shortened(line->text))));
+    if (table_.blocks.size() == 1) stated = temperatureInName(name_);
+    if (stated) return stated->kelvin;
     throw InputError(name_, "temperature",
                      "is stated nowhere; say at which the moduli were measured with "
                      "--temperature, such as --temperature 20C");
@@ -223,8 +225,11 @@ std::vector<Message> factsOf(const DmaFacts& facts) {
   if (!facts.temperature.name.empty())
     lines.push_back(message("temperature: {}", describeColumn(facts.temperature)));
   else if (facts.stated && facts.sweeps == 1)
-    lines.push_back(message("temperature: {} (line {}: {})", celsius(facts.stated->kelvin),
-                            facts.stated->line, Message::name(shortened(facts.stated->text))));
+    lines.push_back(
+        facts.stated->line == 0
+            ? message("temperature: {} (name of the file)", celsius(facts.stated->kelvin))
+            : message("temperature: {} (line {}: {})", celsius(facts.stated->kelvin),
+                      facts.stated->line, Message::name(shortened(facts.stated->text))));
   const Message storage = describeColumn(facts.storage), loss = describeColumn(facts.loss);
   lines.push_back(facts.modulus == ModulusKind::Tension
                       ? message("moduli of tension: {}, {}", storage, loss)

@@ -23,6 +23,7 @@ constexpr int kHighestDegree = 4;
 // cannot be told from a horizontal one. Then the law of entropy elasticity, b_T ~ T, decides;
 // vertical shifts are expected to deviate from it by about this much.
 constexpr double kUsualVertical = 0.01;  // decades
+constexpr double kOpenVertical = 0.02;   // decades, error beyond which it is not determined
 constexpr double kWrongWay = 0.3;        // decades against the order of temperatures
 
 /// The moduli from which a shift is determined.
@@ -277,12 +278,13 @@ class WindowFit {
       found.shiftChange = -found.value * solver.solve(column)[known.cols() - 1];
       return found;
     };
+    OverlapResiduals found;
+    found.verticalError = verticalError();
     const auto addToBasis = [&](const Eigen::VectorXd& column) {
       const Eigen::VectorXd own = rest(column);
       basis.conservativeResize(Eigen::NoChange, basis.cols() + 1);
       basis.rightCols(1) = own.normalized();
     };
-    OverlapResiduals found;
     found.squares = rest(data).squaredNorm();
     found.values = static_cast<double>(rows);
     found.freedom = static_cast<double>(rows - basis.cols());
@@ -317,6 +319,47 @@ class WindowFit {
     found.storage = sum(0);
     found.loss = sum(rows_);
     return found;
+  }
+
+  /// Returns the standard error of a vertical shift that the assembled rows alone determine. A
+  /// vertical shift moves the colder isotherm by 1, a horizontal one by the slope of its curve;
+  /// only where that slope varies, along the frequency or between the moduli, do they differ. The
+  /// slopes have errors, which make them vary as well: that part of the variation does not count.
+  double verticalError() const {
+    const Eigen::Index rows = 2 * rows_, block = polynomialUnknowns();
+    const auto colder = static_cast<Eigen::Index>(window_.colder.size());
+    // The variation of the slopes is linear in the coefficients of the polynomials.
+    Eigen::MatrixXd fixed = Eigen::MatrixXd::Zero(rows, 2 * block + 1), slopes = fixed;
+    fixed.leftCols(2 * block) = system_.topLeftCorner(rows, 2 * block);
+    for (Eigen::Index m = 0; m < 2; ++m)
+      for (Eigen::Index i = m * rows_; i < m * rows_ + colder; ++i) {
+        fixed(i, 2 * block) = 1;
+        for (Eigen::Index k = 1; k < block; ++k)
+          slopes(i, m * block + k) =
+              static_cast<double>(k) * system_(i, m * block + k - 1) / scale_;
+      }
+    const Eigen::MatrixXd polynomials = fixed.leftCols(2 * block);
+    const auto solver = fixed.colPivHouseholderQr();
+    const Eigen::MatrixXd varied =
+        slopes.leftCols(2 * block) - fixed * solver.solve(slopes.leftCols(2 * block));
+    const Eigen::MatrixXd covariance = (polynomials.transpose() * polynomials)
+                                           .ldlt()
+                                           .solve(Eigen::MatrixXd::Identity(2 * block, 2 * block));
+    const double variance = deviation_ * deviation_;
+    const double expected = variance * (varied * covariance * varied.transpose()).trace();
+    const double square = (varied * coefficients_.head(2 * block)).squaredNorm();
+    const Eigen::VectorXd shift = slopes.leftCols(2 * block) * coefficients_.head(2 * block);
+    const auto ofPolynomials = polynomials.colPivHouseholderQr();
+    const auto rest = [&](const Eigen::VectorXd& column) -> Eigen::VectorXd {
+      return column - polynomials * ofPolynomials.solve(column);
+    };
+    // |vertical beside polynomials and shift|^2 = |vertical|^2 |shift beside vertical|^2 /
+    // |shift|^2
+    const double whole = rest(shift).squaredNorm();
+    const double own = whole > 0 ? rest(fixed.col(2 * block)).squaredNorm() *
+                                       std::max(0.0, square - expected) / whole
+                                 : 0;
+    return own > 0 ? std::sqrt(variance / own) : std::numeric_limits<double>::infinity();
   }
 
   /// Adds the residuals of one sweep of one modulus about a polynomial of its own.
@@ -433,6 +476,8 @@ NeighbourShifts neighbourShifts(const Isotherm& cold, const Isotherm& warm, bool
   both.log10Vertical = common.vertical.value;
   both.verticalError = common.vertical.error;
   found.residuals = common.residuals;
+  const double ofVertical = common.residuals.verticalError;
+  both.isVerticalOpen = !std::isnan(ofVertical) && ofVertical > kOpenVertical;
   both.decades = commonRange(colder, warmer, both.log10Shift).width();
   if (both.decades > 0)
     both.mismatch = mismatchAt(colder, warmer, both.log10Shift, both.log10Vertical);

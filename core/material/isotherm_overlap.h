@@ -22,6 +22,9 @@ struct Overlap {
   double verticalError = 0;  // decades
   double mismatch = 0;       // decades of modulus, rms difference of the two where they overlap
   double decades = 0;        // of frequency that they have in common
+  /// Whether the moduli do not tell a vertical shift from a horizontal one (to 5 %): both are power
+  /// laws of one exponent within their noise.
+  bool isVerticalOpen = false;
 };
 
 /// A shift by least squares.

@@ -526,6 +526,18 @@ std::vector<Message> materialSummary(const Material& material) {
   lines.insert(lines.end(), material.strays.begin(), material.strays.end());
   const auto decades = [](double value) { return PrintedNumber{printedNumber(value, 2)}; };
   const auto ofModulus = [&](double value) { return percent(std::pow(10, value) - 1); };
+  const auto open =
+      static_cast<std::size_t>(std::ranges::count_if(curve.overlaps, &Overlap::isVerticalOpen));
+  if (material.isVertical && open > 0)
+    lines.push_back(message(
+        "in {} of {} overlaps the moduli do not tell a vertical shift from a horizontal one, as "
+        "power laws of one exponent do not: there the law of entropy elasticity, b_T ~ T, decides",
+        open, curve.overlaps.size()));
+  else if (2 * open > curve.overlaps.size())
+    lines.push_back(message(
+        "in {} of {} overlaps the moduli do not tell a vertical shift from a horizontal one, as "
+        "power laws of one exponent do not: there the shifts hold for b_T = 1",
+        open, curve.overlaps.size()));
   const VerticalEvidence& vertical = curve.vertical;
   if (material.isExplainedByVertical)
     lines.push_back(message(

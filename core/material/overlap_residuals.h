@@ -23,9 +23,13 @@ struct OverlapResiduals {
   Contrast vertical;                  // log10 b_T of the colder isotherm over that of the warmer
   Contrast difference;                // shift from G'' less that from G'
   Contrast differenceBesideVertical;  // the same where there is a vertical shift as well
-  double squares = 0;                 // decades^2, of the fit without these unknowns
-  double values = 0;                  // number of moduli
-  double freedom = 0;                 // number of its values beyond that of its unknowns
+  /// Standard error of log10 b_T from the moduli alone, decades: infinite where both are power laws
+  /// of one exponent within their noise, so that a vertical shift is a horizontal one. NaN: there
+  /// are no residuals to tell.
+  double verticalError = std::numeric_limits<double>::quiet_NaN();
+  double squares = 0;  // decades^2, of the fit without these unknowns
+  double values = 0;   // number of moduli
+  double freedom = 0;  // number of its values beyond that of its unknowns
   struct Modulus {
     // Of the fit with all unknowns: squares, and the same for the products of neighbours along the
     // frequency, with what these are in the mean where the noise is white.

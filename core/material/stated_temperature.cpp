@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <filesystem>
 #include <iterator>
 #include <string_view>
 #include <vector>
@@ -76,7 +77,7 @@ class HeaderReader {
     isOfMaking_ = isMakingDone_ = false;
     for (const std::string_view clause : clausesOf(text_)) {
       // What a clause says about making holds for the next ones, too, until one is about the test.
-      const std::vector<std::string> own = wordsIn(clause);
+      const std::vector<std::string> own = withoutNamesOfMixtures(wordsIn(clause));
       if (areOfTest(own) && !std::ranges::any_of(own, isOfMaking)) isOfMaking_ = false;
       readClause(clause);
       if (std::ranges::any_of(own, isOfMaking)) isOfMaking_ = true;
@@ -143,26 +144,60 @@ class HeaderReader {
       rank = Rank::Measured;
     }
     if (rank == Rank::Bare &&
-        (isKeyed ? isLineOfOther_ : !isBareTemperature(before, clause.substr(found.end))))
+        (isKeyed ? isLineOfOther_ : !isBareTemperature(before, found, clause.substr(found.end))))
       return false;
     add(kelvin, rank);
     return true;
   }
 
   /// Returns whether a temperature without a key and without a word about the test may be that of
-  /// the test: it stands alone, also behind a dash or a comma, and the line is about nothing else
-  /// than a test or a sample.
-  bool isBareTemperature(std::string_view before, std::string_view behind) const {
+  /// the test: it stands alone, in brackets, behind a dash, a comma or "@", or ends the name of a
+  /// sample, and the line is about nothing else than a test or a sample. A letter alone as the
+  /// unit needs more than a blank in front of its number: "NETZSCH DMA 242 C".
+  bool isBareTemperature(std::string_view before, const TextTemperature& found,
+                         std::string_view behind) const {
     if (isLineOfOther_) return false;
-    before = withoutEnd(trimmedBlanks(before), "@([");
+    before = trimmedBlanks(before);
+    const bool isMarked = endsWithOneOf(before, "( [ @");
+    before = withoutEnd(before, "@([");
     const bool isBehindDash = before.ends_with('-') || before.ends_with("\u2013");
-    // "Step 3: 20 °C"
+    const bool isOne = findTemperatures(text_).size() == 1;
+    const bool isInName = before.ends_with('_') && isOne && isUsual(found.kelvin);
+    // "Step 3: 20 \u00B0C"
     const bool isBehindKey = endsWithOneOf(before, ": =") && areOnlyOfTest(wordsIn(before));
-    const bool isBehindWords = !wordsIn(before).empty() && !isBehindDash && !isBehindKey &&
-                               !isOneOf(lowerCase(before), "at bei \u00E0 t");
-    if (isBehindWords || !wordsIn(behind).empty()) return false;
-    const std::vector<std::string> words = wordsIn(text_);
-    return areOnlyOfTest(words) && !stateDuration(words);
+    const std::vector<std::string> front = wordsIn(before);
+    const bool isSeparated = isBehindDash || isBehindKey || isMarked || isInName || front.empty() ||
+                             isOneOf(lowerCase(before), "at bei \u00E0 t");
+    // "Td 320 \u00B0C" and "Ts 10 \u00B0C" are other temperatures.
+    constexpr std::size_t kSymbol = 3;
+    const bool isBehindSymbol =
+        !front.empty() && front.back().starts_with('t') && front.back().size() <= kSymbol;
+    if (!isSeparated && (found.isLetter || found.unit == "K" || isBehindSymbol)) return false;
+    if (!isInName && !wordsIn(behind).empty()) return false;
+    // "3C, 20 \u00B0C": the letter belongs to the name of a sample.
+    if (found.isLetter && hasWrittenOutTemperature()) return false;
+    // The parts of "NR_aged_70C" are words.
+    std::string parts = text_;
+    std::ranges::replace(parts, '_', ' ');
+    const std::vector<std::string> words = wordsIn(parts);
+    return areOnlyOfTest(words) && !stateDuration(words) && !areOfOther(words) &&
+           std::ranges::none_of(words, isVague);
+  }
+
+  /// Returns whether a rubber may have been tested at this temperature, K.
+  static bool isUsual(double kelvin) {
+    constexpr double kColdest = 173, kHottest = 474;
+    return kelvin > kColdest && kelvin < kHottest;
+  }
+
+  /// Returns whether the line has a temperature whose unit is more than a letter.
+  bool hasWrittenOutTemperature() const {
+    std::string_view rest = text_;
+    while (const auto found = firstTemperature(rest)) {
+      if (!found->isLetter) return true;
+      rest.remove_prefix(found->end);
+    }
+    return false;
   }
 
   /// Adds a temperature in a line about a shift, or of a glass transition. Returns whether it is
@@ -243,6 +278,11 @@ class HeaderReader {
   bool isMakingDone_ = false;  // whether these have stated their temperature
 };
 
+bool isOneOfTest(Rank rank) {
+  return rank == Rank::Test || rank == Rank::Reference || rank == Rank::Measured ||
+         rank == Rank::Bare;
+}
+
 /// Returns the one temperature of these statements. Throws InputError where they differ.
 HeaderTemperature onlyTemperature(const std::vector<Statement>& statements,
                                   const std::string& name) {
@@ -287,6 +327,15 @@ std::optional<HeaderTemperature> distrustedTemperature(const TextTable& table,
     }
     if (current == &table.blocks.front()) return {};
   }
+}
+
+std::optional<HeaderTemperature> temperatureInName(const std::string& fileName) {
+  const std::vector<TextEntry> name{
+      {.key = {}, .value = std::filesystem::path(fileName).stem().string()}};
+  const std::vector<Statement> all = HeaderReader({}, {}, false).read(name);
+  const bool isOne = all.size() == 1 && isOneOfTest(all.front().rank);
+  return isOne ? std::optional(HeaderTemperature{all.front().kelvin, 0, all.front().text})
+               : std::nullopt;
 }
 
 std::optional<HeaderTemperature> statedTemperature(const TextTable& table, const TextBlock& block,

@@ -18,7 +18,7 @@ namespace asperity {
 /// A temperature above a table, and the line that states it.
 struct HeaderTemperature {
   double kelvin = 0;
-  std::size_t line = 0;
+  std::size_t line = 0;  // 0: the name of the file
   std::string text{};
 };
 
@@ -40,6 +40,10 @@ std::optional<HeaderTemperature> statedTemperature(const TextTable& table, const
 /// of the first line with one.
 std::optional<HeaderTemperature> distrustedTemperature(const TextTable& table,
                                                        const TextBlock& block);
+
+/// Returns the one temperature that the name of a file states as a line above a table would:
+/// "NR-CB50_23C.csv", "Sample 3 (60 \u00B0C).txt".
+std::optional<HeaderTemperature> temperatureInName(const std::string& fileName);
 
 /// Returns the reference temperature (K) of the constants C1 and C2 of a shift: one in a line about
 /// them ("WLF: Tref = 20 °C; C1 = 10"), else the reference temperature of any header. isOfGlass:

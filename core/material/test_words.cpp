@@ -6,6 +6,7 @@
 #include "core/base/text_header.h"
 #include "core/base/text_number.h"
 #include "core/material/dma_columns.h"
+#include "core/material/text_temperature.h"
 
 namespace asperity {
 namespace {
@@ -23,7 +24,8 @@ bool isOfOther(const std::string& word) {
   return isOfMaking(word) || beginsWithOneOf(word, kStems) ||
          isOneOf(word,
                  "bis tg rate wlf c1 c2 c\u2081 c\u2082 max min tmax tmin dt delta \u03B4t \u0394t "
-                 "start end final stop anfang ende tm drift limits heizrate twlf");
+                 "start end final stop anfang ende tm drift limits heizrate twlf tb hdt tr10 tr30 "
+                 "tr50 tr70");
 }
 
 }  // namespace
@@ -41,7 +43,23 @@ bool isOfMaking(const std::string& word) {
   return isTempering || isIndex || beginsWithOneOf(word, kStems);
 }
 
-bool areOfOther(const std::vector<std::string>& words) {
+std::vector<std::string> withoutNamesOfMixtures(std::vector<std::string> words) {
+  for (std::size_t i = 0; i + 1 < words.size();) {
+    const std::string& name = words[i + 1];
+    const bool isTemperature =
+        findTemperature(name + (i + 2 < words.size() ? words[i + 2] : "")).has_value();
+    const bool isNamed = isOneOf(words[i], "mischung mixture mix") && !isTemperature &&
+                         !isOneOf(name, "at bei auf for to von of on in mit");
+    if (isNamed)
+      words.erase(words.begin() + static_cast<std::ptrdiff_t>(i));
+    else
+      ++i;
+  }
+  return words;
+}
+
+bool areOfOther(const std::vector<std::string>& all) {
+  const std::vector<std::string> words = withoutNamesOfMixtures(all);
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string& word = words[i];
     if (word == "min" && i > 0 && isDigit(words[i - 1].back())) continue;
@@ -86,11 +104,15 @@ bool areOnlyOfTest(const std::vector<std::string>& words) {
       "sampl probe specimen piece compound \u00E9chantillon campion muestra frequen fr\u00E9quen "
       "frecuen temperat moduli modulus module shear tension tensile compress torsion bending schub "
       "zug strain amplitude deform dynami storage loss stiffness mode step point process during "
-      "actual current average mean chamber plate celsius kelvin grad degree \u6E29\u5EA6");
+      "actual current average mean chamber plate celsius kelvin grad degree \u6E29\u5EA6 rubber "
+      "gummi kautschuk elastomer polymer epdm hnbr xnbr ssbr essbr silicon silikon pdms sylgard "
+      "shore carbon ru\u00DF silica unfilled filled");
   constexpr std::size_t kShort = 3;  // bytes
-  return std::ranges::all_of(words, [&](const std::string& word) {
+  return std::ranges::all_of(withoutNamesOfMixtures(words), [&](const std::string& word) {
+    // "50phr" and "100hz" are numbers, too.
+    const std::size_t letters = std::min(word.find_first_not_of("0123456789.,"), word.size());
     return isTestWord(word) || beginsWithOneOf(word, kStems) || isDigit(word.back()) ||
-           word.size() <= kShort;
+           word.size() - letters <= kShort || word.substr(letters) == "degc";
   });
 }
 

@@ -12,6 +12,10 @@ namespace asperity {
 /// Returns whether a word says that a temperature is one of making or storing the sample.
 bool isOfMaking(const std::string& word);
 
+/// Returns the words without "mixture" where it has a name behind it, so that it is the sample:
+/// "Mischung A12". In "mixture at 160 \u00B0C" and "Mix 160 \u00B0C" it is the making.
+std::vector<std::string> withoutNamesOfMixtures(std::vector<std::string> words);
+
 /// Returns whether words say that a temperature is none of the test. The storage modulus is no
 /// storage, 5 min are minutes, and a rheometer may be that of the test.
 bool areOfOther(const std::vector<std::string>& words);

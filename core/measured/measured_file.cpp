@@ -47,6 +47,7 @@ constexpr std::array kFormats{SurfaceFormat{"x3p", "X3P", {"x3p"}, isX3p, readX3
                               SurfaceFormat{"sur", "SUR, PRO", {"sur", "pro"}, isSur, readSur},
                               SurfaceFormat{"gsf", "GSF", {"gsf"}, isGsf, readGsf},
                               SurfaceFormat{"gwy", "GWY", {"gwy"}, isGwy, readGwy},
+                              SurfaceFormat{"npy", "NPY", {"npy"}, isNpy, readNpy},
                               SurfaceFormat{"zygo", "Zygo", {}, isZygo, readZygo},
                               SurfaceFormat{"wyko", "Wyko (text)", {"asc"}, isWyko, readWyko},
                               SurfaceFormat{"surfer", "Surfer", {"grd"}, isSurfer, readSurfer},
@@ -220,6 +221,7 @@ Message formText(const ReadingFacts& facts) {
   if (facts.format == "zygo") return "a file of Zygo";
   if (facts.format == "wyko") return "a text file of Wyko";
   if (facts.format == "surfer") return "a grid of Surfer";
+  if (facts.format == "npy") return "an array of NumPy";
   if (facts.format == "gwyddion") return "a file that Gwyddion has converted";
   std::string name = facts.format;
   for (char& letter : name)

@@ -1,7 +1,8 @@
 // Reads measured profiles and topographies of every kind: text in many forms, X3P (ISO 25178-72),
 // SDF (ISO 25178-71), SMD and PRF (ISO 5436-2), SUR and PRO (Digital Surf), GSF and GWY (Gwyddion),
-// files of Zygo, text files of Wyko, grids of Surfer, and whatever else an installed Gwyddion can
-// read. The kind is recognized from the content of a file, never from its name.
+// files of Zygo, text files of Wyko, grids of Surfer, arrays of NumPy, and whatever else an
+// installed Gwyddion can read. The kind is recognized from the content of a file, never from its
+// name.
 //
 // The facts list what the reader found out by itself (kind, columns, units); a choice overrides
 // each of these guesses.

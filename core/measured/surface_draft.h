@@ -78,6 +78,7 @@ std::string readableFormats();
 SurfaceDraft readTextSurface(const SurfaceSource& source);
 SurfaceDraft readGsf(const SurfaceSource& source);
 SurfaceDraft readGwy(const SurfaceSource& source);
+SurfaceDraft readNpy(const SurfaceSource& source);
 SurfaceDraft readSdf(const SurfaceSource& source);
 SurfaceDraft readSmd(const SurfaceSource& source);
 SurfaceDraft readSur(const SurfaceSource& source);
@@ -89,6 +90,7 @@ SurfaceDraft readZygo(const SurfaceSource& source);
 // Return whether a file has this format, by its beginning.
 bool isGsf(const SurfaceSource& source);
 bool isGwy(const SurfaceSource& source);
+bool isNpy(const SurfaceSource& source);
 bool isSdf(const SurfaceSource& source);
 bool isSmd(const SurfaceSource& source);
 bool isSur(const SurfaceSource& source);

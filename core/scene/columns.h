@@ -104,8 +104,10 @@ inline constexpr auto kColumns = std::to_array<Column>({
      "unresolved_friction: the elements are too few in contact for the tangential force; "
      "slope_above_0.3: the model takes slopes for small; few_contacts: single summits carry the "
      "load; seam_jump: the period repeats with a step; spikes: single points of the measured "
-     "surface stand far out of their neighbours; few_independent_rows: its rows count as fewer "
-     "than about ten independent lines, and the standard error is only roughly known; "
+     "surface stand far out of their neighbours; coarse_heights: its heights have steps that make "
+     "its lines too steep; round_form: it is part of a circle, which no parabola removes; "
+     "few_independent_rows: its rows count as fewer than about ten "
+     "independent lines, and the standard error is only roughly known; "
      "extrapolated_material, extrapolated_temperature, strain_beyond_measured: the elastomer was "
      "not measured at the frequencies that friction rests on, at this temperature, at strains as "
      "large as the slopes.",

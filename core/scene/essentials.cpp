@@ -90,6 +90,12 @@ std::string_view noteKey(Note note, const Scene& scene) {
       return firstOf(std::array<std::string_view, 2>{"surface.seam", "surface.file"}, scene);
     case Note::FewIndependentRows:
       return firstOf(std::array<std::string_view, 1>{"surface.file"}, scene);
+    case Note::CoarseHeights:
+      return firstOf(std::array<std::string_view, 2>{"surface.short_wave_cut", "surface.file"},
+                     scene);
+    case Note::RoundForm:
+      return firstOf(std::array<std::string_view, 2>{"surface.long_wave_cut", "surface.file"},
+                     scene);
     case Note::Spikes:
       return firstOf(std::array<std::string_view, 2>{"surface.outliers", "surface.file"}, scene);
     case Note::ExtrapolatedMaterial:

@@ -28,6 +28,13 @@ constexpr std::array<NoteText, kNotes> kTexts{{
     {"spikes",
      "single points of the measured surface stand far out of their neighbours, like spikes, and "
      "carry load: where they are errors of the measurement, surface.outliers=6 replaces them"},
+    {"coarse_heights",
+     "the heights of rows have steps about as large as neighbours differ, and the lines are too "
+     "steep by these steps: measure in finer steps, or remove short waves by "
+     "surface.short_wave_cut"},
+    {"round_form",
+     "the profile is part of a circle, as of a tyre or a roller, which a parabola does not follow, "
+     "and this form carries load: measure a shorter piece, or remove it by surface.long_wave_cut"},
     {"few_independent_rows",
      "the rows of the surface are so much alike that they count as fewer than about ten "
      "independent lines: the standard error of the mean is only roughly known"},

@@ -20,6 +20,8 @@ enum class Note : std::uint8_t {
   StrainBeyondMeasured,     // larger strains than those the elastomer was measured at
   SeamJump,                 // the period of the line repeats with a step
   Spikes,                   // points of a measured surface that stand out of their neighbours
+  CoarseHeights,            // heights of rows have steps that are too coarse for their line
+  RoundForm,                // the profile is part of a circle, which no parabola removes
   FewIndependentRows,       // the error of a mean over rows of a topography is badly known
   FastEnoughToHeat,         // the power dissipated would change the temperature
   UnresolvedFriction,       // too few elements in contact for the tangential force

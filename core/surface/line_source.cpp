@@ -363,6 +363,8 @@ NoteSet lineNotes(const LineSource& source) {
   const MeasuredLines* measured = source.measured();
   if (!measured) return notes;
   notes.add(Note::Spikes, measured->spikes() > 0);
+  notes.add(Note::CoarseHeights, measured->coarseRows().coarse > 0);
+  notes.add(Note::RoundForm, measured->radiusOfForm(source.rowOf(0)) > 0);
   if (!measured->mayHaveSeamJump()) return notes;
   // A few rows suffice, because most of them have such a step.
   constexpr std::int64_t kRows = 16;

@@ -9,6 +9,7 @@
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/stop.h"
+#include "core/measured/round_form.h"
 #include "core/surface/random_phases.h"
 
 namespace asperity {
@@ -280,6 +281,39 @@ MissingHeights MeasuredLines::missingHeights() const {
 std::int64_t MeasuredLines::spikes() const {
   countPoints();
   return spikes_;
+}
+
+SpectrumLimits MeasuredLines::spectrumLimits(const ProcessedProfile& profile) const {
+  const ProcessingChoices& processing = surface_.processing;
+  std::vector<double> levelled = profile.raw;
+  markOutliers(levelled, processing.outliers, processing.form);
+  interpolateGaps(levelled);
+  removeForm(levelled, processing.form);
+  SpectrumLimits limits{coarseSteps(profile.raw), {}};
+  limits.band = reliableBand(levelled, profile.spacing, processing.shortWaveCut, limits.steps);
+  // A cut-off that ends the band removes what the steps add.
+  constexpr double kRounded = 1.01;
+  if (kRounded * processing.shortWaveCut * limits.band.to >= 2 * std::numbers::pi)
+    limits.steps = {};
+  return limits;
+}
+
+/// Examines a few rows, spread evenly: steps are those of the instrument, and rows are much alike.
+CoarseRows MeasuredLines::coarseRows() const {
+  std::call_once(areStepsFound_, [this] {
+    constexpr std::int64_t kMostRows = 64;
+    coarseRows_.examined = std::min(rows(), kMostRows);
+    for (std::int64_t i = 0; i < coarseRows_.examined; ++i) {
+      const std::int64_t row = rowOfRealization(i, coarseRows_.examined, rows());
+      if (coarseSteps(stretch(row)).step > 0 && spectrumLimits(profile(row)).steps.step > 0)
+        ++coarseRows_.coarse;
+    }
+  });
+  return coarseRows_;
+}
+
+double MeasuredLines::radiusOfForm(std::int64_t row) const {
+  return longWaves_ ? 0 : radiusOfRoundForm(stretch(row), file_->topography.columnSpacing);
 }
 
 ProcessedProfile MeasuredLines::profile(std::int64_t row) const {

@@ -43,6 +43,18 @@ struct MissingHeights {
   std::int64_t gaps = 0, outliers = 0;  // points of the used parts of the used rows
 };
 
+/// The spectrum of a row as far as it can be relied on, and the steps of its heights where they are
+/// too coarse and no cut-off removes what they add.
+struct SpectrumLimits {
+  HeightSteps steps{};
+  ReliableBand band{};
+};
+
+/// Rows whose heights have such steps, among those examined: all, or some spread evenly.
+struct CoarseRows {
+  std::int64_t coarse = 0, examined = 0;
+};
+
 /// How the isotropic equivalent differs from the line as measured.
 struct EquivalentRatios {
   double height = 1, slope = 1;  // of the rms values
@@ -71,6 +83,11 @@ class MeasuredLines {
   /// Returns how many points of all rows are spikes (spikeCount) that the processing leaves in the
   /// line.
   std::int64_t spikes() const;
+  SpectrumLimits spectrumLimits(const ProcessedProfile& profile) const;
+  CoarseRows coarseRows() const;
+  /// Returns the radius (m) of a row that is part of a circle (radiusOfRoundForm); 0 where it is
+  /// none, or where a long-wave cut-off removes it.
+  double radiusOfForm(std::int64_t row) const;
   /// Returns the number of that row in the file, counted from 1.
   std::int64_t numberInFile(std::int64_t row) const {
     return rows_[static_cast<std::size_t>(row)] + 1;
@@ -121,6 +138,8 @@ class MeasuredLines {
   mutable std::once_flag arePointsCounted_;  // the next two have their values
   mutable MissingHeights missing_;
   mutable std::int64_t spikes_ = 0;
+  mutable std::once_flag areStepsFound_;  // coarseRows_ has its values
+  mutable CoarseRows coarseRows_;
 };
 
 /// Returns the row of a realization out of `rows`: the rows are spread evenly, because neighbouring

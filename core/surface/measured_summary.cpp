@@ -42,16 +42,11 @@ MeasuredSummary measuredSummary(const Scene& scene, const LineSource& source) {
   summary.used = profileParameters(profile.used, profile.spacing, processing.longWaveCut);
   summary.rawSpectrum = hannSpectrum(withoutGaps(profile.raw), profile.spacing);
   summary.usedSpectrum = hannSpectrum(withoutGaps(profile.used), profile.spacing);
-  std::vector<double> levelled = profile.raw;
-  markOutliers(levelled, processing.outliers, processing.form);
-  interpolateGaps(levelled);
-  removeForm(levelled, processing.form);
-  summary.steps = coarseSteps(profile.raw);
-  summary.band = reliableBand(levelled, profile.spacing, processing.shortWaveCut, summary.steps);
-  // A cut-off that ends the band removes what the steps add.
-  constexpr double kRounded = 1.01;
-  if (kRounded * processing.shortWaveCut * summary.band.to >= 2 * std::numbers::pi)
-    summary.steps = {};
+  const SpectrumLimits limits = lines.spectrumLimits(profile);
+  summary.steps = limits.steps;
+  summary.band = limits.band;
+  summary.coarseRows = lines.coarseRows();
+  summary.radius = lines.radiusOfForm(source.rowOf(0));
   summary.period = source.length();
   summary.lineSlope = source.statistics().rmsSlope;
   summary.ratios = lines.equivalentRatios();
@@ -128,6 +123,15 @@ std::vector<Message> factsOf(const MeasuredSummary& summary) {
                 "or remove waves shorter than {} by surface.short_wave_cut",
                 summary.steps.levels, metres(summary.steps.step),
                 metres(2 * std::numbers::pi / summary.band.to)));
+  if (summary.radius > 0)
+    list.push_back(
+        message("the profile is part of a circle with a radius of {}, which a parabola does not "
+                "follow: measure a shorter piece, or remove the form by surface.long_wave_cut",
+                PrintedNumber{printedQuantity(summary.radius, "m", 2)}));
+  if (summary.coarseRows.examined > 1 && summary.coarseRows.coarse > 0)
+    list.push_back(
+        message("of {} rows examined, {} have heights in steps that are too coarse for their line",
+                summary.coarseRows.examined, summary.coarseRows.coarse));
   if (!(summary.band.to > summary.band.from)) {
     list.push_back("the profile is too short, or too noisy, for a spectrum that can be relied on");
     return list;

@@ -3087,6 +3087,14 @@
         <translation>einzelne Punkte der gemessenen Oberfläche ragen wie Nadeln weit aus ihren Nachbarn heraus und tragen Last: Wo sie Messfehler sind, ersetzt surface.outliers=6 sie</translation>
     </message>
     <message>
+        <source>the heights of rows have steps about as large as neighbours differ, and the lines are too steep by these steps: measure in finer steps, or remove short waves by surface.short_wave_cut</source>
+        <translation>die Höhen von Zeilen haben Stufen, die etwa so groß sind wie der Unterschied von Nachbarn, und die Linien sind um diese Stufen zu steil: in feineren Stufen messen, oder kurze Wellen mit surface.short_wave_cut entfernen</translation>
+    </message>
+    <message>
+        <source>the profile is part of a circle, as of a tyre or a roller, which a parabola does not follow, and this form carries load: measure a shorter piece, or remove it by surface.long_wave_cut</source>
+        <translation>das Profil ist Teil eines Kreises, wie bei einem Reifen oder einer Walze, dem eine Parabel nicht folgt, und diese Form trägt Last: ein kürzeres Stück messen, oder sie mit surface.long_wave_cut entfernen</translation>
+    </message>
+    <message>
         <source>the rows of the surface are so much alike that they count as fewer than about ten independent lines: the standard error of the mean is only roughly known</source>
         <translation>die Zeilen der Oberfläche sind einander so ähnlich, dass sie als weniger als etwa zehn unabhängige Linien zählen: Der Standardfehler des Mittels ist nur grob bekannt</translation>
     </message>
@@ -3859,6 +3867,18 @@
         <translation>Gitter von Surfer</translation>
     </message>
     <message>
+        <source>an array of NumPy</source>
+        <translation>Array von NumPy</translation>
+    </message>
+    <message>
+        <source>holds an array of the type %1; arrays of whole or floating-point numbers are read</source>
+        <translation>enthält ein Array des Typs %1; gelesen werden Arrays ganzer Zahlen oder von Gleitkommazahlen</translation>
+    </message>
+    <message>
+        <source>holds an array of %1 dimensions; heights have two, or one of a profile</source>
+        <translation>enthält ein Array mit %1 Dimensionen; Höhen haben zwei, die eines Profils eine</translation>
+    </message>
+    <message>
         <source>is needed (%1): the unit &apos;%2&apos; of the file is not known; known are %3</source>
         <translation>wird gebraucht (%1): die Einheit „%2“ der Datei ist nicht bekannt; bekannt sind %3</translation>
     </message>
@@ -4359,6 +4379,10 @@
         <translation>Temperatur: %1 (Zeile %2: %3)</translation>
     </message>
     <message>
+        <source>temperature: %1 (name of the file)</source>
+        <translation>Temperatur: %1 (Name der Datei)</translation>
+    </message>
+    <message>
         <source>temperature: %1</source>
         <translation>Temperatur: %1</translation>
     </message>
@@ -4517,6 +4541,14 @@
     <message>
         <source>not thermorheologically simple: beyond their noise, neighbours differ by %1 % (rms) where they overlap, which no shift explains; predictions at other temperatures are approximate</source>
         <translation>nicht thermorheologisch einfach: über ihr Rauschen hinaus weichen Nachbarn, wo sie überlappen, um %1 % (Effektivwert) voneinander ab, was keine Verschiebung erklärt; Vorhersagen bei anderen Temperaturen sind Näherungen</translation>
+    </message>
+    <message>
+        <source>in %1 of %2 overlaps the moduli do not tell a vertical shift from a horizontal one, as power laws of one exponent do not: there the law of entropy elasticity, b_T ~ T, decides</source>
+        <translation>bei %1 von %2 Überlappungen unterscheiden die Moduln eine vertikale Verschiebung nicht von einer horizontalen, wie bei Potenzgesetzen mit einem Exponenten: dort entscheidet das Gesetz der Entropieelastizität, b_T ~ T</translation>
+    </message>
+    <message>
+        <source>in %1 of %2 overlaps the moduli do not tell a vertical shift from a horizontal one, as power laws of one exponent do not: there the shifts hold for b_T = 1</source>
+        <translation>bei %1 von %2 Überlappungen unterscheiden die Moduln eine vertikale Verschiebung nicht von einer horizontalen, wie bei Potenzgesetzen mit einem Exponenten: dort gelten die Verschiebungen für b_T = 1</translation>
     </message>
     <message>
         <source>holds a test over time: relaxation tests, G(t), and creep tests, J(t), are not read; what is read are G' and G'' over frequency at one or several temperatures, and Prony series</source>
@@ -5081,6 +5113,10 @@
     <message>
         <source>surfer</source>
         <translation>Surfer</translation>
+    </message>
+    <message>
+        <source>npy</source>
+        <translation>NumPy</translation>
     </message>
     <message>
         <source>x3p</source>
@@ -6419,6 +6455,10 @@
         <translation>Surfer-Gitter</translation>
     </message>
     <message>
+        <source>NumPy</source>
+        <translation>NumPy</translation>
+    </message>
+    <message>
         <source>read by Gwyddion</source>
         <translation>über Gwyddion</translation>
     </message>
@@ -6521,6 +6561,14 @@
     <message>
         <source>the heights of the row have only %1 levels, %2 apart, which is about as much as neighbours differ: the line is too steep by these steps; measure in finer steps, or remove waves shorter than %3 by surface.short_wave_cut</source>
         <translation>die Höhen der Zeile haben nur %1 Stufen im Abstand von %2, etwa so viel, wie sich Nachbarn unterscheiden: um diese Stufen ist die Linie zu steil; in feineren Stufen messen, oder Wellen kürzer als %3 mit surface.short_wave_cut entfernen</translation>
+    </message>
+    <message>
+        <source>of %1 rows examined, %2 have heights in steps that are too coarse for their line</source>
+        <translation>von %1 untersuchten Zeilen haben %2 Höhen in Stufen, die für ihre Linie zu grob sind</translation>
+    </message>
+    <message>
+        <source>the profile is part of a circle with a radius of %1, which a parabola does not follow: measure a shorter piece, or remove the form by surface.long_wave_cut</source>
+        <translation>das Profil ist Teil eines Kreises mit dem Radius %1, dem eine Parabel nicht folgt: ein kürzeres Stück messen, oder die Form mit surface.long_wave_cut entfernen</translation>
     </message>
     <message>
         <source>that the surface is isotropic is assumed: one profile cannot show it</source>

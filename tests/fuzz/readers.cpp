@@ -239,21 +239,32 @@ void readX3pXml(std::string_view text) {
       "auto");
 }
 
-constexpr char kGsf[] = "gsf", kGwy[] = "gwy", kSdf[] = "sdf", kSmd[] = "smd", kSur[] = "sur",
-               kSurfer[] = "surfer", kText[] = "text", kWyko[] = "wyko", kX3p[] = "x3p",
-               kZygo[] = "zygo";
+constexpr char kGsf[] = "gsf", kGwy[] = "gwy", kNpy[] = "npy", kSdf[] = "sdf", kSmd[] = "smd",
+               kSur[] = "sur", kSurfer[] = "surfer", kText[] = "text", kWyko[] = "wyko",
+               kX3p[] = "x3p", kZygo[] = "zygo";
 
 constexpr ReaderUnderTest kReaders[] = {
-    {"batch", readBatchFile},       {"gsf", readSurfaceAs<kGsf>},
-    {"gwy", readSurfaceAs<kGwy>},   {"lesson", readLessonFile},
-    {"moduli", readModuli},         {"open", openAnyFile},
-    {"profile", readProfileFile},   {"prony", readProny},
-    {"scene", readSceneText},       {"sdf", readSurfaceAs<kSdf>},
-    {"set", readAssignments},       {"smd", readSurfaceAs<kSmd>},
-    {"spectrum", readSpectrumFile}, {"study", readStudyFile},
-    {"sur", readSurfaceAs<kSur>},   {"surfer", readSurfaceAs<kSurfer>},
-    {"text", readSurfaceAs<kText>}, {"wyko", readSurfaceAs<kWyko>},
-    {"x3p", readSurfaceAs<kX3p>},   {"x3p_xml", readX3pXml},
+    {"batch", readBatchFile},
+    {"gsf", readSurfaceAs<kGsf>},
+    {"gwy", readSurfaceAs<kGwy>},
+    {"lesson", readLessonFile},
+    {"moduli", readModuli},
+    {"open", openAnyFile},
+    {"npy", readSurfaceAs<kNpy>},
+    {"profile", readProfileFile},
+    {"prony", readProny},
+    {"scene", readSceneText},
+    {"sdf", readSurfaceAs<kSdf>},
+    {"set", readAssignments},
+    {"smd", readSurfaceAs<kSmd>},
+    {"spectrum", readSpectrumFile},
+    {"study", readStudyFile},
+    {"sur", readSurfaceAs<kSur>},
+    {"surfer", readSurfaceAs<kSurfer>},
+    {"text", readSurfaceAs<kText>},
+    {"wyko", readSurfaceAs<kWyko>},
+    {"x3p", readSurfaceAs<kX3p>},
+    {"x3p_xml", readX3pXml},
     {"zygo", readSurfaceAs<kZygo>},
 };
 

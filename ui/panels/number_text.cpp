@@ -67,7 +67,7 @@ struct ChoiceName {
   const char* name;
 };
 
-constexpr std::array<ChoiceName, 33> kChoiceNames{{
+constexpr std::array<ChoiceName, 34> kChoiceNames{{
     {"surface.format", "text", "text table"},
     {"surface.format", "profile", "text: profile"},
     {"surface.format", "matrix", "text: matrix of heights"},
@@ -78,6 +78,7 @@ constexpr std::array<ChoiceName, 33> kChoiceNames{{
     {"surface.format", "sur", "SUR"},
     {"surface.format", "gsf", "GSF"},
     {"surface.format", "gwy", "GWY"},
+    {"surface.format", "npy", "NumPy"},
     {"surface.format", "zygo", "Zygo"},
     {"surface.format", "wyko", "Wyko, text"},
     {"surface.format", "surfer", "Surfer grid"},

@@ -125,6 +125,33 @@ TEST(Fit, RegionsOneToFourDetermineAllThree) {
   EXPECT_LT(errorOfModulus, std::log(2.0));
 }
 
+/// Four lines know their scatter badly: of 200 fits, two standard errors hold 191 (95.4 %) where
+/// they count that, by Student's distribution with three degrees of freedom, and 172 where they do
+/// not. The standard deviation of these numbers is 3 and 5.
+TEST(Fit, ErrorsOfFewLinesCountThatTheirScatterIsBadlyKnown) {
+  constexpr int kFits = 200;
+  constexpr std::int64_t kLines = 4;
+  FrictionData data;
+  for (const CurvePoint& point : exactFriction(truth(), 1e-4, 0.3)) {
+    MeasuredPoint exact;
+    exact.velocity = point.velocity;
+    exact.mu = point.mu;
+    exact.muError = 1e-3 * point.mu;
+    data.points.push_back(exact);
+  }
+  int within = 0;
+  for (int i = 0; i < kFits; ++i) {
+    Scene scene = start(kLines, 5000 + i);
+    scene.elastomer = truth().elastomer;
+    const std::vector<VariedParameter> height{{"surface.rms_height", scene}};
+    const Fit fit = fitFriction(scene, {&data, 1}, height, withoutProfiles());
+    const FittedParameter& found = fit.parameters.front();
+    within += std::abs(std::log(found.value / truth().surface.rmsHeight)) < 2 * found.standardError;
+  }
+  EXPECT_GE(within, 184);
+  EXPECT_LE(within, 198);
+}
+
 TEST(Fit, NamesAPointThatMovesAllValues) {
   const Scene scene = start(16, 3);
   const std::vector<VariedParameter> height{{"surface.rms_height", scene}};

@@ -223,6 +223,59 @@ TEST(DmaFile, TheTemperatureOfTheTestIsFoundAmongOthers) {
               293.15, 1e-9);
 }
 
+/// The names of samples and their conditions have numbers of other things in front: the mixture,
+/// its filler, the hardness.
+TEST(DmaFile, NumbersInTheNamesOfSamplesAreNoTemperatures) {
+  const std::string table = "f [Hz];G' [Pa];G'' [Pa]\n1;2e6;2e5\n10;3e6;4e5\n";
+  for (const std::string header :
+       {"Mischung A12, 20 \u00B0C",
+        "Mischung 7; 20 \u00B0C",
+        "Mixture B2, 20 \u00B0C",
+        "Probe 3 (20 \u00B0C)",
+        "Sample: NR 60 [20 \u00B0C]",
+        "NR-CB50_20C",
+        "SBR_50phr_20C",
+        "NR_60ShA_20degC_1Hz",
+        "EPDM70_293.15K",
+        "NR_68F",
+        "HNBR 75, 20 \u00B0C",
+        "Rubber N330, 50 phr, 20 \u00B0C",
+        "SBR, 60 Shore A, 20 \u00B0C",
+        "Sample A12 20 \u00B0C",
+        "Probe 3C, 20 \u00B0C",
+        "3C, 20 \u00B0C",
+        "NR N330 @ 20 C",
+        "Mischung A12, T = 20 \u00B0C",
+        "NR-CB50, aged 168 h at 70 \u00B0C, T = 20 \u00B0C",
+        "Mischung A12, cured 10 min at 160 \u00B0C, tested at 20 \u00B0C"})
+    EXPECT_NEAR(read(header + "\n" + table).rows.front().temperature, 293.15, 1e-9) << header;
+  for (const std::string header :
+       {"Mischung bei 160 \u00B0C", "Mischung: 160 \u00B0C", "Mix 160 \u00B0C",
+        "NR aged (70 \u00B0C)", "NR_aged_70C", "NR_168h_70C", "NR_20C_to_60C", "NR-20C",
+        "Netzsch_DMA_242C_x", "DMA 242C", "Hardness 60 Shore A, 23 \u00B0C", "TR10: -40 \u00B0C",
+        "DMA_242C", "Td 120 \u00B0C", "swollen (40 \u00B0C)", "NR_RT_C"})
+    EXPECT_THAT(errorOf(header + "\n" + table),
+                HasSubstr("temperature: is stated nowhere; say at which the moduli were measured"))
+        << header;
+}
+
+TEST(DmaFile, TheNameOfTheFileMayStateTheTemperature) {
+  const std::string table = "f [Hz];G' [Pa];G'' [Pa]\n1;2e6;2e5\n10;3e6;4e5\n";
+  const auto readNamed = [](const std::string& text, const std::string& name) {
+    return readDmaFile(readTextTable(text, name, {}), name, {});
+  };
+  for (const char* name : {"data/NR-CB50_20C.csv", "Probe 3 (20 \u00B0C).txt", "20C.csv"}) {
+    const DmaFile file = readNamed(table, name);
+    EXPECT_NEAR(file.rows.front().temperature, 293.15, 1e-9) << name;
+    EXPECT_EQ(factsOf(file.facts)[1].english(), "temperature: 20.0 \u00B0C (name of the file)");
+  }
+  // What the file says itself comes first, and a doubt in it remains one.
+  EXPECT_NEAR(readNamed("T = 20 \u00B0C\n" + table, "NR_60C.csv").rows.front().temperature, 293.15,
+              1e-9);
+  EXPECT_THROW(readNamed("Swollen at 40 \u00B0C\n" + table, "NR_20C.csv"), InputError);
+  EXPECT_THROW(readNamed(table, "NR_aged_70C.csv"), InputError);
+}
+
 /// People and word processors write a minus in many ways; a dash between words is none.
 TEST(DmaFile, MinusSignsOfTemperaturesAreRead) {
   const std::string table = "f [Hz];G' [Pa];G'' [Pa]\n1;2e6;2e5\n10;3e6;4e5\n";

@@ -216,6 +216,38 @@ TEST(MasterCurve, ErrorsGrowWhereVerticalShiftsAreMissing) {
   EXPECT_GT(changes, 0.03);
 }
 
+/// Both moduli rise with one power of frequency: a shift of b decades up is one of b / 0.5 along.
+TEST(MasterCurve, PowerLawsLeaveTheVerticalShiftOpen) {
+  for (const double noise : {0.0, 0.003, 0.03})
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+      std::mt19937 random(seed);
+      std::normal_distribution<double> normal;
+      std::vector<Isotherm> isotherms(3);
+      for (int t = 0; t < 3; ++t) {
+        isotherms[t].temperature = 273.15 + 10 * t;
+        for (int i = 0; i < 13; ++i) {
+          const double frequency = std::pow(10, -1 + i / 6.0);
+          const double modulus = 1e6 * std::sqrt(frequency * std::pow(10, -0.7 * t));
+          isotherms[t].points.push_back({frequency, modulus * (1 + noise * normal(random)),
+                                         0.8 * modulus * (1 + noise * normal(random))});
+        }
+      }
+      for (const bool isVertical : {false, true})
+        for (const Overlap& overlap : masterCurve(isotherms, 283.15, isVertical).overlaps)
+          EXPECT_TRUE(overlap.isVerticalOpen) << noise << ' ' << seed;
+    }
+  // Moduli whose slopes vary determine both.
+  int open = 0, count = 0;
+  for (unsigned seed = 1; seed <= 20; ++seed)
+    for (const bool isVertical : {false, true})
+      for (const Overlap& overlap :
+           masterCurve(SyntheticRubber().sweeps(15, 0.003, seed), 298.15, isVertical).overlaps) {
+        open += overlap.isVerticalOpen ? 1 : 0;
+        ++count;
+      }
+  EXPECT_LE(open, count / 50);
+}
+
 /// Two processes, of which the slower one has half the activation of the other: G' and G'' of an
 /// isotherm change their shape, which no shift undoes.
 TEST(MasterCurve, TwoProcessesAreNotSimple) {

@@ -18,6 +18,7 @@
 namespace asperity {
 namespace {
 
+using testing::AllOf;
 using testing::Contains;
 using testing::Each;
 using testing::EndsWith;
@@ -276,6 +277,30 @@ TEST(MaterialModel, IsothermsMayBeLeftOut) {
   EXPECT_EQ(fitMaterial(epdm().isotherms, choices).isotherms.size(), 9U);
   choices.leftOut = {400};
   EXPECT_THROW(fitMaterial(epdm().isotherms, choices), InputError);
+}
+
+/// Moduli that are power laws of one exponent: whoever reads the shifts must know what decided.
+TEST(MaterialModel, SaysWhereAVerticalShiftCannotBeTold) {
+  std::vector<Isotherm> isotherms;
+  for (const double kelvin : {273.15, 283.15, 293.15}) {
+    Isotherm& isotherm = isotherms.emplace_back();
+    isotherm.temperature = kelvin;
+    for (int i = 0; i < 13; ++i) {
+      const double frequency = std::pow(10, -1 + i / 6.0);
+      const double modulus = 1e6 * std::sqrt(frequency * std::pow(10, -0.07 * (kelvin - 273.15)));
+      isotherm.points.push_back({frequency, modulus, 0.8 * modulus});
+    }
+  }
+  const auto english = [](const Message& line) { return line.english(); };
+  MaterialChoices choices;
+  const char* const open = "in 2 of 2 overlaps the moduli do not tell a vertical shift from a ";
+  EXPECT_THAT(materialSummary(fitMaterial(isotherms, choices)),
+              Contains(ResultOf(english, AllOf(HasSubstr(open), HasSubstr("hold for b_T = 1")))));
+  choices.isVertical = true;
+  EXPECT_THAT(materialSummary(fitMaterial(isotherms, choices)),
+              Contains(ResultOf(english, AllOf(HasSubstr(open), HasSubstr("b_T ~ T, decides")))));
+  EXPECT_THAT(materialSummary(fitMaterial(SyntheticRubber().sweeps(15, 0.003), choices)),
+              Each(ResultOf(english, Not(HasSubstr("do not tell a vertical")))));
 }
 
 }  // namespace

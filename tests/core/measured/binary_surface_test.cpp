@@ -181,5 +181,72 @@ TEST(GwyFile, NamesWhatIsWrong) {
   EXPECT_THAT(errorOf("GWYPGwyContainer"), HasSubstr("no end"));
 }
 
+// ---- NPY ---------------------------------------------------------------------------------------
+
+void expectKnownArray(const std::string& bytes, const std::string& unit, bool withGap,
+                      double tolerance) {
+  ReadingChoices choices;
+  choices.heightUnit = unit;
+  choices.spacing = kColumnSpacing;
+  MeasuredFile file = read(bytes, choices);
+  EXPECT_NEAR(file.topography.rowSpacing, kColumnSpacing, 1e-12 * kColumnSpacing);
+  file.topography.rowSpacing = kRowSpacing;  // the file has one spacing for both directions
+  expectKnown(file, "npy", withGap, tolerance);
+}
+
+TEST(NpyFile, ReadsEveryTypeOrderAndVersion) {
+  for (const bool isFortran : {false, true})
+    for (const int version : {1, 2, 3}) {
+      expectKnownArray(npy<double>("<f8", version, isFortran, true), "um", true, 1e-20);
+      expectKnownArray(npy<double>(">f8", version, isFortran), "um", false, 1e-20);
+      expectKnownArray(npy<float>("<f4", version, isFortran, true), "um", true, 1e-12);
+      expectKnownArray(npy<float>(">f4", version, isFortran), "um", false, 1e-12);
+      expectKnownArray(npy<std::int16_t>("<i2", version, isFortran), "nm", false, 1e-9);
+      expectKnownArray(npy<std::int32_t>(">i4", version, isFortran), "nm", false, 1e-9);
+      expectKnownArray(npy<std::int64_t>("<i8", version, isFortran), "nm", false, 1e-9);
+    }
+}
+
+TEST(NpyFile, ReadsUnsignedNumbersAndProfiles) {
+  std::string bytes = npy<std::uint16_t>(">u2", 1, false, false, "(4,)");
+  const std::size_t begin = bytes.size() - 2 * kColumns * kRows;
+  for (int i = 0; i < 4; ++i) {
+    bytes[begin + 2 * i] = static_cast<char>(0xEA);  // 0xEA60 is 60000
+    bytes[begin + 2 * i + 1] = static_cast<char>(0x60 + i);
+  }
+  ReadingChoices choices;
+  choices.heightUnit = "nm";
+  choices.spacing = 1e-6;
+  const MeasuredFile file = read(bytes, choices);
+  EXPECT_EQ(file.topography.rows, 1);
+  ASSERT_EQ(file.topography.columns, 4);
+  EXPECT_NEAR(file.topography.at(0, 3), 60003e-9, 1e-15);
+}
+
+TEST(NpyFile, NamesWhatIsWrong) {
+  ReadingChoices choices;
+  choices.spacing = 1e-6;
+  choices.heightUnit = "nm";
+  EXPECT_THAT(errorOf(npy<double>("<f8")),
+              HasSubstr("surface.point_spacing: is needed (in m): the file does not say"));
+  for (const char* type : {"|O", "<c16", "<U4", "|b1", "<M8[s]"})
+    EXPECT_THAT(errorOf(npy<double>(type), choices),
+                HasSubstr(std::string("holds an array of the type ") + type +
+                          "; arrays of whole or floating-point numbers are read"));
+  const std::string structured = replaced(npy<double>("<f8"), "'<f8'", "[('x', '<f8')]");
+  EXPECT_THAT(errorOf(structured, choices), HasSubstr("holds an array of the type [('x', '<f8')"));
+  EXPECT_THAT(errorOf(npy<double>("<f8", 1, false, false, "(2, 3, 4)"), choices),
+              HasSubstr("holds an array of 3 dimensions"));
+  EXPECT_THAT(errorOf(npy<double>("<f8", 1, false, false, "()"), choices),
+              HasSubstr("holds an array of 0 dimensions"));
+  EXPECT_THAT(errorOf(npy<double>("<f8", 1, false, false, "(0, 4)"), choices),
+              HasSubstr("shape in the header is not a number above 0"));
+  EXPECT_THAT(errorOf(npy<double>("<f8", 1, false, false, "(400, 400)"), choices),
+              HasSubstr("ends too early"));
+  EXPECT_THAT(errorOf(replaced(npy<double>("<f8"), "'shape'", "'size_'"), choices),
+              HasSubstr("the header has no shape"));
+  expectCutOffIsNoHarm(npy<double>("<f8"));
+}
+
 }  // namespace
 }  // namespace asperity::written

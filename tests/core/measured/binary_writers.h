@@ -204,4 +204,42 @@ inline std::string gwyOfThree(bool withMask = false) {
   return gwy(components);
 }
 
+// ---- NPY (NumPy) -------------------------------------------------------------------------------
+
+/// The known surface as an array of NumPy in micrometres, or of whole numbers in nanometres.
+template <class Number>
+std::string npy(const std::string& type, int version = 1, bool isFortran = false,
+                bool withGap = false, const std::string& shape = {}) {
+  const bool isWhole = std::numeric_limits<Number>::is_integer;
+  std::string header = fmt::format(
+      "{{'descr': '{}', 'fortran_order': {}, 'shape': {}, }}", type, isFortran ? "True" : "False",
+      shape.empty() ? fmt::format("({}, {})", kRows, kColumns) : shape);
+  while ((header.size() + 11) % 16 != 0) header += ' ';
+  header += '\n';
+  std::string bytes = "\x93NUMPY";
+  bytes += static_cast<char>(version);
+  bytes += '\0';
+  if (version == 1)
+    put(bytes, static_cast<std::uint16_t>(header.size()));
+  else
+    put(bytes, static_cast<std::uint32_t>(header.size()));
+  bytes += header;
+  const auto add = [&](int row, int column) {
+    const double value = micrometres(row, column) * (isWhole ? 1e3 : 1);
+    const double written =
+        withGap && isGap(row, column) ? std::numeric_limits<double>::quiet_NaN() : value;
+    if constexpr (std::numeric_limits<Number>::is_integer)
+      put(bytes, static_cast<Number>(std::lround(written)), type.front() == '>');
+    else
+      put(bytes, static_cast<Number>(written), type.front() == '>');
+  };
+  if (isFortran)
+    for (int column = 0; column < kColumns; ++column)
+      for (int row = 0; row < kRows; ++row) add(row, column);
+  else
+    for (int row = 0; row < kRows; ++row)
+      for (int column = 0; column < kColumns; ++column) add(row, column);
+  return bytes;
+}
+
 }  // namespace asperity::written

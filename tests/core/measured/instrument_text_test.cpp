@@ -16,25 +16,10 @@ namespace {
 
 using testing::HasSubstr;
 
-std::string replaced(std::string text, const std::string& what, const std::string& by) {
-  const std::size_t at = text.find(what);
-  EXPECT_NE(at, std::string::npos) << what;
-  return at == std::string::npos ? text : text.replace(at, what.size(), by);
-}
-
 bool says(const MeasuredFile& file, const std::string& part) {
   return std::ranges::any_of(file.facts.notes, [&part](const Message& note) {
     return note.english().find(part) != std::string::npos;
   });
-}
-
-/// Every beginning of the file is read or refused in one line.
-void expectCutOffIsNoHarm(const std::string& bytes, const ReadingChoices& choices = {}) {
-  for (std::size_t size = 0; size < bytes.size(); ++size) {
-    const std::string error = errorOf(bytes.substr(0, size), choices);
-    EXPECT_EQ(error.find('\n'), std::string::npos) << size;
-    EXPECT_LT(error.size(), 400u) << size;
-  }
 }
 
 ReadingChoices inMicrometres() {

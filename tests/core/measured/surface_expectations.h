@@ -22,6 +22,21 @@ inline std::string errorOf(const std::string& bytes, const ReadingChoices& choic
   return errorFrom([&] { read(bytes, choices); });
 }
 
+inline std::string replaced(std::string text, const std::string& what, const std::string& by) {
+  const std::size_t at = text.find(what);
+  EXPECT_NE(at, std::string::npos) << what;
+  return at == std::string::npos ? text : text.replace(at, what.size(), by);
+}
+
+/// Every beginning of the file is read or refused in one line.
+inline void expectCutOffIsNoHarm(const std::string& bytes, const ReadingChoices& choices = {}) {
+  for (std::size_t size = 0; size < bytes.size(); ++size) {
+    const std::string error = errorOf(bytes.substr(0, size), choices);
+    EXPECT_EQ(error.find('\n'), std::string::npos) << size;
+    EXPECT_LT(error.size(), 400u) << size;
+  }
+}
+
 /// The known surface, heights within `tolerance` (m), spacings to `relative` of themselves.
 inline void expectKnown(const MeasuredFile& file, const std::string& format, bool withGap,
                         double tolerance, double relative = 1e-12, int rows = kRows) {

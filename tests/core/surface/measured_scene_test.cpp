@@ -434,6 +434,49 @@ TEST_F(MeasuredScene, SaysThatStepsOfTheHeightsAreCoarse) {
   EXPECT_FALSE(says({cut}, words, "coarse.txt"));
 }
 
+/// Rows other than the first may have such steps, too: in tables and in the summary.
+TEST_F(MeasuredScene, SaysThatStepsOfOtherRowsAreCoarse) {
+  constexpr int kRows = 3;
+  const auto write = [&](const std::string& name, int firstCoarse) {
+    std::string text = "# Width: 400 \u00B5m\n# Height: 3 \u00B5m\n# Value units: \u00B5m\n";
+    for (int row = 0; row < kRows; ++row)
+      for (int i = 0; i < 400; ++i) {
+        const double z = std::sin(0.031 * i + row) + 0.4 * std::sin(0.2 * i);
+        text += fmt::format("{:.{}f}{}", 0.1 * z, row < firstCoarse ? 6 : 2, i < 399 ? "\t" : "\n");
+      }
+    folder_.write(name, text);
+  };
+  write("fine.txt", kRows);
+  write("coarse.txt", 1);
+  const auto notes = [&](const std::vector<std::string>& settings, const std::string& file) {
+    return lineNotes(LineSource(scene(settings, file), 1));
+  };
+  EXPECT_FALSE(notes({}, "fine.txt").has(Note::CoarseHeights));
+  EXPECT_TRUE(notes({}, "coarse.txt").has(Note::CoarseHeights));
+  EXPECT_FALSE(notes({"surface.short_wave_cut=1e-4"}, "coarse.txt").has(Note::CoarseHeights));
+  EXPECT_FALSE(notes({"surface.row=1"}, "coarse.txt").has(Note::CoarseHeights));
+  EXPECT_TRUE(says({}, "of 3 rows examined, 2 have heights in steps", "coarse.txt"));
+  EXPECT_FALSE(says({}, "rows examined", "fine.txt"));
+  for (const CurvePoint& point : computeCurve(scene({}, "coarse.txt")).points)
+    EXPECT_THAT(pointNotes(point), HasSubstr("coarse_heights"));
+}
+
+TEST_F(MeasuredScene, SaysThatAProfileIsPartOfACircle) {
+  std::string text = "x [mm]\tz [mm]\n";
+  for (int i = 0; i < 400; ++i) {
+    const double x = 0.01 * (i - 200);
+    text += fmt::format("{:.2f}\t{:.6f}\n", x, std::sqrt(16 - x * x) + 1e-4 * std::sin(0.2 * i));
+  }
+  folder_.write("roller.txt", text);
+  const auto notes = [&](const std::vector<std::string>& settings, const std::string& file) {
+    return lineNotes(LineSource(scene(settings, file), 1));
+  };
+  EXPECT_TRUE(notes({"surface.form=parabola"}, "roller.txt").has(Note::RoundForm));
+  EXPECT_TRUE(says({}, "part of a circle with a radius of 4 mm", "roller.txt"));
+  EXPECT_FALSE(notes({"surface.long_wave_cut=8e-4"}, "roller.txt").has(Note::RoundForm));
+  EXPECT_FALSE(notes({}, "p.txt").has(Note::RoundForm));
+}
+
 TEST_F(MeasuredScene, IsSummedUpInItsOwnOrientation) {
   const Scene measured = scene();
   const LineSource source(measured, 1);

@@ -1,0 +1,145 @@
+// Arrays of NumPy (NEP 1, "A simple file format for NumPy arrays"): a magic word, the version, the
+// length of the header, a Python dictionary of the type, the order and the shape, and the numbers.
+// The first index counts the rows. The file states neither units nor how far its points are apart.
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <string>
+
+#include "core/base/number_text.h"
+#include "core/base/text.h"
+#include "core/base/text_number.h"
+#include "core/measured/byte_reader.h"
+#include "core/measured/surface_draft.h"
+
+namespace asperity {
+namespace {
+
+using namespace std::string_view_literals;
+
+constexpr std::string_view kMagic = "\x93NUMPY";
+
+template <class Number>
+void appendAs(const SurfaceSource& source, std::string_view bytes, std::vector<double>& heights) {
+  appendHeights<Number>(source, bytes, 1, heights, [](Number) { return false; });
+}
+
+/// A type of numbers by its word without the order of bytes.
+struct NumberType {
+  std::string_view word;
+  std::size_t bytes;
+  void (*append)(const SurfaceSource& source, std::string_view bytes, std::vector<double>& heights);
+};
+
+constexpr std::array kTypes{
+    NumberType{"f4", 4, appendAs<float>},        NumberType{"f8", 8, appendAs<double>},
+    NumberType{"i1", 1, appendAs<std::int8_t>},  NumberType{"u1", 1, appendAs<std::uint8_t>},
+    NumberType{"i2", 2, appendAs<std::int16_t>}, NumberType{"u2", 2, appendAs<std::uint16_t>},
+    NumberType{"i4", 4, appendAs<std::int32_t>}, NumberType{"u4", 4, appendAs<std::uint32_t>},
+    NumberType{"i8", 8, appendAs<std::int64_t>}, NumberType{"u8", 8, appendAs<std::uint64_t>}};
+
+/// The dictionary of the header.
+class NpyHeader {
+ public:
+  NpyHeader(const SurfaceSource& source, std::string_view text) : source_(source), text_(text) {}
+
+  /// Returns the text behind a key and its colon, up to the end of the header.
+  std::string_view value(const std::string& key) const {
+    for (const std::string& quoted : {"'" + key + "'", "\"" + key + "\""})
+      if (const std::size_t at = text_.find(quoted); at != text_.npos) {
+        const std::string_view rest = trimmedBlanks(text_.substr(at + quoted.size()));
+        if (rest.starts_with(':')) return trimmedBlanks(rest.substr(1));
+      }
+    source_.fail(message("the header has no {}", key));
+  }
+
+  /// Returns the type of the numbers, "<f8"; what is no word in quotes as it stands.
+  std::string_view type() const {
+    const std::string_view text = value("descr");
+    if (text.empty()) return text;
+    const std::size_t end = text.find(text.front(), 1);
+    const bool isQuoted = (text.front() == '\'' || text.front() == '"') && end != text.npos;
+    return isQuoted ? text.substr(1, end - 1) : text.substr(0, text.find(", 'fortran_order'"));
+  }
+
+  bool isFortran() const { return value("fortran_order").starts_with("True"); }
+
+  std::vector<std::int64_t> shape() const {
+    std::string_view text = value("shape");
+    const std::size_t end = text.find(')');
+    if (!text.starts_with('(') || end == text.npos)
+      source_.fail(message("the header has no {}", "shape"));
+    std::vector<std::int64_t> counts;
+    for (std::string_view part : splitText(text.substr(1, end - 1), ",")) {
+      part = trimmedBlanks(part);
+      if (part.empty()) continue;  // behind the comma of "(3,)"
+      if (!readNumber(part, counts.emplace_back()) || counts.back() < 1)
+        source_.fail(message("{} in the header is not a number above 0", "shape"));
+    }
+    return counts;
+  }
+
+ private:
+  const SurfaceSource& source_;
+  std::string_view text_;
+};
+
+/// Returns the numbers with the bytes of each in reverse order.
+std::string reversedBytes(std::string_view bytes, std::size_t size) {
+  std::string reversed(bytes);
+  for (std::size_t i = 0; i + size <= reversed.size(); i += size)
+    std::reverse(reversed.begin() + static_cast<std::ptrdiff_t>(i),
+                 reversed.begin() + static_cast<std::ptrdiff_t>(i + size));
+  return reversed;
+}
+
+}  // namespace
+
+bool isNpy(const SurfaceSource& source) {
+  return source.bytes.starts_with(kMagic);
+}
+
+SurfaceDraft readNpy(const SurfaceSource& source) {
+  if (!isNpy(source)) source.fail(message("is not a {} file", "NPY"));
+  ByteReader reader(source, source.bytes);
+  reader.skip(kMagic.size());
+  const auto version = reader.read<std::uint8_t>();
+  reader.skip(1);
+  const std::size_t length =
+      version == 1 ? reader.read<std::uint16_t>() : reader.read<std::uint32_t>();
+  const NpyHeader header(source, reader.take(length));
+
+  const std::string_view word = header.type();
+  const auto* const type = std::ranges::find_if(kTypes, [&](const NumberType& one) {
+    return word.size() == 3 && "<>|="sv.find(word.front()) != word.npos && word.ends_with(one.word);
+  });
+  if (type == kTypes.end())
+    source.fail(
+        message("holds an array of the type {}; arrays of whole or floating-point numbers "
+                "are read",
+                Message::name(shortened(word))));
+  const std::vector<std::int64_t> shape = header.shape();
+  if (shape.empty() || shape.size() > 2)
+    source.fail(message("holds an array of {} dimensions; heights have two, or one of a profile",
+                        shape.size()));
+
+  SurfaceDraft draft;
+  draft.facts.format = "npy";
+  draft.hasPositions = false;
+  const bool isColumnByColumn = shape.size() == 2 && header.isFortran();
+  Topography stored;
+  stored.columns = isColumnByColumn ? shape.front() : shape.back();
+  stored.rows = shape.size() == 1 ? 1 : isColumnByColumn ? shape.back() : shape.front();
+  requireSize(source, stored.columns, stored.rows, reader.left(), type->bytes);
+  const std::string_view data =
+      reader.take(static_cast<std::size_t>(stored.columns * stored.rows) * type->bytes);
+  if (word.front() == '>')
+    type->append(source, reversedBytes(data, type->bytes), stored.height);
+  else
+    type->append(source, data, stored.height);
+  draft.grid = isColumnByColumn ? transposed(stored) : std::move(stored);
+  draft.grid.columnSpacing = draft.grid.rowSpacing = 1;
+  return draft;
+}
+
+}  // namespace asperity

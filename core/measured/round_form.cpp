@@ -1,0 +1,86 @@
+#include "core/measured/round_form.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+namespace asperity {
+namespace {
+
+/// A circle by its height, its slope and its curvature at x = 0.
+using Circle = Eigen::Vector3d;
+
+/// Returns the heights of a circle; nothing where some x lies beyond it. The form has no difference
+/// of large numbers where the curvature is small.
+std::optional<Eigen::VectorXd> heightsOf(const Circle& circle, const Eigen::VectorXd& x) {
+  const double cosine = 1 / std::hypot(1.0, circle[1]), sine = circle[1] * cosine;
+  const Eigen::ArrayXd turned = sine + circle[2] * x.array();
+  constexpr double kSteepest = 0.999;
+  if (!(turned.abs().maxCoeff() < kSteepest)) return {};
+  return circle[0] + x.array() * (sine + turned) / (cosine + (1 - turned.square()).sqrt());
+}
+
+/// Fits a circle by the method of Gauss and Newton; `circle` is the start. Returns the rms of what
+/// it leaves.
+double fitCircle(Circle& circle, const Eigen::VectorXd& x, const Eigen::VectorXd& z) {
+  constexpr int kIterations = 20, kHalvings = 12;
+  constexpr double kStep = 1e-6, kConverged = 1e-6;
+  const auto start = heightsOf(circle, x);
+  if (!start) return INFINITY;
+  double left = (z - *start).norm();
+  for (int i = 0; i < kIterations; ++i) {
+    const Eigen::VectorXd now = *heightsOf(circle, x);
+    Eigen::MatrixXd slopes(x.size(), 3);
+    for (int k = 0; k < 3; ++k) {
+      Circle moved = circle;
+      moved[k] += kStep;
+      const auto heights = heightsOf(moved, x);
+      if (!heights) return left / std::sqrt(static_cast<double>(x.size()));
+      slopes.col(k) = (*heights - now) / kStep;
+    }
+    Circle step = slopes.colPivHouseholderQr().solve(z - now);
+    const double before = left;
+    for (int halving = 0; halving < kHalvings; ++halving, step /= 2)
+      if (const auto heights = heightsOf(circle + step, x);
+          heights && (z - *heights).norm() < left) {
+        left = (z - *heights).norm();
+        circle += step;
+        break;
+      }
+    if (left > (1 - kConverged) * before) break;
+  }
+  return left / std::sqrt(static_cast<double>(x.size()));
+}
+
+}  // namespace
+
+double radiusOfRoundForm(std::span<const double> heights, double spacing) {
+  constexpr std::size_t kMostPoints = 2048;  // a form needs no more
+  constexpr Eigen::Index kFewestPoints = 16;
+  constexpr double kClear = 0.8;
+  const std::size_t stride = heights.size() / kMostPoints + 1;
+  // Lengths are in halves of the profile, so that one step serves all unknowns.
+  const double half = 0.5 * static_cast<double>(heights.size()) * spacing;
+  std::vector<double> places, values;
+  for (std::size_t i = 0; i < heights.size(); i += stride) {
+    if (std::isnan(heights[i])) continue;
+    places.push_back(static_cast<double>(i) * spacing / half - 1);
+    values.push_back(heights[i] / half);
+  }
+  const Eigen::Map<const Eigen::VectorXd> x(places.data(), std::ssize(places)),
+      z(values.data(), std::ssize(values));
+  if (x.size() < kFewestPoints) return 0;
+  Eigen::MatrixXd powers(x.size(), 3);
+  powers << Eigen::VectorXd::Ones(x.size()), x, x.array().square().matrix();
+  const Eigen::Vector3d parabola = powers.colPivHouseholderQr().solve(z);
+  const double byParabola =
+      (z - powers * parabola).norm() / std::sqrt(static_cast<double>(x.size()));
+  const double steep = 1 + parabola[1] * parabola[1];
+  Circle circle(parabola[0], parabola[1], 2 * parabola[2] / (steep * std::sqrt(steep)));
+  const double byCircle = fitCircle(circle, x, z);
+  return byCircle < kClear * byParabola ? half / std::abs(circle[2]) : 0;
+}
+
+}  // namespace asperity

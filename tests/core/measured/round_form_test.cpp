@@ -1,0 +1,115 @@
+// Profiles of rollers, and rough profiles whose long waves are no form.
+#include "core/measured/round_form.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include "core/base/fourier.h"
+
+namespace asperity {
+namespace {
+
+constexpr std::size_t kRollerPoints = 1500;
+constexpr double kRollerSpacing = 1e-6;  // m
+
+/// Half of a period of a self-affine line, of rms height 1.
+std::vector<double> selfAffineProfile(unsigned seed, double hurst, double rollOffWaves) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  RealTransform transform(2 * kRollerPoints);
+  std::vector<std::complex<double>> modes(transform.modes());
+  for (std::size_t k = 1; k < kRollerPoints; ++k) {
+    const double amplitude = std::pow(std::max(static_cast<double>(k), rollOffWaves), -0.5 - hurst);
+    const double real = normal(random), imaginary = normal(random);
+    modes[k] = amplitude * std::complex(real, imaginary);
+  }
+  std::vector<double> heights = transform.backward(std::move(modes));
+  heights.resize(kRollerPoints);
+  double mean = 0, square = 0;
+  for (const double z : heights) mean += z / kRollerPoints;
+  for (double& z : heights) z -= mean, square += z * z / kRollerPoints;
+  for (double& z : heights) z /= std::sqrt(square);
+  return heights;
+}
+
+double slopeOfProfile(const std::vector<double>& heights) {
+  double square = 0;
+  for (std::size_t i = 1; i < kRollerPoints; ++i)
+    square += std::pow((heights[i] - heights[i - 1]) / kRollerSpacing, 2) / kRollerPoints;
+  return std::sqrt(square);
+}
+
+/// The profile spans this angle to each side of its top.
+std::vector<double> roller(double halfAngle, double radius) {
+  std::vector<double> heights;
+  for (std::size_t i = 0; i < kRollerPoints; ++i) {
+    const double x =
+        (2 * (static_cast<double>(i) + 0.5) / kRollerPoints - 1) * radius * std::sin(halfAngle);
+    heights.push_back(std::sqrt(radius * radius - x * x));
+  }
+  return heights;
+}
+
+/// A roller whose roughness is half as high as what a parabola leaves of it, to first order
+/// r (sin a)^4 / 8 times the rms of a Legendre polynomial of degree 4 in its place, 8 / 105.
+TEST(RoundForm, IsFoundWhereAParabolaLeavesMoreThanTheRoughness) {
+  int found = 0, count = 0;
+  for (const double halfAngle : {0.15, 0.4, 0.8})
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+      const double radius = kRollerPoints * kRollerSpacing / (2 * std::sin(halfAngle));
+      const double left = radius * std::pow(std::sin(halfAngle), 4) / 8 * 8 / 105;
+      std::vector<double> heights = roller(halfAngle, radius);
+      const std::vector<double> rough = selfAffineProfile(seed, 0.7, 20);
+      for (std::size_t i = 0; i < kRollerPoints; ++i) heights[i] += 0.5 * left * rough[i];
+      const double got = radiusOfRoundForm(heights, kRollerSpacing);
+      ++count;
+      found += got > 0 ? 1 : 0;
+      if (got > 0) {
+        EXPECT_NEAR(got / radius, 1, 0.05);
+      }
+    }
+  EXPECT_GE(found, count * 9 / 10);
+}
+
+/// Gaps and a tilt change nothing.
+TEST(RoundForm, IsFoundInATiltedProfileWithGaps) {
+  std::vector<double> heights = roller(0.5, 2e-3);
+  for (std::size_t i = 0; i < kRollerPoints; ++i)
+    heights[i] = i % 7 == 3 ? std::numeric_limits<double>::quiet_NaN()
+                            : -heights[i] + 1e-9 * std::sin(0.2 * static_cast<double>(i));
+  EXPECT_NEAR(radiusOfRoundForm(heights, 2 * 2e-3 * std::sin(0.5) / kRollerPoints), 2e-3, 1e-5);
+}
+
+/// Long waves of a rough line look like a bow, which is no circle with a steep end.
+TEST(RoundForm, IsNoLongWaveOfARoughProfile) {
+  int found = 0, count = 0;
+  for (const double slope : {0.03, 0.3, 1.0})
+    for (const double hurst : {0.3, 0.7, 1.0})
+      for (const double rollOff : {0.0, 10.0})
+        for (unsigned seed = 1; seed <= 30; ++seed) {
+          std::vector<double> heights = selfAffineProfile(seed, hurst, rollOff);
+          const double factor = slope / slopeOfProfile(heights);
+          for (double& z : heights) z *= factor;
+          found += radiusOfRoundForm(heights, kRollerSpacing) > 0 ? 1 : 0;
+          ++count;
+        }
+  EXPECT_LE(found, count / 100);
+}
+
+/// A flat bow is a parabola, which surface.form removes.
+TEST(RoundForm, IsNoFlatBow) {
+  std::vector<double> heights = roller(0.01, 1);
+  const std::vector<double> rough = selfAffineProfile(1, 0.7, 20);
+  for (std::size_t i = 0; i < kRollerPoints; ++i) heights[i] += 1e-7 * rough[i];
+  EXPECT_EQ(radiusOfRoundForm(heights, 2 * std::sin(0.01) / kRollerPoints), 0);
+}
+
+}  // namespace
+}  // namespace asperity
