@@ -153,9 +153,10 @@ int runCurve(const CurveCommand& command) {
   const Curve curve = withSceneContext(command.common, [&] {
     return computeCurve(scene, command.common, keepsLines ? &lines : nullptr);
   });
-  const CurveSet set = withSceneContext(command.common, [&] {
-    return makeCurveSet(command.curves, compared, curve.points, command.common);
+  const ComputedCurves curves = withSceneContext(command.common, [&] {
+    return makeCurveSet(command.curves, compared, curve, command.common);
   });
+  const CurveSet& set = curves.set;
   TableResult result{.csv = [&] { return csvText(set, command.curves, columns); },
                      .json = [&] { return jsonText(set, command.curves, columns); },
                      .sheet =
@@ -171,7 +172,7 @@ int runCurve(const CurveCommand& command) {
     result.otherFiles = {
         {command.realizationTable, [&] { writeRealizations(command, scene, lines); }}};
   writeResult(command, settings, result);
-  requireTarget(curve);
+  curves.requireTargets();
   return kDone;
 }
 

@@ -5250,6 +5250,10 @@
         <translation>%1 Szenen, davon %2 fehlgeschlagen</translation>
     </message>
     <message>
+        <source>target accuracy missed: %1</source>
+        <translation>Zielgenauigkeit verfehlt: %1</translation>
+    </message>
+    <message>
         <source>figure %1</source>
         <translation>Abbildung %1</translation>
     </message>
