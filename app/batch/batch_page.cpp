@@ -162,8 +162,7 @@ std::string article(const BatchResult& result) {
   html += "</table>";
   if (!result.missed.empty())
     html += "<p class=\"missed\">" + xmlText(translated(result.missed)) + "</p>";
-  html += "<p class=\"quiet\">" + xmlText(translated(describeParameters(item.scene))) +
-          "</p><p>";
+  html += "<p class=\"quiet\">" + xmlText(translated(describeParameters(item.scene))) + "</p><p>";
   for (const std::string& file : result.files)
     html += fmt::format("<a href=\"{0}\">{0}</a> ", file);
   return html + "</p></article>\n";

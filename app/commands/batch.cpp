@@ -356,8 +356,7 @@ class BatchRun {
         (results_.size() == 1 ? filled(Words::tr("one scene, %1 failed"), {std::to_string(bad)})
                               : filled(Words::tr("%1 scenes, %2 failed"),
                                        {std::to_string(results_.size()), std::to_string(bad)})) +
-            "\n" +
-            (missed > 0 ? filledLine(Words::tr("target accuracy missed: %1"), missed) : "") +
+            "\n" + (missed > 0 ? filledLine(Words::tr("target accuracy missed: %1"), missed) : "") +
             wroteLine(fileIn("index.html")));
     if (command_.common.json) fmt::print("{}\n", answer.dump(2));
     return bad + missed > 0 ? kRunFailed : kDone;

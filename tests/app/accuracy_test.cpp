@@ -188,9 +188,8 @@ TEST_F(AccuracyCommandTest, AFurtherCurveThatMissesItsTargetIsWrittenAndNamed) {
     EXPECT_THAT(read("further.svg"), HasSubstr("<svg")) << call;
     std::filesystem::remove(program.folder / "further.svg");
   }
-  const Said family =
-      program.run("curve s.json -o family.csv --family load.normal_force=0.1:1:2" + sine +
-                  " --set accuracy.target_relative_error=1e-17");
+  const Said family = program.run("curve s.json -o family.csv --family load.normal_force=0.1:1:2" +
+                                  sine + " --set accuracy.target_relative_error=1e-17");
   EXPECT_EQ(family.status, 1);
   EXPECT_THAT(read("family.csv"), HasSubstr("\nF\u2099 = 1 N,"));
 }

@@ -121,9 +121,8 @@ TEST_F(BatchTest, AMissedTargetHasItsPictureAndIsToldAtTheEnd) {
                 AllOf(HasSubstr("3 scenes, 0 failed"), HasSubstr("target accuracy missed: 2")));
   }
   EXPECT_THAT(program.folder.names("out"), IsSupersetOf({"curve.png", "curve.csv", "mean.png"}));
-  EXPECT_THAT(read("out/index.html"),
-              AllOf(HasSubstr("src=\"curve.png\""), HasSubstr("is not reached"),
-                    Not(HasSubstr("failed"))));
+  EXPECT_THAT(read("out/index.html"), AllOf(HasSubstr("src=\"curve.png\""),
+                                            HasSubstr("is not reached"), Not(HasSubstr("failed"))));
   const std::string table = read("out/results.csv");
   auto row = rowOf(table, "curve");
   EXPECT_THAT(row["mu"], Not(testing::IsEmpty()));
