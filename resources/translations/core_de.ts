@@ -5411,8 +5411,8 @@
         <translation>Die Reibung ändert sich hier mit keinem Parameter.</translation>
     </message>
     <message>
-        <source>At %1 m/s: by how many per cent friction changes where a parameter changes by one per cent. Lines: one standard error. Pale: smaller than its error.</source>
-        <translation>Bei %1 m/s: um wie viel Prozent sich die Reibung ändert, wo sich ein Parameter um ein Prozent ändert. Linien: ein Standardfehler. Blass: kleiner als der eigene Fehler.</translation>
+        <source>At %1 m/s: by how many per cent friction changes where a parameter changes by one per cent. Lines: one standard error, with an arrow where it goes on. Pale: smaller than its error.</source>
+        <translation>Bei %1 m/s: um wie viel Prozent sich die Reibung ändert, wo sich ein Parameter um ein Prozent ändert. Linien: ein Standardfehler, mit einem Pfeil, wo er weitergeht. Blass: kleiner als der eigene Fehler.</translation>
     </message>
     <message>
         <source>axis</source>
