@@ -88,12 +88,12 @@
         <translation>viskoelastisch, G = %1, τ = %2</translation>
     </message>
     <message>
-        <source>viscoelastic, G = %1, %2 arm</source>
-        <translation>viskoelastisch, G = %1, %2 Arm</translation>
+        <source>viscoelastic, G∞ = %1, %2 arm</source>
+        <translation>viskoelastisch, G∞ = %1, %2 Arm</translation>
     </message>
     <message>
-        <source>viscoelastic, G = %1, %2 arms</source>
-        <translation>viskoelastisch, G = %1, %2 Arme</translation>
+        <source>viscoelastic, G∞ = %1, %2 arms</source>
+        <translation>viskoelastisch, G∞ = %1, %2 Arme</translation>
     </message>
     <message>
         <source>nothing is dissipated</source>
@@ -3237,6 +3237,14 @@
     <message>
         <source>Save…</source>
         <translation>Speichern…</translation>
+    </message>
+    <message>
+        <source>without the target error</source>
+        <translation>ohne Zielfehler</translation>
+    </message>
+    <message>
+        <source>All cells of a map have the same lines, those that the scene states.</source>
+        <translation>Alle Zellen einer Karte haben dieselben Linien, nämlich die der Szene.</translation>
     </message>
     <message>
         <source>friction over two parameters</source>
