@@ -9,6 +9,7 @@
 #include "core/accuracy/compute_curve.h"
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
+#include "core/base/number_text.h"
 #include "core/chart/curve_diagram.h"
 #include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"
@@ -56,7 +57,7 @@ std::string summaryText(const Curve& curve, const CurveSet& set) {
   const CurvePoint& first = curve.points.front();
   if (std::isfinite(first.normalForce) && scene.sweep.isOfVelocity())
     text += filledLine(Words::tr("F\u2099 = %1 N on one period; results depend on the width"),
-                       shortNumber(first.normalForce, 6));
+                       inLanguage(printedNumber(first.normalForce, 6)));
   for (const MeasuredCurve& measured : set.measured)
     for (const Message& note : measured.data.notes)
       text += measured.data.name + ": " + translated(note) + "\n";
