@@ -393,14 +393,20 @@ CurveSet plannedCurveSet(const CurveArguments& arguments, const ComparedScene& c
   return set;
 }
 
-CurveSet makeCurveSet(const CurveArguments& arguments, const ComparedScene& compared,
-                      std::vector<CurvePoint> own, const CommonOptions& common) {
+void ComputedCurves::requireTargets() const {
+  if (missed) throw TextError(*missed);
+}
+
+ComputedCurves makeCurveSet(const CurveArguments& arguments, const ComparedScene& compared,
+                            Curve own, const CommonOptions& common) {
   const Scene& scene = compared.scene;
-  CurveSet set = curvesWithoutPoints(arguments, scene);
-  set.present.points = std::move(own);
+  ComputedCurves curves{curvesWithoutPoints(arguments, scene), missedTarget(own)};
+  CurveSet& set = curves.set;
+  set.present.points = std::move(own.points);
   for (NamedCurve& other : set.pinned) {
     Curve curve = computeCurve(other.scene, common);
-    requireTarget(curve);
+    if (const auto missed = missedTarget(curve); missed && !curves.missed)
+      curves.missed = message("{}: {}", other.name, *missed);
     other.points = std::move(curve.points);
   }
   if (hasComparisons(set)) {
@@ -408,13 +414,13 @@ CurveSet makeCurveSet(const CurveArguments& arguments, const ComparedScene& comp
     options.threads = common.threads;
     addComparisons(set, readComparisonData(scene, compared.given), options);
   }
-  if (arguments.compare.empty()) return set;
+  if (arguments.compare.empty()) return curves;
   ProgressBar bar(Words::tr("lines compared"), common.quiet);
   DifferenceOptions options;
   options.threads = common.threads;
   options.progress = [&bar](const CurveDifference& part) { bar.show(part.done, part.total); };
   set.difference = curveDifference(scene, settingFrom(arguments.compare, scene), options);
-  return set;
+  return curves;
 }
 
 void addCurvesTo(nlohmann::ordered_json& answer, const CurveSet& set) {

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -63,8 +64,8 @@ struct ComparedScene {
 ComparedScene withCurveOptions(Scene scene, const CurveArguments& arguments);
 
 /// Computes the scene's curve with the options that all commands share
-/// (core/accuracy/compute_curve.h), and shows progress. A missed target is not yet an error here;
-/// requireTarget() makes it one.
+/// (core/accuracy/compute_curve.h), and shows progress. A missed target is no error here: commands
+/// write what was computed, and then end with the reason.
 /// lines: gets the results of each random line; may be null.
 Curve computeCurve(const Scene& scene, const CommonOptions& common,
                    RealizationTable* lines = nullptr);
@@ -75,10 +76,19 @@ Curve computeCurve(const Scene& scene, const CommonOptions& common,
 /// theories, and the names of means are not those of the chart. Throws InputError.
 CurveSet plannedCurveSet(const CurveArguments& arguments, const ComparedScene& compared);
 
+/// The curves of a chart.
+struct ComputedCurves {
+  CurveSet set;
+  std::optional<Message> missed;  // why the first of those that miss their target does so
+
+  /// Throws std::runtime_error with this reason.
+  void requireTargets() const;
+};
+
 /// Returns the given curve of the scene together with the requested further curves. Shows progress.
 /// Throws InputError.
-CurveSet makeCurveSet(const CurveArguments& arguments, const ComparedScene& compared,
-                      std::vector<CurvePoint> own, const CommonOptions& common);
+ComputedCurves makeCurveSet(const CurveArguments& arguments, const ComparedScene& compared,
+                            Curve own, const CommonOptions& common);
 
 /// Adds the curves to `answer`, one object for each curve beside the scene's own; adds nothing
 /// where there is none.

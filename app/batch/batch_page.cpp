@@ -86,7 +86,7 @@ constexpr const char* kHead = R"(<!DOCTYPE html>
   table { border-collapse: collapse; margin: .5rem 0; width: 100%; }
   td { padding: .15rem 0; border-top: 1px solid #eef2f5; overflow-wrap: anywhere; }
   td + td { text-align: right; font-variant-numeric: tabular-nums; }
-  .bad p { color: #b83a06; }
+  .bad p, .missed { color: #b83a06; }
   .quiet { color: #5a6876; font-size: .85rem; }
 </style>
 )";
@@ -159,8 +159,10 @@ std::string article(const BatchResult& result) {
       xmlText(translated(item.title)), result.files.front());
   for (const auto& [key, value] : item.varied) html += variedRow(key, value);
   html += readings(result);
-  html += "</table><p class=\"quiet\">" + xmlText(translated(describeParameters(item.scene))) +
-          "</p><p>";
+  html += "</table>";
+  if (!result.missed.empty())
+    html += "<p class=\"missed\">" + xmlText(translated(result.missed)) + "</p>";
+  html += "<p class=\"quiet\">" + xmlText(translated(describeParameters(item.scene))) + "</p><p>";
   for (const std::string& file : result.files)
     html += fmt::format("<a href=\"{0}\">{0}</a> ", file);
   return html + "</p></article>\n";
@@ -221,7 +223,7 @@ std::string batchTable(const std::vector<BatchResult>& results) {
                         ofMean(&CurvePoint::muStandardError),
                         mean ? std::to_string(mean->realizations) : "", csvNumber(result.lineMu),
                         csvNumber(result.lineIndentation), csvNumber(result.lineContactFraction),
-                        csvCell(result.item.error.english()));
+                        csvCell(result.fault().english()));
   }
   return text;
 }

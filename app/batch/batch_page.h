@@ -53,6 +53,11 @@ struct BatchResult {
   double lineMu = kNotApplicable, lineIndentation = kNotApplicable;
   double lineContactFraction = kNotApplicable;
   std::vector<std::string> files;  // names in the folder; the picture first
+  Message
+      missed{};  // why its curve or its mean misses the target of its scene; empty: neither does
+
+  /// Returns what is wrong with it: its error, or what it misses.
+  const Message& fault() const { return item.error.empty() ? missed : item.error; }
 };
 
 /// Returns the page in HTML. sheets: names of the files with the pictures of all scenes.
@@ -60,7 +65,7 @@ std::string batchPage(const Batch& batch, const std::vector<BatchResult>& result
                       const std::vector<std::string>& sheets);
 
 /// Returns a table with one row for each item: name, the keys varied in any item, means over the
-/// scene's lines, number of lines, results of the line in the picture, error.
+/// scene's lines, number of lines, results of the line in the picture, error or missed target.
 std::string batchTable(const std::vector<BatchResult>& results);
 
 }  // namespace asperity

@@ -12,7 +12,8 @@
 
 namespace asperity {
 
-/// A finished scene: its numbers, its curve and its files.
+/// A finished scene: its numbers, its curve and its files. One that misses its target accuracy is
+/// not kept: another run computes it again, and tells it again.
 struct BatchProgressEntry {
   BatchResult result;  // without the item
   std::vector<CurvePoint> curve;

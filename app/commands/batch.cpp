@@ -48,10 +48,10 @@ constexpr std::size_t kMaxScenesOnSheets = 100;
 
 /// Returns the mean over the scene's lines at its own velocity. It is empty for a motion, and for a
 /// line at rest.
-std::optional<CurvePoint> computeMean(const Scene& scene, const CurveOptions& options) {
+std::optional<Curve> computeMean(const Scene& scene, const CurveOptions& options) {
   if (scene.sliding.kind != SlidingKind::Steady || !(scene.sliding.velocity > 0))
     return std::nullopt;
-  return computePoint(scene, scene.sliding.velocity, options);
+  return computeCurveAt(scene, scene.sliding.velocity, options);
 }
 
 class BatchRun {
@@ -98,7 +98,7 @@ class BatchRun {
       pictures.write(fileIn(names[i]), sheets_[i], {batch_.title, ofSheets, settings_.scale});
     pictures.finish();
     if (std::ranges::all_of(results_,
-                            [](const BatchResult& result) { return result.item.error.empty(); }))
+                            [](const BatchResult& result) { return result.fault().empty(); }))
       progress_->remove();
     return report();
   }
@@ -215,10 +215,13 @@ class BatchRun {
     if (!known && (layout == PictureLayout::Curve || layout == PictureLayout::Both)) {
       requireSteadySliding(scene, Message::name("\"show\": \"" + result.item.show + "\""));
       const Curve curve = computeCurve(scene, options);
-      requireTarget(curve);
+      result.missed = missedTarget(curve).value_or(Message());
       content.curves.present = {{}, shown, curve.points, 0};
     }
-    if (!known) result.mean = computeMean(scene, options);
+    if (const auto mean = known ? std::nullopt : computeMean(scene, options)) {
+      result.mean = mean->points.front();
+      if (result.missed.empty()) result.missed = missedTarget(*mean).value_or(Message());
+    }
     FrameSource source(shown, {}, true);
     const Frame frame = source.frame(0);
     if (!known) {
@@ -226,7 +229,8 @@ class BatchRun {
       result.lineIndentation = frame.indentation;
       result.lineContactFraction = frame.contactFraction;
       write(result, shown, content, frame, pictures);
-      finished_.emplace(key, BatchProgressEntry{result, content.curves.present.points});
+      if (result.missed.empty())
+        finished_.emplace(key, BatchProgressEntry{result, content.curves.present.points});
     }
     if (!grid_) return;
     const auto [sheet, left, top] = cell();
@@ -323,19 +327,20 @@ class BatchRun {
   }
 
   int report() const {
-    int bad = 0;
+    int bad = 0, missed = 0;
     Json answer = header();
     auto& list = answer["scenes"] = Json::array();
     for (const BatchResult& result : results_) {
       Json entry = {{"name", result.item.name}, {"files", result.files}};
-      if (!result.item.error.empty()) {
-        ++bad;
-        entry["error"] = result.item.error.english();
+      if (!result.fault().empty()) {
+        ++(result.item.error.empty() ? missed : bad);
+        entry["error"] = result.fault().english();
         std::fputs("asperity: ", stderr);
-        std::fputs(InputError(command_.common.scene, result.item.name, result.item.error).what(),
+        std::fputs(InputError(command_.common.scene, result.item.name, result.fault()).what(),
                    stderr);
         std::fputs("\n", stderr);
-      } else {
+      }
+      if (result.item.error.empty()) {
         const CurvePoint none{.mu = kNotApplicable};
         const CurvePoint& mean = result.mean ? *result.mean : none;
         entry["mu"] = numberOrNull(mean.mu);
@@ -351,9 +356,10 @@ class BatchRun {
         (results_.size() == 1 ? filled(Words::tr("one scene, %1 failed"), {std::to_string(bad)})
                               : filled(Words::tr("%1 scenes, %2 failed"),
                                        {std::to_string(results_.size()), std::to_string(bad)})) +
-            "\n" + wroteLine(fileIn("index.html")));
+            "\n" + (missed > 0 ? filledLine(Words::tr("target accuracy missed: %1"), missed) : "") +
+            wroteLine(fileIn("index.html")));
     if (command_.common.json) fmt::print("{}\n", answer.dump(2));
-    return bad > 0 ? kRunFailed : kDone;
+    return bad + missed > 0 ? kRunFailed : kDone;
   }
 
   const BatchCommand& command_;

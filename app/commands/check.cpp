@@ -7,6 +7,7 @@
 #include "app/command_line.h"
 #include "app/output.h"
 #include "core/base/input_error.h"
+#include "core/base/number_text.h"
 #include "core/base/text.h"
 #include "core/contact/steady_sliding.h"
 #include "core/contact/steady_solver.h"
@@ -17,7 +18,6 @@
 #include "core/scene/provenance.h"
 #include "core/surface/line_source.h"
 #include "core/surface/measured_summary.h"
-#include "ui/draw/ticks.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/window/main/scene_library.h"
@@ -38,7 +38,7 @@ LawInput makeLawInput(const Scene& scene, const LineSource& source) {
 }
 
 std::string summaryText(const Scene& scene, const LineSource& source, const LawInput& in) {
-  const auto number = [](double value) { return shortNumber(value, 6); };
+  const auto number = [](double value) { return inLanguage(printedNumber(value, 6)); };
   const double spacing = source.length() / static_cast<double>(source.elements());
   std::string text =
       scene.title.empty() ? Words::tr("a valid scene") : printable(translated(scene.title));

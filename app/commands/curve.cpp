@@ -9,6 +9,7 @@
 #include "core/accuracy/compute_curve.h"
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
+#include "core/base/number_text.h"
 #include "core/chart/curve_diagram.h"
 #include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"
@@ -56,7 +57,7 @@ std::string summaryText(const Curve& curve, const CurveSet& set) {
   const CurvePoint& first = curve.points.front();
   if (std::isfinite(first.normalForce) && scene.sweep.isOfVelocity())
     text += filledLine(Words::tr("F\u2099 = %1 N on one period; results depend on the width"),
-                       shortNumber(first.normalForce, 6));
+                       inLanguage(printedNumber(first.normalForce, 6)));
   for (const MeasuredCurve& measured : set.measured)
     for (const Message& note : measured.data.notes)
       text += measured.data.name + ": " + translated(note) + "\n";
@@ -153,9 +154,10 @@ int runCurve(const CurveCommand& command) {
   const Curve curve = withSceneContext(command.common, [&] {
     return computeCurve(scene, command.common, keepsLines ? &lines : nullptr);
   });
-  const CurveSet set = withSceneContext(command.common, [&] {
-    return makeCurveSet(command.curves, compared, curve.points, command.common);
+  const ComputedCurves curves = withSceneContext(command.common, [&] {
+    return makeCurveSet(command.curves, compared, curve, command.common);
   });
+  const CurveSet& set = curves.set;
   TableResult result{.csv = [&] { return csvText(set, command.curves, columns); },
                      .json = [&] { return jsonText(set, command.curves, columns); },
                      .sheet =
@@ -171,7 +173,7 @@ int runCurve(const CurveCommand& command) {
     result.otherFiles = {
         {command.realizationTable, [&] { writeRealizations(command, scene, lines); }}};
   writeResult(command, settings, result);
-  requireTarget(curve);
+  curves.requireTargets();
   return kDone;
 }
 

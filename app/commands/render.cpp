@@ -102,8 +102,8 @@ class Rendering {
     elapsed_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
 
-  /// Throws where the curve, which is drawn all the same, misses the target of its scene.
-  void requireTarget() const { asperity::requireTarget(curve_); }
+  /// Throws where a curve, which is drawn all the same, misses the target of its scene.
+  void requireTargets() const { curves_.requireTargets(); }
 
   std::string summary() const {
     std::string text = "mu = " + shortNumber(lineFriction(last_), 6);
@@ -219,10 +219,10 @@ class Rendering {
   void computeCurves() {
     ComparedScene steady{scene_, compared_.given};
     steady.scene.sliding.kind = SlidingKind::Steady;
-    curves_ = plannedCurveSet(command_.curves, steady);
+    curves_.set = plannedCurveSet(command_.curves, steady);
     PictureComposer(settings_, content()).checkPlanned();
-    curve_ = computeCurve(steady.scene, command_.common);
-    curves_ = makeCurveSet(command_.curves, steady, curve_.points, command_.common);
+    curves_ = makeCurveSet(command_.curves, steady, computeCurve(steady.scene, command_.common),
+                           command_.common);
   }
 
   /// Returns the provenance of the whole run: scene, command, version, seed and the options of the
@@ -252,7 +252,7 @@ class Rendering {
     return composer_->compose(last_);
   }
 
-  PictureContent content() const { return {layout_, curves_, overlay_, command_.view}; }
+  PictureContent content() const { return {layout_, curves_.set, overlay_, command_.view}; }
 
   void writePicture() {
     HeadlessPictures pictures(settings_.backend);
@@ -371,8 +371,7 @@ class Rendering {
   PictureSettings settings_;
   PictureLayout layout_;
   ContactOverlay overlay_;
-  Curve curve_;  // of the scene; empty where the picture has none
-  CurveSet curves_;
+  ComputedCurves curves_;
   std::optional<FrameSource> frames_;
   std::optional<PictureComposer> composer_;
   Frame last_;  // only the composing thread uses it while it runs
@@ -392,7 +391,7 @@ int runRender(const RenderCommand& command) {
   rendering.run();
   printSummary(command.common.json, command.common.quiet, rendering.summary());
   if (command.common.json) fmt::print("{}\n", rendering.json().dump(2));
-  rendering.requireTarget();
+  rendering.requireTargets();
   return kDone;
 }
 

@@ -12,6 +12,7 @@
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
 #include "core/base/named_choices.h"
+#include "core/base/number_text.h"
 #include "core/base/text.h"
 #include "core/base/text_encoding.h"
 #include "core/measured/measured_file.h"
@@ -32,7 +33,7 @@ namespace asperity {
 namespace {
 
 std::string summaryText(const Line& line, const std::vector<std::string>& outputs) {
-  const auto number = [](double value) { return shortNumber(value, 6); };
+  const auto number = [](double value) { return inLanguage(printedNumber(value, 6)); };
   std::string text =
       filledLine(Words::tr("length %1 m, %2 points, rms height %3 m, rms slope %4"),
                  number(line.length), line.nodes(), number(line.rmsHeight), number(line.rmsSlope));

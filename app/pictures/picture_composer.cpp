@@ -125,13 +125,17 @@ DrawList PictureComposer::composeParts(const Frame& frame) {
     if (!hasNote_) sheet.note = {};
     options.above->unit = contactUnit(contactOptions(above));
   }
-  DrawList picture = contact(frame, above);
+  plotLeft_ = 0;
+  setContact(frame, above);
   const Box area = contactPlotArea(frame, contact_);
   options.above->left = area.x;
   options.above->right = area.x + area.width;
+  // The numbers of the chart may need more space than those of the contact.
+  plotLeft_ = static_cast<float>(diagramFrames(sheet, options).front().area.left());
+  options.above->left = plotLeft_;
   DrawList diagram = composeDiagrams(sheet, options);
   if (layout == PictureLayout::Both) below_ = diagram;
-  return stacked(std::move(picture), std::move(diagram));
+  return stacked(contact(frame, above), std::move(diagram));
 }
 
 int PictureComposer::contactHeight() const {
@@ -248,14 +252,19 @@ ContactPictureOptions PictureComposer::contactOptions(int height) const {
   options.fontSize = settings_.format.fontSize;
   options.lineWidth = settings_.format.lineWidth;
   options.title = settings_.style.hasTitle;
+  options.plotLeft = plotLeft_;
   return options;
 }
 
-DrawList PictureComposer::contact(const Frame& frame, int height) {
+void PictureComposer::setContact(const Frame& frame, int height) {
   contact_ = contactOptions(height);
   view_ = fittedView(frame, view_);
   contact_.view = *view_;
   applyView(content_.view, frame, contact_);
+}
+
+DrawList PictureComposer::contact(const Frame& frame, int height) {
+  setContact(frame, height);
   return composeContact(frame, contact_);
 }
 

@@ -59,6 +59,8 @@ class PictureComposer {
   DiagramSheet sheetOfCurves(const FigureStyle& style) const;
   DrawList composeParts(const Frame& frame);
   int contactHeight() const;  // pixels, where a diagram is below it
+  /// Sets the options of the contact in a picture of this frame.
+  void setContact(const Frame& frame, int height);
   DrawList contact(const Frame& frame, int height);
   ContactPictureOptions contactOptions(int height) const;
   DiagramOptions optionsFor(int height, float minTextSize) const;
@@ -76,6 +78,7 @@ class PictureComposer {
   PictureContent content_;
   std::optional<ContactView> view_;
   ContactPictureOptions contact_;  // options of the last frame
+  float plotLeft_ = 0;             // least left edge of its axes: that of the chart below
   std::optional<int> above_;       // height of the contact, where its chart has grown
   bool hasNote_ = true;            // the chart below the contact has its note
   std::optional<DrawList> below_;  // the curve, which does not change in steady sliding

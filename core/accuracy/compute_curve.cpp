@@ -92,11 +92,15 @@ Curve computeCurve(const Scene& scene, const CurveOptions& options) {
                                  : frictionCurve(steady, options);
 }
 
-CurvePoint computePoint(Scene scene, double velocity, const CurveOptions& options) {
+Curve computeCurveAt(Scene scene, double velocity, const CurveOptions& options) {
   scene.sweep = {};
   scene.sweep.velocityFrom = scene.sweep.velocityTo = velocity;
   scene.sweep.points = 1;
-  return computeCurve(scene, options).points.front();
+  return computeCurve(scene, options);
+}
+
+CurvePoint computePoint(const Scene& scene, double velocity, const CurveOptions& options) {
+  return computeCurveAt(scene, velocity, options).points.front();
 }
 
 std::optional<Message> missedTarget(const Curve& curve) {
@@ -111,10 +115,6 @@ std::optional<Message> missedTarget(const Curve& curve) {
   return message(
       "accuracy.target_relative_error is not reached within the lines and memory allowed: {}",
       PrintedNumber{printedNumber(curve.achievedError, 2)});
-}
-
-void requireTarget(const Curve& curve) {
-  if (const std::optional<Message> missed = missedTarget(curve)) throw TextError(*missed);
 }
 
 }  // namespace asperity

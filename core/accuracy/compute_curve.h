@@ -32,15 +32,14 @@ namespace asperity {
 /// show.
 Curve computeCurve(const Scene& scene, const CurveOptions& options = {});
 
-/// Returns the only point of a curve over velocity at this velocity (m/s), which replaces the
-/// scene's sweep.
-CurvePoint computePoint(Scene scene, double velocity, const CurveOptions& options = {});
+/// Returns the curve at this velocity (m/s) alone, which replaces the scene's sweep.
+Curve computeCurveAt(Scene scene, double velocity, const CurveOptions& options = {});
+
+/// Returns the only point of that curve.
+CurvePoint computePoint(const Scene& scene, double velocity, const CurveOptions& options = {});
 
 /// Returns the sentence that says why a curve misses its target, with the achieved error; nothing
 /// where it does not.
 std::optional<Message> missedTarget(const Curve& curve);
-
-/// Throws std::runtime_error with this sentence where a curve misses its target.
-void requireTarget(const Curve& curve);
 
 }  // namespace asperity

@@ -279,20 +279,39 @@ Diagram curvesDiagram(const CurveSet& set) {
   return diagram;
 }
 
-/// Sets the same x-range for all diagrams that share the axis: the range of the curves, with a
-/// margin.
+/// Returns whether the axes can show none of the points.
+bool isEmpty(const Diagram& diagram) {
+  return std::ranges::none_of(diagram.series, [&](const DiagramSeries& series) {
+    return std::ranges::any_of(
+        series.points, [&](const DiagramPoint& point) { return hasPosition(diagram, point); });
+  });
+}
+
+/// Sets the x-range of the curves, with a margin: the same for all diagrams that share the axis,
+/// and that of the sweep where the axes show no point.
 void fixAlong(Diagram& diagram) {
   if (diagram.x.from < diagram.x.to) return;
   constexpr double kMargin = 0.04;  // of a linear axis
-  const bool isLinear = diagram.x.scale == AxisScale::Linear;
+  const bool isLinear = diagram.x.scale == AxisScale::Linear, isBlank = isEmpty(diagram);
   Extent along;
   for (const DiagramSeries& series : diagram.series)
     for (const DiagramPoint& point : series.points)
-      if (hasPosition(diagram, point)) along.add(point.x);
+      if (isBlank ? std::isfinite(axisPosition(diagram.x.scale, point.x))
+                  : hasPosition(diagram, point))
+        along.add(point.x);
   if (!(along.most > along.least)) return;
   const double margin = kMargin * along.size();
   diagram.x.from = isLinear ? along.least - margin : along.least / kAir;
   diagram.x.to = isLinear ? along.most + margin : along.most * kAir;
+}
+
+/// Sets the ranges of axes that show no point, as of a body without friction.
+void setEmptyAxes(Diagram& diagram, CurveQuantity quantity) {
+  fixAlong(diagram);
+  const bool isAutomatic = diagram.y.from == diagram.y.to;
+  if (!isAutomatic || !isCoefficient(quantity) || diagram.y.scale == AxisScale::Linear) return;
+  diagram.y.from = kEmptyFrictionFrom;
+  diagram.y.to = kEmptyFrictionTo;
 }
 
 /// Returns the title of a chart whose scene has none.
@@ -340,6 +359,7 @@ DiagramSheet curveSheet(const CurveSet& set) {
                               scene.elastomer.temperature));
   for (const Message& note : set.notes) notes.push_back(message("{}.", note));
   sheet.note = sentences(notes);
+  if (isEmpty(sheet.diagrams.front())) setEmptyAxes(sheet.diagrams.front(), set.quantity());
   if (!set.difference && !hasResiduals(set)) return sheet;
   fixAlong(sheet.diagrams.front());
   const DiagramAxis x = sheet.diagrams.front().x;

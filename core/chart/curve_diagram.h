@@ -18,6 +18,9 @@ inline constexpr int kPresentCurve = 0, kLawCurve = -2, kDifferenceCurve = -3, k
 /// The first of the theories and of the measured tables; the others count down from it.
 inline constexpr int kTheoryCurves = -100, kMeasuredCurves = -200;
 
+/// Ends of a logarithmic axis of a coefficient of friction on which there is nothing to show.
+inline constexpr double kEmptyFrictionFrom = 1e-6, kEmptyFrictionTo = 1e-2;
+
 /// Returns the diagram of one scene's curve.
 DiagramSheet curveSheet(const Scene& scene, std::span<const CurvePoint> points);
 

@@ -142,6 +142,7 @@ double fewSummitsVelocity(const Scene& scene, double rmsHeight) {
 double fewSummitsVelocity(const Scene& scene, std::span<const CurvePoint> points) {
   const ElementLaw law = elementLaw(scene.elastomer);
   for (const CurvePoint& point : points) {
+    if (point.normalizedMu == 0 || point.dimensionlessVelocity == 0) continue;  // an elastic body
     // This is Eq. (13) solved for h.
     const double slope = point.mu / point.normalizedMu;
     const double height = law.relaxationTime * point.velocity * slope /

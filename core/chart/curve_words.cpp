@@ -94,6 +94,8 @@ bool differs(const Parameter& row, const Scene& scene, const Scene& from) {
   // Only beside a line with a file is a length or a number left to the file a change.
   if (isLeftToFile(row, scene) && !isLeftToProfile(row, from, 0)) return false;
   if (isShiftIdle(row, scene) && isShiftIdle(row, from)) return false;
+  // A curve without a target has points per element and lines instead.
+  if (row.key == "accuracy.target_relative_error" && !choosesAccuracy(scene)) return false;
   // What was chosen automatically in both scenes is no difference that a user made.
   if (parameterValue(row, scene) == parameterValue(row, from) &&
       parameterValue(row, scene) == defaultValue(row) && isApplicable(row, from))

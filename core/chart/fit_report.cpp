@@ -213,7 +213,7 @@ std::vector<Message> describeFit(const Fit& fit) {
                 100 * fit.relativeScatter, fit.freedom));
   else
     lines.push_back(
-        message("chi squared {:.4g} for {} degrees of freedom", fit.chiSquared, fit.freedom));
+        message("\u03C7\u00B2 = {:.4g} for {} degrees of freedom", fit.chiSquared, fit.freedom));
   lines.insert(lines.end(), fit.notes.begin(), fit.notes.end());
   return lines;
 }
@@ -250,7 +250,7 @@ DiagramSheet profileSheet(const Fit& fit) {
     const Parameter& row = *findParameter(profile.key);
     Diagram diagram{
         .x = {Message(row.label), std::string(row.unit), profileScale(fit.parameters[k], profile)},
-        .y = {"chi squared above its least", "", AxisScale::Linear}};
+        .y = {"\u03C7\u00B2 above its least", "", AxisScale::Linear}};
     DiagramSeries series;
     series.mark = SeriesMark::Circle;
     for (std::size_t i = 0; i < profile.values.size(); ++i)

@@ -76,7 +76,7 @@ DiagramSheet sensitivitySheet(const Scene& scene, const std::vector<Exponent>& a
   sheet.diagrams = {std::move(diagram)};
   sheet.note = message(
       "At {} m/s: by how many per cent friction changes where a parameter changes by one per cent. "
-      "Lines: one standard error. Pale: smaller than its error.",
+      "Lines: one standard error, with an arrow where it goes on. Pale: smaller than its error.",
       PrintedNumber{printedNumber(scene.sliding.velocity)});
   return sheet;
 }

@@ -155,7 +155,7 @@ class Fitting {
           "values, or vary further ones");
     else if (fit_.missesPoints)
       fit_.notes.push_back(
-          message("the points lie further from the curve than their errors say: chi squared is "
+          message("the points lie further from the curve than their errors say: \u03C7\u00B2 is "
                   "{:.3g} for {} degrees of freedom; the errors of the values are computed from "
                   "errors of the points that are {:.2g} times as large",
                   fit_.chiSquared, fit_.freedom, fit_.errorScale));

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <span>
 
 #include "core/base/number_text.h"
 #include "core/chart/curve_words.h"
@@ -20,6 +22,7 @@ constexpr double kMost = 0.5;                // maximum part of the value
 constexpr double kAir = 0.12;                // part of the range, on either side
 constexpr double kContactFloor = 0.2;        // part of a contact fraction
 constexpr std::size_t kLongestTrace = 2000;  // samples of a motion
+constexpr double kAnySpeed = std::numeric_limits<double>::infinity();
 
 Diagram strip(const Scene& scene, std::span<const TransientSample> samples, DiagramAxis yAxis,
               double TransientSample::*member, double least) {
@@ -177,6 +180,83 @@ double rmsSlopeInContact(const Frame& frame) {
   return count > 0 ? std::sqrt(squares / static_cast<double>(count)) : kNotApplicable;
 }
 
+/// Velocity and friction with their signs.
+struct TracePoint {
+  double velocity = 0, friction = 0;
+};
+
+/// Returns whether two values are so far apart, on different sides of 0 or by their ratio, that a
+/// straight line between them is bent on a logarithmic axis.
+bool isBentBetween(double a, double b) {
+  constexpr double kRatio = 1.25;
+  const auto [least, most] = std::minmax({std::abs(a), std::abs(b)});
+  return a * b < 0 || most > kRatio * least;
+}
+
+/// The path of a motion over the magnitude of its velocity. Between two samples, a smooth motion
+/// has velocity and friction on straight lines in time, which logarithmic axes bend: most near
+/// rest, and where friction changes its direction. The path has further points there, down to a
+/// least velocity and a least friction; it is interrupted below, where it leaves the axes.
+class MotionTrace {
+ public:
+  MotionTrace(std::span<const TransientSample> samples, double slowest, const AxesFactors& factors)
+      : factors_(factors), slowest_(slowest) {
+    for (const TransientSample& sample : samples) {
+      if (sample.velocity != 0) slowest_ = std::min(slowest_, std::abs(sample.velocity));
+      if (std::isfinite(sample.mu) && sample.mu > 0) lowest_ = std::min(lowest_, sample.mu);
+    }
+  }
+
+  /// Adds a sample, and before it the way from the previous one, if it is known.
+  void add(const TransientSample& sample, bool isSmooth) {
+    constexpr int kHalvings = 14;
+    const TracePoint to{sample.velocity, std::copysign(sample.mu, sample.tangentialForce)};
+    const bool isKnown = std::isfinite(last_.friction) && std::isfinite(to.friction);
+    if (isSmooth && isKnown)
+      addWay(last_, to, kHalvings);
+    else if (last_.velocity * to.velocity < 0)
+      interrupt();
+    push(to);
+    last_ = to;
+  }
+
+  std::vector<DiagramPoint> points{};
+
+ private:
+  /// Adds points between two others where the axes bend the line between them.
+  void addWay(const TracePoint& from, const TracePoint& to, int halvings) {
+    const TracePoint middle{std::midpoint(from.velocity, to.velocity),
+                            std::midpoint(from.friction, to.friction)};
+    const bool isBent =
+        isBentBetween(from.velocity, to.velocity) || isBentBetween(from.friction, to.friction);
+    if (!isBent) return;
+    if (halvings == 0) {
+      if (from.velocity * to.velocity < 0 || from.friction * to.friction < 0) interrupt();
+      return;
+    }
+    addWay(from, middle, halvings - 1);
+    if (std::abs(middle.velocity) < slowest_ || std::abs(middle.friction) < lowest_)
+      interrupt();
+    else
+      push(middle);
+    addWay(middle, to, halvings - 1);
+  }
+
+  void push(const TracePoint& point) {
+    points.push_back({std::abs(point.velocity) * factors_.velocity,
+                      std::abs(point.friction) * factors_.friction});
+  }
+
+  void interrupt() {
+    if (!points.empty() && std::isfinite(points.back().x))
+      points.push_back({kNotApplicable, kNotApplicable});
+  }
+
+  AxesFactors factors_;
+  double slowest_, lowest_ = std::numeric_limits<double>::infinity();
+  TracePoint last_{0, kNotApplicable};
+};
+
 /// Returns a quantity of the frame, whose friction at the moment is `mu`.
 double quantityOf(const Frame& frame, CurveQuantity quantity, double mu) {
   switch (quantity) {
@@ -224,13 +304,13 @@ DiagramMarker frameMarker(const Frame& frame, CurveAxes axes, CurveQuantity y) {
     mu = samples.empty() ? kNotApplicable : samples.back().mu;
     label = message("|v| = {}", PrintedNumber{printedQuantity(std::abs(frame.velocity), "m/s")});
     marker.isFixed = true;
-    const std::size_t first = samples.size() > kLongestTrace ? samples.size() - kLongestTrace : 0;
-    for (std::size_t i = first; isOfVelocity && y == CurveQuantity::Mu && i < samples.size(); ++i) {
-      // Through rest both ways leave the axis; a line between them would show what never was.
-      if (i > first && samples[i].velocity * samples[i - 1].velocity < 0)
-        marker.trace.push_back({kNotApplicable, kNotApplicable});
-      marker.trace.push_back(
-          {std::abs(samples[i].velocity) * factors.velocity, samples[i].mu * factors.friction});
+    const std::size_t shown = std::min(samples.size(), kLongestTrace);
+    if (isOfVelocity && y == CurveQuantity::Mu) {
+      const auto way = std::span(samples).last(shown);
+      const double slowest = scene.sweep.isOfVelocity() ? scene.sweep.velocityFrom : kAnySpeed;
+      MotionTrace trace(way, slowest, factors);
+      for (const TransientSample& sample : way) trace.add(sample, Motion(scene.sliding).isSmooth());
+      marker.trace = std::move(trace.points);
     }
   }
   marker.name = marker.isFixed ? "this motion, now" : "this line, now";

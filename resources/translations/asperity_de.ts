@@ -88,12 +88,12 @@
         <translation>viskoelastisch, G = %1, τ = %2</translation>
     </message>
     <message>
-        <source>viscoelastic, G = %1, %2 arm</source>
-        <translation>viskoelastisch, G = %1, %2 Arm</translation>
+        <source>viscoelastic, G∞ = %1, %2 arm</source>
+        <translation>viskoelastisch, G∞ = %1, %2 Arm</translation>
     </message>
     <message>
-        <source>viscoelastic, G = %1, %2 arms</source>
-        <translation>viskoelastisch, G = %1, %2 Arme</translation>
+        <source>viscoelastic, G∞ = %1, %2 arms</source>
+        <translation>viskoelastisch, G∞ = %1, %2 Arme</translation>
     </message>
     <message>
         <source>nothing is dissipated</source>
@@ -3243,6 +3243,14 @@
         <translation>Speichern…</translation>
     </message>
     <message>
+        <source>without the target error</source>
+        <translation>ohne Zielfehler</translation>
+    </message>
+    <message>
+        <source>All cells of a map have the same lines, those that the scene states.</source>
+        <translation>Alle Zellen einer Karte haben dieselben Linien, nämlich die der Szene.</translation>
+    </message>
+    <message>
         <source>friction over two parameters</source>
         <translation>Reibung über zwei Parametern</translation>
     </message>
@@ -5252,6 +5260,10 @@
     <message>
         <source>%1 scenes, %2 failed</source>
         <translation>%1 Szenen, davon %2 fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>target accuracy missed: %1</source>
+        <translation>Zielgenauigkeit verfehlt: %1</translation>
     </message>
     <message>
         <source>figure %1</source>

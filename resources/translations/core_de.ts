@@ -255,7 +255,7 @@
         <translation>die Anpassung endete, bevor die Summe der Quadrate aufhörte zu fallen</translation>
     </message>
     <message>
-        <source>the points lie further from the curve than their errors say: chi squared is %1 for %2 degrees of freedom; the errors of the values are computed from errors of the points that are %3 times as large</source>
+        <source>the points lie further from the curve than their errors say: χ² is %1 for %2 degrees of freedom; the errors of the values are computed from errors of the points that are %3 times as large</source>
         <translation>die Punkte liegen weiter von der Kurve, als ihre Fehler sagen: χ² ist %1 bei %2 Freiheitsgraden; die Fehler der Werte sind aus %3-mal so großen Fehlern der Punkte berechnet</translation>
     </message>
     <message>
@@ -295,8 +295,8 @@
         <translation>die Punkte haben keine Fehler; sie streuen um %1 % um die Anpassung, bei %2 Freiheitsgraden</translation>
     </message>
     <message>
-        <source>chi squared %1 for %2 degrees of freedom</source>
-        <translation>χ² %1 bei %2 Freiheitsgraden</translation>
+        <source>χ² = %1 for %2 degrees of freedom</source>
+        <translation>χ² = %1 bei %2 Freiheitsgraden</translation>
     </message>
     <message>
         <source>%1 (± standard error)</source>
@@ -419,7 +419,7 @@
         <translation>Die kleinste Summe der Quadrate bei einem festgehaltenen Parameter: flach, wo die Daten ihn offen lassen. Ihre Punkte liegen höchstens einen Standardfehler auseinander, der auch die Streuung der Linien enthält; die Summe der Quadrate enthält sie nicht.</translation>
     </message>
     <message>
-        <source>chi squared above its least</source>
+        <source>χ² above its least</source>
         <translation>χ² über dem kleinsten</translation>
     </message>
     <message>
@@ -5447,8 +5447,8 @@
         <translation>Die Reibung ändert sich hier mit keinem Parameter.</translation>
     </message>
     <message>
-        <source>At %1 m/s: by how many per cent friction changes where a parameter changes by one per cent. Lines: one standard error. Pale: smaller than its error.</source>
-        <translation>Bei %1 m/s: um wie viel Prozent sich die Reibung ändert, wo sich ein Parameter um ein Prozent ändert. Linien: ein Standardfehler. Blass: kleiner als der eigene Fehler.</translation>
+        <source>At %1 m/s: by how many per cent friction changes where a parameter changes by one per cent. Lines: one standard error, with an arrow where it goes on. Pale: smaller than its error.</source>
+        <translation>Bei %1 m/s: um wie viel Prozent sich die Reibung ändert, wo sich ein Parameter um ein Prozent ändert. Linien: ein Standardfehler, mit einem Pfeil, wo er weitergeht. Blass: kleiner als der eigene Fehler.</translation>
     </message>
     <message>
         <source>axis</source>

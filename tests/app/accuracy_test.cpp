@@ -9,6 +9,7 @@
 namespace asperity {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::StartsWith;
 using testing::UnorderedElementsAre;
@@ -171,6 +172,26 @@ TEST_F(AccuracyCommandTest, PicturesMissTheirTargetsAsTablesDo) {
     EXPECT_EQ(missed.status, 1) << call;
     EXPECT_THAT(missed.err, HasSubstr("accuracy.target_relative_error is not reached"));
   }
+}
+
+/// What a further curve misses is no reason to lose the others.
+TEST_F(AccuracyCommandTest, AFurtherCurveThatMissesItsTargetIsWrittenAndNamed) {
+  const std::string sine = " --set surface.kind=sine";
+  for (const char* call :
+       {"curve s.json -o", "render s.json --layout curve -o", "render s.json --layout both -o"}) {
+    const Said missed =
+        program.run(call + std::string(" further.svg") + sine +
+                    " --with 'accuracy.target_relative_error=1e-17;load.normal_force=1'");
+    EXPECT_EQ(missed.status, 1) << call;
+    EXPECT_THAT(missed.err, AllOf(HasSubstr("F\u2099 = 1 N"),
+                                  HasSubstr("accuracy.target_relative_error is not reached")));
+    EXPECT_THAT(read("further.svg"), HasSubstr("<svg")) << call;
+    std::filesystem::remove(program.folder / "further.svg");
+  }
+  const Said family = program.run("curve s.json -o family.csv --family load.normal_force=0.1:1:2" +
+                                  sine + " --set accuracy.target_relative_error=1e-17");
+  EXPECT_EQ(family.status, 1);
+  EXPECT_THAT(read("family.csv"), HasSubstr("\nF\u2099 = 1 N,"));
 }
 
 TEST_F(AccuracyCommandTest, AnElasticSceneHasNothingToReach) {

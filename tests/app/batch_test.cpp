@@ -27,6 +27,28 @@ class BatchTest : public ProgramTest {
   }
 };
 
+/// The row of results.csv with this name, by its columns.
+std::map<std::string, std::string> rowOf(const std::string& csv, const std::string& name) {
+  std::istringstream lines(csv);
+  std::string line;
+  std::vector<std::string> columns;
+  while (std::getline(lines, line)) {
+    if (line.starts_with('#')) continue;
+    std::vector<std::string> cells(1);
+    for (const char c : line)
+      if (c == ',')
+        cells.emplace_back();
+      else
+        cells.back() += c;
+    if (columns.empty()) columns = cells;
+    if (cells.front() != name) continue;
+    std::map<std::string, std::string> row;
+    for (std::size_t i = 0; i < columns.size(); ++i) row[columns[i]] = cells.at(i);
+    return row;
+  }
+  return {};
+}
+
 TEST_F(BatchTest, SweepsMakeAGridWithPicturesDataAndAPage) {
   write(R"({"name": "grid", "scene": "s.json", "set": {"sweep.points": 3},
             "sweep": {"load.normal_force": {"from": 0.01, "to": 1, "points": 3},
@@ -80,6 +102,32 @@ TEST_F(BatchTest, ABadEntryIsToldAndTheOthersGoOn) {
                               HasSubstr("stands twice")));
   EXPECT_THAT(program.folder.names("out"), IsSupersetOf({"good.png", "partly_01.png"}));
   EXPECT_THAT(read("out/index.html"), HasSubstr("5 of them failed"));
+}
+
+/// A missed target is told at the end; what was computed stays, with its picture.
+TEST_F(BatchTest, AMissedTargetHasItsPictureAndIsToldAtTheEnd) {
+  write(R"({"name": "curve", "scene": "s.json", "show": "curve",
+            "set": {"surface.kind": "sine", "accuracy.target_relative_error": 1e-17}},
+           {"name": "mean", "scene": "s.json", "show": "contact",
+            "set": {"surface.kind": "sine", "accuracy.target_relative_error": 1e-17}},
+           {"name": "met", "scene": "s.json", "show": "contact"})");
+  for (int run = 0; run < 2; ++run) {
+    const Said said = program.run("batch b.json -o out");
+    EXPECT_EQ(said.status, 1);
+    EXPECT_EQ(std::count(said.err.begin(), said.err.end(), '\n'), 2) << said.err;
+    EXPECT_THAT(said.err, AllOf(HasSubstr("b.json: curve: accuracy.target_relative_error is not"),
+                                HasSubstr("b.json: mean: accuracy.target_relative_error is not")));
+    EXPECT_THAT(said.out,
+                AllOf(HasSubstr("3 scenes, 0 failed"), HasSubstr("target accuracy missed: 2")));
+  }
+  EXPECT_THAT(program.folder.names("out"), IsSupersetOf({"curve.png", "curve.csv", "mean.png"}));
+  EXPECT_THAT(read("out/index.html"), AllOf(HasSubstr("src=\"curve.png\""),
+                                            HasSubstr("is not reached"), Not(HasSubstr("failed"))));
+  const std::string table = read("out/results.csv");
+  auto row = rowOf(table, "curve");
+  EXPECT_THAT(row["mu"], Not(testing::IsEmpty()));
+  EXPECT_THAT(row["error"], HasSubstr("is not reached"));
+  EXPECT_EQ(rowOf(table, "met")["error"], "");
 }
 
 /// What no scene can be is wrong with the file: nothing is written.
@@ -185,28 +233,6 @@ TEST_F(BatchTest, ShippedScenesAreFoundByName) {
   program.folder.write("wedge.json", R"({"title": "our own"})");
   ASSERT_EQ(program.run("batch b.json -o out").status, 0);
   EXPECT_THAT(read("out/shipped.json"), HasSubstr("our own"));
-}
-
-/// The row of results.csv with this name, by its columns.
-std::map<std::string, std::string> rowOf(const std::string& csv, const std::string& name) {
-  std::istringstream lines(csv);
-  std::string line;
-  std::vector<std::string> columns;
-  while (std::getline(lines, line)) {
-    if (line.starts_with('#')) continue;
-    std::vector<std::string> cells(1);
-    for (const char c : line)
-      if (c == ',')
-        cells.emplace_back();
-      else
-        cells.back() += c;
-    if (columns.empty()) columns = cells;
-    if (cells.front() != name) continue;
-    std::map<std::string, std::string> row;
-    for (std::size_t i = 0; i < columns.size(); ++i) row[columns[i]] = cells.at(i);
-    return row;
-  }
-  return {};
 }
 
 TEST_F(BatchTest, TheCoefficientIsTheMeanOfTheLinesAndTheLinesOwnStandsBeside) {

@@ -3,6 +3,8 @@
 
 #include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
 
 #include "tests/app/program.h"
 
@@ -185,6 +187,22 @@ TEST_F(ExportTest, ASlideOfContactAndCurveKeepsItsSizeAndItsWholeLegend) {
   EXPECT_THAT(read("slide.svg"),
               AllOf(HasSubstr("width=\"1920\" height=\"1080\""), HasSubstr(">this line, now<"),
                     HasSubstr(">Eq. (11)<"), HasSubstr(">v = 1 m/s<")));
+}
+
+/// Also where the numbers of the curve need more space than those of the contact.
+TEST_F(ExportTest, FramesOfContactAndCurveBeginAtOnePlace) {
+  const std::regex frame("<rect x=\"([1-9][0-9.]*)\" y=\"[0-9.]*\" width=\"([0-9.]*)\"");
+  for (const char* size : {"86mmx70mm", "400x300", "1280x720"}) {
+    run(std::string("render s.json -o frames.svg --layout both --size ") + size);
+    const std::string svg = read("frames.svg");
+    std::set<std::string> lefts, widths;
+    for (std::sregex_iterator one(svg.begin(), svg.end(), frame), end; one != end; ++one) {
+      lefts.insert((*one)[1]);
+      widths.insert((*one)[2]);
+    }
+    EXPECT_EQ(lefts.size(), 1U) << size << ": " << testing::PrintToString(lefts);
+    EXPECT_EQ(widths.size(), 1U) << size << ": " << testing::PrintToString(widths);
+  }
 }
 
 TEST_F(ExportTest, AShorterSequenceLeavesNoFrameOfALongerOne) {

@@ -74,7 +74,7 @@ TEST_F(FitCommandTest, SaysWhatItsNumbersMean) {
   // No height follows these points: a range of it says nothing.
   EXPECT_THAT(ran.out + ran.err, AllOf(HasSubstr("the ranges do not hold"),
                                        HasSubstr("the points have no errors; they scatter by"),
-                                       Not(HasSubstr("chi squared"))));
+                                       Not(HasSubstr("\u03C7\u00B2"))));
   EXPECT_THAT(read("out/fit.csv"), AllOf(HasSubstr("\nvelocity,normal_force,nominal_pressure,"),
                                          HasSubstr("\n0.01,,8.5,")));
   // Points of each load have a mark of their own.

@@ -82,6 +82,10 @@ double ChartGeometry::mapX(double value) const {
   return area.left() + area.width() * fraction(axisPosition(xScale, value), x);
 }
 
+double ChartGeometry::columnAt(double value) const {
+  return std::floor(mapX(value)) + 0.5;
+}
+
 double ChartGeometry::mapY(double value) const {
   return area.bottom() - area.height() * fraction(axisPosition(yScale, value), y);
 }

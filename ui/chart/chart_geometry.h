@@ -45,6 +45,9 @@ struct ChartGeometry {
   /// Returns the position of a pair of values; NaN for values that the axes cannot show.
   QPointF at(double xValue, double yValue) const;
   double mapX(double value) const;
+  /// Returns the middle of the column of pixels at this value, where error bars are sharp and marks
+  /// lie on them.
+  double columnAt(double value) const;
   double mapY(double value) const;
   /// These functions return the values at a position.
   double xAt(double pixel) const;

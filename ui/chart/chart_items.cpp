@@ -276,7 +276,7 @@ void OverItem::show(const Diagram& diagram, const ChartGeometry& map, const Char
       if (!hasPosition(diagram, point) || !(point.high > point.low)) continue;
       // The low end may be outside the axis; the bar then reaches the end of the axis.
       const double low = map.mapY(point.low);
-      bars.lines += QLineF(map.mapX(point.x), map.mapY(point.high), map.mapX(point.x),
+      bars.lines += QLineF(map.columnAt(point.x), map.mapY(point.high), map.columnAt(point.x),
                            std::isfinite(low) ? low : map.area.bottom() + kCap * map.scale + 1);
     }
     if (!bars.lines.isEmpty()) bars_.push_back(std::move(bars));

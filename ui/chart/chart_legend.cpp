@@ -8,6 +8,7 @@
 #include <QRegularExpression>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 
 #include "ui/language/language.h"
@@ -296,6 +297,8 @@ void ChartLegend::paintEntry(QPainter& painter, const Entry& entry) const {
 
 void ChartLegend::paintSample(QPainter& painter, const Entry& entry, QPointF centre) const {
   const double scale = markScale(font());
+  // In the middle of a pixel an error bar is sharp, and lies under its mark.
+  centre.setX(std::floor(centre.x()) + 0.5);
   const DiagramSeries& series = entry.series;
   const QColor colour = entry.isMarker ? style_.marker() : style_.curve(series);
   painter.setOpacity(series.isFaded ? kFadedOpacity : 1);

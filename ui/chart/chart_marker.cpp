@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/draw/ticks.h"
 #include "ui/language/translated.h"
 
 namespace asperity {
@@ -29,7 +28,6 @@ void MarkerItem::update(const ChartGeometry& geometry, const std::optional<Diagr
   style_ = style;
   bounds_ = label_ = QRectF();
   if (!marker_) return;
-  marker_->label = Message::name(groupedValue(marker_->label.text));
   makeTrace();
   if (!std::isfinite(geometry.mapX(marker_->x))) return;
   lineX_ = geometry.mapX(std::isfinite(lineX) ? lineX : marker_->x);

@@ -157,18 +157,18 @@ void ChartPanel::showSeries(const Diagram& diagram, const ChartGeometry& map,
   for (const bool theory : {true, false})
     for (const DiagramSeries& series : diagram.series) {
       if (series.isTheory != theory) continue;
-      QList<QPointF> run, all;
+      QList<QPointF> run, marks;
       for (const DiagramPoint& point : series.points) {
         if (hasPosition(diagram, point)) {
           run += chartPosition(diagram, point.x, point.y);
-          all += run.back();
+          marks += chartPosition(diagram, map.xAt(map.columnAt(point.x)), point.y);
           continue;
         }
         showRun(series, run, style);
         run.clear();
       }
       showRun(series, run, style);
-      showMarks(series, all, map.area.width(), style);
+      showMarks(series, marks, map.area.width(), style);
     }
   for (std::size_t i = linesUsed_; i < lines_.size(); ++i) lines_[i]->hide();
   for (std::size_t i = marksUsed_; i < marks_.size(); ++i) marks_[i]->hide();

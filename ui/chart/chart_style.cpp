@@ -66,8 +66,8 @@ void paintMark(QPainter& painter, SeriesMark mark, QPointF centre, double size) 
 }
 
 void paintText(QPainter& painter, const QRectF& place, int alignment, const QString& text) {
-  constexpr QChar kIndex(0x2099);
-  if (!text.contains(kIndex)) {
+  const TextRuns runs = withLoweredSigns({{text.toStdString()}});
+  if (runs.size() < 2) {
     painter.drawText(place, alignment, text);
     return;
   }
@@ -75,31 +75,29 @@ void paintText(QPainter& painter, const QRectF& place, int alignment, const QStr
   QFont small = font;
   small.setPixelSize(qRound(0.72 * QFontInfo(font).pixelSize()));
   const QFontMetricsF metrics(font), smallMetrics(small);
-  const QString index = QStringLiteral("N");
-  const QStringList parts = text.split(kIndex);
-  double width = static_cast<double>(parts.size() - 1) * smallMetrics.horizontalAdvance(index);
-  for (const QString& part : parts) width += metrics.horizontalAdvance(part);
+  const auto advance = [&](const TextRun& run) {
+    return (run.lowered ? smallMetrics : metrics)
+        .horizontalAdvance(QString::fromStdString(run.utf8));
+  };
+  double width = 0;
+  for (const TextRun& run : runs) width += advance(run);
   const double free = place.width() - width;
   double x = place.left() + (alignment & Qt::AlignRight     ? free
                              : alignment & Qt::AlignHCenter ? free / 2
                                                             : 0);
   const double baseline = place.center().y() + (metrics.ascent() - metrics.descent()) / 2;
-  for (qsizetype i = 0; i < parts.size(); ++i) {
-    if (i > 0) {
-      painter.setFont(small);
-      painter.drawText(QPointF(x, baseline + 0.22 * metrics.ascent()), index);
-      painter.setFont(font);
-      x += smallMetrics.horizontalAdvance(index);
-    }
-    painter.drawText(QPointF(x, baseline), parts[i]);
-    x += metrics.horizontalAdvance(parts[i]);
+  for (const TextRun& run : runs) {
+    painter.setFont(run.lowered ? small : font);
+    painter.drawText(QPointF(x, baseline + (run.lowered ? 0.22 * metrics.ascent() : 0)),
+                     QString::fromStdString(run.utf8));
+    x += advance(run);
   }
+  painter.setFont(font);
 }
 
 void paintErrorBar(QPainter& painter, double x, double top, double bottom, double cap) {
-  // The bar and its caps cover whole pixels; between two of them the bar would be pale.
+  // The caps cover whole pixels; between two of them they would be pale.
   const auto sharp = [](double pixel) { return std::floor(pixel) + 0.5; };
-  x = sharp(x);
   painter.drawLine(QPointF(x, top), QPointF(x, bottom));
   for (const double y : {sharp(top), sharp(bottom)})
     painter.drawLine(QPointF(x - cap, y), QPointF(x + cap, y));

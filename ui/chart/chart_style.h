@@ -50,11 +50,12 @@ DiagramSizes tickSizes(const ChartStyle& style);
 /// Paints a mark as in pictures, filled with the painter's brush. `size`: its width.
 void paintMark(QPainter& painter, SeriesMark mark, QPointF centre, double size);
 
-/// Paints one line of text in the middle of the place's height, like QPainter::drawText(); the
-/// normal force "F\u2099" has a lowered capital N, as in pictures.
+/// Paints one line of text in the middle of the place's height, like QPainter::drawText(), with the
+/// lowered signs of pictures (withLoweredSigns).
 void paintText(QPainter& painter, const QRectF& place, int alignment, const QString& text);
 
-/// Paints an error bar from `top` to `bottom` with caps, with the painter's pen.
+/// Paints an error bar from `top` to `bottom` with caps, with the painter's pen. It is sharp where
+/// x is the middle of a column of pixels.
 void paintErrorBar(QPainter& painter, double x, double top, double bottom, double cap);
 
 /// Returns the pen of a curve.

@@ -142,7 +142,8 @@ void ChartView::setMarker(const std::optional<DiagramMarker>& english) {
   marker = english;
   english_.diagrams[0].marker = english;
   if (marker)
-    for (Message* text : {&marker->name, &marker->label}) *text = Message::name(translated(*text));
+    for (Message* text : {&marker->name, &marker->label})
+      *text = Message::name(readingText(*text).toStdString());
   if ((!marker || marker->x != before) && gesture_ != Gesture::Marker) targetX_ = kNaN;
   updateMarker();
   if (name != (marker ? marker->name.text : "")) legend_->show(sheet_, english_, style_);

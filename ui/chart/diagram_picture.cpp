@@ -8,7 +8,6 @@
 #include "ui/chart/diagram_annotations.h"
 #include "ui/chart/diagram_panel.h"
 #include "ui/draw/fonts.h"
-#include "ui/draw/ticks.h"
 #include "ui/language/translated.h"
 
 namespace asperity {
@@ -116,8 +115,7 @@ DiagramSheet prepared(const DiagramSheet& english, const DiagramOptions& options
     DiagramSeries ring = dot;
     ring.name = {};
     ring.mark = SeriesMark::Ring;
-    const Message label = Message::name(groupedValue(marker.label.text));
-    if (!label.empty()) diagram.labels.push_back({label, marker.x, marker.y});
+    if (!marker.label.empty()) diagram.labels.push_back({marker.label, marker.x, marker.y});
     // At rest there is no dot on a logarithmic axis: the name then is that of the line, which has
     // no points, or without a line that of the trace.
     const bool hasLine = std::isfinite(axisPosition(diagram.x.scale, marker.x));

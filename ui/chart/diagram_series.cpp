@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "ui/draw/fonts.h"
 #include "ui/draw/theme.h"
@@ -204,6 +205,26 @@ TickedAxis barAxis(const Diagram& diagram, float available, const DiagramSizes& 
   return axis;
 }
 
+namespace {
+
+/// Adds the interval of a horizontal bar with caps of half the height `cap`; an end beyond the box
+/// is an arrow at its edge.
+void addInterval(DrawLayer& layer, float low, float high, float y, float cap, const Box& box,
+                 float width, const Rgba& ink) {
+  const float left = std::max(low, box.x), right = std::min(high, box.right());
+  if (!(left < right)) return;
+  for (const auto& [from, to, isCut] :
+       {std::tuple{right, left, low < box.x}, {left, right, high > box.right()}}) {
+    if (isCut)
+      addArrow(layer, {from, y}, {to + (to < from ? width : -width), y}, 1.5F * cap, width, ink);
+    else
+      addLine(layer, {{to, y - cap}, {to, y + cap}}, width, ink);
+  }
+  addLine(layer, {{left, y}, {right, y}}, width, ink);
+}
+
+}  // namespace
+
 void addHorizontalBars(DrawList& list, const Diagram& diagram, const DiagramAxes& axes,
                        const DiagramSizes& sizes, const Theme& theme) {
   if (diagram.bars.empty()) return;
@@ -223,12 +244,9 @@ void addHorizontalBars(DrawList& list, const Diagram& diagram, const DiagramAxes
     addRectangle(layer, {std::min(zero, end), y - half, std::abs(end - zero), 2 * half},
                  bar.isSignificant() ? colour : mix(colour, theme.background, kPale));
     if (!std::isfinite(bar.error)) continue;
-    const float low = axes.px(bar.value - bar.error), high = axes.px(bar.value + bar.error);
-    const float cap = 0.5F * half;
-    const Rgba ink = bar.isSignificant() ? theme.text : theme.faintText;
-    addLine(layer, {{low, y}, {high, y}}, 1.4F * sizes.unit, ink);
-    for (const float x : {low, high})
-      addLine(layer, {{x, y - cap}, {x, y + cap}}, 1.4F * sizes.unit, ink);
+    addInterval(layer, axes.px(bar.value - bar.error), axes.px(bar.value + bar.error), y,
+                0.5F * half, box, 1.4F * sizes.unit,
+                bar.isSignificant() ? theme.text : theme.faintText);
   }
   addLine(layer, {{zero, box.y}, {zero, box.bottom()}}, 1.2F * sizes.unit, theme.text);
   list.layers.push_back(std::move(layer));

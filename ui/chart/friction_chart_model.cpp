@@ -20,7 +20,7 @@ namespace asperity {
 namespace {
 
 constexpr AxisRange kEmptyVelocities{-5, 3};  // shown before anything is known
-constexpr AxisRange kEmptyCoefficients{-6, -2};
+const AxisRange kEmptyCoefficients{std::log10(kEmptyFrictionFrom), std::log10(kEmptyFrictionTo)};
 
 constexpr double kMarginFactor = 1.15;  // between friction and the ends of a logarithmic axis
 
@@ -198,7 +198,7 @@ Message FrictionChartModel::englishName(const PinnedCurve& pinned, const Scene& 
 }
 
 QString FrictionChartModel::pinnedName(const PinnedCurve& pinned) const {
-  return translatedText(englishName(pinned, present()));
+  return readingText(englishName(pinned, present()));
 }
 
 void FrictionChartModel::showDifference(std::optional<CurveDifference> difference) {

@@ -7,6 +7,7 @@
 
 #include "core/chart/curve_diagram.h"
 #include "core/chart/curve_words.h"
+#include "core/scene/sweep.h"
 #include "ui/draw/ticks.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
@@ -36,7 +37,8 @@ QString valueWithError(double value, double error) {
   const double unit = std::pow(10, power);
   const auto text = [&](double number) {
     const QString digits = QString::number(number / unit, 'f', std::clamp(-last, 0, kMaxDecimals));
-    return inLanguage(QString(digits).replace('-', u'−'));
+    return QString::fromStdString(
+        readingInLanguage(QString(digits).replace('-', u'−').toStdString()));
   };
   const QString both = text(value) + QStringLiteral(" ± ") + text(error);
   return isPower ? '(' + both + QStringLiteral(")×") + QString::fromStdString(powerOfTen(power))
@@ -73,7 +75,7 @@ QStringList reducedLines(const CurveSet& set, double velocity, double reduced, d
 QString curvePointText(const CurvePoint& point, const Scene& scene, const CurveSet& set) {
   QStringList lines;
   if (!set.isOfVelocity())
-    lines += translatedText(describeParameter(scene.sweep.key, withSweptValue(scene, point.swept)));
+    lines += readingText(describeParameter(scene.sweep.key, withSweptValue(scene, point.swept)));
   lines += velocityText(point.velocity);
   if (set.hasReducedAxis())
     lines +=

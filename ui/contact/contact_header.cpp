@@ -101,7 +101,7 @@ std::vector<Reading> makeReadings(const Frame& frame) {
                       Words::tr("Force that presses one period of the line into the elastomer."),
                       "load.normal_force"});
   readings.push_back({{{Words::tr("indentation d")}},
-                      grouped(quantity(state.indentation, "m")),
+                      quantity(state.indentation, "m"),
                       5,
                       Words::tr("How deep the lowest point of the line lies below the undeformed "
                                 "surface (d); z is the height of the line, "
@@ -113,14 +113,13 @@ std::vector<Reading> makeReadings(const Frame& frame) {
                       Words::tr("Share of the line's length that touches the elastomer."),
                       "contact_fraction"});
   if (frame.scene)
-    readings.push_back(
-        {{{Words::tr("velocity v")}},
-         grouped(quantity(isSteady ? frame.scene->sliding.velocity : frame.velocity, "m/s")),
-         6,
-         isSteady ? Words::tr("Velocity of the line, to the right.")
-                  : Words::tr("Velocity of the line at this moment; below 0 it goes "
-                              "back."),
-         "sliding.velocity"});
+    readings.push_back({{{Words::tr("velocity v")}},
+                        quantity(isSteady ? frame.scene->sliding.velocity : frame.velocity, "m/s"),
+                        6,
+                        isSteady ? Words::tr("Velocity of the line, to the right.")
+                                 : Words::tr("Velocity of the line at this moment; below 0 it goes "
+                                             "back."),
+                        "sliding.velocity"});
   // A line at rest has no pace.
   if (frame.timeScale > 0 && (frame.transient || frameVelocity(frame) != 0)) {
     const bool isSlower = frame.timeScale < 1;
@@ -129,7 +128,7 @@ std::vector<Reading> makeReadings(const Frame& frame) {
                         factorText(factor) + "\u00D7",
                         8,
                         filled(Words::tr("One second on the screen shows %1 of the motion."),
-                               {grouped(quantity(frame.timeScale, "s"))}),
+                               {quantity(frame.timeScale, "s")}),
                         "pace"});
   }
   return readings;
@@ -190,8 +189,7 @@ std::string pictureTitle(const Frame& frame) {
 /// Returns "t = 3.2 ms, slid 1.5 mm", of a motion that returns "displaced by 1.5 mm".
 std::string progressWords(bool returns, double time, double distance) {
   return filled(returns ? Words::tr("t = %1, displaced by %2") : Words::tr("t = %1, slid %2"),
-                {grouped(quantity(time, "s", 3, Zeros::Keep)),
-                 grouped(quantity(distance, "m", 3, Zeros::Keep))});
+                {quantity(time, "s", 3, Zeros::Keep), quantity(distance, "m", 3, Zeros::Keep)});
 }
 
 /// Returns whether the line moves back and forth; its distance is then that from its beginning.

@@ -134,7 +134,7 @@ std::optional<Tag> slidingTag(const Frame& frame, bool brief) {
                "sliding.velocity"};
   return Tag{{{brief ? Words::tr("slides") : Words::tr("rigid line slides")}},
              v > 0 ? ArrowDirection::Right : ArrowDirection::Left,
-             {{"v = " + grouped(quantity(v, "m/s"))}},
+             {{"v = " + quantity(v, "m/s")}},
              ContactHandle::Velocity,
              "sliding.velocity"};
 }
@@ -173,8 +173,7 @@ Tag frictionTag(const Frame& frame, const ForceArrows& arrows, bool brief) {
   if (!(arrows.sideways > 0)) return tag;
   tag.arrow = ArrowDirection::None;
   if (arrows.enlarged > 1)
-    tag.before.push_back(
-        {filled(Words::tr(", arrow %1\u00D7"), {grouped(shortNumber(arrows.enlarged))})});
+    tag.before.push_back({filled(Words::tr(", arrow %1\u00D7"), {shortNumber(arrows.enlarged)})});
   return tag;
 }
 
@@ -197,7 +196,7 @@ std::vector<Tag> forceTags(const Frame& frame, const ForceArrows& arrows, bool b
   return tags;
 }
 
-/// Returns "viscoelastic, G = 10 MPa, τ = 1 ms" or ", 13 arms"; empty without a scene.
+/// Returns "viscoelastic, G = 10 MPa, τ = 1 ms" or "G∞ = 1 MPa, 13 arms"; empty without a scene.
 std::string elastomerWords(const Frame& frame) {
   if (!frame.scene) return {};
   const ElementLaw law = elementLaw(frame.scene->elastomer);
@@ -207,8 +206,8 @@ std::string elastomerWords(const Frame& frame) {
   if (kind == ElementKind::Kelvin)
     return filled(Words::tr("viscoelastic, G = %1, \u03C4 = %2"),
                   {modulus, quantity(law.relaxationTime, "s")});
-  return filled(law.arms.size() == 1 ? Words::tr("viscoelastic, G = %1, %2 arm")
-                                     : Words::tr("viscoelastic, G = %1, %2 arms"),
+  return filled(law.arms.size() == 1 ? Words::tr("viscoelastic, G\u221E = %1, %2 arm")
+                                     : Words::tr("viscoelastic, G\u221E = %1, %2 arms"),
                 {modulus, std::to_string(law.arms.size())});
 }
 

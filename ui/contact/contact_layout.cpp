@@ -148,7 +148,7 @@ std::string exaggerationText(const ContactLayout& layout) {
   if (std::isfinite(ratio) && std::abs(ratio - 1) <= kRounding) return Words::tr("to scale");
   if (std::isfinite(ratio) && ratio < 1)
     return filled(Words::tr("heights reduced %1\u00D7"), {shortNumber(ratio, 2)});
-  return filled(Words::tr("vertical exaggeration %1\u00D7"), {grouped(shortNumber(ratio, 2))});
+  return filled(Words::tr("vertical exaggeration %1\u00D7"), {shortNumber(ratio, 2)});
 }
 
 ContactLayout layoutContact(const Frame& frame, const ContactPictureOptions& options,
@@ -201,7 +201,7 @@ ContactLayout layoutContact(const Frame& frame, const ContactPictureOptions& opt
   if (!layout.axisTitles) nameUnit(layout.heightTicks);
   const float left = widestLabel(layout.heightTicks.ticks, s.small) + 9 * u + pad +
                      (layout.axisTitles ? s.small * 1.6F : 0);
-  layout.plot.x = std::round(left);
+  layout.plot.x = std::round(std::max(left, options.plotLeft));
   layout.plot.width = std::max(1.0F, std::round(width - 2 * pad) - layout.plot.x);
   layout.xTicks = sparseTicks(layout.view.left, layout.view.left + layout.view.width,
                               layout.plot.width, s.small, "m");

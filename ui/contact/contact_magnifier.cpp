@@ -143,7 +143,7 @@ std::optional<Box> clearPlate(const ScaleBars& bars, const Frame& frame,
 
 void addHeading(DrawList& list, const ContactLayout& inset, double enlargement) {
   const Sizes& s = inset.sizes;
-  const std::string times = grouped(shortNumber(enlargement, 2)) + "\u00D7";
+  const std::string times = shortNumber(enlargement, 2) + "\u00D7";
   const std::string longer = times + ", " + exaggerationText(inset);
   const float available = inset.plot.width - 14 * s.unit;
   const std::string& text = textWidth(longer, s.small) <= available ? longer : times;

@@ -60,6 +60,7 @@ struct ContactPictureOptions {
   std::optional<Magnifier> magnifier;
   float fontSize = 0;   // pixels, of the tick labels; 0: automatic
   float lineWidth = 0;  // pixels, of line and surface; 0: automatic
+  float plotLeft = 0;   // pixels, least left edge of the axes, as that of a chart below
   /// Labels that give way to the line of a low picture stay here as long as it does not cross them.
   std::vector<LabelPlace> lastLabels{};
 };

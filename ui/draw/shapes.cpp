@@ -1,6 +1,7 @@
 #include "ui/draw/shapes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string_view>
@@ -144,25 +145,32 @@ float runWidth(const TextRun& run, float size) {
   return text + 2 * italicOverhang(run, size);
 }
 
-/// Replaces the small letter in the subscript of a normal force by a lowered capital N, which
-/// Unicode does not have.
-TextRuns withLoweredN(const TextRuns& runs) {
-  constexpr std::string_view kSmall = "\u2099";
+}  // namespace
+
+TextRuns withLoweredSigns(const TextRuns& runs) {
+  struct Sign {
+    std::string_view written, before, lowered;
+  };
+  constexpr std::array<Sign, 2> signs{{{"\u2099", "", "N"}, {"G\u221E", "G", "\u221E"}}};
   TextRuns split;
+  const auto add = [&split](const TextRun& run, std::string_view text, bool lowered) {
+    if (!text.empty()) split.push_back({std::string(text), run.bold, lowered});
+  };
   for (const TextRun& run : runs) {
-    std::size_t from = 0;
-    for (std::size_t at = run.utf8.find(kSmall); at != std::string::npos;
-         at = run.utf8.find(kSmall, from)) {
-      if (at > from) split.push_back({run.utf8.substr(from, at - from), run.bold, run.lowered});
-      split.push_back({"N", run.bold, true});
-      from = at + kSmall.size();
+    std::string_view rest = run.utf8;
+    while (!rest.empty()) {
+      const Sign& sign = *std::ranges::min_element(
+          signs, {}, [&](const Sign& one) { return rest.find(one.written); });
+      const std::size_t at = rest.find(sign.written);
+      if (at == rest.npos) break;
+      add(run, rest.substr(0, at + sign.before.size()), run.lowered);
+      add(run, sign.lowered, true);
+      rest.remove_prefix(at + sign.written.size());
     }
-    if (from < run.utf8.size()) split.push_back({run.utf8.substr(from), run.bold, run.lowered});
+    add(run, rest, run.lowered);
   }
   return split;
 }
-
-}  // namespace
 
 void addQuad(DrawLayer& layer, const DrawVertex& a, const DrawVertex& b, const DrawVertex& c,
              const DrawVertex& d) {
@@ -219,7 +227,7 @@ void addArrow(DrawLayer& layer, DrawPoint from, DrawPoint to, float head, float 
 void addLabel(DrawList& list, std::string utf8, DrawPoint at, float size, TextAnchor anchor,
               const Rgba& colour, float angle) {
   if (utf8.empty()) return;
-  const TextRuns runs = withLoweredN({{utf8}});
+  const TextRuns runs = withLoweredSigns({{utf8}});
   if (runs.size() > 1) {
     const float width = textWidth(runs, size);
     const float before = anchor == TextAnchor::Left     ? 0
@@ -257,7 +265,7 @@ float textWidth(const TextRuns& runs, float size) {
 
 float addText(DrawList& list, const TextRuns& runs, DrawPoint baseline, float size,
               const Rgba& colour) {
-  for (const TextRun& run : withLoweredN(runs)) {
+  for (const TextRun& run : withLoweredSigns(runs)) {
     DrawText text;
     text.utf8 = run.utf8;
     text.x = baseline.x + italicOverhang(run, size);

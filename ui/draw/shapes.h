@@ -65,6 +65,10 @@ struct TextRun {
 };
 using TextRuns = std::vector<TextRun>;
 
+/// Returns the runs with their lowered signs as pieces: the capital N in the subscript of a normal
+/// force "F\u2099", and the sign of the modulus "G\u221E". Unicode has neither.
+TextRuns withLoweredSigns(const TextRuns& runs);
+
 float textWidth(const TextRuns& runs, float size);
 /// Adds text left-aligned on the baseline; returns its right end.
 float addText(DrawList& list, const TextRuns& runs, DrawPoint baseline, float size,

@@ -131,7 +131,7 @@ AxisTicks linearTicks(double from, double to, int most, std::string_view unit) {
   const int decimals = -static_cast<int>(std::floor(std::log10(step / counted.size) + 1e-9));
   for (double k = first; k <= last; ++k)
     axis.ticks.push_back(
-        {k * step, inLanguage(printedDecimals(k * (step / counted.size), decimals))});
+        {k * step, readingInLanguage(printedDecimals(k * (step / counted.size), decimals))});
   return axis;
 }
 
@@ -242,39 +242,22 @@ std::vector<double> minorLogTicks(double from, double to, const std::vector<Tick
 }
 
 std::string shortNumber(double value, int digits, Zeros zeros) {
-  return inLanguage(printedNumber(value, digits, zeros));
-}
-
-std::string grouped(std::string number) {
-  constexpr const char* kDigits = "0123456789";
-  const std::size_t begin = number.starts_with(kMinusSign) ? kMinusSign.size() : 0;
-  const std::size_t end = std::min(number.find_first_not_of(kDigits, begin), number.size());
-  const char* separator = inLanguage(std::string(".")) == "," ? "." : ",";
-  for (std::size_t at = end; at > begin + 3;) number.insert(at -= 3, separator);
-  return number;
-}
-
-std::string groupedValue(const std::string& text) {
-  constexpr std::string_view kEquals = "= ";
-  const std::size_t at = text.rfind(kEquals);
-  if (at == text.npos) return text;
-  const std::size_t value = at + kEquals.size();
-  return text.substr(0, value) + grouped(text.substr(value));
+  return readingInLanguage(printedNumber(value, digits, zeros));
 }
 
 std::string factorText(double factor) {
   constexpr double kLeastGrouped = 1000, kLongest = 1e12;
   const double rounded = roundedToDigits(factor, 3);
   if (!(rounded >= kLeastGrouped && rounded < kLongest)) return shortNumber(factor);
-  return grouped(std::to_string(std::llround(rounded)));
+  return readingInLanguage(std::to_string(std::llround(rounded)));
 }
 
 std::string quantity(double value, std::string_view unit, int digits, Zeros zeros) {
-  return inLanguage(printedQuantity(value, unit, digits, zeros));
+  return readingInLanguage(printedQuantity(value, unit, digits, zeros));
 }
 
-QString readingLabel(double value, int digits) {
-  return QString::fromStdString(shortNumber(value, digits));
+QString readingLabel(double value, int digits, Zeros zeros) {
+  return QString::fromStdString(shortNumber(value, digits, zeros));
 }
 
 }  // namespace asperity

@@ -65,23 +65,17 @@ std::vector<Tick> logTicks(double from, double to, int most);
 std::vector<double> minorLogTicks(double from, double to, const std::vector<Tick>& ticks,
                                   double decadePixels, double apart);
 
-/// Returns a printed number, which may have a unit, with the groups of thousands of the language:
-/// "12,300 s". A view in which one number has groups gives them to all.
-std::string grouped(std::string number);
-
-/// Returns a text whose last value has the groups of thousands of the language: "v = 1,000 m/s".
-std::string groupedValue(const std::string& text);
-
-/// Returns a positive factor for people, "1,410,000": with three digits, and the groups of
-/// thousands of the language from 1000 on.
+/// Returns a positive factor for people, "1,410,000": with three digits, and without a power of ten
+/// where there is space for all of them.
 std::string factorText(double factor);
 
-/// These functions return printedNumber() and printedQuantity() in the current language.
+/// These functions return printedNumber() and printedQuantity() in the current language, with its
+/// groups of thousands: "12,300 s".
 std::string shortNumber(double value, int digits = 3, Zeros zeros = Zeros::Drop);
 std::string quantity(double value, std::string_view unit, int digits = 3,
                      Zeros zeros = Zeros::Drop);
 
 /// Returns shortNumber() as widgets take it.
-QString readingLabel(double value, int digits = 3);
+QString readingLabel(double value, int digits = 3, Zeros zeros = Zeros::Drop);
 
 }  // namespace asperity

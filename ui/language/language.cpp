@@ -11,6 +11,8 @@
 #include <map>
 #include <memory>
 
+#include "core/base/number_text.h"
+
 // This function is outside of the namespace, as the resource compiler's function is.
 static void openResources() {
   Q_INIT_RESOURCE(asperity_translations);
@@ -144,6 +146,15 @@ std::string inLanguage(std::string number) {
 
 QString inLanguage(QString number) {
   return present().hasComma ? number.replace('.', ',') : number;
+}
+
+std::string readingInLanguage(std::string number) {
+  number = inLanguage(std::move(number));
+  const std::size_t begin = number.starts_with(kMinusSign) ? kMinusSign.size() : 0;
+  const std::size_t end = std::min(number.find_first_not_of("0123456789", begin), number.size());
+  const char* separator = present().hasComma ? "." : ",";
+  for (std::size_t at = end; at > begin + 3;) number.insert(at -= 3, separator);
+  return number;
 }
 
 }  // namespace asperity

@@ -54,8 +54,13 @@ class Words {
   static std::string tr(const char* english);
 };
 
-/// Returns "0.5" as the language writes it: "0,5". The text may have points only in numbers.
+/// Returns "0.5" as the language writes it: "0,5". The text may have points only in numbers. Such a
+/// number can be typed.
 std::string inLanguage(std::string number);
 QString inLanguage(QString number);
+
+/// Returns a printed number, which may have a unit, as pictures and readings show it: "12300.5 s"
+/// as "12,300.5 s" or "12.300,5 s".
+std::string readingInLanguage(std::string number);
 
 }  // namespace asperity

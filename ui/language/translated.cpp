@@ -22,13 +22,13 @@ constexpr const char* kScenes = "scenes";            // context of the texts in 
 std::string shownNumber(const std::string& text) {
   double value = 0;
   const std::size_t e = text.find('e');
-  if (e == text.npos || !readNumber(text, value) || !std::isfinite(value)) return inLanguage(text);
+  if (e == text.npos || !readNumber(text, value) || !std::isfinite(value)) return text;
   const auto digits = static_cast<int>(
       std::count_if(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(e),
                     [](unsigned char letter) { return std::isdigit(letter) != 0; }));
   const double size = std::abs(value);
   const bool isPlain = value == 0 || (size >= kMinPlain && size < kMaxPlain);
-  return inLanguage(isPlain ? printedNumber(value, digits) : printedPower(value, digits));
+  return isPlain ? printedNumber(value, digits) : printedPower(value, digits);
 }
 
 std::optional<QString> found(const std::string& form) {
@@ -44,10 +44,17 @@ bool isFormula(std::string_view form) {
              form, [&](char a, char b) { return isSmall(a) && isSmall(b); }) == form.end();
 }
 
+/// Whether numbers have groups of thousands, as in readings, or none, so that they can be typed.
+enum class Thousands { Plain, Grouped };
+
 /// Translates a message. `isWhole` becomes false where a translation is missing.
-std::string translate(const Message& english, bool& isWhole) {
+std::string translate(const Message& english, bool& isWhole,
+                      Thousands thousands = Thousands::Plain) {
   if (english.kind == Message::Kind::Name) return english.text;
-  if (english.kind == Message::Kind::Number) return shownNumber(english.text);
+  if (english.kind == Message::Kind::Number) {
+    const std::string number = shownNumber(english.text);
+    return thousands == Thousands::Grouped ? readingInLanguage(number) : inLanguage(number);
+  }
   std::string form = english.text;
   if (const auto text = found(form))
     form = text->toStdString();
@@ -55,7 +62,8 @@ std::string translate(const Message& english, bool& isWhole) {
     isWhole = false;
   if (english.values.empty()) return form;
   std::vector<std::string> values;
-  for (const Message& value : english.values) values.push_back(translate(value, isWhole));
+  for (const Message& value : english.values)
+    values.push_back(translate(value, isWhole, thousands));
   return filled(form, values);
 }
 
@@ -74,6 +82,11 @@ std::string translated(const Message& english) {
 
 QString translatedText(const Message& english) {
   return QString::fromStdString(translated(english));
+}
+
+QString readingText(const Message& english) {
+  bool isWhole = true;
+  return QString::fromStdString(translate(english, isWhole, Thousands::Grouped));
 }
 
 QString capitalized(const QString& text) {
@@ -102,7 +115,9 @@ QString sceneText(std::string_view text) {
 }
 
 DiagramSheet translated(DiagramSheet sheet) {
-  const auto translate = [](Message& text) { text = Message::name(translated(text)); };
+  const auto translate = [](Message& text) {
+    text = Message::name(readingText(text).toStdString());
+  };
   for (Message* text : {&sheet.title, &sheet.subtitle, &sheet.note, &sheet.status})
     translate(*text);
   for (Diagram& diagram : sheet.diagrams) {
@@ -156,10 +171,15 @@ QString formulaInLanguage(std::string_view formula) {
   return withoutBreaksInBrackets(std::move(text));
 }
 
+/// Returns plain text as rich text, in which the modulus "G∞" has a lowered sign.
+QString withLoweredInfinity(const QString& text) {
+  return text.toHtmlEscaped().replace(QStringLiteral("G∞"), QStringLiteral("G<sub>∞</sub>"));
+}
+
 }  // namespace
 
 QString formulaHtml(std::string_view formula) {
-  QString text = formulaInLanguage(formula).toHtmlEscaped();
+  QString text = withLoweredInfinity(formulaInLanguage(formula));
   static const QRegularExpression low(QStringLiteral("_(\\p{L}[\\p{L}\\d]*|∞)"));
   static const QRegularExpression raised(QStringLiteral("\\^(?:\\(([^()]*)\\)|(\\p{L}|\\d))"));
   text.replace(low, QStringLiteral("<sub>\\1</sub>"));
@@ -186,8 +206,7 @@ QString formulaText(std::string_view formula) {
 }
 
 QString richText(const QString& text) {
-  QString rich = text.toHtmlEscaped();
-  return rich.replace(QStringLiteral("\u2099"), QLatin1String("<sub>N</sub>"));
+  return withLoweredInfinity(text).replace(QStringLiteral("\u2099"), QLatin1String("<sub>N</sub>"));
 }
 
 QString explanationHtml(const HoverExplanation& explanation, const QString& title,

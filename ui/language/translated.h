@@ -25,6 +25,9 @@ std::optional<std::string> findTranslation(const Message& english);
 std::string translated(const Message& english);
 QString translatedText(const Message& english);
 
+/// Returns the translation as charts and readings show it: its numbers have groups of thousands.
+QString readingText(const Message& english);
+
 /// Returns a text with a capital letter, as entries of menus and headings begin.
 QString capitalized(const QString& text);
 
@@ -40,7 +43,7 @@ QString translatedError(const std::exception& error);
 QString sceneText(std::string_view text);
 bool isTranslatedScene(std::string_view text);
 
-/// Translates all titles, names and labels, which then have only their text.
+/// Translates all titles, names and labels, as readingText(); they then have only their text.
 DiagramSheet translated(DiagramSheet sheet);
 
 /// Returns a formula as rich text: "F_N" with a lowered N, "h^2" with a raised 2.
@@ -49,7 +52,8 @@ QString formulaHtml(std::string_view formula);
 /// Returns a formula as plain text: "Fₙ", and "L_c" where there is no small lowered letter.
 QString formulaText(std::string_view formula);
 
-/// Returns a plain text as rich text, in which the normal force "Fₙ" has a lowered capital N.
+/// Returns a plain text as rich text, in which the normal force "Fₙ" has a lowered capital N and
+/// the modulus "G∞" a lowered sign.
 QString richText(const QString& text);
 
 /// Returns title, sentence and formula as rich text for a tooltip; an empty title is left out.

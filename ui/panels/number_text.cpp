@@ -32,7 +32,7 @@ QString shownNumber(double value) {
 }
 
 QString quantityLabel(double value, std::string_view unit, int digits) {
-  return inLanguage(QString::fromStdString(printedQuantity(value, unit, digits)));
+  return QString::fromStdString(readingInLanguage(printedQuantity(value, unit, digits)));
 }
 
 QString valueText(const ParameterValue& value) {
@@ -209,7 +209,7 @@ namespace {
 
 QString endInWords(double value, const NumberRule& rule) {
   if (rule.isWhole) return QString::number(static_cast<qint64>(value));
-  return quantityLabel(value, rule.unit.toStdString());
+  return inLanguage(QString::fromStdString(printedQuantity(value, rule.unit.toStdString())));
 }
 
 TypedQuantity readQuantity(const QString& text, const NumberRule& rule) {

@@ -16,7 +16,7 @@ QString numberText(double value);
 /// Returns the same with the decimal sign of the current language.
 QString shownNumber(double value);
 
-/// Returns printedQuantity() in the current language, as widgets show it.
+/// Returns printedQuantity() in the current language, as widgets show readings.
 QString quantityLabel(double value, std::string_view unit, int digits = 3);
 
 /// Returns the value as an entry field shows it.

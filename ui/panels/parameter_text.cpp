@@ -80,6 +80,13 @@ QString labelWithSymbol(const Parameter& parameter) {
   return label + (hasWords ? "&nbsp;&nbsp;" : "&nbsp; ") + symbolHtml(parameter.symbol);
 }
 
+QString errorWithLabel(const InputError& error) {
+  const QString text = translatedText(error.message());
+  const Parameter* parameter = findParameter(error.key());
+  if (parameter) return ParameterRow::labelText(*parameter) + ": " + text;
+  return error.key().starts_with("--") ? text : translatedError(error);
+}
+
 bool isFound(const Parameter& parameter, const QStringList& words, bool inSentence) {
   const QString text = ParameterRow::labelText(parameter) + ' ' + fromUtf8(parameter.label) + ' ' +
                        fromUtf8(parameter.key);

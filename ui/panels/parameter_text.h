@@ -6,6 +6,7 @@
 #include <QString>
 #include <QStringList>
 
+#include "core/base/input_error.h"
 #include "core/scene/parameters.h"
 #include "ui/panels/number_text.h"
 
@@ -13,6 +14,10 @@ namespace asperity {
 
 /// Returns "shear modulus G" as HTML; a label that ends with its symbol, "shift C1", has it once.
 QString labelWithSymbol(const Parameter& parameter);
+
+/// Returns an error with the label of its parameter instead of the key, and without the name of an
+/// option.
+QString errorWithLabel(const InputError& error);
 
 /// Returns whether all words are found in the parameter's label, its key, its symbol or its unit.
 /// inSentence: or in the sentence that describes it.

@@ -812,7 +812,7 @@ class Fit:
         values = ", ".join(f"{row['key']} = {row['value']:.5g} ({row['low']:.5g} to "
                            f"{row['high']:.5g}) {row['unit']}".rstrip()
                            for row in self.data["parameters"])
-        return f"<Fit: {values}; chi squared {self.data['chi_squared']:.4g}>"
+        return f"<Fit: {values}; χ² = {self.data['chi_squared']:.4g}>"
 
 
 def _data_text(columns):

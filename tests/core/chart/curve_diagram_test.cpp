@@ -47,6 +47,26 @@ TEST(CurveDiagram, ShadesAndNamesTheRegions) {
   EXPECT_THAT(sheet.note.english(), testing::HasSubstr("read from the curve"));
 }
 
+/// Without friction nothing is drawn, over the axis of the sweep and some decades of friction.
+TEST(CurveDiagram, AnElasticBodyHasTheAxesOfItsSweep) {
+  Scene scene = smallScene();
+  scene.elastomer.rheology = Rheology::Elastic;
+  const std::vector<CurvePoint> points = frictionCurve(scene).points;
+  const Diagram diagram = curveSheet(scene, points).diagrams.front();
+  EXPECT_FALSE(diagram.blank.empty());
+  EXPECT_LT(diagram.x.from, points.front().velocity);
+  EXPECT_GT(diagram.x.from, points.front().velocity / 2);
+  EXPECT_GT(diagram.x.to, points.back().velocity);
+  EXPECT_LT(diagram.x.to, points.back().velocity * 2);
+  EXPECT_EQ(diagram.y.from, kEmptyFrictionFrom);
+  EXPECT_EQ(diagram.y.to, kEmptyFrictionTo);
+  CurveSet chosen;
+  chosen.present = {{}, scene, points};
+  chosen.yFrom = 1e-3;
+  chosen.yTo = 1;
+  EXPECT_EQ(curveSheet(chosen).diagrams.front().y.from, 1e-3);
+}
+
 TEST(CurveDiagram, PinnedCurvesHaveMarksAndColoursOfTheirOwn) {
   const Scene scene = smallScene();
   Scene stiff = scene;

@@ -50,6 +50,16 @@ TEST(CurveWords, NameRowsWithoutSymbolAndChoices) {
   EXPECT_EQ(words.find("G = "), words.npos) << "what does not apply is not said: " << words;
 }
 
+/// A curve to a target beside one with stated lines.
+TEST(CurveWords, NameNoTargetWhereThereIsNone) {
+  Scene scene, target;
+  target.accuracy.targetRelativeError = 0.05;
+  EXPECT_EQ(describeDifferences(target, scene).english(), "target error = 0.05");
+  const std::string words = describeDifferences(scene, target).english();
+  EXPECT_EQ(words.find("target"), words.npos) << words;
+  EXPECT_NE(words, "") << "it has points per element instead";
+}
+
 TEST(CurveWords, SayATemperatureThatShifts) {
   Scene scene, other;
   other.elastomer.temperature = 320;

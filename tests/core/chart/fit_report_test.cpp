@@ -50,5 +50,16 @@ TEST(FitSheet, WithLocalFrictionHasTheTheoriesAndTheBandOfTheTotal) {
   for (std::size_t i = 0; i < points.size(); ++i) EXPECT_EQ(band.points[i].y, totalMu(points[i]));
 }
 
+/// In the notation of the window.
+TEST(FitReport, NamesTheSumOfSquaresByItsSign) {
+  Fit fit;
+  fit.chiSquared = 12.5;
+  fit.freedom = 11;
+  const std::vector<Message> lines = describeFit(fit);
+  EXPECT_TRUE(std::ranges::any_of(lines, [](const Message& line) {
+    return line.english() == "\u03C7\u00B2 = 12.5 for 11 degrees of freedom";
+  }));
+}
+
 }  // namespace
 }  // namespace asperity

@@ -134,6 +134,38 @@ TEST_F(ChartViewTest, PaintsErrorBarsUpAndDown) {
   EXPECT_FALSE(has(toQColor(0), at(30, 0.2)));  // an error that is not known has no bar
 }
 
+/// On a screen with a high density marks may lie between two of the window's pixels.
+TEST_F(ChartViewTest, MarksLieOnTheirErrorBars) {
+  DiagramSheet sheet = sampleSheet();
+  Diagram& diagram = sheet.diagrams[0];
+  diagram.marker.reset();
+  std::vector<DiagramPoint> points;
+  for (const double x : {0.0031, 0.017, 0.071, 0.37, 2.3, 17.0, 130.0})
+    points.push_back({x, 0.02, 0.004, 0.1});
+  diagram.series = {seriesWith(kPresentCurve, 0, points)};
+  view_->setSheet(sheet);
+  QTest::qWait(1);
+  constexpr int kDensity = 2;
+  QImage picture(kDensity * view_->size(), QImage::Format_RGB32);
+  picture.setDevicePixelRatio(kDensity);
+  view_->render(&picture);
+  // The middle of the blue pixels in a row around a point.
+  const auto middle = [&](double x, double y) {
+    const QPoint place = kDensity * at(x, y);
+    double weight = 0, sum = 0;
+    for (int dx = -14; dx <= 14; ++dx) {
+      const int red = picture.pixelColor(place + QPoint(dx, 0)).red();
+      if (red > 180) continue;  // background and grid
+      weight += 255 - red;
+      sum += (255 - red) * (place.x() + dx);
+    }
+    EXPECT_GT(weight, 0);
+    return sum / weight;
+  };
+  for (const DiagramPoint& point : points)
+    EXPECT_NEAR(middle(point.x, 0.02), middle(point.x, 0.06), 0.2) << point.x;
+}
+
 TEST_F(ChartViewTest, SkipsNegativeValues) {
   for (double y = 2e-4; y < 1; y *= 1.1) EXPECT_FALSE(has(toQColor(0), at(0.3, y)));
 }

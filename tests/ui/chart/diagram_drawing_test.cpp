@@ -288,6 +288,27 @@ TEST(DiagramDrawing, TheAxisBelowANarrowDiagramHasTwoNumbers) {
 }
 
 /// The sentence that says why there is no curve is not crossed by the line of the present state.
+/// The axis is that of the significant bars; a longer interval ends in an arrow at the frame.
+TEST(DiagramDrawing, AnIntervalBeyondTheAxisEndsInAnArrow) {
+  DiagramSheet sheet;
+  Diagram& diagram = sheet.diagrams.emplace_back();
+  diagram.x = {"exponent", "", AxisScale::Linear, -0.2, 1};
+  diagram.y = {"", "", AxisScale::Linear};
+  diagram.bars = {{"force", 0.5, 0.1}, {"seed", 0.1, 5}};
+  const Theme theme = printTheme();
+  const DrawList list = composeDiagrams(sheet, {.theme = theme});
+  const QRectF frame = diagramFrames(sheet, {.theme = theme}).front().area;
+  std::size_t heads = 0;
+  for (const DrawLine& line : linesOf(list, theme.faintText)) {
+    heads += line.vertices.size() == 3;
+    for (const DrawVertex& vertex : line.vertices) {
+      EXPECT_GE(vertex.x, frame.left() - 1);
+      EXPECT_LE(vertex.x, frame.right() + 1);
+    }
+  }
+  EXPECT_EQ(heads, 2U);
+}
+
 TEST(DiagramDrawing, TheLineOfTheMarkerDoesNotCrossTheSentence) {
   DiagramSheet sheet;
   Diagram diagram;

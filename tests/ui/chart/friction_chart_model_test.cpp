@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "ui/chart/friction_chart_model.h"
@@ -153,10 +154,45 @@ TEST(FrictionChartModelTest, AMotionMovesItsMarkerAndLeavesATrace) {
   EXPECT_EQ(plot.marker->y, 8e-4);
   EXPECT_EQ(plot.marker->label.english(), "|v| = 250 mm/s");
   EXPECT_EQ(plot.marker->name.english(), "this motion, now");
-  ASSERT_EQ(plot.marker->trace.size(), 3U);  // no line through rest
-  EXPECT_EQ(plot.marker->trace[0].x, 0.5);
-  EXPECT_TRUE(std::isnan(plot.marker->trace[1].x));
-  EXPECT_EQ(plot.marker->trace[2].y, 8e-4);
+  const std::vector<DiagramPoint>& trace = plot.marker->trace;
+  ASSERT_GE(trace.size(), 3U);
+  EXPECT_EQ(trace.front().x, 0.5);
+  EXPECT_EQ(
+      std::ranges::count_if(trace, [](const DiagramPoint& point) { return std::isnan(point.x); }),
+      1)
+      << "no line through rest";
+  EXPECT_EQ(trace.back().y, 8e-4);
+}
+
+/// Straight lines between the steps are bent on logarithmic axes, near rest and where friction
+/// changes its direction. The path is drawn in this form, and not beyond the steps.
+TEST(FrictionChartModelTest, TheTraceOfAMotionIsSmoothNearRest) {
+  const auto at = [](double velocity, double friction) {
+    TransientSample one = sample(velocity, std::abs(friction));
+    one.tangentialForce = friction;
+    return one;
+  };
+  FrictionChartModel diagram;
+  diagram.take(update({}, {point(1e-5, 1e-5), point(1e3, 2e-3)}));
+  diagram.mark(motionFrame({at(1, 1e-3), at(0.1, 1e-4), at(0.01, -2e-4), at(-0.1, -1e-3)}));
+  const std::vector<DiagramPoint> trace = diagramOf(diagram).marker->trace;
+  double before = kNotApplicable;
+  int gaps = 0;
+  for (const DiagramPoint& point : trace) {
+    if (std::isnan(point.x)) {
+      ++gaps;
+      before = kNotApplicable;
+      continue;
+    }
+    EXPECT_GE(point.x, 1e-5) << "the least velocity of the sweep";
+    EXPECT_GE(point.y, 1e-4);
+    if (!std::isnan(before)) {
+      EXPECT_LT(std::abs(std::log(point.x / before)), std::log(2)) << point.x;
+    }
+    before = point.x;
+  }
+  EXPECT_EQ(gaps, 2) << "friction through 0, velocity through 0";
+  EXPECT_NEAR(trace[1].y / trace[1].x, 1e-3, 1e-12) << "between the first two samples";
 }
 
 /// At its turning points a motion is at rest, which has no place on a logarithmic axis.

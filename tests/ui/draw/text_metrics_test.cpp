@@ -61,6 +61,16 @@ TEST(TextMetrics, DamagedTextIsMeasuredAllTheSame) {
   EXPECT_EQ(textWidth("", 10), 0);
 }
 
+/// As in a subtitle or a legend, beside numbers that may be infinite.
+TEST(TextMetrics, TheEquilibriumModulusHasALoweredSign) {
+  DrawList list;
+  addLabel(list, "H = 0.7, G\u221E = 1 MPa, F\u2099 = \u221E", {20, 100}, 12, TextAnchor::Left, {});
+  std::vector<std::string> lowered, usual;
+  for (const DrawText& text : list.texts) (text.size < 12 ? lowered : usual).push_back(text.utf8);
+  EXPECT_EQ(lowered, (std::vector<std::string>{"\u221E", "N"}));
+  EXPECT_EQ(usual, (std::vector<std::string>{"H = 0.7, G", " = 1 MPa, F", " = \u221E"}));
+}
+
 /// As the title of an axis: read from below, its pieces lie above each other.
 TEST(TextMetrics, AnUprightLabelHasALoweredN) {
   DrawList list;

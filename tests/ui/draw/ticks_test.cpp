@@ -82,7 +82,7 @@ TEST(ShortNumber, KeepsThreeDigits) {
   EXPECT_EQ(shortNumber(1), "1");
   EXPECT_EQ(shortNumber(100), "100");
   EXPECT_EQ(shortNumber(0.9999), "1");
-  EXPECT_EQ(shortNumber(2944, 2), "2900");
+  EXPECT_EQ(shortNumber(2944, 2), "2,900");
   EXPECT_EQ(shortNumber(2.3e-5), "2.3\u00D710\u207B\u2075");
   EXPECT_EQ(shortNumber(-4e12), "\u22124\u00D710\u00B9\u00B2");
   EXPECT_EQ(shortNumber(kInfinite), "\u2013");
@@ -176,22 +176,24 @@ TEST(FactorText, GroupsThousands) {
   EXPECT_EQ(factorText(999.9), "1,000");
 }
 
-TEST(GroupedNumber, HasTheGroupsOfTheLanguage) {
-  EXPECT_EQ(grouped("999.5 s"), "999.5 s");
-  EXPECT_EQ(grouped("1000"), "1,000");
-  EXPECT_EQ(grouped("−12300.25 m/s"), "−12,300.25 m/s");
-  EXPECT_EQ(grouped("2.3×10⁵"), "2.3×10⁵");
-  EXPECT_EQ(grouped("–"), "–");
-  EXPECT_EQ(grouped(""), "");
+TEST(ReadingInLanguage, HasItsGroupsOfThousands) {
+  EXPECT_EQ(readingInLanguage("999.5 s"), "999.5 s");
+  EXPECT_EQ(readingInLanguage("1000"), "1,000");
+  EXPECT_EQ(readingInLanguage("−12300.25 m/s"), "−12,300.25 m/s");
+  EXPECT_EQ(readingInLanguage("2.3×10⁵"), "2.3×10⁵");
+  EXPECT_EQ(readingInLanguage("–"), "–");
+  EXPECT_EQ(readingInLanguage(""), "");
   useLanguage("de");
-  EXPECT_EQ(grouped("12300,25 s"), "12.300,25 s");
+  EXPECT_EQ(readingInLanguage("12300.25 s"), "12.300,25 s");
   useLanguage("en");
 }
 
-TEST(GroupedNumber, MayBeTheValueOfAText) {
-  EXPECT_EQ(groupedValue("v = 1000 m/s"), "v = 1,000 m/s");
-  EXPECT_EQ(groupedValue("|v| = 250 mm/s"), "|v| = 250 mm/s");
-  EXPECT_EQ(groupedValue("realizations 2000"), "realizations 2000");
+/// Numbers on axes, beside them and in readings are written alike.
+TEST(ReadingInLanguage, IsThatOfAxesAndReadings) {
+  EXPECT_EQ(labels(linearTicks(0, 20000, 3, "1/m")), "0 10,000 20,000 1/m");
+  EXPECT_EQ(shortNumber(12300), "12,300");
+  EXPECT_EQ(quantity(1000, "m/s"), "1,000 m/s");
+  EXPECT_EQ(readingLabel(12300), QStringLiteral("12,300"));
 }
 
 TEST(ReadingLabel, ReadsLikePrint) {

@@ -17,5 +17,12 @@ TEST(Explained, TheNormalForceHasALoweredN) {
   EXPECT_FALSE(tip.contains("F_N")) << tip.toStdString();
 }
 
+TEST(Explained, TheEquilibriumModulusHasALoweredSign) {
+  EXPECT_EQ(richText(QStringLiteral("G∞ = 1 MPa, ×÷ ∞")),
+            QStringLiteral("G<sub>∞</sub> = 1 MPa, ×÷ ∞"));
+  EXPECT_EQ(formulaHtml("G(t) = G∞ + Σ G_i"),
+            QStringLiteral("G(t) = G<sub>∞</sub> + Σ G<sub>i</sub>"));
+}
+
 }  // namespace
 }  // namespace asperity

@@ -42,6 +42,19 @@ TEST_F(Translated, NumbersArePrintedInOneStyle) {
     EXPECT_EQ(translated(message("{}", text)), text);
 }
 
+/// What a chart or a reading says has groups of thousands, which nobody can type into an entry.
+TEST_F(Translated, ReadingsHaveGroupsOfThousands) {
+  useLanguage("en");
+  const Message speed = message("v = {}", PrintedNumber{printedQuantity(1234, "m/s", 4)});
+  EXPECT_EQ(readingText(speed), "v = 1,234 m/s");
+  EXPECT_EQ(translated(speed), "v = 1234 m/s");
+  DiagramSheet sheet;
+  sheet.subtitle = speed;
+  EXPECT_EQ(translated(sheet).subtitle.text, "v = 1,234 m/s");
+  useLanguage("de");
+  EXPECT_EQ(readingText(speed), "v = 1.234 m/s");
+}
+
 TEST_F(Translated, LargeAndSmallNumbersArePowersOfTen) {
   EXPECT_EQ(translated(message("{:.3g}", 1e5)), "10\u2075");
   EXPECT_EQ(translated(message("{:.3g}", 2.5e5)), "2,5\u00D710\u2075");

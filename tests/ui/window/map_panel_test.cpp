@@ -4,11 +4,14 @@
 
 #include <gtest/gtest.h>
 
+#include <QLabel>
 #include <QSignalSpy>
 #include <QTest>
+#include <algorithm>
 
 #include "tests/core/small_scene.h"
 #include "tests/ui/window/qt_application.h"
+#include "ui/panels/controls.h"
 #include "ui/window/map/map_view.h"
 
 namespace asperity {
@@ -50,10 +53,9 @@ TEST_F(MapPanelTest, TheCrossSetsTwoParametersAndIsDescribed) {
 /// What was changed since the map was computed would be lost.
 TEST_F(MapPanelTest, TheCrossOfAnotherScenesMapDoesNotBringThatSceneBack) {
   ASSERT_TRUE(waitForMap());
-  Scene without = scene_;
-  without.accuracy.scheme = Scheme::Cubic;
-  without.accuracy.targetRelativeError = 0.05;  // a scene that has no map
-  panel_.showScene(without);
+  Scene other = scene_;
+  other.surface.rmsHeight *= 2;
+  panel_.showScene(other);
   QSignalSpy edited(&panel_, &MapPanel::sceneEdited);
   moveCross();
   EXPECT_EQ(edited.count(), 0);
@@ -64,6 +66,62 @@ TEST_F(MapPanelTest, SaysThatTheFirstMapIsBeingComputed) {
   EXPECT_EQ(panel_.view().placeholder(), QStringLiteral("The map is being computed…"));
   ASSERT_TRUE(waitForMap());
   EXPECT_EQ(panel_.view().placeholder(), QString());
+}
+
+/// All cells have the stated lines; the document keeps its target.
+TEST_F(MapPanelTest, ASceneWithATargetHasAMapOfItsStatedLines) {
+  ASSERT_TRUE(waitForMap());
+  const auto& message = *panel_.findChild<QLabel*>("mapMessage");
+  EXPECT_FALSE(message.isVisible());
+  Scene target = scene_;
+  target.accuracy.scheme = Scheme::Cubic;
+  target.accuracy.targetRelativeError = 0.05;
+  target.surface.rmsHeight *= 2;
+  panel_.showScene(target);
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] {
+        return panel_.map()->isFinal &&
+               panel_.map()->scene.surface.rmsHeight > scene_.surface.rmsHeight;
+      },
+      kMapPatience));
+  EXPECT_EQ(panel_.map()->points.front().realizations, scene_.ensemble.realizations);
+  EXPECT_TRUE(message.isVisible());
+  EXPECT_TRUE(message.text().contains("target error")) << message.text().toStdString();
+  QSignalSpy edited(&panel_, &MapPanel::sceneEdited);
+  moveCross();
+  ASSERT_EQ(edited.count(), 1);
+  EXPECT_EQ(edited.front().front().value<Scene>().accuracy.targetRelativeError, 0.05);
+}
+
+/// Over the map it would hide cells.
+TEST_F(MapPanelTest, TheReadingStandsBesideTheCut) {
+  ASSERT_TRUE(waitForMap());
+  MapView& view = panel_.view();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view.isPainted() && view.frames().size() == 2; }));
+  const QImage before = view.grab().toImage();
+  view.setReading("12.3 mm/s, 3.4 mN: 0.00123");
+  const QRectF place = view.placeBesideCut();
+  ASSERT_FALSE(place.isEmpty());
+  const QRect map = view.frames().back().area.toRect();
+  const QImage after = view.grab().toImage();
+  EXPECT_NE(before, after);
+  EXPECT_EQ(before.copy(map), after.copy(map));
+  EXPECT_FALSE(place.intersects(map));
+}
+
+/// A short name leaves its space to a long one.
+TEST_F(MapPanelTest, NamesAreWholeWhereThereIsRoom) {
+  panel_.resize(900, 500);
+  auto& y = *panel_.findChild<ChoiceBox*>("mapY");
+  int longest = 0;
+  for (int i = 0; i < y.count(); ++i)
+    if (y.itemText(i).size() > y.itemText(longest).size()) longest = i;
+  y.setCurrentIndex(longest);
+  QTest::qWait(1);
+  for (const char* name : {"mapX", "mapY", "mapQuantity"}) {
+    const auto& box = *panel_.findChild<ChoiceBox*>(name);
+    EXPECT_GE(box.width(), std::min(box.sizeHint().width(), box.maximumWidth())) << name;
+  }
 }
 
 TEST_F(MapPanelTest, AHiddenMapIsNotComputedOn) {

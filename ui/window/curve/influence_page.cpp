@@ -21,10 +21,12 @@ namespace asperity {
 
 namespace {
 
-/// Returns the scene without its sweep, which does not change friction at the scene's own velocity.
-Scene withoutSweep(const Scene& scene) {
+/// Returns the scene without its sweep, which does not change friction at the scene's own velocity,
+/// and without its target accuracy: differences need the same lines on both sides.
+Scene withStatedLines(const Scene& scene) {
   Scene state = scene;
   state.sweep = {};
+  state.accuracy.targetRelativeError = 0;
   return state;
 }
 
@@ -97,7 +99,7 @@ bool InfluencePage::showsWaves() const {
 }
 
 void InfluencePage::showScene(const Scene& scene) {
-  scene_ = withoutSweep(scene);
+  scene_ = withStatedLines(scene);
   if (isVisible()) compute();
 }
 

@@ -22,7 +22,7 @@
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
-#include "ui/panels/parameter_row.h"
+#include "ui/panels/parameter_text.h"
 #include "ui/window/figures/diagram_view.h"
 #include "ui/window/fit/fit_results.h"
 #include "ui/window/main/window_keys.h"
@@ -36,14 +36,6 @@ constexpr QSize kDefault(1180, 760);  // pixels
 constexpr int kChoicesWidth = 342;    // pixels
 
 enum Sheet { kCurve, kProfiles, kProgress };
-
-/// Returns the error message with the name of its parameter instead of the key.
-QString withParameterNames(const InputError& error) {
-  const QString text = translatedText(error.message());
-  const Parameter* parameter = findParameter(error.key());
-  if (parameter) return ParameterRow::labelText(*parameter) + ": " + text;
-  return error.key().starts_with("--") ? text : translatedError(error);
-}
 
 QString askFolder(QWidget* parent, const QString& proposed) {
   const QString folder =
@@ -177,7 +169,7 @@ void FitPage::begin() {
   try {
     varied = variedParameters(selection, scene);
   } catch (const InputError& error) {
-    return finish(withParameterNames(error));
+    return finish(errorWithLabel(error));
   }
   isFitting_ = true;
   chiSquared_.clear();
@@ -200,7 +192,7 @@ void FitPage::begin() {
           fitted->varied = texts;
           return fitted;
         } catch (const InputError& error) {
-          throw std::runtime_error(withParameterNames(error).toStdString());
+          throw std::runtime_error(errorWithLabel(error).toStdString());
         }
       },
       [this](const std::shared_ptr<FittedCurve>& fitted) {

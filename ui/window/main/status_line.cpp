@@ -43,11 +43,6 @@ double presentFriction(const Frame& frame) {
   return frame.transient ? orMissing(frame.tangentialForce / frame.normalForce) : frame.muSteady;
 }
 
-/// Returns a reading with the groups of thousands that the rate has, too.
-QString groupedReading(double value, int digits = 3, Zeros zeros = Zeros::Drop) {
-  return QString::fromStdString(grouped(shortNumber(value, digits, zeros)));
-}
-
 /// Returns ", mean of 32 ≈ 0.001200 ± 0.4 %", of which the mean ends at the first digit of
 /// the error; empty where all lines agree except for rounding. At a point of the curve it has a
 /// colon.
@@ -61,7 +56,7 @@ QString meanText(const CurveReading& reading) {
   return (reading.isInterpolated ? StatusLine::tr(", mean of %1 ≈ %2 ± %3 %")
                                  : StatusLine::tr(", mean of %1: %2 ± %3 %"))
       .arg(reading.lines)
-      .arg(groupedReading(reading.mu, static_cast<int>(digits), Zeros::Keep),
+      .arg(readingLabel(reading.mu, static_cast<int>(digits), Zeros::Keep),
            shownNumber(roundedToDigits(100 * share, 1)));
 }
 
@@ -307,8 +302,8 @@ void StatusLine::showFrame(const Frame& frame, const CurveReading& reading) {
   regime_->setText(reading.regime);
   QString mean;
   if (std::isfinite(reading.mu) && std::isfinite(reading.error)) mean = meanText(reading);
-  mu_->setText(frictionText(*frame.scene, groupedReading(presentFriction(frame))) + mean);
-  force_->setText(tr("force F̄ = %1").arg(groupedReading(dimensionlessForce(frame))));
+  mu_->setText(frictionText(*frame.scene, readingLabel(presentFriction(frame))) + mean);
+  force_->setText(tr("force F̄ = %1").arg(readingLabel(dimensionlessForce(frame))));
   showVelocity(frame);
   showNotes(reading);
   settling_->setText(frame.isSettling ? tr("settling") : QString());
@@ -406,7 +401,7 @@ void StatusLine::resizeEvent(QResizeEvent* event) {
 /// the force beside it has the reason.
 void StatusLine::showVelocity(const Frame& frame) {
   const double velocity = dimensionlessVelocity(frame);
-  velocity_->setText(std::isfinite(velocity) ? tr("velocity v̄ = %1").arg(groupedReading(velocity))
+  velocity_->setText(std::isfinite(velocity) ? tr("velocity v̄ = %1").arg(readingLabel(velocity))
                                              : QString());
   const QString reason = missingVelocityReason(frame);
   const QString tip =

@@ -1,6 +1,5 @@
 #include "ui/window/map/map_panel.h"
 
-#include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -22,6 +21,7 @@
 #include "ui/language/translated.h"
 #include "ui/panels/controls.h"
 #include "ui/panels/number_text.h"
+#include "ui/panels/parameter_text.h"
 #include "ui/window/map/map_view.h"
 
 namespace asperity {
@@ -101,7 +101,7 @@ MapPanel::MapPanel(QWidget* parent)
       xLabel_(new QLabel),
       yLabel_(new QLabel),
       quantityLabel_(new QLabel),
-      errorLabel_(named<QLabel>("mapComplaint")),
+      message_(named<QLabel>("mapMessage")),
       progressLabel_(named<QLabel>("mapProgress")),
       save_(named<QPushButton>("mapSave")),
       end_(new QStackedWidget),
@@ -109,22 +109,22 @@ MapPanel::MapPanel(QWidget* parent)
   setObjectName("mapPanel");
   save_->setEnabled(false);  // until there is a map
   view_->setPause(kMapPause);
-  for (QComboBox* box : {x_, y_, quantity_}) box->setMaximumWidth(kWidestList);
+  for (ChoiceBox* box : {x_, y_, quantity_}) box->setMaximumWidth(kWidestList);
   auto* row = new QHBoxLayout;
   row->setContentsMargins(8, 4, 8, 0);
   for (const auto& [label, box] :
        {std::pair{xLabel_, x_}, {yLabel_, y_}, {quantityLabel_, quantity_}}) {
     label->setBuddy(box);
-    // The longest names may be shortened; the list shows them whole.
+    // Each list is as wide as its present name; only where that is too much are names shortened.
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setMinimumContentsLength(6);
     row->addWidget(label);
-    row->addWidget(box, 1);
+    row->addWidget(box);
   }
-  row->addStretch();  // what lists of full width leave over is not for the labels
-  errorLabel_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  errorLabel_->hide();  // the lists use its space while there is no error
-  row->addWidget(errorLabel_, kErrorShare);
+  row->addStretch();  // what the lists leave over is not for the labels
+  message_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  message_->hide();  // the lists use its space while there is none
+  row->addWidget(message_, kErrorShare);
   progressLabel_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   end_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
   end_->addWidget(save_);
@@ -159,7 +159,7 @@ void MapPanel::showTexts() {
   for (int i = 0; i < quantity_->count(); ++i)
     quantity_->setItemText(
         i, translatedText(mapQuantityTitle(quantity_->itemData(i).toString().toStdString())));
-  for (QComboBox* box : {x_, y_})
+  for (ChoiceBox* box : {x_, y_})
     for (int i = 0; i < box->count(); ++i)
       if (const Parameter* row = findParameter(box->itemData(i).toString().toStdString()))
         box->setItemText(i, translatedText(row->label));
@@ -174,7 +174,7 @@ QString MapPanel::quantity() const {
 
 /// Offers the numbers that have a meaning in the scene; a choice stays where it can.
 void MapPanel::fillChoosers() {
-  const std::pair<QComboBox*, const char*> choosers[] = {{x_, "sliding.velocity"},
+  const std::pair<ChoiceBox*, const char*> choosers[] = {{x_, "sliding.velocity"},
                                                          {y_, "load.normal_force"}};
   for (const auto& [box, usual] : choosers) {
     const QSignalBlocker quiet(box);
@@ -194,6 +194,7 @@ void MapPanel::fillChoosers() {
 
 void MapPanel::showScene(const Scene& scene) {
   scene_ = scene;
+  target_ = std::exchange(scene_.accuracy.targetRelativeError, 0);
   hasScene_ = true;
   if (isVisible()) compute();
 }
@@ -232,10 +233,11 @@ bool MapPanel::isWaiting() const {
 void MapPanel::compute() {
   if (!hasScene_ || !isVisible()) return;
   fillChoosers();
-  const auto key = [](const QComboBox* box) { return box->currentData().toString().toStdString(); };
+  const auto key = [](const ChoiceBox* box) { return box->currentData().toString().toStdString(); };
   if (x_->count() < 2) return;
   if (requested_ && isCoveredBy(*requested_)) {
     requested_->scene = scene_;
+    showTarget();
     if (map_ && isCoveredBy(*map_)) {
       ParameterMap moved = *map_;
       moved.scene = scene_;
@@ -256,13 +258,13 @@ void MapPanel::compute() {
     work_.cancel();
     requested_.reset();
     showProgress();
-    showError(translatedError(error));
+    showMessage(errorWithLabel(error));
     return;
   }
   lines_ = 0;
   percent_ = 0;
   requested_ = ParameterMap{scene_, x, y, {}, 0, 0, false, false};
-  showError({});
+  showTarget();
   showProgress();
   work_.request(
       [this, scene = scene_, x, y](const BackgroundWork::Run& run) {
@@ -294,7 +296,7 @@ void MapPanel::compute() {
       [this](const QString& reason) {
         requested_.reset();
         showProgress();
-        showError(reason);
+        showMessage(reason);
       });
 }
 
@@ -334,17 +336,29 @@ void MapPanel::moveTo(double x, double y) {
   if (!map_) return;
   if (!isCoveredBy(*map_)) return showCross();
   try {
-    emit sceneEdited(sceneAt(*map_, roundedToDigits(x, kDigits), roundedToDigits(y, kDigits)));
+    Scene edited = sceneAt(*map_, roundedToDigits(x, kDigits), roundedToDigits(y, kDigits));
+    edited.accuracy.targetRelativeError = target_;
+    emit sceneEdited(edited);
   } catch (const InputError&) {
     // Rounding exceeded a limit; the cross continues from the next position.
   }
 }
 
-/// Shows why there is no map. The tooltip has the complete text where the label is too narrow.
-void MapPanel::showError(const QString& text) {
-  errorLabel_->setText(text);
-  errorLabel_->setToolTip(text);
-  errorLabel_->setVisible(!text.isEmpty());
+/// Says that a map has no target accuracy where its scene has one.
+void MapPanel::showTarget() {
+  const bool isLeftOut = target_ > 0 && scene_.accuracy.scheme == Scheme::Cubic;
+  showMessage(isLeftOut ? tr("without the target error") : QString());
+  if (isLeftOut)
+    message_->setToolTip(
+        tr("All cells of a map have the same lines, those that the scene states."));
+}
+
+/// Shows a text beside the lists, as why there is no map. The tooltip has all of it where the label
+/// is too narrow.
+void MapPanel::showMessage(const QString& text) {
+  message_->setText(text);
+  message_->setToolTip(text);
+  message_->setVisible(!text.isEmpty());
 }
 
 /// Says of how many lines the shown values are the mean and how much of the map over all lines is
@@ -369,9 +383,12 @@ void MapPanel::showProgress() {
   save_->setToolTip(reason);
 }
 
-/// The boxes may shorten their texts.
+/// Makes the boxes as wide as their names, which their tips repeat where a box is too narrow.
 void MapPanel::showTips() {
-  for (QComboBox* box : {x_, y_, quantity_}) box->setToolTip(box->currentText());
+  for (ChoiceBox* box : {x_, y_, quantity_}) {
+    box->setShownText(box->currentText());
+    box->setToolTip(box->currentText());
+  }
 }
 
 /// Returns the two values and the friction of the nearest cell.

@@ -1,7 +1,9 @@
 // The tab of the map: friction over two parameters that are chosen, around the present scene. The
 // map is computed in the background while the tab is visible, coarse first; a newer request stops
-// the older one. Where only the two parameters change, the map stays and its cross moves. GUI
-// thread; owned by its parent. Failure: a line of the panel gives the reason.
+// the older one. Where only the two parameters change, the map stays and its cross moves. A scene
+// with a target accuracy has a map of its stated number of lines, because all cells have the same
+// lines; the panel says so. GUI thread; owned by its parent. Failure: a line of the panel gives the
+// reason.
 #pragma once
 
 #include <QWidget>
@@ -12,13 +14,13 @@
 #include "ui/draw/theme.h"
 #include "ui/window/tasks/background_work.h"
 
-class QComboBox;
 class QLabel;
 class QPushButton;
 class QStackedWidget;
 
 namespace asperity {
 
+class ChoiceBox;
 class MapView;
 
 class MapPanel : public QWidget {
@@ -53,16 +55,18 @@ class MapPanel : public QWidget {
   void showCross();
   void moveTo(double x, double y);
   QString readingAt(double x, double y) const;
-  void showError(const QString& text);
+  void showTarget();
+  void showMessage(const QString& text);
   void showProgress();
   void showTips();
   QString quantity() const;
 
-  Scene scene_;
+  Scene scene_;        // without its target accuracy
+  double target_ = 0;  // of the document: the relative error; 0: none
   bool hasScene_ = false;
-  QComboBox *x_, *y_, *quantity_;
+  ChoiceBox *x_, *y_, *quantity_;
   QLabel *xLabel_, *yLabel_, *quantityLabel_;
-  QLabel *errorLabel_, *progressLabel_;
+  QLabel *message_, *progressLabel_;
   QPushButton* save_;
   QStackedWidget* end_;  // of the row: the button or, while it computes, the progress
   MapView* view_;

@@ -8,12 +8,14 @@
 
 #include "ui/chart/diagram_style.h"
 #include "ui/draw/fonts.h"
+#include "ui/language/translated.h"
 
 namespace asperity {
 
 namespace {
 
-constexpr int kCrossColour = 1;  // as the marker of a diagram
+constexpr int kCrossColour = 1;                           // as the marker of a diagram
+constexpr int kLines = Qt::AlignLeft | Qt::TextWordWrap;  // of the reading beside the cut
 
 }  // namespace
 
@@ -138,20 +140,35 @@ void MapView::paintEvent(QPaintEvent* event) {
   paintReading(painter, area);
 }
 
+QRectF MapView::placeBesideCut() const {
+  constexpr qreal kGap = 8, kEdge = 4;  // pixels
+  if (frames().size() < 2) return {};
+  const QRectF& cut = frames().front().area;
+  const QRectF place(QPointF(cut.right() + kGap, cut.top()),
+                     QPointF(width() - kEdge, cut.bottom()));
+  const QRectF text = QFontMetricsF(font()).boundingRect(place, kLines, keptTogether(reading_));
+  return place.contains(text) ? place : QRectF();
+}
+
 void MapView::paintReading(QPainter& painter, const QRectF& frame) const {
   if (reading_.isEmpty()) return;
+  const QString text = keptTogether(reading_);
+  painter.setClipping(false);
+  if (const QRectF place = placeBesideCut(); !place.isEmpty()) {
+    painter.setPen(toQColor(theme().text));
+    return painter.drawText(place, kLines, text);
+  }
   constexpr qreal kAround = 4;                               // pixels
   constexpr int kFlags = Qt::AlignRight | Qt::TextWordWrap;  // a narrow map has it in two lines
   const QRectF available = frame.adjusted(2 * kAround, 0, -2 * kAround, 0);
-  const QSizeF size = QFontMetricsF(font()).boundingRect(available, kFlags, reading_).size();
+  const QSizeF size = QFontMetricsF(font()).boundingRect(available, kFlags, text).size();
   QRectF box(frame.topLeft() + QPointF(0, kAround), size + QSizeF(2 * kAround, kAround));
   box.moveRight(frame.right() - kAround);
-  painter.setClipping(false);
   QColor ground = toQColor(theme().background);
   ground.setAlphaF(0.85F);
   painter.fillRect(box, ground);
   painter.setPen(toQColor(theme().text));
-  painter.drawText(box.adjusted(kAround, 0.5 * kAround, -kAround, 0), kFlags, reading_);
+  painter.drawText(box.adjusted(kAround, 0.5 * kAround, -kAround, 0), kFlags, text);
 }
 
 }  // namespace asperity

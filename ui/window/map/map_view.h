@@ -18,13 +18,17 @@ class MapView : public DiagramView {
   /// Shows the cross here, where the sheet itself has none.
   void setCross(double x, double y);
 
-  /// Shows a text in a corner of the map; an empty one goes away.
+  /// Shows a text beside the cut, above the colour bar, or in a corner of the map where it does not
+  /// fit there; an empty one goes away.
   void setReading(const QString& text);
   QString reading() const { return reading_; }
 
   /// Sets the text that is shown in the middle while there is no map yet.
   void setPlaceholder(const QString& text);
   QString placeholder() const { return placeholder_; }
+
+  /// Returns the place of the reading beside the cut; empty where it does not fit.
+  QRectF placeBesideCut() const;
 
   QSize minimumSizeHint() const override { return {320, 200}; }
 
