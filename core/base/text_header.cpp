@@ -32,6 +32,8 @@ std::size_t keyEnd(std::string_view line) {
 
 namespace {
 
+using Separator = TextDialect::Separator;
+
 /// Returns whether a text ends with a number and its unit, as "Load 30 N" does.
 bool statesQuantity(std::string_view text) {
   const std::size_t number = text.find_first_of("0123456789");
@@ -285,7 +287,6 @@ TextColumn parseColumnName(std::string_view text) {
 
 std::vector<std::string> splitNames(std::string_view line, const TextDialect& dialect,
                                     std::size_t columns) {
-  using Separator = TextDialect::Separator;
   const bool hasPairs =
       dialect.separator == Separator::CommaBlank || dialect.separator == Separator::CommaPair;
   std::vector<std::vector<std::string>> ways;

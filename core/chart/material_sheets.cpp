@@ -18,6 +18,8 @@
 namespace asperity {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 constexpr int kPointsPerDecade = 24;  // of fitted curves
 
 /// Returns frequencies that are evenly spaced in their logarithm, both ends included.
@@ -384,7 +386,6 @@ std::string excitationCsv(const Scene& scene, const Excitation& excitation) {
 }
 
 nlohmann::ordered_json excitationJson(const Scene& scene, const Excitation& excitation) {
-  using Json = nlohmann::ordered_json;
   const auto band = excitation.band(scene.sliding.velocity);
   const auto measured = measuredFrequencies(scene.elastomer);
   const double outside = excitation.shareNotMeasured(scene.sliding.velocity);

@@ -186,8 +186,8 @@ class HeaderReader {
 
   /// Returns whether a rubber may have been tested at this temperature, K.
   static bool isUsual(double kelvin) {
-    constexpr double kColdest = 173, kHottest = 474;
-    return kelvin > kColdest && kelvin < kHottest;
+    constexpr double kColdestUsual = 173, kHottestUsual = 474;
+    return kelvin > kColdestUsual && kelvin < kHottestUsual;
   }
 
   /// Returns whether the line has a temperature whose unit is more than a letter.

@@ -141,7 +141,6 @@ class Literal {
  public:
   Literal(const Line& line, const SlidingConditions& conditions, double normalForce)
       : nodes_(line.nodes()),
-        spacing_(line.spacing),
         memory_(conditions.velocity * conditions.relaxationTime),
         decay_(std::exp(-line.spacing / memory_)),
         elementStiffness_(4 * conditions.shearModulus * line.spacing),
@@ -211,7 +210,7 @@ class Literal {
   }
 
   std::size_t nodes_;
-  double spacing_, memory_, decay_, elementStiffness_;
+  double memory_, decay_, elementStiffness_;
   double load_;  // m, F_N / (4 G dx)
   std::vector<double> heightAboveMinimum_, slope_, depth_;
   double indentation_ = 0;

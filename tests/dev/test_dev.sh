@@ -51,7 +51,8 @@ END
 [[ ! -e $state/broken_configuration ]] || { printf 'CMake Error\n' >&2; exit 1; }
 mkdir -p ".build/$2"
 : >".build/$2/build.ninja"
-printf '%s\n' "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" "ASPERITY_TESTS:BOOL=${*##*TESTS=}" \
+printf '%s\n' "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" "CMAKE_CXX_COMPILER:STRING=/usr/bin/clang++-19" \
+  "ASPERITY_TESTS:BOOL=${*##*TESTS=}" \
   >".build/$2/CMakeCache.txt"
 END
   stand_in clang++-14 <<<''
@@ -244,6 +245,11 @@ test_configures_anew_when_it_must() {
   touch -d '1 minute' "$project/CMakePresets.json"
   call run check
   like 'calls after a change of presets' "$(<"$calls")" '*cmake --preset*'
+  same 'its folder made anew' "$(grep -e --fresh "$calls" || true)" ''
+  sed -i 's/clang.*/g++/' "$project/.build/release/CMakeCache.txt"
+  touch -d '2 minutes' "$project/CMakePresets.json"
+  call run check
+  like 'calls for a folder of another compiler' "$(<"$calls")" '*cmake --preset*--fresh*'
   touch -d '1 minute ago' "$project/CMakePresets.json"
   call run check
   same 'stderr after that' "$err" ''
