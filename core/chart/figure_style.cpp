@@ -454,12 +454,12 @@ DiagramSheet styled(DiagramSheet sheet, const FigureStyle& style) {
       throw InputError(
           "", "--curve-style",
           message("there is no curve {} in the legend, which has {}", number, names.size()));
-    forEachNamed(sheet, names[number - 1], [&wanted = curve](DiagramSeries& series) {
-      if (wanted.paint) series.paint = wanted.paint;
+    forEachNamed(sheet, names[number - 1], [&](DiagramSeries& series) {
+      if (curve.paint) series.paint = curve.paint;
       // A series without a name belongs to the named one, by its own marks.
       if (series.name.empty()) return;
-      if (wanted.mark) series.mark = *wanted.mark;
-      if (wanted.stroke) series.stroke = *wanted.stroke;
+      if (curve.mark) series.mark = *curve.mark;
+      if (curve.stroke) series.stroke = *curve.stroke;
     });
   }
   for (const auto& [key, text] : style.labels) setLabel(sheet, names, key, text);

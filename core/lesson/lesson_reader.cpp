@@ -79,7 +79,7 @@ std::vector<std::string> readAssignments(const Json& keys, const std::string& pa
   if (!keys.is_object()) refuseMember(path, "needs an object of keys");
   std::vector<std::string> assignments;
   for (const auto& [key, value] : keys.items()) {
-    at(path, [&, &key = key] { knownParameter(key); });
+    at(path, [&] { knownParameter(key); });
     if (value.is_object() || value.is_null() || value.is_boolean())
       refuseMember(path + "." + key,
                    message("needs a value; allowed is {}", allowedText(knownParameter(key))));

@@ -49,9 +49,8 @@ Row rowFrom(const Json& json, const std::string& key,
             const std::array<ListMember<Row>, Count>& members, const RowTexts& texts) {
   if (!json.is_object()) throw InputError("", key, texts.wrongType);
   for (const auto& [name, value] : json.items())
-    if (std::none_of(
-            members.begin(), members.end(),
-            [&known = name](const ListMember<Row>& member) { return known == member.name; }))
+    if (std::none_of(members.begin(), members.end(),
+                     [&](const ListMember<Row>& member) { return name == member.name; }))
       throw InputError("", key + "." + shortened(name), texts.unknownKey);
   Row row;
   for (const ListMember<Row>& member : members) {

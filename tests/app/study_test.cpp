@@ -65,7 +65,6 @@ TEST_F(StudyCommandTest, SurvivesBeingKilledAtAnyMoment) {
   const std::string whole = undisturbed();
   std::mt19937 random(1);
   std::uniform_int_distribution<int> moment(0, 250);  // ms
-  int finished = 0;
   long done = 0;
   for (int kill = 0; kill < 100; ++kill) {
     const pid_t child = start({"study", "run", "study.json", "-o", "killed", "--quiet"});
@@ -85,7 +84,6 @@ TEST_F(StudyCommandTest, SurvivesBeingKilledAtAnyMoment) {
     done = now;
     if (done < 1200) continue;
     EXPECT_EQ(table("killed"), whole);
-    ++finished;
     done = 0;
     for (const char* name : {"killed", "killed-wal", "killed-shm", "killed-claims"})
       std::filesystem::remove(program.folder / name);

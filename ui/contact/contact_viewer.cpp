@@ -51,8 +51,8 @@ void ContactViewer::fitHeightsToFrame() {
 }
 
 void ContactViewer::setLabelSpace(double part) {
-  constexpr double kSame = 0.01;  // of the height: the header's texts change it by less
-  if (std::abs(part - labelSpace_) < kSame) return;
+  constexpr double kSameSpace = 0.01;  // of the height: the header's texts change it by less
+  if (std::abs(part - labelSpace_) < kSameSpace) return;
   labelSpace_ = part;
   if (!frame_ || !fitted_) return;
   fitted_->bottom = fitted_->top = 0;

@@ -261,7 +261,7 @@ TEST(Transient, TheEstimateOfErrorsChangesNothingElse) {
 /// Steady march and steady pass agree for every rheology, ever better with finer elements.
 TEST(Transient, StaysInTheSteadyStateOfEveryRheology) {
   for (const auto& [name, elastomer] : allElastomers()) {
-    const auto errorAt = [&elastomer = elastomer](std::int64_t oversampling) {
+    const auto errorAt = [&](std::int64_t oversampling) {
       Scene scene = rough(SlidingKind::Step);
       scene.surface.elements = 128;
       scene.load.normalForce = 0.2;

@@ -365,7 +365,7 @@ TEST_F(LessonsTest, ALessonGoesOnWhereItWasLeft) {
                                               {QMessageBox::No, false, 0}}) {
     int questions = 0;
     QTimer clicker;
-    QObject::connect(&clicker, &QTimer::timeout, [&, button = button] {
+    QObject::connect(&clicker, &QTimer::timeout, [&, button] {
       auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
       if (!box || !box->isVisible()) return;
       ++questions;

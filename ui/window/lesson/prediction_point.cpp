@@ -176,13 +176,13 @@ QRectF PredictionPoint::labelRect(QSizeF label, QPointF at, const QRectF& frame)
       best = candidate;
     }
   if (least <= 0) return best;
-  constexpr float kStep = 6;
+  constexpr float kRingStep = 6;
   constexpr int kRings = 60;
   covered.addBox(toBox(QRectF(at, QSizeF()).adjusted(-kReach, -kReach, kReach, kReach)), 1);
   const auto isFree = [&](const Box& box) { return !(covered.greatestUnder(box) > 0); };
   const auto free =
       boxNear(toDrawPoint(at), static_cast<float>(label.width()),
-              static_cast<float>(label.height()), toBox(frame), covered, kStep, kRings, isFree);
+              static_cast<float>(label.height()), toBox(frame), covered, kRingStep, kRings, isFree);
   return free ? QRectF(free->x, free->y, free->width, free->height) : best;
 }
 
