@@ -48,6 +48,7 @@ bool isTheSame(const std::string& text) {
                                        "Prony",
                                        "EPDM 70",
                                        "Gwyddion",
+                                       "NumPy",
                                        "Zygo",
                                        "Arrhenius",
                                        "Matrix",
