@@ -318,7 +318,7 @@ class Rings {
   std::size_t size() const { return scale_.size(); }
   /// Returns the number of the ring, which may lie beyond the last one. Unit: one wave along x.
   static std::size_t number(double along, double across) {
-    return static_cast<std::size_t>(std::lround(std::hypot(along, across)));
+    return static_cast<std::size_t>(std::sqrt(along * along + across * across) + 0.5);
   }
   double waveAcross(std::size_t row) const {
     return static_cast<double>(std::min(row, rows_ - row)) * waves_;

@@ -298,6 +298,7 @@ Squares meanOfLines(const IsotropicSurface& surface, LineKind kind, bool fromPro
   scene.surface.processing.form = FormRemoval::None;
   scene.surface.line = kind;
   Squares mean;
+  const double squareGradient = surface.squareGradient();
   for (unsigned r = 0; r < kSurfaces; ++r) {
     Topography topography = surface.make(r + 1);
     if (fromProfile) {
@@ -308,7 +309,7 @@ Squares meanOfLines(const IsotropicSurface& surface, LineKind kind, bool fromPro
     }
     const FourierLine line = MeasuredLines(scene, fileOf(std::move(topography))).modes(0);
     mean.height += std::pow(rmsHeight(line) / surface.height, 2) / kSurfaces;
-    mean.slope += std::pow(rmsSlope(line), 2) / surface.squareGradient() / kSurfaces;
+    mean.slope += std::pow(rmsSlope(line), 2) / squareGradient / kSurfaces;
   }
   return mean;
 }
