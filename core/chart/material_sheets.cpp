@@ -340,7 +340,7 @@ DiagramSheet excitationSheet(const Scene& scene, const Excitation& excitation) {
                    lawSeries(law, range, readLoss, "loss modulus G''")};
   tangent.y = {"tan \u03B4", ""};
   tangent.series = {lawSeries(law, range, readTangent, {})};
-  weights.y = {"share of the loss", "", AxisScale::Linear, 0, 1.05};
+  weights.y = {"loss per decade / largest", "", AxisScale::Linear, 0, 1.05};
   DiagramSeries share;
   for (const Excitation::Weight& weight : excitation.weights(scene.sliding.velocity))
     if (weight.frequency >= range.from && weight.frequency <= range.to)

@@ -130,6 +130,9 @@ class HeaderReader {
       if (const auto scale = unit_.empty() ? std::nullopt : temperatureUnit(unit_))
         kelvin = scale->toSi(number);
     if (rank != Rank::Bare && hasOneOf(words, "step steps")) return false;
+    // "run_3C" and "Probe 3C" are names of specimens.
+    const bool isInName = before.ends_with('_') || !areOfTest(words);
+    if (rank == Rank::Bare && found.isLetter && std::abs(number) < 10 && isInName) return false;
     // The temperature of "Curing: 10 min; T = 160 °C" is that of curing; the second of "Aging: 70
     // °C; Temperature: 20 °C" is not.
     const bool isOwn = rank == Rank::Reference || (rank != Rank::Bare && isMakingDone_);
@@ -157,6 +160,10 @@ class HeaderReader {
   bool isBareTemperature(std::string_view before, const TextTemperature& found,
                          std::string_view behind) const {
     if (isLineOfOther_) return false;
+    // "Mischung 1 160 \u00B0C" is mixed at that temperature.
+    constexpr double kHottestBesideMixture = 403;
+    const bool isOfMixture = hasOneOf(wordsIn(text_), "mischung mixture mix");
+    if (isOfMixture && found.kelvin > kHottestBesideMixture) return false;
     before = trimmedBlanks(before);
     const bool isMarked = endsWithOneOf(before, "( [ @");
     before = withoutEnd(before, "@([");

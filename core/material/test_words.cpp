@@ -20,12 +20,12 @@ bool isOfOther(const std::string& word) {
       "schritt differ offset gradient accur abk\u00FChl genauig h\u00F6chst resolution britt "
       "verspr\u00F6 spr\u00F6d crystal kristall soften erweich precision stabil pr\u00E4zis "
       "uniform deviation abweich fluctuat schwank variation error fehler uncertain unsicher "
-      "repeatab sensor f\u00FChler thermocouple thermoelement mdr t90 tc90 ts2");
+      "repeatab sensor f\u00FChler thermocouple thermoelement mooney vicat bath mdr t90 tc90 ts2");
   return isOfMaking(word) || beginsWithOneOf(word, kStems) ||
          isOneOf(word,
                  "bis tg rate wlf c1 c2 c\u2081 c\u2082 max min tmax tmin dt delta \u03B4t \u0394t "
                  "start end final stop anfang ende tm drift limits heizrate twlf tb hdt tr10 tr30 "
-                 "tr50 tr70");
+                 "tr50 tr70 ml ltb vst dvr irm uv dsc bad oil \u00F6l");
 }
 
 }  // namespace
@@ -68,7 +68,11 @@ bool areOfOther(const std::vector<std::string>& all) {
     // "Process temperature"; a process may also be that of the test.
     const bool isProcess =
         word == "process" && i + 1 < words.size() && words[i + 1].starts_with("temp");
-    if (isOfOther(word) || isProcess || (word == "storage" && !isModulus)) return true;
+    // "TR 10": the temperature of a retraction of 10 %
+    const bool isRetraction =
+        word == "tr" && i + 1 < words.size() && isOneOf(words[i + 1], "10 30 50 70");
+    if (isOfOther(word) || isProcess || isRetraction || (word == "storage" && !isModulus))
+      return true;
   }
   return false;
 }

@@ -152,7 +152,7 @@ void requirePlausible(const SurfaceSource& source, const SurfaceDraft& draft,
   if (assumesX && length > kLongestAssumed)
     throw InputError(source.name, "surface.position_unit",
                      message("is needed ({}): the file states no unit of positions, and in metres "
-                             "it would be {:.3g} m long",
+                             "the line would be {:.3g} m long",
                              kUnits, length));
   if (assumesZ && !draft.unknownHeightUnit.empty())
     throw InputError(source.name, "surface.height_unit", unknownUnitText(draft.unknownHeightUnit));

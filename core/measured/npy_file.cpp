@@ -56,7 +56,7 @@ class NpyHeader {
   /// Returns the type of the numbers, "<f8"; what is no word in quotes as it stands.
   std::string_view type() const {
     const std::string_view text = value("descr");
-    if (text.empty()) return text;
+    if (text.empty()) source_.fail(message("the header has no {}", "descr"));
     const std::size_t end = text.find(text.front(), 1);
     const bool isQuoted = (text.front() == '\'' || text.front() == '"') && end != text.npos;
     return isQuoted ? text.substr(1, end - 1) : text.substr(0, text.find(", 'fortran_order'"));
@@ -105,6 +105,8 @@ SurfaceDraft readNpy(const SurfaceSource& source) {
   reader.skip(kMagic.size());
   const auto version = reader.read<std::uint8_t>();
   reader.skip(1);
+  if (version < 1 || version > 3)
+    source.fail(message("is of version {}; 1 to 3 are read", version));
   const std::size_t length =
       version == 1 ? reader.read<std::uint16_t>() : reader.read<std::uint32_t>();
   const NpyHeader header(source, reader.take(length));
@@ -115,13 +117,19 @@ SurfaceDraft readNpy(const SurfaceSource& source) {
   });
   if (type == kTypes.end())
     source.fail(
-        message("holds an array of the type {}; arrays of whole or floating-point numbers "
-                "are read",
+        message("holds an array of the type {}; floating-point numbers of 4 or 8 "
+                "bytes and whole numbers of 1 to 8 bytes are read",
                 Message::name(shortened(word))));
   const std::vector<std::int64_t> shape = header.shape();
   if (shape.empty() || shape.size() > 2)
     source.fail(message("holds an array of {} dimensions; heights have two, or one of a profile",
                         shape.size()));
+  // Of two rows or columns one would be positions.
+  if (shape.size() == 2 && std::ranges::min(shape) == 2)
+    source.fail(
+        message("holds an array of {} x {} numbers; it should have heights alone, whose "
+                "distance is surface.point_spacing",
+                shape.front(), shape.back()));
 
   SurfaceDraft draft;
   draft.facts.format = "npy";
@@ -133,6 +141,8 @@ SurfaceDraft readNpy(const SurfaceSource& source) {
   requireSize(source, stored.columns, stored.rows, reader.left(), type->bytes);
   const std::string_view data =
       reader.take(static_cast<std::size_t>(stored.columns * stored.rows) * type->bytes);
+  if (reader.left() > 0)
+    source.fail(message("goes on behind its array, by {} bytes", reader.left()));
   if (word.front() == '>')
     type->append(source, reversedBytes(data, type->bytes), stored.height);
   else

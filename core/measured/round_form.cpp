@@ -22,14 +22,13 @@ std::optional<Eigen::VectorXd> heightsOf(const Circle& circle, const Eigen::Vect
   return circle[0] + x.array() * (sine + turned) / (cosine + (1 - turned.square()).sqrt());
 }
 
-/// Fits a circle by the method of Gauss and Newton; `circle` is the start. Returns the rms of what
+/// Fits a circle by the method of Gauss and Newton; `circle` is the start, which has
+/// all x. Returns the rms of what
 /// it leaves.
 double fitCircle(Circle& circle, const Eigen::VectorXd& x, const Eigen::VectorXd& z) {
   constexpr int kIterations = 20, kHalvings = 12;
   constexpr double kStep = 1e-6, kConverged = 1e-6;
-  const auto start = heightsOf(circle, x);
-  if (!start) return INFINITY;
-  double left = (z - *start).norm();
+  double left = (z - *heightsOf(circle, x)).norm();
   for (int i = 0; i < kIterations; ++i) {
     const Eigen::VectorXd now = *heightsOf(circle, x);
     Eigen::MatrixXd slopes(x.size(), 3);
@@ -79,6 +78,9 @@ double radiusOfRoundForm(std::span<const double> heights, double spacing) {
       (z - powers * parabola).norm() / std::sqrt(static_cast<double>(x.size()));
   const double steep = 1 + parabola[1] * parabola[1];
   Circle circle(parabola[0], parabola[1], 2 * parabola[2] / (steep * std::sqrt(steep)));
+  // The parabola of a steep form is bent more than its circle, which would end before the profile.
+  constexpr double kLess = 0.9;
+  while (!heightsOf(circle, x)) circle.tail<2>() *= kLess;
   const double byCircle = fitCircle(circle, x, z);
   return byCircle < kClear * byParabola ? half / std::abs(circle[2]) : 0;
 }

@@ -61,11 +61,11 @@ std::vector<Diagram> profileDiagrams(const MeasuredSummary& summary) {
   DiagramSeries raw =
       seriesNamed("raw, about its mean", 1,
                   profilePoints(profile.raw, profile.spacing, meanWithoutGaps(profile.raw)));
+  raw.stroke = SeriesStroke::Dashed;
   DiagramSeries used = seriesNamed("used", 0, profilePoints(profile.used, profile.spacing, 0));
   Diagram frame{.x = {"position", "m", AxisScale::Linear, 0, summary.used.length},
                 .y = {"height", "m", AxisScale::Linear}};
   if (summary.raw.pt <= kDwarfs * summary.used.pt) {
-    raw.stroke = SeriesStroke::Dashed;
     frame.series = {std::move(used), std::move(raw)};
     return {frame};
   }

@@ -313,7 +313,11 @@ CoarseRows MeasuredLines::coarseRows() const {
 }
 
 double MeasuredLines::radiusOfForm(std::int64_t row) const {
-  return longWaves_ ? 0 : radiusOfRoundForm(stretch(row), file_->topography.columnSpacing);
+  // What a parabola leaves of a circle has waves of half the length, of which a cut-off of a
+  // quarter of the length leaves a sixth (ISO 16610-21).
+  constexpr double kRemoves = 0.25;
+  const bool isRemoved = longWaves_ && surface_.processing.longWaveCut <= kRemoves * usedLength_;
+  return isRemoved ? 0 : radiusOfRoundForm(stretch(row), file_->topography.columnSpacing);
 }
 
 ProcessedProfile MeasuredLines::profile(std::int64_t row) const {

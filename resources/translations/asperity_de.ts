@@ -3620,6 +3620,10 @@
         <translation>gewählt: %1</translation>
     </message>
     <message>
+        <source>a tenth</source>
+        <translation>ein Zehntel</translation>
+    </message>
+    <message>
         <source>as in file</source>
         <translation>Datei</translation>
     </message>

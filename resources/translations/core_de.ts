@@ -3615,8 +3615,8 @@
         <translation>ist von einer Art, die auch Gwyddion nicht liest</translation>
     </message>
     <message>
-        <source>is needed (%1): the file states no unit of positions, and in metres it would be %2 m long</source>
-        <translation>wird gebraucht (%1): die Datei nennt keine Einheit der Orte, und in Metern wäre sie %2 m lang</translation>
+        <source>is needed (%1): the file states no unit of positions, and in metres the line would be %2 m long</source>
+        <translation>wird gebraucht (%1): Die Datei nennt keine Einheit der Orte, und in Metern wäre die Linie %2 m lang</translation>
     </message>
     <message>
         <source>is needed (in m): the file does not say how far its points are apart</source>
@@ -3871,8 +3871,20 @@
         <translation>Array von NumPy</translation>
     </message>
     <message>
-        <source>holds an array of the type %1; arrays of whole or floating-point numbers are read</source>
-        <translation>enthält ein Array des Typs %1; gelesen werden Arrays ganzer Zahlen oder von Gleitkommazahlen</translation>
+        <source>holds an array of %1 x %2 numbers; it should have heights alone, whose distance is surface.point_spacing</source>
+        <translation>enthält ein Array von %1 x %2 Zahlen; es sollte nur Höhen haben, deren Abstand surface.point_spacing ist</translation>
+    </message>
+    <message>
+        <source>is of version %1; 1 to 3 are read</source>
+        <translation>ist von Version %1; gelesen werden 1 bis 3</translation>
+    </message>
+    <message>
+        <source>goes on behind its array, by %1 bytes</source>
+        <translation>geht hinter seinem Array weiter, um %1 Byte</translation>
+    </message>
+    <message>
+        <source>holds an array of the type %1; floating-point numbers of 4 or 8 bytes and whole numbers of 1 to 8 bytes are read</source>
+        <translation>enthält ein Array des Typs %1; gelesen werden Gleitkommazahlen von 4 oder 8 Byte und ganze Zahlen von 1 bis 8 Byte</translation>
     </message>
     <message>
         <source>holds an array of %1 dimensions; heights have two, or one of a profile</source>
@@ -4979,8 +4991,8 @@
         <translation>tan δ</translation>
     </message>
     <message>
-        <source>share of the loss</source>
-        <translation>Anteil am Verlust</translation>
+        <source>loss per decade / largest</source>
+        <translation>Verlust je Dekade / größter</translation>
     </message>
     <message>
         <source>nothing is dissipated at this velocity</source>

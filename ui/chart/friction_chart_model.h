@@ -50,7 +50,8 @@ class FrictionChartModel {
   /// Fits the vertical axis to what is shown now, without the decades of earlier curves.
   void fitVerticalAxis();
   /// Fades the marker while it still belongs to the previous scene.
-  void fadeMark(bool fades) { isMarkFaded_ = fades; }
+  /// Returns whether that changes the marker.
+  bool fadeMark(bool fades) { return std::exchange(isMarkFaded_, fades) != fades; }
 
   void setAxes(CurveAxes axes);
   CurveAxes axes() const { return axes_; }

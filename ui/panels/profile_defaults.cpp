@@ -63,6 +63,7 @@ QString zeroText(const Parameter& parameter) {
   if (is("surface.position_column") || is("surface.height_column"))
     return ParameterPanel::tr("automatic");
   if (is("surface.point_spacing")) return ParameterPanel::tr("as in file");
+  if (is("surface.blend_length")) return ParameterPanel::tr("a tenth");
   if (is("surface.row")) return ParameterPanel::tr("all rows");
   if (is("surface.short_wave_cut") || is("surface.long_wave_cut") || is("surface.outliers"))
     return ParameterPanel::tr("none");

@@ -249,11 +249,37 @@ TEST(DmaFile, NumbersInTheNamesOfSamplesAreNoTemperatures) {
         "NR-CB50, aged 168 h at 70 \u00B0C, T = 20 \u00B0C",
         "Mischung A12, cured 10 min at 160 \u00B0C, tested at 20 \u00B0C"})
     EXPECT_NEAR(read(header + "\n" + table).rows.front().temperature, 293.15, 1e-9) << header;
-  for (const std::string header :
-       {"Mischung bei 160 \u00B0C", "Mischung: 160 \u00B0C", "Mix 160 \u00B0C",
-        "NR aged (70 \u00B0C)", "NR_aged_70C", "NR_168h_70C", "NR_20C_to_60C", "NR-20C",
-        "Netzsch_DMA_242C_x", "DMA 242C", "Hardness 60 Shore A, 23 \u00B0C", "TR10: -40 \u00B0C",
-        "DMA_242C", "Td 120 \u00B0C", "swollen (40 \u00B0C)", "NR_RT_C"})
+  for (const std::string header : {"Mischung bei 160 \u00B0C",
+                                   "Mischung: 160 \u00B0C",
+                                   "Mix 160 \u00B0C",
+                                   "NR aged (70 \u00B0C)",
+                                   "NR_aged_70C",
+                                   "NR_168h_70C",
+                                   "NR_20C_to_60C",
+                                   "NR-20C",
+                                   "Netzsch_DMA_242C_x",
+                                   "DMA 242C",
+                                   "Hardness 60 Shore A, 23 \u00B0C",
+                                   "TR10: -40 \u00B0C",
+                                   "ML(1+4) 100 \u00B0C",
+                                   "ML 1+4 @ 100 \u00B0C",
+                                   "TR 10 -40 \u00B0C",
+                                   "LTB -40 \u00B0C",
+                                   "VST 95 \u00B0C",
+                                   "DVR (70 \u00B0C)",
+                                   "DSC: -60 \u00B0C",
+                                   "IRM 903, 70 \u00B0C",
+                                   "UV 60 \u00B0C",
+                                   "Bad A 70 \u00B0C",
+                                   "Mooney 100 \u00B0C",
+                                   "Mix 2 160 \u00B0C",
+                                   "Mischung 1 160 \u00B0C",
+                                   "Mixture A (160 \u00B0C)",
+                                   "run_3C",
+                                   "DMA_242C",
+                                   "Td 120 \u00B0C",
+                                   "swollen (40 \u00B0C)",
+                                   "NR_RT_C"})
     EXPECT_THAT(errorOf(header + "\n" + table),
                 HasSubstr("temperature: is stated nowhere; say at which the moduli were measured"))
         << header;

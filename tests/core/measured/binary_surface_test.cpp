@@ -214,6 +214,7 @@ TEST(NpyFile, ReadsUnsignedNumbersAndProfiles) {
     bytes[begin + 2 * i] = static_cast<char>(0xEA);  // 0xEA60 is 60000
     bytes[begin + 2 * i + 1] = static_cast<char>(0x60 + i);
   }
+  bytes.resize(begin + 8);
   ReadingChoices choices;
   choices.heightUnit = "nm";
   choices.spacing = 1e-6;
@@ -232,7 +233,7 @@ TEST(NpyFile, NamesWhatIsWrong) {
   for (const char* type : {"|O", "<c16", "<U4", "|b1", "<M8[s]"})
     EXPECT_THAT(errorOf(npy<double>(type), choices),
                 HasSubstr(std::string("holds an array of the type ") + type +
-                          "; arrays of whole or floating-point numbers are read"));
+                          "; floating-point numbers of 4 or 8 bytes and whole numbers"));
   const std::string structured = replaced(npy<double>("<f8"), "'<f8'", "[('x', '<f8')]");
   EXPECT_THAT(errorOf(structured, choices), HasSubstr("holds an array of the type [('x', '<f8')"));
   EXPECT_THAT(errorOf(npy<double>("<f8", 1, false, false, "(2, 3, 4)"), choices),
@@ -245,6 +246,12 @@ TEST(NpyFile, NamesWhatIsWrong) {
               HasSubstr("ends too early"));
   EXPECT_THAT(errorOf(replaced(npy<double>("<f8"), "'shape'", "'size_'"), choices),
               HasSubstr("the header has no shape"));
+  EXPECT_THAT(errorOf(npy<double>("<f8", 9), choices), HasSubstr("is of version 9; 1 to 3"));
+  EXPECT_THAT(errorOf(npy<double>("<f8") + "\x93NUMPY", choices),
+              HasSubstr("goes on behind its array, by 6 bytes"));
+  for (const char* shape : {"(2, 6)", "(6, 2)"})
+    EXPECT_THAT(errorOf(npy<double>("<f8", 1, false, false, shape), choices),
+                HasSubstr("it should have heights alone"));
   expectCutOffIsNoHarm(npy<double>("<f8"));
 }
 

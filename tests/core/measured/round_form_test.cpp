@@ -78,6 +78,21 @@ TEST(RoundForm, IsFoundWhereAParabolaLeavesMoreThanTheRoughness) {
   EXPECT_GE(found, count * 9 / 10);
 }
 
+/// Steep forms, also those of one shoulder, whose parabola is bent far more than their circle.
+TEST(RoundForm, IsFoundUpToNearlyAHalfCircle) {
+  constexpr double kRadius = 1e-2;
+  for (const double end : {0.85, 0.9, 0.95})
+    for (const double begin : {-end, -0.3, 0.2}) {
+      const double spacing = (end - begin) * kRadius / kRollerPoints;
+      std::vector<double> heights = selfAffineProfile(1, 0.7, 20);
+      for (std::size_t i = 0; i < kRollerPoints; ++i) {
+        const double x = begin * kRadius + (static_cast<double>(i) + 0.5) * spacing;
+        heights[i] = 1e-6 * heights[i] + std::sqrt(kRadius * kRadius - x * x);
+      }
+      EXPECT_NEAR(radiusOfRoundForm(heights, spacing) / kRadius, 1, 0.05) << begin << ' ' << end;
+    }
+}
+
 /// Gaps and a tilt change nothing.
 TEST(RoundForm, IsFoundInATiltedProfileWithGaps) {
   std::vector<double> heights = roller(0.5, 2e-3);

@@ -149,7 +149,8 @@ int main(int argc, char** argv) {
     }
     if (isWanted && !take(name + "b.png")) return 1;
     if (only == step + 1) break;
-    next->click();
+    // The last one would end the lesson and ask for the answers.
+    if (step + 1 < steps) next->click();
   }
   return 0;
 }

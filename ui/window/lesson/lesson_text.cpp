@@ -121,9 +121,10 @@ QString richText(const std::string& text) {
 
 std::string numberInWords(const LessonNumber& number) {
   if (!number.unit.empty()) return quantity(number.value, number.unit, 3);
-  // The digits of a ratio near 1 show its difference from 1: "1.002", not "1".
-  const bool isNearOne = std::abs(number.value - 1) < 0.02;
-  return shortNumber(number.value, isNearOne ? 4 : 3);
+  // A ratio near 1 shows its difference from 1: "1.002", not "1". A number of four digits is shown
+  // as it was typed: "2,559".
+  const bool hasFourDigits = std::abs(number.value - 1) < 0.02 || std::abs(number.value) >= 1000;
+  return shortNumber(number.value, hasFourDigits ? 4 : 3);
 }
 
 QString pointInWords(const LessonNumber& height, const LessonNumber& place) {

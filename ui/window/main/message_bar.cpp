@@ -180,12 +180,13 @@ void MessageBar::fitText() {
   const QFont font = label_->font();
   const bool isLong = lineLimit_ > 0 && inLines(whole, lineLimit_, available, font) != whole;
   more_->setText(showsAll_ ? tr("less") : tr("more"));
-  more_->setVisible(isLong);
   available -= more_->sizeHint().width() + gap;
   const bool isCut = isLong && !showsAll_;
   label_->setText(isCut ? inLines(whole, lineLimit_, available, font) : whole);
   label_->setToolTip(isCut ? wrappedTip(text_) : QString());
   label_->setAccessibleName(isCut ? text_ : QString());
+  // Last, because it may move the parts and fit the text once more, to the new width.
+  more_->setVisible(isLong);
 }
 
 void MessageBar::resizeEvent(QResizeEvent* event) {

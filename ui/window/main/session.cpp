@@ -184,12 +184,11 @@ void Session::poll() {
   updateWaiting();
 }
 
-/// Fades the marker of the chart while it still belongs to the previous scene.
+/// Fades the marker of the chart while it belongs to the previous scene.
 void Session::updateWaiting() {
   const bool waits = isWaiting();
+  if (friction_.fadeMark(waits || isRefused())) emit markChanged();
   if (std::exchange(wasWaiting_, waits) == waits) return;
-  friction_.fadeMark(waits);
-  emit markChanged();
   emit waitingChanged(waits);
 }
 

@@ -302,7 +302,8 @@ void StatusLine::showFrame(const Frame& frame, const CurveReading& reading) {
   regime_->setText(reading.regime);
   QString mean;
   if (std::isfinite(reading.mu) && std::isfinite(reading.error)) mean = meanText(reading);
-  mu_->setText(frictionText(*frame.scene, readingLabel(presentFriction(frame))) + mean);
+  mu_->setText(frictionText(*frame.scene, readingLabel(presentFriction(frame), 3, Zeros::Keep)) +
+               mean);
   force_->setText(tr("force F̄ = %1").arg(readingLabel(dimensionlessForce(frame))));
   showVelocity(frame);
   showNotes(reading);
