@@ -19,9 +19,11 @@
 #include <QTabBar>
 #include <QTabWidget>
 #include <QTableWidget>
+#include <QTest>
 #include <QToolBar>
 #include <QToolButton>
 #include <QTreeWidget>
+#include <QVBoxLayout>
 #include <algorithm>
 #include <cstdlib>
 #include <map>
@@ -229,25 +231,41 @@ TEST_F(LayoutTest, ALongDescriptionLeavesTheContactItsHeight) {
   window_.document().open(scene);
   auto& bar = control<MessageBar>("descriptionBar");
   ASSERT_TRUE(waitFor([&] { return bar.isVisible(); }));
-  QTest::qWait(50);
   auto& text = *bar.findChild<QLabel*>("messageText");
   auto& more = *bar.findChild<QToolButton*>("moreOfMessage");
   const auto lines = [&] { return text.height() / text.fontMetrics().lineSpacing(); };
-  EXPECT_LE(lines(), 2);
+  EXPECT_TRUE(waitFor([&] { return lines() <= 2 && text.text().endsWith(u'…'); }));
   EXPECT_TRUE(text.text().endsWith(u'…'));
   EXPECT_TRUE(text.toolTip().contains("long description"));
   ASSERT_TRUE(more.isVisible());
   more.click();
-  QTest::qWait(50);
-  EXPECT_GT(lines(), 4);
+  EXPECT_TRUE(waitFor([&] { return lines() > 4; }));
   EXPECT_TRUE(text.text().endsWith(u'.'));
   more.click();
-  QTest::qWait(50);
-  EXPECT_LE(lines(), 2);
+  EXPECT_TRUE(waitFor([&] { return lines() <= 2; }));
   scene.description = "Short.";
   window_.document().open(scene);
   ASSERT_TRUE(waitFor([&] { return text.text() == "Short."; }));
   EXPECT_FALSE(more.isVisible());
+}
+
+/// A presentation, which has no panel beside it, widens the description.
+TEST(MessageBar, ATextTakesTheRoomThatAWiderBarHas) {
+  QWidget page;
+  auto* bar = new MessageBar;
+  (new QVBoxLayout(&page))->addWidget(bar);
+  bar->setLineLimit(1);
+  bar->showNote("This note has more words than a narrow bar has room for, and is whole.");
+  const auto* text = bar->findChild<QLabel*>("messageText");
+  const auto* more = bar->findChild<QToolButton*>("moreOfMessage");
+  page.resize(250, 100);
+  page.show();
+  for (int i = 0; i < 2; ++i) {
+    page.resize(250, 100);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return more->isVisible() && text->text().endsWith(u'…'); }));
+    page.resize(900, 100);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !more->isVisible() && text->text().endsWith(u'.'); }));
+  }
 }
 
 TEST_F(LayoutTest, ThePageOfFiguresShowsOneAtOnceAndNothingOfTheScene) {

@@ -301,8 +301,10 @@ TEST_F(StatusTest, ARefusedSceneIsNoWorkAndItsContactIsDimmed) {
   const auto& veil = control<QLabel>("contactVeil");
   EXPECT_TRUE(veil.isVisible());
   EXPECT_TRUE(veil.text().contains("previous scene"));
+  EXPECT_TRUE(session().friction().marker()->isFaded);
   action("undo").trigger();
   EXPECT_TRUE(waitFor([&] { return !veil.isVisible(); }));
+  EXPECT_FALSE(session().friction().marker()->isFaded);
 }
 
 TEST(StatusLine, ADimensionlessVelocityThatIsMissingIsLeftOut) {
@@ -395,22 +397,22 @@ TEST(StatusLine, TheFrictionOfOneLineIsToldFromTheMeanOfAll) {
   reading.error = 0.003;
   reading.lines = 32;
   line.showFrame(frame, reading);
-  EXPECT_EQ(text(), "this line μ = 0.25, mean of 32: 0.300 ± 1 %");
+  EXPECT_EQ(text(), "this line μ = 0.250, mean of 32: 0.300 ± 1 %");
   line.showFrame(frame, {});
-  EXPECT_EQ(text(), "this line μ = 0.25");
+  EXPECT_EQ(text(), "this line μ = 0.250");
   Scene scene = *frame.scene;
   scene.interface.frictionCoefficient = 0.1;
   frame.scene = std::make_shared<const Scene>(scene);
   line.showFrame(frame, {});
-  EXPECT_EQ(text(), "this line, deformation μ = 0.25");
+  EXPECT_EQ(text(), "this line, deformation μ = 0.250");
   scene.surface.kind = SurfaceKind::Sine;
   frame.scene = std::make_shared<const Scene>(scene);
   line.showFrame(frame, {});
-  EXPECT_EQ(text(), "deformation μ = 0.25");
+  EXPECT_EQ(text(), "deformation μ = 0.250");
   scene.interface = {};
   frame.scene = std::make_shared<const Scene>(scene);
   line.showFrame(frame, {});
-  EXPECT_EQ(text(), "friction μ = 0.25");
+  EXPECT_EQ(text(), "friction μ = 0.250");
 }
 
 /// A long hint in a small window: nothing is computed, and the place of the progress is free.
