@@ -133,8 +133,8 @@ FitErrors fitErrors(const Objective& objective, const Minimum& best) {
                     errors);
   const VectorXd ofPoints = errors.errorScale * errors.errorScale * weights.cwiseInverse();
   const MatrixXd byPoints = response * ofPoints.asDiagonal() * response.transpose();
-  const double known = factorOfFewLines(found);
-  const MatrixXd byLines = known * known * ofLines * ofLines.transpose();
+  const double fewLines = factorOfFewLines(found);
+  const MatrixXd byLines = fewLines * fewLines * ofLines * ofLines.transpose();
   errors.covariance = byPoints + byLines + information.openCovariance();
   errors.isByLines = (byLines.diagonal().array() > byPoints.diagonal().array()).any();
   errors.computed = found.points;

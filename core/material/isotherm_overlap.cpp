@@ -329,25 +329,26 @@ class WindowFit {
     const Eigen::Index rows = 2 * rows_, block = polynomialUnknowns();
     const auto colder = static_cast<Eigen::Index>(window_.colder.size());
     // The variation of the slopes is linear in the coefficients of the polynomials.
-    Eigen::MatrixXd fixed = Eigen::MatrixXd::Zero(rows, 2 * block + 1), slopes = fixed;
-    fixed.leftCols(2 * block) = system_.topLeftCorner(rows, 2 * block);
+    Eigen::MatrixXd unknowns = Eigen::MatrixXd::Zero(rows, 2 * block + 1), slopes = unknowns;
+    unknowns.leftCols(2 * block) = system_.topLeftCorner(rows, 2 * block);
     for (Eigen::Index m = 0; m < 2; ++m)
       for (Eigen::Index i = m * rows_; i < m * rows_ + colder; ++i) {
-        fixed(i, 2 * block) = 1;
+        unknowns(i, 2 * block) = 1;
         for (Eigen::Index k = 1; k < block; ++k)
           slopes(i, m * block + k) =
               static_cast<double>(k) * system_(i, m * block + k - 1) / scale_;
       }
-    const Eigen::MatrixXd polynomials = fixed.leftCols(2 * block);
-    const auto solver = fixed.colPivHouseholderQr();
-    const Eigen::MatrixXd varied =
-        slopes.leftCols(2 * block) - fixed * solver.solve(slopes.leftCols(2 * block));
+    const Eigen::MatrixXd polynomials = unknowns.leftCols(2 * block);
+    const auto solver = unknowns.colPivHouseholderQr();
+    const Eigen::MatrixXd slopeVariation =
+        slopes.leftCols(2 * block) - unknowns * solver.solve(slopes.leftCols(2 * block));
     const Eigen::MatrixXd covariance = (polynomials.transpose() * polynomials)
                                            .ldlt()
                                            .solve(Eigen::MatrixXd::Identity(2 * block, 2 * block));
     const double variance = deviation_ * deviation_;
-    const double expected = variance * (varied * covariance * varied.transpose()).trace();
-    const double square = (varied * coefficients_.head(2 * block)).squaredNorm();
+    const double expected =
+        variance * (slopeVariation * covariance * slopeVariation.transpose()).trace();
+    const double square = (slopeVariation * coefficients_.head(2 * block)).squaredNorm();
     const Eigen::VectorXd shift = slopes.leftCols(2 * block) * coefficients_.head(2 * block);
     const auto ofPolynomials = polynomials.colPivHouseholderQr();
     const auto rest = [&](const Eigen::VectorXd& column) -> Eigen::VectorXd {
@@ -355,11 +356,13 @@ class WindowFit {
     };
     // |vertical beside polynomials and shift|^2 = |vertical|^2 |shift beside vertical|^2 /
     // |shift|^2
-    const double whole = rest(shift).squaredNorm();
-    const double own = whole > 0 ? rest(fixed.col(2 * block)).squaredNorm() *
-                                       std::max(0.0, square - expected) / whole
-                                 : 0;
-    return own > 0 ? std::sqrt(variance / own) : std::numeric_limits<double>::infinity();
+    const double shiftAlone = rest(shift).squaredNorm();
+    const double verticalBesideShift = shiftAlone > 0
+                                           ? rest(unknowns.col(2 * block)).squaredNorm() *
+                                                 std::max(0.0, square - expected) / shiftAlone
+                                           : 0;
+    return verticalBesideShift > 0 ? std::sqrt(variance / verticalBesideShift)
+                                   : std::numeric_limits<double>::infinity();
   }
 
   /// Adds the residuals of one sweep of one modulus about a polynomial of its own.
