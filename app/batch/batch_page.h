@@ -53,8 +53,8 @@ struct BatchResult {
   double lineMu = kNotApplicable, lineIndentation = kNotApplicable;
   double lineContactFraction = kNotApplicable;
   std::vector<std::string> files;  // names in the folder; the picture first
-  Message
-      missed{};  // why its curve or its mean misses the target of its scene; empty: neither does
+  /// Why its curve or its mean misses the target of its scene; empty: neither does.
+  Message missed{};
 
   /// Returns what is wrong with it: its error, or what it misses.
   const Message& fault() const { return item.error.empty() ? missed : item.error; }

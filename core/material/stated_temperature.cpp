@@ -131,8 +131,8 @@ class HeaderReader {
         kelvin = scale->toSi(number);
     if (rank != Rank::Bare && hasOneOf(words, "step steps")) return false;
     // "run_3C" and "Probe 3C" are names of specimens.
-    const bool isInName = before.ends_with('_') || !areOfTest(words);
-    if (rank == Rank::Bare && found.isLetter && std::abs(number) < 10 && isInName) return false;
+    const bool mayBeName = before.ends_with('_') || !areOfTest(words);
+    if (rank == Rank::Bare && found.isLetter && std::abs(number) < 10 && mayBeName) return false;
     // The temperature of "Curing: 10 min; T = 160 °C" is that of curing; the second of "Aging: 70
     // °C; Temperature: 20 °C" is not.
     const bool isOwn = rank == Rank::Reference || (rank != Rank::Bare && isMakingDone_);
@@ -141,7 +141,7 @@ class HeaderReader {
     if (std::ranges::any_of(words, isVague)) {
       rank = Rank::Bare;
     } else if (rank == Rank::Bare && isOfTest) {
-      // "tested after 24 h at 40 \u00B0C" and "test piece swollen at 40 \u00B0C" are in doubt.
+      // "tested after 24 h at 40 °C" and "test piece swollen at 40 °C" are in doubt.
       const std::vector<std::string> ofTest(std::ranges::find_if(words, isTestWord), words.end());
       if (stateDuration(ofTest) || !areOnlyOfTest(ofTest)) return false;
       rank = Rank::Measured;
@@ -160,28 +160,28 @@ class HeaderReader {
   bool isBareTemperature(std::string_view before, const TextTemperature& found,
                          std::string_view behind) const {
     if (isLineOfOther_) return false;
-    // "Mischung 1 160 \u00B0C" is mixed at that temperature.
-    constexpr double kHottestBesideMixture = 403;
-    const bool isOfMixture = hasOneOf(wordsIn(text_), "mischung mixture mix");
-    if (isOfMixture && found.kelvin > kHottestBesideMixture) return false;
+    // "Mischung 1 160 °C" is mixed at that temperature.
+    constexpr double kHottestBesideMixture = 403;  // K
+    if (found.kelvin > kHottestBesideMixture && std::ranges::any_of(wordsIn(text_), isMixture))
+      return false;
     before = trimmedBlanks(before);
     const bool isMarked = endsWithOneOf(before, "( [ @");
     before = withoutEnd(before, "@([");
     const bool isBehindDash = before.ends_with('-') || before.ends_with("\u2013");
     const bool isOne = findTemperatures(text_).size() == 1;
     const bool isInName = before.ends_with('_') && isOne && isUsual(found.kelvin);
-    // "Step 3: 20 \u00B0C"
+    // "Step 3: 20 °C"
     const bool isBehindKey = endsWithOneOf(before, ": =") && areOnlyOfTest(wordsIn(before));
     const std::vector<std::string> front = wordsIn(before);
     const bool isSeparated = isBehindDash || isBehindKey || isMarked || isInName || front.empty() ||
                              isOneOf(lowerCase(before), "at bei \u00E0 t");
-    // "Td 320 \u00B0C" and "Ts 10 \u00B0C" are other temperatures.
+    // "Td 320 °C" and "Ts 10 °C" are other temperatures.
     constexpr std::size_t kSymbol = 3;
     const bool isBehindSymbol =
         !front.empty() && front.back().starts_with('t') && front.back().size() <= kSymbol;
     if (!isSeparated && (found.isLetter || found.unit == "K" || isBehindSymbol)) return false;
     if (!isInName && !wordsIn(behind).empty()) return false;
-    // "3C, 20 \u00B0C": the letter belongs to the name of a sample.
+    // "3C, 20 °C": the letter belongs to the name of a sample.
     if (found.isLetter && hasWrittenOutTemperature()) return false;
     // The parts of "NR_aged_70C" are words.
     std::string parts = text_;

@@ -42,7 +42,7 @@ std::optional<HeaderTemperature> distrustedTemperature(const TextTable& table,
                                                        const TextBlock& block);
 
 /// Returns the one temperature that the name of a file states as a line above a table would:
-/// "NR-CB50_23C.csv", "Sample 3 (60 \u00B0C).txt".
+/// "NR-CB50_23C.csv", "Sample 3 (60 °C).txt".
 std::optional<HeaderTemperature> temperatureInName(const std::string& fileName);
 
 /// Returns the reference temperature (K) of the constants C1 and C2 of a shift: one in a line about

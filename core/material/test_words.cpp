@@ -43,12 +43,16 @@ bool isOfMaking(const std::string& word) {
   return isTempering || isIndex || beginsWithOneOf(word, kStems);
 }
 
+bool isMixture(const std::string& word) {
+  return isOneOf(word, "mischung mixture mix");
+}
+
 std::vector<std::string> withoutNamesOfMixtures(std::vector<std::string> words) {
   for (std::size_t i = 0; i + 1 < words.size();) {
     const std::string& name = words[i + 1];
     const bool isTemperature =
         findTemperature(name + (i + 2 < words.size() ? words[i + 2] : "")).has_value();
-    const bool isNamed = isOneOf(words[i], "mischung mixture mix") && !isTemperature &&
+    const bool isNamed = isMixture(words[i]) && !isTemperature &&
                          !isOneOf(name, "at bei auf for to von of on in mit");
     if (isNamed)
       words.erase(words.begin() + static_cast<std::ptrdiff_t>(i));

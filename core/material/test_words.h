@@ -12,8 +12,11 @@ namespace asperity {
 /// Returns whether a word says that a temperature is one of making or storing the sample.
 bool isOfMaking(const std::string& word);
 
+/// Returns whether a word is "mixture", which is a sample or its making.
+bool isMixture(const std::string& word);
+
 /// Returns the words without "mixture" where it has a name behind it, so that it is the sample:
-/// "Mischung A12". In "mixture at 160 \u00B0C" and "Mix 160 \u00B0C" it is the making.
+/// "Mischung A12". In "mixture at 160 °C" and "Mix 160 °C" it is the making.
 std::vector<std::string> withoutNamesOfMixtures(std::vector<std::string> words);
 
 /// Returns whether words say that a temperature is none of the test. The storage modulus is no

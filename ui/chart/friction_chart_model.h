@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/chart/curve_diagram.h"
@@ -49,8 +50,7 @@ class FrictionChartModel {
   void resetAxes() { resetsAxes_ = true; }
   /// Fits the vertical axis to what is shown now, without the decades of earlier curves.
   void fitVerticalAxis();
-  /// Fades the marker while it still belongs to the previous scene.
-  /// Returns whether that changes the marker.
+  /// Fades the marker while it belongs to the previous scene. Returns whether that changes it.
   bool fadeMark(bool fades) { return std::exchange(isMarkFaded_, fades) != fades; }
 
   void setAxes(CurveAxes axes);

@@ -185,7 +185,7 @@ void MessageBar::fitText() {
   label_->setText(isCut ? inLines(whole, lineLimit_, available, font) : whole);
   label_->setToolTip(isCut ? wrappedTip(text_) : QString());
   label_->setAccessibleName(isCut ? text_ : QString());
-  // Last, because it may move the parts and fit the text once more, to the new width.
+  // This comes last: the button may move the parts, which fits the text again to the new width.
   more_->setVisible(isLong);
 }
 

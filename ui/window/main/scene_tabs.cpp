@@ -338,7 +338,7 @@ void SceneTabs::showFrame(const Frame& frame) {
         {"statistics", [scene = *frame.scene] { return pictureOrigin("statistics", scene); }, {}});
 }
 
-/// A statistics of the previous scene would pass for that of the present one.
+/// A diagram of the previous scene would be taken for that of the present one.
 void SceneTabs::clearFrame() {
   statistics_->show([] { return DiagramSheet{}; });
 }
