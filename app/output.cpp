@@ -12,6 +12,7 @@
 #include "app/pictures/eps_file.h"
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
+#include "core/base/number_text.h"
 #include "core/base/text.h"
 #include "ui/draw/tiff_file.h"
 #include "ui/language/language.h"
@@ -113,6 +114,14 @@ void makeFolder(const std::string& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error || !std::filesystem::is_directory(folder)) throw noFolder(folder);
+}
+
+std::string answerNumber(double value, int digits) {
+  return inLanguage(printedNumber(value, digits));
+}
+
+std::string answerQuantity(double value, std::string_view unit, int digits) {
+  return inLanguage(printedQuantity(value, unit, digits));
 }
 
 std::string wroteLine(const std::string& file) {

@@ -61,6 +61,11 @@ void checkFolder(const std::string& folder);
 /// Makes the folder and its parents where they are missing. Throws InputError.
 void makeFolder(const std::string& folder);
 
+/// Returns a number, or one with its unit, in the present language, as all answers of commands have
+/// it: without groups of thousands, because people type such numbers back.
+std::string answerNumber(double value, int digits = 3);
+std::string answerQuantity(double value, std::string_view unit, int digits = 3);
+
 /// Returns a text of the present language with its values, texts and integers, as a line.
 template <class... Values>
 std::string filledLine(std::string_view form, const Values&... values) {

@@ -20,7 +20,6 @@
 #include "core/scene/sweep.h"
 #include "ui/chart/diagram_picture.h"
 #include "ui/draw/png_file.h"
-#include "ui/draw/ticks.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 
@@ -83,8 +82,8 @@ std::string methodLine(const WorkPrecisionPoint& point, bool isPresent, std::siz
   const std::size_t width = std::max(letterCount(difference), letterCount(error));
   std::string text = fmt::format(
       "  {} {} {}  {}", padded(translated(methodName(point.choice)), nameWidth),
-      column(shortNumber(point.error, 2)), padded(point.isDifference ? difference : error, width),
-      column(quantity(point.secondsWithLine, "s", 2)));
+      column(answerNumber(point.error, 2)), padded(point.isDifference ? difference : error, width),
+      column(answerQuantity(point.secondsWithLine, "s", 2)));
   if (point.isExtrapolated) text += " " + Words::tr("(extrapolated)");
   if (point.isOnFront) text += "  " + Words::tr("best for its time");
   if (isPresent) text += "  " + Words::tr("<- this scene");
@@ -92,7 +91,7 @@ std::string methodLine(const WorkPrecisionPoint& point, bool isPresent, std::siz
 }
 
 std::string marchLine(const RegionPrecision& region) {
-  const auto percent = [](double part) { return shortNumber(100 * part, 2); };
+  const auto percent = [](double part) { return answerNumber(100 * part, 2); };
   std::string text =
       "  " + filled(Words::tr("a march in time: half the step changes friction by %1 %"),
                     {percent(region.timeStepError)});
@@ -105,8 +104,8 @@ std::string summaryText(const WorkPrecision& comparison, const std::string& fold
   std::string text;
   for (const RegionPrecision& region : comparison.regions) {
     text += filledLine(Words::tr("region %1, %2 to %3 m/s"), region.region,
-                       shortNumber(region.velocities.front(), 2),
-                       shortNumber(region.velocities.back(), 2));
+                       answerNumber(region.velocities.front(), 2),
+                       answerNumber(region.velocities.back(), 2));
     std::size_t width = 0;
     for (const WorkPrecisionPoint& point : region.points)
       width = std::max(width, letterCount(translated(methodName(point.choice))));

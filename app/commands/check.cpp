@@ -7,7 +7,6 @@
 #include "app/command_line.h"
 #include "app/output.h"
 #include "core/base/input_error.h"
-#include "core/base/number_text.h"
 #include "core/base/text.h"
 #include "core/contact/steady_sliding.h"
 #include "core/contact/steady_solver.h"
@@ -38,7 +37,7 @@ LawInput makeLawInput(const Scene& scene, const LineSource& source) {
 }
 
 std::string summaryText(const Scene& scene, const LineSource& source, const LawInput& in) {
-  const auto number = [](double value) { return inLanguage(printedNumber(value, 6)); };
+  const auto number = [](double value) { return answerNumber(value, 6); };
   const double spacing = source.length() / static_cast<double>(source.elements());
   std::string text =
       scene.title.empty() ? Words::tr("a valid scene") : printable(translated(scene.title));

@@ -9,7 +9,6 @@
 #include "core/accuracy/compute_curve.h"
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
-#include "core/base/number_text.h"
 #include "core/chart/curve_diagram.h"
 #include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"
@@ -17,7 +16,6 @@
 #include "core/scene/provenance.h"
 #include "core/scene/scene_check.h"
 #include "core/scene/sweep.h"
-#include "ui/draw/ticks.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 
@@ -43,21 +41,21 @@ std::string summaryText(const Curve& curve, const CurveSet& set) {
                                  : filled(Words::tr("%1 realizations"), {std::to_string(lines)}));
   if (curve.marginalFraction > 0)
     text += ", " + filled(Words::tr("%1 % of the balances with a partly loaded element"),
-                          {shortNumber(100 * curve.marginalFraction, 2)});
+                          {answerNumber(100 * curve.marginalFraction, 2)});
   text += "\n";
   if (std::isfinite(curve.achievedError))
     text +=
         filledLine(curve.isTargetMet
                        ? Words::tr("relative error at most %1 at every velocity, target met")
                        : Words::tr("relative error at most %1 at every velocity, target not met"),
-                   shortNumber(curve.achievedError, 2));
+                   answerNumber(curve.achievedError, 2));
   const auto unresolved = std::ranges::count_if(curve.points, [](const CurvePoint& point) {
     return pointNoteSet(point).has(Note::UnresolvedFriction);
   });
   const CurvePoint& first = curve.points.front();
   if (std::isfinite(first.normalForce) && scene.sweep.isOfVelocity())
     text += filledLine(Words::tr("F\u2099 = %1 N on one period; results depend on the width"),
-                       inLanguage(printedNumber(first.normalForce, 6)));
+                       answerNumber(first.normalForce, 6));
   for (const MeasuredCurve& measured : set.measured)
     for (const Message& note : measured.data.notes)
       text += measured.data.name + ": " + translated(note) + "\n";

@@ -11,7 +11,6 @@
 #include "core/friction/theories/theory.h"
 #include "core/run/motion_accuracy.h"
 #include "core/scene/scene_check.h"
-#include "ui/draw/ticks.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 
@@ -19,12 +18,12 @@ namespace asperity {
 namespace {
 
 std::string timeText(double seconds) {
-  if (seconds < 120) return quantity(seconds, "s");
-  return seconds < 7200 ? shortNumber(seconds / 60) + " min" : shortNumber(seconds / 3600) + " h";
+  if (seconds < 120) return answerQuantity(seconds, "s");
+  return seconds < 7200 ? answerNumber(seconds / 60) + " min" : answerNumber(seconds / 3600) + " h";
 }
 
 std::string percent(double part) {
-  return shortNumber(100 * part, 2) + " %";
+  return answerNumber(100 * part, 2) + " %";
 }
 
 std::string budgetText(const ErrorBudget& error) {
@@ -82,7 +81,7 @@ std::string costLines(const std::string& time, const std::string& memory,
 }
 
 std::string mebibytes(double bytes) {
-  return shortNumber(bytes / (1 << 20), 2) + " MiB";
+  return answerNumber(bytes / (1 << 20), 2) + " MiB";
 }
 
 std::string mapLines(const MapCost& map) {
@@ -112,7 +111,7 @@ std::string explanationText(const Explanation& explanation) {
         Words::tr("above %1 few summits carry the load (region IV): F\u2099 / (4 eta v), the "
                   "height that the contacts of one period climb together, is below 0.1 "
                   "h; the border belongs to the finite period and moves with it"),
-        quantity(explanation.fewSummitsVelocity, "m/s"));
+        answerQuantity(explanation.fewSummitsVelocity, "m/s"));
   if (!explanation.excitation.empty()) text += translated(explanation.excitation) + "\n";
   const bool isMirrored =
       scene.surface.kind == SurfaceKind::Measured && scene.surface.processing.seam == Seam::Mirror;
@@ -122,8 +121,8 @@ std::string explanationText(const Explanation& explanation) {
         isMirrored ? Words::tr("F\u2099 = %1 on one period of %2, which is twice the file's; "
                                "F\u2099 / L = %3")
                    : Words::tr("F\u2099 = %1 on one period of %2; F\u2099 / L = %3"),
-        quantity(explanation.normalForce, "N"), quantity(explanation.length, "m"),
-        quantity(explanation.normalForce / explanation.length, "N/m"));
+        answerQuantity(explanation.normalForce, "N"), answerQuantity(explanation.length, "m"),
+        answerQuantity(explanation.normalForce / explanation.length, "N/m"));
   for (const Theory theory : theoriesBeside(scene))
     text += translated(message("{}: {}", Message(theoryEntry(theory).name),
                                Message(theoryEntry(theory).range))) +

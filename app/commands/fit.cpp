@@ -8,13 +8,11 @@
 #include "app/progress_bar.h"
 #include "app/result_files.h"
 #include "core/base/input_error.h"
-#include "core/base/number_text.h"
 #include "core/chart/curve_set.h"
 #include "core/chart/fit_report.h"
 #include "core/scene/data_table.h"
 #include "core/scene/provenance.h"
 #include "core/scene/sweep.h"
-#include "ui/draw/ticks.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 

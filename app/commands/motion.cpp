@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "app/command_line.h"
+#include "app/output.h"
 #include "app/progress_bar.h"
 #include "app/result_files.h"
 #include "core/scene/data_table.h"
 #include "core/scene/provenance.h"
-#include "ui/draw/ticks.h"
 #include "ui/language/language.h"
 
 namespace asperity {
@@ -38,7 +38,7 @@ std::string summaryText(const MotionTable& table) {
   if (std::isfinite(table.muError))
     text +=
         ", " + filled(Words::tr("estimated error of mu by elements and time steps %1 (%2 %)"),
-                      {shortNumber(table.muError, 2), shortNumber(100 * table.relativeError, 2)});
+                      {answerNumber(table.muError, 2), answerNumber(100 * table.relativeError, 2)});
   return text + "\n";
 }
 

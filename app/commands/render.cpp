@@ -24,7 +24,6 @@
 #include "ui/contact/contact_overlay.h"
 #include "ui/contact/contact_probe.h"
 #include "ui/draw/png_file.h"
-#include "ui/draw/ticks.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 
@@ -106,8 +105,8 @@ class Rendering {
   void requireTargets() const { curves_.requireTargets(); }
 
   std::string summary() const {
-    std::string text = "mu = " + shortNumber(lineFriction(last_), 6);
-    if (std::isfinite(last_.muError)) text += " \u00B1 " + shortNumber(last_.muError, 2);
+    std::string text = "mu = " + answerNumber(lineFriction(last_), 6);
+    if (std::isfinite(last_.muError)) text += " \u00B1 " + answerNumber(last_.muError, 2);
     text += "\n";
     if (kind_ == Kind::Picture) return text + wroteLine(command_.output);
     text += framesText() + "\n";

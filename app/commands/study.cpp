@@ -14,12 +14,10 @@
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
 #include "core/base/named_choices.h"
-#include "core/base/number_text.h"
 #include "core/scene/provenance.h"
 #include "core/study/study_report.h"
 #include "core/study/study_run.h"
 #include "core/study/study_table.h"
-#include "ui/draw/ticks.h"
 #include "ui/language/language.h"
 #include "ui/window/main/scene_library.h"
 
@@ -39,8 +37,8 @@ std::string durationText(double seconds) {
   };
   for (const Unit& unit : {Unit{86400, "d"}, Unit{3600, "h"}, Unit{60, "min"}})
     if (seconds >= 2 * unit.seconds)
-      return shortNumber(seconds / unit.seconds, 2) + " " + unit.name;
-  return shortNumber(std::max(seconds, 0.1), 2) + " s";
+      return answerNumber(seconds / unit.seconds, 2) + " " + unit.name;
+  return answerNumber(std::max(seconds, 0.1), 2) + " s";
 }
 
 ParameterStudy loadStudy(const StudyCommand& command) {
@@ -86,7 +84,7 @@ std::string planText(const StudyBudget& budget) {
                      durationText(budget.seconds), budget.threads, budget.trial);
   if (budget.trialFailures > 0)
     text += filledLine(Words::tr("%1 of the trial cannot be computed"), budget.trialFailures);
-  text += filledLine(Words::tr("about %1 MB in the store"), shortNumber(budget.bytes / 1e6, 2));
+  text += filledLine(Words::tr("about %1 MB in the store"), answerNumber(budget.bytes / 1e6, 2));
   return text;
 }
 
@@ -315,7 +313,7 @@ int runStudyShow(const StudyCommand& command) {
   text += filledLine(Words::tr("%1 of %2 simulations done"), done, total);
   if (done > 0 && seconds > 0)
     text += filledLine(Words::tr("%1 simulations a second on one thread"),
-                       shortNumber(static_cast<double>(done) / seconds, 3));
+                       answerNumber(static_cast<double>(done) / seconds, 3));
   if (done < total && done > 0)
     text += filledLine(
         Words::tr("the rest takes about %1 of one thread"),
@@ -360,7 +358,7 @@ int runStudyAnalyse(const StudyCommand& command) {
     for (const SobolIndex& index : one.indices)
       text += filledLine(Words::tr("%1, %2: first order %3, total %4"), one.name,
                          axisName(study.space.axes()[index.axis]),
-                         shortNumber(index.first.value, 2), shortNumber(index.total.value, 2));
+                         answerNumber(index.first.value, 2), answerNumber(index.total.value, 2));
     if (one.failed > 0)
       text += filledLine(Words::tr("%1: %2 simulations without a number are left out"), one.name,
                          one.failed);

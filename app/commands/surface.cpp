@@ -12,7 +12,6 @@
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
 #include "core/base/named_choices.h"
-#include "core/base/number_text.h"
 #include "core/base/text.h"
 #include "core/base/text_encoding.h"
 #include "core/measured/measured_file.h"
@@ -25,7 +24,6 @@
 #include "core/surface/surface_file.h"
 #include "ui/chart/diagram_picture.h"
 #include "ui/draw/png_file.h"
-#include "ui/draw/ticks.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 
@@ -33,7 +31,7 @@ namespace asperity {
 namespace {
 
 std::string summaryText(const Line& line, const std::vector<std::string>& outputs) {
-  const auto number = [](double value) { return inLanguage(printedNumber(value, 6)); };
+  const auto number = [](double value) { return answerNumber(value, 6); };
   std::string text =
       filledLine(Words::tr("length %1 m, %2 points, rms height %3 m, rms slope %4"),
                  number(line.length), line.nodes(), number(line.rmsHeight), number(line.rmsSlope));
@@ -42,7 +40,7 @@ std::string summaryText(const Line& line, const std::vector<std::string>& output
 
 std::string valueText(double value, const std::string& unit) {
   if (!std::isfinite(value)) return "\u2013";
-  return unit.empty() ? shortNumber(value, 4) : quantity(value, unit);
+  return unit.empty() ? answerNumber(value, 4) : answerQuantity(value, unit);
 }
 
 std::string factsText(const std::vector<Message>& facts) {
