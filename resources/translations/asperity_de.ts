@@ -3124,6 +3124,14 @@
         <translation>%1[*] – Asperity</translation>
     </message>
     <message>
+        <source>This scene is being computed</source>
+        <translation>Diese Szene wird noch berechnet</translation>
+    </message>
+    <message>
+        <source>This scene cannot be computed</source>
+        <translation>Diese Szene lässt sich nicht berechnen</translation>
+    </message>
+    <message>
         <source>This is the previous scene; the changed one is being computed</source>
         <translation>Dies ist die vorige Szene; die geänderte wird noch berechnet</translation>
     </message>

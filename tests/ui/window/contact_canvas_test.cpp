@@ -6,6 +6,8 @@
 #include <QAction>
 #include <QContextMenuEvent>
 #include <QHelpEvent>
+#include <QImage>
+#include <QLabel>
 #include <QMenu>
 #include <QNativeGestureEvent>
 #include <QPointingDevice>
@@ -20,6 +22,7 @@
 #include "qt_application.h"
 #include "tests/ui/window/window_in.h"
 #include "ui/contact/contact_signs.h"
+#include "ui/draw/fonts.h"
 #include "ui/language/translated.h"
 
 namespace asperity {
@@ -65,6 +68,24 @@ class ContactCanvasTest : public testing::Test {
 TEST_F(ContactCanvasTest, PlotAreaIsInsideTheWidget) {
   EXPECT_TRUE(QRectF(canvas_.rect()).contains(canvas_.plotArea()));
   EXPECT_GT(canvas_.plotArea().width(), 600);
+}
+
+/// Lines of the picture shine through the veil, but not through the plate of its text.
+TEST_F(ContactCanvasTest, TheTextOfTheVeilStandsOnAPlate) {
+  auto& veil = *canvas_.findChild<QLabel*>("contactVeil");
+  for (const Theme& theme : {lightTheme(), darkTheme()}) {
+    canvas_.setTheme(theme);
+    canvas_.setVeil(QStringLiteral("The changed scene cannot be computed"));
+    QImage drawn(veil.size(), QImage::Format_RGB32);
+    drawn.fill(Qt::magenta);
+    veil.render(&drawn, {}, {}, QWidget::DrawChildren);
+    const QRgb plate = toQColor(theme.background).rgb();
+    const int middle = drawn.height() / 2;
+    EXPECT_NE(drawn.pixel(5, middle), plate);
+    const int left =
+        (drawn.width() - veil.fontMetrics().horizontalAdvance(veil.text())) / 2 - 3;  // of its text
+    EXPECT_EQ(drawn.pixel(left, middle), plate);
+  }
 }
 
 /// With large texts the plot is elsewhere, and the cursor with it.

@@ -182,6 +182,8 @@ TEST_F(StatusTest, ASceneThatCannotBeComputedShowsNoOther) {
   EXPECT_FALSE(session().frame());
   EXPECT_FALSE(window_.canvas().frame());
   EXPECT_TRUE(fact("factMu").isEmpty());
+  // There is no picture of the previous scene under the veil, either.
+  EXPECT_EQ(control<QLabel>("contactVeil").text(), "This scene cannot be computed");
   EXPECT_FALSE(session().friction().marker());
   EXPECT_TRUE(waitFor([&] { return !control<QProgressBar>("workProgress").isVisible(); }));
   EXPECT_FALSE(control<QToolButton>("workStop").isVisible());
@@ -302,9 +304,16 @@ TEST_F(StatusTest, ARefusedSceneIsNoWorkAndItsContactIsDimmed) {
   EXPECT_TRUE(veil.isVisible());
   EXPECT_TRUE(veil.text().contains("previous scene"));
   EXPECT_TRUE(session().friction().marker()->isFaded);
+  const auto areReadingsFaded = [this] {
+    return !control<QLabel>("factMu").isEnabled() && !control<QLabel>("factForce").isEnabled() &&
+           !control<QLabel>("factRegime").isEnabled();
+  };
+  EXPECT_TRUE(areReadingsFaded());
+  EXPECT_TRUE(waitFor([&] { return fact("factSimulations").isEmpty(); }));
   action("undo").trigger();
   EXPECT_TRUE(waitFor([&] { return !veil.isVisible(); }));
   EXPECT_FALSE(session().friction().marker()->isFaded);
+  EXPECT_FALSE(areReadingsFaded());
 }
 
 TEST(StatusLine, ADimensionlessVelocityThatIsMissingIsLeftOut) {

@@ -6,6 +6,7 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QNativeGestureEvent>
+#include <QPainter>
 #include <QPinchGesture>
 #include <QToolTip>
 #include <QVBoxLayout>
@@ -42,10 +43,35 @@ bool prefersOpenGl() {
   return support == OpenGlSupport::Hardware;
 }
 
+/// A text in the middle of a translucent area, on a plate, because lines shine through beside it.
+class Veil : public QLabel {
+ public:
+  using QLabel::QLabel;
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    constexpr int kAir = 8;
+    const int flags = static_cast<int>(alignment()) | Qt::TextWordWrap;
+    constexpr float kOpacity = 0.7F;
+    QPainter painter(this);
+    const QColor ground = palette().color(QPalette::Window);
+    QColor shade = ground;
+    shade.setAlphaF(kOpacity);
+    painter.fillRect(rect(), shade);
+    const QRect place = rect().adjusted(2 * kAir, kAir, -2 * kAir, -kAir);
+    const QRect plate = painter.fontMetrics().boundingRect(place, flags, text());
+    painter.setPen(palette().color(QPalette::Mid));
+    painter.setBrush(ground);
+    painter.drawRect(plate.adjusted(-kAir, -kAir / 2, kAir, kAir / 2));
+    painter.setPen(palette().color(QPalette::WindowText));
+    painter.drawText(place, flags, text());
+  }
+};
+
 }  // namespace
 
 ContactCanvas::ContactCanvas(QWidget* parent)
-    : QWidget(parent), layout_(new QVBoxLayout(this)), veil_(named<QLabel>("contactVeil", this)) {
+    : QWidget(parent), layout_(new QVBoxLayout(this)), veil_(named<Veil>("contactVeil", this)) {
   layout_->setContentsMargins(0, 0, 0, 0);
   setMinimumSize(320, 160);
   setMouseTracking(true);
@@ -92,12 +118,13 @@ void ContactCanvas::setVeil(const QString& reason) {
   veil_->setVisible(!reason.isEmpty());
 }
 
-/// Gives the veil the colour of the background, so that half of the picture shines through.
+/// Gives the veil the colours of the picture.
 void ContactCanvas::paintVeil() {
-  QColor background = toQColor(theme_.background);
-  background.setAlphaF(0.7F);
-  veil_->setStyleSheet(QStringLiteral("QLabel { background: %1; color: %2; }")
-                           .arg(background.name(QColor::HexArgb), toQColor(theme_.text).name()));
+  QPalette palette;
+  palette.setColor(QPalette::Window, toQColor(theme_.background));
+  palette.setColor(QPalette::WindowText, toQColor(theme_.text));
+  palette.setColor(QPalette::Mid, toQColor(theme_.faintText));
+  veil_->setPalette(palette);
 }
 
 void ContactCanvas::resizeEvent(QResizeEvent* event) {

@@ -102,6 +102,7 @@ QString windowStyleSheet(const Theme& theme) {
     QToolBar #qt_toolbar_ext_button { padding: 0; border-radius: 3px; }
     QStatusBar { border-top: 1px solid %3; }
     QStatusBar::item { border: none; }
+    QStatusBar QLabel:disabled, QStatusBar QToolButton:disabled { color: %6; }
     QSplitter::handle { background: %3; }
     QSplitter::handle:hover { background: %5; }
     #messageBar { background: %7; border: none; }

@@ -403,17 +403,23 @@ void MainWindow::connectFrames() {
   connect(status_, &StatusLine::backRequested, this, [this] { document_->history().undo(); });
 }
 
-/// Dims a contact of the previous scene. A scene that was posted twice has its own contact before
-/// the second frame comes.
+/// Dims a contact of the previous scene and its readings. A scene that was posted twice has its own
+/// contact before the second frame comes.
 void MainWindow::showVeil() {
   const bool isWaiting = session_->isWaiting();
   const bool isMissing = isWaiting || session_->isRefused();
   const std::shared_ptr<const Frame> frame = session_->frame();
   const bool hasIt = isMissing && frame && frame->scene && *frame->scene == session_->scene();
-  canvas_->setVeil(!isMissing || hasIt ? QString()
-                   : isWaiting
-                       ? tr("This is the previous scene; the changed one is being computed")
-                       : tr("This is the previous scene; the changed one cannot be computed"));
+  status_->fadeReadings(isMissing && !hasIt);
+  if (!isMissing || hasIt)
+    canvas_->setVeil({});
+  else if (!frame)
+    canvas_->setVeil(isWaiting ? tr("This scene is being computed")
+                               : tr("This scene cannot be computed"));
+  else
+    canvas_->setVeil(isWaiting
+                         ? tr("This is the previous scene; the changed one is being computed")
+                         : tr("This is the previous scene; the changed one cannot be computed"));
 }
 
 void MainWindow::showFrame() {

@@ -107,7 +107,8 @@ QString missingVelocityReason(const Frame& frame) {
 
 Work currentWork(const Session& session) {
   Work work;
-  work.simulationsPerSecond = session.simulationsPerSecond();
+  // The last rate is that of another scene's curve.
+  work.simulationsPerSecond = session.isRefused() ? 0 : session.simulationsPerSecond();
   work.progress = session.friction().progress();
   if (session.isWaiting())
     work.state = Work::State::Waiting;
@@ -315,6 +316,11 @@ void StatusLine::clearReadings() {
   for (QLabel* reading : {mu_, regime_, force_, velocity_, settling_}) reading->clear();
   showNotes({});
   fitReadings();
+}
+
+void StatusLine::fadeReadings(bool fades) {
+  for (QWidget* reading : Widgets{mu_, regime_, force_, velocity_, settling_, notes_})
+    reading->setEnabled(!fades);
 }
 
 /// Shows the number of notes; tooltip and menu have all sentences. The sign appears beside the

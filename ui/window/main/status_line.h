@@ -42,6 +42,8 @@ class StatusLine : public QWidget {
   void showFrame(const Frame& frame, const CurveReading& reading);
   /// Empties the readings: there is no frame of the scene.
   void clearReadings();
+  /// Fades the readings while they belong to the previous scene.
+  void fadeReadings(bool fades);
   void showWork(const Work& work);
 
   /// Shows a message for a few seconds instead of the readings at the right.
