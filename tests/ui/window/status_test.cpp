@@ -497,6 +497,41 @@ TEST(StatusLine, FactsAreWholeOrLeftOutHoweverNarrowTheWindow) {
   EXPECT_LT(least, 4);
 }
 
+/// A mean of many lines is a long text, and a message beside it may be longer than its room.
+TEST(StatusLine, TheMeanIsWholeAndApartFromWhatFollows) {
+  Frame frame = movingFrame(1);
+  frame.tangentialForce = 1.5e-4;
+  frame.normalForce = 1;
+  CurveReading reading;
+  reading.mu = 0.00012345;
+  reading.error = 1e-8;
+  reading.lines = 123456;
+  reading.isInterpolated = true;
+  for (const Language& language : languages()) {
+    useLanguage(language.code);
+    reading.regime = regionText("II");
+    StatusLine line;
+    line.show();
+    const auto& mu = *line.findChild<QLabel*>("factMu");
+    const auto& regime = *line.findChild<QLabel*>("factRegime");
+    const auto isApart = [&] {
+      line.showFrame(frame, reading);
+      QTest::qWait(1);  // the layout is made with the first events
+      constexpr int kGap = 20;
+      EXPECT_GE(mu.width(), mu.fontMetrics().horizontalAdvance(mu.text())) << line.width();
+      EXPECT_TRUE(regime.isHidden() || regime.x() >= mu.geometry().right() + kGap) << line.width();
+    };
+    for (const int width : {700, 800, 1024, 1280, 1920}) {
+      line.setFixedWidth(width);
+      isApart();
+    }
+    line.setFixedWidth(1280);
+    line.showMessage(QString("A message that has no room. ").repeated(10));
+    isApart();
+  }
+  useLanguage("en");
+}
+
 TEST(StatusLine, ASettlingPictureIsNamed) {
   StatusLine line;
   line.setFixedWidth(1280);

@@ -25,11 +25,27 @@
 
 namespace asperity {
 
+/// A reading, which is never narrower than its text and the texts that it keeps room for.
+class StatusReading : public QLabel {
+ public:
+  using QLabel::QLabel;
+  void reserve(int width) {
+    reserved_ = width;
+    updateGeometry();
+  }
+  QSize sizeHint() const override { return QLabel::sizeHint().expandedTo({reserved_, 0}); }
+  QSize minimumSizeHint() const override { return sizeHint(); }
+
+ private:
+  int reserved_ = 0;
+};
+
 namespace {
 
 constexpr int kMessageTime = 5000;     // ms, how long a message is shown
 constexpr int kDrawingInterval = 500;  // ms
 constexpr int kWorkInterval = 100;     // ms
+constexpr int kMeanGap = 10;           // pixels behind the mean, beside the usual spacing
 constexpr int kWorkSpacing = 4;        // pixels between the progress bar and its button
 
 const QString kStopSign = QStringLiteral("✕"), kRestartSign = QStringLiteral("↻");
@@ -141,6 +157,7 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
   // The readings that a narrow window leaves out first are in the middle, so that the others do not
   // move.
   mu_ = addReading(*line, "factMu");
+  line->addSpacing(kMeanGap);
   regime_ = addReading(*line, "factRegime");
   force_ = addReading(*line, "factForce");
   velocity_ = addReading(*line, "factVelocity");
@@ -175,8 +192,8 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
   showWork({});
 }
 
-QLabel* StatusLine::addReading(QHBoxLayout& line, const char* name) {
-  auto* label = named<QLabel>(name);
+StatusReading* StatusLine::addReading(QHBoxLayout& line, const char* name) {
+  auto* label = named<StatusReading>(name);
   line.addWidget(label);
   return label;
 }
@@ -207,18 +224,18 @@ void StatusLine::reserveWidths() {
   const QString number = QStringLiteral("0.00888"), friction = QStringLiteral("0.000888");
   const QString velocity = isOfMotion_ ? QStringLiteral("−") + number : number;
   const QString mean =
-      tr(", mean of %1 ≈ %2 ± %3 %").arg(88).arg(QStringLiteral("0.0008888"), "0.08");
+      tr(", mean of %1 ≈ %2 ± %3 %").arg(888).arg(QStringLiteral("0.0008888"), "0.08");
   QStringList regions;
   for (const char* name : {"I", "II", "III", "IV"}) regions += regionText(name);
-  for (const auto& [reading, texts] : std::initializer_list<std::pair<QLabel*, QStringList>>{
+  for (const auto& [reading, texts] : std::initializer_list<std::pair<StatusReading*, QStringList>>{
            {mu_, {tr("this line μ = %1").arg(friction) + mean}},
            {regime_, regions},
            {force_, {tr("force F̄ = %1").arg(number)}},
            {velocity_, {tr("velocity v̄ = %1").arg(velocity)}},
            {simulations_, {tr("%1 simulations/s").arg(rateText(8800000))}},
            {rate_, {tr("%1 frames/s").arg(888)}}})
-    reading->setMinimumWidth(widestText(*this, texts));
-  for (QLabel* reading : {simulations_, rate_})
+    reading->reserve(widestText(*this, texts));
+  for (StatusReading* reading : {simulations_, rate_})
     reading->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   for (QWidget* widget : Widgets{progress_, stop_}) {
     QSizePolicy policy = widget->sizePolicy();
@@ -313,7 +330,7 @@ void StatusLine::showFrame(const Frame& frame, const CurveReading& reading) {
 }
 
 void StatusLine::clearReadings() {
-  for (QLabel* reading : {mu_, regime_, force_, velocity_, settling_}) reading->clear();
+  for (StatusReading* reading : {mu_, regime_, force_, velocity_, settling_}) reading->clear();
   showNotes({});
   fitReadings();
 }
@@ -351,7 +368,7 @@ void StatusLine::showNotes(const CurveReading& reading) {
 void StatusLine::fitReadings() {
   constexpr int kExtraSpace = 40;  // pixels
   const QMargins margins = layout()->contentsMargins();
-  int available = width() - margins.left() - margins.right();
+  int available = width() - margins.left() - margins.right() - kMeanGap;
   // A message takes the place of work that does not run, and of the less important readings.
   const bool hasMessage = messageTimer_->isActive();
   const bool keepsWork = !hasMessage || work_.state != Work::State::Idle;
@@ -368,10 +385,10 @@ void StatusLine::fitReadings() {
   notes_->setVisible(!shownNotes_.empty());
   if (!shownNotes_.empty()) available -= notes_->sizeHint().width() + layout()->spacing();
   bool fits = true;
-  std::vector<QLabel*> shown;
-  const std::vector<QLabel*> before = std::exchange(leftOut_, {});
+  std::vector<StatusReading*> shown;
+  const std::vector<StatusReading*> before = std::exchange(leftOut_, {});
   // "Settling" comes last, because it appears after every change and must hide no other reading.
-  for (QLabel* reading :
+  for (StatusReading* reading :
        {mu_, regime_, force_, velocity_, simulations_, rate_, backend_, settling_}) {
     const bool isBehindMessage =
         messageTimer_->isActive() &&
@@ -383,8 +400,7 @@ void StatusLine::fitReadings() {
       reading->hide();
       continue;
     }
-    const int needed =
-        std::max(reading->sizeHint().width(), reading->minimumWidth()) + layout()->spacing();
+    const int needed = reading->sizeHint().width() + layout()->spacing();
     const bool wasLeftOut = std::ranges::find(before, reading) != before.end();
     fits = fits && available >= needed + (wasLeftOut ? kExtraSpace : 0);
     if (fits || reading == mu_) {
@@ -395,7 +411,7 @@ void StatusLine::fitReadings() {
     }
     available -= needed;
   }
-  for (QLabel* reading : shown) reading->show();
+  for (StatusReading* reading : shown) reading->show();
 }
 
 void StatusLine::resizeEvent(QResizeEvent* event) {

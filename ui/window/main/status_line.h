@@ -19,6 +19,7 @@ namespace asperity {
 
 class ContactCanvas;
 class Session;
+class StatusReading;
 struct CurveReading;
 
 /// The present work on the curve or on the line.
@@ -62,7 +63,7 @@ class StatusLine : public QWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  static QLabel* addReading(QHBoxLayout& line, const char* name);
+  static StatusReading* addReading(QHBoxLayout& line, const char* name);
   void showTips();
   void showVelocity(const Frame& frame);
   void showNotes(const CurveReading& reading);
@@ -76,19 +77,19 @@ class StatusLine : public QWidget {
   int framesPerSecond_ = 0;
   ElidedLabel* message_;
   QTimer* messageTimer_;
-  QLabel* regime_;
-  QLabel* mu_;
-  QToolButton* notes_;               // opens a menu of all notes
-  std::vector<Message> shownNotes_;  // their sentences
-  std::vector<QLabel*> leftOut_;     // for lack of room, at the present width
-  QLabel* force_;
-  QLabel* velocity_;
-  QLabel* settling_;
+  StatusReading* regime_;
+  StatusReading* mu_;
+  QToolButton* notes_;                   // opens a menu of all notes
+  std::vector<Message> shownNotes_;      // their sentences
+  std::vector<StatusReading*> leftOut_;  // for lack of room, at the present width
+  StatusReading* force_;
+  StatusReading* velocity_;
+  StatusReading* settling_;
   QProgressBar* progress_;
   QToolButton* stop_;
-  QLabel* simulations_;
-  QLabel* rate_;
-  QLabel* backend_;
+  StatusReading* simulations_;
+  StatusReading* rate_;
+  StatusReading* backend_;
   QString backendName_;  // "software"
 };
 
