@@ -2129,6 +2129,10 @@
 <context>
     <name>asperity::InfluencePage</name>
     <message>
+        <source>The influences are being computed… %1 %</source>
+        <translation>Die Einflüsse werden berechnet… %1 %</translation>
+    </message>
+    <message>
         <source>what friction depends on</source>
         <translation>wovon die Reibung abhängt</translation>
     </message>
@@ -3226,6 +3230,10 @@
 </context>
 <context>
     <name>asperity::MapPanel</name>
+    <message>
+        <source>%1 of %2 lines, %3 %</source>
+        <translation>%1 von %2 Linien, %3 %</translation>
+    </message>
     <message>
         <source>The map is being computed…</source>
         <translation>Die Karte wird berechnet…</translation>

@@ -226,10 +226,14 @@ TEST_F(CurveCommandsTest, AFamilyHasAsManyCurvesAsAreWanted) {
 TEST_F(CurveCommandsTest, InfluencesAreComputedWhileTheirTabIsSeen) {
   action("go:influencePage").trigger();
   auto& view = control<DiagramView>("influenceView");
+  EXPECT_TRUE(view.placeholder().startsWith("The influences are being computed"));
   ASSERT_TRUE(waitFor([&] { return view.isPainted(); }));
   const QImage first = view.image();
   auto& choice = control<QComboBox>("influenceChoice");
   choice.setCurrentIndex(1);
+  // The other diagram would pass for that of the wavelengths.
+  EXPECT_TRUE(view.image().isNull());
+  EXPECT_TRUE(view.placeholder().startsWith("The influences are being computed"));
   ASSERT_TRUE(waitFor([&] { return view.isPainted() && view.image() != first; }));
 }
 

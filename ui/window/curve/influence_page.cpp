@@ -92,6 +92,13 @@ void InfluencePage::showTexts() {
                               : tr("% of friction for 1 % of each parameter"));
   view_->setAccessibleName(choice_->currentText());
   view_->setToolTip(translatedText(note_));
+  showProgress();
+}
+
+/// Says how much is computed, while there is nothing else to show.
+void InfluencePage::showProgress() {
+  if (isComputing_)
+    view_->setPlaceholder(tr("The influences are being computed… %1 %").arg(percent_));
 }
 
 bool InfluencePage::showsWaves() const {
@@ -115,15 +122,22 @@ void InfluencePage::showEvent(QShowEvent* event) {
 /// Stops the computation: a hidden page takes no processor time.
 void InfluencePage::hideEvent(QHideEvent* event) {
   QWidget::hideEvent(event);
+  endComputing();
+}
+
+void InfluencePage::endComputing() {
   work_.cancel();
+  isComputing_ = false;
 }
 
 void InfluencePage::compute() {
   if (!scene_ || !isVisible()) return;
   const bool hasWaves = showsWaves();
-  if (shown_ == scene_ && shownWaves_ == hasWaves) return;
+  // Another computation may be under way.
+  if (shown_ == scene_ && shownWaves_ == hasWaves) return endComputing();
   const Scene scene = *scene_;
   const auto take = [this, scene, hasWaves](const Result& result) {
+    isComputing_ = false;
     shown_ = scene;
     shownWaves_ = hasWaves;
     const char* verb = hasWaves ? "cutoff" : "sensitivity";
@@ -141,16 +155,30 @@ void InfluencePage::compute() {
          [sheet = result.sheet] { return sheet; }});
   };
   const auto fail = [this](const QString& reason) {
+    isComputing_ = false;
     shown_.reset();
     note_ = {};
+    view_->setPlaceholder({});
     view_->setToolTip({});
     view_->setMinimumHeight(0);
     view_->show([reason]() -> DiagramSheet { throw std::runtime_error(reason.toStdString()); });
   };
+  // The diagram of another question would pass for the answer to this one.
+  if (shownWaves_ != hasWaves) {
+    view_->clear();
+    shown_.reset();
+  }
+  isComputing_ = true;
+  percent_ = 0;
+  showProgress();
   work_.request(
-      [scene, hasWaves](const BackgroundWork::Run& run) {
+      [this, scene, hasWaves](const BackgroundWork::Run& run) {
         StateOptions options;
         options.stop = run.stop();
+        options.progress = run.percents([this](int percent) {
+          percent_ = percent;
+          showProgress();
+        });
         return hasWaves ? computeCutoff(scene, options) : computeSensitivity(scene, options);
       },
       take, fail);

@@ -79,6 +79,21 @@ void DiagramView::show(Maker maker, DiagramExport saved) {
   requestSoon();
 }
 
+void DiagramView::clear() {
+  pictures_.cancel();
+  maker_ = {};
+  image_ = {};
+  frames_.clear();
+  shown_ = 0;
+  update();
+}
+
+void DiagramView::setPlaceholder(const QString& text) {
+  if (text == placeholder_) return;
+  placeholder_ = text;
+  update();
+}
+
 void DiagramView::setTheme(const Theme& theme) {
   theme_ = theme;
   requestSoon();
@@ -188,10 +203,19 @@ void DiagramView::copy() {
       [this](const QString& reason) { emit failed(reason); });
 }
 
+bool DiagramView::hasFrame() const {
+  return std::ranges::any_of(frames_,
+                             [](const ChartGeometry& frame) { return frame.area.width() > 0; });
+}
+
 /// Stretches the last picture until one of the new size is ready.
 void DiagramView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.fillRect(rect(), toQColor(theme_.background));
+  if (!hasFrame() && !placeholder_.isEmpty()) {
+    painter.setPen(toQColor(theme_.text));
+    return painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap, placeholder_);
+  }
   if (image_.isNull()) return;
   painter.setRenderHint(QPainter::SmoothPixmapTransform,
                         image_.size() != size() * devicePixelRatioF());

@@ -43,6 +43,11 @@ class DiagramView : public QWidget {
 
   /// Sets the diagram to show from now on; of many fast requests some are skipped.
   void show(Maker maker, DiagramExport saved = {});
+  /// Shows nothing until the picture of the next diagram is made.
+  void clear();
+  /// Sets the text that is shown in the middle while there is no diagram yet.
+  void setPlaceholder(const QString& text);
+  QString placeholder() const { return placeholder_; }
   void setTheme(const Theme& theme);
   /// Sets the minimum time between two pictures, ms.
   void setPause(int pause);
@@ -84,7 +89,9 @@ class DiagramView : public QWidget {
  private:
   void requestSoon();
   void request();
+  bool hasFrame() const;
 
+  QString placeholder_;
   Maker maker_;
   DiagramExport export_;
   Theme theme_ = lightTheme();

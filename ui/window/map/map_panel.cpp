@@ -48,9 +48,9 @@ bool differOnlyIn(const Scene& a, const Scene& b, const Parameter& x, const Para
   return same == b;
 }
 
-/// Returns "10/200, 38 %".
+/// Returns "10 of 200 lines, 38 %".
 QString shortProgress(std::int64_t shown, std::int64_t lines, int percent) {
-  return QStringLiteral("%1/%2, ").arg(shown).arg(lines) + MapPanel::tr("%1 %").arg(percent);
+  return MapPanel::tr("%1 of %2 lines, %3 %").arg(shown).arg(lines).arg(percent);
 }
 
 bool holds(const MapAxis& axis, double value) {
@@ -275,14 +275,10 @@ void MapPanel::compute() {
             take(std::move(*stage));
           });
         };
-        options.progress = [this, &run, shown = 0](double part) mutable {
-          const int percent = static_cast<int>(100 * part);
-          if (percent == std::exchange(shown, percent)) return;
-          run.post([this, percent] {
-            percent_ = percent;
-            showProgress();
-          });
-        };
+        options.progress = run.percents([this](int percent) {
+          percent_ = percent;
+          showProgress();
+        });
         constexpr std::int64_t kCoarsest = 1;  // nodes in an element: the lines are only counted
         run.post([this, lines = LineSource(scene, kCoarsest).lines()] {
           lines_ = lines;

@@ -33,12 +33,6 @@ void MapView::setReading(const QString& text) {
   update();
 }
 
-void MapView::setPlaceholder(const QString& text) {
-  if (text == placeholder_) return;
-  placeholder_ = text;
-  update();
-}
-
 /// Returns the frame of the map, which is the last diagram; null where it is not drawn.
 const ChartGeometry* MapView::map() const {
   return frames().empty() || !(frames().back().area.width() > 0) ? nullptr : &frames().back();
@@ -112,11 +106,6 @@ void MapView::leaveEvent(QEvent* event) {
 void MapView::paintEvent(QPaintEvent* event) {
   DiagramView::paintEvent(event);
   const ChartGeometry* frame = map();
-  if (!frame && !placeholder_.isEmpty()) {
-    QPainter painter(this);
-    painter.setPen(toQColor(theme().text));
-    painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap, placeholder_);
-  }
   if (!hasCross_ || !frame) return;
   const QPointF at = frame->at(x_, y_);
   const QRectF& area = frame->area;

@@ -23,10 +23,6 @@ class MapView : public DiagramView {
   void setReading(const QString& text);
   QString reading() const { return reading_; }
 
-  /// Sets the text that is shown in the middle while there is no map yet.
-  void setPlaceholder(const QString& text);
-  QString placeholder() const { return placeholder_; }
-
   /// Returns the place of the reading beside the cut; empty where it does not fit.
   QRectF placeBesideCut() const;
 
@@ -52,7 +48,7 @@ class MapView : public DiagramView {
   void paintReading(QPainter& painter, const QRectF& frame) const;
   void moveCross(const QPointF& to);
 
-  QString reading_, placeholder_;
+  QString reading_;
   double x_ = 0, y_ = 0;
   bool hasCross_ = false, isDragged_ = false;
 };

@@ -80,4 +80,12 @@ void BackgroundWork::Run::post(std::function<void()> post) const {
       Qt::QueuedConnection);
 }
 
+std::function<void(double)> BackgroundWork::Run::percents(
+    std::function<void(int percent)> show) const {
+  return [this, show = std::move(show), last = 0](double part) mutable {
+    const int percent = static_cast<int>(100 * part);
+    if (percent != std::exchange(last, percent)) post([show, percent] { show(percent); });
+  };
+}
+
 }  // namespace asperity

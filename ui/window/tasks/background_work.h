@@ -44,6 +44,9 @@ class BackgroundWork : public QObject {
     const std::stop_token& stop() const { return stop_; }
     /// Calls `post` on the window's thread if the work is still needed.
     void post(std::function<void()> post) const;
+    /// Returns a function for the part of the work that is done: it posts each new whole percent to
+    /// `show`. It must not outlive the work.
+    std::function<void(double part)> percents(std::function<void(int percent)> show) const;
 
    private:
     friend class BackgroundWork;
