@@ -523,16 +523,26 @@ void ParameterPanel::changeEvent(QEvent* event) {
 }
 
 /// Keeps the panel wide enough that rows are never cut at the side, also with a large font. The
-/// width does not depend on which rows are visible.
+/// width depends on the rows that the scene has, not on which of them are visible.
 void ParameterPanel::updateWidth() {
   const QMargins margins = scroll_->widget()->layout()->contentsMargins();
   int row = 0;
   for (const ParameterRow* each : std::as_const(rows_))
-    row = std::max(row, each->minimumSizeHint().width());
-  setMinimumWidth(std::max(
+    if (isApplicable(each->parameter(), scene_))
+      row = std::max(row, each->minimumSizeHint().width());
+  const int least = std::max(
       {kMinWidth,
        row + margins.left() + margins.right() + scroll_->verticalScrollBar()->sizeHint().width(),
-       bar_ ? bar_->minimumSizeHint().width() : 0}));
+       bar_ ? bar_->minimumSizeHint().width() : 0});
+  const int before = minimumWidth(), present = width();
+  if (least == before) return;
+  setMinimumWidth(least);
+  if (!isVisible()) return;
+  if (least > present && widthBefore_ == 0) widthBefore_ = present;
+  if (least > before || widthBefore_ == 0) return;
+  // A wider panel was made so by the user.
+  if (present <= before) emit widthReleased(std::max(least, widthBefore_));
+  if (least <= widthBefore_ || present > before) widthBefore_ = 0;
 }
 
 bool ParameterPanel::eventFilter(QObject* watched, QEvent* event) {

@@ -124,6 +124,9 @@ class ParameterPanel : public QWidget {
   void viewChanged();
   /// Emitted when Escape leaves the filter.
   void filterLeft();
+  /// Emitted with the former width when the panel was made wider by rows that the scene no longer
+  /// has.
+  void widthReleased(int width);
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -171,6 +174,7 @@ class ParameterPanel : public QWidget {
   LineSize line_;  // of the present line, if it belongs to the scene
   FileChooser chooser_;
   QMap<QString, QString> runErrors_;   // texts of showError(), by key
+  int widthBefore_ = 0;                // before rows made the panel wider; 0: they did not
   bool areRemarksWaiting_ = false;     // until the rows may move
   QTimer* remarkDelay_;                // from the last change of a waiting warning
   QMap<QString, ParameterRow*> rows_;  // by key

@@ -308,6 +308,25 @@ TEST_F(PanelViewTest, ItsWidthDoesNotDependOnTheVisibleRows) {
   EXPECT_EQ(panel_.minimumWidth(), few);
 }
 
+/// A scene with a long line about its arms widens a narrow panel, and leaves it as it was.
+TEST_F(PanelViewTest, AWideRowOfOneSceneDoesNotWidenTheNext) {
+  const Scene plain = panel_.scene();
+  QTest::qWait(1);
+  const int before = panel_.minimumWidth();
+  panel_.resize(before, panel_.height());
+  QSignalSpy released(&panel_, &ParameterPanel::widthReleased);
+  Scene wide = plain;
+  wide.elastomer.rheology = Rheology::Prony;
+  for (int i = 0; i < 20; ++i) wide.elastomer.arms.push_back({1e6, 1.23e-6 * std::pow(4.0, i)});
+  panel_.setScene(wide);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return panel_.minimumWidth() > before; }));
+  panel_.setScene(plain);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return panel_.minimumWidth() == before; }))
+      << panel_.minimumWidth() << ", not " << before;
+  ASSERT_EQ(released.count(), 1);
+  EXPECT_EQ(released.front().front().toInt(), before);
+}
+
 TEST_F(PanelViewTest, ARowIsRevealedWhereverItIs) {
   panel_.reveal("accuracy.scheme");
   EXPECT_TRUE(hasRow("accuracy.scheme"));

@@ -274,6 +274,10 @@ void MainWindow::connectScene() {
   connect(panel_, &ParameterPanel::sceneEdited, this, edit);
   connect(panel_, &ParameterPanel::guideRequested, this, &MainWindow::openGuide);
   // Escape in the filter gives the keys of the picture back.
+  // Later, when the dock knows the new least width.
+  connect(
+      panel_, &ParameterPanel::widthReleased, this,
+      [this](int width) { resizeDocks({dock_}, {width}, Qt::Horizontal); }, Qt::QueuedConnection);
   connect(panel_, &ParameterPanel::filterLeft, canvas_, [this] { canvas_->setFocus(); });
   connect(canvas_, &ContactCanvas::guideRequested, this, &MainWindow::openGuide);
   connect(&tabs_->accuracy(), &AccuracyPanel::sceneEdited, this, edit);
