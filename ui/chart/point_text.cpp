@@ -9,7 +9,6 @@
 #include "core/chart/curve_words.h"
 #include "core/scene/sweep.h"
 #include "ui/draw/ticks.h"
-#include "ui/language/language.h"
 #include "ui/language/translated.h"
 
 namespace asperity {
@@ -20,33 +19,8 @@ struct PointText {
   Q_DECLARE_TR_FUNCTIONS(asperity::PointText)
 };
 
-/// Returns the power of ten of a number's first digit.
-int decadeOf(double value) {
-  return static_cast<int>(std::floor(std::log10(std::abs(value))));
-}
-
-/// Returns "0.00116 ± 0.00012" or "(2.637 ± 0.012)×10⁻⁷": two digits of the error, and the value to
-/// the same place, with at least three digits.
-QString valueWithError(double value, double error) {
-  const QString alone = readingLabel(value);
-  if (!(std::isfinite(value) && std::isfinite(error) && error > 0 && value != 0)) return alone;
-  constexpr int kMaxDecimals = 15;
-  const bool isPower = alone.contains(QStringLiteral("10⁻")) || alone.contains(u'×');
-  const int power = isPower ? decadeOf(value) : 0;
-  const int last = std::min(decadeOf(error) - 1, decadeOf(value) - 2) - power;
-  const double unit = std::pow(10, power);
-  const auto text = [&](double number) {
-    const QString digits = QString::number(number / unit, 'f', std::clamp(-last, 0, kMaxDecimals));
-    return QString::fromStdString(
-        readingInLanguage(QString(digits).replace('-', u'−').toStdString()));
-  };
-  const QString both = text(value) + QStringLiteral(" ± ") + text(error);
-  return isPower ? '(' + both + QStringLiteral(")×") + QString::fromStdString(powerOfTen(power))
-                 : both;
-}
-
 QString withError(const QString& name, double value, double error) {
-  return name + " = " + valueWithError(value, error);
+  return name + " = " + QString::fromStdString(numberWithError(value, error));
 }
 
 QString withUnit(const QString& name, double value, std::string_view unit, int digits = 3) {

@@ -33,12 +33,6 @@ std::string percent(double fraction) {
   return std::isfinite(fraction) ? shortNumber(100 * fraction) + " %" : "\u2013";
 }
 
-/// Returns "0.951 \u00B1 0.04" where the discretization error is known.
-std::string frictionText(double mu, double error) {
-  const std::string text = shortNumber(mu, 3, Zeros::Keep);
-  return std::isfinite(error) ? text + " \u00B1 " + shortNumber(error, 1) : text;
-}
-
 /// Adds interface and total friction, where the scene has local friction.
 void addInterfaceReadings(std::vector<Reading>& readings, const Frame& frame) {
   if (!hasInterface(frame)) return;
@@ -82,7 +76,8 @@ std::vector<Reading> makeReadings(const Frame& frame) {
   readings.push_back(
       {{{hasInterface(frame) ? Words::tr("\u03BC of the deformation")
                              : Words::tr("friction coefficient \u03BC")}},
-       isSteady ? shortNumber(state.mu, 3, Zeros::Keep) : frictionText(state.mu, frame.muError),
+       // A motion has an error where that of its elements and time steps is known.
+       numberWithError(state.mu, isSteady ? kNotApplicable : frame.muError, Zeros::Keep),
        0,
        frictionTip(frame),
        "mu"});

@@ -256,6 +256,26 @@ std::string quantity(double value, std::string_view unit, int digits, Zeros zero
   return readingInLanguage(printedQuantity(value, unit, digits, zeros));
 }
 
+std::string numberWithError(double value, double error, Zeros zeros) {
+  const bool hasError = std::isfinite(value) && std::isfinite(error) && error > 0;
+  if (!hasError) return shortNumber(value, 3, zeros);
+  constexpr int kMaxDecimals = 15;
+  const double larger = std::max(std::abs(value), error);
+  const auto decade = [](double number) {
+    return static_cast<int>(std::floor(std::log10(number)));
+  };
+  const bool isPower = printedNumber(larger).find("10\u207B") != std::string::npos ||
+                       printedNumber(larger).find("\u00D7") != std::string::npos;
+  const int power = isPower ? decade(larger) : 0;
+  const int last = std::min(decade(error) - 1, decade(larger) - 2) - power;
+  const auto text = [&](double number) {
+    return readingInLanguage(
+        printedDecimals(number / std::pow(10, power), std::clamp(-last, 0, kMaxDecimals)));
+  };
+  const std::string both = text(value) + " \u00B1 " + text(error);
+  return isPower ? "(" + both + ")\u00D7" + powerOfTen(power) : both;
+}
+
 QString readingLabel(double value, int digits, Zeros zeros) {
   return QString::fromStdString(shortNumber(value, digits, zeros));
 }

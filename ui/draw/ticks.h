@@ -75,6 +75,11 @@ std::string shortNumber(double value, int digits = 3, Zeros zeros = Zeros::Drop)
 std::string quantity(double value, std::string_view unit, int digits = 3,
                      Zeros zeros = Zeros::Drop);
 
+/// Returns "0.00116 \u00B1 0.00012" or "(2.637 \u00B1 0.012)\u00D710\u207B\u2077": two digits of
+/// the error, and the value to the same place, with at least three digits of the larger one.
+/// Without an error above 0 it is shortNumber().
+std::string numberWithError(double value, double error, Zeros zeros = Zeros::Drop);
+
 /// Returns shortNumber() as widgets take it.
 QString readingLabel(double value, int digits = 3, Zeros zeros = Zeros::Drop);
 

@@ -213,7 +213,11 @@ TEST(ContactTexts, AMotionSaysItsErrorAndWhereItsForcePoints) {
   frame.muMarch = 0.0512;
   EXPECT_NE(allTexts(frame).find("|0.0512|"), std::string::npos);
   frame.muError = 0.00213;
-  EXPECT_NE(allTexts(frame).find("|0.0512 \u00B1 0.002|"), std::string::npos) << allTexts(frame);
+  EXPECT_NE(allTexts(frame).find("|0.0512 \u00B1 0.0021|"), std::string::npos) << allTexts(frame);
+  // Value and error end at the same digit, however small the error is.
+  frame.muError = 1.04e-5;
+  EXPECT_NE(allTexts(frame).find("|0.051200 \u00B1 0.000010|"), std::string::npos)
+      << allTexts(frame);
   EXPECT_TRUE(pushesRight(frame));
   sample.tangentialForce = 0.1;
   frame.transient = std::make_shared<const std::vector<TransientSample>>(1, sample);

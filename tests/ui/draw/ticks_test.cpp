@@ -196,6 +196,21 @@ TEST(ReadingInLanguage, IsThatOfAxesAndReadings) {
   EXPECT_EQ(readingLabel(12300), QStringLiteral("12,300"));
 }
 
+TEST(NumberWithError, EndsAtTheSecondDigitOfTheError) {
+  EXPECT_EQ(numberWithError(0.36, 1e-5), "0.360000 ± 0.000010");
+  EXPECT_EQ(numberWithError(-0.951, 0.042), "−0.951 ± 0.042");
+  EXPECT_EQ(numberWithError(2.6374e-7, 1.2e-9), "(2.637 ± 0.012)×10⁻⁷");
+  EXPECT_EQ(numberWithError(0.3, std::nan("")), "0.3");
+  EXPECT_EQ(numberWithError(0.3, 0, Zeros::Keep), "0.300");
+}
+
+/// As friction does in a motion that turns round.
+TEST(NumberWithError, PassesThroughZero) {
+  EXPECT_EQ(numberWithError(1.2e-7, 0.002), "0.00000 ± 0.00200");
+  EXPECT_EQ(numberWithError(-1.2e-7, 0.002), "0.00000 ± 0.00200");
+  EXPECT_EQ(numberWithError(0, 0.002), "0.00000 ± 0.00200");
+}
+
 TEST(ReadingLabel, ReadsLikePrint) {
   EXPECT_EQ(readingLabel(0.125), QStringLiteral("0.125"));
   EXPECT_EQ(readingLabel(2.5e-5), QStringLiteral("2.5×10⁻⁵"));
