@@ -67,30 +67,54 @@ void enclose(Legend& legend, float width, std::size_t rows) {
   legend.height = std::ceil(legend.height + 1.2F * kPad * legend.size);
 }
 
-/// Measures the entries column by column; all columns have the same width.
-void measure(Legend& legend) {
-  float column = (kSample + kEntryGap) * legend.size;
-  for (const LegendEntry& entry : legend.entries)
-    column = std::max(column, entryWidth(entry, legend.size));
+std::size_t rowsOf(const Legend& legend) {
   const auto columns = static_cast<std::size_t>(legend.columns);
-  const std::size_t rows = (legend.entries.size() + columns - 1) / columns;
-  for (std::size_t i = 0; i < legend.entries.size(); ++i)
-    legend.entries[i].origin = {static_cast<float>(i / rows) * (column + kBetween * legend.size),
-                                static_cast<float>(i % rows) * kRow * legend.size};
-  const auto count = static_cast<float>(columns);
-  enclose(legend, rows > 0 ? count * column + (count - 1) * kBetween * legend.size : 0, rows);
+  return (legend.entries.size() + columns - 1) / columns;
 }
 
-/// Cuts names to the width of one of this many columns.
+/// Returns the widths of the columns, each that of its widest entry.
+std::vector<float> columnWidths(const Legend& legend) {
+  const std::size_t rows = rowsOf(legend);
+  std::vector<float> widths;
+  for (std::size_t i = 0; i < legend.entries.size(); ++i) {
+    if (i % rows == 0) widths.push_back((kSample + kEntryGap) * legend.size);
+    widths.back() = std::max(widths.back(), entryWidth(legend.entries[i], legend.size));
+  }
+  return widths;
+}
+
+/// Measures the entries column by column.
+void measure(Legend& legend) {
+  const std::size_t rows = rowsOf(legend);
+  const std::vector<float> widths = columnWidths(legend);
+  const float between = kBetween * legend.size;
+  float x = 0;
+  for (std::size_t i = 0; i < legend.entries.size(); ++i) {
+    if (i > 0 && i % rows == 0) x += widths[i / rows - 1] + between;
+    legend.entries[i].origin = {x, static_cast<float>(i % rows) * kRow * legend.size};
+  }
+  enclose(legend, widths.empty() ? 0 : x + widths.back(), rows);
+}
+
+/// Cuts the longest names, so that all columns fit this width.
 void shortenNames(Legend& legend, float width) {
-  const auto columns = static_cast<float>(legend.columns);
-  const float column =
-      (width - 2 * kPad * legend.size - (columns - 1) * kBetween * legend.size) / columns;
+  std::vector<float> widths = columnWidths(legend);
+  const auto gaps = static_cast<float>(widths.empty() ? 0 : widths.size() - 1);
+  float available = width - 2 * kPad * legend.size - gaps * kBetween * legend.size;
+  // Columns that need less than an equal share leave the rest of it to the others.
+  std::ranges::sort(widths);
+  auto others = static_cast<float>(widths.size());
+  float most = 0;
+  for (const float needed : widths) {
+    most = available / others;
+    if (needed > most) break;
+    available -= needed;
+    --others;
+  }
   for (LegendEntry& entry : legend.entries) {
-    std::string name =
-        elided(entry.name, legend.size, false, column - (kSample + kEntryGap) * legend.size);
-    legend.isWhole = legend.isWhole && name == entry.name;
-    entry.name = std::move(name);
+    if (!entry.hasSample || entryWidth(entry, legend.size) <= most) continue;
+    entry.name = elided(entry.name, legend.size, false, most - (kSample + kEntryGap) * legend.size);
+    legend.isWhole = false;
   }
 }
 
@@ -166,12 +190,13 @@ Legend legendFor(const Diagram& diagram, const std::vector<SeriesStyle>& styles,
     if (wider.width > width) break;
     legend = wider;
   }
+  dropEntries(legend, height);
+  measure(legend);
   if (legend.width > width) shortenNames(legend, width);
   if (legend.ramp && rampWidth(*legend.ramp, size) + 2 * kPad * size > width) {
     legend.ramp.reset();
     legend.isWhole = false;
   }
-  dropEntries(legend, height);
   measure(legend);
   return legend;
 }

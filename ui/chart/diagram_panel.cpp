@@ -62,7 +62,7 @@ bool DiagramPanel::isWhole() const {
 
 bool DiagramPanel::hasWholeLegend() const {
   if (!showsLegend_) return sizes_.legendMode == LegendMode::None;
-  return legend_.empty() || (legendBox_.width > 0 && legend_.isWhole && hidden_ <= kLittleHidden);
+  return legend_.isWhole && (legend_.empty() || (legendBox_.width > 0 && hidden_ <= kLittleHidden));
 }
 
 void DiagramPanel::addTo(DrawList& list) const {
@@ -164,33 +164,49 @@ void DiagramPanel::addSentence(DrawList& list) const {
   }
 }
 
+/// Places the frame and the legend. On a screen the letters of the legend get smaller where only
+/// that keeps all its names whole; where nothing does, it is the smallest, which names the most.
+void DiagramPanel::arrange() {
+  legendSize_ = sizes_.legend;
+  arrangeLegend();
+  if (sizes_.isPrinted || sizes_.legendMode != LegendMode::Automatic) return;
+  while (!hasWholeLegend() && legendSize_ - 1 >= smallestLegend()) {
+    --legendSize_;
+    arrangeLegend();
+  }
+}
+
+/// Returns the size of the smallest letters of a legend.
+float DiagramPanel::smallestLegend() const {
+  return std::max(sizes_.minFontSize, std::round(0.8F * sizes_.legend));
+}
+
 /// Places the frame and the legend: inside the frame where the legend hides nothing and is whole;
 /// otherwise at the right of the frame or above it where there is enough space; otherwise below
 /// the axis; otherwise beside it with shortened names. A legend that would still hide a curve is
-/// left out.
-void DiagramPanel::arrange() {
+/// left out, where the frame is aligned with others.
+void DiagramPanel::arrangeLegend() {
   // The minimum parts of the frame that stay beside a legend.
   constexpr float kMinWidth = 0.55F, kMinHeight = 0.6F;
-  constexpr float kMuch = 0.25F;  // part of a legend's box
   below_ = 0;
   showsLegend_ = sizes_.legendMode != LegendMode::None;
   place(0, 0);
-  if (sizes_.legendMode == LegendMode::Below) return placeBelow(legendBelow(sizes_.legend));
+  if (sizes_.legendMode == LegendMode::Below) return placeBelow(legendBelow(legendSize_));
   if (sizes_.legendMode != LegendMode::Automatic) return;
   // A scale of colours that did not fit leaves an empty, incomplete legend.
   if (legend_.isWhole && (legend_.empty() || hidden_ <= 0)) return;
   const Box frame = axes_.box;
   const float gap = std::round(10 * sizes_.unit);
   const Legend beside =
-      legendFor(diagram_, styles_, sizes_.legend, 0.36F * cell_.width, frame.height);
+      legendFor(diagram_, styles_, legendSize_, 0.36F * cell_.width, frame.height);
   const float least = beside.isWhole && !legend_.isWhole ? 0.45F : kMinWidth;
   const bool fitsBeside =
       !isAligned_ && !beside.empty() && frame.width - beside.width - gap > least * cell_.width;
-  const Legend over = legendOver(diagram_, styles_, sizes_.legend, frame.width);
+  const Legend over = legendOver(diagram_, styles_, legendSize_, frame.width);
   const float rest = frame.height - over.height;
   const bool fitsAbove =
       over.isWhole && rest > std::max(kMinHeight * frame.height, 5 * sizes_.tick);
-  const bool hidesMuch = hidden_ > kMuch, hidesCurve = hidden_ > kLittleHidden;
+  const bool hidesCurve = hidden_ > kLittleHidden;
   if (fitsAbove && !(fitsBeside && beside.isWhole)) {
     place(0, over.height);
     legend_ = over;
@@ -201,7 +217,7 @@ void DiagramPanel::arrange() {
   }
   const bool needsSpace = hidesCurve || (sizes_.isPrinted && !legend_.isWhole);
   if (needsSpace && !(fitsBeside && beside.isWhole) && fitBelow()) return;
-  if (fitsBeside || (!isAligned_ && !beside.empty() && hidesMuch)) {
+  if (fitsBeside || (!isAligned_ && !beside.empty() && hidesCurve)) {
     place(beside.width + gap, 0);
     legend_ = beside;
     legendBox_ = {cell_.right() - beside.width, axes_.box.y, beside.width, beside.height};
@@ -219,11 +235,11 @@ bool DiagramPanel::fitBelow() {
   const float most = sizes_.isPrinted ? 1 : 0.5F;
   const float available =
       std::min(axes_.box.height - kLowest * sizes_.tick, most * axes_.box.height);
-  const float smallest = std::max(sizes_.minFontSize, std::round(0.8F * sizes_.legend));
+  const float smallest = smallestLegend();
   const auto fits = [&](const Legend& legend) {
     return legend.height <= available && legend.width <= cell_.width;
   };
-  Legend below = legendBelow(sizes_.legend);
+  Legend below = legendBelow(legendSize_);
   while (!fits(below) && below.size - 1 >= smallest) below = legendBelow(below.size - 1);
   if (!fits(below)) below = legendFor(diagram_, styles_, smallest, cell_.width, available);
   const bool isOfUse = below.ramp || (!below.entries.empty() && below.entries.front().hasSample);
@@ -278,7 +294,7 @@ void DiagramPanel::place(float right, float above) {
   // Labels need not avoid a legend that will be outside.
   const bool isInside = showsLegend_ && below_ <= 0 && right <= 0 && above <= 0;
   legend_ = isInside
-                ? legendFor(diagram_, styles_, sizes_.legend, widest * box.width, 0.7F * box.height)
+                ? legendFor(diagram_, styles_, legendSize_, widest * box.width, 0.7F * box.height)
                 : Legend{};
   OccupancyGrid series(box, 4 * sizes_.unit);
   coverSeries(series, diagram_, styles_, axes_);

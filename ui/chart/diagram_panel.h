@@ -56,6 +56,8 @@ class DiagramPanel {
   Box sentenceBox() const;
   void addSentence(DrawList& list) const;
   void arrange();
+  void arrangeLegend();
+  float smallestLegend() const;
   bool fitBelow();
   Legend legendBelow(float size) const;
   void placeBelow(Legend below);
@@ -79,9 +81,10 @@ class DiagramPanel {
   float left_ = 0;              // minimum left edge of the frame
   float right_ = 0;             // right edge of the frame; 0: automatic
   bool showsLegend_ = true;
-  float below_ = 0;   // pixels of a legend below the axis
-  Box legendBox_;     // width 0: not shown
-  float hidden_ = 0;  // part of the legend's box that hides something
+  float legendSize_ = 12;  // of its letters
+  float below_ = 0;        // pixels of a legend below the axis
+  Box legendBox_;          // width 0: not shown
+  float hidden_ = 0;       // part of the legend's box that hides something
 };
 
 }  // namespace asperity

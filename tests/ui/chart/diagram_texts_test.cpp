@@ -13,6 +13,7 @@
 #include "tests/ui/chart/sample_sheets.h"
 #include "tests/ui/contact/tidy_texts.h"
 #include "ui/chart/diagram_axes.h"
+#include "ui/chart/diagram_legend.h"
 #include "ui/chart/diagram_picture.h"
 #include "ui/draw/fonts.h"
 #include "ui/draw/shapes.h"
@@ -254,21 +255,70 @@ TEST(DiagramTexts, OfASmallPageHideNoCurveAndAreWhole) {
   expectTidy(list, "small page");
 }
 
-/// As in the window's low views, where names would not fit into the frame.
-TEST(DiagramTexts, ALegendThatFitsBesideTheFrameIsWhole) {
+DiagramSheet sheetOfCurves(const std::vector<std::string>& names) {
   DiagramSheet sheet = sheetOf({{1e-5, 1e-2}, {1e-3, 1e-6}});
   sheet.title = {};
   const DiagramSeries series = sheet.diagrams[0].series[0];
-  sheet.diagrams[0].series.clear();
-  for (const char* name : {"literal march (difference)", "nodal (difference)", "linear", "cubic",
-                           "best for the time", "this scene: cubic \u00D72"}) {
-    sheet.diagrams[0].series.push_back(series);
-    sheet.diagrams[0].series.back().name = name;
-  }
+  sheet.diagrams[0].series.assign(names.size(), series);
+  for (std::size_t i = 0; i < names.size(); ++i)
+    sheet.diagrams[0].series[i].name = Message::name(names[i]);
+  return sheet;
+}
+
+/// As in the window's low views, where names would not fit into the frame.
+TEST(DiagramTexts, ALegendThatFitsBesideTheFrameIsWhole) {
+  const DiagramSheet sheet =
+      sheetOfCurves({"literal march (difference)", "nodal (difference)", "linear", "cubic",
+                     "best for the time", "this scene: cubic \u00D72"});
   const DrawList list = composeDiagrams(sheet, {573, 178, 1, lightTheme(), 0.9F});
   for (const DiagramSeries& each : sheet.diagrams[0].series)
     EXPECT_TRUE(says(list, each.name.text)) << each.name;
   expectTidy(list, "low view");
+}
+
+/// In a small window a legend may have less room than it needs, but a reader sees that it has.
+TEST(DiagramTexts, ALegendIsWholeOrSaysThatItIsNot) {
+  const std::vector<std::string> names{"literal march (difference)", "nodal (difference)", "linear",
+                                       "cubic", "best for the time"};
+  for (int width = 400; width <= 900; width += 20) {
+    const DrawList list =
+        composeDiagrams(sheetOfCurves(names), {width, 178, 1, lightTheme(), 0.9F});
+    const std::string texts = allTexts(list);
+    const bool isWhole =
+        std::ranges::all_of(names, [&](const std::string& name) { return says(list, name); });
+    EXPECT_TRUE(isWhole || texts.find("…") != texts.npos || texts.find(" more|") != texts.npos)
+        << width << ": " << texts;
+  }
+}
+
+/// Letters get smaller before names are cut.
+TEST(DiagramTexts, ALegendThatCannotBeWholeHasItsSmallestLetters) {
+  const DiagramOptions options{573, 178, 1, lightTheme(), 0.9F};
+  const auto sizeOf = [&](const DiagramSheet& sheet, const std::string& beginning) {
+    for (const DrawText& text : composeDiagrams(sheet, options).texts)
+      if (text.utf8.starts_with(beginning)) return text.size;
+    return 0.0F;
+  };
+  const float usual = sizeOf(sheetOfCurves({"one", "two"}), "one");
+  const std::string longName(200, 'n');
+  const float smaller = sizeOf(sheetOfCurves({longName + "1", longName + "2"}), "nn");
+  EXPECT_GT(smaller, 0);
+  EXPECT_LT(smaller, usual);
+}
+
+/// A column of short names leaves its room to one of long names.
+TEST(DiagramTexts, ColumnsOfALegendAreAsWideAsTheirNames) {
+  const DiagramSheet sheet = sheetOfCurves({"a name that takes very much room in a legend",
+                                            "another name that takes very much room", "a", "b"});
+  const Diagram& diagram = sheet.diagrams[0];
+  const std::vector<SeriesStyle> styles(diagram.series.size());
+  constexpr float kSize = 12;
+  const Legend one = legendFor(diagram, styles, kSize, 2000, 2000);
+  const Legend two = legendFor(diagram, styles, kSize, 2000, 0.7F * one.height);
+  ASSERT_EQ(one.columns, 1);
+  ASSERT_EQ(two.columns, 2);
+  EXPECT_TRUE(two.isWhole);
+  EXPECT_LT(two.width, 1.7F * one.width);
 }
 
 /// The tabs of a window of 1280 x 720, in each language: nothing is shortened.
