@@ -195,10 +195,6 @@
         <translation>mit lokaler Reibung</translation>
     </message>
     <message>
-        <source>%1 = %2, %3 to %4</source>
-        <translation>%1 = %2, %3 bis %4</translation>
-    </message>
-    <message>
         <source>%1:%2 is no range within %3</source>
         <translation>%1:%2 ist kein Bereich innerhalb von %3</translation>
     </message>
@@ -977,6 +973,14 @@
     <message>
         <source>above 0.9</source>
         <translation>über 0,9</translation>
+    </message>
+    <message>
+        <source>accuracy.target_relative_error needs about %1 lines at one velocity, and at most %2 are computed: the run takes about %3 and may miss the target</source>
+        <translation>accuracy.target_relative_error braucht bei einer Geschwindigkeit etwa %1 Linien, und höchstens %2 werden berechnet: Der Lauf dauert etwa %3 und verfehlt womöglich das Ziel</translation>
+    </message>
+    <message>
+        <source>accuracy.target_relative_error needs about %1 lines at one velocity and %2 in all; half the error needs four times as many</source>
+        <translation>accuracy.target_relative_error braucht bei einer Geschwindigkeit etwa %1 Linien und insgesamt %2; der halbe Fehler braucht viermal so viele</translation>
     </message>
     <message>
         <source>accuracy.target_relative_error is not reached: %1; the mean over all rows of the surface is uncertain by %2, which only a larger piece of the surface lowers</source>
@@ -6681,10 +6685,6 @@
     <message>
         <source>%1 as in the file</source>
         <translation>%1 wie in der Datei</translation>
-    </message>
-    <message>
-        <source>the file is empty</source>
-        <translation>die Datei ist leer</translation>
     </message>
     <message>
         <source>column %1: is it the temperature of the rubber, and not of the track or the air? Name it temperature alone, with its unit in brackets, or take the column out</source>
