@@ -405,8 +405,10 @@ ComputedCurves makeCurveSet(const CurveArguments& arguments, const ComparedScene
   set.present.points = std::move(own.points);
   for (NamedCurve& other : set.pinned) {
     Curve curve = computeCurve(other.scene, common);
-    if (const auto missed = missedTarget(curve); missed && !curves.missed)
-      curves.missed = message("{}: {}", other.name, *missed);
+    if (const auto missed = missedTarget(curve))
+      curves.missed = curves.missed ? message("{}; {}: {}", *curves.missed, other.name,
+                                              PrintedNumber{printedNumber(curve.achievedError, 2)})
+                                    : message("{}: {}", other.name, *missed);
     other.points = std::move(curve.points);
   }
   if (hasComparisons(set)) {

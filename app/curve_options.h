@@ -79,7 +79,8 @@ CurveSet plannedCurveSet(const CurveArguments& arguments, const ComparedScene& c
 /// The curves of a chart.
 struct ComputedCurves {
   CurveSet set;
-  std::optional<Message> missed;  // why the first of those that miss their target does so
+  /// Why the first of those that miss their target does so, then names and errors of the others.
+  std::optional<Message> missed;
 
   /// Throws std::runtime_error with this reason.
   void requireTargets() const;

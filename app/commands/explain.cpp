@@ -135,6 +135,7 @@ std::string explanationText(const Explanation& explanation) {
                              {timeText(predicted->seconds), threadsText(predicted->threads),
                               workText(*predicted)}),
                       mebibytes(predicted->memory), predicted->error);
+  if (const auto warning = targetWarning(explanation)) text += translated(*warning) + "\n";
   if (const auto& measured = explanation.measured)
     text += Words::tr("measured") + "\n" +
             costLines(timeText(measured->seconds),

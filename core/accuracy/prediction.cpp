@@ -8,6 +8,7 @@
 #include "core/accuracy/pilot.h"
 #include "core/accuracy/target_curve.h"
 #include "core/base/jobs.h"
+#include "core/base/number_text.h"
 #include "core/base/processor_time.h"
 #include "core/base/statistics.h"
 #include "core/base/stop.h"
@@ -216,6 +217,22 @@ Prediction predictTarget(const Scene& scene, int threads, const std::stop_token&
 }
 
 }  // namespace
+
+std::optional<Message> warningOfTarget(const Scene& scene, const Prediction& prediction) {
+  constexpr double kMany = 1e5;  // lines; a mean over so many of them is rarely meant
+  if (!choosesAccuracy(scene) || prediction.lines < kMany) return {};
+  const PrintedNumber lines{printedNumber(prediction.lines, 2)};
+  if (prediction.lines > kMostLines)
+    return message(
+        "accuracy.target_relative_error needs about {} lines at one velocity, and at most {} are "
+        "computed: the run takes about {} and may miss the target",
+        lines, PrintedNumber{printedNumber(static_cast<double>(kMostLines))},
+        PrintedNumber{printedQuantity(prediction.seconds, "s", 2)});
+  return message(
+      "accuracy.target_relative_error needs about {} lines at one velocity and {} in all; half the "
+      "error needs four times as many",
+      lines, PrintedNumber{printedQuantity(prediction.seconds, "s", 2)});
+}
 
 double ErrorBudget::total() const {
   double squares = 0;

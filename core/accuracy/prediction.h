@@ -8,8 +8,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <stop_token>
 
+#include "core/base/message.h"
 #include "core/friction/curve_point.h"
 #include "core/friction/parameter_map.h"
 #include "core/scene/scene.h"
@@ -44,6 +46,10 @@ struct Prediction {
   /// pilot, and in the run on one thread.
   double operations = 0, runOperations = 0;
 };
+
+/// Returns a warning where the target accuracy of the scene needs unusually many lines: with their
+/// number and the time, or that they are more than a run computes. Nothing without such a target.
+std::optional<Message> warningOfTarget(const Scene& scene, const Prediction& prediction);
 
 /// Predicts `curve` for this scene. threads: 0 means as many as the machine has.
 Prediction predictCurve(const Scene& scene, int threads = 0, const std::stop_token& stop = {});

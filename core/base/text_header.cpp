@@ -59,6 +59,8 @@ bool statesAfterComma(std::string_view line, std::size_t comma, const TextDialec
 TextEntry parseEntry(const TextLine& kept, const TextDialect& dialect) {
   const std::string_view line = withoutCommentMark(kept.text, dialect);
   TextEntry entry{{}, std::string(line), kept.number};
+  entry.written = line.substr(0, line.find_last_not_of(";, \t") + 1);
+  replaceAll(entry.written, "\t", " ");
   std::vector<std::string_view> fields;
   splitFields(line, dialect.separator, fields);
   const auto setKey = [&entry](std::string_view key, std::string_view value) {

@@ -477,6 +477,7 @@ std::string TextTable::entry(std::string_view key, const TextBlock& block) const
 
 TextTable readTextTable(std::string_view bytes, const std::string& name,
                         const TextTableOptions& options) {
+  if (bytes.empty()) throw InputError(name, "", "is empty");
   TextTable table;
   const DecodedText decoded(bytes, name);
   table.encoding = decoded.encoding;

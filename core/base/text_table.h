@@ -30,6 +30,9 @@ struct TextEntry {
   std::string key{};  // empty where the line has none
   std::string value{};
   std::size_t line = 0;  // counted from 1
+  /// The line as the file has it, without the mark of a comment, separators at its end and tabs, to
+  /// be quoted.
+  std::string written{};
 };
 
 /// Consecutive rows of equally many fields. Blank lines and comments do not end a block.

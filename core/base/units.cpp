@@ -205,12 +205,12 @@ Message refusalOf(std::string_view text, const std::string& unit, const Quantity
   const std::optional<Unit> given = findUnit(unit);
   const Dimension* other = given && !given->si.empty() ? dimensionOf(given->si) : nullptr;
   if (other)
-    return message("{} is {}; wanted is {}, such as {}", PrintedNumber{shortened(text)},
+    return message("{} is {}; expected {}, such as {}", PrintedNumber{shortened(text)},
                    Message(other->words), wanted, example);
   if (given)
-    return message("{} is {}; wanted is {}, such as {}", PrintedNumber{shortened(text)},
+    return message("{} is {}; expected {}, such as {}", PrintedNumber{shortened(text)},
                    Message("a share"), wanted, example);
-  return message("'{}' is not a known unit; wanted is {}, such as {}", shortened(unit), wanted,
+  return message("'{}' is not a known unit; expected {}, such as {}", shortened(unit), wanted,
                  example);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -52,11 +53,19 @@ std::vector<RelativeError> relativeErrors(const Fit& fit, const CurveSet& set) {
 constexpr const char* kRangeInWords =
     "ranges: one standard error to each side, by the points' errors and the spread of the lines";
 
+PrintedNumber inUnit(const FittedParameter& parameter, double value) {
+  return {printedQuantity(value, findParameter(parameter.key)->unit)};
+}
+
 Message withRange(const Message& name, const FittedParameter& parameter) {
-  const std::string unit(findParameter(parameter.key)->unit);
-  return message("{} = {}, {} to {}", name, PrintedNumber{printedQuantity(parameter.value, unit)},
-                 PrintedNumber{printedQuantity(parameter.low, unit)},
-                 PrintedNumber{printedQuantity(parameter.high, unit)});
+  return message("{} = {}, {}", name, inUnit(parameter, parameter.value), rangeOf(parameter));
+}
+
+/// Returns the warnings, then the notes, as files and summaries list them.
+std::vector<Message> allNotes(const Fit& fit) {
+  std::vector<Message> all = fit.warnings;
+  all.insert(all.end(), fit.notes.begin(), fit.notes.end());
+  return all;
 }
 
 /// Returns the value with its range and the name that charts use.
@@ -134,6 +143,10 @@ Scene seenFrom(const std::string& folder, Scene scene) {
 
 }  // namespace
 
+Message rangeOf(const FittedParameter& parameter) {
+  return message("{} to {}", inUnit(parameter, parameter.low), inUnit(parameter, parameter.high));
+}
+
 nlohmann::ordered_json fitJson(const Fit& fit) {
   Json parameters = Json::array(), combinations = Json::array(), profiles = Json::array();
   for (const FittedParameter& parameter : fit.parameters)
@@ -164,7 +177,7 @@ nlohmann::ordered_json fitJson(const Fit& fit) {
     correlations.push_back(std::move(row));
   }
   Json notes = Json::array();
-  for (const Message& note : fit.notes) notes.push_back(note.english());
+  for (const Message& note : allNotes(fit)) notes.push_back(note.english());
   return {{"parameters", std::move(parameters)},
           {"correlations", std::move(correlations)},
           {"combinations", std::move(combinations)},
@@ -214,7 +227,7 @@ std::vector<Message> describeFit(const Fit& fit) {
   else
     lines.push_back(
         message("\u03C7\u00B2 = {:.4g} for {} degrees of freedom", fit.chiSquared, fit.freedom));
-  lines.insert(lines.end(), fit.notes.begin(), fit.notes.end());
+  std::ranges::move(allNotes(fit), std::back_inserter(lines));
   return lines;
 }
 

@@ -14,6 +14,10 @@
 
 namespace asperity {
 
+/// Returns the range of a value, "9.5 MPa to 11 MPa": one standard error to each side, or further
+/// out where the profile says so. Everything that shows an error of a value shows this one.
+Message rangeOf(const FittedParameter& parameter);
+
 /// Returns values with their errors, correlations, combinations, profiles and notes.
 nlohmann::ordered_json fitJson(const Fit& fit);
 

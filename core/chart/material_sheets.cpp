@@ -175,7 +175,7 @@ NamedSheet masterSheet(const Material& material) {
   if (material.isMeasured()) {
     const FrequencyRange range = fittedRange(material);
     sheet.subtitle =
-        message("{}, G = {} in equilibrium, rms residual {} % of G' and {} % of G''",
+        message("{}, G\u221E = {}, rms residual {} % of G' and {} % of G''",
                 describeArms(material.series.arms.size()),
                 PrintedNumber{printedQuantity(material.series.equilibriumModulus, "Pa")},
                 PrintedNumber{printedNumber(100 * material.series.rmsStorage, 2)},

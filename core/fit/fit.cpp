@@ -55,7 +55,7 @@ class Fitting {
     setCombinations();
     stateProfiles();
     fit_.evaluations = objective_.evaluations();
-    addNotes();
+    addWarningsAndNotes();
     return std::move(fit_);
   }
 
@@ -147,31 +147,30 @@ class Fitting {
     }
   }
 
-  void addNotes() {
+  void addWarningsAndNotes() {
     if (!fit_.hasFoundPoints)
-      fit_.notes.emplace_back(
+      fit_.warnings.emplace_back(
           "the fit has not found the points: computed and measured friction differ by more than a "
           "factor of two on average, and the values and their errors say nothing; begin from other "
           "values, or vary further ones");
     else if (fit_.missesPoints)
-      fit_.notes.push_back(
+      fit_.warnings.push_back(
           message("the points lie further from the curve than their errors say: \u03C7\u00B2 is "
                   "{:.3g} for {} degrees of freedom; the errors of the values are computed from "
                   "errors of the points that are {:.2g} times as large",
                   fit_.chiSquared, fit_.freedom, fit_.errorScale));
     noteOutlier();
-    // These notes tell how the tables were understood.
     for (const FrictionData& table : data_)
       for (const Message& note : table.notes)
         fit_.notes.push_back(message("{}: {}", Message::name(table.name), note));
     if (shiftsByGeneralConstants())
-      fit_.notes.push_back(message(
+      fit_.warnings.push_back(message(
           "times are shifted to the temperatures of the points by the general WLF constants, C1 = "
           "{} and C2 = {} K, which the scene does not replace by those of its rubber",
           TemperatureShift{}.c1, TemperatureShift{}.c2));
     for (const FittedParameter& parameter : fit_.parameters) {
       if (fit_.hasFoundPoints && !parameter.isDetermined)
-        fit_.notes.push_back(message(
+        fit_.warnings.push_back(message(
             "{} is not determined by these data: its standard error is {:.2g} in {}", parameter.key,
             parameter.standardError, parameter.isLogarithmic ? "ln" : "its unit"));
       if (fit_.hasFoundPoints && parameter.isWidened)
@@ -180,13 +179,13 @@ class Fitting {
                     "rises by one standard error, and the standard error is half of that range",
                     parameter.key));
       if (parameter.isAtLimit)
-        fit_.notes.push_back(
+        fit_.warnings.push_back(
             message("{} ends at its limit; the best value may lie beyond", parameter.key));
     }
     constexpr std::int64_t kFewLines = 50;
     const std::int64_t lines = fit_.computed.front().realizations;
     if (fit_.hasFoundPoints && fit_.isByLines && lines < kFewLines)
-      fit_.notes.push_back(message(
+      fit_.warnings.push_back(message(
           "the spread of the {} random lines is a larger part of the errors than the points "
           "are, and so few lines estimate it poorly: the true values may be two or three standard "
           "errors away; more lines (ensemble.realizations) make the errors smaller and better "
@@ -196,13 +195,13 @@ class Fitting {
       const auto lowest = std::ranges::min_element(profile.chiSquared);
       if (!(*lowest < fit_.chiSquared - worthAStep(fit_))) continue;
       const auto at = static_cast<std::size_t>(lowest - profile.chiSquared.begin());
-      fit_.notes.push_back(
+      fit_.warnings.push_back(
           message("the sum of squares is lower at {} = {:.3g}, by {:.2g}: the fit has not reached "
                   "its minimum; begin again from that value",
                   profile.key, profile.values[at], fit_.chiSquared - *lowest));
     }
     if (!fit_.hasConverged)
-      fit_.notes.emplace_back("the fit ended before the sum of squares stopped falling");
+      fit_.warnings.emplace_back("the fit ended before the sum of squares stopped falling");
   }
 
   /// Names the point that alone makes most of the sum of squares: it pulls all values towards
@@ -226,7 +225,7 @@ class Fitting {
         largest < kTimesTheOthers * kTimesTheOthers * others)
       return;
     const MeasuredPoint& point = objective_.point(at);
-    fit_.notes.push_back(message(
+    fit_.warnings.push_back(message(
         "one point makes {:.2g} % of the sum of squares: at {:.3g} m/s friction is measured "
         "as {:.3g} and computed as {:.3g}; check it, because it moves all values",
         100 * largest / sum, point.velocity, point.mu, fit_.computed[at].mu));

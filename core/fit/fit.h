@@ -97,7 +97,8 @@ struct Fit : FitErrors {
   std::int64_t freedom = 0;  // points minus parameters
   bool hasConverged = false;
   int evaluations = 0;
-  std::vector<Message> notes;
+  std::vector<Message> warnings;  // what makes the values uncertain or wrong
+  std::vector<Message> notes;     // how the tables were understood, and what the ranges mean
 };
 
 /// Fits the parameters. Throws InputError for what cannot be fitted: no parameters, fewer points

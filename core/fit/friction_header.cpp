@@ -314,15 +314,15 @@ bool isRoomTemperature(std::string_view text) {
 /// Returns the loads and temperatures that a line states, also those that are not understood but
 /// have a unit of such a quantity.
 std::vector<HeaderStatement> readStatements(const TextEntry& entry, HeaderMark mark) {
-  const std::string line = lineOf(entry), asWritten = lineOf(entry, ": ");
-  const auto complete = [&entry](HeaderStatement statement, std::string text) {
+  const std::string line = lineOf(entry);
+  const auto complete = [&](HeaderStatement statement, const std::string& text) {
     if (namesOther(text)) statement.candidate.reset();
-    statement.text = std::move(text);
+    statement.text = text == line ? entry.written : text;
     statement.line = entry.line;
     return statement;
   };
   const auto whole = readStatement(line, mark);
-  if (whole && whole->quantity) return {complete(*whole, asWritten)};
+  if (whole && whole->quantity) return {complete(*whole, line)};
   // "Aged 168 h, T = 20 \u00B0C" in a table with commas has a statement in front of its key.
   const std::size_t number = findNumber(entry.key);
   const auto first =
@@ -343,7 +343,7 @@ std::vector<HeaderStatement> readStatements(const TextEntry& entry, HeaderMark m
       HeaderStatement& before = statements.back();
       if (before.quantity && measures(value->unit, *before.quantity)) before.quantity.reset();
     }
-    const std::string text = clauses.size() == 1 ? asWritten : std::string(clause);
+    const std::string text = clauses.size() == 1 ? line : std::string(clause);
     const std::size_t before = statements.size();
     if (const auto sentence = readSentence(clause, mark))
       statements.push_back(complete(*sentence, text));
@@ -355,7 +355,7 @@ std::vector<HeaderStatement> readStatements(const TextEntry& entry, HeaderMark m
       statements.push_back(complete({.candidate = FrictionQuantity::Temperature}, text));
     if (isHardness && statements.size() > before) statements.back().candidate.reset();
   }
-  if (statements.empty() && whole) statements.push_back(complete(*whole, asWritten));
+  if (statements.empty() && whole) statements.push_back(complete(*whole, line));
   return statements;
 }
 

@@ -41,7 +41,7 @@ class FrictionRoleFinder {
         refuse(
             message("line {}: '{}' does not name {} columns; separate the names as the "
                     "numbers are, or write each one without blanks, such as velocity_mm/s",
-                    entry.line, shortened(lineOf(entry, " ")), count));
+                    entry.line, shortened(entry.written), count));
     if (count != 2 && count != 3)
       refuse(
           message("has {} columns without names; name them: velocity, mu, and where there are "

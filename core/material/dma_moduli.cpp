@@ -32,7 +32,7 @@ ModulusKind kindOfGeometry(const DmaBlock& in, std::vector<Message>& notes) {
           containsOneOf(line, "tension tensile zug compress bend biege cantilever film");
       if (isShear == isTension) continue;
       notes.push_back(message("line {} states the geometry: {}", entry.line,
-                              Message::name(shortened(lineOf(entry)))));
+                              Message::name(shortened(entry.written))));
       return isShear ? ModulusKind::Shear : ModulusKind::Tension;
     }
     if (current == &in.table.blocks.front()) return ModulusKind::Unknown;

@@ -451,9 +451,9 @@ std::vector<Message> materialSummary(const Material& material) {
   const PronySeries& series = material.series;
   std::vector<Message> lines;
   if (!material.isMeasured()) {
-    lines.push_back(message(
-        "{}: {}, G = {} in equilibrium, at {}", material.format, describeArms(series.arms.size()),
-        quantity(series.equilibriumModulus, "Pa"), celsius(material.referenceTemperature)));
+    lines.push_back(
+        message("{}: {}, G\u221E = {}, at {}", material.format, describeArms(series.arms.size()),
+                quantity(series.equilibriumModulus, "Pa"), celsius(material.referenceTemperature)));
     lines.push_back(
         "which frequencies were measured is not known: friction on it is not marked as "
         "extrapolated");
@@ -503,7 +503,7 @@ std::vector<Message> materialSummary(const Material& material) {
                             PrintedNumber{printedNumber(worst.mismatch, 2)}));
   }
   lines.push_back(message(
-      "Prony series: {} from {} relaxation times, G = {} in equilibrium; "
+      "Prony series: {} from {} relaxation times, G\u221E = {}; "
       "rms residual {} % of G', {} % of G''",
       describeArms(series.arms.size()), series.terms, quantity(series.equilibriumModulus, "Pa"),
       percent(series.rmsStorage), percent(series.rmsLoss)));

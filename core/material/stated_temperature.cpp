@@ -31,7 +31,7 @@ struct Statement {
   double kelvin = 0;
   std::size_t line = 0;
   Rank rank = Rank::Bare;
-  std::string text{};  // the line
+  std::string text{};  // the line, to be quoted
 };
 
 /// Returns whether a text goes on from one end of a range to the other: "to 60 °C", "... 60 °C".
@@ -70,6 +70,7 @@ class HeaderReader {
  private:
   void readEntry(const TextEntry& entry) {
     text_ = lineOf(entry);
+    written_ = entry.written;
     line_ = entry.line;
     const std::vector<std::string> words = wordsIn(text_);
     isLineOfOther_ = areOfOther(words);
@@ -168,8 +169,8 @@ class HeaderReader {
     const bool isMarked = endsWithOneOf(before, "( [ @");
     before = withoutEnd(before, "@([");
     const bool isBehindDash = before.ends_with('-') || before.ends_with("\u2013");
-    const bool isOne = findTemperatures(text_).size() == 1;
-    const bool isInName = before.ends_with('_') && isOne && isUsual(found.kelvin);
+    const LineTemperatures ofLine = temperaturesOfLine();
+    const bool isInName = before.ends_with('_') && ofLine.count == 1 && isUsual(found.kelvin);
     // "Step 3: 20 °C"
     const bool isBehindKey = endsWithOneOf(before, ": =") && areOnlyOfTest(wordsIn(before));
     const std::vector<std::string> front = wordsIn(before);
@@ -182,7 +183,7 @@ class HeaderReader {
     if (!isSeparated && (found.isLetter || found.unit == "K" || isBehindSymbol)) return false;
     if (!isInName && !wordsIn(behind).empty()) return false;
     // "3C, 20 °C": the letter belongs to the name of a sample.
-    if (found.isLetter && hasWrittenOutTemperature()) return false;
+    if (found.isLetter && ofLine.hasWrittenOut) return false;
     // The parts of "NR_aged_70C" are words.
     std::string parts = text_;
     std::ranges::replace(parts, '_', ' ');
@@ -197,14 +198,20 @@ class HeaderReader {
     return kelvin > kColdestUsual && kelvin < kHottestUsual;
   }
 
-  /// Returns whether the line has a temperature whose unit is more than a letter.
-  bool hasWrittenOutTemperature() const {
+  struct LineTemperatures {
+    int count = 0;
+    bool hasWrittenOut = false;  // one with a unit that is more than a letter
+  };
+
+  LineTemperatures temperaturesOfLine() const {
+    LineTemperatures all;
     std::string_view rest = text_;
     while (const auto found = firstTemperature(rest)) {
-      if (!found->isLetter) return true;
+      ++all.count;
+      all.hasWrittenOut = all.hasWrittenOut || !found->isLetter;
       rest.remove_prefix(found->end);
     }
-    return false;
+    return all;
   }
 
   /// Adds a temperature in a line about a shift, or of a glass transition. Returns whether it is
@@ -265,7 +272,7 @@ class HeaderReader {
   void add(double kelvin, Rank rank) {
     const bool isOfTest = rank == Rank::Test || rank == Rank::Reference;
     if (kelvin >= kColdestTest) {
-      found_.push_back({kelvin, line_, rank, text_});
+      found_.push_back({kelvin, line_, rank, written_});
     } else if (isOfTest && isStrict_) {
       throw InputError(name_, fmt::format("line {}", line_),
                        message("states a temperature of {:.6g} K, at which no rubber is measured; "
@@ -278,7 +285,7 @@ class HeaderReader {
   bool isStrict_;
   std::vector<Statement> found_;
   // Of the line that is read:
-  std::string text_{};
+  std::string text_{}, written_{};  // the line as it is read, and as it is quoted
   std::size_t line_ = 0;
   bool isLineOfOther_ = false, isLineOfShift_ = false;
   bool isOfMaking_ = false;    // whether the clauses before are about making
@@ -329,16 +336,16 @@ std::optional<HeaderTemperature> distrustedTemperature(const TextTable& table,
                                                        const TextBlock& block) {
   for (const TextBlock* current = &block;; --current) {
     for (const TextEntry& entry : current->header) {
-      std::string line = lineOf(entry);
-      if (const auto found = findTemperature(line)) return {{*found, entry.line, std::move(line)}};
+      if (const auto found = findTemperature(lineOf(entry)))
+        return {{*found, entry.line, entry.written}};
     }
     if (current == &table.blocks.front()) return {};
   }
 }
 
 std::optional<HeaderTemperature> temperatureInName(const std::string& fileName) {
-  const std::vector<TextEntry> name{
-      {.key = {}, .value = std::filesystem::path(fileName).stem().string()}};
+  const std::string stem = std::filesystem::path(fileName).stem().string();
+  const std::vector<TextEntry> name{{.key = {}, .value = stem, .written = stem}};
   const std::vector<Statement> all = HeaderReader({}, {}, false).read(name);
   const bool isOne = all.size() == 1 && isOneOfTest(all.front().rank);
   return isOne ? std::optional(HeaderTemperature{all.front().kelvin, 0, all.front().text})

@@ -428,7 +428,7 @@ MeasuredFile readMeasuredBytes(std::string_view bytes, const std::string& name,
   const SurfaceSource source{bytes, name, choices, stop, progress};
   requireChoices(source);
   source.report(0);
-  if (bytes.empty()) source.fail("the file is empty");
+  if (bytes.empty()) source.fail("is empty");
   return finished(source, readDraft(source));
 }
 

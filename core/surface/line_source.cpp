@@ -364,7 +364,7 @@ NoteSet lineNotes(const LineSource& source) {
   if (!measured) return notes;
   notes.add(Note::Spikes, measured->spikes() > 0);
   notes.add(Note::CoarseHeights, measured->coarseRows().coarse > 0);
-  notes.add(Note::RoundForm, measured->radiusOfForm(source.rowOf(0)) > 0);
+  notes.add(Note::RoundForm, measured->radiusOfForm() > 0);
   if (!measured->mayHaveSeamJump()) return notes;
   // A few rows suffice, because most of them have such a step.
   constexpr std::int64_t kRows = 16;

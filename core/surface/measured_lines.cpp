@@ -312,12 +312,27 @@ CoarseRows MeasuredLines::coarseRows() const {
   return coarseRows_;
 }
 
-double MeasuredLines::radiusOfForm(std::int64_t row) const {
-  // What a parabola leaves of a circle has waves of half the length, of which a cut-off of a
-  // quarter of the length leaves a sixth (ISO 16610-21).
-  constexpr double kRemoves = 0.25;
-  const bool isRemoved = longWaves_ && surface_.processing.longWaveCut <= kRemoves * usedLength_;
-  return isRemoved ? 0 : radiusOfRoundForm(stretch(row), file_->topography.columnSpacing);
+/// Examines a few rows, spread evenly, without their outliers: one damaged row decides nothing.
+double MeasuredLines::radiusOfForm() const {
+  std::call_once(isFormFound_, [this] {
+    // What a parabola leaves of a circle has waves of half the length, of which a cut-off of a
+    // quarter of the length leaves a sixth (ISO 16610-21).
+    constexpr double kRemoves = 0.25;
+    const ProcessingChoices& processing = surface_.processing;
+    if (longWaves_ && processing.longWaveCut <= kRemoves * usedLength_) return;
+    constexpr std::int64_t kMostRows = 5;
+    const std::int64_t count = std::min(rows(), kMostRows);
+    std::vector<double> radii;  // 0 where a row is no circle
+    for (std::int64_t i = 0; i < count; ++i) {
+      std::vector<double> heights = stretch(rowOfRealization(i, count, rows()));
+      markOutliers(heights, processing.outliers, processing.form);
+      radii.push_back(radiusOfRoundForm(heights, file_->topography.columnSpacing));
+    }
+    const auto middle = radii.begin() + (std::ssize(radii) - 1) / 2;
+    std::ranges::nth_element(radii, middle);
+    radiusOfForm_ = *middle;
+  });
+  return radiusOfForm_;
 }
 
 ProcessedProfile MeasuredLines::profile(std::int64_t row) const {

@@ -85,9 +85,9 @@ class MeasuredLines {
   std::int64_t spikes() const;
   SpectrumLimits spectrumLimits(const ProcessedProfile& profile) const;
   CoarseRows coarseRows() const;
-  /// Returns the radius (m) of a row that is part of a circle (radiusOfRoundForm); 0 where it is
-  /// none, or where a long-wave cut-off removes it.
-  double radiusOfForm(std::int64_t row) const;
+  /// Returns the middle radius (m) of rows that are parts of circles (radiusOfRoundForm); 0 where
+  /// half of them or more are none, or where a long-wave cut-off removes the form.
+  double radiusOfForm() const;
   /// Returns the number of that row in the file, counted from 1.
   std::int64_t numberInFile(std::int64_t row) const {
     return rows_[static_cast<std::size_t>(row)] + 1;
@@ -140,6 +140,8 @@ class MeasuredLines {
   mutable std::int64_t spikes_ = 0;
   mutable std::once_flag areStepsFound_;  // coarseRows_ has its values
   mutable CoarseRows coarseRows_;
+  mutable std::once_flag isFormFound_;  // radiusOfForm_ has its value
+  mutable double radiusOfForm_ = 0;
 };
 
 /// Returns the row of a realization out of `rows`: the rows are spread evenly, because neighbouring

@@ -46,7 +46,7 @@ MeasuredSummary measuredSummary(const Scene& scene, const LineSource& source) {
   summary.steps = limits.steps;
   summary.band = limits.band;
   summary.coarseRows = lines.coarseRows();
-  summary.radius = lines.radiusOfForm(source.rowOf(0));
+  summary.radius = lines.radiusOfForm();
   summary.period = source.length();
   summary.lineSlope = source.statistics().rmsSlope;
   summary.ratios = lines.equivalentRatios();

@@ -26,7 +26,7 @@ struct MeasuredSummary {
   SpectralDensity rawSpectrum{}, usedSpectrum{};  // under a Hann window, C1 two-sided
   HeightSteps steps{};                            // of that row, where they are too coarse
   CoarseRows coarseRows{};                        // of all that are lines
-  double radius = 0;  // m, of that row where it is part of a circle; 0: it is none
+  double radius = 0;  // m, of rows that are parts of circles (MeasuredLines::radiusOfForm); 0: none
   ReliableBand band{};
   double period = 0;     // m, of the line
   double lineSlope = 0;  // rms, of the line that slides

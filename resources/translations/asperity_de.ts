@@ -1862,8 +1862,8 @@
         <translation>bester Wert</translation>
     </message>
     <message>
-        <source>standard error</source>
-        <translation>Standardfehler</translation>
+        <source>± standard error</source>
+        <translation>± Standardfehler</translation>
     </message>
     <message>
         <source>correlation: %1</source>
@@ -2097,6 +2097,10 @@
 </context>
 <context>
     <name>asperity::ImportPage</name>
+    <message>
+        <source>reading…</source>
+        <translation>wird gelesen…</translation>
+    </message>
     <message>
         <source>Nothing of this file can be shown.</source>
         <translation>Von dieser Datei lässt sich nichts zeigen.</translation>

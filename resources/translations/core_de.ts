@@ -139,11 +139,11 @@
         <translation>ein Temperaturunterschied</translation>
     </message>
     <message>
-        <source>%1 is %2; wanted is %3, such as %4</source>
+        <source>%1 is %2; expected %3, such as %4</source>
         <translation>%1 ist %2; erwartet wird %3, etwa %4</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is not a known unit; wanted is %2, such as %3</source>
+        <source>&apos;%1&apos; is not a known unit; expected %2, such as %3</source>
         <translation>„%1“ ist hier keine bekannte Einheit; erwartet wird %2, etwa %3</translation>
     </message>
     <message>
@@ -193,10 +193,6 @@
     <message>
         <source>with local friction</source>
         <translation>mit lokaler Reibung</translation>
-    </message>
-    <message>
-        <source>%1 = %2, %3 to %4</source>
-        <translation>%1 = %2, %3 bis %4</translation>
     </message>
     <message>
         <source>%1:%2 is no range within %3</source>
@@ -977,6 +973,14 @@
     <message>
         <source>above 0.9</source>
         <translation>über 0,9</translation>
+    </message>
+    <message>
+        <source>accuracy.target_relative_error needs about %1 lines at one velocity, and at most %2 are computed: the run takes about %3 and may miss the target</source>
+        <translation>accuracy.target_relative_error braucht bei einer Geschwindigkeit etwa %1 Linien, und höchstens %2 werden berechnet: Der Lauf dauert etwa %3 und verfehlt womöglich das Ziel</translation>
+    </message>
+    <message>
+        <source>accuracy.target_relative_error needs about %1 lines at one velocity and %2 in all; half the error needs four times as many</source>
+        <translation>accuracy.target_relative_error braucht bei einer Geschwindigkeit etwa %1 Linien und insgesamt %2; der halbe Fehler braucht viermal so viele</translation>
     </message>
     <message>
         <source>accuracy.target_relative_error is not reached: %1; the mean over all rows of the surface is uncertain by %2, which only a larger piece of the surface lowers</source>
@@ -4311,8 +4315,8 @@
         <translation>hat %1 Zeilen; erlaubt sind %2, mehr als ein Gerät braucht</translation>
     </message>
     <message>
-        <source>%1: %2, G = %3 in equilibrium, at %4</source>
-        <translation>%1: %2, G = %3 im Gleichgewicht, bei %4</translation>
+        <source>%1: %2, G∞ = %3, at %4</source>
+        <translation>%1: %2, G∞ = %3, bei %4</translation>
     </message>
     <message>
         <source>which frequencies were measured is not known: friction on it is not marked as extrapolated</source>
@@ -4487,8 +4491,8 @@
         <translation>Überlappungen: Nachbarn stimmen auf %1 bis %2 Dekaden überein (Effektivwert)</translation>
     </message>
     <message>
-        <source>Prony series: %1 from %2 relaxation times, G = %3 in equilibrium; rms residual %4 % of G', %5 % of G''</source>
-        <translation>Prony-Reihe: %1 aus %2 Relaxationszeiten, G = %3 im Gleichgewicht; Restabweichung %4 % von G', %5 % von G'' (Effektivwert)</translation>
+        <source>Prony series: %1 from %2 relaxation times, G∞ = %3; rms residual %4 % of G', %5 % of G''</source>
+        <translation>Prony-Reihe: %1 aus %2 Relaxationszeiten, G∞ = %3; Restabweichung %4 % von G', %5 % von G'' (Effektivwert)</translation>
     </message>
     <message>
         <source>Williams, Landel and Ferry: C1 = %1, C2 = %2 K, %3 decades rms</source>
@@ -4927,8 +4931,8 @@
         <translation>%1: Masterkurve</translation>
     </message>
     <message>
-        <source>%1, G = %2 in equilibrium, rms residual %3 % of G' and %4 % of G''</source>
-        <translation>%1, G = %2 im Gleichgewicht, Restabweichung %3 % von G' und %4 % von G'' (Effektivwert)</translation>
+        <source>%1, G∞ = %2, rms residual %3 % of G' and %4 % of G''</source>
+        <translation>%1, G∞ = %2, Restabweichung %3 % von G' und %4 % von G'' (Effektivwert)</translation>
     </message>
     <message>
         <source>Not thermorheologically simple: shifts of the frequency alone do not bring the points of all temperatures onto one curve.</source>
@@ -6681,10 +6685,6 @@
     <message>
         <source>%1 as in the file</source>
         <translation>%1 wie in der Datei</translation>
-    </message>
-    <message>
-        <source>the file is empty</source>
-        <translation>die Datei ist leer</translation>
     </message>
     <message>
         <source>column %1: is it the temperature of the rubber, and not of the track or the air? Name it temperature alone, with its unit in brackets, or take the column out</source>

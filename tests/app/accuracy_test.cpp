@@ -195,6 +195,12 @@ TEST_F(AccuracyCommandTest, AFurtherCurveThatMissesItsTargetIsWrittenAndNamed) {
                                   sine + " --set accuracy.target_relative_error=1e-17");
   EXPECT_EQ(family.status, 1);
   EXPECT_THAT(read("family.csv"), HasSubstr("\nF\u2099 = 1 N,"));
+  const Said both =
+      program.run("curve s.json -o both.csv" + sine +
+                  " --with 'accuracy.target_relative_error=1e-17;load.normal_force=1'"
+                  " --with 'accuracy.target_relative_error=1e-17;load.normal_force=2'");
+  EXPECT_EQ(both.status, 1);
+  EXPECT_THAT(both.err, AllOf(HasSubstr("F\u2099 = 1 N"), HasSubstr("F\u2099 = 2 N: ")));
 }
 
 TEST_F(AccuracyCommandTest, AnElasticSceneHasNothingToReach) {

@@ -41,15 +41,38 @@ QLabel* textLabel(const QString& name) {
   return label;
 }
 
-QLabel* errorTextLabel(const QString& name) {
+namespace {
+
+/// Makes a label of several lines with a role of the style sheet of messages.
+QLabel* roleLabel(const QString& name, const char* role) {
   QLabel* label = textLabel(name);
-  label->setProperty("role", "error");
+  label->setProperty("role", role);
   return label;
 }
 
+}  // namespace
+
+QLabel* errorTextLabel(const QString& name) {
+  return roleLabel(name, "error");
+}
+
 void setMessage(QLabel& label, const QString& text, MessageKind kind) {
-  setStyleProperty(label, "role", kind == MessageKind::Error ? "error" : "");
+  setStyleProperty(label, "role",
+                   kind == MessageKind::Error     ? "error"
+                   : kind == MessageKind::Warning ? "warning"
+                                                  : "");
   label.setText(text);
+}
+
+QLabel* warningTextLabel(const QString& name) {
+  return roleLabel(name, "warning");
+}
+
+void showWarnings(QLabel& label, const QStringList& warnings) {
+  QStringList lines;
+  for (const QString& warning : warnings) lines += QStringLiteral("⚠ ") + warning;
+  label.setText(keptTogether(lines.join('\n')));
+  label.setVisible(!lines.isEmpty());
 }
 
 QProgressBar* thinProgress(const QString& name, int width) {

@@ -51,9 +51,14 @@ QLabel* textLabel(const QString& name);
 
 /// Makes such a label for an error, in the colour that errors have everywhere in a window.
 QLabel* errorTextLabel(const QString& name);
-enum class MessageKind { Error, Note };
-/// Shows an error in such a label, or a note in the colour of other texts.
+enum class MessageKind { Error, Warning, Note };
+/// Shows an error or a warning in such a label, or a note in the colour of other texts.
 void setMessage(QLabel& label, const QString& text, MessageKind kind);
+
+/// Makes such a label for warnings, in the colour that they have everywhere in a window.
+QLabel* warningTextLabel(const QString& name);
+/// Shows the warnings, each in a line behind its sign; without any it hides the label.
+void showWarnings(QLabel& label, const QStringList& warnings);
 
 /// Makes a thin bar of progress without a text.
 QProgressBar* thinProgress(const QString& name, int width = 120);

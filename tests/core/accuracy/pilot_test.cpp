@@ -257,5 +257,24 @@ TEST(Pilot, ThePlanOfALongLineMakesNoLine) {
             before[static_cast<std::size_t>(Stage::TimeMarch)]);
 }
 
+/// A target of 1e-6 starts millions of lines, which a user learns before the run.
+TEST(Prediction, WarnsOfATargetThatNeedsVeryManyLines) {
+  Scene scene;
+  Prediction prediction;
+  prediction.lines = 4e5;
+  prediction.seconds = 9000;
+  EXPECT_FALSE(warningOfTarget(scene, prediction)) << "the lines of a scene are its own choice";
+  scene.accuracy.targetRelativeError = 1e-6;
+  const auto many = warningOfTarget(scene, prediction);
+  ASSERT_TRUE(many);
+  EXPECT_NE(many->english().find("and 9000 s in all"), std::string::npos) << many->english();
+  prediction.lines = 4e7;
+  const auto tooMany = warningOfTarget(scene, prediction);
+  ASSERT_TRUE(tooMany);
+  EXPECT_NE(tooMany->english().find("may miss the target"), std::string::npos);
+  prediction.lines = 500;
+  EXPECT_FALSE(warningOfTarget(scene, prediction));
+}
+
 }  // namespace
 }  // namespace asperity

@@ -62,14 +62,14 @@ TEST(Units, OtherUnitsHaveTheirSize) {
 }
 
 TEST(Units, AUnitOfAnotherDimensionIsRefusedByName) {
-  EXPECT_EQ(refusal("20mm", "N"), "20mm is a length; wanted is a force, such as 3.4 mN");
-  EXPECT_EQ(refusal("5 kg", "m"), "5 kg is a mass; wanted is a length, such as 20 mm");
-  EXPECT_EQ(refusal("3 N", ""), "3 N is a force; wanted is a pure number, such as 0.5");
+  EXPECT_EQ(refusal("20mm", "N"), "20mm is a length; expected a force, such as 3.4 mN");
+  EXPECT_EQ(refusal("5 kg", "m"), "5 kg is a mass; expected a length, such as 20 mm");
+  EXPECT_EQ(refusal("3 N", ""), "3 N is a force; expected a pure number, such as 0.5");
   EXPECT_EQ(refusal("5 stone", "N"),
-            "'stone' is not a known unit; wanted is a force, such as 3.4 mN");
+            "'stone' is not a known unit; expected a force, such as 3.4 mN");
   EXPECT_EQ(refusal("40 \u00B0C", "K"),
-            "40 \u00B0C is a temperature; wanted is a difference of temperatures, such as 300 K");
-  EXPECT_EQ(refusal("5 %", "N"), "5 % is a share; wanted is a force, such as 3.4 mN");
+            "40 \u00B0C is a temperature; expected a difference of temperatures, such as 300 K");
+  EXPECT_EQ(refusal("5 %", "N"), "5 % is a share; expected a force, such as 3.4 mN");
   EXPECT_EQ(refusal("0.5x", ""), "");
 }
 

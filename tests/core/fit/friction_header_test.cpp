@@ -41,6 +41,14 @@ TEST(FrictionData, ReadsLoadAndTemperatureAboveTheTable) {
   EXPECT_EQ(columns.notes[1].english(), "not used: Belastung [N]: 50");
 }
 
+/// A reader looks for what the file has, not for what the program makes of it.
+TEST(FrictionHeader, LinesAreQuotedAsTheFileHasThem) {
+  const std::string rows = "v (mm/s);mu\n1;0,45\n10;0,62\n";
+  for (const char* line : {"Temperature; 5 \u00B0C", "Temperature = 5 \u00B0C"})
+    EXPECT_THAT(parsed(std::string(line) + ";;\n" + rows).notes[0].english(),
+                HasSubstr("line 1: temperature of all points (" + std::string(line) + ")"));
+}
+
 /// A line may have several statements, without signs, with a tolerance or a remark.
 TEST(FrictionData, ReadsEachStatementOfALine) {
   const auto first = [](const std::string& line, const std::string& rows) {

@@ -697,7 +697,7 @@ TEST(DmaFile, TheGeometrySaysTheKindOfModuli) {
   const DmaFile film = read("Sample\tNR\nGeometry\tTension: Film\n" + table);
   expectRow(film.rows[0], 293.15, 1, 2e6, 2e5);
   EXPECT_EQ(film.facts.notes.front().english(),
-            "line 2 states the geometry: Geometry = Tension: Film");
+            "line 2 states the geometry: Geometry Tension: Film");
   expectRow(read("Geometry\tParallel plate\n" + table).rows[0], 293.15, 1, 6e6, 6e5);
 }
 

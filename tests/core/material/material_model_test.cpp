@@ -98,6 +98,7 @@ TEST(MaterialModel, TheSummarySaysWhatWasMeasured) {
   std::vector<std::string> lines;
   for (const Message& line : materialSummary(epdm())) lines.push_back(line.english());
   EXPECT_THAT(lines, Contains(HasSubstr("10 isotherms from \u221210.0 \u00B0C to 53.0 \u00B0C")));
+  EXPECT_THAT(lines, Contains(HasSubstr("relaxation times, G\u221E = ")));
   EXPECT_THAT(lines, Contains(HasSubstr("not thermorheologically simple")));
   EXPECT_THAT(lines, Contains(HasSubstr("the shift used is the table of measured shifts")));
 }

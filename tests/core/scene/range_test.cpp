@@ -66,7 +66,7 @@ TEST(Range, BadTextIsOneLineWithItsKey) {
             "load.depth: has no meaning in this scene, so nothing depends on it");
   EXPECT_EQ(refusal("surface.hurst=0.5:1.4:3"), "surface.hurst: 1.4 is outside 0 to 1");
   EXPECT_EQ(refusal("load.normal_force=1:2mm:3"),
-            "load.normal_force: 2mm is a length; wanted is a force, such as 3.4 mN");
+            "load.normal_force: 2mm is a length; expected a force, such as 3.4 mN");
   for (const char* text : {"1:2", "1:2:3:4", "1:2:x", "1:2:3:lin", "1:2:3:log:log", "1:2:2.5"})
     EXPECT_NE(refusal(std::string("load.normal_force=") + text), "no error") << text;
   EXPECT_EQ(refusal("load.normal_force=1:2:0"),

@@ -225,7 +225,7 @@ TEST(SceneFile, AssignmentsTakeUnits) {
   EXPECT_DOUBLE_EQ(scene.elastomer.temperature, 298.15);
   EXPECT_EQ(scene.accuracy.targetRelativeError, 0.01);
   EXPECT_EQ(errorOf("{}", {"load.normal_force=20mm"}),
-            "s.json: load.normal_force: 20mm is a length; wanted is a force, such as 3.4 mN");
+            "s.json: load.normal_force: 20mm is a length; expected a force, such as 3.4 mN");
 }
 
 TEST(SceneFile, AnAssignedKindDropsTheKeysItMakesMeaningless) {

@@ -473,6 +473,30 @@ TEST_F(MeasuredScene, SaysThatAProfileIsPartOfACircle) {
   EXPECT_FALSE(notes({}, "p.txt").has(Note::RoundForm));
 }
 
+/// Neither a row that was measured beside the roller nor points far above it hide the form.
+TEST_F(MeasuredScene, ADamagedRowAndOutliersHideNoCircle) {
+  std::string profile = "x [mm]\tz [mm]\n", rows;
+  for (int row = 0; row < 4; ++row) {
+    for (int i = 0; i < 400; ++i) {
+      const double x = 0.01 * (i - 200);
+      const double rough = 1e-4 * std::sin(0.2 * i), round = std::sqrt(16 - x * x) + rough;
+      rows += fmt::format("{}{:.6f}", i > 0 ? "\t" : "", row == 0 ? rough : round);
+      if (row == 0) profile += fmt::format("{:.2f}\t{:.6f}\n", x, i % 97 == 50 ? 8 : round);
+    }
+    rows += "\n";
+  }
+  folder_.write("spiky.txt", profile);
+  folder_.write("rows.txt", rows);
+  const auto isRound = [&](const std::vector<std::string>& settings, const std::string& file) {
+    return lineNotes(LineSource(scene(settings, file), 1)).has(Note::RoundForm);
+  };
+  EXPECT_FALSE(isRound({"surface.form=parabola"}, "spiky.txt"));
+  EXPECT_TRUE(isRound({"surface.form=parabola", "surface.outliers=6"}, "spiky.txt"));
+  const std::vector<std::string> matrix{"surface.format=matrix", "surface.height_unit=mm",
+                                        "surface.point_spacing=1e-5"};
+  EXPECT_TRUE(isRound(matrix, "rows.txt"));
+}
+
 TEST_F(MeasuredScene, IsSummedUpInItsOwnOrientation) {
   const Scene measured = scene();
   const LineSource source(measured, 1);

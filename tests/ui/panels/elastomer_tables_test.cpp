@@ -96,7 +96,7 @@ TEST_F(ArmsEditorTest, ARefusedValueSaysWhyInPlaceAndChangesNothing) {
   EXPECT_EQ(complaint(1), "-2 MPa is outside 0 to 1 PPa");
   EXPECT_TRUE(entry("armModulus", 1).hasError());
   type("armTime", 0, "5 kg");
-  EXPECT_EQ(complaint(0), "5 kg is a mass; wanted is a time, such as 1 ms");
+  EXPECT_EQ(complaint(0), "5 kg is a mass; expected a time, such as 1 ms");
   EXPECT_EQ(panel_.scene(), before);
   QTest::keyClick(&entry("armTime", 0), Qt::Key_Escape);
   EXPECT_FALSE(isShown("armError:0"));

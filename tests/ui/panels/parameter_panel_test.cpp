@@ -143,7 +143,7 @@ TEST_F(ParameterPanelTest, RefusalsNameTheRangeInReadableUnits) {
   EXPECT_EQ(complaint("elastomer.shear_modulus"), "-2 MPa is outside 1 \u00B5Pa to 1 PPa");
   type("surface.length", "40 °C");
   EXPECT_EQ(complaint("surface.length"),
-            "40 °C is a temperature; wanted is a length, such as 20 mm");
+            "40 °C is a temperature; expected a length, such as 20 mm");
   type("elastomer.temperature", "40 °C");
   EXPECT_EQ(panel_.scene().elastomer.temperature, 313.15);
   EXPECT_TRUE(slider("surface.length").toolTip().contains("usually 100 \u00B5m to 1 m"));

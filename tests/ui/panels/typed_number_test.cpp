@@ -59,17 +59,17 @@ TEST(TypedNumber, WhatIsRefusedIsWhatTheTableRefuses) {
 }
 
 TEST(TypedNumber, AnotherDimensionIsExplained) {
-  EXPECT_EQ(refusal("surface.length", "5 kg"), "5 kg is a mass; wanted is a length, such as 20 mm");
+  EXPECT_EQ(refusal("surface.length", "5 kg"), "5 kg is a mass; expected a length, such as 20 mm");
   EXPECT_EQ(refusal("surface.length", "40 °C"),
-            "40 °C is a temperature; wanted is a length, such as 20 mm");
+            "40 °C is a temperature; expected a length, such as 20 mm");
   EXPECT_EQ(refusal("elastomer.shear_modulus", "3 mm"),
-            "3 mm is a length; wanted is a modulus or pressure, such as 10 MPa");
+            "3 mm is a length; expected a modulus or pressure, such as 10 MPa");
   EXPECT_EQ(refusal("surface.hurst", "3 N"),
-            "3 N is a force; wanted is a pure number, such as 0.5");
+            "3 N is a force; expected a pure number, such as 0.5");
   EXPECT_EQ(refusal("elastomer.shift.c2", "40 °C"),
-            "40 °C is a temperature; wanted is a difference of temperatures, such as 300 K");
+            "40 °C is a temperature; expected a difference of temperatures, such as 300 K");
   EXPECT_EQ(refusal("load.normal_force", "5 stone"),
-            "'stone' is not a known unit; wanted is a force, such as 3.4 mN");
+            "'stone' is not a known unit; expected a force, such as 3.4 mN");
   EXPECT_EQ(refusal("surface.hurst", "0.5x"), "“0.5x” is not a number; allowed is 0 to 1");
   EXPECT_EQ(refusal("load.normal_force", "much"),
             "“much” is not a number; allowed is 10\u207B\u00B3\u2070 to 10\u00B3\u2070 N");

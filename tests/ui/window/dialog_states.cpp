@@ -297,7 +297,7 @@ class Visitor {
                                     ? write("tread.csv", isothermText({5, 15, 25, 35, 45}, head))
                                     : wishes_.moduli);
     moduliSheets("moduli_unknown", write("tread 3.csv", isothermText({0, 20}, "A,B,C,D\n")));
-    moduliSheets("moduli_apart", write("tread 4.csv", isothermText({-60, 80}, head)));
+    moduliSheets("moduli_apart", write("tread 4.csv", isothermText({0, 60}, head)));
     moduliSheets("moduli_empty", write("nothing.csv", ""));
     if (isWanted("moduli_refused")) {
       MaterialImport& page = openModuli(write("tread 20C.csv", isothermText({20}, head)));

@@ -134,7 +134,11 @@ TEST_F(FitPageTest, TheValuesFitIntoANarrowPage) {
   tick(page, "elastomer.relaxation_time");
   ASSERT_TRUE(fit(page));
   ASSERT_TRUE(page.fitted()) << page.errorText().toStdString();
-  EXPECT_TRUE(page.findChild<QLabel*>("fitNotes")->text().contains("Korrelation: r("));
+  const QString notes = page.findChild<QLabel*>("fitNotes")->text();
+  EXPECT_TRUE(notes.contains("Korrelation: r("));
+  EXPECT_TRUE(notes.contains("mine.csv: "));
+  EXPECT_FALSE(notes.contains(QStringLiteral("⚠"))) << notes.toStdString();
+  EXPECT_EQ(page.findChild<QLabel*>("fitWarnings")->property("role").toString(), "warning");
   EXPECT_TRUE(page.findChild<DiagramView*>("fitSheet")->isVisibleTo(&page));
   const auto* texts = page.findChild<QScrollArea*>();
   ASSERT_TRUE(texts->isAncestorOf(page.findChild<QLabel*>("fitTable")));

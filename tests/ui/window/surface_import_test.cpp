@@ -13,6 +13,8 @@
 #include <QPointer>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTemporaryDir>
 #include <QToolButton>
 #include <algorithm>
@@ -289,7 +291,7 @@ TEST_F(SurfaceImportTest, ShowsNothingOfARefusedFileThatIsNoText) {
 TEST_F(SurfaceImportTest, TheNameOfAnEmptyFileStaysAtTheTop) {
   openPage(write("empty.csv", ""));
   ASSERT_TRUE(waitForPage());
-  EXPECT_TRUE(page_->errorText().contains("the file is empty")) << page_->errorText().toStdString();
+  EXPECT_TRUE(page_->errorText().contains("is empty")) << page_->errorText().toStdString();
   page_->layout()->activate();
   const auto& name = inPage<QLabel>("importFile");
   EXPECT_LE(name.geometry().bottom(), 3 * name.fontMetrics().lineSpacing() + 12);
@@ -313,6 +315,23 @@ TEST_F(SurfaceImportTest, SaysWhatIsWrongInOneLine) {
   openPage(folder_.filePath("gone.sdf"));
   ASSERT_TRUE(waitForPage());
   EXPECT_FALSE(page_->isReady());
+}
+
+/// On a screen of 1024 pixels the texts stand below the numbers.
+TEST_F(SurfaceImportTest, TheFactsOfASurfaceAreNotCutInANarrowPage) {
+  openPage(sineFile(1e-3));
+  ASSERT_TRUE(waitForPage());
+  page_->resize(984, 620);
+  const auto& facts = inPage<QLabel>("surfaceFacts");
+  const QScrollArea* texts = nullptr;
+  for (const QScrollArea* area : page_->findChildren<QScrollArea*>())
+    if (area->isAncestorOf(&facts)) texts = area;
+  ASSERT_TRUE(texts);
+  EXPECT_FALSE(facts.text().isEmpty());
+  EXPECT_TRUE(waitFor([&] {
+    return texts->verticalScrollBar()->maximum() == 0 &&
+           texts->widget()->width() <= texts->viewport()->width();
+  }));
 }
 
 TEST_F(SurfaceImportTest, ShowsATopographyAndItsRows) {

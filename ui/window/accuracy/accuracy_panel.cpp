@@ -20,6 +20,7 @@
 #include "ui/language/translated.h"
 #include "ui/panels/controls.h"
 #include "ui/panels/number_text.h"
+#include "ui/panels/parameter_row.h"
 #include "ui/window/accuracy/comparison_box.h"
 #include "ui/window/figures/figure_gallery.h"
 #include "ui/window/figures/figure_picture.h"
@@ -122,6 +123,9 @@ AccuracyPanel::AccuracyPanel(QWidget* parent)
   column->addLayout(targets);
   target_ = addLine(*column, "accuracyTarget");
   predicted_ = addLine(*column, "accuracyPredicted");
+  warning_ = warningTextLabel("accuracyWarning");
+  warning_->hide();
+  column->addWidget(warning_);
   measured_ = addLine(*column, "accuracyMeasured");
   column->addStretch(1);
   comparisonBox_ = new ComparisonBox;
@@ -238,6 +242,7 @@ void AccuracyPanel::hideEvent(QHideEvent* event) {
 void AccuracyPanel::predict() {
   if (!isVisible()) return;
   predicted_->setText(tr("predicting …"));
+  showWarnings(*warning_, {});
   prediction_.request(
       [scene = scene_](const BackgroundWork::Run& run) { return predictRun(scene, 0, run.stop()); },
       [this](const Prediction& prediction) { showPrediction(prediction); },
@@ -245,6 +250,10 @@ void AccuracyPanel::predict() {
 }
 
 void AccuracyPanel::showPrediction(const Prediction& prediction) {
+  QStringList warnings;
+  if (const auto warning = warningOfTarget(scene_, prediction))
+    warnings += withLabels(translatedText(*warning));
+  showWarnings(*warning_, warnings);
   if (prediction.steps > 0)
     return predicted_->setText(
         tr("predicted motion: %1 on free processors for %2 steps, error of friction %3 (time step "

@@ -76,7 +76,7 @@ class AccuracyPanel : public QWidget {
   QSlider* slider_;
   QLabel *quick_, *exact_;  // labels at the slider's ends
   QLabel* target_;
-  QLabel* predicted_;
+  QLabel *predicted_, *warning_;
   QLabel* measured_;
   ComparisonBox* comparisonBox_;
   QPushButton* free_;     // no target

@@ -60,6 +60,7 @@ FitPage::FitPage(const Scene& scene, const FitSelection& before, const Theme& th
       use_(named<QPushButton>("fitUse", tr("&Use these values"))),
       close_(named<QPushButton>("fitClose", tr("&Close"))),
       table_(named<QLabel>("fitTable")),
+      warnings_(warningTextLabel("fitWarnings")),
       notes_(named<QLabel>("fitNotes")),
       message_(errorTextLabel("fitComplaint")),
       progressText_(new QLabel),
@@ -85,6 +86,7 @@ FitPage::FitPage(const Scene& scene, const FitSelection& before, const Theme& th
   texts_ = new QWidget;
   auto* column = flush<QVBoxLayout>(texts_);
   column->addWidget(table_);
+  column->addWidget(warnings_);
   column->addWidget(notes_);
   column->addStretch(1);
   scroll_ = scrolled(texts_);
@@ -118,6 +120,7 @@ void FitPage::buildResult(const Theme& theme) {
     label->setTextInteractionFlags(Qt::TextSelectableByMouse);
   }
   table_->hide();
+  warnings_->hide();
   sheets_->setDrawBase(false);
   sheets_->setExpanding(false);
   sheets_->addTab(tr("Curve"));
@@ -226,6 +229,7 @@ void FitPage::take(std::shared_ptr<const FittedCurve> fitted) {
   fitted_ = std::move(fitted);
   table_->setText(fittedTable(fitted_->fit));
   table_->show();
+  showWarnings(*warnings_, fitWarnings(fitted_->fit));
   notes_->setText(keptTogether(fittedNotes(fitted_->fit)));
   sheets_->setTabEnabled(kProfiles, !fitted_->fit.profiles.empty());
   giveTextsHeight();

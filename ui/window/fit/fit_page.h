@@ -3,8 +3,8 @@
 // stopped at once; best values with errors and correlations, the fitted curve with its band, and
 // the profile of the sum of squares along each parameter. The values become those of the scene, or
 // a report is written as `asperity fit` writes it. Object names: those of FitChoices; "fitRun",
-// "fitTable", "fitNotes", "fitSheets", "fitSheet", "fitProgress", "fitComplaint", "fitSave",
-// "fitUse", "fitClose". GUI thread; deletes itself. Failure: one line on the page.
+// "fitTable", "fitWarnings", "fitNotes", "fitSheets", "fitSheet", "fitProgress", "fitComplaint",
+// "fitSave", "fitUse", "fitClose". GUI thread; deletes itself. Failure: one line on the page.
 #pragma once
 
 #include <QDialog>
@@ -75,7 +75,7 @@ class FitPage : public QDialog {
   bool isFitting_ = false, isSaving_ = false;
   FitChoices* choices_;
   QPushButton *run_, *save_, *use_, *close_;
-  QLabel *table_, *notes_, *message_, *progressText_;
+  QLabel *table_, *warnings_, *notes_, *message_, *progressText_;
   QProgressBar* progress_;
   QWidget* texts_ = nullptr;  // values and notes, within `scroll_`
   QScrollArea* scroll_ = nullptr;

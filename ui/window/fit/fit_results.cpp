@@ -28,18 +28,10 @@ namespace asperity {
 
 namespace {
 
-/// "± 3 %" of a value that is varied by its logarithm, "×÷ 6.7" where that is much.
-QString errorText(const FittedParameter& parameter) {
-  constexpr double kMuch = 0.3;  // of the natural logarithm
-  if (!std::isfinite(parameter.standardError)) return QStringLiteral("–");
-  if (!parameter.isLogarithmic)
-    return QStringLiteral("± ") +
-           quantityLabel(parameter.standardError, findParameter(parameter.key)->unit);
-  if (parameter.standardError < kMuch)
-    return QStringLiteral("± %1 %").arg(readingLabel(100 * parameter.standardError, 2));
-  constexpr double kMaxExponent = 20;  // e to this power is more than any table decides
-  if (parameter.standardError > kMaxExponent) return QStringLiteral("×÷ ∞");
-  return QStringLiteral("×÷ ") + readingLabel(std::exp(parameter.standardError), 2);
+/// Returns the range as the report states it; a dash where the data leave an end open.
+QString rangeText(const FittedParameter& parameter) {
+  if (!std::isfinite(parameter.low) || !std::isfinite(parameter.high)) return QStringLiteral("–");
+  return readingText(rangeOf(parameter)).toHtmlEscaped();
 }
 
 QString stateText(const FittedParameter& parameter, const Fit& fit) {
@@ -108,7 +100,7 @@ QString fittedTable(const Fit& fit) {
   };
   QString rows = "<tr>" + cell(FitPage::tr("parameter"), "left") +
                  cell("<b>" + FitPage::tr("best value") + "</b>", "right") +
-                 cell(FitPage::tr("standard error"), "right") + cell(QString(), "left") + "</tr>";
+                 cell(FitPage::tr("± standard error"), "right") + cell(QString(), "left") + "</tr>";
   for (const FittedParameter& parameter : fit.parameters) {
     const Parameter& row = *findParameter(parameter.key);
     QString name = ParameterRow::labelText(row).toHtmlEscaped();
@@ -116,7 +108,7 @@ QString fittedTable(const Fit& fit) {
     rows +=
         "<tr>" + cell(name, "left") +
         cell("<b>" + quantityLabel(parameter.value, row.unit).toHtmlEscaped() + "</b>", "right") +
-        cell(errorText(parameter), "right") + cell(stateText(parameter, fit), "left") + "</tr>";
+        cell(rangeText(parameter), "right") + cell(stateText(parameter, fit), "left") + "</tr>";
   }
   return "<table cellspacing=0 cellpadding=1>" + rows + "</table>";
 }
@@ -136,8 +128,15 @@ QString fittedNotes(const Fit& fit) {
   const bool areFactors = std::ranges::all_of(fit.parameters, &FittedParameter::isLogarithmic);
   if (isOpen && areFactors && fit.parameters.size() > 1) lines += combinationText(fit);
   for (const Message& note : fit.notes)
-    lines += QStringLiteral("⚠ ") + translatedText(withParameterNames(note)).toHtmlEscaped();
+    lines += translatedText(withParameterNames(note)).toHtmlEscaped();
   return lines.join(QStringLiteral("<br>"));
+}
+
+QStringList fitWarnings(const Fit& fit) {
+  QStringList warnings;
+  for (const Message& warning : fit.warnings)
+    warnings += translatedText(withParameterNames(warning));
+  return warnings;
 }
 
 DiagramSheet progressSheet(std::span<const double> chiSquared) {

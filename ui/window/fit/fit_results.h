@@ -13,14 +13,17 @@
 
 namespace asperity {
 
-/// Returns one row for each parameter: best value, standard error, and whether the data determine
-/// it. This and the next function: GUI thread, whose language they have.
+/// Returns one row for each parameter: best value, its range, and whether the data determine it.
+/// This and the next two functions: GUI thread, whose language they have.
 QString fittedTable(const Fit& fit);
 
 /// Returns the sum of squares, the correlations, the products that are determined where a single
 /// parameter is not, and the notes of the fit with the names of the panel instead of keys; one line
 /// each.
 QString fittedNotes(const Fit& fit);
+
+/// Returns the warnings of the fit with the names of the panel instead of keys.
+QStringList fitWarnings(const Fit& fit);
 
 /// Returns a diagram of the least sum of squares so far over the number of evaluations.
 DiagramSheet progressSheet(std::span<const double> chiSquared);

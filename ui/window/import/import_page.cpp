@@ -49,6 +49,7 @@ ImportPage::ImportPage(const QString& file, const QString& accept, QWidget* pare
       beginning_(fixedText("importBeginning")),
       halves_(new QHBoxLayout),
       message_(errorTextLabel("importComplaint")),
+      progressText_(new QLabel(tr("reading…"))),
       progress_(thinProgress("importProgress")),
       stop_(named<QToolButton>("importStop")),
       accept_(named<QPushButton>("importAccept", accept)),
@@ -96,6 +97,7 @@ void ImportPage::addFoot(QVBoxLayout& page) {
   connect(cancel_, &QPushButton::clicked, this, &QDialog::reject);
   auto* foot = new QHBoxLayout;
   foot->addWidget(message_, 1);
+  foot->addWidget(progressText_);
   foot->addWidget(progress_);
   foot->addWidget(stop_);
   foot->addSpacing(8);
@@ -137,7 +139,7 @@ void ImportPage::setState(State state) {
   state_ = state;
   const bool isReading = state == State::Reading, isStopped = state == State::Stopped;
   if (isReading) progress_->setValue(0);
-  progress_->setVisible(isReading);
+  for (QWidget* part : Widgets{progressText_, progress_}) part->setVisible(isReading);
   stop_->setVisible(isReading || isStopped);
   stop_->setText(isStopped ? QStringLiteral("↻") : QStringLiteral("✕"));
   const QString tip = isStopped ? tr("Read the file again") : tr("Stop reading");

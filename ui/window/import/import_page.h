@@ -70,7 +70,7 @@ class ImportPage : public QDialog {
   QVBoxLayout* views_;
   QPlainTextEdit* beginning_;  // of the file, while something is wrong with it
   QHBoxLayout* halves_;
-  QLabel* message_;
+  QLabel *message_, *progressText_;
   QProgressBar* progress_;
   QToolButton* stop_;
   QPushButton *accept_, *cancel_;

@@ -85,6 +85,7 @@ MaterialImport::MaterialImport(const QString& file, const Theme& theme, QWidget*
       chooser_(askForMaterial),
       sheet_(named<DiagramView>("dmaSheet")),
       sheets_(named<QTabBar>("dmaSheets")),
+      warnings_(warningTextLabel("dmaWarnings")),
       summary_(textLabel("dmaSummary")) {
   setObjectName("materialImport");
   setWindowTitle(tr("Open material"));
@@ -100,8 +101,12 @@ void MaterialImport::buildViews(const Theme& theme) {
   connect(sheets_, &QTabBar::currentChanged, this, &MaterialImport::showSheet);
   sheet_->setTheme(theme);
   sheet_->setAccessibleName(tr("the measured moduli and their fit"));
-  summary_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-  auto* scroll = scrolled(summary_, Qt::ScrollBarAlwaysOff);
+  auto* texts = new QWidget;
+  auto* column = flush<QVBoxLayout>(texts, 4);
+  for (QLabel* text : {warnings_, summary_}) column->addWidget(text);
+  column->addStretch(1);
+  warnings_->hide();
+  auto* scroll = scrolled(texts, Qt::ScrollBarAlwaysOff);
   scroll->setFixedHeight(8 * fontMetrics().lineSpacing());
   scroll->setAccessibleName(tr("summary of the material"));
   views().addWidget(sheets_);
@@ -359,11 +364,12 @@ void MaterialImport::take(const Preview& preview) {
     }
   }
   showSheet();
-  QStringList lines;
+  QStringList lines, warnings;
   for (const Message& line : materialSummary(*material_)) lines += sentence(translatedText(line));
   // Warnings come first, where they are visible without scrolling.
   if (material_->isMeasured() && !material_->curve.isThermorheologicallySimple)
-    lines.prepend(QStringLiteral("⚠ ") + lines.takeLast());
+    warnings += lines.takeLast();
+  showWarnings(*warnings_, warnings);
   summary_->setText(keptTogether(lines.join('\n')));
   if (material_->isMeasured())
     reference_->setPlaceholderText(translatedText(celsius(material_->referenceTemperature)));

@@ -4,8 +4,8 @@
 // and becomes that of the scene. Object names: those of ImportPage; "dmaReference", "dmaTerms",
 // "dmaShift", "dmaVertical", "dmaModulus", "dmaPoisson", "dmaFrequencyUnit", "dmaTemperatureUnit",
 // "dmaModulusUnit", "dmaTemperature", "dmaInstantaneous", "dmaEquilibrium", "dmaLiquid", "dmaName",
-// "dmaSource", "dmaSheets", "dmaSheet", "dmaSummary". GUI thread; deletes itself. Failure: one line
-// on the page.
+// "dmaSource", "dmaSheets", "dmaSheet", "dmaWarnings", "dmaSummary". GUI thread; deletes itself.
+// Failure: one line on the page.
 #pragma once
 
 #include <memory>
@@ -72,7 +72,7 @@ class MaterialImport : public ImportPage {
   std::shared_ptr<const Material> material_;
   DiagramView* sheet_;
   QTabBar* sheets_;
-  QLabel* summary_;
+  QLabel *warnings_, *summary_;
   QLineEdit *reference_ = nullptr, *temperature_ = nullptr, *poisson_ = nullptr,
             *instantaneous_ = nullptr, *equilibrium_ = nullptr, *name_ = nullptr,
             *source_ = nullptr, *frequencyColumn_ = nullptr, *temperatureColumn_ = nullptr,

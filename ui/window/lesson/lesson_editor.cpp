@@ -125,6 +125,8 @@ QWidget* LessonEditor::buildSteps() {
   column->setContentsMargins(0, 0, 0, 0);
   steps_ = named<QListWidget>("editorSteps");
   steps_->setAccessibleName(tr("steps"));
+  steps_->setWordWrap(true);
+  steps_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   column->addWidget(steps_, 1);
   auto* add =
       makeButton("editorAdd", tr("&Add step from what is shown"), &LessonEditor::addShownStep);

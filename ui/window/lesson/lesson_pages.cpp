@@ -105,7 +105,7 @@ void LessonStepPage::addScene() {
   auto* row = new QWidget;
   auto* line = new QHBoxLayout(row);
   line->setContentsMargins(0, 0, 0, 0);
-  sceneText_ = new ElidedLabel;
+  sceneText_ = new WrappedLabel;
   sceneText_->setObjectName("editorScene");
   auto* button = new QPushButton(tr("Take the scene that is shown"));
   button->setObjectName("editorTakeScene");
