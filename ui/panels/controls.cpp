@@ -369,6 +369,42 @@ void WrappedLabel::resizeEvent(QResizeEvent* event) {
   if (event->oldSize().width() != event->size().width()) updateGeometry();
 }
 
+namespace {
+
+/// Sets the font of a heading whenever that of the widget changes.
+class HeadingFont : public QObject {
+ public:
+  HeadingFont(QLabel& heading, QWidget& of, double scale)
+      : QObject(&heading), heading_(heading), of_(of), scale_(scale) {
+    of.installEventFilter(this);
+    set();
+  }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() == QEvent::FontChange) set();
+    return QObject::eventFilter(watched, event);
+  }
+
+ private:
+  void set() {
+    QFont font = of_.font();
+    font.setBold(true);
+    font.setPointSizeF(scale_ * font.pointSizeF());
+    heading_.setFont(font);
+  }
+
+  QLabel& heading_;
+  QWidget& of_;
+  double scale_;
+};
+
+}  // namespace
+
+void keepHeading(QLabel& heading, QWidget& of, double scale) {
+  new HeadingFont(heading, of, scale);
+}
+
 int widestText(const QWidget& widget, const QStringList& texts) {
   int widest = 0;
   for (const QString& text : texts)

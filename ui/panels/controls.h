@@ -201,6 +201,10 @@ class WrappedLabel : public QLabel {
   void resizeEvent(QResizeEvent* event) override;
 };
 
+/// Keeps the font of a heading bold and this many times as large as that of the widget whose
+/// content it heads.
+void keepHeading(QLabel& heading, QWidget& of, double scale);
+
 /// Returns the width of the widest text in the font of the widget, in pixels. A place that reserves
 /// it stays as wide as it is when its text changes, so that nothing beside it moves.
 int widestText(const QWidget& widget, const QStringList& texts);

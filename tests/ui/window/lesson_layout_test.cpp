@@ -3,6 +3,7 @@
 // on are in sight, and the Tab key reaches every control.
 #include <gmock/gmock.h>
 
+#include <QAction>
 #include <QCheckBox>
 #include <QDialog>
 #include <QDockWidget>
@@ -237,7 +238,8 @@ TEST_P(LessonPages, AreReadableAndReachable) {
 
 INSTANTIATE_TEST_SUITE_P(Languages, LessonPages, testing::Values("en", "de"));
 
-/// Its colour is that of the text below it, not of what is disabled.
+/// Its colour is that of the text below it, not of what is disabled. It stands above the titles of
+/// the steps, which stand above their texts, also in the large letters of a presentation.
 TEST(LessonTitle, IsATitle) {
   MainWindow window(smallScene());
   window.show();
@@ -250,6 +252,14 @@ TEST(LessonTitle, IsATitle) {
     };
     EXPECT_EQ(colour(title), colour(*window.findChild<QLabel*>("lessonText")));
     EXPECT_TRUE(title.font().bold());
+  }
+  const auto size = [&](const char* name) {
+    return window.findChild<QLabel*>(name)->font().pointSizeF();
+  };
+  for (int round = 0; round < 2; ++round) {
+    EXPECT_GT(size("lessonTitle"), size("lessonStepTitle"));
+    EXPECT_GT(size("lessonStepTitle"), size("lessonText"));
+    window.findChild<QAction*>("present")->trigger();
   }
 }
 

@@ -159,6 +159,24 @@ TEST_F(LessonsTest, AListenerHearsTheQuestionWithTheFirstAnswer) {
   QTest::qWait(0);  // the fields of the former steps go, of which one had the focus
 }
 
+/// The window may be painted before any other event: the question and its fields are in their
+/// places as soon as the step is shown.
+TEST_F(LessonsTest, AQuestionIsNeverSeenWithoutItsFields) {
+  lessons().start(lessonOf(sampleLesson()));
+  auto& question = control<QLabel>("lessonQuestion");
+  ASSERT_TRUE(waitFor([&] { return question.isVisible() && question.y() > 0; }));
+  const auto top = [&](const char* name) {
+    return control<QWidget>(name).mapTo(question.parentWidget(), QPoint()).y();
+  };
+  lessons().player().show(1);
+  EXPECT_TRUE(control<QWidget>("lessonNumber").isVisible());
+  EXPECT_GT(top("lessonNumber"), question.geometry().bottom());
+  lessons().player().show(0);
+  EXPECT_TRUE(control<QWidget>("lessonChoice:0").isVisible());
+  EXPECT_GT(top("lessonChoice:0"), question.geometry().bottom());
+  EXPECT_GT(top("lessonChoice:1"), top("lessonChoice:0"));
+}
+
 TEST_F(LessonsTest, TheTabKeyGoesFromTheQuestionToTheAnswerAndOn) {
   ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
   lessons().start(lessonOf(sampleLesson()), 1);

@@ -1,5 +1,6 @@
 #include "ui/window/lesson/lesson_pane.h"
 
+#include <QCoreApplication>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -56,7 +57,8 @@ LessonPane::LessonPane(QWidget* parent) : QWidget(parent) {
   reveal_ = addText(*column, "lessonReveal");
   note_ = addText(*column, "lessonNote");
   column->addStretch(1);
-  setHeading();
+  constexpr double kHeadingScale = 1.08;  // below that of the lesson, above the text
+  keepHeading(*title_, *this, kHeadingScale);
   QFont strong = question_->font();
   strong.setBold(true);
   question_->setFont(strong);
@@ -153,15 +155,9 @@ void LessonPane::showStep(const LessonPage& page) {
   showButtons();
   isRevealed_ = page.answer != nullptr;
   isScrolledByHand_ = false;
+  // All is in its place before anything of the step can be painted.
+  QCoreApplication::sendPostedEvents(scroll_->widget(), QEvent::LayoutRequest);
   QTimer::singleShot(0, this, &LessonPane::scroll);
-}
-
-/// Sets the font of the step's title from that of the window.
-void LessonPane::setHeading() {
-  QFont heading = font();
-  heading.setBold(true);
-  heading.setPointSizeF(heading.pointSizeF() * 1.12);
-  title_->setFont(heading);
 }
 
 void LessonPane::scroll() {
@@ -198,6 +194,7 @@ void LessonPane::setInput(AnswerInput* input) {
   connect(input, &AnswerInput::readAs, this, &LessonPane::showNote);
   connect(input, &AnswerInput::returnPressed, this, &LessonPane::goOn);
   inputLayout_->addWidget(input);
+  input->show();  // at once: a layout shows what is added to it with a later event
   const QWidgetList controls = input->controls();
   // The focus moves to the first one, beyond the question.
   if (!controls.isEmpty())
@@ -278,9 +275,7 @@ void LessonPane::keyPressEvent(QKeyEvent* event) {
 
 void LessonPane::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
-  if (event->type() != QEvent::FontChange || !next_) return;
-  setHeading();
-  showButtons();
+  if (event->type() == QEvent::FontChange && next_) showButtons();
 }
 
 }  // namespace asperity

@@ -65,7 +65,6 @@ class LessonPane : public QWidget {
  private:
   QLabel* addText(QVBoxLayout& column, const char* name);
   void setInput(AnswerInput* input);
-  void setHeading();
   void scroll();
   void scrollToStep();
   void scrollToNote();

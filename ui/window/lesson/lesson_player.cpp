@@ -90,6 +90,8 @@ void LessonPlayer::buildDock() {
   auto* line = new QHBoxLayout(bar);
   line->setContentsMargins(14, 5, 8, 5);
   title_->setObjectName("lessonTitle");
+  constexpr double kTitleScale = 1.2;  // above that of the steps
+  keepHeading(*title_, *bar, kTitleScale);
   keep_->setObjectName("lessonKeep");
   close_->setObjectName("lessonEnd");
   close_->setText(QStringLiteral("✕"));

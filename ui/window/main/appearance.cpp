@@ -147,7 +147,7 @@ QString windowStyleSheet(const Theme& theme) {
     #regionBar QToolButton:focus { border: 1px solid %5; padding: 1px 8px; }
     #dockTitle { background: %1; border-bottom: 1px solid %3; }
     #dockTitle QLabel { color: %6; }
-    #dockTitle #lessonTitle { color: %2; font-weight: bold; }
+    #dockTitle #lessonTitle { color: %2; }
     #dockTitle QToolButton { border: none; border-radius: 4px; color: %6; padding: 2px 6px; }
     #dockTitle QToolButton:hover { background: %4; color: %2; }
     #dockTitle #lessonKeep { border: 1px solid %3; color: %2; }
