@@ -588,15 +588,15 @@
     </message>
     <message>
         <source>Measured is the time on the clock from the change of the scene to its whole curve. Other programs that run meanwhile make it longer than predicted.</source>
-        <translation>Gemessen ist die Zeit nach der Uhr von der Änderung der Szene bis zu ihrer ganzen Kurve. Andere Programme, die zugleich laufen, machen sie länger als vorhergesagt.</translation>
+        <translation>Gemessen ist die Laufzeit von der Änderung der Szene bis zu ihrer ganzen Kurve. Andere Programme, die zugleich laufen, machen sie länger als vorhergesagt.</translation>
     </message>
     <message>
         <source>measured: %1 on the clock, error of friction %2</source>
-        <translation>gemessen: %1 nach der Uhr, Fehler der Reibung %2</translation>
+        <translation>gemessen: %1 Laufzeit, Fehler der Reibung %2</translation>
     </message>
     <message>
         <source>measured: %1 on the clock, standard error of the curve %2</source>
-        <translation>gemessen: %1 nach der Uhr, Standardfehler der Kurve %2</translation>
+        <translation>gemessen: %1 Laufzeit, Standardfehler der Kurve %2</translation>
     </message>
     <message>
         <source>predicted motion: %1 on free processors for %2 steps, error of friction %3 (time step %4, resolution %5, settling %6)</source>
@@ -889,7 +889,7 @@
     </message>
     <message>
         <source>Drag down to press harder, up to press less; sideways moves a zoomed view.</source>
-        <translation>Nach unten ziehen: stärker drücken; nach oben: schwächer; seitwärts bewegt sich eine vergrößerte Ansicht.</translation>
+        <translation>Ziehen: nach unten stärker, nach oben schwächer drücken; seitwärts Ansicht bewegen.</translation>
     </message>
     <message>
         <source>Drag to the right for a larger velocity amplitude, to the left for a smaller one.</source>
@@ -4794,7 +4794,7 @@
         <translation>Eine raue Linie ruht auf Gummi: Nur ihre höchsten Gipfel berühren es.</translation>
     </message>
     <message>
-        <source>Drag the normal force up: contacts grow in number and length.</source>
+        <source>Raise the normal force: contacts grow in number and length.</source>
         <translation>Die Normalkraft erhöhen: Die Kontakte wachsen an Zahl und Länge.</translation>
     </message>
     <message>

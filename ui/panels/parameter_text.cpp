@@ -56,16 +56,15 @@ bool isUnit(const QString& word, const Parameter& parameter) {
   return !parameter.unit.empty() && findUnit(word.toStdString(), parameter.unit).has_value();
 }
 
+QString smallParagraph(const QString& text) {
+  return QStringLiteral("<p><small>%1</small></p>").arg(text);
+}
+
 /// Returns the last line of a tooltip: the key, for people who write scene files, and its range.
 QString keyLine(const Parameter& parameter) {
   const QString range = rangeText(parameter);
   if (range.isEmpty()) return {};
-  return QStringLiteral("<p><small><span style=\"color: gray\">%1: %2</span></small></p>")
-      .arg(fromUtf8(parameter.key), range.toHtmlEscaped());
-}
-
-QString smallParagraph(const QString& text) {
-  return QStringLiteral("<p><small>%1</small></p>").arg(text);
+  return smallParagraph(fromUtf8(parameter.key) + ": " + range.toHtmlEscaped());
 }
 
 }  // namespace

@@ -482,6 +482,11 @@ TEST_F(DraggedCanvasTest, OneBoxStandsOverTheContact) {
   EXPECT_TRUE(QTest::qWaitFor([] { return !QToolTip::isVisible(); }));
   ASSERT_EQ(said.count(), 1);
   EXPECT_TRUE(said[0][0].toString().contains("press harder"));
+  // A drag needs the hint no more, and another handle does something else.
+  drag(handle(ContactHandle::Velocity), {5, 0});
+  drop(handle(ContactHandle::Velocity) + QPoint(5, 0));
+  ASSERT_EQ(said.count(), 2);
+  EXPECT_TRUE(said[1][0].toString().isEmpty());
   rest(handle(ContactHandle::Force));
   EXPECT_TRUE(QToolTip::text().contains("press harder"));
   EXPECT_FALSE(canvas_.viewer().pointer());

@@ -357,6 +357,8 @@ void ContactCanvas::showHandle(ContactHandle handle) {
 
 void ContactCanvas::startDrag(const QPointF& position) {
   dragged_ = position;
+  // The hint is for somebody who has not begun, and the status line has the result of the drag.
+  if (std::exchange(hasHint_, false)) emit statusMessage({});
   const ContactHandle handle = handleUnder(position);
   if (handle == ContactHandle::None) return setCursor(Qt::ClosedHandCursor);
   const ContactView view = viewer_.options().view;
@@ -457,6 +459,7 @@ void ContactCanvas::explain(const QPoint& position, const QPoint& onScreen) {
   if (viewer_.pointer() && anchor.isEmpty() && handleUnder(position) == ContactHandle::Body) {
     QToolTip::hideText();
     emit statusMessage(dragHint(ContactHandle::Body, *scene_));
+    hasHint_ = true;
     return;
   }
   if (!html.isEmpty() && viewer_.pointer()) showCrosshair({-1, -1});

@@ -152,7 +152,8 @@ class ContactCanvas : public QWidget {
   };
   std::optional<Grip> grip_;
   bool isPinching_ = false;
-  QString guideAnchor_;  // of the object that was under the pointer when the menu was opened
+  bool hasHint_ = false;  // what a drag of the body does was shown in the status line
+  QString guideAnchor_;   // of the object that was under the pointer when the menu was opened
   QElapsedTimer clock_;
   mutable std::deque<qint64> pictures_;  // the times when they were shown, ms
 };

@@ -179,10 +179,7 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
   line->addWidget(message_, 1);
   messageTimer_ = new QTimer(this);
   messageTimer_->setSingleShot(true);
-  connect(messageTimer_, &QTimer::timeout, this, [this] {
-    message_->setText({});
-    fitReadings();
-  });
+  connect(messageTimer_, &QTimer::timeout, this, [this] { showMessage({}); });
   addWork(*line);
   backend_ = addReading(*line, "factBackend");
   rate_ = addReading(*line, "factRate");
@@ -434,7 +431,10 @@ void StatusLine::showVelocity(const Frame& frame) {
 
 void StatusLine::showMessage(const QString& text) {
   message_->setText(text);
-  messageTimer_->start(kMessageTime);
+  if (text.isEmpty())
+    messageTimer_->stop();
+  else
+    messageTimer_->start(kMessageTime);
   fitReadings();
 }
 

@@ -32,7 +32,7 @@ std::span<const TourStep> Tour::steps() {
   static constexpr std::array kSteps{
       TourStep{"pressed", QT_TR_NOOP("Press"),
                QT_TR_NOOP("A rough line rests on rubber: only its highest summits touch."),
-               QT_TR_NOOP("Drag the normal force up: contacts grow in number and length."),
+               QT_TR_NOOP("Raise the normal force: contacts grow in number and length."),
                "load.normal_force"},
       TourStep{"region_1", QT_TR_NOOP("Slide slowly"),
                QT_TR_NOOP("The rubber has time to come back behind every summit, and friction "

@@ -118,6 +118,7 @@ MapPanel::MapPanel(QWidget* parent)
     // Each list is as wide as its present name; only where that is too much are names shortened.
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setMinimumContentsLength(6);
+    if (row->count() > 0) row->addSpacing(8);  // a label belongs to the list behind it
     row->addWidget(label);
     row->addWidget(box);
   }
