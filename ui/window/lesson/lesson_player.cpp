@@ -5,6 +5,7 @@
 #include <QDockWidget>
 #include <QHBoxLayout>
 #include <QMainWindow>
+#include <QResizeEvent>
 #include <QScrollArea>
 #include <QTimer>
 #include <QToolButton>
@@ -92,6 +93,7 @@ void LessonPlayer::buildDock() {
   title_->setObjectName("lessonTitle");
   constexpr double kTitleScale = 1.2;  // above that of the steps
   keepHeading(*title_, *bar, kTitleScale);
+  title_->installEventFilter(this);
   keep_->setObjectName("lessonKeep");
   close_->setObjectName("lessonEnd");
   close_->setText(QStringLiteral("✕"));
@@ -118,6 +120,15 @@ void LessonPlayer::buildDock() {
     }
     showTitle();
   });
+}
+
+bool LessonPlayer::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Resize) {
+    const auto& resized = *static_cast<const QResizeEvent*>(event);
+    if (resized.size().height() != resized.oldSize().height())
+      QTimer::singleShot(0, this, [this] { shareHeight(); });
+  }
+  return QObject::eventFilter(watched, event);
 }
 
 /// Shows the step in another language. What the student has changed, placed or entered stays.

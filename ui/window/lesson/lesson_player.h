@@ -81,6 +81,10 @@ class LessonPlayer : public QObject {
   void endRequested();
   void ended();
 
+ protected:
+  /// Shares the height again where the title takes more lines, or fewer.
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
   const LessonStep& present() const { return lesson_->steps[static_cast<std::size_t>(step_)]; }
   void buildDock();
