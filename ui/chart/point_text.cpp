@@ -60,7 +60,8 @@ QString curvePointText(const CurvePoint& point, const Scene& scene, const CurveS
   }
   lines += withError(QStringLiteral("μ"), point.mu, point.muStandardError);
   if (std::isfinite(point.muInterface) && set.y != CurveQuantity::MuTotal)
-    lines += PointText::tr("with local friction: %1").arg(readingLabel(totalMu(point)));
+    lines +=
+        PointText::tr("with local friction: %1").arg(readingLabel(totalMu(point), 3, Zeros::Keep));
   if (set.axes == CurveAxes::Dimensionless) {
     lines.prepend(QStringLiteral("v̄ = ") + readingLabel(point.dimensionlessVelocity));
     lines += withError(QStringLiteral("μ / ∇z"), point.normalizedMu,
@@ -68,7 +69,7 @@ QString curvePointText(const CurvePoint& point, const Scene& scene, const CurveS
   }
   lines += PointText::tr("in contact %1 %").arg(readingLabel(100 * point.contactFraction));
   if (std::isfinite(point.muLaw))
-    lines += PointText::tr("Eq. (11): %1").arg(readingLabel(point.muLaw));
+    lines += PointText::tr("Eq. (11): %1").arg(readingLabel(point.muLaw, 3, Zeros::Keep));
   return lines.join('\n');
 }
 

@@ -127,10 +127,29 @@ ChoiceBox::ChoiceBox(QWidget* parent) : QComboBox(parent) {
   setFocusPolicy(Qt::StrongFocus);
 }
 
+namespace {
+
+constexpr int kTextLeft = 9, kArrowWidth = 22;  // pixels, left of a text and right of it
+
+/// Returns how large the arrow of a list is: it grows with the letters of a presentation, as far as
+/// it fits.
+double arrowSize(const QWidget& list) {
+  return std::clamp(list.fontMetrics().height() / 17.0, 1.0, 2.0);
+}
+
+/// Returns the pixels that the arrow takes at the right end of a list.
+int arrowWidth(const QWidget& list) {
+  return static_cast<int>(std::round(kArrowWidth * arrowSize(list)));
+}
+
+}  // namespace
+
 QSize ChoiceBox::sizeHint() const {
-  constexpr int kAround = 34;  // pixels, both sides of a text
-  const int width = shown_.isEmpty() ? QComboBox::sizeHint().width() + 8
-                                     : fontMetrics().horizontalAdvance(shown_) + kAround;
+  constexpr int kSpare = 3;  // pixels
+  const int around = kTextLeft + arrowWidth(*this) + kSpare;
+  const int width = shown_.isEmpty()
+                        ? QComboBox::sizeHint().width() + 8 + arrowWidth(*this) - kArrowWidth
+                        : fontMetrics().horizontalAdvance(shown_) + around;
   return {width, std::max(24, fontMetrics().height() + 8)};
 }
 
@@ -156,13 +175,13 @@ void ChoiceBox::paintEvent(QPaintEvent*) {
   painter.drawRoundedRect(frame, 5, 5);
 
   painter.setPen(colours.color(QPalette::Text));
-  painter.drawText(rect().adjusted(9, 0, -22, 0), Qt::AlignVCenter | Qt::AlignLeft,
-                   fontMetrics().elidedText(shownText(), Qt::ElideRight, width() - 31));
+  const QRect text = rect().adjusted(kTextLeft, 0, -arrowWidth(*this), 0);
+  painter.drawText(text, Qt::AlignVCenter | Qt::AlignLeft,
+                   fontMetrics().elidedText(shownText(), Qt::ElideRight, text.width()));
   if (!isEnabled()) return;
-  // The arrow grows with the letters of a presentation, as far as it fits.
-  const double size = std::clamp(fontMetrics().height() / 17.0, 1.0, 2.0);
+  const double size = arrowSize(*this);
   QPainterPath chevron;
-  const QPointF centre(width() - 13.0, height() / 2.0 + 0.5);
+  const QPointF centre(width() - 13.0 * size, height() / 2.0 + 0.5);
   chevron.moveTo(centre + size * QPointF(-3.5, -2));
   chevron.lineTo(centre + size * QPointF(0, 2));
   chevron.lineTo(centre + size * QPointF(3.5, -2));
