@@ -64,8 +64,7 @@ TEST(TypedNumber, AnotherDimensionIsExplained) {
             "40 °C is a temperature; expected a length, such as 20 mm");
   EXPECT_EQ(refusal("elastomer.shear_modulus", "3 mm"),
             "3 mm is a length; expected a modulus or pressure, such as 10 MPa");
-  EXPECT_EQ(refusal("surface.hurst", "3 N"),
-            "3 N is a force; expected a pure number, such as 0.5");
+  EXPECT_EQ(refusal("surface.hurst", "3 N"), "3 N is a force; expected a pure number, such as 0.5");
   EXPECT_EQ(refusal("elastomer.shift.c2", "40 °C"),
             "40 °C is a temperature; expected a difference of temperatures, such as 300 K");
   EXPECT_EQ(refusal("load.normal_force", "5 stone"),
