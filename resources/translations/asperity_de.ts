@@ -3235,8 +3235,8 @@
 <context>
     <name>asperity::MapPanel</name>
     <message>
-        <source>%1 of %2 lines, %3 %</source>
-        <translation>%1 von %2 Linien, %3 %</translation>
+        <source>%1 lines, %2 %</source>
+        <translation>%1 Linien, %2 %</translation>
     </message>
     <message>
         <source>The map is being computed…</source>

@@ -200,7 +200,7 @@ TEST_F(AccuracyCommandTest, AFurtherCurveThatMissesItsTargetIsWrittenAndNamed) {
                   " --with 'accuracy.target_relative_error=1e-17;load.normal_force=1'"
                   " --with 'accuracy.target_relative_error=1e-17;load.normal_force=2'");
   EXPECT_EQ(both.status, 1);
-  EXPECT_THAT(both.err, AllOf(HasSubstr("F\u2099 = 1 N"), HasSubstr("F\u2099 = 2 N: ")));
+  EXPECT_THAT(both.err, AllOf(HasSubstr("F\u2099 = 1 N"), HasSubstr("; F\u2099 = 2 N")));
 }
 
 TEST_F(AccuracyCommandTest, AnElasticSceneHasNothingToReach) {

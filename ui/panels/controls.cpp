@@ -335,7 +335,13 @@ ElidedLabel::ElidedLabel(QWidget* parent) : QLabel(parent) {
 
 QString ElidedLabel::shownText() const {
   const int available = contentsRect().width();
-  return fontMetrics().elidedText(text(), Qt::ElideMiddle, available);
+  // A text cut in the middle may come out wider by the kerning at the cut.
+  QString shown;
+  for (int width = available; width > 0; --width) {
+    shown = fontMetrics().elidedText(text(), Qt::ElideMiddle, width);
+    if (fontMetrics().horizontalAdvance(shown) <= available) break;
+  }
+  return shown;
 }
 
 bool ElidedLabel::event(QEvent* event) {

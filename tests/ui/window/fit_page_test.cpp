@@ -136,7 +136,7 @@ TEST_F(FitPageTest, TheValuesFitIntoANarrowPage) {
   ASSERT_TRUE(page.fitted()) << page.errorText().toStdString();
   const QString notes = page.findChild<QLabel*>("fitNotes")->text();
   EXPECT_TRUE(notes.contains("Korrelation: r("));
-  EXPECT_TRUE(notes.contains("mine.csv: "));
+  EXPECT_TRUE(notes.contains("mine: ")) << notes.toStdString();
   EXPECT_FALSE(notes.contains(QStringLiteral("⚠"))) << notes.toStdString();
   EXPECT_EQ(page.findChild<QLabel*>("fitWarnings")->property("role").toString(), "warning");
   EXPECT_TRUE(page.findChild<DiagramView*>("fitSheet")->isVisibleTo(&page));

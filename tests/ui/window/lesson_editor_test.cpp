@@ -130,7 +130,7 @@ TEST_F(LessonEditorTest, StopsComputingWhatNobodyNeeds) {
 }
 
 /// The form may be narrower than its sentences.
-TEST_F(LessonEditorTest, LongTextsOfTheFormAreWrappedOrElided) {
+TEST_F(LessonEditorTest, LongTextsOfTheFormAreWrapped) {
   Json json = sampleLesson();
   json["steps"][0]["scene"]["title"] = QString(120, 'n').toStdString();
   edit(json, 1);
@@ -142,8 +142,8 @@ TEST_F(LessonEditorTest, LongTextsOfTheFormAreWrappedOrElided) {
   const int before = said.height();
   editor_->resize(editor_->minimumSizeHint());
   EXPECT_TRUE(waitFor([&] { return isWhole() && said.height() >= before; }));
-  const auto& scene = field<ElidedLabel>("editorScene");
-  EXPECT_TRUE(scene.shownText().contains(QChar(0x2026))) << scene.shownText().toStdString();
+  const auto& scene = field<QLabel>("editorScene");
+  EXPECT_GE(scene.height(), scene.heightForWidth(scene.width()));
   EXPECT_LE(scene.geometry().right(), field<QPushButton>("editorTakeScene").x());
 }
 

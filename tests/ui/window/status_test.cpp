@@ -487,7 +487,7 @@ TEST(StatusLine, FactsAreWholeOrLeftOutHoweverNarrowTheWindow) {
       const auto& fact = *line.findChild<QLabel*>(name);
       if (fact.isHidden()) continue;
       ++shown;
-      EXPECT_GE(fact.width(), fact.sizeHint().width()) << name << ' ' << width;
+      EXPECT_GE(fact.width(), fact.minimumSizeHint().width()) << name << ' ' << width;
     }
     EXPECT_FALSE(line.findChild<QLabel*>("factMu")->isHidden());
     most = std::max(most, shown);

@@ -13,8 +13,6 @@
 #include <QPointer>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QScrollArea>
-#include <QScrollBar>
 #include <QTemporaryDir>
 #include <QToolButton>
 #include <algorithm>
@@ -315,23 +313,6 @@ TEST_F(SurfaceImportTest, SaysWhatIsWrongInOneLine) {
   openPage(folder_.filePath("gone.sdf"));
   ASSERT_TRUE(waitForPage());
   EXPECT_FALSE(page_->isReady());
-}
-
-/// On a screen of 1024 pixels the texts stand below the numbers.
-TEST_F(SurfaceImportTest, TheFactsOfASurfaceAreNotCutInANarrowPage) {
-  openPage(sineFile(1e-3));
-  ASSERT_TRUE(waitForPage());
-  page_->resize(984, 620);
-  const auto& facts = inPage<QLabel>("surfaceFacts");
-  const QScrollArea* texts = nullptr;
-  for (const QScrollArea* area : page_->findChildren<QScrollArea*>())
-    if (area->isAncestorOf(&facts)) texts = area;
-  ASSERT_TRUE(texts);
-  EXPECT_FALSE(facts.text().isEmpty());
-  EXPECT_TRUE(waitFor([&] {
-    return texts->verticalScrollBar()->maximum() == 0 &&
-           texts->widget()->width() <= texts->viewport()->width();
-  }));
 }
 
 TEST_F(SurfaceImportTest, ShowsATopographyAndItsRows) {

@@ -167,7 +167,6 @@ struct SurfaceImport::Preview {
 
 namespace {
 
-constexpr int kHeadSpacing = 14;  // pixels
 constexpr double kReading = 0.3;  // part of the work, where a spectrum follows
 
 std::vector<ParameterGroup> groups() {
@@ -221,32 +220,29 @@ SurfaceImport::SurfaceImport(const Scene& scene, const QString& file, const Them
 void SurfaceImport::buildViews(const Theme& theme) {
   topography_ = new TopographyPicture;
   topography_->hide();
-  texts_ = new QWidget;
-  auto* column = flush<QVBoxLayout>(texts_, 4);
+  auto* texts = new QWidget;
+  auto* column = flush<QVBoxLayout>(texts, 4);
   notes_ = warningTextLabel("surfaceNotes");
   facts_ = textLabel("surfaceFacts");
   for (QLabel* text : {notes_, facts_}) column->addWidget(text);
   column->addStretch(1);
-  textScroll_ = scrolled(texts_, Qt::ScrollBarAlwaysOff);
-  textScroll_->setAccessibleName(tr("what is known of the surface"));
+  auto* scroll = scrolled(texts, Qt::ScrollBarAlwaysOff);
+  scroll->setAccessibleName(tr("what is known of the surface"));
   values_ = named<QLabel>("surfaceValues");
   values_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   values_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  numbers_ = new QWidget;
-  auto* numbers = flush<QHBoxLayout>(numbers_, kHeadSpacing);
-  numbers->addWidget(topography_);
-  numbers->addWidget(values_);
-  numbers->addStretch(1);
-  head_ = new QBoxLayout(QBoxLayout::LeftToRight);
-  head_->setSpacing(kHeadSpacing);
-  head_->addWidget(numbers_);
-  head_->addWidget(textScroll_, 1);
+  auto* head = new QHBoxLayout;
+  head->setSpacing(14);
+  head->addWidget(topography_);
+  head->addWidget(values_);
+  head->addWidget(scroll, 1);
+  scroll->setFixedHeight(10 * fontMetrics().lineSpacing());  // the views below stay where they are
   profile_ = named<DiagramView>("surfaceProfile");
   profile_->setAccessibleName(tr("the profile, raw and used"));
   spectrum_ = named<DiagramView>("surfaceSpectrum");
   spectrum_->setAccessibleName(tr("spectrum and distribution of the heights, raw and used"));
   for (DiagramView* view : {profile_, spectrum_}) view->setTheme(theme);
-  views().addLayout(head_);
+  views().addLayout(head);
   views().addWidget(profile_, 4);
   views().addWidget(spectrum_, 5);
 }
@@ -302,30 +298,6 @@ void SurfaceImport::take(const Preview& preview) {
   panel_->showLine(preview.line);
   showSummary(*summary_);
   finish({});
-  placeTexts();
-}
-
-/// Puts the texts beside the numbers where they fit there, else below them, where they have the
-/// whole width and the height that they need, up to a part of the page.
-void SurfaceImport::placeTexts() {
-  constexpr double kMost = 0.3;  // of the page
-  layout()->activate();
-  const int width = views().geometry().width();
-  const QSize numbers = numbers_->sizeHint();
-  const int beside = width - numbers.width() - kHeadSpacing;
-  const int tall = std::max(numbers.height(), 10 * fontMetrics().lineSpacing());
-  QLayout& column = *texts_->layout();
-  const bool fits =
-      beside >= column.minimumSize().width() && column.totalHeightForWidth(beside) <= tall;
-  head_->setDirection(fits ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
-  textScroll_->setFixedHeight(
-      fits ? tall
-           : std::min(column.totalHeightForWidth(width), static_cast<int>(kMost * height())));
-}
-
-void SurfaceImport::resizeEvent(QResizeEvent* event) {
-  ImportPage::resizeEvent(event);
-  if (summary_) placeTexts();
 }
 
 void SurfaceImport::showSummary(const MeasuredSummary& summary) {

@@ -15,9 +15,6 @@
 #include "core/surface/measured_summary.h"
 #include "ui/window/import/import_page.h"
 
-class QBoxLayout;
-class QScrollArea;
-
 namespace asperity {
 
 class DiagramView;
@@ -83,8 +80,6 @@ class SurfaceImport : public ImportPage {
   void buildViews(const Theme& theme);
   void take(const Preview& preview);
   void showSummary(const MeasuredSummary& summary);
-  void placeTexts();
-  void resizeEvent(QResizeEvent* event) override;
 
   Scene scene_;
   std::optional<MeasuredSummary> summary_;
@@ -92,9 +87,6 @@ class SurfaceImport : public ImportPage {
   TopographyPicture* topography_;
   DiagramView *profile_, *spectrum_;
   QLabel *facts_, *values_, *notes_;
-  QBoxLayout* head_;  // the numbers and the texts
-  QWidget *numbers_, *texts_;
-  QScrollArea* textScroll_;
   // Last: its thread ends before other members are destroyed.
   BackgroundWork work_{RequestPolicy::CancelRunning};
 };

@@ -25,7 +25,7 @@
 
 namespace asperity {
 
-/// A reading, which is never narrower than its text and the texts that it keeps room for.
+/// A reading, which keeps room for other texts and is never narrower than its own.
 class StatusReading : public QLabel {
  public:
   using QLabel::QLabel;
@@ -34,7 +34,7 @@ class StatusReading : public QLabel {
     updateGeometry();
   }
   QSize sizeHint() const override { return QLabel::sizeHint().expandedTo({reserved_, 0}); }
-  QSize minimumSizeHint() const override { return sizeHint(); }
+  QSize minimumSizeHint() const override { return QLabel::sizeHint(); }
 
  private:
   int reserved_ = 0;

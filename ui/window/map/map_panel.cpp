@@ -48,9 +48,9 @@ bool differOnlyIn(const Scene& a, const Scene& b, const Parameter& x, const Para
   return same == b;
 }
 
-/// Returns "10 of 200 lines, 38 %".
-QString shortProgress(std::int64_t shown, std::int64_t lines, int percent) {
-  return MapPanel::tr("%1 of %2 lines, %3 %").arg(shown).arg(lines).arg(percent);
+/// Returns "10 lines, 38 %": of how many the mean is that is shown, and how far the whole is.
+QString shortProgress(std::int64_t shown, int percent) {
+  return MapPanel::tr("%1 lines, %2 %").arg(shown).arg(percent);
 }
 
 bool holds(const MapAxis& axis, double value) {
@@ -118,7 +118,6 @@ MapPanel::MapPanel(QWidget* parent)
     // Each list is as wide as its present name; only where that is too much are names shortened.
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setMinimumContentsLength(6);
-    if (row->count() > 0) row->addSpacing(8);  // a label belongs to the list behind it
     row->addWidget(label);
     row->addWidget(box);
   }
@@ -155,7 +154,7 @@ void MapPanel::showTexts() {
   quantityLabel_->setText(tr("Show:"));
   save_->setText(tr("Save…"));
   // The place of the progress is wide enough for any, so that nothing beside it moves.
-  progressLabel_->setMinimumWidth(widestText(*progressLabel_, {shortProgress(2000, 2000, 100)}));
+  progressLabel_->setMinimumWidth(widestText(*progressLabel_, {shortProgress(2000, 100)}));
   view_->setAccessibleName(tr("friction over two parameters"));
   for (int i = 0; i < quantity_->count(); ++i)
     quantity_->setItemText(
@@ -369,7 +368,7 @@ void MapPanel::showProgress() {
   const bool isStage = map_ && !map_->isFinal && !map_->points.empty() && isCoveredBy(*map_);
   const std::int64_t shown = isStage ? map_->points.front().realizations : 0;
   const QString percent = tr("%1 %").arg(percent_);
-  progressLabel_->setText(lines_ > 1 ? shortProgress(shown, lines_, percent_) : percent);
+  progressLabel_->setText(shown > 1 ? shortProgress(shown, percent_) : percent);
   const QString reason =
       tr("%1 % of the map over all lines are computed. It can be saved then: what is shown until "
          "then is a mean of fewer lines.")
