@@ -129,13 +129,15 @@ std::string explanationText(const Explanation& explanation) {
             "\n";
   for (const std::string& assumption : surfaceAssumptions(scene)) text += assumption + "\n";
   text += noteLines(explanation.notes);
-  if (const auto& predicted = explanation.predicted)
+  if (const auto& predicted = explanation.predicted) {
     text += Words::tr("predicted") + "\n" +
             costLines(filled(Words::tr("%1 on %2 (%3)"),
                              {timeText(predicted->seconds), threadsText(predicted->threads),
                               workText(*predicted)}),
                       mebibytes(predicted->memory), predicted->error);
-  if (const auto warning = targetWarning(explanation)) text += translated(*warning) + "\n";
+    if (const auto warning = warningOfTarget(scene, *predicted))
+      text += translated(*warning) + "\n";
+  }
   if (const auto& measured = explanation.measured)
     text += Words::tr("measured") + "\n" +
             costLines(timeText(measured->seconds),

@@ -100,11 +100,6 @@ Explanation explain(const Scene& scene, int threads) {
   return explanation;
 }
 
-std::optional<Message> targetWarning(const Explanation& explanation) {
-  if (!explanation.predicted) return {};
-  return warningOfTarget(explanation.scene, *explanation.predicted);
-}
-
 std::vector<Theory> theoriesBeside(const Scene& scene) {
   if (scene.comparison.theory == Comparisons{}.theory) return {};
   return scene.comparison.theory;
@@ -150,13 +145,14 @@ std::string explanationJson(const Explanation& explanation) {
   }
   root["predicted"] = nullptr;
   root["measured"] = nullptr;
-  if (const auto& predicted = explanation.predicted)
+  if (const auto& predicted = explanation.predicted) {
     root["predicted"] = {
         {"seconds", predicted->seconds},         {"threads", predicted->threads},
         {"memory_bytes", predicted->memory},     {"lines", predicted->lines},
         {"simulations", predicted->simulations}, {"relative_error", budgetJson(predicted->error)}};
-  if (const auto warning = targetWarning(explanation))
-    root["predicted"]["warning"] = warning->english();
+    if (const auto warning = warningOfTarget(explanation.scene, *predicted))
+      root["predicted"]["warning"] = warning->english();
+  }
   if (explanation.predicted && explanation.predicted->steps > 0) {
     root["predicted"]["steps"] = explanation.predicted->steps;
     root["predicted"]["elements"] = explanation.predicted->elements;

@@ -44,9 +44,6 @@ struct Explanation {
 /// many as the machine has.
 Explanation explain(const Scene& scene, int threads = 0);
 
-/// Returns the warning of the predicted run (warningOfTarget); nothing without a prediction.
-std::optional<Message> targetWarning(const Explanation& explanation);
-
 /// Returns the theories that the scene chooses beside its curve; none where it leaves the choice to
 /// the program.
 std::vector<Theory> theoriesBeside(const Scene& scene);

@@ -264,8 +264,9 @@ std::string numberWithError(double value, double error, Zeros zeros) {
   const auto decade = [](double number) {
     return static_cast<int>(std::floor(std::log10(number)));
   };
-  const bool isPower = printedNumber(larger).find("10\u207B") != std::string::npos ||
-                       printedNumber(larger).find("\u00D7") != std::string::npos;
+  const std::string printed = printedNumber(larger);
+  const bool isPower =
+      printed.find("10\u207B") != std::string::npos || printed.find("\u00D7") != std::string::npos;
   const int power = isPower ? decade(larger) : 0;
   const int last = std::min(decade(error) - 1, decade(larger) - 2) - power;
   const auto text = [&](double number) {

@@ -57,10 +57,7 @@ QLabel* errorTextLabel(const QString& name) {
 }
 
 void setMessage(QLabel& label, const QString& text, MessageKind kind) {
-  setStyleProperty(label, "role",
-                   kind == MessageKind::Error     ? "error"
-                   : kind == MessageKind::Warning ? "warning"
-                                                  : "");
+  setStyleProperty(label, "role", kind == MessageKind::Error ? "error" : "");
   label.setText(text);
 }
 

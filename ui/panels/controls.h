@@ -51,8 +51,8 @@ QLabel* textLabel(const QString& name);
 
 /// Makes such a label for an error, in the colour that errors have everywhere in a window.
 QLabel* errorTextLabel(const QString& name);
-enum class MessageKind { Error, Warning, Note };
-/// Shows an error or a warning in such a label, or a note in the colour of other texts.
+enum class MessageKind { Error, Note };
+/// Shows an error in such a label, or a note in the colour of other texts.
 void setMessage(QLabel& label, const QString& text, MessageKind kind);
 
 /// Makes such a label for warnings, in the colour that they have everywhere in a window.
