@@ -979,8 +979,8 @@
         <translation>accuracy.target_relative_error braucht bei einer Geschwindigkeit etwa %1 Linien, und höchstens %2 werden berechnet: Der Lauf dauert etwa %3 und verfehlt womöglich das Ziel</translation>
     </message>
     <message>
-        <source>accuracy.target_relative_error needs about %1 lines at one velocity and %2 in all; half the error needs four times as many</source>
-        <translation>accuracy.target_relative_error braucht bei einer Geschwindigkeit etwa %1 Linien und insgesamt %2; der halbe Fehler braucht viermal so viele</translation>
+        <source>accuracy.target_relative_error needs about %1 lines at one velocity, and the run takes about %2; half the error needs four times as many lines</source>
+        <translation>accuracy.target_relative_error braucht bei einer Geschwindigkeit etwa %1 Linien, und der Lauf dauert etwa %2; der halbe Fehler braucht viermal so viele Linien</translation>
     </message>
     <message>
         <source>accuracy.target_relative_error is not reached: %1; the mean over all rows of the surface is uncertain by %2, which only a larger piece of the surface lowers</source>
