@@ -154,7 +154,7 @@ double rateSizeOf(const TextColumn& column, const std::string& name) {
   if (unit.starts_with("1/"))
     if (const auto size = timeSize(unit.substr(2))) return 1 / *size;
   throw InputError(name, column.name,
-                   "may be a rate or a time; write its unit, as 1/s, behind the name");
+                   "may be a rate or a time; write its unit, as 1/s, after the name");
 }
 
 /// Returns the size in Pa s of a unit of viscosity; nothing where it is none.
@@ -173,7 +173,7 @@ double viscositySizeOf(const TextColumn& column, const std::string& name,
   throw InputError(name, column.name,
                    hasUnit ? message("has the unit {}, which is not one of {}",
                                      shortened(column.unit), unitNames("Pa s"))
-                           : Message("has no unit; write it behind the name, as in eta_i (Pa s)"));
+                           : Message("has no unit; write it after the name, as in eta_i (Pa s)"));
 }
 
 // ---- Arms ---------------------------------------------------------------------------------------

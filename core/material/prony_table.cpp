@@ -86,7 +86,7 @@ void assumeUnits(const TextColumn& weights, double sum, std::vector<StatedModulu
       const bool inPascals = fitsStated(sum * series.unit, one.number, one.isInstantaneous);
       if (series.unit == 1 ? !inOthers : inOthers == inPascals)
         throw InputError(name, one.key,
-                         message("has no unit, and {} is in {}; write its unit behind the number",
+                         message("has no unit, and {} is in {}; write its unit after the number",
                                  Message::name(weights.name), Message::name(weights.unit)));
       one.unit = inOthers ? weights.unit : "Pa";
       note(one.key, one.unit);

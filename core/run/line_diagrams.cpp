@@ -315,7 +315,7 @@ DiagramSheet spectrumSheet(const Scene& scene) {
   line.colour = 0;
   if (scene.surface.kind == SurfaceKind::SelfAffine) {
     DiagramSeries asked = seriesOf(wanted(scene, LineSource(scene, 1)),
-                                   message("wanted, H = {:.3g}", scene.surface.hurst));
+                                   message("prescribed, H = {:.3g}", scene.surface.hurst));
     asked.isTheory = true;
     diagram.series.push_back(std::move(asked));
   }

@@ -53,7 +53,7 @@ double kelvins(const QString& text, const char* option) {
   if (hasNoUnit)  // the page shows degrees Celsius, the command takes kelvins
     throw InputError(
         "", option,
-        message("'{}' has no unit; \u00B0C, K or \u00B0F stands behind it", text.toStdString()));
+        message("'{}' has no unit; write \u00B0C, K or \u00B0F after it", text.toStdString()));
   const auto temperature = parseTemperature(withoutGroups(text.trimmed()).toStdString());
   if (!temperature || !(*temperature > 0 && *temperature <= 2000))
     throw InputError("", option,
