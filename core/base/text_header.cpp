@@ -86,8 +86,7 @@ TextEntry parseEntry(const TextLine& kept, const TextDialect& dialect) {
     // "Width;10;\u00B5m"
     std::string value;
     for (std::size_t i = 1; i < fields.size(); ++i)
-      if (const auto part = trimmedField(fields[i]); !part.empty())
-        value += (value.empty() ? "" : " ") + std::string(part);
+      if (const auto part = trimmedField(fields[i]); !part.empty()) appendItem(value, part, " ");
     setKey(fields.front(), value);
   } else if (end != std::string_view::npos) {
     constexpr std::size_t kWide = 3;  // bytes of a full-width colon
@@ -255,7 +254,7 @@ TextColumn parseColumnName(std::string_view text) {
       const bool hasWords = std::ranges::any_of(rest, [](char letter) {
         return std::isalnum(static_cast<unsigned char>(letter)) != 0 || (letter & 0x80) != 0;
       });
-      if (hasWords) found.name += (found.name.empty() ? "" : " ") + std::string(rest);
+      if (hasWords) appendItem(found.name, rest, " ");
       return found;
     }
   }

@@ -123,7 +123,7 @@ std::optional<std::string> withoutAverage(std::string name) {
   });
   if (words.empty() || words.size() == all) return {};
   std::string kept;
-  for (const std::string& word : words) kept += (kept.empty() ? "" : " ") + word;
+  for (const std::string& word : words) appendItem(kept, word, " ");
   return kept;
 }
 
@@ -318,7 +318,7 @@ std::optional<ErrorScale> findErrorScale(const TextColumn& column) {
       isError = true;
     } else if (!(word == "k" && isNumber(next)) &&
                !(word.front() == 'n' && isNumber(word.substr(1)))) {
-      scale.name += (scale.name.empty() ? "" : " ") + word;
+      appendItem(scale.name, word, " ");
     }
   }
   if (!isError && !hasFactor) return {};

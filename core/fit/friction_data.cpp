@@ -173,7 +173,7 @@ class FrictionRows {
     }
     for (const FrictionRole& column : roles_.columns)
       if (column.quantity == Quantity::Label)
-        point.label += (point.label.empty() ? "" : ", ") + block_.texts[column.index][row];
+        appendItem(point.label, block_.texts[column.index][row]);
     return point;
   }
 
@@ -205,11 +205,10 @@ std::vector<Message> notesOn(const TextBlock& block, const FrictionRoles& roles,
   std::string unused;
   for (std::size_t i = 0; i < block.columns.size(); ++i)
     if (!roles.use(i))
-      unused += (unused.empty() ? "" : ", ") + (block.columns[i].name.empty()
-                                                    ? std::to_string(i + 1)
-                                                    : shortened(block.columns[i].name));
+      appendItem(unused, block.columns[i].name.empty() ? std::to_string(i + 1)
+                                                       : shortened(block.columns[i].name));
   for (const HeaderStatement& statement : header.unused)
-    unused += (unused.empty() ? "" : ", ") + shortened(statement.text);
+    appendItem(unused, shortened(statement.text));
   if (!unused.empty()) notes.push_back(message("not used: {}", Message::name(unused)));
   for (std::size_t i = 0; i < block.cells.size(); ++i)
     if (roles.use(i) && hasErrors(block.cells[i]) && !roles.useErrorsOf(block, i))

@@ -195,7 +195,7 @@ std::string withoutFillers(std::string_view text) {
   std::string kept;
   for (const std::string& word : blankSeparated(text)) {
     const std::vector<std::string> plain = nameWords(word);
-    if (plain.size() != 1 || !isFiller(plain.front())) kept += (kept.empty() ? "" : " ") + word;
+    if (plain.size() != 1 || !isFiller(plain.front())) appendItem(kept, word, " ");
   }
   return kept;
 }

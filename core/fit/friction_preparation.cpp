@@ -24,7 +24,7 @@ bool anyColumn(const std::vector<std::string>& words, std::size_t begin, std::si
                const Use& use) {
   std::string text;
   for (std::size_t i = begin; i < std::min(words.size(), begin + most); ++i) {
-    text += (text.empty() ? "" : " ") + words[i];
+    appendItem(text, words[i], " ");
     const TextColumn column = parseColumnName(text);
     if (findMeaning(column) && use(column, i + 1)) return true;
   }

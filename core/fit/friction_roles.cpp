@@ -86,7 +86,8 @@ class FrictionRoleFinder {
       const bool isInName = words.size() > 1 && isDigit(words[1].front()) &&
                             (words.size() > 2 || !column.unit.empty()) && !findMeaning(column);
       if (!isInUnit && !isInName) continue;
-      names += (count++ > 0 ? ", " : "") + shortened(column.name);
+      appendItem(names, shortened(column.name));
+      ++count;
     }
     if (count > 1)
       refuse(
@@ -225,8 +226,7 @@ class FrictionRoleFinder {
 
   std::string namesOfColumns() const {
     std::string names;
-    for (const TextColumn& column : block_.columns)
-      names += (names.empty() ? "" : ", ") + shortened(column.name);
+    for (const TextColumn& column : block_.columns) appendItem(names, shortened(column.name));
     return names;
   }
 

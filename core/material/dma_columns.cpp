@@ -165,7 +165,7 @@ std::string unknownWords(std::string_view name) {
                 "losse log lg ln log10 de di") ||
         isMadeOfKnownWords(withoutGluedSymbol(word)))
       continue;
-    unknown += (unknown.empty() ? "" : " ") + word;
+    appendItem(unknown, word, " ");
   }
   return unknown;
 }

@@ -156,8 +156,7 @@ std::string listColumns(const TextBlock& block, const std::vector<std::size_t>& 
   constexpr std::size_t kMost = 8;
   std::string list;
   for (std::size_t i = 0; i < std::min(columns.size(), kMost); ++i)
-    list += fmt::format("{}{} ({})", i > 0 ? ", " : "", shortened(block.label(columns[i])),
-                        columns[i] + 1);
+    appendItem(list, fmt::format("{} ({})", shortened(block.label(columns[i])), columns[i] + 1));
   return columns.size() > kMost ? list + ", \u2026" : list;
 }
 
@@ -294,7 +293,7 @@ std::vector<SweepColumns> findSweeps(const TextBlock& block, const std::string& 
   dropSetTemperatures(found);
   refuseUnclearColumns(block, fileName, choices, found);
   for (std::size_t i = 0; i < found.size(); ++i)
-    if (found[i].isLeftOut) leftOut += (leftOut.empty() ? "" : ", ") + shortened(block.label(i));
+    if (found[i].isLeftOut) appendItem(leftOut, shortened(block.label(i)));
   const bool isChosen = !(choices.storageColumn + choices.lossColumn + choices.lossTangentColumn +
                           choices.magnitudeColumn + choices.phaseColumn)
                              .empty();

@@ -386,10 +386,7 @@ std::vector<std::string_view> surfaceFileEndings() {
 
 std::string readableFormats() {
   std::string names;
-  for (const SurfaceFormat& format : kFormats) {
-    if (!names.empty()) names += ", ";
-    names += format.names;
-  }
+  for (const SurfaceFormat& format : kFormats) appendItem(names, format.names);
   return names;
 }
 
