@@ -279,7 +279,7 @@ FoundScene found(std::string_view bytes, const std::string& name,
       return result;
     }
   } catch (const InputError& error) {
-    throw error.file().empty() ? error.in(name) : error;
+    throw error.withFile(name);
   }
   if (!isText)
     throw InputError(name, "",

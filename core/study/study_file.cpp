@@ -59,7 +59,7 @@ StudyOutput readOutput(const Json& json) {
     return output;
   }
   const std::string_view nearest = nearestWord(output.column, known);
-  const std::string all = fmt::format("{}", fmt::join(known, ", "));
+  const Message all = namesWithCommas(known);
   if (isFit && nearest.empty())
     refuseMember("outputs", message("'{}' is unknown; known are {}", shortened(output.name), all));
   refuseMember(
@@ -355,7 +355,7 @@ ParameterStudy readStudy(std::string_view json, const std::string& name,
     const Json root = parseJson(json, kDeepest, "a study is JSON in UTF-8");
     return StudyReader(root, folder, readNamed).read();
   } catch (const InputError& error) {
-    throw error.file().empty() ? error.in(name) : error;
+    throw error.withFile(name);
   }
 }
 
