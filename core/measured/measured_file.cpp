@@ -10,6 +10,7 @@
 #include "core/base/number_text.h"
 #include "core/base/regular_file.h"
 #include "core/base/stop.h"
+#include "core/base/text.h"
 #include "core/base/text_encoding.h"
 #include "core/base/units.h"
 #include "core/measured/surface_draft.h"

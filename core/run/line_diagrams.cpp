@@ -59,12 +59,11 @@ Spectrum gathered(const FourierLine& modes) {
 /// Returns the spectrum that the scene prescribes, before phases and summits.
 Spectrum wanted(const Scene& scene, const LineSource& source) {
   const Surface& surface = scene.surface;
-  const double rollOff =
-      surface.rollOffWavelength > 0 ? source.length() / surface.rollOffWavelength : 0;
   FourierLine modes;
   modes.length = source.length();
-  for (const double amplitude : selfAffineAmplitudes(static_cast<std::size_t>(source.elements()),
-                                                     surface.hurst, surface.rmsHeight, rollOff))
+  for (const double amplitude :
+       selfAffineAmplitudes(static_cast<std::size_t>(source.elements()), surface.hurst,
+                            surface.rmsHeight, rollOffMode(surface)))
     modes.coefficients.emplace_back(0.5 * amplitude, 0);
   return gathered(modes);
 }

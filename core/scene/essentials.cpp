@@ -44,9 +44,7 @@ bool hasMeaning(std::string_view key, const Scene& scene) {
 
 /// Returns whether a row that has a meaning is also essential in this scene.
 bool isWanted(std::string_view key, const Scene& scene) {
-  const bool isShifted = scene.elastomer.rheology == Rheology::StandardSolid ||
-                         scene.elastomer.rheology == Rheology::Prony;
-  if (key == "elastomer.temperature") return isShifted;
+  if (key == "elastomer.temperature") return hasArms(scene.elastomer.rheology);
   if (key == "elastomer.equilibrium_modulus") return scene.elastomer.material.empty();
   if (key == "interface.friction_coefficient") return scene.interface.frictionCoefficient > 0;
   return true;

@@ -227,9 +227,7 @@ class StudyReader {
       refuseMember("outputs", message("{} needs a curve over velocity, not over {}", output.name,
                                       study_.base.sweep.key));
     const Elastomer& elastomer = study_.base.elastomer;
-    const bool hasArms =
-        elastomer.rheology == Rheology::StandardSolid || elastomer.rheology == Rheology::Prony;
-    if (hasArms && !elastomer.arms.empty())
+    if (hasArms(elastomer.rheology) && !elastomer.arms.empty())
       refuseMember("outputs",
                    message("{} needs an elastomer of one relaxation time, whose curve has "
                            "regions I to IV",
