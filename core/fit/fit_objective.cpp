@@ -167,7 +167,7 @@ void Objective::addVelocityErrors(const VectorXd& coordinates) {
   if (!hasVelocityErrors()) return;
   weighWithErrors();
   const std::vector<Scene> states = statesAt(coordinates);
-  const VariedParameter velocity("sliding.velocity", states.front());
+  const VariedParameter velocity(kVelocityKey, states.front());
   const FrictionWithDerivatives found =
       frictionWithDerivatives(states, {&velocity, 1}, stateOptions());
   for (std::size_t i = 0; i < size(); ++i) {

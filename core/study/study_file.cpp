@@ -240,7 +240,7 @@ class StudyReader {
       refuseMember("accuracy.target_relative_error",
                    "a study needs a stated accuracy, not a target");
     if (study_.wantsPoint() && !(study_.base.sliding.velocity > 0))
-      refuseMember("sliding.velocity", "is not above 0, where friction is wanted");
+      refuseMember(std::string(kVelocityKey), "is not above 0, where friction is wanted");
   }
 
   void setCanonical() {
