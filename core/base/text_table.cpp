@@ -454,6 +454,11 @@ std::vector<double> TextBlock::column(std::size_t number) const {
   return found;
 }
 
+bool TextBlock::hasNames() const {
+  return std::ranges::any_of(columns,
+                             [](const TextColumn& column) { return !column.name.empty(); });
+}
+
 std::string TextBlock::label(std::size_t number) const {
   const std::string& name = columns[number].name;
   return name.empty() ? "column " + std::to_string(number + 1) : name;

@@ -10,6 +10,7 @@
 
 #include "core/base/power_of_ten.h"
 #include "core/base/text.h"
+#include "core/base/text_cell.h"
 #include "core/base/text_header.h"
 #include "core/base/text_number.h"
 #include "core/fit/friction_columns.h"
@@ -52,9 +53,7 @@ void findNames(const std::vector<std::string>& words, std::size_t begin, std::si
 
 /// Gives names to columns whose line of names has blanks within the names as well.
 void findNames(TextBlock& block) {
-  const bool hasNames = std::ranges::any_of(
-      block.columns, [](const TextColumn& column) { return !column.name.empty(); });
-  if (hasNames || block.header.empty()) return;
+  if (block.hasNames() || block.header.empty()) return;
   std::vector<std::vector<TextColumn>> ways;
   std::vector<TextColumn> made;
   findNames(blankSeparated(lineOf(block.header.back(), " ")), 0, block.columns.size(), made, ways);
@@ -79,13 +78,12 @@ void separateUnit(TextColumn& column) {
 /// Splits "mu \u00B1 2 sigma", the name of a column with errors in its cells; returns the name of
 /// the errors.
 std::string takeErrorName(TextColumn& column) {
-  for (const std::string_view sign : WordList("\u00B1 +/- +-"))
-    if (const std::size_t at = column.name.find(sign); at != std::string::npos && at > 0) {
-      std::string behind(trimmedBlanks(column.name.substr(at + sign.size())));
-      column.name = trimmedBlanks(column.name.substr(0, at));
-      return isOneOf(behind, "u s") ? "" : behind;
-    }
-  return {};
+  const std::string name = column.name;
+  const auto sides = splitAtErrorSign(name);
+  if (!sides || sides->number.empty()) return {};
+  column.name = trimmedBlanks(sides->number);
+  const std::string_view errors = trimmedBlanks(sides->error);
+  return isOneOf(errors, "u s") ? std::string() : std::string(errors);
 }
 
 /// Appends a column of the errors that stand in the cells of another one.

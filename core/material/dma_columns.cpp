@@ -10,6 +10,7 @@
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/text.h"
+#include "core/base/text_cell.h"
 #include "core/base/text_header.h"
 #include "core/base/text_number.h"
 
@@ -114,7 +115,8 @@ std::vector<std::string> wordsOf(std::string_view name) {
 /// "\u0394G'", "G' \u00B1", "G' 95% CI", "G' min".
 bool isOfDeviation(std::string_view name, const std::vector<std::string>& words) {
   if (words.empty()) return false;
-  if (containsOneOf(name, "\u00B1 +/- +- \u0394G \u0394E \u0394|")) return true;
+  if (containsOneOf(name, kErrorSigns) || containsOneOf(name, "\u0394G \u0394E \u0394|"))
+    return true;
   // "dE'", but not "Module de perte".
   if (words.size() > 1 && isOneOf(words.front(), "s u d de")) return true;
   if (words.size() > 1 && words[0] == "delta" && isOneOf(words[1], "g e storage loss modulus"))

@@ -21,11 +21,9 @@ namespace {
 /// factors.
 void nameBranches(TextBlock& block, const std::string& name, const PronyChoices& choices,
                   RawSeries& series) {
-  const bool isNamed = std::ranges::any_of(
-      block.columns, [](const TextColumn& column) { return !column.name.empty(); });
   const bool isGiven =
       std::isfinite(choices.instantaneousModulus) || std::isfinite(choices.equilibriumModulus);
-  if (isNamed || !isGiven || block.columns.size() != 3 || !countsRows(block, 0)) return;
+  if (block.hasNames() || !isGiven || block.columns.size() != 3 || !countsRows(block, 0)) return;
   if (!std::ranges::all_of(block.values, [](double value) { return std::isfinite(value); })) return;
   const double modulus = std::ranges::max(block.column(1)),
                time = std::ranges::max(block.column(2));

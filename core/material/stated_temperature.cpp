@@ -12,6 +12,7 @@
 
 #include "core/base/input_error.h"
 #include "core/base/text.h"
+#include "core/base/text_cell.h"
 #include "core/base/text_header.h"
 #include "core/base/text_number.h"
 #include "core/material/dma_columns.h"
@@ -107,7 +108,7 @@ class HeaderReader {
     std::string_view before = clause.substr(0, found.begin);
     if (beginsAsRange(clause.substr(found.end)) || endsWithinRange(before)) return false;
     double kelvin = found.kelvin, number = found.number;
-    for (const std::string_view sign : WordList("\u00B1 +/- +-"))
+    for (const std::string_view sign : kErrorSigns)
       if (trimmedBlanks(before).ends_with(sign)) {
         // "20 ± 0.5 °C"
         const std::string_view whole = trimmedBlanks(withoutEnd(trimmedBlanks(before), sign));
