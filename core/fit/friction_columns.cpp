@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "core/base/text.h"
+#include "core/base/text_clause.h"
 #include "core/base/text_dialect.h"
-#include "core/base/text_header.h"
 #include "core/base/text_number.h"
 #include "core/material/dma_columns.h"
 

@@ -8,6 +8,7 @@
 #include "core/base/input_error.h"
 #include "core/base/text.h"
 #include "core/base/text_cell.h"
+#include "core/base/text_clause.h"
 #include "core/base/text_dialect.h"
 #include "core/base/text_header.h"
 #include "core/base/text_number.h"
@@ -291,7 +292,7 @@ bool isRoomTemperature(std::string_view text) {
 /// Returns the loads and temperatures that a line states, also those that are not understood but
 /// have a unit of such a quantity.
 std::vector<HeaderStatement> readStatements(const TextEntry& entry, HeaderMark mark) {
-  const std::string line = lineOf(entry);
+  const std::string line = joinEntry(entry);
   const auto complete = [&](HeaderStatement statement, const std::string& text) {
     if (namesOther(text)) statement.candidate.reset();
     statement.text = text == line ? entry.written : text;
@@ -306,9 +307,9 @@ std::vector<HeaderStatement> readStatements(const TextEntry& entry, HeaderMark m
       parseQuantity(std::string_view(entry.key).substr(std::min(number, entry.key.size())));
   const bool hasFront = entry.value.find_first_of(":=") != entry.value.npos && first &&
                         !first->unit.empty() && isKnownUnit(first->unit);
-  const std::string separated = hasFront ? lineOf(entry, "; ") : line;
+  const std::string separated = hasFront ? joinEntry(entry, "; ") : line;
   std::vector<std::string_view> clauses;
-  for (const std::string_view clause : clausesOf(separated))
+  for (const std::string_view clause : splitClauses(separated))
     std::ranges::copy(splitStatements(clause), std::back_inserter(clauses));
   std::vector<HeaderStatement> statements;
   // "Hardness: 60 Shore A, 23 \u00B0C"

@@ -11,6 +11,7 @@
 #include "core/base/power_of_ten.h"
 #include "core/base/text.h"
 #include "core/base/text_cell.h"
+#include "core/base/text_clause.h"
 #include "core/base/text_header.h"
 #include "core/base/text_number.h"
 #include "core/fit/friction_columns.h"
@@ -56,7 +57,8 @@ void findNames(TextBlock& block) {
   if (block.hasNames() || block.header.empty()) return;
   std::vector<std::vector<TextColumn>> ways;
   std::vector<TextColumn> made;
-  findNames(blankSeparated(lineOf(block.header.back(), " ")), 0, block.columns.size(), made, ways);
+  findNames(blankSeparated(joinEntry(block.header.back(), " ")), 0, block.columns.size(), made,
+            ways);
   for (std::size_t i = 0; ways.size() == 1 && i < block.columns.size(); ++i) {
     block.columns[i].name = ways.front()[i].name;
     block.columns[i].unit = ways.front()[i].unit;

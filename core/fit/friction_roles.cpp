@@ -7,7 +7,7 @@
 #include "core/base/input_error.h"
 #include "core/base/text.h"
 #include "core/base/text_cell.h"
-#include "core/base/text_header.h"
+#include "core/base/text_clause.h"
 #include "core/base/text_number.h"
 #include "core/fit/friction_preparation.h"
 
@@ -36,7 +36,7 @@ class FrictionRoleFinder {
   void takeInOrder() {
     const std::size_t count = block_.columns.size();
     for (const TextEntry& entry : block_.header)
-      if (namesQuantity(lineOf(entry, " ")))
+      if (namesQuantity(joinEntry(entry, " ")))
         refuse(
             message("line {}: '{}' does not name {} columns; separate the names as the "
                     "numbers are, or write each one without blanks, such as velocity_mm/s",

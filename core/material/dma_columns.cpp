@@ -11,7 +11,7 @@
 #include "core/base/number_text.h"
 #include "core/base/text.h"
 #include "core/base/text_cell.h"
-#include "core/base/text_header.h"
+#include "core/base/text_clause.h"
 #include "core/base/text_number.h"
 
 namespace asperity {

@@ -7,7 +7,7 @@
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/text.h"
-#include "core/base/text_header.h"
+#include "core/base/text_clause.h"
 #include "core/base/text_number.h"
 #include "core/material/dma_moduli.h"
 
