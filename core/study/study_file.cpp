@@ -77,8 +77,7 @@ StudyOutput readOutput(const Json& json) {
 std::int64_t usualChunk(const ParameterStudy& study) {
   constexpr double kNodesInSecond = 2e8;
   const Scene& scene = study.base;
-  const double states =
-      (study.wantsPoint() ? 1.0 : 0.0) + static_cast<double>(study.curveValues().size());
+  const auto states = static_cast<double>(study.states());
   const double lines = mayHaveManyLines(scene.surface)
                            ? std::max<double>(1, static_cast<double>(scene.ensemble.realizations))
                            : 1;
@@ -314,6 +313,10 @@ bool ParameterStudy::wantsCurve() const {
 
 std::vector<double> ParameterStudy::curveValues() const {
   return wantsCurve() ? sweepValues(base) : std::vector<double>();
+}
+
+std::size_t ParameterStudy::states() const {
+  return curveValues().size() + (wantsPoint() ? 1 : 0);
 }
 
 std::size_t ParameterStudy::numbers() const {
