@@ -178,10 +178,7 @@ void Objective::addVelocityErrors(const VectorXd& coordinates) {
 }
 
 StateOptions Objective::stateOptions() const {
-  StateOptions options;
-  options.threads = options_.threads;
-  options.stop = options_.stop;
-  return options;
+  return {.threads = options_.threads, .stop = options_.stop};
 }
 
 std::vector<Scene> Objective::statesAt(const VectorXd& coordinates) const {
