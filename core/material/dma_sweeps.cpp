@@ -22,15 +22,6 @@ bool isOfKind(const DmaColumn& column, ModulusKind wanted) {
          column.kind == wanted;
 }
 
-bool isModulus(DmaQuantity quantity) {
-  return quantity == Storage || quantity == Loss || quantity == Magnitude;
-}
-
-/// Returns whether the quantity is a modulus or part of one, which each sweep has for itself.
-bool isMeasured(DmaQuantity quantity) {
-  return isModulus(quantity) || quantity == LossTangent || quantity == Phase;
-}
-
 /// Chooses the shear moduli where a table has both kinds, unless the user wants the others.
 ModulusKind kindToRead(const std::vector<DmaColumn>& found, const DmaChoices& choices) {
   if (choices.modulus != ModulusKind::Unknown) return choices.modulus;

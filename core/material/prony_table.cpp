@@ -143,9 +143,8 @@ void readModuli(const TextTable& table, const TextBlock& block, const SeriesRows
   for (const StatedModulus& stated : above)
     if (kind == ModulusKind::Unknown) kind = stated.kind;
   if (kind == ModulusKind::Unknown && ofColumn == ModulusKind::Tension) kind = ModulusKind::Tension;
-  const bool isGiven =
-      std::isfinite(choices.instantaneousModulus) || std::isfinite(choices.equilibriumModulus);
-  if (!series.isRelative || !above.empty() || !isGiven) kind = kindOfSeries(kind, choices, series);
+  if (!series.isRelative || !above.empty() || !choices.statesModulus())
+    kind = kindOfSeries(kind, choices, series);
   const auto shearFactor = [&](ModulusKind one) {
     return one == ModulusKind::Tension ? shearFromYoungs(1, choices.poissonRatio) : 1;
   };
