@@ -21,11 +21,9 @@ namespace {
 /// factors.
 void nameBranches(TextBlock& block, const std::string& name, const PronyChoices& choices,
                   RawSeries& series) {
-  const bool isNamed = std::ranges::any_of(
-      block.columns, [](const TextColumn& column) { return !column.name.empty(); });
-  const bool isGiven =
-      std::isfinite(choices.instantaneousModulus) || std::isfinite(choices.equilibriumModulus);
-  if (isNamed || !isGiven || block.columns.size() != 3 || !countsRows(block, 0)) return;
+  if (block.hasNames() || !choices.statesModulus() || block.columns.size() != 3 ||
+      !countsRows(block, 0))
+    return;
   if (!std::ranges::all_of(block.values, [](double value) { return std::isfinite(value); })) return;
   const double modulus = std::ranges::max(block.column(1)),
                time = std::ranges::max(block.column(2));
@@ -124,10 +122,7 @@ std::optional<double> timeSize(std::string_view unit) {
 /// end of its name is a unit, too; empty where there is none, as in "tau (relaxation time)".
 std::string writtenUnit(const TextColumn& column) {
   if (!column.unit.empty()) return column.unit;
-  const std::size_t begin = unitPart(column.name);
-  if (begin == std::string::npos) return {};
-  std::string unit(withoutBrackets(std::string_view(column.name).substr(begin)));
-  if (unit.starts_with('/')) unit = trimmedBlanks(unit.substr(1));
+  const std::string unit = unitText(column.name);
   return beginsWithOneOf(seriesWord(unit), "tau relaxation") ? std::string() : unit;
 }
 

@@ -24,6 +24,8 @@
 #include "core/base/regular_file.h"
 #include "core/base/stop.h"
 #include "core/chart/material_sheets.h"
+#include "core/material/material_json.h"
+#include "core/material/material_summary.h"
 #include "core/scene/columns.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
@@ -210,7 +212,7 @@ void MaterialImport::buildChoices() {
                      tr("automatic"), {"wlf", "arrhenius", "table"});
   heading(tr("Prony series"));
   terms_ = named<SpinBox>("dmaTerms");
-  terms_->setRange(0, kMostChosenTerms);
+  terms_->setRange(0, kMostTerms);
   terms_->setSpecialValueText(tr("as few as needed"));
   terms_->setToolTip(tr("Relaxation times, evenly spaced in their logarithm"));
   terms_->setAccessibleName(tr("number of terms"));
