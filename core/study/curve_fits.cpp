@@ -1,5 +1,6 @@
 #include "core/study/curve_fits.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
