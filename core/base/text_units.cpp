@@ -31,7 +31,7 @@ struct NamedLength {
   double metres;
 };
 
-/// Units of length in addition to those of findUnit, in lower case of ASCII, without an "s" at the end.
+/// Units of length beside those of findUnit, in lower case of ASCII, without an "s" at the end.
 constexpr std::array kLengths{
     NamedLength{"meter metre m\u00E8tre \u043C \u7C73", 1}, NamedLength{"kilometer kilometre", 1e3},
     NamedLength{"centimeter centimetre centim\u00E8tre \u0441\u043C \u5398\u7C73 \u339D", 1e-2},
