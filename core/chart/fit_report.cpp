@@ -321,10 +321,10 @@ FitReport fitReport(const FittedCurve& fitted, const std::string& folder) {
   std::vector<FrictionData> data;
   for (const MeasuredCurve& measured : fitted.set.measured) data.push_back(measured.data);
   FitReport report;
-  report.texts = {{"fit.json", fitAnswer(fitted.start, fit, fitted.varied)},
-                  {"fitted.scene.json", writeScene(seenFrom(folder, fit.scene))},
-                  {"fit.csv", "# asperity: " + provenanceLine(fitProvenance(fitted.start, fit)) +
-                                  "\n" + fitCsv(fit, data)}};
+  report.texts = {
+      {"fit.json", fitAnswer(fitted.start, fit, fitted.varied)},
+      {"fitted.scene.json", writeScene(seenFrom(folder, fit.scene))},
+      {"fit.csv", provenanceComment(fitProvenance(fitted.start, fit)) + fitCsv(fit, data)}};
   report.sheets.push_back({"curve", fitSheet(fit, fitted.set)});
   if (!fit.profiles.empty()) report.sheets.push_back({"profiles", profileSheet(fit)});
   return report;

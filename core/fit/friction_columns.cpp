@@ -10,6 +10,7 @@
 #include "core/base/text_clause.h"
 #include "core/base/text_dialect.h"
 #include "core/base/text_number.h"
+#include "core/base/text_units.h"
 #include "core/material/dma_columns.h"
 
 namespace asperity {

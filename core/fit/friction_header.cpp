@@ -12,6 +12,7 @@
 #include "core/base/text_dialect.h"
 #include "core/base/text_header.h"
 #include "core/base/text_number.h"
+#include "core/base/text_units.h"
 #include "core/material/dma_columns.h"
 
 namespace asperity {
