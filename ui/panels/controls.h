@@ -125,6 +125,8 @@ class SpinBox : public QSpinBox {
   void wheelEvent(QWheelEvent* event) override;
 };
 
+/// A box for a text of several lines, which is as high as the text within limits; a longer text is
+/// scrolled.
 class TextBox : public QPlainTextEdit {
   Q_OBJECT
 
@@ -147,8 +149,12 @@ class TextBox : public QPlainTextEdit {
   void keyPressEvent(QKeyEvent* event) override;
   void focusOutEvent(QFocusEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
+  void changeEvent(QEvent* event) override;
 
  private:
+  double lineHeight() const;
+  double textHeight() const;
+  void fitToText();
   void commit();
 
   QString accepted_;

@@ -273,11 +273,11 @@ void MainWindow::connectScene() {
   const auto edit = [this](const Scene& scene) { document_->edit(scene); };
   connect(panel_, &ParameterPanel::sceneEdited, this, edit);
   connect(panel_, &ParameterPanel::guideRequested, this, &MainWindow::openGuide);
-  // Escape in the filter gives the keys of the picture back.
-  // Later, when the dock knows the new least width.
+  // The connection is queued, because the dock does not know the new minimum width yet.
   connect(
       panel_, &ParameterPanel::widthReleased, this,
       [this](int width) { resizeDocks({dock_}, {width}, Qt::Horizontal); }, Qt::QueuedConnection);
+  // Escape in the filter gives the keys of the picture back.
   connect(panel_, &ParameterPanel::filterLeft, canvas_, [this] { canvas_->setFocus(); });
   connect(canvas_, &ContactCanvas::guideRequested, this, &MainWindow::openGuide);
   connect(&tabs_->accuracy(), &AccuracyPanel::sceneEdited, this, edit);
