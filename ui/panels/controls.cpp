@@ -415,6 +415,11 @@ void WrappedLabel::resizeEvent(QResizeEvent* event) {
   if (event->oldSize().width() != event->size().width()) updateGeometry();
 }
 
+QFont boldFont(QFont font) {
+  font.setBold(true);
+  return font;
+}
+
 namespace {
 
 /// Sets the font of a heading whenever that of the widget changes.
@@ -434,8 +439,7 @@ class HeadingFont : public QObject {
 
  private:
   void set() {
-    QFont font = of_.font();
-    font.setBold(true);
+    QFont font = boldFont(of_.font());
     font.setPointSizeF(scale_ * font.pointSizeF());
     heading_.setFont(font);
   }

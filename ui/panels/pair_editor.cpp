@@ -162,7 +162,7 @@ PairEditor::PairEditor(const Kind& kind, QWidget* parent)
     opened_ = !isOpen();
     showFold();
   });
-  grid_ = flush<QGridLayout>(table_);
+  grid_ = marginless<QGridLayout>(table_);
   grid_->setHorizontalSpacing(5);
   grid_->setVerticalSpacing(2);
   grid_->setColumnStretch(1, 1);

@@ -131,7 +131,7 @@ ParameterPanel::ParameterPanel(const Scene& scene, const std::vector<ParameterGr
   scroll_->setFocusPolicy(Qt::NoFocus);  // its rows take the focus
   scroll_->setFrameShape(QFrame::NoFrame);
   scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  auto* layout = flush<QVBoxLayout>(this, 0);
+  auto* layout = marginless<QVBoxLayout>(this, 0);
   if (bar_) {
     layout->addWidget(bar_);
     connect(bar_, &PanelBar::changed, this, [this] {

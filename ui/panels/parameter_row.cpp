@@ -84,7 +84,7 @@ double asNumber(const ParameterValue& value) {
 ParameterRow::ParameterRow(const Parameter& parameter, QWidget* parent)
     : QWidget(parent), parameter_(parameter) {
   setObjectName("row:" + fromUtf8(parameter.key));
-  auto* column = flush<QVBoxLayout>(this, 0);
+  auto* column = marginless<QVBoxLayout>(this, 0);
   auto* line = new QHBoxLayout;
   line->setSpacing(kGap);
   column->addLayout(line);

@@ -101,9 +101,9 @@ LineSize lineSize(const Frame& frame) {
 }
 
 /// Puts widgets below each other without a gap; the last one takes the remaining height.
-QWidget* inColumn(std::initializer_list<QWidget*> widgets) {
+QWidget* inColumn(Widgets widgets) {
   auto* all = new QWidget;
-  auto* column = flush<QVBoxLayout>(all, 0);
+  auto* column = marginless<QVBoxLayout>(all, 0);
   for (QWidget* widget : widgets) column->addWidget(widget);
   column->setStretchFactor(*std::rbegin(widgets), 1);
   return all;
@@ -164,7 +164,7 @@ void MainWindow::buildViews() {
   splitter_->setChildrenCollapsible(false);
   timeBar_ = new TimeBar;
   auto* contact = named<QWidget>("contactPage");
-  auto* column = flush<QVBoxLayout>(contact, 0);
+  auto* column = marginless<QVBoxLayout>(contact, 0);
   column->addWidget(canvas_, 1);
   column->addWidget(timeBar_);
   splitter_->addWidget(contact);
