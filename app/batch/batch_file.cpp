@@ -280,7 +280,7 @@ Batch readBatch(std::string_view json, const std::filesystem::path& file) {
     }
     return batch;
   } catch (const InputError& error) {
-    throw error.file().empty() ? error.in(file.string()) : error;
+    throw error.withFile(file.string());
   }
 }
 

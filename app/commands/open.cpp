@@ -13,6 +13,7 @@
 #include "core/lesson/lesson_results.h"
 #include "core/run/runner.h"
 #include "core/scene/provenance.h"
+#include "core/scene/scene_demands.h"
 #include "core/scene/scene_file.h"
 #include "ui/window/main/run_window.h"
 #include "ui/window/main/scene_library.h"

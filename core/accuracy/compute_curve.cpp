@@ -12,13 +12,6 @@
 namespace asperity {
 namespace {
 
-std::vector<Scene> statesOf(const Scene& scene, const std::vector<double>& values) {
-  std::vector<Scene> states;
-  states.reserve(values.size());
-  for (const double value : values) states.push_back(sceneAt(scene, value));
-  return states;
-}
-
 void setSwept(std::vector<CurvePoint>& points, const std::vector<double>& values) {
   for (std::size_t i = 0; i < points.size(); ++i) points[i].swept = values[i];
 }
@@ -49,12 +42,8 @@ Curve targetSweep(const std::vector<Scene>& states, const std::vector<double>& v
   curve.isComplete = true;
   setSwept(curve.points, values);
   for (std::size_t i = 0; i < states.size(); ++i) {
-    Scene state = states[i];
-    state.sweep.velocityFrom = state.sweep.velocityTo = state.sliding.velocity;
-    state.sweep.points = 1;
-    CurveOptions one{.threads = options.threads, .stop = options.stop};
-    const Curve found =
-        choosesAccuracy(state) ? targetCurve(state, one).curve : frictionCurve(state, one);
+    const Curve found = computeCurveAt(states[i], states[i].sliding.velocity,
+                                       {.threads = options.threads, .stop = options.stop});
     if (!found.isComplete) {
       curve.isComplete = false;
       return curve;
@@ -77,7 +66,8 @@ Curve targetSweep(const std::vector<Scene>& states, const std::vector<double>& v
 /// Computes a curve over another key than velocity.
 Curve sweepCurve(const Scene& scene, const CurveOptions& options) {
   const std::vector<double> values = sweepValues(scene);
-  const std::vector<Scene> states = statesOf(scene, values);
+  std::vector<Scene> states;
+  for (const double value : values) states.push_back(sceneAt(scene, value));
   return std::ranges::any_of(states, choosesAccuracy) ? targetSweep(states, values, options)
                                                       : slideSweep(states, values, options);
 }

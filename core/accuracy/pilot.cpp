@@ -34,8 +34,7 @@ double sumOfPowers(double first, double last, double power) {
 /// roll-off.
 double sumOfModes(const Surface& surface) {
   const double last = std::floor((static_cast<double>(surface.elements) - 1) / 2);
-  const double rollOff =
-      surface.rollOffWavelength > 0 ? surface.length / surface.rollOffWavelength : 0;
+  const double rollOff = rollOffMode(surface);
   const double power = 2 * surface.hurst + 1;
   const double flat = std::min(std::floor(rollOff), last);
   return flat * std::pow(std::max(rollOff, 1.0), -power) + sumOfPowers(flat + 1, last, power);
@@ -214,8 +213,7 @@ double curveMemory(const PilotScene& run, int threads, std::int64_t finest) {
   const double ofTravel = scheme == Scheme::Cubic    ? 3 + 5 * 4.0 / 3
                           : scheme == Scheme::Linear ? 2 + 5 / 3.0
                                                      : 2 + 4 / 3.0;
-  const bool hasSpectrum = isRandom || hasSurfaceFile(scene.surface);
-  const double ofTransform = hasSpectrum ? 2 : 0;
+  const double ofTransform = isRough(scene.surface) ? 2 : 0;
   double bytes = kOfProgram + (ofLine + ofTravel) * nodes * kNumber * parallel;
   bytes += ofTransform * nodes * kNumber * (isRandom ? parallel : 1);
   if (isRandom) bytes += (0.5 + parallel) * elements * kNumber;  // amplitudes and phases

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/base/processor_time.h"
@@ -97,8 +98,7 @@ class Comparison {
  public:
   Comparison(const Scene& scene, const WorkPrecisionOptions& options)
       : scene_(scene), options_(options), source_(scene, 1) {
-    const std::int64_t random = source_.lines();
-    lines_ = std::min(options.lines, random);
+    lines_ = std::min(options.lines, source_.lines());
     if (source_.elements() * 2 * kReference > kMostNodes) lines_ = 1;
     for (const MethodChoice& choice : allMethods())
       if (isPossible(choice)) choices_.push_back(choice);
@@ -327,18 +327,15 @@ class Comparison {
 
 }  // namespace
 
+std::string_view methodWord(Method method) {
+  constexpr std::array<std::string_view, 4> kWords{"literal march", "nodal", "linear", "cubic"};
+  return kWords[static_cast<std::size_t>(method)];
+}
+
 std::string methodName(const MethodChoice& choice) {
-  switch (choice.method) {
-    case Method::Literal:
-      return "literal march";
-    case Method::Nodal:
-      return "nodal";
-    case Method::Linear:
-      return fmt::format("linear x{}", choice.oversampling);
-    case Method::Cubic:
-      break;
-  }
-  return fmt::format("cubic x{}", choice.oversampling);
+  const std::string_view word = methodWord(choice.method);
+  const bool isResolved = choice.method == Method::Linear || choice.method == Method::Cubic;
+  return isResolved ? fmt::format("{} x{}", word, choice.oversampling) : std::string(word);
 }
 
 std::vector<MethodChoice> allMethods() {

@@ -17,6 +17,7 @@
 #include <functional>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/friction/curve_point.h"
@@ -32,6 +33,9 @@ struct MethodChoice {
 
   bool operator==(const MethodChoice&) const = default;
 };
+
+/// Returns "literal march", "nodal", "linear" or "cubic".
+std::string_view methodWord(Method method);
 
 /// Returns "cubic x2" or "nodal".
 std::string methodName(const MethodChoice& choice);

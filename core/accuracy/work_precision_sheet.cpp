@@ -156,17 +156,14 @@ std::string workPrecisionCsv(const WorkPrecision& comparison) {
                      "reference_error"}) +
       "\n";
   for (const RegionPrecision& region : comparison.regions)
-    for (const WorkPrecisionPoint& point : region.points) {
-      std::string name = methodName(point.choice);
-      name = name.substr(0, name.rfind(" x"));
-      text +=
-          fmt::format("{},{},{},{},{},{},{},{:d},{},{},{},{},{},{:d},{:d},{:d},{}\n", region.region,
-                      region.velocities.front(), region.velocities.back(), name,
-                      point.choice.oversampling, csvNumber(point.error), csvNumber(point.largest),
-                      point.isDifference, point.seconds, point.fastest, point.slowest,
-                      point.lineSeconds, point.secondsWithLine, point.isExtrapolated,
-                      point.isOnFront, point.choice == comparison.present, region.referenceError);
-    }
+    for (const WorkPrecisionPoint& point : region.points)
+      text += fmt::format("{},{},{},{},{},{},{},{:d},{},{},{},{},{},{:d},{:d},{:d},{}\n",
+                          region.region, region.velocities.front(), region.velocities.back(),
+                          methodWord(point.choice.method), point.choice.oversampling,
+                          csvNumber(point.error), csvNumber(point.largest), point.isDifference,
+                          point.seconds, point.fastest, point.slowest, point.lineSeconds,
+                          point.secondsWithLine, point.isExtrapolated, point.isOnFront,
+                          point.choice == comparison.present, region.referenceError);
   return text;
 }
 

@@ -13,8 +13,8 @@ fftw_complex* raw(std::complex<double>* values) {
 }
 
 /// FFTW does not write to the input of transforms that are told to keep it.
-double* writable(std::span<const double> values) {
-  return const_cast<double*>(values.data());
+double* writable(const double* values) {
+  return const_cast<double*>(values);
 }
 
 /// Held while a plan is made or destroyed.
@@ -64,7 +64,7 @@ FourierPlans::~FourierPlans() {
 }
 
 void FourierPlans::forward(const double* values, std::complex<double>* modes) const {
-  fftw_execute_dft_r2c(forward_, const_cast<double*>(values), raw(modes));
+  fftw_execute_dft_r2c(forward_, writable(values), raw(modes));
 }
 
 void FourierPlans::backward(std::complex<double>* modes, double* values) const {
@@ -98,8 +98,9 @@ std::vector<std::complex<double>> transform2d(std::span<const double> values, st
   fftw_plan plan = nullptr;
   {
     const std::lock_guard lock(plannerLock());
-    plan = fftw_plan_dft_r2c_2d(static_cast<int>(rows), static_cast<int>(columns), writable(values),
-                                raw(modes.data()), FFTW_ESTIMATE | FFTW_UNALIGNED);
+    plan = fftw_plan_dft_r2c_2d(static_cast<int>(rows), static_cast<int>(columns),
+                                writable(values.data()), raw(modes.data()),
+                                FFTW_ESTIMATE | FFTW_UNALIGNED);
   }
   fftw_execute(plan);
   const std::lock_guard lock(plannerLock());

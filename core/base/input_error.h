@@ -56,6 +56,9 @@ class InputError : public TextError {
 
   /// Returns the same error with the name of this file.
   InputError in(const std::string& file) const { return {file, key(), message()}; }
+
+  /// Returns the error with the name of this file, unless it names one already.
+  InputError withFile(const std::string& name) const { return file().empty() ? in(name) : *this; }
 };
 
 /// Returns the error for a file whose extension (with its dot) is not one of the known ones.

@@ -1,7 +1,5 @@
 #include "core/base/json_text.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -121,7 +119,7 @@ class Reader : public nlohmann::json_sax<Json> {
   std::string path() const {
     std::string path;
     for (const Level& level : levels_)
-      if (level.value->is_object()) path += (path.empty() ? "" : ".") + shortened(level.key);
+      if (level.value->is_object()) appendItem(path, shortened(level.key), ".");
     return path;
   }
 
@@ -134,6 +132,10 @@ class Reader : public nlohmann::json_sax<Json> {
 std::string_view withoutBlanks(std::string_view text) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   return text.substr(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+}
+
+std::string memberPath(const std::string& where, const std::string& member) {
+  return where.empty() ? member : where + "." + member;
 }
 
 [[noreturn]] void refuseKind(std::string_view kind, std::string_view wanted) {
@@ -163,8 +165,8 @@ nlohmann::ordered_json membersUpTo(std::string_view text, const std::string& nam
   return reader.root().is_object() ? std::move(reader.root()) : Json();
 }
 
-void refuseMember(const std::string& key, const Message& why) {
-  throw InputError("", key, why);
+void refuseMember(const std::string& path, const Message& why) {
+  throw InputError("", path, why);
 }
 
 void checkMembers(const Json& object, const std::string& where,
@@ -173,19 +175,18 @@ void checkMembers(const Json& object, const std::string& where,
   if (!object.is_object()) refuseMember(where, "needs an object");
   for (const auto& [key, value] : object.items()) {
     if (std::ranges::find(known, key) != known.end()) continue;
-    const std::string path = where.empty() ? shortened(key) : where + "." + shortened(key);
     const std::string_view nearest = nearestWord(key, known);
-    refuseMember(
-        path, nearest.empty()
-                  ? message("unknown key; known are {}", fmt::format("{}", fmt::join(known, ", ")))
-                  : message("unknown key; the nearest known one is {}", nearest));
+    refuseMember(memberPath(where, shortened(key)),
+                 nearest.empty() ? message("unknown key; known are {}", namesWithCommas(known))
+                                 : message("unknown key; the nearest known one is {}", nearest));
   }
 }
 
 double numberMember(const Json& object, const std::string& where, const char* member) {
   const auto found = object.find(member);
-  if (found == object.end()) refuseMember(where + "." + member, "is missing; it needs a number");
-  if (!found->is_number()) refuseMember(where + "." + member, "needs a number");
+  if (found == object.end())
+    refuseMember(memberPath(where, member), "is missing; it needs a number");
+  if (!found->is_number()) refuseMember(memberPath(where, member), "needs a number");
   return found->get<double>();
 }
 
@@ -197,12 +198,12 @@ std::optional<double> optionalNumberMember(const Json& object, const std::string
 
 std::int64_t integerMember(const Json& object, const char* member, std::int64_t least,
                            std::int64_t most, const std::string& where) {
-  const std::string path = where.empty() ? member : where + "." + member;
   const double number = object.at(member).is_number() ? object.at(member).get<double>() : 0.5;
   if (number != std::floor(number) || number < static_cast<double>(least) ||
       number > static_cast<double>(most))
-    refuseMember(path, message("{} is not a whole number from {} to {}",
-                               shortened(object.at(member).dump()), least, most));
+    refuseMember(memberPath(where, member),
+                 message("{} is not a whole number from {} to {}",
+                         shortened(object.at(member).dump()), least, most));
   return static_cast<std::int64_t>(number);
 }
 
@@ -210,8 +211,7 @@ std::string textMember(const Json& object, const char* member, const std::string
                        const std::string& where) {
   const auto found = object.find(member);
   if (found == object.end()) return otherwise;
-  if (!found->is_string())
-    refuseMember(where.empty() ? member : where + "." + member, "needs a text");
+  if (!found->is_string()) refuseMember(memberPath(where, member), "needs a text");
   return found->get<std::string>();
 }
 

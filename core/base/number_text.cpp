@@ -52,9 +52,9 @@ bool hasNoLargePrefix(std::string_view unit) {
 }  // namespace
 
 std::string powerOfTen(int exponent) {
-  static constexpr const char* kRaised[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
   std::string text = exponent < 0 ? "10⁻" : "10";
-  for (const char digit : std::to_string(std::abs(exponent))) text += kRaised[digit - '0'];
+  for (const char digit : std::to_string(std::abs(exponent)))
+    text += kRaisedDigits[static_cast<std::size_t>(digit - '0')];
   return text;
 }
 

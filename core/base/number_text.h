@@ -4,6 +4,7 @@
 // UTF-8 with a true minus, micro and multiplication sign. Pure; any thread.
 #pragma once
 
+#include <array>
 #include <charconv>
 #include <string>
 #include <string_view>
@@ -15,6 +16,11 @@ namespace asperity {
 
 /// The sign of printed negative numbers, in UTF-8.
 inline constexpr std::string_view kMinusSign = "\u2212";
+
+/// The digits of exponents, from 0 to 9.
+inline constexpr std::array<std::string_view, 10> kRaisedDigits{
+    "\u2070", "\u00B9", "\u00B2", "\u00B3", "\u2074",
+    "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
 
 /// Whether significant digits keep trailing zeros ("0.0120") or not ("0.012").
 enum class Zeros { Keep, Drop };

@@ -1,10 +1,10 @@
 #include "core/base/power_of_ten.h"
 
-#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
 
+#include "core/base/number_text.h"
 #include "core/base/text_number.h"
 
 namespace asperity {
@@ -12,8 +12,6 @@ namespace asperity {
 using namespace std::string_view_literals;
 
 std::optional<PowerOfTen> powerOfTenIn(std::string_view text) {
-  constexpr std::array kRaised{"\u2070"sv, "\u00B9"sv, "\u00B2"sv, "\u00B3"sv, "\u2074"sv,
-                               "\u2075"sv, "\u2076"sv, "\u2077"sv, "\u2078"sv, "\u2079"sv};
   text = trimmedBlanks(text);
   const std::size_t whole = text.size();
   for (const std::string_view times : {"\u00D7"sv, "\u00B7"sv, "\u22C5"sv, "x"sv, "*"sv})
@@ -36,12 +34,12 @@ std::optional<PowerOfTen> powerOfTenIn(std::string_view text) {
   }
   if (!text.starts_with("10")) return {};
   std::string exponent(text.substr(2));
-  replaceAll(exponent, "\u2212", "-");
+  replaceAll(exponent, kMinusSign, "-");
   const std::string flat = exponent;
   for (const auto& [raised, plain] : {std::pair{"\u207B"sv, "-"sv}, {"^"sv, ""sv}})
     replaceAll(exponent, raised, plain);
-  for (std::size_t digit = 0; digit < kRaised.size(); ++digit)
-    replaceAll(exponent, kRaised[digit], std::to_string(digit));
+  for (std::size_t digit = 0; digit < kRaisedDigits.size(); ++digit)
+    replaceAll(exponent, kRaisedDigits[digit], std::to_string(digit));
   constexpr double kLargest = 30;
   if (!readTextNumber(exponent, '.', number) || std::abs(number) > kLargest) return {};
   // "10-3" without a sign of multiplication may be a range.

@@ -16,6 +16,11 @@
 namespace asperity {
 namespace {
 
+void refuseAbove(std::uintmax_t size, std::size_t limit, const std::filesystem::path& file) {
+  if (size > limit)
+    throw InputError(file.string(), "", message("is larger than the {} bytes allowed", limit));
+}
+
 /// Throws where `status` is not that of a regular file.
 void requireRegular(const struct stat& status, const std::string& name) {
   if (S_ISDIR(status.st_mode)) throw InputError(name, "", "is a folder, not a file");
@@ -71,8 +76,7 @@ std::string RegularFile::read(std::uint64_t offset, std::size_t count) const {
 
 std::string readRegularFile(const std::filesystem::path& file, std::size_t limit) {
   const RegularFile regular(file);
-  if (regular.size() > limit)
-    throw InputError(file.string(), "", message("is larger than the {} bytes allowed", limit));
+  refuseAbove(regular.size(), limit, file);
   return regular.read(0, limit);
 }
 
@@ -85,18 +89,14 @@ std::string readWholeFile(const std::filesystem::path& file, std::size_t limit) 
   if (!handle)
     throw InputError(file.string(), "",
                      message("cannot be opened: {}", Message(std::strerror(errno))));
-  const auto refuseAbove = [&](std::uintmax_t size) {
-    if (size > limit)
-      throw InputError(file.string(), "", message("is larger than the {} bytes allowed", limit));
-  };
   // A file that reports too large a size is refused without reading it; a pipe reports no size.
   const std::uintmax_t size = std::filesystem::file_size(file, error);
-  if (!error) refuseAbove(size);
+  if (!error) refuseAbove(size, limit, file);
   std::string bytes;
   char buffer[1 << 16];
   while (const std::size_t count = std::fread(buffer, 1, sizeof buffer, handle.get())) {
     bytes.append(buffer, count);
-    refuseAbove(bytes.size());
+    refuseAbove(bytes.size(), limit, file);
   }
   if (std::ferror(handle.get())) throw InputError(file.string(), "", "cannot be read");
   return bytes;

@@ -107,6 +107,11 @@ std::vector<std::string_view> splitText(std::string_view text, std::string_view 
   return parts;
 }
 
+void appendItem(std::string& list, std::string_view item, std::string_view separator) {
+  if (!list.empty()) list += separator;
+  list += item;
+}
+
 std::string_view nearestWord(std::string_view word, std::span<const std::string_view> known) {
   const std::string_view start = word.substr(0, 100);
   const auto nearest = std::ranges::min_element(

@@ -26,12 +26,16 @@ std::string shortened(std::string_view text);
 /// Returns the parts of a text between separators; where there is none, the text itself.
 std::vector<std::string_view> splitText(std::string_view text, std::string_view separator);
 
+/// Appends an item to a list that is written as one text. The separator stands between two items.
+void appendItem(std::string& list, std::string_view item, std::string_view separator = ", ");
+
 /// A list of words, written as one text, as a range of its words: WordList("load force weight").
 /// Words with blanks are separated by commas: WordList("step size, x step", ','). Ownership: the
 /// list and its words are views of the text, which is a literal.
 class WordList {
  public:
   constexpr WordList(const char* text, char separator = ' ') : text_(text), separator_(separator) {}
+  constexpr explicit WordList(std::string_view text) : text_(text) {}
 
   class Iterator {
    public:
@@ -67,7 +71,7 @@ class WordList {
 
  private:
   std::string_view text_;
-  char separator_;
+  char separator_ = ' ';
 };
 
 /// Returns whether the word is one of these.

@@ -15,8 +15,6 @@
 namespace asperity {
 namespace {
 
-constexpr WordList kErrorSigns("\u00B1 +/- +-");
-
 /// A number at the beginning of a text.
 struct Beginning {
   std::string_view digits;
@@ -28,8 +26,7 @@ struct Beginning {
 /// be anything.
 std::optional<Beginning> takeNumber(std::string_view text, char decimal) {
   text = trimmedBlanks(text);
-  constexpr std::string_view kLetters = "0123456789+-.,eEdD\xE2\x88\x92";
-  for (std::size_t size = std::min(text.find_first_not_of(kLetters), text.size()); size > 0;
+  for (std::size_t size = std::min(text.find_first_not_of(kBytesOfNumbers), text.size()); size > 0;
        --size) {
     double number = 0;
     if (readTextNumber(text.substr(0, size), decimal, number))
@@ -62,23 +59,27 @@ std::optional<std::string_view> takeConcise(const Beginning& value, char decimal
 
 /// Reads a sign of errors with the error behind it, and the unit of one or both.
 bool takeTolerance(std::string_view text, double number, char decimal, TextCell& rest) {
-  for (const std::string_view sign : kErrorSigns) {
-    const std::size_t at = text.find(sign);
-    if (at == std::string_view::npos) continue;
-    const std::string_view own = trimmedBlanks(text.substr(0, at));
-    const auto error = takeNumber(text.substr(at + sign.size()), decimal);
-    if (!error || !(error->number >= 0) || !(own.empty() || isCellUnit(own))) return false;
-    const std::string_view unit = trimmedBlanks(error->rest);
-    const bool isShare = unit == "%" && own != "%";
-    rest.error = isShare ? std::abs(number) * error->number / 100 : error->number;
-    rest.unit = withoutBrackets(own.empty() ? unit : own);
-    if (own.empty()) return unit.empty() || (!isShare && isCellUnit(unit));
-    return isShare || unit == own;
-  }
-  return false;
+  const auto sides = splitAtErrorSign(text);
+  if (!sides) return false;
+  const std::string_view own = trimmedBlanks(sides->number);
+  const auto error = takeNumber(sides->error, decimal);
+  if (!error || !(error->number >= 0) || !(own.empty() || isCellUnit(own))) return false;
+  const std::string_view unit = trimmedBlanks(error->rest);
+  const bool isShare = unit == "%" && own != "%";
+  rest.error = isShare ? std::abs(number) * error->number / 100 : error->number;
+  rest.unit = withoutBrackets(own.empty() ? unit : own);
+  if (own.empty()) return unit.empty() || (!isShare && isCellUnit(unit));
+  return isShare || unit == own;
 }
 
 }  // namespace
+
+std::optional<ErrorSides> splitAtErrorSign(std::string_view text) {
+  for (const std::string_view sign : kErrorSigns)
+    if (const std::size_t at = text.find(sign); at != text.npos)
+      return ErrorSides{text.substr(0, at), text.substr(at + sign.size())};
+  return {};
+}
 
 std::optional<CellQuantity> readCell(std::string_view text, char decimal) {
   text = trimmedField(text);

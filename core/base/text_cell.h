@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/text.h"
+
 namespace asperity {
 
 struct TextBlock;
@@ -19,6 +21,17 @@ struct TextCell {
   std::string unit{};  // as written; empty where the cell has none
   double error = std::numeric_limits<double>::quiet_NaN();  // in the unit of the number
 };
+
+/// The signs between a number and its error.
+inline constexpr WordList kErrorSigns("\u00B1 +/- +-");
+
+/// The two sides of such a sign.
+struct ErrorSides {
+  std::string_view number{}, error{};
+};
+
+/// Splits "0.31 \u00B1 0.02" at the sign. Nothing where there is none.
+std::optional<ErrorSides> splitAtErrorSign(std::string_view text);
 
 /// A number with its error, its unit or both.
 struct CellQuantity {

@@ -231,7 +231,7 @@ bool isDecimal(std::string_view field, char mark, MarkedNumbers& numbers) {
   if (field[head] != mark) return field.find(mark) != std::string_view::npos;
   const std::string_view tail = field.substr(head + 1);
   if (head == 0 || head > kGroup || field.front() == '0' || tail.size() != kGroup ||
-      !std::ranges::all_of(tail, isDigit))
+      !areDigits(tail))
     return true;
   ++numbers.marked;
   return false;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cctype>
 #include <iterator>
-#include <numeric>
 
 #include "core/base/power_of_ten.h"
 #include "core/base/text.h"
@@ -48,7 +47,7 @@ bool statesAfterComma(std::string_view line, std::size_t comma, const TextDialec
   if (dialect.isExact() || comma == std::string_view::npos || line.find(", ") != line.npos)
     return false;
   std::vector<std::string_view> fields;
-  splitFields(line, TextDialect::Separator::Comma, fields);
+  splitFields(line, Separator::Comma, fields);
   // A comma between quotes separates nothing.
   return (fields.size() == 2 || fields.size() == 3) && !beginsAsNumber(trimmedField(fields[0])) &&
          (beginsAsNumber(trimmedField(fields[1])) || isKnownUnit(trimmedField(fields[1])));
@@ -86,8 +85,7 @@ TextEntry parseEntry(const TextLine& kept, const TextDialect& dialect) {
     // "Width;10;\u00B5m"
     std::string value;
     for (std::size_t i = 1; i < fields.size(); ++i)
-      if (const auto part = trimmedField(fields[i]); !part.empty())
-        value += (value.empty() ? "" : " ") + std::string(part);
+      if (const auto part = trimmedField(fields[i]); !part.empty()) appendItem(value, part, " ");
     setKey(fields.front(), value);
   } else if (end != std::string_view::npos) {
     constexpr std::size_t kWide = 3;  // bytes of a full-width colon
@@ -147,7 +145,8 @@ bool isFahrenheit(std::string_view name, std::string_view unit) {
   return word == "t" || word.starts_with("t_") || word.find("temp") != std::string::npos;
 }
 
-TextColumn parts(std::string_view name, std::string_view unit) {
+/// Makes a column without what stands between a name and its unit.
+TextColumn makeColumn(std::string_view name, std::string_view unit) {
   while (!name.empty() &&
          (name.back() == '_' || name.back() == ',' || name.back() == ' ' || name.back() == '/'))
     name.remove_suffix(1);
@@ -175,19 +174,19 @@ std::optional<TextColumn> splitSpelledUnit(std::string_view text) {
   const std::string unit =
       fmt::format("{}{}{}", dividend, isViscosity || isInverse ? " " : "/", divisor);
   if (!isUnitWord(unit)) return {};
-  return parts(text, unit);
+  return makeColumn(text, unit);
 }
 
-/// Returns the same of a name with a unit behind a stroke or a blank; a power of ten in front of
-/// the unit belongs to it: "v / 10^-3 m/s".
-TextColumn scaledParts(std::string_view name, std::string_view unit) {
+/// Makes a column of a name with a unit behind a stroke or a blank. A power of ten in front of the
+/// unit belongs to the unit: "v / 10^-3 m/s".
+TextColumn makeScaledColumn(std::string_view name, std::string_view unit) {
   const std::string_view front = trimmedBlanks(name);
   const std::size_t at = front.find_last_of(" /_");
   const std::size_t begin = at == front.npos ? 0 : at + 1;
   const std::string_view word = front.substr(begin);
   if (begin == 0 || word.empty() || !isDigit(word.front()) || !isWrittenPower(word))
-    return parts(name, unit);
-  return parts(front.substr(0, begin), fmt::format("{} {}", word, trimmedBlanks(unit)));
+    return makeColumn(name, unit);
+  return makeColumn(front.substr(0, begin), fmt::format("{} {}", word, trimmedBlanks(unit)));
 }
 
 /// Splits at tabs and at runs of at least two blanks.
@@ -209,7 +208,7 @@ std::vector<std::string> splitAtWideBlanks(std::string_view line) {
 /// before it.
 std::vector<std::string> splitAtBlanks(std::string_view line) {
   std::vector<std::string_view> words;
-  splitFields(line, TextDialect::Separator::Blanks, words);
+  splitFields(line, Separator::Blanks, words);
   std::vector<std::string> fields;
   bool open = false, joined = false;
   for (const std::string_view word : words) {
@@ -225,7 +224,7 @@ std::vector<std::string> splitAtBlanks(std::string_view line) {
   return fields;
 }
 
-std::vector<std::string> splitAt(std::string_view line, TextDialect::Separator separator) {
+std::vector<std::string> splitAt(std::string_view line, Separator separator) {
   std::vector<std::string_view> fields;
   splitFields(line, separator, fields);
   std::vector<std::string> names;
@@ -250,12 +249,12 @@ TextColumn parseColumnName(std::string_view text) {
     if (isKnownUnit(unit) || isFahrenheit(text.substr(0, at), unit) ||
         (text[at] == '[' && isLast && at > 0 && !trimmedBlanks(unit).empty())) {
       // Words behind the unit belong to the name: "G' (MPa) std" is no modulus.
-      TextColumn found = parts(text.substr(0, at), unit);
+      TextColumn found = makeColumn(text.substr(0, at), unit);
       const std::string_view rest = trimmedBlanks(text.substr(end + 1));
       const bool hasWords = std::ranges::any_of(rest, [](char letter) {
         return std::isalnum(static_cast<unsigned char>(letter)) != 0 || (letter & 0x80) != 0;
       });
-      if (hasWords) found.name += (found.name.empty() ? "" : " ") + std::string(rest);
+      if (hasWords) appendItem(found.name, rest, " ");
       return found;
     }
   }
@@ -264,13 +263,13 @@ TextColumn parseColumnName(std::string_view text) {
   if (const std::size_t at = text.find_last_of("_ ");
       at != std::string_view::npos && at > 0 && text.find('/', at) != std::string_view::npos &&
       isUnitWord(text.substr(at + 1)))
-    return scaledParts(text.substr(0, at), text.substr(at + 1));
+    return makeScaledColumn(text.substr(0, at), text.substr(at + 1));
 
   // The unit may be behind a stroke, which may also be part of it: "v / m/s".
   for (std::size_t at = 0; (at = text.find('/', at)) != std::string_view::npos; ++at)
     if (at > 0 &&
         (isKnownUnit(text.substr(at + 1)) || isFahrenheit(text.substr(0, at), text.substr(at + 1))))
-      return parts(text.substr(0, at), text.substr(at + 1));
+      return makeColumn(text.substr(0, at), text.substr(at + 1));
 
   if (auto spelled = splitSpelledUnit(text)) return std::move(*spelled);
 
@@ -280,9 +279,9 @@ TextColumn parseColumnName(std::string_view text) {
     if (at == std::string_view::npos || at == 0) continue;
     const std::string_view unit = text.substr(at + between.size());
     const bool isLoose = between == " " || between == "_";
-    if (isFahrenheit(text.substr(0, at), unit)) return parts(text.substr(0, at), unit);
+    if (isFahrenheit(text.substr(0, at), unit)) return makeColumn(text.substr(0, at), unit);
     if (isUnitWord(unit) && (!isLoose || suitsLetter(text.substr(0, at), unit)))
-      return scaledParts(text.substr(0, at), unit);
+      return makeScaledColumn(text.substr(0, at), unit);
   }
   return {std::string(text), {}};
 }
@@ -338,8 +337,7 @@ Fields fieldsOfUnits(std::string_view line, std::size_t columns) {
   if (columns < 2 || end == std::string_view::npos) return {};
   const std::string key = lowerCase(trimmedBlanks(line.substr(0, end)));
   if (key != "units" && key != "einheiten") return {};
-  for (const TextDialect::Separator separator :
-       {TextDialect::Separator::Semicolon, TextDialect::Separator::Comma})
+  for (const Separator separator : {Separator::Semicolon, Separator::Comma})
     if (Fields fields = splitAt(line.substr(end + 1), separator); fields.size() == columns)
       return fields;
   return {};
@@ -467,65 +465,6 @@ std::vector<TextColumn> namedColumns(const std::vector<TextLine>& above, const T
         named[i].unit = unit;
   }
   return named;
-}
-
-// ---- Clauses and words of a line ---------------------------------------------------------------
-
-std::string lineOf(const TextEntry& entry, std::string_view between) {
-  return entry.key.empty() ? entry.value : fmt::format("{}{}{}", entry.key, between, entry.value);
-}
-
-std::vector<std::string_view> clausesOf(std::string_view line) {
-  std::vector<std::string_view> clauses;
-  std::size_t begin = 0;
-  for (std::size_t i = 0; i <= line.size(); ++i) {
-    const bool isEnd = i == line.size() || line[i] == ';' || line[i] == '\t' || line[i] == '|' ||
-                       line.substr(i).starts_with(", ");
-    if (!isEnd) continue;
-    if (const auto clause = trimmedBlanks(line.substr(begin, i - begin)); !clause.empty())
-      clauses.push_back(clause);
-    begin = i + 1;
-  }
-  return clauses;
-}
-
-std::string_view withoutEnd(std::string_view text, std::string_view signs) {
-  const std::size_t last = text.find_last_not_of(signs);
-  return text.substr(0, last == text.npos ? 0 : last + 1);
-}
-
-std::string_view keyBefore(std::string_view text) {
-  text = withoutEnd(text, " :=@(\t");
-  const std::size_t before = text.find_last_of(":=");
-  return trimmedBlanks(before == text.npos ? text : text.substr(before + 1));
-}
-
-std::optional<TextStatement> parseStatement(std::string_view clause) {
-  const std::size_t end = clause.find_last_of(":=");
-  if (end == clause.npos) return {};
-  const auto quantity = parseQuantity(clause.substr(end + 1));
-  if (!quantity) return {};
-  const std::string_view key = keyBefore(clause.substr(0, end));
-  return TextStatement{std::string(key), parseColumnName(key), *quantity};
-}
-
-std::vector<std::string> wordsIn(std::string_view text) {
-  std::vector<std::string> words;
-  bool isOpen = false;
-  for (const char letter : lowerCase(text)) {
-    if (letter == '_') continue;
-    const auto byte = static_cast<unsigned char>(letter);
-    const bool isPart = byte >= 0x80 || std::isalnum(byte) != 0;
-    if (isPart && !isOpen) words.emplace_back();
-    if (isPart) words.back() += letter;
-    isOpen = isPart;
-  }
-  return words;
-}
-
-std::string plainWord(std::string_view text) {
-  const std::vector<std::string> words = wordsIn(text);
-  return std::accumulate(words.begin(), words.end(), std::string());
 }
 
 }  // namespace asperity

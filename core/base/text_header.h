@@ -1,5 +1,5 @@
-// The lines of a text table that are not rows: names and units above the columns, `key: value`, and
-// what several clauses of a line state: "Master curve, Tref = 20 \u00B0C". Pure; any thread.
+// The lines of a text table that are not rows: names and units above the columns, and `key: value`.
+// Pure; any thread.
 #pragma once
 
 #include <cstddef>
@@ -42,39 +42,5 @@ std::vector<std::string> splitNames(std::string_view line, const TextDialect& di
 /// fields of its first row.
 std::vector<TextColumn> namedColumns(const std::vector<TextLine>& above, const TextDialect& dialect,
                                      const std::vector<Field>& first);
-
-// ---- Clauses and words of a line
-
-/// Returns an entry as a line, "key = value", or with another text between them; the value alone
-/// where it has no key.
-std::string lineOf(const TextEntry& entry, std::string_view between = " = ");
-
-/// Splits a line at semicolons, tabs, bars and commas before a blank.
-std::vector<std::string_view> clausesOf(std::string_view line);
-
-/// Returns the text without these signs at its end.
-std::string_view withoutEnd(std::string_view text, std::string_view signs);
-
-/// Returns the key in front of a value: "T" of "Isothermal test: T = ".
-std::string_view keyBefore(std::string_view text);
-
-/// A quantity behind a key, as in "Young's modulus E0 (MPa) = 600" or "T_ref: 20 \u00B0C".
-struct TextStatement {
-  std::string key{};
-  TextColumn name{};  // of the key, with its unit
-  TextQuantity quantity{};
-
-  /// Returns the unit of the number or, where it has none, that of the key.
-  const std::string& unit() const { return quantity.unit.empty() ? name.unit : quantity.unit; }
-};
-
-/// Reads the last key of a clause and the quantity behind it; nothing where there is none.
-std::optional<TextStatement> parseStatement(std::string_view clause);
-
-/// Returns the words of a text in lower case; "T_ref" is one of them.
-std::vector<std::string> wordsIn(std::string_view text);
-
-/// Returns the letters and digits of a text in lower case, as one word.
-std::string plainWord(std::string_view text);
 
 }  // namespace asperity

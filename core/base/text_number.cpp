@@ -236,7 +236,7 @@ bool takeMinus(std::string_view& text) {
 std::optional<TextQuantity> parseQuantity(std::string_view text, std::optional<char> decimal) {
   text = trimmedField(text);
   const double sign = takeMinus(text) ? -1 : 1;
-  std::string letters = "0123456789+-.,eEdD\xE2\x88\x92";
+  std::string letters(kBytesOfNumbers);
   if (decimal)
     for (const std::string_view mark : kThousands) letters += mark;
   const char first = decimal.value_or('.');

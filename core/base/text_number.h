@@ -2,6 +2,7 @@
 // words for a missing value, and quantities with a unit. Pure; any thread.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -25,6 +26,9 @@ struct Field {
 /// Reads a field without the blanks and quotes around it. decimal: '.' or ','; thousands may be
 /// separated by the other one, an apostrophe or a blank.
 Field readField(std::string_view text, char decimal);
+
+/// The bytes of numbers without separated thousands; the last three are those of the minus sign.
+inline constexpr std::string_view kBytesOfNumbers = "0123456789+-.,eEdD\xE2\x88\x92";
 
 /// Reads a whole text as a number without separated thousands: "1.5", "+1.5e-06", "1.5D-3",
 /// "\u22121,5". Returns false where it is anything else, or beyond the range of a double.
@@ -52,6 +56,11 @@ std::string lowerCase(std::string_view text);
 /// Returns whether the byte is a digit of ASCII.
 constexpr bool isDigit(char letter) {
   return letter >= '0' && letter <= '9';
+}
+
+/// Returns whether the text is one or more digits, and nothing else.
+constexpr bool areDigits(std::string_view text) {
+  return !text.empty() && std::ranges::all_of(text, isDigit);
 }
 
 /// Replaces each `from`, which is not empty, by `to`.

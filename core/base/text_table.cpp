@@ -44,24 +44,26 @@ class TableReader {
 
   /// Throws InputError that names the line most similar to a row.
   [[noreturn]] void refuseWithoutRows() {
-    for (const TextLine& line : above_) {
-      if (isComment(line.text)) continue;
-      readRow(line.text);
-      for (std::size_t i = 0; i < fields_.size(); ++i)
-        if (kinds_[i].kind == FieldKind::Text && fields_.size() > 1 &&
-            fields_[i].find_first_of("0123456789") != std::string_view::npos)
-          fail(message("has no rows of numbers; line {}: '{}' is no number", line.number,
-                       shortened(trimmedField(fields_[i]))));
-    }
+    const auto eachField = [this](const auto& use) {
+      for (const TextLine& line : above_) {
+        if (isComment(line.text)) continue;
+        readRow(line.text);
+        if (fields_.size() < 2) continue;
+        for (std::size_t i = 0; i < fields_.size(); ++i) use(line.number, i);
+      }
+    };
+    eachField([this](std::size_t number, std::size_t i) {
+      if (kinds_[i].kind == FieldKind::Text &&
+          fields_[i].find_first_of("0123456789") != std::string_view::npos)
+        fail(message("has no rows of numbers; line {}: '{}' is no number", number,
+                     shortened(trimmedField(fields_[i]))));
+    });
     // A row that would be one with a number in its empty field.
-    for (const TextLine& line : above_) {
-      if (isComment(line.text)) continue;
-      readRow(line.text);
-      for (std::size_t i = 0; i < fields_.size(); ++i)
-        if (kinds_[i].kind == FieldKind::Missing && fields_.size() > 1)
-          fail(message("has no rows of numbers; line {}: the value in column {} is missing",
-                       line.number, i + 1));
-    }
+    eachField([this](std::size_t number, std::size_t i) {
+      if (kinds_[i].kind == FieldKind::Missing)
+        fail(message("has no rows of numbers; line {}: the value in column {} is missing", number,
+                     i + 1));
+    });
     fail("has no rows of numbers");
   }
 
@@ -99,7 +101,7 @@ class TableReader {
     });
   }
 
-  TextBlock& block() { return table_.blocks.back(); }
+  TextBlock& block() const { return table_.blocks.back(); }
 
   bool appendPlain(const TextLine& line) {
     if (hasTexts_) return false;
@@ -135,6 +137,14 @@ class TableReader {
     block().values.insert(block().values.end(), row_.begin(), row_.end());
     block().lines.push_back(static_cast<std::uint32_t>(line.number));
     ++block().rows;
+  }
+
+  /// Returns the fields of the line after this one.
+  std::vector<std::string_view> fieldsOfNextLine() const {
+    std::string_view rest = rest_;
+    std::vector<std::string_view> fields;
+    split(takeLine(rest), fields);
+    return fields;
   }
 
   /// Splits a line; where labels are kept, "#" belongs to them.
@@ -180,7 +190,7 @@ class TableReader {
 
   /// Returns whether the fields are a row of the open block.
   bool fits() const {
-    const std::vector<TextColumn>& columns = table_.blocks.back().columns;
+    const std::vector<TextColumn>& columns = block().columns;
     std::size_t size = fields_.size();
     while (size > columns.size() && trimmedBlanks(fields_[size - 1]).empty()) --size;
     if (size > columns.size()) return false;
@@ -207,7 +217,7 @@ class TableReader {
       if (trimmedBlanks(line).empty()) continue;
       std::vector<std::string_view> fields;
       split(line, fields);
-      const std::vector<TextColumn>& columns = table_.blocks.back().columns;
+      const std::vector<TextColumn>& columns = block().columns;
       while (fields.size() > columns.size() && trimmedBlanks(fields.back()).empty())
         fields.pop_back();
       if (fields.size() != columns.size()) return false;
@@ -225,10 +235,7 @@ class TableReader {
   /// Returns whether the next line has numbers and texts where this one has them; values may be
   /// missing.
   bool nextLineIsAlike() const {
-    std::string_view rest = rest_;
-    const std::string_view line = takeLine(rest);
-    std::vector<std::string_view> fields;
-    split(line, fields);
+    const std::vector<std::string_view> fields = fieldsOfNextLine();
     if (fields.size() != fields_.size()) return false;
     bool anyNumber = false;
     for (std::size_t i = 0; i < fields.size(); ++i) {
@@ -249,10 +256,7 @@ class TableReader {
   /// Returns whether the next line has this number of fields and begins like a number, as damaged
   /// rows do.
   bool nextLineResembles(std::size_t size) const {
-    std::string_view rest = rest_;
-    const std::string_view line = takeLine(rest);
-    std::vector<std::string_view> fields;
-    split(line, fields);
+    const std::vector<std::string_view> fields = fieldsOfNextLine();
     return fields.size() == size && isLikeNumber(fields.front());
   }
 
@@ -260,13 +264,13 @@ class TableReader {
   /// such rows are an error, too: results that a program writes below its rows begin with a word.
   void refuseAmidRows(const TextLine& line) const {
     constexpr std::size_t kManyRows = 10;  // of no header such as "60 40"
-    const std::vector<TextColumn>& columns = table_.blocks.back().columns;
+    const std::vector<TextColumn>& columns = block().columns;
     const bool isEntry = keyEnd(line.text) != std::string_view::npos;
     const bool isRow = std::ranges::any_of(fields_, beginsAsNumber);
     if (!isRow || isEntry || !above_.empty()) return;
     const bool isWide = fields_.size() != columns.size();
     const bool goOnBroken = isDirect_ && isLikeNumber(fields_.front()) &&
-                            (!isWide || table_.blocks.back().rows >= kManyRows) &&
+                            (!isWide || block().rows >= kManyRows) &&
                             nextLineResembles(fields_.size());
     if (!goOnBroken && !nextLineFits()) return;
     if (isWide && countOf(FieldKind::Text) == 0)
@@ -452,6 +456,11 @@ std::vector<double> TextBlock::column(std::size_t number) const {
   std::vector<double> found(rows);
   for (std::size_t i = 0; i < rows; ++i) found[i] = at(i, number);
   return found;
+}
+
+bool TextBlock::hasNames() const {
+  return std::ranges::any_of(columns,
+                             [](const TextColumn& column) { return !column.name.empty(); });
 }
 
 std::string TextBlock::label(std::size_t number) const {

@@ -50,6 +50,8 @@ struct TextBlock {
     return values[row * columns.size() + column];
   }
   std::vector<double> column(std::size_t number) const;
+  /// Returns whether some column has a name.
+  bool hasNames() const;
   /// Returns the name of a column, or "column 3".
   std::string label(std::size_t column) const;
 };

@@ -130,10 +130,8 @@ double climbedHeight(double normalForce, double viscosity, double velocity) {
 }
 
 double fewSummitsVelocity(const Scene& scene, double rmsHeight) {
-  const bool isRough =
-      scene.surface.kind == SurfaceKind::SelfAffine || hasSurfaceFile(scene.surface);
   const ElementLaw law = elementLaw(scene.elastomer);
-  if (!isRough || !(rmsHeight > 0) || scene.load.kind != LoadKind::Force ||
+  if (!isRough(scene.surface) || !(rmsHeight > 0) || scene.load.kind != LoadKind::Force ||
       law.kind() != ElementKind::Kelvin)
     return kNotApplicable;
   return scene.load.normalForce / (4 * law.viscosity * kFewSummits * rmsHeight);

@@ -249,7 +249,7 @@ struct MeasuredColumn {
   double MeasuredPoint::*value;
 };
 constexpr std::array<MeasuredColumn, 4> kMeasuredColumns{
-    {{"sliding.velocity", &MeasuredPoint::velocity},
+    {{kVelocityKey, &MeasuredPoint::velocity},
      {"load.normal_force", &MeasuredPoint::normalForce},
      {"load.nominal_pressure", &MeasuredPoint::nominalPressure},
      {"elastomer.temperature", &MeasuredPoint::temperature}}};

@@ -288,8 +288,7 @@ std::optional<HoverExplanation> findExplanation(const Message& text) {
 }
 
 HoverExplanation withFormulaFor(HoverExplanation explanation, Rheology rheology) {
-  const bool hasArms = rheology == Rheology::StandardSolid || rheology == Rheology::Prony;
-  if (hasArms && !explanation.formulaOfArms.empty())
+  if (hasArms(rheology) && !explanation.formulaOfArms.empty())
     explanation.formula = explanation.formulaOfArms;
   return explanation;
 }

@@ -306,8 +306,7 @@ DiagramPoint namePosition(const std::vector<RegionCut>& cuts, const ParameterMap
 /// Adds the borders of the regions, and their names in the middle. Returns what they are; empty
 /// where there are none.
 Message addRegionBorders(Diagram& diagram, const ParameterMap& given, const RisingMap& map) {
-  constexpr std::string_view kVelocity = "sliding.velocity";
-  const bool isX = given.x.key() == kVelocity, isY = given.y.key() == kVelocity;
+  const bool isX = given.x.key() == kVelocityKey, isY = given.y.key() == kVelocityKey;
   const bool isLogarithmic =
       (isX ? given.x : given.y).range.isLogarithmic;  // which the rule of regions needs
   if ((isX || isY) && isLogarithmic) {

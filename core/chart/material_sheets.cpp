@@ -12,6 +12,7 @@
 #include "core/base/json_text.h"
 #include "core/base/number_text.h"
 #include "core/base/units.h"
+#include "core/material/material_summary.h"
 #include "core/material/temperature_shift.h"
 #include "core/scene/columns.h"
 

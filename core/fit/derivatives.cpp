@@ -107,7 +107,7 @@ std::vector<VariedParameter> activeParameters(const Scene& scene) {
   for (const Parameter& row : parameters()) {
     const std::string_view section = row.key.substr(0, row.key.find('.'));
     const bool isOfTheState = section == "surface" || section == "elastomer" || section == "load" ||
-                              section == "interface" || &row == findParameter("sliding.velocity");
+                              section == "interface" || row.key == kVelocityKey;
     // The measured range of a rubber tells where its moduli are known, and changes no friction.
     const bool isOfTheMeasurement = row.key.starts_with("elastomer.measured.");
     if (!isOfTheState || isOfTheMeasurement || !std::holds_alternative<RealField>(row.field) ||

@@ -28,15 +28,13 @@ class Fitting {
     start_.resize(static_cast<Eigen::Index>(parameters.size()));
     for (std::size_t k = 0; k < parameters.size(); ++k)
       start_[static_cast<Eigen::Index>(k)] = parameters[k].coordinate(parameters[k].valueIn(scene));
-    const auto points = static_cast<std::int64_t>(objective_.size());
-    const auto count = static_cast<std::int64_t>(parameters.size());
-    if (count == 0) throw InputError("", "--vary", "no parameter is named");
-    if (points <= count)
+    fit_.freedom = objective_.freedom();
+    if (parameters.empty()) throw InputError("", "--vary", "no parameter is named");
+    if (fit_.freedom <= 0)
       throw InputError("", "--data",
                        message("{} points do not determine {} parameters; more points than "
                                "parameters are needed",
-                               points, count));
-    fit_.freedom = objective_.freedom();
+                               objective_.size(), parameters.size()));
     refuseMissingErrors();
   }
 
@@ -53,16 +51,13 @@ class Fitting {
     fit_.scene = objective_.sceneAt(best.coordinates);
     setParameters(best.coordinates);
     setCombinations();
-    stateProfiles();
+    addProfiles();
     fit_.evaluations = objective_.evaluations();
     addWarningsAndNotes();
     return std::move(fit_);
   }
 
  private:
-  /// A range that its profile makes wider than the standard error by this factor is reported.
-  static constexpr double kWider = 1.5;
-
   /// A table without errors has no weight beside a table with errors.
   void refuseMissingErrors() const {
     const auto with = std::ranges::find_if(data_, &FrictionData::hasErrors);
@@ -88,8 +83,9 @@ class Fitting {
       found.isLogarithmic = parameter.isLogarithmic();
       found.value = parameter.value(coordinates[k]);
       const double error = std::sqrt(fit_.covariance(k, k));
-      const auto [below, above] = reachOfProfiles(profiles_, fit_, k, coordinates[k]);
+      const auto [below, above] = profileReach(profiles_, fit_, k, coordinates[k]);
       const double low = std::max(error, below), high = std::max(error, above);
+      constexpr double kWider = 1.5;  // a range wider than the standard error by this is reported
       found.isWidened = low > kWider * error || high > kWider * error;
       found.standardError = (low + high) / 2;
       found.low = parameter.value(coordinates[k] - low);
@@ -97,7 +93,7 @@ class Fitting {
       const double near = 1e-6 * (parameter.highest() - parameter.lowest());
       found.isAtLimit =
           coordinates[k] - parameter.lowest() < near || parameter.highest() - coordinates[k] < near;
-      found.isDetermined = found.standardError <= openBeyond(parameter);
+      found.isDetermined = found.standardError <= largestDeterminedError(parameter);
       fit_.parameters.push_back(found);
       for (Eigen::Index j = 0; j < count; ++j)
         if (j != k)
@@ -125,8 +121,8 @@ class Fitting {
     constexpr int kRestarts = 4;
     for (int restart = 0;; ++restart) {
       profiles_ = fitProfiles(objective_, best, fit_);
-      const Minimum& lowest = lowestOf(profiles_, best);
-      if (lowest.chiSquared >= best.chiSquared - worthAStep(fit_) || restart == kRestarts)
+      const Minimum& lowest = lowestPoint(profiles_, best);
+      if (lowest.chiSquared >= best.chiSquared - negligibleDecrease(fit_) || restart == kRestarts)
         return best;
       Minimum found = minimize(objective_, lowest.coordinates, objective_.all(), kFitIterations);
       best = found.chiSquared < lowest.chiSquared ? std::move(found) : lowest;
@@ -135,7 +131,7 @@ class Fitting {
   }
 
   /// States the profiles of the final minimum by the values of their parameters.
-  void stateProfiles() {
+  void addProfiles() {
     for (std::size_t k = 0; k < profiles_.size(); ++k) {
       const VariedParameter& parameter = parameters_[k];
       ObjectiveProfile& profile = fit_.profiles.emplace_back();
@@ -159,7 +155,7 @@ class Fitting {
                   "{:.3g} for {} degrees of freedom; the errors of the values are computed from "
                   "errors of the points that are {:.2g} times as large",
                   fit_.chiSquared, fit_.freedom, fit_.errorScale));
-    noteOutlier();
+    warnOfOutlier();
     for (const FrictionData& table : data_)
       for (const Message& note : table.notes)
         fit_.notes.push_back(message("{}: {}", Message::name(table.name), note));
@@ -193,7 +189,7 @@ class Fitting {
           lines));
     for (const ObjectiveProfile& profile : fit_.profiles) {
       const auto lowest = std::ranges::min_element(profile.chiSquared);
-      if (!(*lowest < fit_.chiSquared - worthAStep(fit_))) continue;
+      if (!(*lowest < fit_.chiSquared - negligibleDecrease(fit_))) continue;
       const auto at = static_cast<std::size_t>(lowest - profile.chiSquared.begin());
       fit_.warnings.push_back(
           message("the sum of squares is lower at {} = {:.3g}, by {:.2g}: the fit has not reached "
@@ -204,9 +200,9 @@ class Fitting {
       fit_.warnings.emplace_back("the fit ended before the sum of squares stopped falling");
   }
 
-  /// Names the point that alone makes most of the sum of squares: it pulls all values towards
+  /// Warns of the point that alone makes most of the sum of squares: it pulls all values towards
   /// itself, and its deviation is many times that of the others.
-  void noteOutlier() {
+  void warnOfOutlier() {
     constexpr double kShare = 0.5, kTimesTheOthers = 4;
     if (!fit_.hasFoundPoints || fit_.freedom < 3) return;
     double largest = 0, sum = 0;

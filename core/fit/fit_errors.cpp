@@ -14,8 +14,8 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// Returns a square root of the covariance of the mean over the lines, which all points share,
-/// [point][line]: the covariance is the root times its transpose. Rows of a topography have the
-/// correlation between points that lines have, and for each point the error of rows in order.
+/// [point][line]: the covariance is the root times its transpose. For rows of a topography the
+/// points correlate as for lines, and each point has the error of rows in order.
 MatrixXd scatterOfLines(const FrictionWithDerivatives& found) {
   const auto n = static_cast<Eigen::Index>(found.muOfLines.size());
   std::size_t lines = found.muOfLines.front().size();
@@ -146,10 +146,10 @@ FitErrors fitErrors(const Objective& objective, const Minimum& best) {
   return errors;
 }
 
-double openBeyond(const VariedParameter& parameter) {
+double largestDeterminedError(const VariedParameter& parameter) {
   if (parameter.isLogarithmic()) return std::log(2.0);
-  const auto& field = std::get<RealField>(parameter.row().field);
-  return (field.sliderTo - field.sliderFrom) / 4;
+  const SliderRange slider = *sliderRange(parameter.row());
+  return (slider.to - slider.from) / 4;
 }
 
 }  // namespace asperity

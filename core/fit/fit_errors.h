@@ -10,7 +10,8 @@ namespace asperity {
 
 FitErrors fitErrors(const Objective& objective, const Minimum& best);
 
-/// Returns the error of a coordinate beyond which a parameter counts as not determined.
-double openBeyond(const VariedParameter& parameter);
+/// Returns the largest error of a coordinate with which a parameter counts as determined: a factor
+/// of two, or a quarter of a linear slider.
+double largestDeterminedError(const VariedParameter& parameter);
 
 }  // namespace asperity

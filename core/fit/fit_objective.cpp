@@ -167,7 +167,7 @@ void Objective::addVelocityErrors(const VectorXd& coordinates) {
   if (!hasVelocityErrors()) return;
   weighWithErrors();
   const std::vector<Scene> states = statesAt(coordinates);
-  const VariedParameter velocity("sliding.velocity", states.front());
+  const VariedParameter velocity(kVelocityKey, states.front());
   const FrictionWithDerivatives found =
       frictionWithDerivatives(states, {&velocity, 1}, stateOptions());
   for (std::size_t i = 0; i < size(); ++i) {
@@ -178,10 +178,7 @@ void Objective::addVelocityErrors(const VectorXd& coordinates) {
 }
 
 StateOptions Objective::stateOptions() const {
-  StateOptions options;
-  options.threads = options_.threads;
-  options.stop = options_.stop;
-  return options;
+  return {.threads = options_.threads, .stop = options_.stop};
 }
 
 std::vector<Scene> Objective::statesAt(const VectorXd& coordinates) const {

@@ -32,7 +32,7 @@ std::vector<Minimum> profileToOneSide(const Objective& objective, int k, int sig
   constexpr int kFewIterations = 4;
   const VariedParameter& parameter = objective.parameter(k);
   const double error = std::sqrt(errors.covariance(k, k));
-  const double reach = std::min(error, 2 * openBeyond(parameter));
+  const double reach = std::min(error, 2 * largestDeterminedError(parameter));
   std::vector<int> others = objective.all();
   others.erase(others.begin() + k);
   std::vector<Minimum> points;
@@ -67,7 +67,7 @@ FitProfiles fitProfiles(const Objective& objective, const Minimum& best, const F
   return profiles;
 }
 
-const Minimum& lowestOf(const FitProfiles& profiles, const Minimum& best) {
+const Minimum& lowestPoint(const FitProfiles& profiles, const Minimum& best) {
   const Minimum* lowest = &best;
   for (const std::vector<Minimum>& profile : profiles)
     for (const Minimum& point : profile)
@@ -75,8 +75,8 @@ const Minimum& lowestOf(const FitProfiles& profiles, const Minimum& best) {
   return *lowest;
 }
 
-std::pair<double, double> reachOfProfiles(const FitProfiles& profiles, const FitErrors& errors,
-                                          Eigen::Index coordinate, double best) {
+std::pair<double, double> profileReach(const FitProfiles& profiles, const FitErrors& errors,
+                                       Eigen::Index coordinate, double best) {
   double below = 0, above = 0;
   const auto take = [&](double place) {
     below = std::max(below, best - place);
@@ -96,7 +96,7 @@ std::pair<double, double> reachOfProfiles(const FitProfiles& profiles, const Fit
   return {below, above};
 }
 
-double worthAStep(const FitErrors& errors) {
+double negligibleDecrease(const FitErrors& errors) {
   return 0.1 * errors.errorScale * errors.errorScale;
 }
 

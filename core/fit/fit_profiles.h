@@ -18,15 +18,15 @@ using FitProfiles = std::vector<std::vector<Minimum>>;  // of each parameter, by
 FitProfiles fitProfiles(const Objective& objective, const Minimum& best, const FitErrors& errors);
 
 /// Returns the lowest point of the profiles, or the minimum where none is lower.
-const Minimum& lowestOf(const FitProfiles& profiles, const Minimum& best);
+const Minimum& lowestPoint(const FitProfiles& profiles, const Minimum& best);
 
 /// Returns how far below and above its best value the profiles take a coordinate before the sum of
 /// squares has risen by one standard error; 0 without profiles.
-std::pair<double, double> reachOfProfiles(const FitProfiles& profiles, const FitErrors& errors,
-                                          Eigen::Index coordinate, double best);
+std::pair<double, double> profileReach(const FitProfiles& profiles, const FitErrors& errors,
+                                       Eigen::Index coordinate, double best);
 
-/// Returns the decrease of the sum of squares below which a lower point changes the parameters
-/// by less than a third of their errors.
-double worthAStep(const FitErrors& errors);
+/// Returns the decrease of the sum of squares that changes the parameters by less than a third of
+/// their errors.
+double negligibleDecrease(const FitErrors& errors);
 
 }  // namespace asperity

@@ -14,7 +14,7 @@ using Eigen::VectorXd;
 
 /// Returns the coordinates from which the fit begins. Where friction is far from the measured
 /// values, a fit of logarithms comes first.
-VectorXd nearer(const Objective& objective, const VectorXd& start) {
+VectorXd startNearPoints(const Objective& objective, const VectorXd& start) {
   const double distance = objective.logarithmicDistance(objective.evaluate(start, {}));
   if (distance < kFarFromPoints || !std::isfinite(distance)) return start;
   return minimize(objective, start, objective.all(), kFitIterations, Distance::Logarithm)
@@ -30,24 +30,23 @@ bool isFarOff(const Objective& objective, const Minimum& found) {
 }
 
 /// Returns the coordinates that a slider reaches, within the parameter's limits.
-std::pair<double, double> plausible(const VariedParameter& parameter) {
-  const auto& field = std::get<RealField>(parameter.row().field);
+std::pair<double, double> sliderCoordinates(const VariedParameter& parameter) {
+  const SliderRange slider = *sliderRange(parameter.row());
   // A logarithmic slider may begin at none, which has no coordinate.
   constexpr double kDecades = 1e-6;
-  const double first = parameter.isLogarithmic()
-                           ? std::max(field.sliderFrom, kDecades * field.sliderTo)
-                           : field.sliderFrom;
+  const double first =
+      parameter.isLogarithmic() ? std::max(slider.from, kDecades * slider.to) : slider.from;
   const auto within = [&](double value) {
     return std::clamp(parameter.coordinate(value), parameter.lowest(), parameter.highest());
   };
-  return {within(first), within(field.sliderTo)};
+  return {within(first), within(slider.to)};
 }
 
-/// Returns the best of some values of one parameter over its plausible range, the others held.
+/// Returns the best of some values of one parameter over the range of its slider, the others held.
 Minimum bestAlong(const Objective& objective, int k, const VectorXd& around) {
   constexpr int kValues = 11;
   const VariedParameter& parameter = objective.parameter(k);
-  const auto [from, to] = plausible(parameter);
+  const auto [from, to] = sliderCoordinates(parameter);
   Minimum best{around, std::numeric_limits<double>::infinity(), false};
   for (int i = 0; i < kValues; ++i) try {
       VectorXd coordinates = around;
@@ -88,7 +87,7 @@ Minimum fromOtherStarts(const Objective& objective, Minimum best) {
 
 Minimum findMinimum(const Objective& objective, const VectorXd& start) {
   const Minimum best =
-      minimize(objective, nearer(objective, start), objective.all(), kFitIterations);
+      minimize(objective, startNearPoints(objective, start), objective.all(), kFitIterations);
   return isFarOff(objective, best) ? fromOtherStarts(objective, best) : best;
 }
 

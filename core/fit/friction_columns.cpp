@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "core/base/text.h"
+#include "core/base/text_clause.h"
 #include "core/base/text_dialect.h"
-#include "core/base/text_header.h"
 #include "core/base/text_number.h"
 #include "core/material/dma_columns.h"
 
@@ -123,7 +123,7 @@ std::optional<std::string> withoutAverage(std::string name) {
   });
   if (words.empty() || words.size() == all) return {};
   std::string kept;
-  for (const std::string& word : words) kept += (kept.empty() ? "" : " ") + word;
+  for (const std::string& word : words) appendItem(kept, word, " ");
   return kept;
 }
 
@@ -169,6 +169,11 @@ std::optional<FrictionQuantity> quantityNamed(const std::string& word) {
   return {};
 }
 
+std::optional<FrictionQuantity> quantityInText(const std::string& word) {
+  constexpr std::size_t kFewLetters = 3;
+  return word.size() > kFewLetters ? quantityNamed(word) : std::nullopt;
+}
+
 std::optional<Unit> unitOfQuantity(const std::string& unit, Quantity quantity) {
   if (unit.empty()) return {};
   if (quantity == Quantity::Force) return unitInAnyCase(unit, "N");
@@ -178,6 +183,12 @@ std::optional<Unit> unitOfQuantity(const std::string& unit, Quantity quantity) {
 
 bool measures(const std::string& unit, Quantity quantity) {
   return unitOfQuantity(unit, quantity).has_value();
+}
+
+std::optional<FrictionQuantity> quantityOfUnit(const std::string& unit) {
+  for (const Quantity quantity : kLoadsAndTemperature)
+    if (measures(unit, quantity)) return quantity;
+  return {};
 }
 
 bool isAmbiguousName(const std::string& name) {
@@ -242,10 +253,6 @@ std::optional<FrictionQuantity> findMeaning(const TextColumn& column) {
 
 namespace {
 
-bool isNumber(std::string_view word) {
-  return !word.empty() && std::ranges::all_of(word, isDigit);
-}
-
 /// Returns the words and whole numbers of a name: "2" and "sigma" of "\u00B12 sigma" and "2*sigma",
 /// "ci" and "95" of "CI95".
 std::vector<std::string> wordsAndNumbers(const std::string& name) {
@@ -292,12 +299,12 @@ std::optional<ErrorScale> findErrorScale(const TextColumn& column) {
                       next = i + 1 < words.size() ? words[i + 1] : "";
     const bool isCounted = beginsWithOneOf(next, "sigma \u03C3 std sd se standard stabw") ||
                            (next == "s" && i + 2 == words.size());
-    if (isNumber(word) && halfWidth(word) > 0) {
+    if (areDigits(word) && halfWidth(word) > 0) {
       hasFactor = true;
       scale.divisor = halfWidth(word);
       // In "CI95 (%)" the sign may belong to the probability or to the error.
       scale.isIndefinite = scale.isIndefinite || (next.empty() && scale.unit == "%");
-    } else if (isNumber(word) && (before == "k" || isCounted)) {
+    } else if (areDigits(word) && (before == "k" || isCounted)) {
       hasFactor = true;
       constexpr std::string_view kLargest = "6";
       if (word.size() > 1 || word == "0" || word > kLargest) scale.isIndefinite = true;
@@ -316,9 +323,9 @@ std::optional<ErrorScale> findErrorScale(const TextColumn& column) {
       scale.isIndefinite = isError = true;
     } else if (word == "sem") {
       isError = true;
-    } else if (!(word == "k" && isNumber(next)) &&
-               !(word.front() == 'n' && isNumber(word.substr(1)))) {
-      scale.name += (scale.name.empty() ? "" : " ") + word;
+    } else if (!(word == "k" && areDigits(next)) &&
+               !(word.front() == 'n' && areDigits(word.substr(1)))) {
+      appendItem(scale.name, word, " ");
     }
   }
   if (!isError && !hasFactor) return {};

@@ -44,6 +44,8 @@ bool isAmbiguousName(const std::string& name);
 
 /// Returns the quantity that a word names; the word has letters and digits in lower case alone.
 std::optional<FrictionQuantity> quantityNamed(const std::string& word);
+/// Returns the same of a word beside others, where one of few letters means something else.
+std::optional<FrictionQuantity> quantityInText(const std::string& word);
 
 /// How an error is stated that is not one standard error: "2 sigma", "95% CI", "U(mu) (k=2)",
 /// "RSD".
@@ -70,6 +72,8 @@ bool isShareUnit(std::string_view unit);
 std::optional<Unit> unitOfQuantity(const std::string& unit, FrictionQuantity quantity);
 /// Returns whether a unit measures this load or temperature.
 bool measures(const std::string& unit, FrictionQuantity quantity);
+/// Returns the load or temperature that has this unit.
+std::optional<FrictionQuantity> quantityOfUnit(const std::string& unit);
 /// Returns whether a force, stress or modulus with these words in its name is no normal load: the
 /// force of friction, the shear stress, the modulus of the rubber.
 bool isOtherLoad(const std::vector<std::string>& words);

@@ -21,7 +21,7 @@ namespace {
 
 using Quantity = FrictionQuantity;
 
-bool isOfFriction(const TextBlock& block) {
+bool hasFriction(const TextBlock& block) {
   bool hasVelocity = false, hasMu = false;
   for (const TextColumn& column : block.columns) {
     const std::optional<Quantity> quantity = findMeaning(column);
@@ -47,25 +47,24 @@ TextTable readTable(std::string_view bytes, const std::string& name) {
 
 /// Returns the decimal mark of a table. A table of whole numbers shows none; where it may be a mark
 /// of thousands, a note says which one is taken.
-HeaderMark markOf(const TextBlock& block, const TextDialect& dialect) {
+HeaderMark decimalMark(const TextBlock& block, const TextDialect& dialect) {
   const bool hasDecimals = std::ranges::any_of(block.values, [](double value) {
     return std::isfinite(value) && value != std::floor(value);
   });
   return {dialect.decimal, hasDecimals || dialect.isUnclear};
 }
 
-/// Throws InputError for loads and temperatures in a table beside that of friction: they may be
-/// what its lines state.
+/// Throws InputError for loads and temperatures in the cells of another table than that of
+/// friction: they may be what holds for all points.
 void refuseStatements(const TextBlock& block, const std::string& name) {
   for (const std::vector<TextCell>& cells : block.cells)
     for (std::size_t row = 0; row < cells.size(); ++row)
-      for (const Quantity quantity : kLoadsAndTemperature)
-        if (measures(cells[row].unit, quantity))
-          throw InputError(
-              name, "",
-              message("line {}: '{}' may state the {}, but is not understood; write "
-                      "it as \"name: value\", or take the line out",
-                      block.lines[row], shortened(cells[row].text), Message(meaningOf(quantity))));
+      if (const auto quantity = quantityOfUnit(cells[row].unit))
+        throw InputError(
+            name, "",
+            message("line {}: '{}' may state the {}, but is not understood; write "
+                    "it as \"name: value\", or take the line out",
+                    block.lines[row], shortened(cells[row].text), Message(meaningOf(*quantity))));
 }
 
 /// The numbers of a table in SI units, row by row.
@@ -173,7 +172,7 @@ class FrictionRows {
     }
     for (const FrictionRole& column : roles_.columns)
       if (column.quantity == Quantity::Label)
-        point.label += (point.label.empty() ? "" : ", ") + block_.texts[column.index][row];
+        appendItem(point.label, block_.texts[column.index][row]);
     return point;
   }
 
@@ -204,15 +203,14 @@ std::vector<Message> notesOn(const TextBlock& block, const FrictionRoles& roles,
                         Message(meaningOf(*one.quantity)), Message::name(shortened(one.text))));
   std::string unused;
   for (std::size_t i = 0; i < block.columns.size(); ++i)
-    if (!roles.use(i))
-      unused += (unused.empty() ? "" : ", ") + (block.columns[i].name.empty()
-                                                    ? std::to_string(i + 1)
-                                                    : shortened(block.columns[i].name));
+    if (!roles.isUsed(i))
+      appendItem(unused, block.columns[i].name.empty() ? std::to_string(i + 1)
+                                                       : shortened(block.columns[i].name));
   for (const HeaderStatement& statement : header.unused)
-    unused += (unused.empty() ? "" : ", ") + shortened(statement.text);
+    appendItem(unused, shortened(statement.text));
   if (!unused.empty()) notes.push_back(message("not used: {}", Message::name(unused)));
   for (std::size_t i = 0; i < block.cells.size(); ++i)
-    if (roles.use(i) && hasErrors(block.cells[i]) && !roles.useErrorsOf(block, i))
+    if (roles.isUsed(i) && hasErrors(block.cells[i]) && !roles.areErrorsUsed(block, i))
       notes.push_back(message("column {}: the errors in its cells are not used", i + 1));
   if (header.hasTwoLoads)
     notes.emplace_back(
@@ -233,7 +231,7 @@ std::vector<Message> notesOn(const TextBlock& block, const FrictionRoles& roles,
 
 bool isFrictionTable(std::string_view bytes) {
   try {
-    return isOfFriction(readTable(bytes, {}).largest());
+    return hasFriction(readTable(bytes, {}).largest());
   } catch (const InputError&) {
     return false;
   }
@@ -243,7 +241,7 @@ FrictionData parseFrictionData(std::string_view bytes, const std::string& name) 
   const TextTable table = readTable(bytes, name);
   const TextBlock* first = nullptr;
   for (const TextBlock& block : table.blocks) {
-    if (!isOfFriction(block)) continue;
+    if (!hasFriction(block)) continue;
     if (first != nullptr)
       throw InputError(name, "",
                        message("has several tables of friction, at lines {} and {}; each needs a "
@@ -257,9 +255,9 @@ FrictionData parseFrictionData(std::string_view bytes, const std::string& name) 
   TextBlock block = table.largest();
   unifyUnits(block, name);
   const FrictionRoles roles = findRoles(block, name);
-  const HeaderMark mark = markOf(block, table.dialect);
+  const HeaderMark mark = decimalMark(block, table.dialect);
   const HeaderStatements header = readHeader(
-      block.header, mark, [&](Quantity quantity) { return roles.give(quantity); }, name);
+      block.header, mark, [&](Quantity quantity) { return roles.isGiven(quantity); }, name);
   FrictionData data{name, FrictionRows(block, roles, header.common, name).read(),
                     notesOn(block, roles, header, mark)};
   checkPoints(data.points, block, roles, name);

@@ -7,6 +7,8 @@
 
 #include "core/base/input_error.h"
 #include "core/base/text.h"
+#include "core/base/text_cell.h"
+#include "core/base/text_clause.h"
 #include "core/base/text_dialect.h"
 #include "core/base/text_header.h"
 #include "core/base/text_number.h"
@@ -16,11 +18,6 @@ namespace asperity {
 namespace {
 
 using namespace std::string_view_literals;
-
-bool isLoadUnit(const std::string& unit) {
-  return std::ranges::any_of(kLoadsAndTemperature,
-                             [&](FrictionQuantity quantity) { return measures(unit, quantity); });
-}
 
 bool isLoad(std::optional<FrictionQuantity> quantity) {
   return std::ranges::find(kLoadsAndTemperature, quantity) != kLoadsAndTemperature.end();
@@ -82,7 +79,7 @@ bool isHeading(const std::string& word) {
       "test tests condition conditions parameter parameters measurement experiment setup bedingung "
       "bedingungen versuch versuche messung messbedingungen pr\u00FCfbedingungen pruefbedingungen "
       "versuchsbedingungen randbedingungen");
-  return isOneOf(word, kHeadings) || std::ranges::all_of(word, isDigit);
+  return isOneOf(word, kHeadings) || areDigits(word);
 }
 
 /// A value with its unit, and the words behind it: "30 N (constant)".
@@ -102,20 +99,12 @@ void splitUnit(std::string_view text, Value& value) {
   for (std::size_t end = most; end != std::string_view::npos && end > 0;
        end = text.find_last_of(" (", end - 1)) {
     const std::string unit(withoutBrackets(withoutEnd(trimmedBlanks(text.substr(0, end)), ".,;")));
-    if (!isLoadUnit(unit)) continue;
+    if (!quantityOfUnit(unit)) continue;
     value.unit = unit;
     value.remark = trimmedBlanks(text.substr(end));
     return;
   }
   value.remark = text;
-}
-
-/// Returns the position of a sign of tolerance and its length; npos where there is none.
-std::pair<std::size_t, std::size_t> findTolerance(std::string_view text) {
-  for (const std::string_view sign : WordList("\u00B1 +/- +-"))
-    if (const std::size_t at = text.find(sign); at != std::string_view::npos)
-      return {at, sign.size()};
-  return {std::string_view::npos, 0};
 }
 
 /// Reads "30 N", "30 N (constant)", "23 ± 1 °C", "30 N +/- 5 %" and "(23 ± 1) °C".
@@ -136,15 +125,14 @@ std::optional<Value> readValue(std::string_view text, HeaderMark mark) {
   }
   if (read->isGrouped)
     value.groupedNumber = trimmedBlanks(text.substr(0, text.size() - read->unit.size()));
-  const std::string_view rest = read->unit;
-  const auto [at, size] = findTolerance(rest);
-  if (at == std::string_view::npos) {
-    splitUnit(rest, value);
+  const auto sides = splitAtErrorSign(read->unit);
+  if (!sides) {
+    splitUnit(read->unit, value);
     return value;
   }
-  const auto tolerance = parseQuantity(rest.substr(at + size), mark.decimal);
+  const auto tolerance = parseQuantity(sides->error, mark.decimal);
   if (!tolerance) return {};
-  splitUnit(trimmedBlanks(rest.substr(0, at)), value);
+  splitUnit(trimmedBlanks(sides->number), value);
   if (!value.unit.empty()) return value;
   splitUnit(tolerance->unit, value);
   return value;
@@ -164,13 +152,6 @@ std::size_t findNumber(std::string_view text) {
     while (i + 1 < text.size() && isDigit(text[i + 1])) ++i;
   }
   return std::string_view::npos;
-}
-
-/// Returns the load or temperature that has this unit.
-std::optional<FrictionQuantity> quantityOfUnit(const std::string& unit) {
-  for (const FrictionQuantity quantity : kLoadsAndTemperature)
-    if (measures(unit, quantity)) return quantity;
-  return {};
 }
 
 /// Returns the load or temperature that has the unit of some number at the beginning of the text,
@@ -195,7 +176,7 @@ std::string withoutFillers(std::string_view text) {
   std::string kept;
   for (const std::string& word : blankSeparated(text)) {
     const std::vector<std::string> plain = nameWords(word);
-    if (plain.size() != 1 || !isFiller(plain.front())) kept += (kept.empty() ? "" : " ") + word;
+    if (plain.size() != 1 || !isFiller(plain.front())) appendItem(kept, word, " ");
   }
   return kept;
 }
@@ -227,18 +208,15 @@ std::optional<HeaderStatement> readStatement(std::string_view clause, HeaderMark
   const bool isLoadName = isLoad(named);
   // "Line load: 30 N/m"
   const std::vector<std::string> keyWords = nameWords(name.name);
-  constexpr std::size_t kShortest = 4;  // letters; shorter names mean something else in a text
-  const auto ofLastWord = keyWords.size() > 1 && keyWords.back().size() >= kShortest
-                              ? quantityNamed(keyWords.back())
-                              : std::nullopt;
+  const auto ofLastWord = keyWords.size() > 1 ? quantityInText(keyWords.back()) : std::nullopt;
   const bool mayBeLoad = isLoad(ofLastWord) && !(value->unit + value->remark).empty();
   // "Temperature: 23 °C (rubber)"
   const std::string remark = withoutFillers(value->remark);
   if (!remark.empty()) name.name += " " + remark;
-  const auto quantity = findMeaning(name.name, unit);
-  if (quantity ? !isLoad(quantity) : !isLoadName && !isLoadUnit(unit) && !mayBeLoad) return {};
+  const auto quantity = findMeaning(name.name, unit), ofUnit = quantityOfUnit(unit);
+  if (quantity ? !isLoad(quantity) : !isLoadName && !ofUnit && !mayBeLoad) return {};
   HeaderStatement statement;
-  statement.candidate = isLoadUnit(unit) ? quantityOfUnit(unit) : isLoadName ? named : ofLastWord;
+  statement.candidate = ofUnit ? ofUnit : isLoadName ? named : ofLastWord;
   const std::vector<std::string> headings = nameWords(std::string(front));
   const bool isOfTable =
       std::ranges::all_of(headings, isHeading) || findMeaning(std::string(front), unit) == quantity;
@@ -314,7 +292,7 @@ bool isRoomTemperature(std::string_view text) {
 /// Returns the loads and temperatures that a line states, also those that are not understood but
 /// have a unit of such a quantity.
 std::vector<HeaderStatement> readStatements(const TextEntry& entry, HeaderMark mark) {
-  const std::string line = lineOf(entry);
+  const std::string line = joinEntry(entry);
   const auto complete = [&](HeaderStatement statement, const std::string& text) {
     if (namesOther(text)) statement.candidate.reset();
     statement.text = text == line ? entry.written : text;
@@ -329,9 +307,9 @@ std::vector<HeaderStatement> readStatements(const TextEntry& entry, HeaderMark m
       parseQuantity(std::string_view(entry.key).substr(std::min(number, entry.key.size())));
   const bool hasFront = entry.value.find_first_of(":=") != entry.value.npos && first &&
                         !first->unit.empty() && isKnownUnit(first->unit);
-  const std::string separated = hasFront ? lineOf(entry, "; ") : line;
+  const std::string separated = hasFront ? joinEntry(entry, "; ") : line;
   std::vector<std::string_view> clauses;
-  for (const std::string_view clause : clausesOf(separated))
+  for (const std::string_view clause : splitClauses(separated))
     std::ranges::copy(splitStatements(clause), std::back_inserter(clauses));
   std::vector<HeaderStatement> statements;
   // "Hardness: 60 Shore A, 23 \u00B0C"

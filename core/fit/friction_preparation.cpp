@@ -10,6 +10,8 @@
 
 #include "core/base/power_of_ten.h"
 #include "core/base/text.h"
+#include "core/base/text_cell.h"
+#include "core/base/text_clause.h"
 #include "core/base/text_header.h"
 #include "core/base/text_number.h"
 #include "core/fit/friction_columns.h"
@@ -24,7 +26,7 @@ bool anyColumn(const std::vector<std::string>& words, std::size_t begin, std::si
                const Use& use) {
   std::string text;
   for (std::size_t i = begin; i < std::min(words.size(), begin + most); ++i) {
-    text += (text.empty() ? "" : " ") + words[i];
+    appendItem(text, words[i], " ");
     const TextColumn column = parseColumnName(text);
     if (findMeaning(column) && use(column, i + 1)) return true;
   }
@@ -52,12 +54,11 @@ void findNames(const std::vector<std::string>& words, std::size_t begin, std::si
 
 /// Gives names to columns whose line of names has blanks within the names as well.
 void findNames(TextBlock& block) {
-  const bool hasNames = std::ranges::any_of(
-      block.columns, [](const TextColumn& column) { return !column.name.empty(); });
-  if (hasNames || block.header.empty()) return;
+  if (block.hasNames() || block.header.empty()) return;
   std::vector<std::vector<TextColumn>> ways;
   std::vector<TextColumn> made;
-  findNames(blankSeparated(lineOf(block.header.back(), " ")), 0, block.columns.size(), made, ways);
+  findNames(blankSeparated(joinEntry(block.header.back(), " ")), 0, block.columns.size(), made,
+            ways);
   for (std::size_t i = 0; ways.size() == 1 && i < block.columns.size(); ++i) {
     block.columns[i].name = ways.front()[i].name;
     block.columns[i].unit = ways.front()[i].unit;
@@ -79,13 +80,12 @@ void separateUnit(TextColumn& column) {
 /// Splits "mu \u00B1 2 sigma", the name of a column with errors in its cells; returns the name of
 /// the errors.
 std::string takeErrorName(TextColumn& column) {
-  for (const std::string_view sign : WordList("\u00B1 +/- +-"))
-    if (const std::size_t at = column.name.find(sign); at != std::string::npos && at > 0) {
-      std::string behind(trimmedBlanks(column.name.substr(at + sign.size())));
-      column.name = trimmedBlanks(column.name.substr(0, at));
-      return isOneOf(behind, "u s") ? "" : behind;
-    }
-  return {};
+  const std::string name = column.name;
+  const auto sides = splitAtErrorSign(name);
+  if (!sides || sides->number.empty()) return {};
+  column.name = trimmedBlanks(sides->number);
+  const std::string_view errors = trimmedBlanks(sides->error);
+  return isOneOf(errors, "u s") ? std::string() : std::string(errors);
 }
 
 /// Appends a column of the errors that stand in the cells of another one.

@@ -6,7 +6,8 @@
 
 #include "core/base/input_error.h"
 #include "core/base/text.h"
-#include "core/base/text_header.h"
+#include "core/base/text_cell.h"
+#include "core/base/text_clause.h"
 #include "core/base/text_number.h"
 #include "core/fit/friction_preparation.h"
 
@@ -21,9 +22,7 @@ class FrictionRoleFinder {
       : block_(block), name_(name) {}
 
   FrictionRoles find() {
-    const bool hasNames = std::ranges::any_of(
-        block_.columns, [](const TextColumn& column) { return !column.name.empty(); });
-    if (hasNames)
+    if (block_.hasNames())
       findByName();
     else
       takeInOrder();
@@ -37,7 +36,7 @@ class FrictionRoleFinder {
   void takeInOrder() {
     const std::size_t count = block_.columns.size();
     for (const TextEntry& entry : block_.header)
-      if (namesQuantity(lineOf(entry, " ")))
+      if (namesQuantity(joinEntry(entry, " ")))
         refuse(
             message("line {}: '{}' does not name {} columns; separate the names as the "
                     "numbers are, or write each one without blanks, such as velocity_mm/s",
@@ -86,7 +85,8 @@ class FrictionRoleFinder {
       const bool isInName = words.size() > 1 && isDigit(words[1].front()) &&
                             (words.size() > 2 || !column.unit.empty()) && !findMeaning(column);
       if (!isInUnit && !isInName) continue;
-      names += (count++ > 0 ? ", " : "") + shortened(column.name);
+      appendItem(names, shortened(column.name));
+      ++count;
     }
     if (count > 1)
       refuse(
@@ -168,7 +168,7 @@ class FrictionRoleFinder {
   /// the result.
   void refuseUnclear(const TextColumn& column) const {
     if (findMeaning(column)) return;
-    if (column.name == "T" && !roles_.give(Quantity::Temperature) &&
+    if (column.name == "T" && !roles_.isGiven(Quantity::Temperature) &&
         (column.unit.empty() || isOneOf(plainWord(column.unit), "deg degree degrees \u00B0")))
       refuse(
           "column T: is it the temperature of the rubber? Give it as numbers with a unit, as "
@@ -203,13 +203,10 @@ class FrictionRoleFinder {
                   shortened(column.name), Message(meaningOf(*named))));
     if (isErrorName(column.name) || isOtherLoad(words)) return;
     for (const Quantity quantity : kLoadsAndTemperature) {
-      if (roles_.give(quantity)) continue;
-      constexpr std::size_t kShortest = 4;  // letters; shorter names mean something else in a text
-      const auto names = [&](const std::string& word) {
-        return words.size() > 1 && word.size() >= kShortest && quantityNamed(word) == quantity;
-      };
-      if (!measures(column.unit, quantity) && !names(words.front()) && !names(words.back()))
-        continue;
+      if (roles_.isGiven(quantity)) continue;
+      const bool isNamed = words.size() > 1 && (quantityInText(words.front()) == quantity ||
+                                                quantityInText(words.back()) == quantity);
+      if (!measures(column.unit, quantity) && !isNamed) continue;
       if (quantity == Quantity::Temperature)
         refuse(
             message("column {}: is it the temperature of the rubber, and not of the track or "
@@ -225,8 +222,7 @@ class FrictionRoleFinder {
 
   std::string namesOfColumns() const {
     std::string names;
-    for (const TextColumn& column : block_.columns)
-      names += (names.empty() ? "" : ", ") + shortened(column.name);
+    for (const TextColumn& column : block_.columns) appendItem(names, shortened(column.name));
     return names;
   }
 
@@ -241,7 +237,7 @@ class FrictionRoleFinder {
       refuse(message("has two columns of the {}: {} and {}", Message(meaningOf(quantity)),
                      shortened(block_.columns[other->index].name), shortened(column.name)));
     const auto hasError = [](const std::string& text) {
-      return containsOneOf(text, "\u00B1 +/- +- (");
+      return containsOneOf(text, kErrorSigns) || text.find('(') != text.npos;
     };
     if (column.isText && quantity == Quantity::Mu)
       if (const auto cell = std::ranges::find_if(block_.texts[index], hasError);
@@ -278,17 +274,17 @@ const FrictionRole* FrictionRoles::find(Quantity quantity) const {
   return found == columns.end() ? nullptr : &*found;
 }
 
-bool FrictionRoles::give(Quantity quantity) const {
+bool FrictionRoles::isGiven(Quantity quantity) const {
   if (quantity == Quantity::Temperature) return find(quantity) != nullptr;
   return find(Quantity::Force) != nullptr || find(Quantity::Pressure) != nullptr;
 }
 
-bool FrictionRoles::use(std::size_t index) const {
+bool FrictionRoles::isUsed(std::size_t index) const {
   return std::ranges::find(columns, index, &FrictionRole::index) != columns.end() ||
          std::ranges::find(repeats, index) != repeats.end();
 }
 
-bool FrictionRoles::useErrorsOf(const TextBlock& block, std::size_t index) const {
+bool FrictionRoles::areErrorsUsed(const TextBlock& block, std::size_t index) const {
   return std::ranges::any_of(columns, [&](const FrictionRole& role) {
     return block.columns[role.index].errorsOf == index;
   });

@@ -31,11 +31,11 @@ struct FrictionRoles {
   const FrictionRole* find(FrictionQuantity quantity) const;
   /// Returns whether a column gives this load or the temperature; a force and a pressure both say
   /// the load.
-  bool give(FrictionQuantity quantity) const;
+  bool isGiven(FrictionQuantity quantity) const;
   /// Returns whether a column is used.
-  bool use(std::size_t index) const;
+  bool isUsed(std::size_t index) const;
   /// Returns whether the errors in the cells of a column are used.
-  bool useErrorsOf(const TextBlock& block, std::size_t index) const;
+  bool areErrorsUsed(const TextBlock& block, std::size_t index) const;
 };
 
 /// Finds the roles of the columns. The columns need names unless there are two or three. name: of

@@ -14,7 +14,7 @@
 namespace asperity {
 namespace {
 
-// realizations of one setting before the other setting continues
+/// The largest number of realizations of one setting before the other setting continues.
 constexpr std::int64_t kLargestPart = 32;
 
 /// One way to compute the curve, a few lines at a time.
@@ -53,11 +53,6 @@ class Side {
   LoadCase sweep_;
   std::int64_t total_, done_ = 0;
 };
-
-DifferencePoint differencePoint(double velocity, const PairedMeans& means) {
-  const PairedMeans::Ratio ratio = means.ratio();
-  return {velocity, means.meanB(), means.standardErrorB(), ratio.value - 1, ratio.standardError};
-}
 
 }  // namespace
 
@@ -145,8 +140,11 @@ CurveDifference curveDifference(const Scene& scene, const CurveSetting& setting,
       }
     difference.done = own.done() + other.done();
     difference.points.clear();
-    for (std::size_t i = 0; i < means.size(); ++i)
-      difference.points.push_back(differencePoint(velocities[i], means[i]));
+    for (std::size_t i = 0; i < means.size(); ++i) {
+      const PairedMeans::Ratio ratio = means[i].ratio();
+      difference.points.push_back({velocities[i], means[i].meanB(), means[i].standardErrorB(),
+                                   ratio.value - 1, ratio.standardError});
+    }
     if (options.progress) options.progress(difference);
   }
   return difference;

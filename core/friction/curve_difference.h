@@ -36,7 +36,7 @@ struct DifferencePoint {
   double mu = 0;        // with the setting of the comparison
   double muStandardError = kNotApplicable;
   double relative = 0;  // mean over the scene's own, minus 1
-  // of `relative`, with pairs treated as correlated; needs two lines
+  /// The error of `relative`, in which lines of one number are correlated. Needs two lines.
   double standardError = kNotApplicable;
 };
 

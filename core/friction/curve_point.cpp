@@ -95,7 +95,6 @@ LawColumns::LawColumns(const Scene& scene, const LineProperties& lines)
       hasInterface_(needsStage(scene, Purpose::Curve, Stage::Interface)),
       slopesDiffer_(lines.slopesDiffer),
       hasRows_(lines.hasRows),
-      isRough_(scene.surface.kind == SurfaceKind::SelfAffine || hasSurfaceFile(scene.surface)),
       notes_(lines.notes) {
   notes_.add(elastomerNotes(scene.elastomer, lines.rmsSlope, kNotApplicable));
 }
@@ -132,8 +131,9 @@ void LawColumns::addTo(CurvePoint& point, const CurveAverages& averages) const {
     point.marginalShare = kNotApplicable;
   point.notes.add(notes_);
   point.listsContacts = listsContacts(scene_);
-  point.notes.add(Note::FewContacts,
-                  isRough_ && areContactsFew(point.contactSpots, point.contactFraction));
+  // Only a rough line has many summits, of which few may carry the load.
+  point.notes.add(Note::FewContacts, isRough(scene_.surface) &&
+                                         areContactsFew(point.contactSpots, point.contactFraction));
   point.notes.add(Note::FewIndependentRows,
                   hasRows_ && averages.mu.count() > 1 && averages.mu.error().freedom < kFewFreedom);
   addForces(point, averages);

@@ -140,7 +140,6 @@ class LawColumns {
   bool hasLaw_, hasArms_, hasInterface_;
   bool slopesDiffer_;  // from line to line
   bool hasRows_;       // lines are rows of a topography
-  bool isRough_;       // has many summits, of which few may carry the load
   NoteSet notes_;      // of the lines
 };
 

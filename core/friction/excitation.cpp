@@ -14,7 +14,7 @@
 namespace asperity {
 namespace {
 
-constexpr double kStretchesPerDecade = 32;
+constexpr double kBandsPerDecade = 32;
 
 double excitedFrequency(double waveNumber, double velocity) {
   return waveNumber * velocity / (2 * std::numbers::pi);
@@ -66,19 +66,19 @@ ExcitedWaves excitedWaves(const LineSource& source) {
     const auto number = static_cast<double>(j + 1);
     const double strength = lowest * number * std::norm(modes.coefficients[j]);
     if (!(strength > 0)) continue;
-    Sum& sum = sums[static_cast<int>(std::floor(kStretchesPerDecade * std::log10(number)))];
+    Sum& sum = sums[static_cast<int>(std::floor(kBandsPerDecade * std::log10(number)))];
     sum.strength += strength;
     sum.logWave += strength * std::log(lowest * number);
     ++sum.count;
   }
-  std::vector<WaveBand> stretches;
+  std::vector<WaveBand> bands;
   for (const auto& [interval, sum] : sums) {
     const double wave = std::exp(sum.logWave / sum.strength);
     // A single mode of the long waves covers the distance to its neighbours.
     const double decades = static_cast<double>(sum.count) * lowest / wave / std::numbers::ln10;
-    stretches.push_back({wave, sum.strength, decades});
+    bands.push_back({wave, sum.strength, decades});
   }
-  return std::make_shared<const std::vector<WaveBand>>(std::move(stretches));
+  return std::make_shared<const std::vector<WaveBand>>(std::move(bands));
 }
 
 Excitation::Excitation(const Scene& scene, const LineSource& source)
@@ -92,8 +92,8 @@ Excitation::Excitation(const Elastomer& elastomer, ExcitedWaves waves)
 std::optional<ExcitedBand> Excitation::band(double velocity) const {
   double total = 0;
   std::vector<double> sums;
-  for (const WaveBand& stretch : *waves_) {
-    total += stretch.strength * complexModulus(law_, stretch.waveNumber * velocity).loss;
+  for (const WaveBand& band : *waves_) {
+    total += band.strength * complexModulus(law_, band.waveNumber * velocity).loss;
     sums.push_back(total);
   }
   if (!(total > 0) || !std::isfinite(total)) return {};
@@ -109,10 +109,9 @@ double Excitation::shareNotMeasured(double velocity) const {
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   if (!measured_) return kUnknown;
   double total = 0, outside = 0;
-  for (const WaveBand& stretch : *waves_) {
-    const double weight =
-        stretch.strength * complexModulus(law_, stretch.waveNumber * velocity).loss;
-    const double frequency = excitedFrequency(stretch.waveNumber, velocity);
+  for (const WaveBand& band : *waves_) {
+    const double weight = band.strength * complexModulus(law_, band.waveNumber * velocity).loss;
+    const double frequency = excitedFrequency(band.waveNumber, velocity);
     total += weight;
     if (frequency < measured_->from || frequency > measured_->to) outside += weight;
   }
@@ -122,10 +121,10 @@ double Excitation::shareNotMeasured(double velocity) const {
 std::vector<Excitation::Weight> Excitation::weights(double velocity) const {
   std::vector<Weight> weights;
   double largest = 0;
-  for (const WaveBand& stretch : *waves_) {
-    const double loss = complexModulus(law_, stretch.waveNumber * velocity).loss;
-    weights.push_back({excitedFrequency(stretch.waveNumber, velocity),
-                       stretch.strength * loss / stretch.decades});
+  for (const WaveBand& band : *waves_) {
+    const double loss = complexModulus(law_, band.waveNumber * velocity).loss;
+    weights.push_back(
+        {excitedFrequency(band.waveNumber, velocity), band.strength * loss / band.decades});
     largest = std::max(largest, weights.back().weight);
   }
   if (!(largest > 0)) return {};

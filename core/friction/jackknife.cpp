@@ -124,18 +124,17 @@ LawInput GroupedMeans::lawInput(std::size_t j, std::size_t i) const {
 
 CurvePoint GroupedMeans::point(std::size_t j, std::size_t i) const {
   const LawInput in = lawInput(j, i);
-  CurvePoint point{.velocity = velocities(j)[i],
-                   .mu = mu(j, i),
-                   .muStandardError = muStandardError(j, i),
-                   .muLaw = frictionLaw(in),
-                   .contactFraction = contactFraction(j, i),
-                   .rmsSlopeContact = rmsSlopeContact(j, i),
-                   .indentation = mean(Indentation, j, i, kAll),
-                   .normalizedMu = normalizedMu(j, i),
-                   .dimensionlessVelocity = dimensionlessVelocity(in),
-                   .dimensionlessForce = dimensionlessForce(in),
-                   .realizations = realizations_};
-  return point;
+  return {.velocity = velocities(j)[i],
+          .mu = mu(j, i),
+          .muStandardError = muStandardError(j, i),
+          .muLaw = frictionLaw(in),
+          .contactFraction = contactFraction(j, i),
+          .rmsSlopeContact = rmsSlopeContact(j, i),
+          .indentation = mean(Indentation, j, i, kAll),
+          .normalizedMu = normalizedMu(j, i),
+          .dimensionlessVelocity = dimensionlessVelocity(in),
+          .dimensionlessForce = dimensionlessForce(in),
+          .realizations = realizations_};
 }
 
 Estimate jackknife(int groups, const std::function<double(int leftOut)>& read,

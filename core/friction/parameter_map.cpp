@@ -91,8 +91,7 @@ void checkMap(const Scene& scene, const MapAxis& x, const MapAxis& y) {
 }
 
 StateOptions stateOptions(const MapOptions& options) {
-  StateOptions work{.threads = options.threads, .stop = options.stop};
-  return work;
+  return {.threads = options.threads, .stop = options.stop};
 }
 
 /// Returns the slope at t of the parabola through three points.
@@ -175,16 +174,10 @@ ParameterRange usualMapRange(const Scene& scene, const Parameter& row, std::int6
   constexpr double kFactor = 100;  // two decades to each side
   const AllowedRange allowed = *allowedRange(row);
   const double now = parameterNumber(row, scene);
-  ParameterRange range{&row, 0, 0, points, hasLogarithmicSlider(row) && now > 0};
-  std::visit(
-      [&](const auto& field) {
-        if constexpr (requires { field.sliderFrom; }) {
-          range.from = static_cast<double>(field.sliderFrom);
-          range.to = static_cast<double>(field.sliderTo);
-        }
-      },
-      row.field);
-  if (row.key == "sliding.velocity" && now > 0) {
+  const SliderRange slider = *sliderRange(row);
+  ParameterRange range{&row, slider.from, slider.to, points,
+                       slider.scale != Scale::Linear && now > 0};
+  if (row.key == kVelocityKey && now > 0) {
     range.from = scene.sweep.velocityFrom;
     range.to = scene.sweep.velocityTo;
   } else if (range.isLogarithmic) {

@@ -20,10 +20,8 @@ constexpr std::size_t kFewestModes = 4;  // of a line that is still rough
 /// the rms height of a scene is that of its whole spectrum.
 double heightOfModes(const Scene& scene, std::size_t modes) {
   const Surface& surface = scene.surface;
-  const double rollOff =
-      surface.rollOffWavelength > 0 ? surface.length / surface.rollOffWavelength : 0;
-  const std::vector<double> all =
-      selfAffineAmplitudes(static_cast<std::size_t>(surface.elements), surface.hurst, 1, rollOff);
+  const std::vector<double> all = selfAffineAmplitudes(static_cast<std::size_t>(surface.elements),
+                                                       surface.hurst, 1, rollOffMode(surface));
   double square = 0;
   for (std::size_t j = std::min(modes, all.size()); j-- > 0;) square += all[j] * all[j] / 2;
   return std::sqrt(square);
@@ -56,9 +54,7 @@ Estimate meanDifference(const std::vector<double>& a, const std::vector<double>&
 }  // namespace
 
 std::vector<CutoffPoint> frictionOverCutoff(const Scene& scene, const StateOptions& options) {
-  const bool hasWaves =
-      scene.surface.kind == SurfaceKind::SelfAffine || hasSurfaceFile(scene.surface);
-  if (!hasWaves)
+  if (!isRough(scene.surface))
     throw InputError("", "surface.kind",
                      "has no short waves to remove; a random line, a profile, a spectrum or a "
                      "measured surface has");

@@ -183,7 +183,7 @@ Lesson readAs(LessonReading reading, std::string_view text, const std::string& f
     lesson.digest = sha256(writeLesson(lesson));
     return lesson;
   } catch (const InputError& error) {
-    throw error.file().empty() ? error.in(file) : error;
+    throw error.withFile(file);
   }
 }
 
@@ -243,9 +243,9 @@ Lesson readNamedLesson(const std::string& name, const SceneReader& readNamed) {
     if (name == lesson.name || name == std::string(lesson.name) + ".json")
       return readLesson(lesson.json, std::string(lesson.name) + ".json", kShippedFolder, readNamed);
   }
-  throw InputError(name, "",
-                   message("is neither a file nor a shipped lesson; those are {}",
-                           fmt::format("{}", fmt::join(names, ", "))));
+  throw InputError(
+      name, "",
+      message("is neither a file nor a shipped lesson; those are {}", namesWithCommas(names)));
 }
 
 }  // namespace asperity

@@ -47,7 +47,7 @@ std::string joinParagraphs(const Json& json, const std::string& path) {
   std::string text;
   for (const Json& paragraph : json) {
     if (!paragraph.is_string()) refuseMember(path, "needs a text, or a list of paragraphs");
-    text += (text.empty() ? "" : "\n\n") + paragraph.get<std::string>();
+    appendItem(text, paragraph.get<std::string>(), "\n\n");
   }
   return text;
 }
@@ -108,7 +108,7 @@ std::string readColumn(const std::string& name, const std::string& path) {
   if (std::ranges::find(known, name) != known.end()) return name;
   const std::string_view nearest = nearestWord(name, known);
   refuseMember(path, nearest.empty() ? message("'{}' is unknown; known are {}", shortened(name),
-                                               fmt::format("{}", fmt::join(known, ", ")))
+                                               namesWithCommas(known))
                                      : message("'{}' is unknown; the nearest known one is {}",
                                                shortened(name), nearest));
 }

@@ -5,12 +5,14 @@
 #include <cmath>
 #include <initializer_list>
 #include <numbers>
+#include <span>
 #include <utility>
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/text.h"
-#include "core/base/text_header.h"
+#include "core/base/text_cell.h"
+#include "core/base/text_clause.h"
 #include "core/base/text_number.h"
 
 namespace asperity {
@@ -90,15 +92,23 @@ DmaQuantity dmaQuantity(std::string_view word) {
   return None;
 }
 
+/// Letters, and the word that stands for each of them.
+using Replacement = std::pair<WordList, std::string_view>;
+
+std::string replaced(std::string text, std::span<const Replacement> replacements) {
+  for (const auto& [letters, word] : replacements)
+    for (const std::string_view letter : letters) replaceAll(text, letter, word);
+  return text;
+}
+
 /// Returns the words of a name in lower case: "G'_err" has g and err, "tanDelta" tan and delta.
 /// Greek letters are words of their own.
 std::vector<std::string> wordsOf(std::string_view name) {
-  std::string text(name);
-  for (const auto& [letters, word] :
-       {std::pair<WordList, std::string_view>{"\u03B4 \u0394", " delta "},
-        {"\u03C3", " sigma "},
-        {"\u2032 \u2033 \u2019 \u2018 \u201C \u201D \u00B4 \u00A0 \u2217 _", " "}})
-    for (const std::string_view letter : letters) replaceAll(text, letter, word);
+  constexpr Replacement kReplacements[] = {
+      {"\u03B4 \u0394", " delta "},
+      {"\u03C3", " sigma "},
+      {"\u2032 \u2033 \u2019 \u2018 \u201C \u201D \u00B4 \u00A0 \u2217 _", " "}};
+  const std::string text = replaced(std::string(name), kReplacements);
   std::string separated;
   for (const char letter : text) {
     const bool isCapital = std::isupper(static_cast<unsigned char>(letter)) != 0;
@@ -114,7 +124,8 @@ std::vector<std::string> wordsOf(std::string_view name) {
 /// "\u0394G'", "G' \u00B1", "G' 95% CI", "G' min".
 bool isOfDeviation(std::string_view name, const std::vector<std::string>& words) {
   if (words.empty()) return false;
-  if (containsOneOf(name, "\u00B1 +/- +- \u0394G \u0394E \u0394|")) return true;
+  if (containsOneOf(name, kErrorSigns) || containsOneOf(name, "\u0394G \u0394E \u0394|"))
+    return true;
   // "dE'", but not "Module de perte".
   if (words.size() > 1 && isOneOf(words.front(), "s u d de")) return true;
   if (words.size() > 1 && words[0] == "delta" && isOneOf(words[1], "g e storage loss modulus"))
@@ -155,6 +166,15 @@ std::string_view withoutGluedSymbol(std::string_view word) {
   return word.substr(0, word.size() - (hasSymbol ? 1 : 0));
 }
 
+/// Returns where the unit at the end of a name (unitText) begins; npos where there is none.
+std::size_t unitPart(std::string_view name) {
+  const std::size_t bracket = name.find_last_of("([");
+  const std::size_t end = name.find_last_not_of(' ');
+  if (bracket != name.npos && bracket > 0 && name.find_last_of(")]") == end) return bracket;
+  const std::size_t stroke = name.rfind('/');
+  return stroke == 0 ? name.npos : stroke;
+}
+
 /// Returns the words of a modulus' name that are not understood.
 std::string unknownWords(std::string_view name) {
   std::string unknown;
@@ -165,40 +185,46 @@ std::string unknownWords(std::string_view name) {
                 "losse log lg ln log10 de di") ||
         isMadeOfKnownWords(withoutGluedSymbol(word)))
       continue;
-    unknown += (unknown.empty() ? "" : " ") + word;
+    appendItem(unknown, word, " ");
   }
   return unknown;
 }
 
 }  // namespace
 
-std::size_t unitPart(std::string_view name) {
-  const std::size_t bracket = name.find_last_of("([");
-  const std::size_t end = name.find_last_not_of(' ');
-  if (bracket != name.npos && bracket > 0 && name.find_last_of(")]") == end) return bracket;
-  const std::size_t stroke = name.rfind('/');
-  return stroke == 0 ? name.npos : stroke;
+bool isModulus(DmaQuantity quantity) {
+  using enum DmaQuantity;
+  return quantity == Storage || quantity == Loss || quantity == Magnitude;
+}
+
+bool isMeasured(DmaQuantity quantity) {
+  return isModulus(quantity) || quantity == DmaQuantity::LossTangent ||
+         quantity == DmaQuantity::Phase;
+}
+
+std::string unitText(std::string_view name) {
+  const std::size_t begin = unitPart(name);
+  if (begin == name.npos) return {};
+  const std::string_view text = withoutBrackets(name.substr(begin));
+  return std::string(text.starts_with('/') ? trimmedBlanks(text.substr(1)) : text);
 }
 
 std::string compactName(std::string_view name) {
-  constexpr std::pair<WordList, std::string_view> kReplacements[] = {
-      {"\u2033 \u201D \u201C \"", "''"},
-      {"\u2032 \u2019 \u2018 \u00B4 `", "'"},
-      {"\u03B4 \u0394", "delta"},
-      {"\u03C9 \u03A9", "omega"},
-      {"\u03B3", "gamma"},
-      {"\u03B5", "strain"},
-      {"\u03D1 \u03B8", "temp"},
-      {"\u00E4", "ae"},
-      {"\u00F6", "oe"},
-      {"\u00FC", "ue"},
-      {"\u00E9 \u00E8 \u00C9 \u00C8", "e"},
-      {"\u00F3", "o"},
-      {"\u2217", "*"},
-      {"\u00B7 \u00A0 \u00B0", ""}};
-  std::string text = lowerCase(name);
-  for (const auto& [letters, word] : kReplacements)
-    for (const std::string_view letter : letters) replaceAll(text, letter, word);
+  constexpr Replacement kReplacements[] = {{"\u2033 \u201D \u201C \"", "''"},
+                                           {"\u2032 \u2019 \u2018 \u00B4 `", "'"},
+                                           {"\u03B4 \u0394", "delta"},
+                                           {"\u03C9 \u03A9", "omega"},
+                                           {"\u03B3", "gamma"},
+                                           {"\u03B5", "strain"},
+                                           {"\u03D1 \u03B8", "temp"},
+                                           {"\u00E4", "ae"},
+                                           {"\u00F6", "oe"},
+                                           {"\u00FC", "ue"},
+                                           {"\u00E9 \u00E8 \u00C9 \u00C8", "e"},
+                                           {"\u00F3", "o"},
+                                           {"\u2217", "*"},
+                                           {"\u00B7 \u00A0 \u00B0", ""}};
+  std::string text = replaced(lowerCase(name), kReplacements);
   std::erase_if(text, [](char letter) {
     return std::string_view(" _-.\t()[]{},:@").find(letter) != std::string_view::npos;
   });
@@ -232,17 +258,13 @@ DmaColumn dmaColumn(std::string_view name, std::string_view unit) {
   for (const std::string& one : words) column.words += " " + one;
   for (const char mark : word)
     if (mark == '*' || mark == '|') column.words += mark;
-  const bool isModulus =
-      column.quantity == DmaQuantity::Storage || column.quantity == DmaQuantity::Loss ||
-      column.quantity == DmaQuantity::Magnitude || column.quantity == DmaQuantity::LossTangent ||
-      column.quantity == DmaQuantity::Phase;
   // The largest strain of a period is its amplitude.
   const bool isAmplitude = column.quantity == DmaQuantity::Strain && hasOneOf(words, "max maximum");
   column.isLeftOut =
       column.quantity != DmaQuantity::None && !isAmplitude && isOfDeviation(word, words);
   if (column.quantity == DmaQuantity::Strain && !strainUnit(unit)) column.isLeftOut = true;
   if (column.isLeftOut) column.quantity = DmaQuantity::None;
-  if (isModulus && !column.isLeftOut) column.unknown = unknownWords(word);
+  if (isMeasured(column.quantity)) column.unknown = unknownWords(word);
   column.isAngular = containsOneOf(plain, "omega angular kreisfreq") || plain == "w";
   return column;
 }

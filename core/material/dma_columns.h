@@ -27,6 +27,12 @@ enum class DmaQuantity {
   Strain,
 };
 
+/// Returns whether the quantity is a modulus.
+bool isModulus(DmaQuantity quantity);
+
+/// Returns whether the quantity is a modulus or part of one, which each sweep has for itself.
+bool isMeasured(DmaQuantity quantity);
+
 enum class ModulusKind { Unknown, Shear, Tension };
 
 /// Returns the shear modulus of a Young's modulus, E / (2 (1 + nu)).
@@ -56,9 +62,9 @@ DmaColumn dmaColumn(std::string_view name, std::string_view unit);
 /// blanks, brackets, "_", "-" and ".": "gdelta" for "G_\u03B4".
 std::string compactName(std::string_view name);
 
-/// Returns where the text in brackets, or behind a stroke, at the end of a name begins: it is meant
-/// as a unit, known or not. npos where there is none.
-std::size_t unitPart(std::string_view name);
+/// Returns the text in brackets, or behind a stroke, at the end of a name: it is meant as a unit,
+/// known or not. Empty where there is none.
+std::string unitText(std::string_view name);
 
 /// Reads a strain, "1%" or "0.01"; nothing where the text is no number above 0.
 std::optional<double> parseStrain(std::string_view text);

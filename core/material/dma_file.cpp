@@ -54,7 +54,7 @@ class Reader {
     constexpr std::size_t kMost = 12;
     std::string list;
     for (std::size_t i = 0; i < std::min(block.columns.size(), kMost); ++i)
-      list += (i > 0 ? ", " : "") + shortened(block.label(i));
+      appendItem(list, shortened(block.label(i)));
     throw InputError(
         name_, "",
         message("has no columns that are known as frequency, storage and loss modulus (or tan "

@@ -12,7 +12,7 @@
 #include "core/base/number_text.h"
 #include "core/base/statistics.h"
 #include "core/base/text.h"
-#include "core/base/text_header.h"
+#include "core/base/text_clause.h"
 #include "core/base/text_number.h"
 
 namespace asperity {
@@ -25,7 +25,7 @@ namespace {
 ModulusKind kindOfGeometry(const DmaBlock& in, std::vector<Message>& notes) {
   for (const TextBlock* current = &in.block;; --current) {
     for (const TextEntry& entry : current->header) {
-      const std::string line = lowerCase(lineOf(entry));
+      const std::string line = lowerCase(joinEntry(entry));
       if (!containsOneOf(line, "geometr g\u00E9om\u00E9tr clamp fixture")) continue;
       const bool isShear = containsOneOf(line, "shear schub torsion parallel cone sandwich");
       const bool isTension =

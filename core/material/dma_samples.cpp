@@ -91,7 +91,7 @@ void refuseDifferentSamples(const std::vector<MeasuredModulus>& rows,
     const TextColumn& column = first.block->columns[i];
     if (!column.isText && dmaColumn(column.name, column.unit).quantity != DmaQuantity::None)
       continue;
-    unused += (unused.empty() ? "" : ", ") + shortened(first.block->label(i));
+    appendItem(unused, shortened(first.block->label(i)));
     if (distinguishes(i, origins, repeats))
       throw InputError(
           fileName, first.block->label(i),

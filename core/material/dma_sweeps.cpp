@@ -7,7 +7,7 @@
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/text.h"
-#include "core/base/text_header.h"
+#include "core/base/text_clause.h"
 #include "core/base/text_number.h"
 #include "core/material/dma_moduli.h"
 
@@ -20,15 +20,6 @@ using enum DmaQuantity;
 bool isOfKind(const DmaColumn& column, ModulusKind wanted) {
   return wanted == ModulusKind::Unknown || column.kind == ModulusKind::Unknown ||
          column.kind == wanted;
-}
-
-bool isModulus(DmaQuantity quantity) {
-  return quantity == Storage || quantity == Loss || quantity == Magnitude;
-}
-
-/// Returns whether the quantity is a modulus or part of one, which each sweep has for itself.
-bool isMeasured(DmaQuantity quantity) {
-  return isModulus(quantity) || quantity == LossTangent || quantity == Phase;
 }
 
 /// Chooses the shear moduli where a table has both kinds, unless the user wants the others.
@@ -156,8 +147,7 @@ std::string listColumns(const TextBlock& block, const std::vector<std::size_t>& 
   constexpr std::size_t kMost = 8;
   std::string list;
   for (std::size_t i = 0; i < std::min(columns.size(), kMost); ++i)
-    list += fmt::format("{}{} ({})", i > 0 ? ", " : "", shortened(block.label(columns[i])),
-                        columns[i] + 1);
+    appendItem(list, fmt::format("{} ({})", shortened(block.label(columns[i])), columns[i] + 1));
   return columns.size() > kMost ? list + ", \u2026" : list;
 }
 
@@ -294,7 +284,7 @@ std::vector<SweepColumns> findSweeps(const TextBlock& block, const std::string& 
   dropSetTemperatures(found);
   refuseUnclearColumns(block, fileName, choices, found);
   for (std::size_t i = 0; i < found.size(); ++i)
-    if (found[i].isLeftOut) leftOut += (leftOut.empty() ? "" : ", ") + shortened(block.label(i));
+    if (found[i].isLeftOut) appendItem(leftOut, shortened(block.label(i)));
   const bool isChosen = !(choices.storageColumn + choices.lossColumn + choices.lossTangentColumn +
                           choices.magnitudeColumn + choices.phaseColumn)
                              .empty();

@@ -17,10 +17,7 @@ namespace {
 /// quantity nor a word for the kind of modulus: "furlongs" of "G' (furlongs)". It is refused as a
 /// unit.
 std::string unknownUnitIn(const std::string& name) {
-  const std::size_t begin = unitPart(name);
-  if (begin == std::string::npos) return {};
-  std::string unit(withoutBrackets(std::string_view(name).substr(begin)));
-  if (unit.starts_with('/')) unit = trimmedBlanks(unit.substr(1));
+  const std::string unit = unitText(name);
   const DmaColumn meaning = dmaColumn(unit, {});
   const bool isNone = unit.empty() || meaning.quantity != DmaQuantity::None ||
                       meaning.temperature || meaning.kind != ModulusKind::Unknown;

@@ -10,6 +10,11 @@ namespace asperity {
 
 enum class Rheology { Elastic, Kelvin, StandardSolid, Prony };
 
+/// Returns whether an elastomer of this kind states arms.
+constexpr bool hasArms(Rheology rheology) {
+  return rheology == Rheology::StandardSolid || rheology == Rheology::Prony;
+}
+
 /// A Maxwell arm: a spring and a dashpot in series.
 struct Arm {
   double modulus = 1e7;          // Pa, G_i

@@ -9,6 +9,7 @@
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/statistics.h"
+#include "core/base/text.h"
 #include "core/base/units.h"
 
 namespace asperity {
@@ -165,7 +166,7 @@ bool areMixed(std::vector<MeasuredModulus> rows, const std::vector<std::vector<d
 std::string listAmplitudes(const std::vector<std::vector<double>>& groups) {
   std::string list;
   for (const std::vector<double>& group : groups)
-    list += (list.empty() ? "" : ", ") + printedNumber(100 * upperMedian(group), 3) + " %";
+    appendItem(list, printedNumber(100 * upperMedian(group), 3) + " %");
   return list;
 }
 

@@ -1,11 +1,10 @@
-// Makes a material from a file of measurements and writes it: material.json (asperity-material/1),
-// which a scene names as elastomer.material. core/scene/material_tables.h has its tables,
+// Makes a material from a file of measurements. material_json.h writes it, material_summary.h says
+// in sentences what it is, core/scene/material_tables.h has its tables and
 // core/chart/material_sheets.h its charts.
 // Pure; any thread; equal bytes and choices give the same material to the last bit.
 #pragma once
 
 #include <limits>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -75,17 +74,5 @@ Material makeMaterial(std::string_view bytes, const std::string& fileName,
 
 /// Makes the material of sweeps that have been read.
 Material fitMaterial(std::vector<Isotherm> isotherms, const MaterialChoices& choices);
-
-/// Returns {"schema", "verb", "version", "origin": {"file", "sha256", "options"}}.
-nlohmann::ordered_json materialOrigin(const Material& material);
-
-/// Returns the text of material.json.
-std::string materialJson(const Material& material);
-
-/// Returns "one arm" or "12 arms".
-Message describeArms(std::size_t count);
-
-/// Returns what was measured and how good the fit is, one sentence each.
-std::vector<Message> materialSummary(const Material& material);
 
 }  // namespace asperity

@@ -21,11 +21,9 @@ namespace {
 /// factors.
 void nameBranches(TextBlock& block, const std::string& name, const PronyChoices& choices,
                   RawSeries& series) {
-  const bool isNamed = std::ranges::any_of(
-      block.columns, [](const TextColumn& column) { return !column.name.empty(); });
-  const bool isGiven =
-      std::isfinite(choices.instantaneousModulus) || std::isfinite(choices.equilibriumModulus);
-  if (isNamed || !isGiven || block.columns.size() != 3 || !countsRows(block, 0)) return;
+  if (block.hasNames() || !choices.statesModulus() || block.columns.size() != 3 ||
+      !countsRows(block, 0))
+    return;
   if (!std::ranges::all_of(block.values, [](double value) { return std::isfinite(value); })) return;
   const double modulus = std::ranges::max(block.column(1)),
                time = std::ranges::max(block.column(2));
@@ -124,10 +122,7 @@ std::optional<double> timeSize(std::string_view unit) {
 /// end of its name is a unit, too; empty where there is none, as in "tau (relaxation time)".
 std::string writtenUnit(const TextColumn& column) {
   if (!column.unit.empty()) return column.unit;
-  const std::size_t begin = unitPart(column.name);
-  if (begin == std::string::npos) return {};
-  std::string unit(withoutBrackets(std::string_view(column.name).substr(begin)));
-  if (unit.starts_with('/')) unit = trimmedBlanks(unit.substr(1));
+  const std::string unit = unitText(column.name);
   return beginsWithOneOf(seriesWord(unit), "tau relaxation") ? std::string() : unit;
 }
 
@@ -154,7 +149,7 @@ double rateSizeOf(const TextColumn& column, const std::string& name) {
   if (unit.starts_with("1/"))
     if (const auto size = timeSize(unit.substr(2))) return 1 / *size;
   throw InputError(name, column.name,
-                   "may be a rate or a time; write its unit, as 1/s, behind the name");
+                   "may be a rate or a time; write its unit, as 1/s, after the name");
 }
 
 /// Returns the size in Pa s of a unit of viscosity; nothing where it is none.
@@ -173,7 +168,7 @@ double viscositySizeOf(const TextColumn& column, const std::string& name,
   throw InputError(name, column.name,
                    hasUnit ? message("has the unit {}, which is not one of {}",
                                      shortened(column.unit), unitNames("Pa s"))
-                           : Message("has no unit; write it behind the name, as in eta_i (Pa s)"));
+                           : Message("has no unit; write it after the name, as in eta_i (Pa s)"));
 }
 
 // ---- Arms ---------------------------------------------------------------------------------------

@@ -4,6 +4,7 @@
 // or column.
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
@@ -31,6 +32,11 @@ struct PronyChoices {
   /// may lie apart from it by the tolerance (K).
   std::optional<double> temperature{};
   double temperatureTolerance = kIsothermTolerance;
+
+  /// Returns whether the user states a modulus, to which parts of one may refer.
+  bool statesModulus() const {
+    return std::isfinite(instantaneousModulus) || std::isfinite(equilibriumModulus);
+  }
 };
 
 struct PronyFile {

@@ -161,7 +161,7 @@ PronySeries fitWithFewest(std::span<const DynamicModulus> points, double knownEq
   const double decades =
       std::log10(points.back().frequency / points.front().frequency) + 2 * kBeyond;
   const int most = std::clamp(static_cast<int>(std::ceil(kTermsPerDecade * decades)) + 1, 2,
-                              std::min(kMostChosenTerms, static_cast<int>(points.size())));
+                              std::min(kMostTerms, static_cast<int>(points.size())));
   std::vector<PronySeries> fits;
   // One more term makes little difference to many.
   constexpr int kMany = 24, kStep = 4;
@@ -194,7 +194,7 @@ PronySeries fitPronySeries(std::span<const DynamicModulus> given, const PronyOpt
   std::ranges::stable_sort(points, {}, &DynamicModulus::frequency);
   if (points.size() < 2 || !(points.back().frequency > points.front().frequency))
     throw InputError("", "frequency", "has one value alone; a series needs a range of frequencies");
-  const auto most = static_cast<int>(std::min<std::size_t>(64, 2 * points.size() - 1));
+  const auto most = static_cast<int>(std::min<std::size_t>(kMostTerms, 2 * points.size() - 1));
   if (options.terms < 0 || options.terms > most)
     throw InputError("", "--terms",
                      message("{} is outside 1 to {}, what {} points can tell", options.terms, most,

@@ -40,7 +40,7 @@ PronySeries fitPronySeries(std::span<const DynamicModulus> points, const PronyOp
 /// Returns G' and G'' of the series at a frequency (Hz).
 DynamicModulus modulusAt(const PronySeries& series, double frequency);
 
-/// The maximum number of relaxation times where the program chooses it.
-inline constexpr int kMostChosenTerms = 64;
+/// The largest number of relaxation times of a fit.
+inline constexpr int kMostTerms = 64;
 
 }  // namespace asperity

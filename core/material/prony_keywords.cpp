@@ -255,8 +255,7 @@ std::optional<RawSeries> keywordSeries(std::string_view text, const std::string&
     series = read(true);
   } catch (const InputError&) {
     // A modulus that the user gives replaces one that cannot be read.
-    if (!std::isfinite(choices.instantaneousModulus) && !std::isfinite(choices.equilibriumModulus))
-      throw;
+    if (!choices.statesModulus()) throw;
     series = read(false);
   }
   if (!series) refuseDyna(lines, name);

@@ -7,7 +7,7 @@
 
 #include "core/base/input_error.h"
 #include "core/base/text.h"
-#include "core/base/text_header.h"
+#include "core/base/text_clause.h"
 #include "core/base/text_number.h"
 #include "core/material/isotherms.h"
 #include "core/material/prony_arms.h"
@@ -51,8 +51,8 @@ std::vector<StatedModulus> statedModuli(const TextTable& table, const TextBlock&
   std::vector<StatedModulus> found;
   const auto read = [&found](const std::vector<TextEntry>& entries) {
     for (const TextEntry& entry : entries) {
-      const std::string line = lineOf(entry);
-      for (const std::string_view clause : clausesOf(line))
+      const std::string line = joinEntry(entry);
+      for (const std::string_view clause : splitClauses(line))
         if (auto stated = statedModulus(clause)) found.push_back(std::move(*stated));
     }
   };
@@ -86,7 +86,7 @@ void assumeUnits(const TextColumn& weights, double sum, std::vector<StatedModulu
       const bool inPascals = fitsStated(sum * series.unit, one.number, one.isInstantaneous);
       if (series.unit == 1 ? !inOthers : inOthers == inPascals)
         throw InputError(name, one.key,
-                         message("has no unit, and {} is in {}; write its unit behind the number",
+                         message("has no unit, and {} is in {}; write its unit after the number",
                                  Message::name(weights.name), Message::name(weights.unit)));
       one.unit = inOthers ? weights.unit : "Pa";
       note(one.key, one.unit);
@@ -143,9 +143,8 @@ void readModuli(const TextTable& table, const TextBlock& block, const SeriesRows
   for (const StatedModulus& stated : above)
     if (kind == ModulusKind::Unknown) kind = stated.kind;
   if (kind == ModulusKind::Unknown && ofColumn == ModulusKind::Tension) kind = ModulusKind::Tension;
-  const bool isGiven =
-      std::isfinite(choices.instantaneousModulus) || std::isfinite(choices.equilibriumModulus);
-  if (!series.isRelative || !above.empty() || !isGiven) kind = kindOfSeries(kind, choices, series);
+  if (!series.isRelative || !above.empty() || !choices.statesModulus())
+    kind = kindOfSeries(kind, choices, series);
   const auto shearFactor = [&](ModulusKind one) {
     return one == ModulusKind::Tension ? shearFromYoungs(1, choices.poissonRatio) : 1;
   };

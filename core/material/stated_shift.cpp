@@ -8,7 +8,7 @@
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/text.h"
-#include "core/base/text_header.h"
+#include "core/base/text_clause.h"
 #include "core/base/text_number.h"
 #include "core/base/units.h"
 #include "core/material/dma_columns.h"
@@ -129,13 +129,13 @@ ShiftConstants shiftConstants(const TextTable& table, const std::string& unit) {
   ShiftConstants found;
   for (const TextBlock& block : table.blocks) {
     for (const TextEntry& entry : block.header) {
-      const std::string line = lineOf(entry);
+      const std::string line = joinEntry(entry);
       const std::vector<std::string> ofLine = wordsIn(line);
       if (hasOneOf(ofLine, "wlf arrhenius activation aktivierungsenergie")) found.line = entry.line;
       // The formula may stand in another line than the values.
       const bool isNatural = isOneOf("ln", ofLine) || containsOneOf(lowerCase(line), "exp( exp[");
       if (isNatural && hasOneOf(ofLine, "c1 c2 c\u2081 c\u2082")) found.naturalLine = entry.line;
-      for (const std::string_view clause : clausesOf(line)) {
+      for (const std::string_view clause : splitClauses(line)) {
         // "C2 (K)"
         const auto stated = parseStatement(clause);
         const auto words = stated ? wordsIn(stated->name.name) : std::vector<std::string>();

@@ -12,6 +12,8 @@
 
 #include "core/base/input_error.h"
 #include "core/base/text.h"
+#include "core/base/text_cell.h"
+#include "core/base/text_clause.h"
 #include "core/base/text_header.h"
 #include "core/base/text_number.h"
 #include "core/material/dma_columns.h"
@@ -69,14 +71,14 @@ class HeaderReader {
 
  private:
   void readEntry(const TextEntry& entry) {
-    text_ = lineOf(entry);
+    text_ = joinEntry(entry);
     written_ = entry.written;
     line_ = entry.line;
     const std::vector<std::string> words = wordsIn(text_);
     isLineOfOther_ = areOfOther(words);
     isLineOfShift_ = areOfShift(words);
     isOfMaking_ = isMakingDone_ = false;
-    for (const std::string_view clause : clausesOf(text_)) {
+    for (const std::string_view clause : splitClauses(text_)) {
       // What a clause says about making holds for the next ones, too, until one is about the test.
       const std::vector<std::string> own = withoutNamesOfMixtures(wordsIn(clause));
       if (areOfTest(own) && !std::ranges::any_of(own, isOfMaking)) isOfMaking_ = false;
@@ -107,7 +109,7 @@ class HeaderReader {
     std::string_view before = clause.substr(0, found.begin);
     if (beginsAsRange(clause.substr(found.end)) || endsWithinRange(before)) return false;
     double kelvin = found.kelvin, number = found.number;
-    for (const std::string_view sign : WordList("\u00B1 +/- +-"))
+    for (const std::string_view sign : kErrorSigns)
       if (trimmedBlanks(before).ends_with(sign)) {
         // "20 ± 0.5 °C"
         const std::string_view whole = trimmedBlanks(withoutEnd(trimmedBlanks(before), sign));
@@ -336,7 +338,7 @@ std::optional<HeaderTemperature> distrustedTemperature(const TextTable& table,
                                                        const TextBlock& block) {
   for (const TextBlock* current = &block;; --current) {
     for (const TextEntry& entry : current->header) {
-      if (const auto found = findTemperature(lineOf(entry)))
+      if (const auto found = findTemperature(joinEntry(entry)))
         return {{*found, entry.line, entry.written}};
     }
     if (current == &table.blocks.front()) return {};

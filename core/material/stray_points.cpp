@@ -72,18 +72,23 @@ struct Found {
   double deviation = 0;  // decades
 };
 
+/// A point of a curve that leaves it, and where it would be on it.
+struct Deviant {
+  std::size_t point;
+  double suggested;  // decades
+};
+
 /// Returns the point of a curve that is the clearest one, if any is clear. The points beside it
 /// seem to deviate as well, but less clearly, because their own neighbours scatter.
-std::optional<std::size_t> clearest(const Curve& curve, double usualScatter, double& suggested) {
-  std::optional<std::size_t> found;
+std::optional<Deviant> clearest(const Curve& curve, double usualScatter) {
+  std::optional<Deviant> found;
   double most = kClearScatter;
   for (std::size_t i = 0; i < curve.x.size(); ++i) {
     const Prediction prediction = predicted(curve, i);
     const double deviation = std::abs(curve.y[i] - prediction.value);
     const double scatter = std::max(prediction.scatter, usualScatter) * prediction.magnified;
     if (!(deviation > kClearFactor && deviation > most * scatter)) continue;
-    found = i;
-    suggested = prediction.value;
+    found = {i, prediction.value};
     if (!(scatter > 0)) break;
     most = deviation / scatter;
   }
@@ -106,12 +111,12 @@ void addStrays(std::span<const Isotherm> isotherms, bool isLoss, std::vector<Fou
   for (std::size_t k = 0; k < curves.size(); ++k) {
     Curve& curve = curves[k];
     for (int n = 0; n < kMostOfOne && isLongEnough(curve); ++n) {
-      double suggested = 0;
-      const auto at = clearest(curve, usual, suggested);
-      if (!at) break;
-      const auto index = static_cast<std::ptrdiff_t>(*at);
-      found.push_back({{k, curve.points[*at], isLoss, std::pow(10, suggested)},
-                       std::abs(curve.y[*at] - suggested)});
+      const auto deviant = clearest(curve, usual);
+      if (!deviant) break;
+      const auto [at, suggested] = *deviant;
+      const auto index = static_cast<std::ptrdiff_t>(at);
+      found.push_back({{k, curve.points[at], isLoss, std::pow(10, suggested)},
+                       std::abs(curve.y[at] - suggested)});
       curve.points.erase(curve.points.begin() + index);
       curve.x.erase(curve.x.begin() + index);
       curve.y.erase(curve.y.begin() + index);

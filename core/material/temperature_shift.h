@@ -17,6 +17,9 @@ inline constexpr double kMostDecades = 30;
 inline constexpr double kMostC1 = 1000, kLeastC2 = 1e-3, kMostC2 = 1e4;  // the latter two K
 inline constexpr double kMostActivationEnergy = 1e7;                     // J/mol
 
+/// Returns the word for a kind of shift in options and files: "wlf", "arrhenius", "table".
+const char* shiftName(ShiftKind kind);
+
 /// J/(mol K), the molar gas constant (exact since the SI of 2019).
 inline constexpr double kGasConstant = 8.31446261815324;
 

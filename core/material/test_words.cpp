@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/text.h"
+#include "core/base/text_clause.h"
 #include "core/base/text_header.h"
 #include "core/base/text_number.h"
 #include "core/material/dma_columns.h"

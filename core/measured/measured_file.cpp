@@ -10,6 +10,7 @@
 #include "core/base/number_text.h"
 #include "core/base/regular_file.h"
 #include "core/base/stop.h"
+#include "core/base/text.h"
 #include "core/base/text_encoding.h"
 #include "core/base/units.h"
 #include "core/measured/surface_draft.h"
@@ -386,10 +387,7 @@ std::vector<std::string_view> surfaceFileEndings() {
 
 std::string readableFormats() {
   std::string names;
-  for (const SurfaceFormat& format : kFormats) {
-    if (!names.empty()) names += ", ";
-    names += format.names;
-  }
+  for (const SurfaceFormat& format : kFormats) appendItem(names, format.names);
   return names;
 }
 

@@ -141,8 +141,7 @@ SurfaceDraft readNpy(const SurfaceSource& source) {
   requireSize(source, stored.columns, stored.rows, reader.left(), type->bytes);
   const std::string_view data =
       reader.take(static_cast<std::size_t>(stored.columns * stored.rows) * type->bytes);
-  if (reader.left() > 0)
-    source.fail(message("goes on behind its array, by {} bytes", reader.left()));
+  if (reader.left() > 0) source.fail(message("has {} bytes after its array", reader.left()));
   if (word.front() == '>')
     type->append(source, reversedBytes(data, type->bytes), stored.height);
   else

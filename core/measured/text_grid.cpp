@@ -322,13 +322,14 @@ PointColumns pointColumns(const TextBlock& block, const ColumnRoles& roles) {
   return columns;
 }
 
-std::vector<double> columnValues(const TextBlock& block, int column) {
+/// Returns the axis of a grid on which the positions in a column lie; nothing where there is none.
+std::optional<GridAxis> columnAxis(const TextBlock& block, int column) {
   std::vector<double> values;
   values.reserve(block.rows);
   for (std::size_t i = 0; i < block.rows; ++i)
     if (const double value = block.at(i, static_cast<std::size_t>(column)); !std::isnan(value))
       values.push_back(value);
-  return values;
+  return findGridAxis(std::move(values), static_cast<std::int64_t>(block.rows));
 }
 
 }  // namespace
@@ -336,11 +337,7 @@ std::vector<double> columnValues(const TextBlock& block, int column) {
 bool isPointsOfGrid(const TextBlock& block, const ColumnRoles& roles) {
   if (block.columns.size() < 3 || block.rows < 4) return false;
   const PointColumns columns = pointColumns(block, roles);
-  const std::vector<double> xs = columnValues(block, columns.x),
-                            ys = columnValues(block, columns.y);
-  if (xs.empty() || ys.empty()) return false;
-  const auto most = static_cast<std::int64_t>(block.rows);
-  const auto x = findGridAxis(xs, most), y = findGridAxis(ys, most);
+  const auto x = columnAxis(block, columns.x), y = columnAxis(block, columns.y);
   if (!x || !y || x->count < 2 || y->count < 2) return false;
   const double all = static_cast<double>(x->count) * static_cast<double>(y->count);
   return all <= 2 * static_cast<double>(block.rows) && all >= static_cast<double>(block.rows);
@@ -365,11 +362,7 @@ SurfaceDraft readTextPoints(const TextTable& table, const TextBlock& block,
   const double ofRows =
       (rowUnit ? rowUnit->metres : 1) / (draft.positionUnit ? draft.positionUnit->metres : 1);
 
-  const std::vector<double> xs = columnValues(block, columns.x),
-                            ys = columnValues(block, columns.y);
-  const auto most = static_cast<std::int64_t>(block.rows);
-  const auto x = xs.empty() ? std::nullopt : findGridAxis(xs, most);
-  const auto y = ys.empty() ? std::nullopt : findGridAxis(ys, most);
+  const auto x = columnAxis(block, columns.x), y = columnAxis(block, columns.y);
   if (!x || !y) source.fail("the points do not lie on a grid of uniform rows and columns");
   // A single row may also run along y.
   Topography& grid = draft.grid;

@@ -290,6 +290,7 @@ std::optional<GridAxis> axisThrough(std::span<const double> numbers, const Round
 }  // namespace
 
 std::optional<GridAxis> findGridAxis(std::vector<double> numbers, std::int64_t most) {
+  if (numbers.empty()) return {};
   std::ranges::sort(numbers);
   const Rounding rounding(numbers);
   if (const auto exact = axisThrough(numbers, rounding, 0, most)) return exact;

@@ -17,9 +17,9 @@
 namespace asperity {
 namespace {
 
-constexpr double kStretchesPerDecade = 16;
-constexpr double kLeastDensity =
-    1e-22;  // relative to the greatest density; smaller ones are rounding errors
+constexpr double kBandsPerDecade = 16;
+/// Densities that are smaller, relative to the greatest one, are rounding errors.
+constexpr double kLeastDensity = 1e-22;
 constexpr double kMostSlopes = 4;  // rms slopes shown
 
 struct Spectrum {
@@ -30,26 +30,26 @@ double lowestWave(double length) {
   return 2 * std::numbers::pi / length;
 }
 
-/// Returns geometric means over equal intervals of log q.
-Spectrum gathered(const FourierLine& modes) {
+/// Returns geometric means over equal bands of log q.
+Spectrum bandMeans(const FourierLine& modes) {
   const double lowest = lowestWave(modes.length);
   double greatest = 0;
   for (const auto& c : modes.coefficients) greatest = std::max(greatest, std::norm(c));
   struct Sum {
     double logWave = 0, logDensity = 0, count = 0;
   };
-  std::map<int, Sum> stretches;
+  std::map<int, Sum> bands;
   for (std::size_t j = 0; j < modes.coefficients.size(); ++j) {
     const double square = std::norm(modes.coefficients[j]);
     if (!(square > kLeastDensity * greatest)) continue;
     const auto mode = static_cast<double>(j + 1);
-    Sum& sum = stretches[static_cast<int>(std::lround(kStretchesPerDecade * std::log10(mode)))];
+    Sum& sum = bands[static_cast<int>(std::lround(kBandsPerDecade * std::log10(mode)))];
     sum.logWave += std::log(lowest * mode);
     sum.logDensity += std::log(square / lowest);
     sum.count += 1;
   }
   Spectrum spectrum;
-  for (const auto& [interval, sum] : stretches) {
+  for (const auto& [band, sum] : bands) {
     spectrum.waveNumber.push_back(std::exp(sum.logWave / sum.count));
     spectrum.density.push_back(std::exp(sum.logDensity / sum.count));
   }
@@ -57,16 +57,15 @@ Spectrum gathered(const FourierLine& modes) {
 }
 
 /// Returns the spectrum that the scene prescribes, before phases and summits.
-Spectrum wanted(const Scene& scene, const LineSource& source) {
+Spectrum prescribedSpectrum(const Scene& scene, const LineSource& source) {
   const Surface& surface = scene.surface;
-  const double rollOff =
-      surface.rollOffWavelength > 0 ? source.length() / surface.rollOffWavelength : 0;
   FourierLine modes;
   modes.length = source.length();
-  for (const double amplitude : selfAffineAmplitudes(static_cast<std::size_t>(source.elements()),
-                                                     surface.hurst, surface.rmsHeight, rollOff))
+  for (const double amplitude :
+       selfAffineAmplitudes(static_cast<std::size_t>(source.elements()), surface.hurst,
+                            surface.rmsHeight, rollOffMode(surface)))
     modes.coefficients.emplace_back(0.5 * amplitude, 0);
-  return gathered(modes);
+  return bandMeans(modes);
 }
 
 /// Returns the widest range of wave numbers, of at least a decade, in which the points follow the
@@ -107,7 +106,7 @@ DiagramSeries seriesOf(const Spectrum& spectrum, Message name) {
 }
 
 /// Returns a histogram as a curve with vertical sides.
-DiagramSeries stepsOf(const Histogram& histogram, Message name, int colour) {
+DiagramSeries histogramSeries(const Histogram& histogram, Message name, int colour) {
   DiagramSeries series{.name = std::move(name), .colour = colour};
   double edge = histogram.from;
   series.points.push_back({edge, 0});
@@ -121,7 +120,7 @@ DiagramSeries stepsOf(const Histogram& histogram, Message name, int colour) {
 }
 
 /// Returns the number of bins by Rice's rule, from the points in contact.
-std::size_t binsFor(std::size_t points) {
+std::size_t countBins(std::size_t points) {
   return std::clamp<std::size_t>(
       static_cast<std::size_t>(2 * std::cbrt(static_cast<double>(points))), 8, 48);
 }
@@ -135,7 +134,7 @@ std::vector<double> slopesOf(const Frame& frame) {
 /// Returns the covered part of each element, 0 outside of contact. Contact ends inside the elements
 /// at its edges: all of them are covered by the same part, with which the sum is the length in
 /// contact.
-std::vector<double> coverOf(const Frame& frame) {
+std::vector<double> coveredParts(const Frame& frame) {
   const std::size_t n = frame.pressure.size();
   const auto touches = [&](std::size_t i) { return frame.pressure[i % n] > 0; };
   std::vector<double> cover(n);
@@ -146,21 +145,21 @@ std::vector<double> coverOf(const Frame& frame) {
     touching += 1;
     edges += touches(i + 1) && touches(i + n - 1) ? 0 : 1;
   }
-  const double wanted = frame.contactFraction * static_cast<double>(n);
+  const double covered = frame.contactFraction * static_cast<double>(n);
   const double inside = touching - edges;
-  if (!(touching > 0) || !(wanted > 0)) return cover;
-  const bool atEdges = edges > 0 && wanted > inside;
+  if (!(touching > 0) || !(covered > 0)) return cover;
+  const bool atEdges = edges > 0 && covered > inside;
   for (std::size_t i = 0; i < n; ++i)
     if (touches(i) && !atEdges)
-      cover[i] = wanted / touching;
+      cover[i] = covered / touching;
     else if (touches(i) && !(touches(i + 1) && touches(i + n - 1)))
-      cover[i] = (wanted - inside) / edges;
+      cover[i] = (covered - inside) / edges;
   return cover;
 }
 
-/// Returns the value below which all but a hundredth of the weight lies: the few elements at the
-/// edges of contact with the highest loads are far away from all others.
-double belowWhichMostIs(const std::vector<double>& values, const std::vector<double>& weights) {
+/// Returns the value below which 99 % of the weight lies: the few elements at the edges of contact
+/// with the highest loads are far away from all others.
+double weightedPercentile99(const std::vector<double>& values, const std::vector<double>& weights) {
   std::vector<std::size_t> order(values.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::sort(order, {}, [&](std::size_t i) { return values[i]; });
@@ -173,7 +172,7 @@ double belowWhichMostIs(const std::vector<double>& values, const std::vector<dou
 Diagram pressureDiagram(const Frame& frame) {
   Diagram diagram{.x = {"contact pressure p", "N/m", AxisScale::Linear},
                   .y = {"share of length", "%", AxisScale::Linear}};
-  const std::vector<double> cover = coverOf(frame);
+  const std::vector<double> cover = coveredParts(frame);
   std::vector<double> pressures, weights;
   for (std::size_t i = 0; i < cover.size(); ++i) {
     if (!(cover[i] > 0)) continue;
@@ -182,11 +181,11 @@ Diagram pressureDiagram(const Frame& frame) {
   }
   if (pressures.empty()) return diagram;
   const double mean = frame.normalForce / (frame.contactFraction * frame.length);
-  const double most = std::isfinite(mean) ? std::max(mean, belowWhichMostIs(pressures, weights))
-                                          : belowWhichMostIs(pressures, weights);
+  double most = weightedPercentile99(pressures, weights);
+  if (std::isfinite(mean)) most = std::max(mean, most);
   diagram.series = {
-      stepsOf(makeHistogram(pressures, 0, 1.2 * most, binsFor(pressures.size()), weights),
-              "in contact", 0)};
+      histogramSeries(makeHistogram(pressures, 0, 1.2 * most, countBins(pressures.size()), weights),
+                      "in contact", 0)};
   if (!std::isfinite(mean)) return diagram;
   double highest = 0;
   for (const DiagramPoint& point : diagram.series[0].points) highest = std::max(highest, point.y);
@@ -199,9 +198,9 @@ Diagram slopeDiagram(const SlopeStatistics& slopes) {
   Diagram diagram{
       .x = {"slope z\u2032 / rms slope", "", AxisScale::Linear, -kMostSlopes, kMostSlopes},
       .y = {"share", "%", AxisScale::Linear},
-      .series = {stepsOf(slopes.whole, "whole line", 1)}};
+      .series = {histogramSeries(slopes.whole, "whole line", 1)}};
   if (!slopes.contact.share.empty())
-    diagram.series.push_back(stepsOf(slopes.contact, "in contact", 0));
+    diagram.series.push_back(histogramSeries(slopes.contact, "in contact", 0));
   diagram.series.push_back(normalDistribution(kMostSlopes, slopes.whole.width()));
   return diagram;
 }
@@ -284,7 +283,7 @@ DiagramSheet surfaceSheet(const Scene& scene, const Line& line) {
 
 SpectrumReading readSpectrum(const Scene& scene) {
   const LineSource source(scene, 1);
-  Spectrum spectrum = gathered(modesOf(source));
+  Spectrum spectrum = bandMeans(modesOf(source));
   SpectrumReading reading;
   const double rollOff =
       scene.surface.kind == SurfaceKind::SelfAffine ? scene.surface.rollOffWavelength : 0;
@@ -314,10 +313,10 @@ DiagramSheet spectrumSheet(const Scene& scene) {
   line.stroke = SeriesStroke::None;
   line.colour = 0;
   if (scene.surface.kind == SurfaceKind::SelfAffine) {
-    DiagramSeries asked = seriesOf(wanted(scene, LineSource(scene, 1)),
-                                   message("wanted, H = {:.3g}", scene.surface.hurst));
-    asked.isTheory = true;
-    diagram.series.push_back(std::move(asked));
+    DiagramSeries prescribed = seriesOf(prescribedSpectrum(scene, LineSource(scene, 1)),
+                                        message("prescribed, H = {:.3g}", scene.surface.hurst));
+    prescribed.isTheory = true;
+    diagram.series.push_back(std::move(prescribed));
   }
   diagram.series.push_back(std::move(line));
   if (reading.hasFit) {
@@ -385,7 +384,7 @@ SlopeStatistics slopeStatistics(const Frame& frame) {
     contactSquare += slopes[i] * slopes[i];
     climbing += slopes[i] > 0 ? 1 : 0;
   }
-  const std::size_t bins = binsFor(contact.empty() ? slopes.size() : contact.size());
+  const std::size_t bins = countBins(contact.empty() ? slopes.size() : contact.size());
   statistics.whole = makeHistogram(slopes, -kMostSlopes, kMostSlopes, bins);
   if (contact.empty()) return statistics;
   statistics.contact = makeHistogram(contact, -kMostSlopes, kMostSlopes, bins);

@@ -107,10 +107,8 @@ struct Runner::Body {
       if (stop.stop_requested()) return;
       try {
         execute(commands, simulation, next);
-      } catch (const InputError& error) {
-        report(commands.scene ? commands.scene->number : 0, error.key(), error.message());
       } catch (const std::exception& error) {
-        report(commands.scene ? commands.scene->number : 0, "", errorMessage(error));
+        report(commands.scene ? commands.scene->number : 0, error);
       }
     }
   }
@@ -216,10 +214,8 @@ struct Runner::Body {
       last.realizationsDone = last.realizationsTotal;
       last.isComplete = true;
       offer(work.number, last);
-    } catch (const InputError& error) {
-      report(work.scene.number, error.key(), error.message());
     } catch (const std::exception& error) {
-      report(work.scene.number, "", errorMessage(error));
+      report(work.scene.number, error);
     }
   }
 
@@ -240,9 +236,12 @@ struct Runner::Body {
     return present.number;
   }
 
-  void report(std::uint64_t number, const std::string& key, const Message& text) {
+  /// Adds a message about an error. Only an error in the scene names a key.
+  void report(std::uint64_t number, const std::exception& error) {
+    const auto* ofInput = dynamic_cast<const InputError*>(&error);
     const std::lock_guard guard(lock);
-    messages.push_back({number, key, text});
+    messages.push_back(ofInput ? RunnerMessage{number, ofInput->key(), ofInput->message()}
+                               : RunnerMessage{number, "", errorMessage(error)});
   }
 
   const RunnerOptions options;

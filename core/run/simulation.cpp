@@ -243,9 +243,7 @@ void Simulation::stepOnce(double dt, double distance) {
 }
 
 bool Simulation::resolvesContacts() const {
-  const SurfaceKind kind = ready_->scene->surface.kind;
-  const bool isRough = kind == SurfaceKind::SelfAffine || hasSurfaceFile(ready_->scene->surface);
-  if (isRough && pointsPerElement(*ready_->scene) < 2) return false;
+  if (isRough(ready_->scene->surface) && pointsPerElement(*ready_->scene) < 2) return false;
   return touching_ >= kLeastElements * stretches_;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/base/text.h"
 #include "core/scene/parameters.h"
 
 namespace asperity {
@@ -11,7 +12,7 @@ namespace {
 
 /// The keys in the order in which they are shown. Rows of another kind have no meaning and are left
 /// out.
-constexpr std::array<std::string_view, 20> kShown{"sliding.velocity",
+constexpr std::array<std::string_view, 20> kShown{kVelocityKey,
                                                   "sliding.velocity_after",
                                                   "sliding.amplitude",
                                                   "sliding.frequency",
@@ -43,26 +44,18 @@ bool hasMeaning(std::string_view key, const Scene& scene) {
 
 /// Returns whether a row that has a meaning is also essential in this scene.
 bool isWanted(std::string_view key, const Scene& scene) {
-  const bool isShifted = scene.elastomer.rheology == Rheology::StandardSolid ||
-                         scene.elastomer.rheology == Rheology::Prony;
-  if (key == "elastomer.temperature") return isShifted;
+  if (key == "elastomer.temperature") return hasArms(scene.elastomer.rheology);
   if (key == "elastomer.equilibrium_modulus") return scene.elastomer.material.empty();
   if (key == "interface.friction_coefficient") return scene.interface.frictionCoefficient > 0;
   return true;
 }
 
-/// Returns the first of the keys that has a meaning.
-template <std::size_t Count>
-std::string_view firstOf(const std::array<std::string_view, Count>& keys, const Scene& scene) {
-  const auto found =
-      std::ranges::find_if(keys, [&](std::string_view key) { return hasMeaning(key, scene); });
-  return found == keys.end() ? std::string_view("sliding.velocity") : *found;
+/// Returns the first of the keys that has a meaning, or else that of the velocity.
+std::string_view firstOf(const WordList& keys, const Scene& scene) {
+  for (const std::string_view key : keys)
+    if (hasMeaning(key, scene)) return key;
+  return kVelocityKey;
 }
-
-constexpr std::array<std::string_view, 3> kLoads{"load.normal_force", "load.depth",
-                                                 "load.nominal_pressure"};
-constexpr std::array<std::string_view, 5> kRoughness{
-    "surface.rms_height", "surface.amplitude", "surface.slope", "surface.radius", "surface.file"};
 
 }  // namespace
 
@@ -79,31 +72,30 @@ std::vector<std::string_view> essentialKeys(const Scene& scene) {
 std::string_view noteKey(Note note, const Scene& scene) {
   switch (note) {
     case Note::SlopeAbove:
-      return firstOf(kRoughness, scene);
+      return firstOf(
+          "surface.rms_height surface.amplitude surface.slope surface.radius surface.file", scene);
     case Note::FewContacts:
     case Note::StrainBeyondMeasured:
     case Note::UnresolvedFriction:
-      return firstOf(kLoads, scene);
+      return firstOf("load.normal_force load.depth load.nominal_pressure", scene);
     case Note::ExtrapolatedTemperature:
-      return firstOf(std::array<std::string_view, 1>{"elastomer.temperature"}, scene);
+      return firstOf("elastomer.temperature", scene);
     case Note::SeamJump:
-      return firstOf(std::array<std::string_view, 2>{"surface.seam", "surface.file"}, scene);
+      return firstOf("surface.seam surface.file", scene);
     case Note::FewIndependentRows:
-      return firstOf(std::array<std::string_view, 1>{"surface.file"}, scene);
+      return firstOf("surface.file", scene);
     case Note::CoarseHeights:
-      return firstOf(std::array<std::string_view, 2>{"surface.short_wave_cut", "surface.file"},
-                     scene);
+      return firstOf("surface.short_wave_cut surface.file", scene);
     case Note::RoundForm:
-      return firstOf(std::array<std::string_view, 2>{"surface.long_wave_cut", "surface.file"},
-                     scene);
+      return firstOf("surface.long_wave_cut surface.file", scene);
     case Note::Spikes:
-      return firstOf(std::array<std::string_view, 2>{"surface.outliers", "surface.file"}, scene);
+      return firstOf("surface.outliers surface.file", scene);
     case Note::ExtrapolatedMaterial:
     case Note::FastEnoughToHeat:
     case Note::FasterThanTested:
       break;
   }
-  return "sliding.velocity";
+  return kVelocityKey;
 }
 
 }  // namespace asperity

@@ -1,7 +1,6 @@
 #include "core/scene/list_text.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -207,7 +206,7 @@ Message allowedDataFiles() {
 }
 
 Message allowedTheories() {
-  return message("a list of {}", Message::name(fmt::format("{}", fmt::join(theoryWords(), ", "))));
+  return message("a list of {}", namesWithCommas(theoryWords()));
 }
 
 }  // namespace asperity

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "core/base/text.h"
+
 namespace asperity {
 namespace {
 
@@ -66,10 +68,7 @@ std::vector<Note> NoteSet::list() const {
 
 std::string NoteSet::words() const {
   std::string text;
-  for (const Note note : list()) {
-    if (!text.empty()) text += ' ';
-    text += noteWord(note);
-  }
+  for (const Note note : list()) appendItem(text, noteWord(note), " ");
   return text;
 }
 

@@ -1,6 +1,4 @@
 // Reads and writes values of a scene through the rows of the table.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -19,20 +17,6 @@ struct Overloaded : Handlers... {
 };
 template <class... Handlers>
 Overloaded(Handlers...) -> Overloaded<Handlers...>;
-
-std::string joined(std::span<const std::string_view> words) {
-  return fmt::format("{}", fmt::join(words, ", "));
-}
-
-bool containsWord(std::string_view words, std::string_view word) {
-  while (!words.empty()) {
-    const std::size_t space = words.find(' ');
-    if (words.substr(0, space) == word) return true;
-    if (space == std::string_view::npos) return false;
-    words.remove_prefix(space + 1);
-  }
-  return false;
-}
 
 /// Returns the scene for an accessor, which takes a Scene& but only reads it here.
 Scene& forReading(const Scene& scene) {
@@ -105,18 +89,11 @@ void setText(const Parameter& parameter, const TextField& field, Scene& scene,
   field.member(scene) = *text;
 }
 
-void setArms(const Parameter& parameter, const ArmsField& field, Scene& scene,
-             const ParameterValue& value) {
+/// Returns the JSON text of a list. Throws InputError for a number.
+const std::string& listIn(const Parameter& parameter, const ParameterValue& value) {
   const auto* text = std::get_if<std::string>(&value);
   if (!text) refuse(parameter, message("a number is not {}", allowedText(parameter)));
-  field.member(scene) = parseArms(*text, std::string(parameter.key));
-}
-
-void setShiftTable(const Parameter& parameter, const ShiftTableField& field, Scene& scene,
-                   const ParameterValue& value) {
-  const auto* text = std::get_if<std::string>(&value);
-  if (!text) refuse(parameter, message("a number is not {}", allowedText(parameter)));
-  field.member(scene) = parseShiftTable(*text, std::string(parameter.key));
+  return *text;
 }
 
 }  // namespace
@@ -147,7 +124,7 @@ namespace {
 bool holds(const Applicability& applies, const Scene& scene) {
   const Parameter* choice = findParameter(applies.choiceKey);
   return isApplicable(*choice, scene) &&
-         containsWord(applies.words, std::get<std::string>(parameterValue(*choice, scene))) !=
+         isOneOf(std::get<std::string>(parameterValue(*choice, scene)), WordList(applies.words)) !=
              applies.isExcept;
 }
 
@@ -200,19 +177,20 @@ ParameterValue defaultValue(const Parameter& parameter) {
 }
 
 void setValue(const Parameter& parameter, Scene& scene, const ParameterValue& value) {
+  const std::string key(parameter.key);
   std::visit(
       Overloaded{
           [&](const RealField& field) { setReal(parameter, field, scene, value); },
           [&](const IntegerField& field) { setInteger(parameter, field, scene, value); },
           [&](const ChoiceField& field) { setChoice(parameter, field, scene, value); },
           [&](const TextField& field) { setText(parameter, field, scene, value); },
-          [&](const ArmsField& field) { setArms(parameter, field, scene, value); },
-          [&](const ShiftTableField& field) { setShiftTable(parameter, field, scene, value); },
-          [&](const ListField& field) {
-            const auto* text = std::get_if<std::string>(&value);
-            if (!text) refuse(parameter, message("a number is not {}", allowedText(parameter)));
-            field.write(scene, *text, std::string(parameter.key));
-          }},
+          [&](const ArmsField& field) {
+            field.member(scene) = parseArms(listIn(parameter, value), key);
+          },
+          [&](const ShiftTableField& field) {
+            field.member(scene) = parseShiftTable(listIn(parameter, value), key);
+          },
+          [&](const ListField& field) { field.write(scene, listIn(parameter, value), key); }},
       parameter.field);
 }
 
@@ -292,9 +270,9 @@ Message allowedText(const Parameter& parameter) {
                                  return message("{} to {}", field.minimum, field.maximum);
                                },
                                [](const ChoiceField& field) {
-                                 const std::string words = joined(field.choices);
+                                 const Message words = namesWithCommas(field.choices);
                                  return field.choices.size() > 1 ? message("one of {}", words)
-                                                                 : Message::name(words);
+                                                                 : words;
                                },
                                [](const TextField&) { return Message("text"); },
                                [](const ArmsField&) { return allowedArms(); },

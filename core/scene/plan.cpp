@@ -120,10 +120,8 @@ Message whyArms(const Scene& scene, bool runs) {
   if (runs)
     return arms == 1 ? Message("1 internal variable an element")
                      : message("{} internal variables an element", arms);
-  return scene.elastomer.rheology == Rheology::StandardSolid ||
-                 scene.elastomer.rheology == Rheology::Prony
-             ? "no arm has strength and time"
-             : "the elastomer has none";
+  return hasArms(scene.elastomer.rheology) ? "no arm has strength and time"
+                                           : "the elastomer has none";
 }
 
 Message whyStart(const Scene&, bool runs) {

@@ -256,9 +256,10 @@ std::vector<std::filesystem::path> foldersAround(const std::filesystem::path& fi
 
 namespace {
 
-/// toRemake: a result without a scene of its own, or with many, is an answer, too.
-FoundScene found(std::string_view bytes, const std::string& name,
-                 const std::vector<std::filesystem::path>& folders, bool toRemake) {
+/// Finds the scene in the bytes of a file. toRemake: whether a result without a scene of its own,
+/// or with many, is an answer, too.
+FoundScene sceneIn(std::string_view bytes, const std::string& name,
+                   const std::vector<std::filesystem::path>& folders, bool toRemake) {
   const bool isText = beginsAsObject(bytes);
   const std::string carried = isText ? std::string() : embeddedProvenance(bytes);
   const std::string_view json = isText ? bytes : carried;
@@ -279,7 +280,7 @@ FoundScene found(std::string_view bytes, const std::string& name,
       return result;
     }
   } catch (const InputError& error) {
-    throw error.file().empty() ? error.in(name) : error;
+    throw error.withFile(name);
   }
   if (!isText)
     throw InputError(name, "",
@@ -295,71 +296,17 @@ FoundScene found(std::string_view bytes, const std::string& name,
 
 FoundScene findScene(std::string_view bytes, const std::string& name,
                      const std::filesystem::path& folder) {
-  return found(bytes, name, {folder}, false);
+  return sceneIn(bytes, name, {folder}, false);
 }
 
 FoundScene findScene(const std::filesystem::path& file) {
-  return found(endsOf(RegularFile(file)), file.string(), foldersAround(file), false);
+  return sceneIn(endsOf(RegularFile(file)), file.string(), foldersAround(file), false);
 }
 
 FoundScene findResult(const std::filesystem::path& file, const std::filesystem::path& from) {
   std::vector<std::filesystem::path> folders = foldersAround(file);
   if (!from.empty()) folders = {from};
-  return found(endsOf(RegularFile(file)), file.string(), folders, true);
-}
-
-namespace {
-
-namespace fs = std::filesystem;
-
-// These were measured in the window, with a rough line under force; accurate to a factor of about
-// two.
-constexpr double kBytesPerNode = 150;     // line, its blocks, the march and its frames
-constexpr double kSecondsPerNode = 1e-9;  // for one pass over a line; a velocity takes six
-constexpr double kPasses = 6, kPassesOfLine = 40;
-constexpr double kBytesPerRow = 8;  // minimum for a row of a profile's file
-
-/// Returns whether the file is in or below the folder; links are followed. A name with a zero byte
-/// would mean another file to the system.
-bool liesBelow(const fs::path& file, const fs::path& folder) {
-  if (file.native().find('\0') != std::string::npos) return false;
-  std::error_code noFile, noFolder;
-  const fs::path home = fs::weakly_canonical(folder.empty() ? fs::path(".") : folder, noFolder);
-  const fs::path relative = fs::weakly_canonical(file, noFile).lexically_relative(home);
-  return !noFile && !noFolder && !relative.empty() && *relative.begin() != "..";
-}
-
-double nodesOf(const Scene& scene, const fs::path& file) {
-  double elements = static_cast<double>(scene.surface.elements);
-  if (elements == 0) {  // the number comes from the profile
-    std::error_code error;
-    const std::uintmax_t size = fs::file_size(file, error);
-    if (!error) elements = static_cast<double>(size) / kBytesPerRow;
-  }
-  return elements * static_cast<double>(std::max<std::int64_t>(pointsPerElement(scene), 1));
-}
-
-}  // namespace
-
-SceneDemands sceneDemands(const Scene& scene) {
-  SceneDemands demands;
-  const fs::path file =
-      hasSurfaceFile(scene.surface) ? scene.folder / scene.surface.file : fs::path();
-  if (!file.empty() && !liesBelow(file, scene.folder)) demands.file = file;
-  const std::string& material = scene.elastomer.material;
-  const fs::path materials = material.empty() ? fs::path() : materialFile(material, scene.folder);
-  if (demands.file.empty() && !materials.empty() && !liesBelow(materials, scene.folder))
-    demands.file = materials;
-  const double nodes = nodesOf(scene, file);
-  const double lines =
-      mayHaveManyLines(scene.surface)
-          ? static_cast<double>(std::max<std::int64_t>(scene.ensemble.realizations, 1))
-          : 1;
-  const double passes = kPassesOfLine + kPasses * static_cast<double>(scene.sweep.points);
-  const double memory = nodes * kBytesPerNode, seconds = nodes * lines * passes * kSecondsPerNode;
-  if (memory > kMemoryUnasked) demands.memory = memory;
-  if (seconds > kSecondsUnasked) demands.seconds = seconds;
-  return demands;
+  return sceneIn(endsOf(RegularFile(file)), file.string(), folders, true);
 }
 
 }  // namespace asperity

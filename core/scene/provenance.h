@@ -1,8 +1,7 @@
 // The origin of a result, in every machine-readable answer and inside every file: schema, command,
 // version, the canonical scene and its seed; never a date, the threads or a file's name. And the
 // way back: the scene from a file that the program wrote. Pure except for reading one file; any
-// thread. A scene inside a picture, film or table may come from another user: SceneDemands lists
-// what it needs beyond being shown, so that the reader can be asked first.
+// thread. A scene inside a picture, film or table may come from another user (scene_demands.h).
 #pragma once
 
 #include <filesystem>
@@ -95,21 +94,5 @@ std::vector<std::filesystem::path> foldersAround(const std::filesystem::path& fi
 /// Finds the scene in the bytes of a file; `name` is named in errors.
 FoundScene findScene(std::string_view bytes, const std::string& name,
                      const std::filesystem::path& folder = {});
-
-/// Limits of memory and time for such a scene without a question.
-inline constexpr double kMemoryUnasked = 1e9;   // bytes
-inline constexpr double kSecondsUnasked = 600;  // of one processor
-
-struct SceneDemands {
-  // a profile outside of the scene's folder and its subfolders; or empty
-  std::filesystem::path file;
-  double memory = 0;   // bytes, if more than kMemoryUnasked; approximate
-  double seconds = 0;  // of one processor, if more than kSecondsUnasked; approximate
-
-  bool any() const { return !file.empty() || memory > 0 || seconds > 0; }
-};
-
-/// Returns the demands. scene.folder: the folder of the file that contains the scene.
-SceneDemands sceneDemands(const Scene& scene);
 
 }  // namespace asperity

@@ -57,8 +57,8 @@ ParameterRange parseRange(std::string_view key, std::string_view text) {
   const std::vector<std::string_view> parts = splitText(text, ":");
   const auto refuseText = [&] {
     refuse(key,
-           message("'{}' is not FROM:TO:N, such as 0.001:10:41, with :log or :linear behind it "
-                   "where wanted",
+           message("'{}' is not FROM:TO:N, such as 0.001:10:41, optionally followed by :log or "
+                   ":linear",
                    shortened(text)));
   };
   if (parts.size() != 3 && parts.size() != 4) refuseText();

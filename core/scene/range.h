@@ -30,7 +30,7 @@ std::vector<double> logSpaced(double from, double to, std::int64_t points);
 /// Returns x_i = from + (to - from) i / (points - 1), with the last one exactly `to`.
 std::vector<double> linearSpaced(double from, double to, std::int64_t points);
 
-/// Reads "FROM:TO:N" with ":log" or ":linear" behind it where wanted. Throws InputError with the
+/// Reads "FROM:TO:N" optionally followed by ":log" or ":linear". Throws InputError with the
 /// key.
 ParameterRange parseRange(std::string_view key, std::string_view text);
 

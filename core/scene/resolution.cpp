@@ -43,10 +43,6 @@ std::int64_t statedPoints(const Scene& scene) {
   return withinMemory(scene, target >= 0.01 ? 4 : target >= 1e-3 ? 8 : 16);
 }
 
-bool hasArms(const Elastomer& elastomer) {
-  return elastomer.rheology == Rheology::StandardSolid || elastomer.rheology == Rheology::Prony;
-}
-
 /// Returns the mean depth to which the elastomer is pressed at rest, over the rms height. Contact
 /// begins at 0 and is complete above 3 to 4.
 double depthOverHeight(const Scene& scene) {
@@ -57,7 +53,8 @@ double depthOverHeight(const Scene& scene) {
   if (scene.load.kind == LoadKind::Indentation)
     return std::clamp(scene.load.depth / height - kLowestPoint, 0.0, kDeep);
   const Elastomer& elastomer = scene.elastomer;
-  const double modulus = hasArms(elastomer) ? elastomer.equilibriumModulus : elastomer.shearModulus;
+  const double modulus =
+      hasArms(elastomer.rheology) ? elastomer.equilibriumModulus : elastomer.shearModulus;
   const double carried = 4 * modulus * scene.surface.length * height;  // N
   const double force = loadOn(scene.load, scene.surface.length).normalForce;
   return force < kDeep * carried ? force / carried : kDeep;
@@ -77,10 +74,8 @@ double errorOfMean(const Scene& scene, std::int64_t points) {
 
 /// Returns the number of independent stretches of line, in all realizations together.
 double independentLines(const Scene& scene) {
-  const Surface& surface = scene.surface;
-  const double inOne =
-      surface.rollOffWavelength > 0 ? std::max(1.0, surface.length / surface.rollOffWavelength) : 1;
-  return static_cast<double>(scene.ensemble.realizations) * inOne;
+  return static_cast<double>(scene.ensemble.realizations) *
+         std::max(1.0, rollOffMode(scene.surface));
 }
 
 /// Returns the largest resolution at which the march of a motion is small; the usual one where
@@ -93,7 +88,7 @@ std::int64_t marchedPoints(const Scene& scene) {
   const double slid = motion.fastest(0, motion.duration()) * motion.duration();
   const double periods = motion.isSmooth() ? scene.sliding.frequency * motion.duration() : 0;
   const double leastSteps = std::max<double>(Motion::kLeastSteps, Motion::kStepsOfPeriod * periods);
-  const double modes = hasArms(scene.elastomer)
+  const double modes = hasArms(scene.elastomer.rheology)
                            ? std::max(1.0, static_cast<double>(scene.elastomer.arms.size()))
                            : 1;
   const auto workAt = [&](std::int64_t pointsThere) {

@@ -194,6 +194,18 @@ inline bool hasSurfaceFile(const Surface& surface) {
          surface.kind == SurfaceKind::Spectrum;
 }
 
+/// Returns whether the line is rough: a sum of waves of many lengths, random or from a file. Other
+/// lines have the simple shape of a formula.
+inline bool isRough(const Surface& surface) {
+  return surface.kind == SurfaceKind::SelfAffine || hasSurfaceFile(surface);
+}
+
+/// Returns the number of waves in the period below which the spectrum of a self-affine line is
+/// flat; 0 without a roll-off.
+inline double rollOffMode(const Surface& surface) {
+  return surface.rollOffWavelength > 0 ? surface.length / surface.rollOffWavelength : 0;
+}
+
 /// Returns whether the phases of the line's waves are random, so that there are any number of
 /// lines.
 inline bool hasRandomPhases(const Surface& surface) {

@@ -429,7 +429,7 @@ Scene readScene(std::string_view json, const std::string& name, const std::files
     scene.folder = folder;
     return scene;
   } catch (const InputError& error) {
-    throw error.file().empty() ? error.in(name) : error;
+    throw error.withFile(name);
   }
 }
 

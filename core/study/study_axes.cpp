@@ -112,9 +112,7 @@ void readDistribution(StudyAxis& axis, const Json& spec, const std::string& wher
   const auto from = optionalNumberMember(spec, where, "from"),
              to = optionalNumberMember(spec, where, "to");
   const bool hasMoments = spec.contains("mean") || spec.contains("deviation");
-  if (made.kind == DistributionKind::Uniform && hasMoments == (from || to))
-    refuseMember(where, "a uniform distribution has either from and to, or mean and deviation");
-  if (made.kind == DistributionKind::Uniform && !hasMoments && !(from && to))
+  if (made.kind == DistributionKind::Uniform && (hasMoments ? from || to : !(from && to)))
     refuseMember(where, "a uniform distribution has either from and to, or mean and deviation");
   if (hasMoments || made.kind != DistributionKind::Uniform) {
     made.mean = numberMember(spec, where, "mean");

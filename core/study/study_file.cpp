@@ -59,7 +59,7 @@ StudyOutput readOutput(const Json& json) {
     return output;
   }
   const std::string_view nearest = nearestWord(output.column, known);
-  const std::string all = fmt::format("{}", fmt::join(known, ", "));
+  const Message all = namesWithCommas(known);
   if (isFit && nearest.empty())
     refuseMember("outputs", message("'{}' is unknown; known are {}", shortened(output.name), all));
   refuseMember(
@@ -77,8 +77,7 @@ StudyOutput readOutput(const Json& json) {
 std::int64_t usualChunk(const ParameterStudy& study) {
   constexpr double kNodesInSecond = 2e8;
   const Scene& scene = study.base;
-  const double states =
-      (study.wantsPoint() ? 1.0 : 0.0) + static_cast<double>(study.curveValues().size());
+  const auto states = static_cast<double>(study.states());
   const double lines = mayHaveManyLines(scene.surface)
                            ? std::max<double>(1, static_cast<double>(scene.ensemble.realizations))
                            : 1;
@@ -227,9 +226,7 @@ class StudyReader {
       refuseMember("outputs", message("{} needs a curve over velocity, not over {}", output.name,
                                       study_.base.sweep.key));
     const Elastomer& elastomer = study_.base.elastomer;
-    const bool hasArms =
-        elastomer.rheology == Rheology::StandardSolid || elastomer.rheology == Rheology::Prony;
-    if (hasArms && !elastomer.arms.empty())
+    if (hasArms(elastomer.rheology) && !elastomer.arms.empty())
       refuseMember("outputs",
                    message("{} needs an elastomer of one relaxation time, whose curve has "
                            "regions I to IV",
@@ -242,7 +239,7 @@ class StudyReader {
       refuseMember("accuracy.target_relative_error",
                    "a study needs a stated accuracy, not a target");
     if (study_.wantsPoint() && !(study_.base.sliding.velocity > 0))
-      refuseMember("sliding.velocity", "is not above 0, where friction is wanted");
+      refuseMember(std::string(kVelocityKey), "is not above 0, where friction is wanted");
   }
 
   void setCanonical() {
@@ -296,7 +293,7 @@ const char* const kStudyFormat =
              "surface.hurst": [0.3, 0.7, 1]},
    "sampling": "grid", "outputs": ["mu", "contact_fraction", "curve.mu"]}
 A key's values are a list, a range, or {"distribution": "normal", "lognormal" or "uniform", "mean",
-"deviation"} with limits "from" and "to" where wanted (of uniform: the limits alone). "rows":
+"deviation"} with optional limits "from" and "to" (of uniform: the limits alone). "rows":
 "FILE.csv" in space takes keys and values from the columns of a table. sampling is grid, or with
 "samples" and "seed" latin_hypercube, sobol or saltelli (for sensitivity indices: samples times the
 number of keys and two); a range then has no points. outputs are columns of a curve at the scene's
@@ -316,6 +313,10 @@ bool ParameterStudy::wantsCurve() const {
 
 std::vector<double> ParameterStudy::curveValues() const {
   return wantsCurve() ? sweepValues(base) : std::vector<double>();
+}
+
+std::size_t ParameterStudy::states() const {
+  return curveValues().size() + (wantsPoint() ? 1 : 0);
 }
 
 std::size_t ParameterStudy::numbers() const {
@@ -355,7 +356,7 @@ ParameterStudy readStudy(std::string_view json, const std::string& name,
     const Json root = parseJson(json, kDeepest, "a study is JSON in UTF-8");
     return StudyReader(root, folder, readNamed).read();
   } catch (const InputError& error) {
-    throw error.file().empty() ? error.in(name) : error;
+    throw error.withFile(name);
   }
 }
 

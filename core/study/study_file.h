@@ -49,6 +49,9 @@ struct ParameterStudy {
   bool wantsCurve() const;  // for itself or for a fit
   /// Returns the values of the key over which the curves go; empty where no output needs a curve.
   std::vector<double> curveValues() const;
+  /// Returns how many states of one simulation slide: one for each value of its curve, and that at
+  /// the scene's own velocity.
+  std::size_t states() const;
   /// Returns how many numbers of one simulation are stored: one for an output, or one for each
   /// value of the curve.
   std::size_t numbers() const;

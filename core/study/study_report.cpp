@@ -156,8 +156,9 @@ std::string shortLabel(const StudyColumn& column) {
   return std::string(column.row->symbol.empty() ? column.row->label : column.row->symbol);
 }
 
-Message outputTitle(const std::string& name) {
-  return Message::name(name);
+/// Returns the column of a curve: "mu" of "curve.mu".
+std::string columnOf(const CurveBand& band) {
+  return band.name.substr(band.name.find('.') + 1);
 }
 
 DiagramSheet sensitivitySheet(const ParameterStudy& study, const StudyAnalysis& analysis) {
@@ -175,7 +176,7 @@ DiagramSheet sensitivitySheet(const ParameterStudy& study, const StudyAnalysis& 
   for (const OutputAnalysis& output : analysis.outputs) {
     if (output.indices.empty()) continue;
     Diagram diagram;
-    diagram.title = outputTitle(output.name);
+    diagram.title = Message::name(output.name);
     addNames(diagram, names, shortNames);
     diagram.y = {"share of the variance", "", AxisScale::Linear};
     DiagramSeries first{
@@ -205,7 +206,7 @@ DiagramSheet correlationSheet(const ParameterStudy& study, const StudyAnalysis& 
       "ranks; 1 and -1 mean that the parameter decides alone.";
   for (const OutputAnalysis& output : analysis.outputs) {
     Diagram diagram;
-    diagram.title = outputTitle(output.name);
+    diagram.title = Message::name(output.name);
     std::vector<std::string> names, shortNames;
     DiagramSeries values{
         .name = "of the values", .mark = SeriesMark::Circle, .stroke = SeriesStroke::None};
@@ -262,13 +263,13 @@ DiagramSheet effectsSheet(const ParameterStudy& study, const OutputAnalysis& out
 DiagramSheet bandSheet(const ParameterStudy& study, const CurveBand& band) {
   DiagramSheet sheet;
   const Parameter& row = *findParameter(study.base.sweep.key);
-  sheet.title = message("{} with its scatter", band.name.substr(band.name.find('.') + 1));
+  sheet.title = message("{} with its scatter", columnOf(band));
   sheet.note = "Bands: from the 5th to the 95th, and from the 25th to the 75th percentile.";
   Diagram diagram;
   const bool isLogarithmic = study.base.sweep.scale == SweepScale::Logarithmic;
   diagram.x = {Message(row.label), std::string(row.unit),
                isLogarithmic ? AxisScale::Logarithmic : AxisScale::Linear};
-  diagram.y = {Message::name(band.name.substr(band.name.find('.') + 1)), "", AxisScale::Linear};
+  diagram.y = {Message::name(columnOf(band)), "", AxisScale::Linear};
   const auto series = [&](const Message& name, std::size_t low, std::size_t high, bool isBand) {
     DiagramSeries one{.name = name, .isBand = isBand, .colour = 0};
     if (isBand) one.stroke = SeriesStroke::None;
@@ -309,7 +310,7 @@ std::vector<NamedSheet> studySheets(const ParameterStudy& study, const StudyAnal
   for (const OutputAnalysis& output : analysis.outputs)
     if (output.count > 0) add("effects_" + output.name, effectsSheet(study, output));
   for (const CurveBand& band : analysis.bands)
-    add("band_" + band.name.substr(band.name.find('.') + 1), bandSheet(study, band));
+    add("band_" + columnOf(band), bandSheet(study, band));
   return sheets;
 }
 

@@ -37,7 +37,6 @@ class ChunkWork {
             study.outputs, [](const StudyOutput& output) { return output.fit.has_value(); })) {
     options_.threads = threads;
     options_.stop = stop;
-    for (const StudyOutput& output : study.outputs) columns_.push_back(curveColumn(output.column));
   }
 
   StudyChunk compute(std::int64_t first, std::int64_t count) {
@@ -58,7 +57,7 @@ class ChunkWork {
   /// along its curve.
   void makeStates() {
     std::vector<double> point(study_.space.columns());
-    const std::size_t each = statesOfOne();
+    const std::size_t each = study_.states();
     states_.reserve(static_cast<std::size_t>(chunk_.count) * each);
     for (std::int64_t i = 0; i < chunk_.count; ++i) {
       const std::size_t before = states_.size();
@@ -80,7 +79,7 @@ class ChunkWork {
   /// without the other half; the halves depend on the chunk alone.
   void slide(std::int64_t begin, std::int64_t end) {
     if (begin == end || options_.stop.stop_requested()) return;
-    const std::size_t each = statesOfOne();
+    const std::size_t each = study_.states();
     const std::span<const Scene> states(states_.data() + static_cast<std::size_t>(begin) * each,
                                         static_cast<std::size_t>(end - begin) * each);
     try {
@@ -112,34 +111,28 @@ class ChunkWork {
       chunk_.values[cell] = value;
       cell += static_cast<std::size_t>(chunk_.count);
     };
-    for (std::size_t k = 0; k < study_.outputs.size(); ++k)
-      if (study_.outputs[k].fit)
-        put(fits[static_cast<std::size_t>(*study_.outputs[k].fit)]);
-      else if (!study_.outputs[k].isCurve)
-        put(columns_[k](points.back()));
+    for (const StudyOutput& output : study_.outputs)
+      if (output.fit)
+        put(fits[static_cast<std::size_t>(*output.fit)]);
+      else if (!output.isCurve)
+        put(curveValue(points.back(), output.column));
       else
-        for (std::size_t v = 0; v < curveValues_.size(); ++v) put(columns_[k](points[v]));
+        for (const CurvePoint& point : points.first(curveValues_.size()))
+          put(curveValue(point, output.column));
   }
 
   void fail(std::int64_t simulation, const std::exception& error) {
     chunk_.failures.push_back({chunk_.first + simulation, errorMessage(error).english()});
   }
 
-  std::size_t statesOfOne() const { return curveValues_.size() + (study_.wantsPoint() ? 1 : 0); }
-
   const ParameterStudy& study_;
   const std::vector<double> curveValues_;
   const bool wantsFits_;
   StateOptions options_;
-  std::vector<std::function<double(const CurvePoint&)>> columns_;
   StudyChunk chunk_;
   std::vector<std::int64_t> simulations_;  // the possible ones, counted in the chunk
   std::vector<Scene> states_;
   std::vector<Scene> curveScenes_;  // of the same simulations, where fits are wanted
-
-  static std::function<double(const CurvePoint&)> curveColumn(const std::string& name) {
-    return [name](const CurvePoint& point) { return curveValue(point, name); };
-  }
 };
 
 /// Computes a chunk. Returns one without values where `stop` was requested.
@@ -240,8 +233,7 @@ StudyBudget studyBudget(const ParameterStudy& study, std::int64_t all, std::int6
                      .chunks = study.chunks(),
                      .chunk = study.chunk,
                      .threads = threadCount(threads)};
-  const std::size_t each = study.curveValues().size() + (study.wantsPoint() ? 1 : 0);
-  budget.states = all * static_cast<std::int64_t>(each);
+  budget.states = all * static_cast<std::int64_t>(study.states());
   budget.lines = mayHaveManyLines(study.base.surface) ? study.base.ensemble.realizations : 1;
   constexpr double kBytesOfRow = 150;
   budget.bytes = static_cast<double>(all) * static_cast<double>(8 * study.numbers()) +

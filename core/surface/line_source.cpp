@@ -188,8 +188,7 @@ LineSource::LineSource(const Scene& scene, std::int64_t oversampling, const Prof
                      message("{} is outside 1 to {}, what {} elements carry", surface_.waves,
                              (elements_ - 1) / 2, elements_));
   if (surface_.kind == SurfaceKind::SelfAffine) setAmplitudes(scene);
-  if (surface_.kind == SurfaceKind::SelfAffine || hasSurfaceFile(surface_))
-    transform_.emplace(nodes_);
+  if (isRough(surface_)) transform_.emplace(nodes_);
   if (surface_.kind == SurfaceKind::Measured && !isRandom_) {
     profile_ = measured_->modes(0);
     const std::size_t most = modeCount(static_cast<std::size_t>(elements_));

@@ -173,12 +173,9 @@ bool mayBeOneNumber(std::string_view line, std::size_t namedColumns) {
   if (line.find_first_of(";\t") != std::string_view::npos) return true;
   std::string_view before = line.substr(0, comma), after = line.substr(comma + 1);
   if (!before.empty() && (before.front() == '-' || before.front() == '+')) before.remove_prefix(1);
-  const auto isWhole = [](std::string_view text) {
-    return !text.empty() && std::ranges::all_of(text, isDigit);
-  };
-  if (!isWhole(before)) return false;
+  if (!areDigits(before)) return false;
   if (after.size() > 1 && after.front() == '0' && isDigit(after[1])) return true;
-  if (!isWhole(after) || namedColumns == 2) return false;
+  if (!areDigits(after) || namedColumns == 2) return false;
   const bool isGrouped = before.size() <= 3 && before.front() != '0' && after.size() == 3;
   return isGrouped || namedColumns == 1;
 }

@@ -159,8 +159,8 @@
         <translation>ist keine Zahl und hat deshalb keinen Bereich</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is not FROM:TO:N, such as 0.001:10:41, with :log or :linear behind it where wanted</source>
-        <translation>„%1“ ist nicht VON:BIS:N, etwa 0.001:10:41, dahinter :log oder :linear, wo gewünscht</translation>
+        <source>&apos;%1&apos; is not FROM:TO:N, such as 0.001:10:41, optionally followed by :log or :linear</source>
+        <translation>„%1“ ist nicht VON:BIS:N, etwa 0.001:10:41, dahinter auf Wunsch :log oder :linear</translation>
     </message>
     <message>
         <source>%1 points are outside 1 to %2</source>
@@ -2803,8 +2803,8 @@
         <translation>Spektraldichte C</translation>
     </message>
     <message>
-        <source>wanted, H = %1</source>
-        <translation>gewünscht, H = %1</translation>
+        <source>prescribed, H = %1</source>
+        <translation>vorgegeben, H = %1</translation>
     </message>
     <message>
         <source>fitted, H = %1</source>
@@ -3883,8 +3883,8 @@
         <translation>ist von Version %1; gelesen werden 1 bis 3</translation>
     </message>
     <message>
-        <source>goes on behind its array, by %1 bytes</source>
-        <translation>geht hinter seinem Array weiter, um %1 Byte</translation>
+        <source>has %1 bytes after its array</source>
+        <translation>hat %1 Byte nach seinem Array</translation>
     </message>
     <message>
         <source>holds an array of the type %1; floating-point numbers of 4 or 8 bytes and whole numbers of 1 to 8 bytes are read</source>
@@ -4199,7 +4199,7 @@
         <translation>%1 hat keine Einheit: angenommen ist %2, was zu den anderen Moduln passt</translation>
     </message>
     <message>
-        <source>has no unit, and %1 is in %2; write its unit behind the number</source>
+        <source>has no unit, and %1 is in %2; write its unit after the number</source>
         <translation>hat keine Einheit, und %1 ist in %2; die Einheit hinter die Zahl schreiben</translation>
     </message>
     <message>
@@ -4263,7 +4263,7 @@
         <translation>nennt bei gleicher Temperatur und Frequenz andere Moduln, wie in den Zeilen %1 und %2, im Median um den Faktor %3, und Läufe einer Probe unterscheiden sich um höchstens %4; die Zeilen von einer Probe und einem Lauf behalten (nicht gelesene Spalten: %5)</translation>
     </message>
     <message>
-        <source>may be a rate or a time; write its unit, as 1/s, behind the name</source>
+        <source>may be a rate or a time; write its unit, as 1/s, after the name</source>
         <translation>kann eine Rate oder eine Zeit sein; ihre Einheit, etwa 1/s, hinter den Namen schreiben</translation>
     </message>
     <message>
@@ -4755,7 +4755,7 @@
         <translation>hat eine Viskosität und keine Relaxationszeit</translation>
     </message>
     <message>
-        <source>has no unit; write it behind the name, as in eta_i (Pa s)</source>
+        <source>has no unit; write it after the name, as in eta_i (Pa s)</source>
         <translation>hat keine Einheit; sie hinter den Namen schreiben, wie in eta_i (Pa s)</translation>
     </message>
     <message>
@@ -5299,7 +5299,7 @@
         <translation>&apos;%1&apos; ist keine Zahl von 0 bis 0,5</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; has no unit; °C, K or °F stands behind it</source>
+        <source>&apos;%1&apos; has no unit; write °C, K or °F after it</source>
         <translation>„%1“ hat keine Einheit; dahinter steht °C, K oder °F</translation>
     </message>
     <message>

@@ -9,7 +9,9 @@
 
 #include "core/base/input_error.h"
 #include "core/base/regular_file.h"
+#include "core/material/material_json.h"
 #include "core/material/material_library.h"
+#include "core/material/material_summary.h"
 #include "core/material/temperature_shift.h"
 #include "core/scene/material_tables.h"
 #include "tests/core/error_from.h"

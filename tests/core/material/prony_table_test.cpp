@@ -39,7 +39,7 @@ TEST(PronyTable, ViscositiesOfArmsAreRead) {
 
 TEST(PronyTable, ViscositiesNeedAUnitAndARelaxationTime) {
   EXPECT_THAT(seriesError("G_inf = 1 MPa\ntau (s),eta_i\n0.1,0.2\n10,10\n"),
-              HasSubstr("eta_i: has no unit; write it behind the name, as in eta_i (Pa s)"));
+              HasSubstr("eta_i: has no unit; write it after the name, as in eta_i (Pa s)"));
   EXPECT_THAT(seriesError("G_inf = 1 MPa\ntau (s),eta_i (MPa)\n0.1,0.2\n10,10\n"),
               HasSubstr("eta_i: has the unit MPa, which is not one of Pa s"));
   EXPECT_THAT(seriesError("G_inf = 1 MPa\nG_i,eta_i (Pa s)\n2,0.2\n1,10\n"),

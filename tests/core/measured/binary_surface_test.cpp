@@ -248,7 +248,7 @@ TEST(NpyFile, NamesWhatIsWrong) {
               HasSubstr("the header has no shape"));
   EXPECT_THAT(errorOf(npy<double>("<f8", 9), choices), HasSubstr("is of version 9; 1 to 3"));
   EXPECT_THAT(errorOf(npy<double>("<f8") + "\x93NUMPY", choices),
-              HasSubstr("goes on behind its array, by 6 bytes"));
+              HasSubstr("has 6 bytes after its array"));
   for (const char* shape : {"(2, 6)", "(6, 2)"})
     EXPECT_THAT(errorOf(npy<double>("<f8", 1, false, false, shape), choices),
                 HasSubstr("it should have heights alone"));

@@ -117,7 +117,7 @@ TEST(Spectrum, SheetShowsWantedAndFitted) {
   const DiagramSheet sheet = spectrumSheet({});
   ASSERT_EQ(sheet.diagrams.size(), 1U);
   ASSERT_EQ(sheet.diagrams[0].series.size(), 3U);
-  EXPECT_EQ(sheet.diagrams[0].series[0].name.english(), "wanted, H = 0.7");
+  EXPECT_EQ(sheet.diagrams[0].series[0].name.english(), "prescribed, H = 0.7");
   EXPECT_EQ(sheet.diagrams[0].series[2].name.english(), "fitted, H = 0.700");
   for (const DiagramSeries& series : sheet.diagrams[0].series)
     EXPECT_LT(series.points.size(), 100U);

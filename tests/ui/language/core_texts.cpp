@@ -19,6 +19,7 @@
 #include "core/friction/curve_difference.h"
 #include "core/friction/ensemble.h"
 #include "core/friction/theories/theory.h"
+#include "core/material/material_summary.h"
 #include "core/paper/figure.h"
 #include "core/run/line_diagrams.h"
 #include "core/run/motion_table.h"

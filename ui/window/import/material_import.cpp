@@ -24,6 +24,8 @@
 #include "core/base/regular_file.h"
 #include "core/base/stop.h"
 #include "core/chart/material_sheets.h"
+#include "core/material/material_json.h"
+#include "core/material/material_summary.h"
 #include "core/scene/columns.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
@@ -53,7 +55,7 @@ double kelvins(const QString& text, const char* option) {
   if (hasNoUnit)  // the page shows degrees Celsius, the command takes kelvins
     throw InputError(
         "", option,
-        message("'{}' has no unit; \u00B0C, K or \u00B0F stands behind it", text.toStdString()));
+        message("'{}' has no unit; write \u00B0C, K or \u00B0F after it", text.toStdString()));
   const auto temperature = parseTemperature(withoutGroups(text.trimmed()).toStdString());
   if (!temperature || !(*temperature > 0 && *temperature <= 2000))
     throw InputError("", option,
@@ -210,7 +212,7 @@ void MaterialImport::buildChoices() {
                      tr("automatic"), {"wlf", "arrhenius", "table"});
   heading(tr("Prony series"));
   terms_ = named<SpinBox>("dmaTerms");
-  terms_->setRange(0, kMostChosenTerms);
+  terms_->setRange(0, kMostTerms);
   terms_->setSpecialValueText(tr("as few as needed"));
   terms_->setToolTip(tr("Relaxation times, evenly spaced in their logarithm"));
   terms_->setAccessibleName(tr("number of terms"));

@@ -136,7 +136,7 @@ QString windowStyleSheet(const Theme& theme) {
     #fitButton:focus { border: 1px solid %5; padding: 2px 9px; }
     #fitKeys QHeaderView::section, #planList QHeaderView::section { background: %1; color: %6; border: none; padding: 4px 6px; }
     #planList QHeaderView::section { padding: 4px 3px; }
-    #planList { padding-left: 11px; }
+    #planList { padding-left: 11px; background: %10; }
     #planList::item:disabled { color: %6; }
     #regionPictures { background: %10; }
     #regionBar QLabel { color: %6; }

@@ -15,6 +15,7 @@
 #include "core/lesson/lesson_file.h"
 #include "core/lesson/lesson_results.h"
 #include "core/scene/provenance.h"
+#include "core/scene/scene_demands.h"
 #include "core/scene/scene_file.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"

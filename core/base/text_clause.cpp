@@ -1,0 +1,69 @@
+#include "core/base/text_clause.h"
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <numeric>
+
+#include "core/base/text_header.h"
+
+namespace asperity {
+
+std::string joinEntry(const TextEntry& entry, std::string_view between) {
+  return entry.key.empty() ? entry.value : fmt::format("{}{}{}", entry.key, between, entry.value);
+}
+
+std::vector<std::string_view> splitClauses(std::string_view line) {
+  std::vector<std::string_view> clauses;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i <= line.size(); ++i) {
+    const bool isEnd = i == line.size() || line[i] == ';' || line[i] == '\t' || line[i] == '|' ||
+                       line.substr(i).starts_with(", ");
+    if (!isEnd) continue;
+    if (const auto clause = trimmedBlanks(line.substr(begin, i - begin)); !clause.empty())
+      clauses.push_back(clause);
+    begin = i + 1;
+  }
+  return clauses;
+}
+
+std::string_view withoutEnd(std::string_view text, std::string_view signs) {
+  const std::size_t last = text.find_last_not_of(signs);
+  return text.substr(0, last == text.npos ? 0 : last + 1);
+}
+
+std::string_view keyBefore(std::string_view text) {
+  text = withoutEnd(text, " :=@(\t");
+  const std::size_t before = text.find_last_of(":=");
+  return trimmedBlanks(before == text.npos ? text : text.substr(before + 1));
+}
+
+std::optional<TextStatement> parseStatement(std::string_view clause) {
+  const std::size_t end = clause.find_last_of(":=");
+  if (end == clause.npos) return {};
+  const auto quantity = parseQuantity(clause.substr(end + 1));
+  if (!quantity) return {};
+  const std::string_view key = keyBefore(clause.substr(0, end));
+  return TextStatement{std::string(key), parseColumnName(key), *quantity};
+}
+
+std::vector<std::string> wordsIn(std::string_view text) {
+  std::vector<std::string> words;
+  bool isOpen = false;
+  for (const char letter : lowerCase(text)) {
+    if (letter == '_') continue;
+    const auto byte = static_cast<unsigned char>(letter);
+    const bool isPart = byte >= 0x80 || std::isalnum(byte) != 0;
+    if (isPart && !isOpen) words.emplace_back();
+    if (isPart) words.back() += letter;
+    isOpen = isPart;
+  }
+  return words;
+}
+
+std::string plainWord(std::string_view text) {
+  const std::vector<std::string> words = wordsIn(text);
+  return std::accumulate(words.begin(), words.end(), std::string());
+}
+
+}  // namespace asperity

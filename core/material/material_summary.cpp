@@ -1,0 +1,149 @@
+#include "core/material/material_summary.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/number_text.h"
+
+namespace asperity {
+namespace {
+
+/// Such a material fixes the temperature of the scene.
+void addOneTemperature(const Material& material, std::vector<Message>& lines) {
+  if (material.shift.kind != ShiftKind::Table || material.shift.table.size() > 1) return;
+  const double kelvin = material.shift.table.front().temperature;
+  constexpr int kDigits = 15;  // -20 degrees are 253.15 K, not 253.14999999999998
+  if (kelvin == Elastomer{}.temperature)
+    lines.push_back("one temperature alone: there is no shift");
+  else
+    lines.push_back(
+        message("one temperature alone: there is no shift, and scenes need "
+                "elastomer.temperature={}",
+                plain(roundedToDigits(kelvin, kDigits))));
+}
+
+}  // namespace
+
+Message describeArms(std::size_t count) {
+  return count == 1 ? Message("one arm") : message("{} arms", count);
+}
+
+std::vector<Message> materialSummary(const Material& material) {
+  const auto quantity = [](double value, const char* unit) {
+    return PrintedNumber{printedQuantity(value, unit)};
+  };
+  const auto percent = [](double part) { return PrintedNumber{printedNumber(100 * part, 2)}; };
+  const PronySeries& series = material.series;
+  std::vector<Message> lines;
+  if (!material.isMeasured()) {
+    lines.push_back(
+        message("{}: {}, G\u221E = {}, at {}", material.format, describeArms(series.arms.size()),
+                quantity(series.equilibriumModulus, "Pa"), celsius(material.referenceTemperature)));
+    lines.push_back(
+        "which frequencies were measured is not known: friction on it is not marked as "
+        "extrapolated");
+    lines.insert(lines.end(), material.notes.begin(), material.notes.end());
+    addOneTemperature(material, lines);
+    return lines;
+  }
+  const MasterCurve& curve = material.curve;
+  const Isotherm &coldest = material.isotherms.front(), &warmest = material.isotherms.back();
+  lines.push_back(
+      curve.shifts.size() == 1
+          ? message("measured: one isotherm at {}, {} to {}", celsius(coldest.temperature),
+                    quantity(curve.lowestFrequency(), "Hz"),
+                    quantity(curve.highestFrequency(), "Hz"))
+          : message("measured: {} isotherms from {} to {}; at {} they cover {} to {}",
+                    curve.shifts.size(), celsius(coldest.temperature), celsius(warmest.temperature),
+                    celsius(curve.referenceTemperature), quantity(curve.lowestFrequency(), "Hz"),
+                    quantity(curve.highestFrequency(), "Hz")));
+  if (material.facts.sweeps > 0) {
+    const std::vector<Message> facts = factsOf(material.facts);
+    lines.insert(lines.end(), facts.begin(), facts.end());
+  }
+  if (material.facts.leftOut > 0)
+    lines.push_back(message("rows without a value, left out: {}", material.facts.leftOut));
+  if (!material.facts.leftOutColumns.empty())
+    lines.push_back(message("columns of deviations and set values, not read: {}",
+                            Message::name(material.facts.leftOutColumns)));
+  if (material.facts.isMarkUnclear) lines.push_back(unclearMark(material.facts.decimal));
+  std::size_t repeats = 0;
+  double ratio = 1;
+  for (const Isotherm& isotherm : material.isotherms) {
+    repeats += isotherm.repeats;
+    ratio = std::max(ratio, isotherm.repeatRatio);
+  }
+  constexpr double kSame = 1.001;
+  if (repeats > 0 && ratio > kSame)
+    lines.push_back(
+        message("repeated at the same temperature and frequency: {} rows, averaged; "
+                "moduli that became one differ by a factor of up to {}",
+                repeats, PrintedNumber{printedNumber(ratio, 3)}));
+  if (material.facts.modulus == ModulusKind::Tension)
+    lines.push_back(dividedForShear(material.poissonRatio));
+  if (!curve.overlaps.empty()) {
+    const auto [best, worst] = std::ranges::minmax(curve.overlaps, {}, &Overlap::mismatch);
+    lines.push_back(message("overlaps: neighbours agree within {} to {} decades (rms)",
+                            PrintedNumber{printedNumber(best.mismatch, 2)},
+                            PrintedNumber{printedNumber(worst.mismatch, 2)}));
+  }
+  lines.push_back(message(
+      "Prony series: {} from {} relaxation times, G\u221E = {}; "
+      "rms residual {} % of G', {} % of G''",
+      describeArms(series.arms.size()), series.terms, quantity(series.equilibriumModulus, "Pa"),
+      percent(series.rmsStorage), percent(series.rmsLoss)));
+  if (material.wlf.isDefined)
+    lines.push_back(message("Williams, Landel and Ferry: C1 = {}, C2 = {} K, {} decades rms",
+                            PrintedNumber{printedNumber(material.wlf.shift.c1)},
+                            PrintedNumber{printedNumber(material.wlf.shift.c2)},
+                            PrintedNumber{printedNumber(material.wlf.rms, 2)}));
+  if (material.arrhenius.isDefined)
+    lines.push_back(message("Arrhenius: {}, {} decades rms",
+                            quantity(material.arrhenius.shift.activationEnergy, "J/mol"),
+                            PrintedNumber{printedNumber(material.arrhenius.rms, 2)}));
+  addOneTemperature(material, lines);
+  if (curve.shifts.size() > 1 || material.wlf.isDefined)
+    lines.push_back(material.shift.kind == ShiftKind::Table
+                        ? Message("the shift used is the table of measured shifts")
+                    : material.shift.kind == ShiftKind::Wlf
+                        ? Message("the shift is that of Williams, Landel and Ferry")
+                        : Message("the shift is that of Arrhenius"));
+  lines.insert(lines.end(), material.strays.begin(), material.strays.end());
+  const auto decades = [](double value) { return PrintedNumber{printedNumber(value, 2)}; };
+  const auto ofModulus = [&](double value) { return percent(std::pow(10, value) - 1); };
+  const auto open =
+      static_cast<std::size_t>(std::ranges::count_if(curve.overlaps, &Overlap::isVerticalOpen));
+  if (material.isVertical && open > 0)
+    lines.push_back(message(
+        "in {} of {} overlaps the moduli do not tell a vertical shift from a horizontal one, as "
+        "power laws of one exponent do not: there the law of entropy elasticity, b_T ~ T, decides",
+        open, curve.overlaps.size()));
+  else if (2 * open > curve.overlaps.size())
+    lines.push_back(message(
+        "in {} of {} overlaps the moduli do not tell a vertical shift from a horizontal one, as "
+        "power laws of one exponent do not: there the shifts hold for b_T = 1",
+        open, curve.overlaps.size()));
+  const VerticalEvidence& vertical = curve.vertical;
+  if (material.isExplainedByVertical)
+    lines.push_back(
+        message("vertical shifts of up to {} % between neighbours, as of an entropic spring or an "
+                "uncertain size of the sample, lower what neighbours differ by from {} to {} % "
+                "(rms); without them "
+                "shifts are uncertain by up to {} decades: --vertical-shifts",
+                ofModulus(vertical.largestShift), ofModulus(vertical.residual),
+                ofModulus(vertical.residualWith), decades(vertical.largestChange)));
+  else if (!curve.isThermorheologicallySimple && curve.largestStep > 0)
+    lines.push_back(message(
+        "not thermorheologically simple: shifts from G' alone and from G'' alone differ by up to "
+        "{} decades between neighbours, {} in all; predictions at other temperatures are "
+        "approximate",
+        decades(curve.largestStep), decades(curve.largestDifference)));
+  else if (!curve.isThermorheologicallySimple)
+    lines.push_back(message(
+        "not thermorheologically simple: beyond their noise, neighbours differ by {} % (rms) where "
+        "they overlap, which no shift explains; predictions at other temperatures are approximate",
+        ofModulus(curve.shapeMisfit)));
+  return lines;
+}
+
+}  // namespace asperity
