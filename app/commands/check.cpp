@@ -100,9 +100,7 @@ void checkLesson(const CommonOptions& command, bool isOneOfMany,
   if (!command.assignments.empty())
     throw InputError("", "--set", "sets keys of a scene, and this file is a lesson");
   const Lesson lesson = readLessonFile(command.scene, readNamedScene);
-  CurveOptions options;
-  options.threads = command.threads;
-  checkChoices(lesson, command.scene, options);
+  checkChoices(lesson, command.scene, {.threads = command.threads});
   printSummary(command.json, command.quiet,
                (isOneOfMany ? command.scene + ": " : "") +
                    printable(lesson.title.in(presentLanguage())) + "\n  " +

@@ -116,7 +116,7 @@ void checkRealizations(const CurveCommand& command, const Scene& scene) {
   constexpr const char* kOption = "--realizations-table";
   const std::string& file = command.realizationTable;
   if (file.empty()) return;
-  requireVelocityAxis(scene, "--realizations-table");
+  requireVelocityAxis(scene, kOption);
   if (choosesAccuracy(scene))
     throw InputError("", kOption,
                      "needs the same lines at every velocity; with "
