@@ -74,6 +74,29 @@ class FrictionRows {
                const std::vector<HeaderStatement>& common, const std::string& name)
       : block_(block), roles_(roles), common_(common), name_(name) {}
 
+  /// Returns the note on a coefficient of friction that contradicts the forces beside it, by more
+  /// than a tenth in the median.
+  std::optional<Message> contradiction() const {
+    if (!roles_.forceOfFriction) return {};
+    const auto& [quantity, index, conversion, note] = *roles_.forceOfFriction;
+    std::vector<double> ratios;
+    for (std::size_t row = 0; row < block_.rows; ++row) {
+      const double force = std::abs(conversion.unit.toSi(block_.at(row, index)));
+      if (!std::isgreater(force, 0)) continue;
+      const double ratio = valueAt(row, Quantity::Mu) * valueAt(row, Quantity::Force) / force;
+      if (std::isgreater(ratio, 0)) ratios.push_back(ratio);
+    }
+    constexpr double kSame = 0.1;
+    if (ratios.empty()) return {};
+    const double ratio = upperMedian(std::move(ratios));
+    if (std::abs(ratio - 1) <= kSame) return {};
+    return message(
+        "column {} contradicts the forces: in the median it is {} times the force of friction in "
+        "column {} over the normal force; it is read as the coefficient of friction",
+        shortened(block_.columns[roles_.find(Quantity::Mu)->index].name),
+        PrintedNumber{printedNumber(ratio, 3)}, shortened(block_.columns[index].name));
+  }
+
   std::vector<MeasuredPoint> read() const {
     std::vector<MeasuredPoint> points;
     for (std::size_t row = 0; row < block_.rows; ++row)
@@ -258,8 +281,9 @@ FrictionData parseFrictionData(std::string_view bytes, const std::string& name) 
   const HeaderMark mark = decimalMark(block, table.dialect);
   const HeaderStatements header = readHeader(
       block.header, mark, [&](Quantity quantity) { return roles.isGiven(quantity); }, name);
-  FrictionData data{name, FrictionRows(block, roles, header.common, name).read(),
-                    notesOn(block, roles, header, mark)};
+  const FrictionRows rows(block, roles, header.common, name);
+  FrictionData data{name, rows.read(), notesOn(block, roles, header, mark)};
+  if (const auto note = rows.contradiction()) data.notes.push_back(*note);
   checkPoints(data.points, block, roles, name);
   std::ranges::move(slipNotes(data.points), std::back_inserter(data.notes));
   if (table.dialect.isUnclear) data.notes.push_back(unclearMark(table.dialect.decimal));

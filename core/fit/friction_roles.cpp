@@ -63,7 +63,7 @@ class FrictionRoleFinder {
     }
     for (const TextColumn& column : block_.columns) refuseUnclear(column);
     if (!roles_.find(Quantity::Mu)) findRepeats();
-    if (!roles_.find(Quantity::Mu) && roles_.find(Quantity::Force)) findFrictionForce();
+    findFrictionForce();
     for (const Quantity needed : {Quantity::Velocity, Quantity::Mu})
       if (!roles_.find(needed))
         refuse(message("has no column of the {}; its columns are {}; name it as in \"{}\"",
@@ -119,7 +119,8 @@ class FrictionRoleFinder {
                  roles_.repeats.front() + 1, roles_.repeats.back() + 1)});
   }
 
-  /// Finds the one column of the force of friction, which gives mu beside the normal force.
+  /// Finds the one column of the force of friction. Over the normal force it is the coefficient of
+  /// friction; beside one it says the same.
   void findFrictionForce() {
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i < block_.columns.size(); ++i)
@@ -128,14 +129,22 @@ class FrictionRoleFinder {
           !block_.columns[i].isText)
         found.push_back(i);
     if (found.size() != 1) return;
-    FrictionConversion conversion =
-        findConversion(Quantity::Force, block_.columns[found.front()], block_, name_);
+    const std::size_t index = found.front();
+    const TextColumn& column = block_.columns[index];
+    if (roles_.find(Quantity::Mu)) {
+      const auto unit =
+          column.unit.empty() ? Unit{"N"} : unitOfQuantity(column.unit, Quantity::Force);
+      if (unit) roles_.forceOfFriction = {Quantity::Mu, index, {*unit}, {}};
+      return;
+    }
+    if (!roles_.find(Quantity::Force)) return;
+    FrictionConversion conversion = findConversion(Quantity::Force, column, block_, name_);
     conversion.isForce = true;
     roles_.columns.push_back(
-        {Quantity::Mu, found.front(), conversion,
+        {Quantity::Mu, index, conversion,
          message("column {}: force of friction; its magnitude over the normal force "
                  "is the coefficient of friction",
-                 found.front() + 1)});
+                 index + 1)});
   }
 
   static bool isClear(const TextColumn& column) {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,7 @@ struct FrictionRole {
 struct FrictionRoles {
   std::vector<FrictionRole> columns{};
   std::vector<std::size_t> repeats{};  // columns of one coefficient of friction, "mu1", "mu2"
+  std::optional<FrictionRole> forceOfFriction{};  // beside a coefficient of friction
 
   /// Returns the first column of a quantity; null where there is none.
   const FrictionRole* find(FrictionQuantity quantity) const;

@@ -6755,6 +6755,10 @@
         <translation>Spalte %1: Die Kraft ist proportional zur Reibungszahl, wie es eine Reibkraft ist; sie Reibkraft nennen und die Normalkraft in einer Spalte normal_force oder einer Zeile &quot;Normalkraft: %2 N&quot; angeben</translation>
     </message>
     <message>
+        <source>column %1 contradicts the forces: in the median it is %2 times the force of friction in column %3 over the normal force; it is read as the coefficient of friction</source>
+        <translation>Spalte %1 widerspricht den Kräften: Im Median ist sie %2-mal die Reibkraft in Spalte %3 durch die Normalkraft; sie wird als Reibungszahl gelesen</translation>
+    </message>
+    <message>
         <source>has friction in several states side by side (%1); write them one below the other, with a column that tells them apart, such as temperature</source>
         <translation>hat die Reibung in mehreren Zuständen nebeneinander (%1); sie untereinander schreiben, mit einer Spalte, die sie unterscheidet, etwa temperature</translation>
     </message>

@@ -403,6 +403,24 @@ TEST(FrictionData, ReadsNamesInOtherLanguages) {
   EXPECT_DOUBLE_EQ(parsed("v,mu_s,mu_k\n1,0.4,0.3\n2,0.6,0.5\n").points[0].mu, 0.3);
 }
 
+/// A slip of a unit in friction or in a force shows where the table has all three.
+TEST(FrictionData, SaysThatFrictionContradictsItsForces) {
+  const FrictionData data =
+      parsed("v (m/s),mu,Fx (N),Fz (N)\n1,0.02,-10,50\n2,0.03,15,50\n3,0.04,21,50\n");
+  EXPECT_DOUBLE_EQ(data.points[0].mu, 0.02);
+  EXPECT_EQ(data.notes.back().english(),
+            "column mu contradicts the forces: in the median it is 0.1 times the force of friction "
+            "in column Fx over the normal force; it is read as the coefficient of friction");
+  EXPECT_THAT(parsed("Load: 50 N\nv (m/s),mu,Friction force (mN)\n1,0.2,10\n2,0.3,15\n")
+                  .notes.back()
+                  .english(),
+              HasSubstr("it is 1000 times the force of friction in column Friction force"));
+  for (const char* agreeing : {"v (m/s),mu,Fx (kN),Fz (N)\n1,0.2,0.01,50\n2,0.3,0.0155,50\n",
+                               "v (m/s),mu,Fx (V),Fz (N)\n1,0.2,1,50\n2,0.3,1,50\n",
+                               "v (m/s),mu,Fx (N)\n1,0.2,1\n2,0.3,1\n"})
+    EXPECT_THAT(parsed(agreeing).notes.back().english(), testing::StartsWith("not used: Fx"));
+}
+
 TEST(FrictionData, ReadsRepeatsAndForces) {
   const FrictionData repeats = parsed("v,mu1,mu2,mu3\n1,0.2,0.3,0.4\n10,0.4,0.6,0.8\n");
   EXPECT_DOUBLE_EQ(repeats.points[1].mu, 0.6);
