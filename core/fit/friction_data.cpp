@@ -72,7 +72,22 @@ class FrictionRows {
  public:
   FrictionRows(const TextBlock& block, const FrictionRoles& roles,
                const std::vector<HeaderStatement>& common, const std::string& name)
-      : block_(block), roles_(roles), common_(common), name_(name) {}
+      : block_(block), roles_(roles), common_(common), name_(name) {
+    for (const FrictionRole& column : roles.columns)
+      if (hasNegativeLoads(column)) negativeLoads_.push_back(column.index);
+  }
+
+  /// Returns notes on loads that are below 0 in all rows.
+  std::vector<Message> signNotes() const {
+    std::vector<Message> notes;
+    for (const FrictionRole& column : roles_.columns)
+      if (isNegative(column))
+        notes.push_back(message(
+            "column {}: the {} is below 0 in all rows, by a convention of signs; its magnitude is "
+            "taken",
+            column.index + 1, Message(meaningOf(column.quantity))));
+    return notes;
+  }
 
   /// Returns the note on a coefficient of friction that contradicts the forces beside it, by more
   /// than a tenth in the median.
@@ -146,6 +161,22 @@ class FrictionRows {
     return true;
   }
 
+  bool isNegative(const FrictionRole& column) const {
+    return std::ranges::find(negativeLoads_, column.index) != negativeLoads_.end();
+  }
+
+  /// Returns whether a column has loads below 0 in all rows, as load cells give compression.
+  bool hasNegativeLoads(const FrictionRole& column) const {
+    if (column.quantity != Quantity::Force && column.quantity != Quantity::Pressure) return false;
+    bool isNegative = false;
+    for (std::size_t row = 0; row < block_.rows; ++row) {
+      const double load = block_.at(row, column.index);
+      if (std::isgreaterequal(load, 0)) return false;
+      isNegative = isNegative || std::isless(load, 0);
+    }
+    return isNegative;
+  }
+
   /// Returns a value of a row; NaN where the column or the value is missing.
   double valueAt(std::size_t row, Quantity quantity, double whole = 1) const {
     const FrictionRole* column = roles_.find(quantity);
@@ -161,6 +192,7 @@ class FrictionRows {
     double number = block_.at(row, column->index);
     if (std::isnan(number)) return kNotApplicable;
     if (in.isVariance) number = std::sqrt(number);
+    if (isNegative(*column)) number = -number;
     if (in.isForce) return std::abs(in.unit.toSi(number)) / valueAt(row, Quantity::Force);
     return in.unit.toSi(number) * (in.isShare ? whole : 1) / in.divisor;
   }
@@ -211,6 +243,7 @@ class FrictionRows {
   const FrictionRoles& roles_;
   const std::vector<HeaderStatement>& common_;
   const std::string& name_;
+  std::vector<std::size_t> negativeLoads_;  // columns
 };
 
 /// Returns notes on how the columns were understood, and which ones were ignored.
@@ -283,6 +316,7 @@ FrictionData parseFrictionData(std::string_view bytes, const std::string& name) 
       block.header, mark, [&](Quantity quantity) { return roles.isGiven(quantity); }, name);
   const FrictionRows rows(block, roles, header.common, name);
   FrictionData data{name, rows.read(), notesOn(block, roles, header, mark)};
+  std::ranges::move(rows.signNotes(), std::back_inserter(data.notes));
   if (const auto note = rows.contradiction()) data.notes.push_back(*note);
   checkPoints(data.points, block, roles, name);
   std::ranges::move(slipNotes(data.points), std::back_inserter(data.notes));

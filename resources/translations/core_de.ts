@@ -6755,6 +6755,10 @@
         <translation>Spalte %1: Die Kraft ist proportional zur Reibungszahl, wie es eine Reibkraft ist; sie Reibkraft nennen und die Normalkraft in einer Spalte normal_force oder einer Zeile &quot;Normalkraft: %2 N&quot; angeben</translation>
     </message>
     <message>
+        <source>column %1: the %2 is below 0 in all rows, by a convention of signs; its magnitude is taken</source>
+        <translation>Spalte %1 (%2): in allen Zeilen unter 0, nach einer Vorzeichenregel; der Betrag wird genommen</translation>
+    </message>
+    <message>
         <source>column %1 contradicts the forces: in the median it is %2 times the force of friction in column %3 over the normal force; it is read as the coefficient of friction</source>
         <translation>Spalte %1 widerspricht den Kräften: Im Median ist sie %2-mal die Reibkraft in Spalte %3 durch die Normalkraft; sie wird als Reibungszahl gelesen</translation>
     </message>

@@ -421,6 +421,21 @@ TEST(FrictionData, SaysThatFrictionContradictsItsForces) {
     EXPECT_THAT(parsed(agreeing).notes.back().english(), testing::StartsWith("not used: Fx"));
 }
 
+/// Load cells give compression a sign, which is the same in all rows.
+TEST(FrictionData, TakesTheMagnitudeOfLoadsThatAreAllBelowZero) {
+  const FrictionData forces = parsed("v,Fx (N),Fz (N)\n1,15,-30\n2,-18,-30\n");
+  EXPECT_DOUBLE_EQ(forces.points[1].mu, 0.6);
+  EXPECT_DOUBLE_EQ(forces.points[1].normalForce, 30);
+  EXPECT_EQ(forces.notes.back().english(),
+            "column 3: the normal force is below 0 in all rows, by a convention of signs; its "
+            "magnitude is taken");
+  EXPECT_DOUBLE_EQ(parsed("v,mu,Fz (N)\n1,0.5,-30\n2,0.6,-30\n").points[0].normalForce, 30);
+  const FrictionData pressures = parsed("v,mu,p (kPa)\n1,0.5,-200\n2,0.6,-300\n");
+  EXPECT_DOUBLE_EQ(pressures.points[1].nominalPressure, 3e5);
+  EXPECT_THAT(errorOf("v,mu,Fz (N)\n1,0.5,30\n2,0.6,-30\n"),
+              HasSubstr("row 3: the normal force is -30, which is not above 0"));
+}
+
 TEST(FrictionData, ReadsRepeatsAndForces) {
   const FrictionData repeats = parsed("v,mu1,mu2,mu3\n1,0.2,0.3,0.4\n10,0.4,0.6,0.8\n");
   EXPECT_DOUBLE_EQ(repeats.points[1].mu, 0.6);
