@@ -112,12 +112,25 @@ class FrictionRows {
         PrintedNumber{printedNumber(ratio, 3)}, shortened(block_.columns[index].name));
   }
 
+  /// Returns the points; rows without a velocity or a coefficient of friction are left out.
   std::vector<MeasuredPoint> read() const {
     std::vector<MeasuredPoint> points;
-    for (std::size_t row = 0; row < block_.rows; ++row)
-      if (!isBlank(row)) points.push_back(pointAt(row));
-    if (!roles_.repeats.empty()) averageRepeats(points);
+    std::vector<std::size_t> rows;
+    for (std::size_t row = 0; row < block_.rows; ++row) {
+      if (!hasPoint(row)) continue;
+      points.push_back(pointAt(row));
+      rows.push_back(row);
+    }
+    if (!roles_.repeats.empty() && !roles_.find(Quantity::MuError)) averageRepeats(rows, points);
     return points;
+  }
+
+  /// Returns the number of rows that have values and are left out.
+  std::size_t leftOut() const {
+    std::size_t count = 0;
+    for (std::size_t row = 0; row < block_.rows; ++row)
+      if (!isBlank(row) && !hasPoint(row)) ++count;
+    return count;
   }
 
  private:
@@ -135,12 +148,12 @@ class FrictionRows {
 
   /// Sets friction to the mean of its repeats. The relative scatter is that of all rows together,
   /// because that of a few values is itself uncertain.
-  void averageRepeats(std::vector<MeasuredPoint>& points) const {
+  void averageRepeats(const std::vector<std::size_t>& rows,
+                      std::vector<MeasuredPoint>& points) const {
     double squares = 0;
     std::size_t freedom = 0, i = 0;
     std::vector<std::size_t> counts;
-    for (std::size_t row = 0; row < block_.rows; ++row) {
-      if (isBlank(row)) continue;
+    for (const std::size_t row : rows) {
       const std::vector<double> values = repeatsOf(row);
       for (const double value : values) squares += std::pow(value / points[i].mu - 1, 2);
       freedom += values.size() - 1;
@@ -151,6 +164,11 @@ class FrictionRows {
     for (i = 0; i < points.size(); ++i)
       points[i].muError = points[i].mu * std::sqrt(squares / static_cast<double>(freedom) /
                                                    static_cast<double>(counts[i]));
+  }
+
+  /// Returns whether a row has a velocity and friction, as far as their values are not missing.
+  bool hasPoint(std::size_t row) const {
+    return !std::isnan(valueAt(row, Quantity::Velocity)) && !std::isnan(valueAt(row, Quantity::Mu));
   }
 
   /// Returns whether a row has nothing but separators.
@@ -316,6 +334,8 @@ FrictionData parseFrictionData(std::string_view bytes, const std::string& name) 
       block.header, mark, [&](Quantity quantity) { return roles.isGiven(quantity); }, name);
   const FrictionRows rows(block, roles, header.common, name);
   FrictionData data{name, rows.read(), notesOn(block, roles, header, mark)};
+  if (const std::size_t leftOut = rows.leftOut(); leftOut > 0)
+    data.notes.push_back(message("rows without a value, left out: {}", leftOut));
   std::ranges::move(rows.signNotes(), std::back_inserter(data.notes));
   if (const auto note = rows.contradiction()) data.notes.push_back(*note);
   checkPoints(data.points, block, roles, name);

@@ -113,7 +113,6 @@ TEST(FrictionData, SaysInWhichRowWhatIsWrong) {
               HasSubstr("row 3: has the velocity of row 2"));
   EXPECT_THAT(errorOf("velocity,mu,mu_error\n1,0.2,0.01\n2,0.3,\n"),
               HasSubstr("row 3: the error of the coefficient of friction is missing"));
-  EXPECT_THAT(errorOf("velocity,mu\n1,0.2\n2,0.3\n3,\n"), HasSubstr("row 4"));
   EXPECT_THAT(errorOf("velocity,temperature\n1,20\n2,20\n"),
               HasSubstr("no column of the coefficient of friction"));
   EXPECT_THAT(errorOf("velocity,mu,temperature\n1,0.2,20\n2,0.3,20\n"), HasSubstr("name the unit"));
@@ -122,6 +121,22 @@ TEST(FrictionData, SaysInWhichRowWhatIsWrong) {
               HasSubstr("both a normal force and a nominal pressure"));
   EXPECT_THAT(errorOf("velocity,mu\n1,hello\n2,0.3\n"), HasSubstr("mine.csv"));
   EXPECT_THAT(errorOf(""), HasSubstr("mine.csv"));
+}
+
+/// One lost value takes no other row with it.
+TEST(FrictionData, LeavesOutRowsWithoutFriction) {
+  for (const char* lost : {"", "NaN", "--"}) {
+    const FrictionData data =
+        parsed("velocity,mu,mu_error\n1,0.2,0.01\n2," + std::string(lost) + ",0.01\n3,0.3,0.01\n");
+    ASSERT_EQ(data.points.size(), 2U) << lost;
+    EXPECT_EQ(data.points[1].velocity, 3) << lost;
+    EXPECT_EQ(data.notes.back().english(), "rows without a value, left out: 1") << lost;
+  }
+  EXPECT_EQ(parsed("velocity,mu\n1,0.2\n,0.3\n3,0.3\n").points.size(), 2U);
+  EXPECT_EQ(parsed("v,Fx (N),Fz (N)\n1,15,30\n2,,30\n3,18,\n4,18,30\n").points.size(), 2U);
+  const FrictionData repeats = parsed("v,mu1,mu2\n1,0.2,0.3\n2,,\n3,0.4,0.6\n");
+  EXPECT_NEAR(repeats.points[1].muError, 0.1, 1e-12);
+  EXPECT_THAT(errorOf("velocity,mu,T (C)\n1,0.2,20\n2,,20\n"), HasSubstr("1 row of numbers"));
 }
 
 /// Forces and temperatures tell points apart.
