@@ -200,6 +200,17 @@ bool isRelativeError(const std::string& name) {
                              [](const std::string& word) { return word.starts_with("rel"); });
 }
 
+bool isScatter(const std::string& name) {
+  const std::string word = plainWord(name);
+  if (containsOneOf(word, "err fehler")) return false;
+  return containsOneOf(
+             word,
+             "std stdev stddev deviation abw deviazione desviaci \u00E9carttype ecarttype "
+             "\u6A19\u6E96\u504F\u5DEE varian") ||
+         hasOneOf(nameWords(name), "sd s rsd cv sigma \u03C3") ||
+         (word.starts_with('s') && quantityNamed(word.substr(1)) == Quantity::Mu);
+}
+
 bool isShareUnit(std::string_view unit) {
   if (!unit.starts_with('%')) return false;
   const std::string word = plainWord(unit);

@@ -105,18 +105,27 @@ class FrictionRoleFinder {
           !column.isText)
         roles_.repeats.push_back(i);
     }
-    if (roles_.repeats.size() < 2 || roles_.find(Quantity::MuError)) {
+    if (roles_.repeats.size() < 2) {
       roles_.repeats.clear();
       return;
     }
+    // A standard deviation of the repeats of a row says less than their scatter in all rows.
+    std::erase_if(roles_.columns, [&](const FrictionRole& role) {
+      return role.quantity == Quantity::MuError && isScatter(block_.columns[role.index].name);
+    });
+    const std::size_t first = roles_.repeats.front() + 1, last = roles_.repeats.back() + 1;
     roles_.columns.push_back(
         {Quantity::Mu,
          roles_.repeats.front(),
          {},
-         message("columns {} to {}: repeated measurements of the coefficient of "
-                 "friction; each point is their mean, with a standard error from "
-                 "the scatter in all rows",
-                 roles_.repeats.front() + 1, roles_.repeats.back() + 1)});
+         roles_.find(Quantity::MuError)
+             ? message("columns {} to {}: repeated measurements of the coefficient of friction; "
+                       "each point is their mean",
+                       first, last)
+             : message("columns {} to {}: repeated measurements of the coefficient of "
+                       "friction; each point is their mean, with a standard error from "
+                       "the scatter in all rows",
+                       first, last)});
   }
 
   /// Finds the one column of the force of friction. Over the normal force it is the coefficient of

@@ -6771,6 +6771,10 @@
         <translation>Spalten %1 bis %2: wiederholte Messungen der Reibungszahl; jeder Punkt ist ihr Mittelwert, mit einem Standardfehler aus der Streuung in allen Zeilen</translation>
     </message>
     <message>
+        <source>columns %1 to %2: repeated measurements of the coefficient of friction; each point is their mean</source>
+        <translation>Spalten %1 bis %2: wiederholte Messungen der Reibungszahl; jeder Punkt ist ihr Mittelwert</translation>
+    </message>
+    <message>
         <source>column %1: force of friction; its magnitude over the normal force is the coefficient of friction</source>
         <translation>Spalte %1: Reibkraft; ihr Betrag, geteilt durch die Normalkraft, ist die Reibungszahl</translation>
     </message>

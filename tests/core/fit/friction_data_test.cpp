@@ -455,6 +455,21 @@ TEST(FrictionData, ReadsRepeatsAndForces) {
   const FrictionData repeats = parsed("v,mu1,mu2,mu3\n1,0.2,0.3,0.4\n10,0.4,0.6,0.8\n");
   EXPECT_DOUBLE_EQ(repeats.points[1].mu, 0.6);
   EXPECT_NEAR(repeats.points[1].muError, 0.2 / std::sqrt(3), 1e-12);
+  // The scatter of each row says less than that of all rows; an error of the mean counts.
+  for (const char* scatter : {"SD", "RSD (%)", "Stabw.", "s(mu)"}) {
+    const FrictionData data = parsed("v,mu1,mu2,mu3,mean," + std::string(scatter) +
+                                     "\n1,0.2,0.3,0.4,0.3,0.1\n10,0.4,0.6,0.8,0.6,0.2\n");
+    EXPECT_DOUBLE_EQ(data.points[1].mu, 0.6) << scatter;
+    EXPECT_NEAR(data.points[1].muError, 0.2 / std::sqrt(3), 1e-12) << scatter;
+    EXPECT_THAT(data.notes.back().english(), testing::StartsWith("not used: mean, ")) << scatter;
+  }
+  for (const char* error : {"mu_error", "u(mu)", "standard error"})
+    EXPECT_DOUBLE_EQ(parsed("v,mu1,mu2,mu3," + std::string(error) +
+                            "\n1,0.2,0.3,0.4,0.01\n10,0.4,0.6,0.8,0.02\n")
+                         .points[1]
+                         .muError,
+                     0.02)
+        << error;
   EXPECT_EQ(parsed("Run,v,mu\n1,1,0.3\n2,1,0.32\n1,10,0.5\n").points.size(), 3U);
   const FrictionData forces = parsed("v,Fx (N),Fz (N)\n1,-15,30\n2,18,30\n");
   EXPECT_DOUBLE_EQ(forces.points[0].mu, 0.5);
