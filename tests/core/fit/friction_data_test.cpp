@@ -51,10 +51,26 @@ TEST(FrictionData, ReadsWhatElseTheTableHas) {
 /// The error of friction under the names that people give it; the guide of uncertainties (GUM)
 /// writes u(x).
 TEST(FrictionData, TheErrorOfFrictionHasManyNames) {
-  for (const char* name :
-       {"u(mu)", "u_mu", "dmu", "s(mu)", "\u0394\u03BC", "Standardabweichung", "std", "Std", "SD",
-        "sigma", "std(mu)", "Unsicherheit", "Standardunsicherheit", "mu_error", "uncertainty of mu",
-        "Messunsicherheit"}) {
+  for (const char* name : {"u(mu)",
+                           "u_mu",
+                           "dmu",
+                           "s(mu)",
+                           "s(\u00B5)",
+                           "\u03C3_\u00B5",
+                           "sigma(mu)",
+                           "u [\u03BC]",
+                           "\u0394\u03BC",
+                           "Standardabweichung",
+                           "std",
+                           "Std",
+                           "SD",
+                           "sigma",
+                           "std(mu)",
+                           "Unsicherheit",
+                           "Standardunsicherheit",
+                           "mu_error",
+                           "uncertainty of mu",
+                           "Messunsicherheit"}) {
     const FrictionData data =
         parsed("v [mm/s];mu;" + std::string(name) + "\n1;0,2;0,01\n10;0,35;0,02\n");
     ASSERT_TRUE(data.hasErrors()) << name;
@@ -84,6 +100,8 @@ TEST(FrictionData, SaysWhatItDoesNotUse) {
 
 TEST(FrictionData, ReadsUnitsInWords) {
   EXPECT_DOUBLE_EQ(parsed("v in mm/s;Reibwert\n1;0,2\n2;0,3\n").points[0].velocity, 1e-3);
+  EXPECT_NEAR(parsed("v (m/s),mu,load (lbs)\n1,0.2,10\n2,0.3,10\n").points[0].normalForce, 44.482,
+              1e-3);
   EXPECT_DOUBLE_EQ(parsed("v (ft/s),mu\n1,0.2\n2,0.3\n").points[0].velocity, 0.3048);
   EXPECT_DOUBLE_EQ(parsed("v (m/s),mu (%)\n1,20\n2,30\n").points[0].mu, 0.2);
   EXPECT_DOUBLE_EQ(parsed("log10 v (m/s),mu\n-3,0.2\n-2,0.3\n").points[1].velocity, 1e-2);
