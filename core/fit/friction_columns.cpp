@@ -178,6 +178,7 @@ std::optional<Unit> unitOfQuantity(const std::string& unit, Quantity quantity) {
   if (unit.empty()) return {};
   if (quantity == Quantity::Force) return unitInAnyCase(unit, "N");
   if (quantity == Quantity::Pressure) return unitInAnyCase(unit, "Pa");
+  if (quantity == Quantity::Velocity) return unitInAnyCase(unit, "m/s");
   return quantity == Quantity::Temperature ? temperatureUnit(unit) : std::nullopt;
 }
 

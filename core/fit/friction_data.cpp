@@ -332,6 +332,13 @@ FrictionData parseFrictionData(std::string_view bytes, const std::string& name) 
   const HeaderMark mark = decimalMark(block, table.dialect);
   const HeaderStatements header = readHeader(
       block.header, mark, [&](Quantity quantity) { return roles.isGiven(quantity); }, name);
+  requireQuantities(
+      block, roles,
+      [&](Quantity quantity) {
+        return std::ranges::find(header.common, quantity, &HeaderStatement::quantity) !=
+               header.common.end();
+      },
+      name);
   const FrictionRows rows(block, roles, header.common, name);
   FrictionData data{name, rows.read(), notesOn(block, roles, header, mark)};
   if (const std::size_t leftOut = rows.leftOut(); leftOut > 0)

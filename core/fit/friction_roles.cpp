@@ -16,6 +16,12 @@ namespace {
 
 using Quantity = FrictionQuantity;
 
+std::string namesOfColumns(const TextBlock& block) {
+  std::string names;
+  for (const TextColumn& column : block.columns) appendItem(names, shortened(column.name));
+  return names;
+}
+
 class FrictionRoleFinder {
  public:
   FrictionRoleFinder(const TextBlock& block, const std::string& name)
@@ -64,11 +70,10 @@ class FrictionRoleFinder {
     for (const TextColumn& column : block_.columns) refuseUnclear(column);
     if (!roles_.find(Quantity::Mu)) findRepeats();
     findFrictionForce();
-    for (const Quantity needed : {Quantity::Velocity, Quantity::Mu})
-      if (!roles_.find(needed))
-        refuse(message("has no column of the {}; its columns are {}; name it as in \"{}\"",
-                       Message(meaningOf(needed)), Message::name(namesOfColumns()),
-                       needed == Quantity::Mu ? "mu" : "v (m/s)"));
+    if (!roles_.find(Quantity::Mu))
+      refuse(message("has no column of the {}; its columns are {}; name it as in \"{}\"",
+                     Message(meaningOf(Quantity::Mu)), Message::name(namesOfColumns(block_)),
+                     "mu"));
     if (roles_.find(Quantity::Force) && roles_.find(Quantity::Pressure))
       refuse("has both a normal force and a nominal pressure; one of them says the load");
   }
@@ -146,7 +151,6 @@ class FrictionRoleFinder {
       if (unit) roles_.forceOfFriction = {Quantity::Mu, index, {*unit}, {}};
       return;
     }
-    if (!roles_.find(Quantity::Force)) return;
     FrictionConversion conversion = findConversion(Quantity::Force, column, block_, name_);
     conversion.isForce = true;
     roles_.columns.push_back(
@@ -238,12 +242,6 @@ class FrictionRoleFinder {
     }
   }
 
-  std::string namesOfColumns() const {
-    std::string names;
-    for (const TextColumn& column : block_.columns) appendItem(names, shortened(column.name));
-    return names;
-  }
-
   void add(Quantity quantity, std::size_t index) {
     const TextColumn& column = block_.columns[index];
     const FrictionRole* other = roles_.find(quantity);
@@ -293,7 +291,8 @@ const FrictionRole* FrictionRoles::find(Quantity quantity) const {
 }
 
 bool FrictionRoles::isGiven(Quantity quantity) const {
-  if (quantity == Quantity::Temperature) return find(quantity) != nullptr;
+  if (quantity == Quantity::Temperature || quantity == Quantity::Velocity)
+    return find(quantity) != nullptr;
   return find(Quantity::Force) != nullptr || find(Quantity::Pressure) != nullptr;
 }
 
@@ -306,6 +305,25 @@ bool FrictionRoles::areErrorsUsed(const TextBlock& block, std::size_t index) con
   return std::ranges::any_of(columns, [&](const FrictionRole& role) {
     return block.columns[role.index].errorsOf == index;
   });
+}
+
+void requireQuantities(const TextBlock& block, const FrictionRoles& roles,
+                       const std::function<bool(FrictionQuantity)>& isStated,
+                       const std::string& name) {
+  const auto isKnown = [&](Quantity quantity) {
+    return roles.find(quantity) || isStated(quantity);
+  };
+  if (!isKnown(Quantity::Velocity))
+    throw InputError(
+        name, "",
+        message("has no column of the velocity; its columns are {}; name it as in \"v (m/s)\", or "
+                "write one velocity of all rows above them, as in \"Velocity: 10 mm/s\"",
+                Message::name(namesOfColumns(block))));
+  if (roles.find(Quantity::Mu)->conversion.isForce && !isKnown(Quantity::Force))
+    throw InputError(
+        name, "",
+        "has no coefficient of friction, and a force of friction without a normal force; give it "
+        "in a column \"Fz (N)\", or above the columns, as in \"Normal force: 30 N\"");
 }
 
 FrictionRoles findRoles(const TextBlock& block, const std::string& name) {

@@ -6755,6 +6755,14 @@
         <translation>Spalte %1: Die Kraft ist proportional zur Reibungszahl, wie es eine Reibkraft ist; sie Reibkraft nennen und die Normalkraft in einer Spalte normal_force oder einer Zeile &quot;Normalkraft: %2 N&quot; angeben</translation>
     </message>
     <message>
+        <source>has no coefficient of friction, and a force of friction without a normal force; give it in a column &quot;Fz (N)&quot;, or above the columns, as in &quot;Normal force: 30 N&quot;</source>
+        <translation>hat keine Reibungszahl, und eine Reibkraft ohne Normalkraft; diese in einer Spalte &quot;Fz (N)&quot; angeben oder über den Spalten, wie &quot;Normalkraft: 30 N&quot;</translation>
+    </message>
+    <message>
+        <source>has no column of the velocity; its columns are %1; name it as in &quot;v (m/s)&quot;, or write one velocity of all rows above them, as in &quot;Velocity: 10 mm/s&quot;</source>
+        <translation>hat keine Spalte der Geschwindigkeit; die Spalten sind %1; eine nennen wie &quot;v (m/s)&quot; oder eine Geschwindigkeit aller Zeilen darüber schreiben, wie &quot;Geschwindigkeit: 10 mm/s&quot;</translation>
+    </message>
+    <message>
         <source>column %1: the %2 is below 0 in all rows, by a convention of signs; its magnitude is taken</source>
         <translation>Spalte %1 (%2): in allen Zeilen unter 0, nach einer Vorzeichenregel; der Betrag wird genommen</translation>
     </message>

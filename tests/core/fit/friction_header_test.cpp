@@ -41,6 +41,36 @@ TEST(FrictionData, ReadsLoadAndTemperatureAboveTheTable) {
   EXPECT_EQ(columns.notes[1].english(), "not used: Belastung [N]: 50");
 }
 
+/// One velocity of a series over the load or the temperature, and one load of a force of friction.
+TEST(FrictionHeader, StatesWhatNoColumnGives) {
+  for (const char* line :
+       {"# v = 10 mm/s", "# sliding velocity: 10 mm/s", "Velocity 0.01 m/s", "v [mm/s]: 10"}) {
+    const FrictionData data = parsed(std::string(line) + "\nFN (N),mu\n0.2,0.25\n0.5,0.2\n");
+    EXPECT_DOUBLE_EQ(data.points[1].velocity, 0.01) << line;
+    EXPECT_DOUBLE_EQ(data.points[1].normalForce, 0.5) << line;
+    EXPECT_THAT(data.notes[0].english(), HasSubstr("line 1: velocity of all points")) << line;
+  }
+  const FrictionData both = parsed("T = 23 \u00B0C, v = 10 mm/s\nFN (N),mu\n0.2,0.25\n0.5,0.2\n");
+  EXPECT_DOUBLE_EQ(both.points[0].velocity, 0.01);
+  EXPECT_DOUBLE_EQ(both.points[0].temperature, 296.15);
+  EXPECT_DOUBLE_EQ(parsed("v = 10 mm/s\nv (m/s),mu\n1,0.2\n2,0.3\n").points[0].velocity, 1);
+  for (const char* line : {"", "v = 10 mm/s\nv = 20 mm/s\n", "v = 10\n", "v: 10 N\n"})
+    EXPECT_THAT(errorOf(std::string(line) + "mu,T (C)\n0.2,25\n0.3,60\n"), HasSubstr("mine.csv: "))
+        << line;
+  EXPECT_THAT(errorOf("mu,T (C)\n0.2,25\n0.3,60\n"),
+              HasSubstr("has no column of the velocity; its columns are mu, T; name it as in"));
+  // What a velocity says beside a load does not hide the load.
+  EXPECT_THAT(errorOf("v = 10 mm/s under 30 N\nv (m/s),mu\n1,0.2\n2,0.3\n"),
+              HasSubstr("may state the normal force"));
+
+  const FrictionData force =
+      parsed("Normal load: 0.5 N\nv (m/s),Friction force (mN)\n1,100\n2,150\n");
+  EXPECT_DOUBLE_EQ(force.points[1].mu, 0.3);
+  EXPECT_DOUBLE_EQ(force.points[1].normalForce, 0.5);
+  EXPECT_THAT(errorOf("v (m/s),Friction force (mN)\n1,100\n2,150\n"),
+              HasSubstr("a force of friction without a normal force"));
+}
+
 /// A reader looks for what the file has, not for what the program makes of it.
 TEST(FrictionHeader, LinesAreQuotedAsTheFileHasThem) {
   const std::string rows = "v (mm/s);mu\n1;0,45\n10;0,62\n";
