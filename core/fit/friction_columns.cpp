@@ -31,7 +31,8 @@ constexpr QuantityNames kKnownNames[] = {
      "velocita velocit\u00E0distrisciamento velocidad velocidaddedeslizamiento "
      "\u901F\u5EA6 \u3059\u3079\u308A\u901F\u5EA6 \u6ED1\u308A\u901F\u5EA6"},
     {Quantity::Mu, "coefficient of friction",
-     "mu \u00B5 \u03BC cof friction frictioncoefficient coefficientoffriction coefficient reibwert "
+     "mu \u00B5 \u03BC cof friction frictioncoefficient frictioncoeff frictioncoef "
+     "coefficientoffriction coeffoffriction coefoffriction coefficient reibwert "
      "reibungszahl reibbeiwert reibungskoeffizient muk mukin mukinetic mudyn mudynamic "
      "kineticfriction dynamicfriction slidingfriction gleitreibwert gleitreibungszahl "
      "gleitreibungskoeffizient coefficientdefrottement coefdefrottement coefficientediattrito "

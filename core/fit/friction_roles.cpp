@@ -78,18 +78,28 @@ class FrictionRoleFinder {
       refuse("has both a normal force and a nominal pressure; one of them says the load");
   }
 
+  /// Returns whether a name is that of friction in one state: "mu 5\u00B0C", "mu_5C", "mu@5 N".
+  static bool namesState(const std::string& name) {
+    const std::size_t number = name.find_first_of("-0123456789");
+    if (number == name.npos || quantityNamed(plainWord(name.substr(0, number))) != Quantity::Mu)
+      return false;
+    const auto state = parseQuantity(withoutEnd(name.substr(number), ")"));
+    return state && quantityOfUnit(state->unit);
+  }
+
   /// Throws InputError for friction at several temperatures or loads side by side.
   void refuseSeveralStates() const {
     std::string names;
     int count = 0;
     for (const TextColumn& column : block_.columns) {
       const std::vector<std::string> words = nameWords(column.name);
-      if (words.empty() || quantityNamed(words.front()) != Quantity::Mu) continue;
+      const bool isState = namesState(column.name);
+      if (words.empty() || (!isState && quantityNamed(words.front()) != Quantity::Mu)) continue;
       // "mu (0.1 MPa)", "mu 20 \u00B0C"; "mu 1" is the first of several measurements.
       const bool isInUnit = column.unit.size() > 1 && isDigit(column.unit.front());
       const bool isInName = words.size() > 1 && isDigit(words[1].front()) &&
                             (words.size() > 2 || !column.unit.empty()) && !findMeaning(column);
-      if (!isInUnit && !isInName) continue;
+      if (!isInUnit && !isInName && !isState) continue;
       appendItem(names, shortened(column.name));
       ++count;
     }

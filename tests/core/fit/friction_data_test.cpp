@@ -433,6 +433,10 @@ TEST(FrictionData, ReadsNamesInOtherLanguages) {
     EXPECT_DOUBLE_EQ(point.velocity, 1e-3) << names;
     EXPECT_DOUBLE_EQ(point.muError, 0.02) << names;
   }
+  for (const char* name :
+       {"Friction_coeff", "Friction coeff.", "Coeff. of friction", "friction coef"})
+    EXPECT_DOUBLE_EQ(parsed("v," + std::string(name) + "\n1,0.4\n2,0.6\n").points[1].mu, 0.6)
+        << name;
   EXPECT_DOUBLE_EQ(parsed("v,mu_s,mu_k\n1,0.4,0.3\n2,0.6,0.5\n").points[0].mu, 0.3);
 }
 
@@ -493,7 +497,8 @@ TEST(FrictionData, ReadsRepeatsAndForces) {
   EXPECT_DOUBLE_EQ(forces.points[0].mu, 0.5);
   EXPECT_DOUBLE_EQ(forces.points[0].normalForce, 30);
   EXPECT_EQ(parsed("v,mu\n1,0.3\n,\n2,0.4\n").points.size(), 2U);
-  for (const char* names : {"mu 20 \u00B0C,mu 40 \u00B0C", "mu (0.1 MPa),mu (0.2 MPa)"})
+  for (const char* names : {"mu 5\u00B0C,mu 25\u00B0C", "mu_5C,mu_25C", "mu@5\u00B0C,mu@25\u00B0C",
+                            "mu 20 \u00B0C,mu 40 \u00B0C", "mu (0.1 MPa),mu (0.2 MPa)"})
     EXPECT_THAT(errorOf(std::string("v,") + names + "\n1,0.3,0.2\n2,0.4,0.3\n"),
                 HasSubstr("in several states side by side"))
         << names;
