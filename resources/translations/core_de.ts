@@ -6771,6 +6771,14 @@
         <translation>Spalte %1 widerspricht den Kräften: Im Median ist sie %2-mal die Reibkraft in Spalte %3 durch die Normalkraft; sie wird als Reibungszahl gelesen</translation>
     </message>
     <message>
+        <source>the nominal pressure of %1 is a normal force of %2: pressure times the period of %3 times the width, for which the period is taken because none is given; results depend on it, so set load.width (with load.kind pressure)</source>
+        <translation>der nominelle Druck von %1 ist eine Normalkraft von %2: Druck mal Periode von %3 mal Breite, für die die Periode genommen wird, weil keine angegeben ist; Ergebnisse hängen von ihr ab, also load.width setzen (mit load.kind pressure)</translation>
+    </message>
+    <message>
+        <source>the nominal pressure of %1 is a normal force of %2: pressure times the period of %3 times the width of %4 (load.width)</source>
+        <translation>der nominelle Druck von %1 ist eine Normalkraft von %2: Druck mal Periode von %3 mal Breite von %4 (load.width)</translation>
+    </message>
+    <message>
         <source>has friction in several states side by side (%1); write them one below the other, with a column that tells them apart, such as temperature</source>
         <translation>hat die Reibung in mehreren Zuständen nebeneinander (%1); sie untereinander schreiben, mit einer Spalte, die sie unterscheidet, etwa temperature</translation>
     </message>
