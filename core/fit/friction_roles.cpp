@@ -329,6 +329,16 @@ void requireQuantities(const TextBlock& block, const FrictionRoles& roles,
         message("has no column of the velocity; its columns are {}; name it as in \"v (m/s)\", or "
                 "write one velocity of all rows above them, as in \"Velocity: 10 mm/s\"",
                 Message::name(namesOfColumns(block))));
+  // The velocity above such a table is that of the wheel or the vehicle.
+  const auto isSlip = [](const TextColumn& column) {
+    return hasOneOf(nameWords(column.name), "slip schlupf");
+  };
+  if (const auto slip = std::ranges::find_if(block.columns, isSlip);
+      slip != block.columns.end() && !roles.find(Quantity::Velocity))
+    throw InputError(name, "",
+                     message("column {}: with a slip, the velocity of sliding is not the one above "
+                             "the table; give it for each row in a column, as in \"v (m/s)\"",
+                             shortened(slip->name)));
   if (roles.find(Quantity::Mu)->conversion.isForce && !isKnown(Quantity::Force))
     throw InputError(
         name, "",

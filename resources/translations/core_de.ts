@@ -6755,6 +6755,14 @@
         <translation>Spalte %1: Die Kraft ist proportional zur Reibungszahl, wie es eine Reibkraft ist; sie Reibkraft nennen und die Normalkraft in einer Spalte normal_force oder einer Zeile &quot;Normalkraft: %2 N&quot; angeben</translation>
     </message>
     <message>
+        <source>column %1: with a slip, the velocity of sliding is not the one above the table; give it for each row in a column, as in &quot;v (m/s)&quot;</source>
+        <translation>Spalte %1: Mit einem Schlupf ist die Gleitgeschwindigkeit nicht die über der Tabelle; sie für jede Zeile in einer Spalte angeben, wie &quot;v (m/s)&quot;</translation>
+    </message>
+    <message>
+        <source>rows %1 and %2 have the velocity above the table, and no load, temperature or label tells them apart; give the velocity of each row in a column, as in &quot;v (m/s)&quot;</source>
+        <translation>die Zeilen %1 und %2 haben die Geschwindigkeit über der Tabelle, und keine Last, Temperatur oder Bezeichnung unterscheidet sie; die Geschwindigkeit jeder Zeile in einer Spalte angeben, wie &quot;v (m/s)&quot;</translation>
+    </message>
+    <message>
         <source>has no coefficient of friction, and a force of friction without a normal force; give it in a column &quot;Fz (N)&quot;, or above the columns, as in &quot;Normal force: 30 N&quot;</source>
         <translation>hat keine Reibungszahl, und eine Reibkraft ohne Normalkraft; diese in einer Spalte &quot;Fz (N)&quot; angeben oder über den Spalten, wie &quot;Normalkraft: 30 N&quot;</translation>
     </message>

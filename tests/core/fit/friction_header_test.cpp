@@ -59,6 +59,10 @@ TEST(FrictionHeader, StatesWhatNoColumnGives) {
         << line;
   EXPECT_THAT(errorOf("mu,T (C)\n0.2,25\n0.3,60\n"),
               HasSubstr("has no column of the velocity; its columns are mu, T; name it as in"));
+  EXPECT_THAT(errorOf("v = 10 mm/s\nTime (s),mu\n1,0.2\n2,0.3\n"),
+              HasSubstr("rows 3 and 4 have the velocity above the table, and no load"));
+  EXPECT_THAT(errorOf("v = 10 km/h\nslip (%),mu,FN (N)\n1,0.2,5\n2,0.3,6\n"),
+              HasSubstr("column slip: with a slip, the velocity of sliding is not the one"));
   // What a velocity says beside a load does not hide the load.
   EXPECT_THAT(errorOf("v = 10 mm/s under 30 N\nv (m/s),mu\n1,0.2\n2,0.3\n"),
               HasSubstr("may state the normal force"));
