@@ -301,18 +301,7 @@ std::vector<Message> notesOn(const TextBlock& block, const FrictionRoles& roles,
   return notes;
 }
 
-}  // namespace
-
-bool isFrictionTable(std::string_view bytes) {
-  try {
-    return hasFriction(readTable(bytes, {}).largest());
-  } catch (const InputError&) {
-    return false;
-  }
-}
-
-FrictionData parseFrictionData(std::string_view bytes, const std::string& name) {
-  const TextTable table = readTable(bytes, name);
+FrictionData readPoints(const TextTable& table, const std::string& name) {
   const TextBlock* first = nullptr;
   for (const TextBlock& block : table.blocks) {
     if (!hasFriction(block)) continue;
@@ -349,6 +338,24 @@ FrictionData parseFrictionData(std::string_view bytes, const std::string& name) 
   std::ranges::move(slipNotes(data.points), std::back_inserter(data.notes));
   if (table.dialect.isUnclear) data.notes.push_back(unclearMark(table.dialect.decimal));
   return data;
+}
+
+}  // namespace
+
+bool isFrictionTable(std::string_view bytes) {
+  try {
+    const TextTable table = readTable(bytes, {});
+    const TextBlock& block = table.largest();
+    if (hasFriction(block)) return true;
+    // A line above the table may state the velocity, and forces give friction.
+    return block.hasNames() && !readPoints(table, {}).points.empty();
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+FrictionData parseFrictionData(std::string_view bytes, const std::string& name) {
+  return readPoints(readTable(bytes, name), name);
 }
 
 FrictionData readFrictionData(const std::filesystem::path& file, const std::string& label) {

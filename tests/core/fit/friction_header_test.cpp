@@ -75,6 +75,17 @@ TEST(FrictionHeader, StatesWhatNoColumnGives) {
               HasSubstr("a force of friction without a normal force"));
 }
 
+/// A window opens such tables as friction.
+TEST(FrictionHeader, TablesWithoutAColumnOfVelocityAreRecognized) {
+  for (const char* text :
+       {"v (m/s),mu\n1,0.2\n2,0.3\n", "v = 10 mm/s\nFN (N),mu\n0.2,0.25\n0.5,0.2\n",
+        "Load: 5 N\nv (m/s),Fx (N)\n1,2\n2,3\n", "v (m/s),mu1,mu2\n1,0.2,0.3\n2,0.3,0.4\n"})
+    EXPECT_TRUE(isFrictionTable(text)) << text;
+  for (const char* text :
+       {"1,0.2\n2,0.3\n", "x (mm),z (um)\n1,0.2\n2,0.3\n", "FN (N),mu\n0.2,0.25\n0.5,0.2\n"})
+    EXPECT_FALSE(isFrictionTable(text)) << text;
+}
+
 /// A reader looks for what the file has, not for what the program makes of it.
 TEST(FrictionHeader, LinesAreQuotedAsTheFileHasThem) {
   const std::string rows = "v (mm/s);mu\n1;0,45\n10;0,62\n";
