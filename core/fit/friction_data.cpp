@@ -291,6 +291,11 @@ std::vector<Message> notesOn(const TextBlock& block, const FrictionRoles& roles,
         "the lines above the table state several loads; one normal force or one nominal pressure "
         "says the load");
   for (const HeaderStatement& one : header.common)
+    if (one.isNegative)
+      notes.push_back(
+          message("line {}: the {} is below 0, by a convention of signs; its magnitude is taken",
+                  one.line, Message(meaningOf(*one.quantity))));
+  for (const HeaderStatement& one : header.common)
     if (!one.groupedNumber.empty())
       notes.push_back(
           mark.decimal == ','

@@ -23,11 +23,12 @@ bool isLoad(std::optional<FrictionQuantity> quantity) {
   return std::ranges::find(kLoadsAndTemperature, quantity) != kLoadsAndTemperature.end();
 }
 
+bool saysLoad(FrictionQuantity quantity) {
+  return quantity == FrictionQuantity::Force || quantity == FrictionQuantity::Pressure;
+}
+
 /// Returns whether two statements exclude each other: a force and a pressure both say the load.
 bool sayTheSame(FrictionQuantity one, FrictionQuantity other) {
-  const auto saysLoad = [](FrictionQuantity quantity) {
-    return quantity == FrictionQuantity::Force || quantity == FrictionQuantity::Pressure;
-  };
   return one == other || (saysLoad(one) && saysLoad(other));
 }
 
@@ -234,6 +235,8 @@ std::optional<HeaderStatement> readStatement(std::string_view clause, HeaderMark
     return isVelocity ? std::nullopt : std::optional(statement);
   statement.quantity = quantity;
   statement.value = known->toSi(value->number);
+  statement.isNegative = saysLoad(*quantity) && statement.value < 0;
+  if (statement.isNegative) statement.value = -statement.value;
   statement.number = value->number;
   statement.groupedNumber = value->groupedNumber;
   return statement;
@@ -398,7 +401,7 @@ HeaderStatements readHeader(const std::vector<TextEntry>& header, HeaderMark mar
     if (isDoubtful(one) && one.isSentence) read.unused.back().quantity.reset();
   }
   read.hasTwoLoads = std::ranges::count_if(possible, [&](const HeaderStatement& one) {
-                       return sayTheSame(*one.quantity, FrictionQuantity::Force) && isDoubtful(one);
+                       return saysLoad(*one.quantity) && isDoubtful(one);
                      }) > 1;
   std::ranges::stable_sort(read.unused, {}, &HeaderStatement::line);
   for (const HeaderStatement& one : read.unused) refuseUnclear(one, read.common, isGiven, name);

@@ -31,6 +31,7 @@ struct HeaderStatement {
   /// The load or temperature that may be meant where it is not understood; nothing where the line
   /// names another thing, such as the air.
   std::optional<FrictionQuantity> candidate{};
+  bool isNegative = false;  // a load below 0, by a convention of signs; value is its magnitude
   bool isSentence = false;  // "Tested at 23 °C", which has no name of the quantity
 };
 

@@ -6755,6 +6755,10 @@
         <translation>Spalte %1: Die Kraft ist proportional zur Reibungszahl, wie es eine Reibkraft ist; sie Reibkraft nennen und die Normalkraft in einer Spalte normal_force oder einer Zeile &quot;Normalkraft: %2 N&quot; angeben</translation>
     </message>
     <message>
+        <source>line %1: the %2 is below 0, by a convention of signs; its magnitude is taken</source>
+        <translation>Zeile %1 (%2): unter 0, nach einer Vorzeichenregel; der Betrag wird genommen</translation>
+    </message>
+    <message>
         <source>column %1: with a slip, the velocity of sliding is not the one above the table; give it for each row in a column, as in &quot;v (m/s)&quot;</source>
         <translation>Spalte %1: Mit einem Schlupf ist die Gleitgeschwindigkeit nicht die über der Tabelle; sie für jede Zeile in einer Spalte angeben, wie &quot;v (m/s)&quot;</translation>
     </message>

@@ -75,6 +75,17 @@ TEST(FrictionHeader, StatesWhatNoColumnGives) {
               HasSubstr("a force of friction without a normal force"));
 }
 
+/// A load cell gives compression a sign.
+TEST(FrictionHeader, TakesTheMagnitudeOfALoadBelowZero) {
+  const FrictionData data = parsed("Fz = -30 N\nv (m/s),mu\n1,0.2\n2,0.3\n");
+  EXPECT_DOUBLE_EQ(data.points[0].normalForce, 30);
+  EXPECT_EQ(
+      data.notes[1].english(),
+      "line 1: the normal force is below 0, by a convention of signs; its magnitude is taken");
+  EXPECT_DOUBLE_EQ(parsed("T = -5 \u00B0C\nv (m/s),mu\n1,0.2\n2,0.3\n").points[0].temperature,
+                   268.15);
+}
+
 /// A window opens such tables as friction.
 TEST(FrictionHeader, TablesWithoutAColumnOfVelocityAreRecognized) {
   for (const char* text :
