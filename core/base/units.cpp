@@ -89,7 +89,7 @@ constexpr std::array kOthers{
     OtherUnit{"rpm", {"Hz", 0, 1.0 / 60}},
     OtherUnit{"kgf kp", {"N", 0, 9.80665}},
     OtherUnit{"gf", {"N", -3, 9.80665}},
-    OtherUnit{"lbf", {"N", 0, kPoundForce}},
+    OtherUnit{"lbf lbs", {"N", 0, kPoundForce}},
     OtherUnit{"N/m2 pascal", {"Pa"}},
     OtherUnit{"N/mm2 MN/m2 megapascal", {"Pa", 6}},
     OtherUnit{"N/cm2", {"Pa", 4}},

@@ -200,9 +200,12 @@ std::string fitCsv(const Fit& fit, std::span<const FrictionData> data) {
       "\n";
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double mu = totalMu(fit.computed[i]);
-    for (const double value : {points[i].velocity, points[i].normalForce, points[i].nominalPressure,
-                               points[i].temperature, points[i].mu, points[i].muError, mu,
-                               fit.computedErrors[i], fit.bandErrors[i]})
+    // A nominal pressure was computed as a force.
+    const double force =
+        std::isnan(points[i].normalForce) ? fit.computed[i].normalForce : points[i].normalForce;
+    for (const double value :
+         {points[i].velocity, force, points[i].nominalPressure, points[i].temperature, points[i].mu,
+          points[i].muError, mu, fit.computedErrors[i], fit.bandErrors[i]})
       text += csvNumber(value) + ",";
     text += csvNumber(points[i].mu / mu) + "\n";
   }
