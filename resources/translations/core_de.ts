@@ -4263,6 +4263,10 @@
         <translation>läuft von %1 bis %2 ohne Einheit: Kelvin und Grad Celsius scheinen gemischt; mit --temperature-unit sagen, welche, oder die Spalte berichtigen</translation>
     </message>
     <message>
+        <source>%1 runs from %2 to %3 °C, where most rubbers are destroyed; these look like kelvins: say --temperature-unit K if they are</source>
+        <translation>%1 läuft von %2 bis %3 °C, wo die meisten Gummis zerstört sind; das sieht nach Kelvin aus: --temperature-unit K angeben, falls es welche sind</translation>
+    </message>
+    <message>
         <source>is stated nowhere; say at which the moduli were measured with --temperature, such as --temperature 20C</source>
         <translation>steht nirgends; mit --temperature sagen, bei welcher die Moduln gemessen wurden, etwa --temperature 20C</translation>
     </message>
