@@ -365,6 +365,10 @@ bool areUnits(const Fields& fields) {
   return others == 0 ? sure > 0 : others == 1 && sure >= 2;
 }
 
+/// The first field of a row of units that has none for the number of a row; a field that is written
+/// has no blank alone.
+constexpr std::string_view kNotWritten = " ";
+
 /// Returns the fields of a line that may be names, units or comments of the columns; empty where it
 /// is none of these. mayCountRows: the first column may number the rows.
 Fields namesIn(std::string_view line, const TextDialect& dialect, std::size_t columns,
@@ -378,7 +382,7 @@ Fields namesIn(std::string_view line, const TextDialect& dialect, std::size_t co
   if (fields.empty() && columns > 2 && mayCountRows && !dialect.isExact()) {
     fields = splitNames(text, dialect, columns - 1);
     if (areUnits(fields))
-      fields.insert(fields.begin(), std::string());
+      fields.insert(fields.begin(), std::string(kNotWritten));
     else
       fields.clear();
   }
@@ -456,7 +460,7 @@ std::vector<TextColumn> namedColumns(const std::vector<TextLine>& above, const T
   const auto rows = rowsAbove(above, dialect, columns, mayCountRows);
   auto units = std::ranges::find_if(rows, areUnits);
   // The column without a unit may be another one.
-  if (units != rows.end() && units + 1 != rows.end() && units->front().empty() &&
+  if (units != rows.end() && units + 1 != rows.end() && units->front() == kNotWritten &&
       !isOneOf(lowerCase((units + 1)->front()),
                WordList("# n n. no no. nr nr. i id idx index pt point punkt messpunkt row zeile")))
     units = rows.end();
