@@ -58,7 +58,7 @@ AlongTemperature atFrequency(const std::vector<MeasuredSweep>& sweeps, double fr
 
 /// Returns the value at x of the polynomial through the two points to each side of x, or through
 /// those that there are. xs: rising, and x lies within them.
-double interpolated(const std::vector<double>& xs, const std::vector<double>& ys, double x) {
+double alongTemperature(const std::vector<double>& xs, const std::vector<double>& ys, double x) {
   const auto above = std::ranges::upper_bound(xs, x) - xs.begin();
   const std::ptrdiff_t begin = std::max<std::ptrdiff_t>(0, above - 2);
   const std::ptrdiff_t end = std::min<std::ptrdiff_t>(std::ssize(xs), above + 2);
@@ -89,7 +89,7 @@ std::optional<Isotherm> atOneTemperature(const std::vector<MeasuredSweep>& sweep
   for (std::size_t i = 0; i < curves.size(); ++i) {
     const AlongTemperature& curve = curves[i];
     const auto value = [&](const std::vector<double>& logarithms) {
-      return std::exp(interpolated(curve.temperatures, logarithms, isotherm.temperature));
+      return std::exp(alongTemperature(curve.temperatures, logarithms, isotherm.temperature));
     };
     isotherm.points[i].storage = value(curve.storage);
     isotherm.points[i].loss = value(curve.loss);
