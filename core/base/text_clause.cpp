@@ -27,6 +27,29 @@ std::vector<std::string_view> splitClauses(std::string_view line) {
   return clauses;
 }
 
+std::vector<std::string_view> splitStatements(std::string_view clause) {
+  std::vector<std::string_view> statements;
+  std::size_t begin = 0;
+  const auto beginAt = [&](std::size_t next) {
+    if (next <= begin || next == clause.npos) return;
+    if (const auto text = trimmedBlanks(clause.substr(begin, next - begin)); !text.empty())
+      statements.push_back(text);
+    begin = next;
+  };
+  for (std::size_t i = 0; i < clause.size(); ++i) {
+    if (lowerCase(clause.substr(i, 5)) == " tref" || lowerCase(clause.substr(i, 6)) == " t_ref")
+      beginAt(i + 1);
+    const std::string_view front = withoutEnd(clause.substr(begin, i - begin), " ");
+    if (clause[i] != '=' || front.find('=') == front.npos) continue;
+    // The unit of "C2 (K) = 120" belongs to the name.
+    const std::size_t bracket = front.ends_with(')') ? front.rfind('(') : front.npos;
+    const std::size_t blank = withoutEnd(front.substr(0, bracket), " ").find_last_of(' ');
+    if (blank != front.npos) beginAt(begin + blank + 1);
+  }
+  beginAt(clause.size());
+  return statements;
+}
+
 std::string_view withoutEnd(std::string_view text, std::string_view signs) {
   const std::size_t last = text.find_last_not_of(signs);
   return text.substr(0, last == text.npos ? 0 : last + 1);

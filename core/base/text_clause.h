@@ -19,6 +19,10 @@ std::string joinEntry(const TextEntry& entry, std::string_view between = " = ");
 /// Splits a line at semicolons, tabs, bars and commas before a blank.
 std::vector<std::string_view> splitClauses(std::string_view line);
 
+/// Splits a clause before each name in front of "=", and before a reference temperature: "C1 = 7.5
+/// C2 = 120 K Tref 20 \u00B0C".
+std::vector<std::string_view> splitStatements(std::string_view clause);
+
 /// Returns the text without these signs at its end.
 std::string_view withoutEnd(std::string_view text, std::string_view signs);
 

@@ -343,35 +343,6 @@ Fields fieldsOfUnits(std::string_view line, std::size_t columns) {
   return {};
 }
 
-/// Returns the fields of a line that may be names, units or comments of the columns; empty where it
-/// is none of these. mayCountRows: the first column may number the rows.
-Fields namesIn(std::string_view line, const TextDialect& dialect, std::size_t columns,
-               bool mayCountRows) {
-  const std::string_view text = withoutCommentMark(line, dialect);
-  if (Fields fields = fieldsOfUnits(text, columns); areNames(fields, dialect)) return fields;
-  // A separator in front makes an unnamed column, also a tab where blanks separate; so does one at
-  // the end.
-  Fields fields = splitNames(text, dialect, columns);
-  if (fields.empty() && dialect.isExact()) {
-    std::vector<std::string_view> whole;
-    splitFields(isComment(line) ? text : line, dialect.separator, whole);
-    if (whole.size() == columns)
-      for (const std::string_view field : whole) fields.emplace_back(trimmedField(field));
-  }
-  // Row numbers, which some programs write in the first column, have no name.
-  if (fields.empty() && columns > 2 && mayCountRows &&
-      (dialect.isExact() || text.starts_with('"'))) {
-    fields = splitNames(text, dialect, columns - 1);
-    if (!fields.empty()) fields.insert(fields.begin(), std::string());
-  }
-  std::vector<std::string_view> exact;
-  splitFields(text, dialect.separator, exact);
-  const bool isEntry = keyEnd(text) != std::string_view::npos &&
-                       !(dialect.isExact() && columns > 1 && exact.size() >= columns);
-  if (isEntry || !areNames(fields, dialect)) return {};
-  return fields;
-}
-
 bool isUnitField(const std::string& field) {
   return isKnownUnit(field) || withoutBrackets(field).size() != trimmedField(field).size();
 }
@@ -394,6 +365,47 @@ bool areUnits(const Fields& fields) {
   return others == 0 ? sure > 0 : others == 1 && sure >= 2;
 }
 
+/// The first field of a row of units that has none for the number of a row; a field that is written
+/// has no blank alone.
+constexpr std::string_view kNotWritten = " ";
+
+/// Returns the fields of a line that may be names, units or comments of the columns; empty where it
+/// is none of these. mayCountRows: the first column may number the rows.
+Fields namesIn(std::string_view line, const TextDialect& dialect, std::size_t columns,
+               bool mayCountRows) {
+  const std::string_view text = withoutCommentMark(line, dialect);
+  if (Fields fields = fieldsOfUnits(text, columns); areNames(fields, dialect)) return fields;
+  // A separator in front makes an unnamed column, also a tab where blanks separate; so does one at
+  // the end.
+  Fields fields = splitNames(text, dialect, columns);
+  // Nor has the number of a row a unit.
+  if (fields.empty() && columns > 2 && mayCountRows && !dialect.isExact()) {
+    fields = splitNames(text, dialect, columns - 1);
+    if (areUnits(fields))
+      fields.insert(fields.begin(), std::string(kNotWritten));
+    else
+      fields.clear();
+  }
+  if (fields.empty() && dialect.isExact()) {
+    std::vector<std::string_view> whole;
+    splitFields(isComment(line) ? text : line, dialect.separator, whole);
+    if (whole.size() == columns)
+      for (const std::string_view field : whole) fields.emplace_back(trimmedField(field));
+  }
+  // Row numbers, which some programs write in the first column, have no name.
+  if (fields.empty() && columns > 2 && mayCountRows &&
+      (dialect.isExact() || text.starts_with('"'))) {
+    fields = splitNames(text, dialect, columns - 1);
+    if (!fields.empty()) fields.insert(fields.begin(), std::string());
+  }
+  std::vector<std::string_view> exact;
+  splitFields(text, dialect.separator, exact);
+  const bool isEntry = keyEnd(text) != std::string_view::npos &&
+                       !(dialect.isExact() && columns > 1 && exact.size() >= columns);
+  if (isEntry || !areNames(fields, dialect)) return {};
+  return fields;
+}
+
 /// Returns whether fields are names with known units: one in brackets, or one in each of several
 /// fields. "Load 30 N" states a load.
 bool haveUnits(const Fields& fields) {
@@ -404,6 +416,11 @@ bool haveUnits(const Fields& fields) {
     inEach = inEach && hasUnit && !statesQuantity(field);
   }
   return inBrackets || inEach;
+}
+
+/// Returns whether a line is empty or drawn: "-----", "+---+---+".
+bool isRule(std::string_view line) {
+  return line.find_first_not_of("-=_+| \t") == line.npos;
 }
 
 /// Returns the fields of the lines above a block that may be names, units and comments of its
@@ -417,7 +434,7 @@ std::vector<Fields> rowsAbove(const std::vector<TextLine>& above, const TextDial
   bool isFar = false, isNamed = false, belowAreUnits = false;
   for (auto line = above.rbegin();
        line != above.rend() && rows.size() < kMostRows && looked < kMostLinesAbove; ++line) {
-    if (withoutCommentMark(line->text, dialect).empty()) continue;
+    if (isRule(withoutCommentMark(line->text, dialect))) continue;
     ++looked;
     Fields fields = namesIn(line->text, dialect, columns, mayCountRows);
     isFar = isFar || fields.empty();
@@ -441,7 +458,12 @@ std::vector<TextColumn> namedColumns(const std::vector<TextLine>& above, const T
   const bool mayCountRows =
       first[0].kind == FieldKind::Number && (first[0].value == 0 || first[0].value == 1);
   const auto rows = rowsAbove(above, dialect, columns, mayCountRows);
-  const auto units = std::ranges::find_if(rows, areUnits);
+  auto units = std::ranges::find_if(rows, areUnits);
+  // The column without a unit may be another one.
+  if (units != rows.end() && units + 1 != rows.end() && units->front() == kNotWritten &&
+      !isOneOf(lowerCase((units + 1)->front()),
+               WordList("# n n. no no. nr nr. i id idx index pt point punkt messpunkt row zeile")))
+    units = rows.end();
   // Names are above their units; without a row of units, they contain some, or are directly above
   // the numbers.
   const Fields* names = nullptr;

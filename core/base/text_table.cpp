@@ -507,6 +507,8 @@ void undoLogarithms(TextTable& table, const std::function<bool(const std::string
       if (found == std::end(kLogarithms) || column.isText || !block.cells[i].empty()) continue;
       std::string_view rest = std::string_view(column.name).substr(found->first.size());
       rest = trimmedBlanks(rest.substr(std::min(rest.find_first_not_of("_ "), rest.size())));
+      // The unit of "log10(\u03C9/(rad/s))" has taken the second bracket along.
+      if (rest.starts_with('(') && rest.find(')') == rest.npos) rest.remove_prefix(1);
       const TextColumn inner = parseColumnName(withoutBrackets(rest));
       if (!isQuantity(inner.name)) continue;
       const std::string unit = inner.unit.empty() ? column.unit : inner.unit;

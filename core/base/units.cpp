@@ -86,7 +86,7 @@ constexpr std::array kOthers{
     OtherUnit{"m/min", {"m/s", 0, 1.0 / 60}},
     OtherUnit{"mm/min", {"m/s", -3, 1.0 / 60}},
     OtherUnit{"1/s s-1 hertz cps", {"Hz"}},
-    OtherUnit{"rpm", {"Hz", 0, 1.0 / 60}},
+    OtherUnit{"rpm cpm", {"Hz", 0, 1.0 / 60}},
     OtherUnit{"kgf kp", {"N", 0, 9.80665}},
     OtherUnit{"gf", {"N", -3, 9.80665}},
     OtherUnit{"lbf lbs", {"N", 0, kPoundForce}},

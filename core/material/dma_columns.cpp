@@ -255,6 +255,10 @@ DmaColumn dmaColumn(std::string_view name, std::string_view unit) {
   column.quantity = dmaQuantity(plain);
   column.kind = modulusKind(plain);
   const std::vector<std::string> words = wordsOf(word);
+  // "Sample T" and "T furnace"
+  if (column.quantity == DmaQuantity::None && words.size() == 2 && isOneOf("t", words) &&
+      (hasOneOf(words, kWordsOfSample) || hasOneOf(words, kWordsOfDevice)))
+    column.quantity = DmaQuantity::Temperature;
   for (const std::string& one : words) column.words += " " + one;
   for (const char mark : word)
     if (mark == '*' || mark == '|') column.words += mark;
@@ -264,6 +268,9 @@ DmaColumn dmaColumn(std::string_view name, std::string_view unit) {
       column.quantity != DmaQuantity::None && !isAmplitude && isOfDeviation(word, words);
   if (column.quantity == DmaQuantity::Strain && !strainUnit(unit)) column.isLeftOut = true;
   if (column.isLeftOut) column.quantity = DmaQuantity::None;
+  // "t (s)" is a time.
+  if (column.quantity == DmaQuantity::Temperature && unitSize(unit, "s"))
+    column.quantity = DmaQuantity::None;
   if (isMeasured(column.quantity)) column.unknown = unknownWords(word);
   column.isAngular = containsOneOf(plain, "omega angular kreisfreq") || plain == "w";
   return column;

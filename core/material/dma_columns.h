@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/message.h"
+#include "core/base/text.h"
 #include "core/base/units.h"
 #include "core/material/text_temperature.h"
 
@@ -40,6 +41,14 @@ double shearFromYoungs(double youngs, double poisson);
 
 /// Says that moduli of tension were divided for shear.
 Message dividedForShear(double poisson);
+
+/// Words that name the temperature of the sample, and a set one or that of a device.
+inline constexpr WordList kWordsOfSample(
+    "sample specimen probe proben actual ist measured tsample tprobe tist tactual tmeasured");
+inline constexpr WordList kWordsOfDevice(
+    "set setpoint soll target nominal program programmed oven furnace chamber bath ofen kammer "
+    "tset "
+    "tsoll");
 
 struct DmaColumn {
   DmaQuantity quantity = DmaQuantity::None;

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include "core/base/input_error.h"
+#include "core/base/number_text.h"
 #include "core/base/text.h"
 #include "core/material/dma_moduli.h"
 #include "core/material/dma_samples.h"
@@ -24,6 +26,10 @@ Message describeColumn(const DmaColumnFact& fact) {
   if (fact.unit.empty()) return name;
   return fact.isUnitAssumed ? message("{} in {} (assumed)", name, fact.unit)
                             : message("{} in {}", name, fact.unit);
+}
+
+Message shiftIsNotRead() {
+  return "the shift that the file states is not read: the isotherms have their own";
 }
 
 class Reader {
@@ -107,7 +113,11 @@ class Reader {
   /// Reads the rows of one block, or of one temperature in a table of several.
   void readSweep(const DmaBlock& in, const SweepColumns& columns, bool isSideBySide) {
     DmaFacts& facts = file_.facts;
-    const bool isReduced = columns.has(ReducedFrequency) && choices_.frequencyColumn.empty();
+    // Beside f and T, f aT is a shift of isotherms, which have their own.
+    const bool hasIsotherms = columns.has(Frequency) && columns.has(Temperature);
+    const bool isReduced =
+        columns.has(ReducedFrequency) && choices_.frequencyColumn.empty() && !hasIsotherms;
+    if (columns.has(ReducedFrequency) && hasIsotherms) addNote(shiftIsNotRead());
     const std::size_t frequencyAt = columns[isReduced ? ReducedFrequency : Frequency];
     facts.isReduced = isReduced;
     const SizedColumn frequency = frequencyColumn(in, frequencyAt);
@@ -119,6 +129,7 @@ class Reader {
       const TemperatureColumn temperature = temperatureColumn(in, columns[Temperature]);
       facts.temperature = temperature.fact;
       scale = temperature.unit;
+      if (temperature.note) addNote(*temperature.note);
     } else {
       facts.temperature = {};
       facts.stated.reset();
@@ -143,6 +154,8 @@ class Reader {
         facts.leftOut += isSideBySide && isBehindEnd ? 0 : 1;
         continue;
       }
+      for (const auto& [column, value] : {std::pair(moduli.first, first), {moduli.second, second}})
+        if (!(value > 0)) refuseCell(in, row, column, moduli);
       DynamicModulus modulus = moduli.combine(first, second);
       modulus.frequency = hertz;
       checkRow(modulus, temperature, in.block.lines[row]);
@@ -170,6 +183,19 @@ class Reader {
     throw InputError(name_, "temperature",
                      "is stated nowhere; say at which the moduli were measured with "
                      "--temperature, such as --temperature 20C");
+  }
+
+  /// Refuses a modulus that is not above 0 as the file writes it.
+  void refuseCell(const DmaBlock& in, std::size_t row, std::size_t column,
+                  const ModulusColumns& moduli) const {
+    const std::string label = in.block.label(column);
+    const auto& fact = moduli.storage.name == label ? moduli.storage : moduli.loss;
+    if (fact.name != label || !unitSize(fact.unit, "Pa")) return;  // no modulus
+    throw InputError(
+        name_, fmt::format("line {}", in.block.lines[row]),
+        message("{} is {}, which must be above 0; leave the row out or correct it",
+                Message::name(shortened(label)),
+                PrintedNumber{printedNumber(in.block.at(row, column), 8) + " " + fact.unit}));
   }
 
   void checkRow(const DynamicModulus& modulus, double temperature, std::size_t line) const {
@@ -210,8 +236,7 @@ void readShift(const TextTable& table, const std::string& name, const DmaChoices
     file.shift = std::move(stated.shift);
     std::ranges::move(stated.notes, std::back_inserter(file.facts.notes));
   } else if (statesShift(table)) {
-    file.facts.notes.push_back(
-        "the shift that the file states is not read: the isotherms have their own");
+    file.facts.notes.push_back(shiftIsNotRead());
   }
 }
 

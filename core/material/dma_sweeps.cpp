@@ -8,6 +8,7 @@
 #include "core/base/number_text.h"
 #include "core/base/text.h"
 #include "core/base/text_clause.h"
+#include "core/base/text_header.h"
 #include "core/base/text_number.h"
 #include "core/material/dma_moduli.h"
 
@@ -60,14 +61,19 @@ const ChosenColumn& chosenColumn(DmaQuantity quantity) {
 /// Returns the index of the column that a user chose by its name or number. Throws InputError
 /// (option) where the block has no such column.
 std::size_t columnNamed(const TextBlock& block, const std::string& wanted, const char* option) {
-  const std::string word = lowerCase(wanted);
-  for (std::size_t i = 0; i < block.columns.size(); ++i) {
-    const TextColumn& column = block.columns[i];
-    const std::string name = lowerCase(column.name);
-    if (!name.empty() && (name == word || name + " (" + lowerCase(column.unit) + ")" == word ||
-                          name + "_" + lowerCase(column.unit) == word))
-      return i;
-  }
+  const auto find = [&](const auto& spelled) {
+    const std::string word = spelled(wanted);
+    return std::ranges::find_if(block.columns, [&](const TextColumn& column) {
+      const std::string name = spelled(column.name), unit = spelled(column.unit);
+      return !name.empty() &&
+             (name == word || name + " (" + unit + ")" == word || name + "_" + unit == word);
+    });
+  };
+  // T is no t where a table has both.
+  auto found = find([](const std::string& text) { return text; });
+  if (found == block.columns.end())
+    found = find([](const std::string& text) { return lowerCase(text); });
+  if (found != block.columns.end()) return static_cast<std::size_t>(found - block.columns.begin());
   std::size_t number = 0;
   if (readNumber(wanted, number) && number >= 1 && number <= block.columns.size())
     return number - 1;
@@ -110,6 +116,28 @@ std::vector<double> withoutRepeats(std::vector<double> values) {
   return values;
 }
 
+/// Returns the temperatures in a line above the names, of which each or only the first cell states
+/// the unit: "T / \u00B0C;-20;;-5".
+std::vector<double> temperaturesIn(const TextEntry& entry) {
+  std::vector<double> all = findTemperatures(entry.key + " " + entry.value);
+  const TextColumn key = parseColumnName(entry.key);
+  if (!all.empty() || dmaColumn(key.name, key.unit).quantity != Temperature) return all;
+  std::string numbers = entry.value;
+  std::ranges::replace(numbers, ',', '.');
+  for (const std::string_view word : WordList(numbers)) {
+    double number = 0;
+    if (!readTextNumber(word, '.', number)) return {};
+    all.push_back(number);
+  }
+  if (all.empty()) return {};
+  // Numbers above 200 are kelvins, as in columns.
+  const std::string unit = !key.unit.empty() ? key.unit : std::ranges::min(all) >= 200 ? "K" : "C";
+  const auto scale = temperatureUnit(unit);
+  if (!scale) return {};
+  for (double& one : all) one = scale->toSi(one);
+  return all;
+}
+
 /// Reads the temperatures of sweeps that follow each other from a row above their names: one for
 /// each column, or one for each sweep at any of its columns. Returns false where there is no such
 /// row.
@@ -124,7 +152,7 @@ bool giveTemperatures(const TextBlock& block, std::vector<DmaColumn>& found,
       static_cast<std::size_t>(std::ranges::count_if(sweeps, &SweepColumns::hasModuli));
   std::size_t stated = 0;
   for (auto entry = block.header.rbegin(); entry != block.header.rend(); ++entry) {
-    const std::vector<double> all = findTemperatures(entry->key + " " + entry->value);
+    const std::vector<double> all = temperaturesIn(*entry);
     stated += all.size();
     for (const auto* columns : {&measured, &known}) {
       if (all.size() != columns->size()) continue;
@@ -192,16 +220,10 @@ bool hasWord(const DmaColumn& column, const WordList& words) {
 /// Of a set temperature and the sample's own, the sample's is read.
 void dropSetTemperatures(std::vector<DmaColumn>& found) {
   const auto isOfSample = [](const DmaColumn& column) {
-    return column.quantity == Temperature &&
-           hasWord(column,
-                   "sample specimen probe proben actual ist measured tsample tprobe tist tactual "
-                   "tmeasured");
+    return column.quantity == Temperature && hasWord(column, kWordsOfSample);
   };
   const auto isOfDevice = [](const DmaColumn& column) {
-    return column.quantity == Temperature &&
-           hasWord(column,
-                   "set setpoint soll target nominal program programmed oven furnace chamber bath "
-                   "ofen kammer tset tsoll");
+    return column.quantity == Temperature && hasWord(column, kWordsOfDevice);
   };
   if (!std::ranges::any_of(found, [&](const DmaColumn& column) {
         return isOfSample(column) && !isOfDevice(column);
@@ -212,6 +234,35 @@ void dropSetTemperatures(std::vector<DmaColumn>& found) {
       column.quantity = None;
       column.isLeftOut = true;
     }
+}
+
+/// Of "t" and T without units, "t" is the time.
+void dropTimes(const TextBlock& block, std::vector<DmaColumn>& found) {
+  const auto hasOther = [&] {
+    for (std::size_t i = 0; i < found.size(); ++i)
+      if (found[i].quantity == Temperature && block.columns[i].name != "t") return true;
+    return false;
+  };
+  if (!hasOther()) return;
+  for (std::size_t i = 0; i < found.size(); ++i)
+    if (found[i].quantity == Temperature && block.columns[i].name == "t") found[i].quantity = None;
+}
+
+/// Beside a column in a unit of pressure, one in a unit of stiffness or torque is no modulus: K'
+/// (N/m), S' (dNm).
+void dropStiffnesses(const TextBlock& block, std::vector<DmaColumn>& found) {
+  const auto isOther = [](const std::string& unit) {
+    const auto known = findUnit(unit);
+    return known ? known->si != "Pa" : endsWithOneOf(lowerCase(unit), "nm n\u00B7m n*m lbin lbfin");
+  };
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (!isModulus(found[i].quantity) || !isOther(block.columns[i].unit)) continue;
+    for (std::size_t j = 0; j < found.size(); ++j)
+      if (found[j].quantity == found[i].quantity && unitSize(block.columns[j].unit, "Pa")) {
+        found[i].quantity = None;
+        break;
+      }
+  }
 }
 
 /// Refuses names of moduli with words that are not understood, and two columns that claim the same
@@ -281,6 +332,8 @@ std::vector<SweepColumns> findSweeps(const TextBlock& block, const std::string& 
   const ModulusKind kind = kindToRead(found, choices);
   for (DmaColumn& column : found)
     if (isModulus(column.quantity) && !isOfKind(column, kind)) column.quantity = None;
+  dropTimes(block, found);
+  dropStiffnesses(block, found);
   dropSetTemperatures(found);
   refuseUnclearColumns(block, fileName, choices, found);
   for (std::size_t i = 0; i < found.size(); ++i)

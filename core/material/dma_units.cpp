@@ -46,6 +46,9 @@ DmaColumnFact columnFact(const DmaBlock& in, std::size_t column, const std::stri
                            shortened(fact.unit), allowed, option));
 }
 
+// Numbers in this range are temperatures of a test in kelvins.
+constexpr double kLowestKelvins = 200, kHighestKelvins = 500;
+
 std::optional<double> tangentSize(const std::string& unit) {
   if (unit.empty() || unit == "1" || unit == "-") return 1;
   return unitSize(unit == "percent" ? "%" : unit, "");
@@ -102,21 +105,29 @@ SizedColumn phaseColumn(const DmaBlock& in, std::size_t column) {
 
 TemperatureColumn temperatureColumn(const DmaBlock& in, std::size_t column) {
   DmaColumnFact fact = columnFact(in, column, in.choices.temperatureUnit);
-  if (!fact.unit.empty()) {
-    const auto unit = temperatureUnit(fact.unit);
-    if (!unit) refuseUnit(in, fact, unitNames("K"), "--temperature-unit");
-    return {fact, *unit};
-  }
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
   for (const double value : in.block.column(column))
     if (std::isfinite(value)) lowest = std::min(lowest, value), highest = std::max(highest, value);
-  if (lowest < 200 && highest > 250)
+  if (!fact.unit.empty()) {
+    const auto unit = temperatureUnit(fact.unit);
+    if (!unit) refuseUnit(in, fact, unitNames("K"), "--temperature-unit");
+    TemperatureColumn found{fact, *unit};
+    const bool isInCelsius = *unit == *temperatureUnit("C");
+    if (isInCelsius && in.choices.temperatureUnit.empty() && lowest >= kLowestKelvins &&
+        highest <= kHighestKelvins)
+      found.note = message(
+          "{} runs from {} to {} \u00B0C, where most rubbers are destroyed; these "
+          "look like kelvins: say --temperature-unit K if they are",
+          Message::name(fact.name), lowest, highest);
+    return found;
+  }
+  if (lowest < kLowestKelvins && highest > 250)
     throw InputError(in.fileName, fact.name,
                      message("runs from {} to {} without a unit: kelvins and degrees Celsius seem "
                              "to be mixed; say which with --temperature-unit, or correct the "
                              "column",
                              lowest, highest));
-  fact.unit = lowest >= 200 ? "K" : "\u00B0C";
+  fact.unit = lowest >= kLowestKelvins ? "K" : "\u00B0C";
   return {fact, *temperatureUnit(fact.unit)};
 }
 

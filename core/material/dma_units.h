@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "core/base/message.h"
 #include "core/base/text_table.h"
 #include "core/base/units.h"
 #include "core/material/dma_file.h"
@@ -45,6 +46,7 @@ SizedColumn phaseColumn(const DmaBlock& in, std::size_t column);
 struct TemperatureColumn {
   DmaColumnFact fact;
   Unit unit;
+  std::optional<Message> note{};  // where degrees look like kelvins
 };
 
 /// Temperatures without a unit are kelvins where all are above 200: no rubber is hotter in °C.

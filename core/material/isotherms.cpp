@@ -11,6 +11,7 @@
 #include "core/base/statistics.h"
 #include "core/base/text.h"
 #include "core/base/units.h"
+#include "core/material/temperature_drift.h"
 
 namespace asperity {
 namespace {
@@ -42,21 +43,23 @@ void checkRow(const MeasuredModulus& row) {
 }
 
 /// Makes one sweep: it is sorted by frequency, and equal frequencies become their geometric mean.
-Isotherm gathered(std::vector<MeasuredModulus> rows) {
+MeasuredSweep gathered(std::vector<MeasuredModulus> rows) {
   std::ranges::stable_sort(rows, {},
                            [](const MeasuredModulus& row) { return row.modulus.frequency; });
-  Isotherm sweep;
+  MeasuredSweep made;
+  Isotherm& sweep = made.isotherm;
   double temperatures = 0;
   for (std::size_t i = 0; i < rows.size();) {
     std::size_t end = i;
     DynamicModulus least = rows[i].modulus, most = least;
-    double frequency = 0, storage = 0, loss = 0;
+    double frequency = 0, storage = 0, loss = 0, kelvins = 0;
     while (end < rows.size() &&
            rows[end].modulus.frequency <= rows[i].modulus.frequency * (1 + kSameFrequency)) {
       frequency += std::log(rows[end].modulus.frequency);
       storage += std::log(rows[end].modulus.storage);
       loss += std::log(rows[end].modulus.loss);
       temperatures += rows[end].temperature;
+      kelvins += rows[end].temperature;
       least.storage = std::min(least.storage, rows[end].modulus.storage);
       least.loss = std::min(least.loss, rows[end].modulus.loss);
       most.storage = std::max(most.storage, rows[end].modulus.storage);
@@ -67,6 +70,7 @@ Isotherm gathered(std::vector<MeasuredModulus> rows) {
     sweep.repeatRatio =
         std::max({sweep.repeatRatio, most.storage / least.storage, most.loss / least.loss});
     const auto count = static_cast<double>(end - i);
+    made.temperatures.push_back(kelvins / count);
     sweep.points.push_back(end - i == 1
                                ? rows[i].modulus
                                : DynamicModulus{std::exp(frequency / count),
@@ -84,7 +88,7 @@ Isotherm gathered(std::vector<MeasuredModulus> rows) {
         message("there is one frequency alone at {}, {} Hz; a shift needs sweeps of at "
                 "least two frequencies at each temperature",
                 celsius(sweep.temperature), sweep.points.front().frequency));
-  return sweep;
+  return made;
 }
 
 }  // namespace
@@ -97,7 +101,7 @@ std::vector<Isotherm> groupIsotherms(std::vector<MeasuredModulus> rows, double t
   if (rows.empty()) throw InputError("", "", "holds no row of frequency and moduli");
   for (const MeasuredModulus& row : rows) checkRow(row);
   std::ranges::stable_sort(rows, {}, &MeasuredModulus::temperature);
-  std::vector<Isotherm> isotherms;
+  std::vector<MeasuredSweep> sweeps;
   for (std::size_t begin = 0, i = 1; i <= rows.size(); ++i) {
     if (i < rows.size() && rows[i].temperature - rows[i - 1].temperature <= tolerance) continue;
     // A slow temperature ramp has no gaps, and all its sweeps would become one.
@@ -109,10 +113,13 @@ std::vector<Isotherm> groupIsotherms(std::vector<MeasuredModulus> rows, double t
                   "constant temperatures are needed (--temperature-tolerance says how "
                   "far the rows of one sweep may lie apart)",
                   celsius(rows[begin].temperature), celsius(rows[i - 1].temperature), tolerance));
-    isotherms.push_back(gathered({rows.begin() + static_cast<std::ptrdiff_t>(begin),
-                                  rows.begin() + static_cast<std::ptrdiff_t>(i)}));
+    sweeps.push_back(gathered({rows.begin() + static_cast<std::ptrdiff_t>(begin),
+                               rows.begin() + static_cast<std::ptrdiff_t>(i)}));
     begin = i;
   }
+  removeDrift(sweeps, tolerance);
+  std::vector<Isotherm> isotherms;
+  for (MeasuredSweep& sweep : sweeps) isotherms.push_back(std::move(sweep.isotherm));
   return isotherms;
 }
 

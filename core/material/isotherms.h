@@ -22,12 +22,20 @@ struct DynamicModulus {
   bool operator==(const DynamicModulus&) const = default;
 };
 
+/// The temperatures of a sweep that rise or fall with frequency (temperature_drift.h).
+struct TemperatureDrift {
+  double from = 0, to = 0;  // K, the coldest and the warmest of them
+  bool isRising = true;     // with frequency
+  bool isRemoved = false;   // whether the moduli were interpolated to one temperature
+};
+
 /// One frequency sweep at one temperature, by rising frequency.
 struct Isotherm {
-  double temperature = 293.15;  // K, mean of its rows
+  double temperature = 293.15;  // K, mean of its rows, or to which they were interpolated
   std::vector<DynamicModulus> points;
   std::size_t repeats = 0;  // rows beyond the first one at each frequency; the points are means
   double repeatRatio = 1;   // the largest of the moduli over the least at one frequency
+  std::optional<TemperatureDrift> drift{};
 
   double lowestFrequency() const { return points.front().frequency; }
   double highestFrequency() const { return points.back().frequency; }
@@ -60,9 +68,10 @@ inline constexpr double kIsothermTolerance = 0.6;  // K
 
 /// Groups rows into sweeps, by rising temperature and frequency whatever the order of the rows.
 /// Rows whose temperatures follow each other within `tolerance` (K) are one isotherm; several
-/// values at one frequency of a sweep become their geometric mean. Throws InputError where there is
-/// no row, a frequency or modulus is out of range, the temperatures of a sweep drift over more than
-/// a few tolerances without a gap, or a sweep has only one frequency.
+/// values at one frequency of a sweep become their geometric mean. A temperature that drifts within
+/// a sweep by more than the tolerance is removed where it can be (removeDrift). Throws InputError
+/// where there is no row, a frequency or modulus is out of range, the temperatures of a sweep drift
+/// over more than a few tolerances without a gap, or a sweep has only one frequency.
 std::vector<Isotherm> groupIsotherms(std::vector<MeasuredModulus> rows,
                                      double tolerance = kIsothermTolerance);
 

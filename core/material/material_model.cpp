@@ -9,6 +9,7 @@
 #include "core/base/number_text.h"
 #include "core/base/text_encoding.h"
 #include "core/material/stray_points.h"
+#include "core/material/temperature_drift.h"
 
 namespace asperity {
 namespace {
@@ -284,6 +285,7 @@ Material makeMaterial(std::string_view bytes, const std::string& fileName,
       throw error.isOfOption() ? error : error.in(fileName);
     }
     material.facts = file.facts;
+    std::ranges::move(describeDrift(material.isotherms), std::back_inserter(material.facts.notes));
     material.strainAmplitude = strain;
     material.measured = measuredRange(material);
     if (file.shift && material.isotherms.size() == 1)

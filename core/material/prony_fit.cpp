@@ -176,6 +176,21 @@ PronySeries fitWithFewest(std::span<const DynamicModulus> points, double knownEq
                                [&](const PronySeries& fit) { return rmsResidual(fit) <= enough; });
 }
 
+/// Returns whether the moduli tell the equilibrium modulus of a fit from 0: it is a visible part of
+/// the smallest storage modulus, or the fit without it is clearly worse.
+bool isEquilibriumClear(std::span<const DynamicModulus> points, const PronySeries& series,
+                        double smallestStorage) {
+  constexpr double kVisiblePart = 0.1, kClear = 3;  // standard errors
+  if (series.equilibriumModulus > kVisiblePart * smallestStorage) return true;
+  const auto values = 2 * static_cast<double>(points.size());
+  const auto squares = [values](const PronySeries& fit) {
+    return values * std::pow(rmsResidual(fit), 2);
+  };
+  const double freedom = std::max(1.0, values - static_cast<double>(series.arms.size() + 1));
+  const double least = squares(series);
+  return squares(fitWith(points, series.terms, 0)) - least > kClear * kClear * least / freedom;
+}
+
 }  // namespace
 
 DynamicModulus modulusAt(const PronySeries& series, double frequency) {
@@ -219,6 +234,15 @@ PronySeries fitPronySeries(std::span<const DynamicModulus> given, const PronyOpt
                 "frequencies or higher temperatures, give --equilibrium-modulus, or "
                 "allow it with --liquid",
                 points.front().frequency));
+  if (!options.isLiquid && std::isnan(known) && !isEquilibriumClear(points, series, smallest))
+    throw InputError(
+        "", "equilibrium modulus",
+        message("is {} in the fit, where the smallest storage modulus is {}, and cannot be told "
+                "from 0: a liquid fits as well, which cannot carry a load for ever; measure at "
+                "lower frequencies or higher temperatures, give --equilibrium-modulus, or allow "
+                "it with --liquid",
+                PrintedNumber{printedQuantity(series.equilibriumModulus, "Pa", 3)},
+                PrintedNumber{printedQuantity(smallest, "Pa", 3)}));
   return series;
 }
 

@@ -33,7 +33,8 @@ struct PronySeries {
 /// G''/G''_measured - 1, all with equal weight. The relaxation times are evenly spaced in their
 /// logarithm, from half a decade below 1 / w_max to half a decade above 1 / w_min; terms with
 /// modulus 0 are left out. Throws InputError where there are too few points, and where the
-/// equilibrium modulus would be 0 unless the options allow it. Throws StopRequested where `stop`
+/// equilibrium modulus would be 0, or so small that the moduli do not tell it from 0, unless the
+/// options allow it. Throws StopRequested where `stop`
 /// was requested.
 PronySeries fitPronySeries(std::span<const DynamicModulus> points, const PronyOptions& options);
 

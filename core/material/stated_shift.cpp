@@ -2,6 +2,7 @@
 // energy of Arrhenius, or a table of shift factors.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <string_view>
 
@@ -135,9 +136,12 @@ ShiftConstants shiftConstants(const TextTable& table, const std::string& unit) {
       // The formula may stand in another line than the values.
       const bool isNatural = isOneOf("ln", ofLine) || containsOneOf(lowerCase(line), "exp( exp[");
       if (isNatural && hasOneOf(ofLine, "c1 c2 c\u2081 c\u2082")) found.naturalLine = entry.line;
-      for (const std::string_view clause : splitClauses(line)) {
+      std::vector<std::string_view> statements;
+      for (const std::string_view clause : splitClauses(line))
+        std::ranges::copy(splitStatements(clause), std::back_inserter(statements));
+      for (const std::string_view statement : statements) {
         // "C2 (K)"
-        const auto stated = parseStatement(clause);
+        const auto stated = parseStatement(statement);
         const auto words = stated ? wordsIn(stated->name.name) : std::vector<std::string>();
         if (words.empty()) continue;
         const bool isC1 = isOneOf(words.back(), "c1 c\u2081");

@@ -82,7 +82,10 @@ class HeaderReader {
       // What a clause says about making holds for the next ones, too, until one is about the test.
       const std::vector<std::string> own = withoutNamesOfMixtures(wordsIn(clause));
       if (areOfTest(own) && !std::ranges::any_of(own, isOfMaking)) isOfMaking_ = false;
-      readClause(clause);
+      if (isLineOfShift_)
+        for (const std::string_view statement : splitStatements(clause)) readClause(statement);
+      else
+        readClause(clause);
       if (std::ranges::any_of(own, isOfMaking)) isOfMaking_ = true;
       if (isOfMaking_ && firstTemperature(clause)) isMakingDone_ = true;
     }

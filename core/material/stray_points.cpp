@@ -80,13 +80,13 @@ struct Deviant {
 
 /// Returns the point of a curve that is the clearest one, if any is clear. The points beside it
 /// seem to deviate as well, but less clearly, because their own neighbours scatter.
-std::optional<Deviant> clearest(const Curve& curve, double usualScatter) {
+std::optional<Deviant> clearest(const Curve& curve, double usual) {
   std::optional<Deviant> found;
   double most = kClearScatter;
   for (std::size_t i = 0; i < curve.x.size(); ++i) {
     const Prediction prediction = predicted(curve, i);
     const double deviation = std::abs(curve.y[i] - prediction.value);
-    const double scatter = std::max(prediction.scatter, usualScatter) * prediction.magnified;
+    const double scatter = std::max(prediction.scatter, usual) * prediction.magnified;
     if (!(deviation > kClearFactor && deviation > most * scatter)) continue;
     found = {i, prediction.value};
     if (!(scatter > 0)) break;
@@ -99,27 +99,45 @@ bool isLongEnough(const Curve& curve) {
   return std::ssize(curve.x) > static_cast<std::ptrdiff_t>(kLeastNeighbours);
 }
 
+constexpr int kMostOfOne = 10;  // strays of one curve
+
+void removePoint(Curve& curve, std::size_t at) {
+  const auto index = static_cast<std::ptrdiff_t>(at);
+  curve.points.erase(curve.points.begin() + index);
+  curve.x.erase(curve.x.begin() + index);
+  curve.y.erase(curve.y.begin() + index);
+}
+
+/// Returns the median of the scatters. A stray point spoils all predictions that it takes part in,
+/// which may be those of a whole short sweep, so what is clear by its own neighbours alone does not
+/// take part.
+double usualScatter(std::vector<Curve> curves) {
+  std::vector<double> scatters;
+  for (Curve& curve : curves) {
+    for (int n = 0; n < kMostOfOne && isLongEnough(curve); ++n) {
+      const auto deviant = clearest(curve, 0);
+      if (!deviant) break;
+      removePoint(curve, deviant->point);
+    }
+    for (std::size_t i = 0; isLongEnough(curve) && i < curve.x.size(); ++i)
+      scatters.push_back(predicted(curve, i).scatter);
+  }
+  return median(std::move(scatters));
+}
+
 void addStrays(std::span<const Isotherm> isotherms, bool isLoss, std::vector<Found>& found) {
   std::vector<Curve> curves =
       curvesOf(isotherms, isLoss ? &DynamicModulus::loss : &DynamicModulus::storage);
-  std::vector<double> scatters;
-  for (const Curve& curve : curves)
-    for (std::size_t i = 0; isLongEnough(curve) && i < curve.x.size(); ++i)
-      scatters.push_back(predicted(curve, i).scatter);
-  const double usual = median(std::move(scatters));
-  constexpr int kMostOfOne = 10;
+  const double usual = usualScatter(curves);
   for (std::size_t k = 0; k < curves.size(); ++k) {
     Curve& curve = curves[k];
     for (int n = 0; n < kMostOfOne && isLongEnough(curve); ++n) {
       const auto deviant = clearest(curve, usual);
       if (!deviant) break;
       const auto [at, suggested] = *deviant;
-      const auto index = static_cast<std::ptrdiff_t>(at);
       found.push_back({{k, curve.points[at], isLoss, std::pow(10, suggested)},
                        std::abs(curve.y[at] - suggested)});
-      curve.points.erase(curve.points.begin() + index);
-      curve.x.erase(curve.x.begin() + index);
-      curve.y.erase(curve.y.begin() + index);
+      removePoint(curve, at);
     }
   }
 }

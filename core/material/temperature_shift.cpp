@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/base/input_error.h"
+#include "core/base/number_text.h"
 
 namespace asperity {
 namespace {
@@ -34,13 +35,19 @@ bool isWithinTable(const TemperatureShift& shift, double temperature) {
          temperature <= shift.table.back().temperature + kRounding;
 }
 
+PrintedNumber degrees(double kelvin) {
+  constexpr int kDigits = 8;
+  return plain(roundedToDigits(kelvin, kDigits));
+}
+
 double tableDecades(const TemperatureShift& shift, double temperature) {
   const std::vector<ShiftPoint>& table = shift.table;
   if (table.empty()) throw InputError("", "elastomer.shift.table", "has no rows");
   if (!isWithinTable(shift, temperature))
-    throw InputError("", "elastomer.temperature",
-                     message("{} K is outside the shift table, {} to {} K", temperature,
-                             table.front().temperature, table.back().temperature));
+    throw InputError(
+        "", "elastomer.temperature",
+        message("{} K is outside the shift table, {} to {} K", degrees(temperature),
+                degrees(table.front().temperature), degrees(table.back().temperature)));
   temperature = std::clamp(temperature, table.front().temperature, table.back().temperature);
   const auto above = std::ranges::lower_bound(table, temperature, {}, &ShiftPoint::temperature);
   if (above->temperature == temperature) return above->log10Shift;

@@ -4107,6 +4107,22 @@
         <translation>läuft von %1 bis %2 ohne eine Lücke von mehr als %3 K; nötig sind Messungen bei festen Temperaturen (--temperature-tolerance sagt, wie weit die Zeilen einer Messung auseinanderliegen dürfen)</translation>
     </message>
     <message>
+        <source>temperature %1 with frequency within %2 of %3 sweeps, by up to %4 K (%5 to %6, now the isotherm at %7): their moduli are interpolated at each frequency between neighbouring sweeps to one temperature</source>
+        <translation>die Temperatur %1 mit der Frequenz innerhalb von %2 der %3 Messungen, um bis zu %4 K (%5 bis %6, nun die Isotherme bei %7): ihre Moduln sind bei jeder Frequenz zwischen benachbarten Messungen auf eine Temperatur interpoliert</translation>
+    </message>
+    <message>
+        <source>temperature %1 with frequency within %2 of %3 sweeps, by up to %4 K (%5 to %6, taken for %7), which distorts their moduli and shifts; wait for a steady temperature, or measure the same frequencies at temperatures below and above, between which they can be interpolated</source>
+        <translation>die Temperatur %1 mit der Frequenz innerhalb von %2 der %3 Messungen, um bis zu %4 K (%5 bis %6, als %7 gelesen), was ihre Moduln und Verschiebungen verfälscht; eine stetige Temperatur abwarten oder dieselben Frequenzen bei Temperaturen darunter und darüber messen, zwischen denen sich interpolieren lässt</translation>
+    </message>
+    <message>
+        <source>rises</source>
+        <translation>steigt</translation>
+    </message>
+    <message>
+        <source>falls</source>
+        <translation>fällt</translation>
+    </message>
+    <message>
         <source>the isotherms at %1 and %2 do not overlap: no shift brings their moduli together; a sweep at a temperature between them or over more frequencies is needed, or leave the isotherms beyond the gap out</source>
         <translation>die Isothermen bei %1 und %2 überlappen nicht: keine Verschiebung bringt ihre Moduln zusammen; nötig ist eine Messung bei einer Temperatur dazwischen oder über mehr Frequenzen, oder die Isothermen jenseits der Lücke weglassen</translation>
     </message>
@@ -4133,6 +4149,10 @@
     <message>
         <source>is 0 in the fit: down to %1 Hz the storage modulus still falls as that of a liquid, which cannot carry a load for ever; measure at lower frequencies or higher temperatures, give --equilibrium-modulus, or allow it with --liquid</source>
         <translation>ist 0 in der Anpassung: bis %1 Hz hinab fällt der Speichermodul wie der einer Flüssigkeit, die keine Last auf Dauer trägt; bei tieferen Frequenzen oder höheren Temperaturen messen, --equilibrium-modulus angeben oder es mit --liquid erlauben</translation>
+    </message>
+    <message>
+        <source>is %1 in the fit, where the smallest storage modulus is %2, and cannot be told from 0: a liquid fits as well, which cannot carry a load for ever; measure at lower frequencies or higher temperatures, give --equilibrium-modulus, or allow it with --liquid</source>
+        <translation>ist %1 in der Anpassung, wo der kleinste Speichermodul %2 ist, und lässt sich von 0 nicht unterscheiden: eine Flüssigkeit passt ebenso gut, die auf Dauer keine Last trägt; bei tieferen Frequenzen oder höheren Temperaturen messen, --equilibrium-modulus angeben oder es mit --liquid zulassen</translation>
     </message>
     <message>
         <source>needs a number in place %1</source>
@@ -4241,6 +4261,10 @@
     <message>
         <source>runs from %1 to %2 without a unit: kelvins and degrees Celsius seem to be mixed; say which with --temperature-unit, or correct the column</source>
         <translation>läuft von %1 bis %2 ohne Einheit: Kelvin und Grad Celsius scheinen gemischt; mit --temperature-unit sagen, welche, oder die Spalte berichtigen</translation>
+    </message>
+    <message>
+        <source>%1 runs from %2 to %3 °C, where most rubbers are destroyed; these look like kelvins: say --temperature-unit K if they are</source>
+        <translation>%1 läuft von %2 bis %3 °C, wo die meisten Gummis zerstört sind; das sieht nach Kelvin aus: --temperature-unit K angeben, falls es welche sind</translation>
     </message>
     <message>
         <source>is stated nowhere; say at which the moduli were measured with --temperature, such as --temperature 20C</source>

@@ -80,7 +80,7 @@ TEST_F(MaterialCommandTest, WhatCannotBeUsedIsRefusedAndLeavesNothing) {
   program.folder.write("unknown.csv", table("a,b,c,d\n"));
   const std::pair<const char*, const char*> refusals[] = {
       {"material none.csv -o out", "asperity: none.csv: "},
-      {"material negative.csv -o out", "asperity: negative.csv: line 2: the loss modulus is -1"},
+      {"material negative.csv -o out", "asperity: negative.csv: line 2: G'' is \u22121 Pa"},
       {"material unknown.csv -o out", "asperity: unknown.csv: has no columns that are known"},
       {"material liquid.csv -o out --temperature 20C",
        "asperity: liquid.csv: equilibrium modulus: is not above 0"},

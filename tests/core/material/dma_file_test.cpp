@@ -494,7 +494,12 @@ TEST(DmaFile, WhatIsWrongIsSaidInOneLine) {
   EXPECT_THAT(errorOf("f (Hz),T (C),G' [furlong],G'' [furlong]\n" + rows),
               HasSubstr("has the unit furlong"));
   EXPECT_THAT(errorOf("f (Hz),T (C),G' (Pa),G'' (Pa)\n1,20,2e6,-1\n2,20,2e6,1\n"),
-              HasSubstr("line 2: the loss modulus is -1, which must be above 0"));
+              HasSubstr("line 2: G'' is \u22121 Pa, which must be above 0"));
+  // The number is that of the file, and not a third of it in Pa.
+  EXPECT_THAT(errorOf("f (Hz),T (C),E' (MPa),E'' (MPa)\n1,20,-8.4653,1\n2,20,2,1\n"),
+              HasSubstr("line 2: E' is \u22128.4653 MPa, which must be above 0"));
+  EXPECT_THAT(errorOf("f (Hz),T (C),G' (Pa),tan d\n1,20,2e6,-1\n2,20,2e6,1\n"),
+              HasSubstr("line 2: the loss modulus is -2000000, which must be above 0"));
   EXPECT_THAT(errorOf("f (Hz),T (C),G' (Pa),G'' (Pa)\n0,20,2e6,1\n2,20,2e6,1\n"),
               HasSubstr("the frequency is 0"));
   EXPECT_THAT(errorOf("f (Hz),T (C),G' (Pa),G'' (Pa)\n1,20,2e6,1\n2,-300,2e6,1\n"),
@@ -502,6 +507,97 @@ TEST(DmaFile, WhatIsWrongIsSaidInOneLine) {
   EXPECT_THAT(errorOf("f (Hz),T,G' (Pa),G'' (Pa)\n1,20,2e6,1\n2,300,2e6,1\n"), HasSubstr("mixed"));
   EXPECT_THAT(errorOf("f (Hz),G' (Pa),G'' (Pa)\n1,2e6,1\n2,2e6,1\n"), HasSubstr("--temperature"));
   EXPECT_THAT(errorOf("f,T,G',G''\n1,20,2,1\n2,20,2,1\n"), HasSubstr("--modulus-unit MPa"));
+}
+
+/// Kelvins under the name of degrees made isotherms from 263 to 313 \u00B0C in silence.
+TEST(DmaFile, DegreesThatLookLikeKelvinsAreSaid) {
+  const std::string rows = "1,263,2e6,2e5\n10,263,3e6,4e5\n1,313,1e6,2e5\n10,313,2e6,4e5\n";
+  const std::string table = "f (Hz),T (\u00B0C),G' (Pa),G'' (Pa)\n" + rows;
+  EXPECT_THAT(read(table).facts.notes.at(0).english(),
+              HasSubstr("T runs from 263 to 313 \u00B0C, where most rubbers are destroyed"));
+  DmaChoices choices;
+  choices.temperatureUnit = "K";
+  EXPECT_TRUE(read(table, choices).facts.notes.empty());
+  EXPECT_TRUE(read("f (Hz),T (K),G' (Pa),G'' (Pa)\n" + rows).facts.notes.empty());
+}
+
+/// t before T was taken for the temperature.
+TEST(DmaFile, ATimeIsNoTemperature) {
+  for (const std::string header :
+       {"t (s),T (\u00B0C),f (Hz),G' (Pa),G'' (Pa)\n", "t [min],T [C],f [Hz],G' [Pa],G'' [Pa]\n",
+        "t,T,f,G',G''\n", "t,T,f,G',G''\ns,\u00B0C,Hz,Pa,Pa\n"})
+    for (const std::string chosen : {"", "T"}) {
+      DmaChoices choices;
+      choices.temperatureColumn = chosen;
+      const DmaFile file = read(header + "30,20,1,2e6,2e5\n60,20,10,3e6,4e5\n", choices);
+      ASSERT_EQ(file.rows.size(), 2U) << header;
+      expectRow(file.rows[1], 293.15, 10, 3e6, 4e5);
+    }
+  // Alone it is one.
+  expectRow(read("t,f (Hz),G' (Pa),G'' (Pa)\n20,1,2e6,2e5\n20,10,3e6,4e5\n").rows[0], 293.15, 1,
+            2e6, 2e5);
+}
+
+TEST(DmaFile, ARowOfTemperaturesMayHaveOneUnit) {
+  for (const std::string row :
+       {"T / \u00B0C;20;;30;", "T / \u00B0C;20;20;30;30", "T (K);293.15;;303.15;",
+        "Temperature;20;;30;", "T / \u00B0C;20,0;;30,0;"}) {
+    const DmaFile file = read(row +
+                              "\nf / Hz;G' / MPa;G'' / MPa;G' / MPa;G'' / MPa\n1;2;1;1.5;1\n"
+                              "2;3;1;2.5;1\n");
+    ASSERT_EQ(file.rows.size(), 4U) << row;
+    expectRow(file.rows[3], 303.15, 2, 2.5e6, 1e6);
+  }
+}
+
+/// A table with f, T and f aT was refused for want of the temperature of a master curve.
+TEST(DmaFile, ReducedFrequenciesBesideIsothermsAreNotRead) {
+  const DmaFile file = read(
+      "T (\u00B0C),f (Hz),aT,f*aT (Hz),G' (Pa),G'' (Pa)\n10,1,5,5,2e6,2e5\n10,10,5,50,3e6,4e5\n"
+      "20,1,1,1,1e6,2e5\n20,10,1,10,2e6,4e5\n");
+  ASSERT_EQ(file.rows.size(), 4U);
+  expectRow(file.rows[1], 283.15, 10, 3e6, 4e5);
+  EXPECT_FALSE(file.facts.isReduced);
+  EXPECT_THAT(file.facts.notes.at(0).english(), HasSubstr("the isotherms have their own"));
+}
+
+TEST(DmaFile, StiffnessesAndTorquesAreNoModuli) {
+  expectRow(read("T (C),f (Hz),K' (N/m),K\" (N/m),E' (Pa),E\" (Pa)\n20,1,9,9,6e6,6e5\n"
+                 "20,10,9,9,9e6,1.2e6\n")
+                .rows.at(1),
+            293.15, 10, 3e6, 4e5);
+  const DmaFile rpa = read(
+      "Temp [\u00B0C],Freq [cpm],S' [dNm],S'' [dNm],G' [kPa],G'' [kPa]\n20,60,9,9,2000,200\n"
+      "20,600,9,9,3000,400\n");
+  expectRow(rpa.rows.at(1), 293.15, 10, 3e6, 4e5);
+  // Alone, their unit is refused.
+  EXPECT_THAT(errorOf("T (C),f (Hz),G' (N/m),G'' (N/m)\n20,1,9,9\n20,10,9,9\n"),
+              HasSubstr("has the unit N/m"));
+}
+
+/// Names of text with blanks: a drawn line below them, or units without one for the row number.
+TEST(DmaFile, TablesWithBlanksKeepTheirNames) {
+  const std::string rows = "   1    20.0   1.0   2e6   2e5\n   2    20.0  10.0   3e6   4e5\n";
+  const std::string names = "   N    Temp  Freq    G'   G''\n";
+  const std::string units = "           C    Hz    Pa    Pa\n";
+  for (const std::string& head :
+       {names + "-----------------------------\n", names + units, names + units + "=====\n"}) {
+    const DmaFile file = read(head + rows);
+    ASSERT_EQ(file.rows.size(), 2U) << head;
+    expectRow(file.rows[1], 293.15, 10, 3e6, 4e5);
+  }
+  // The unit may be missing of another column.
+  EXPECT_THAT(errorOf("   Freq   Temp   G'   G''  tand\n     Hz      C   Pa    Pa\n"
+                      " 1  20  2e6  2e5  0.1\n 10  20  3e6  4e5  0.13\n"),
+              HasSubstr("has no columns that are known"));
+}
+
+/// The rest of the brackets stood in the name.
+TEST(DmaFile, LogarithmsHaveNamesWithoutBrackets) {
+  const DmaFile file =
+      read("T (C),log10(\u03C9/(rad/s)),lg(G'/MPa),lg(G''/MPa)\n20,0,0.3,-0.7\n20,1,0.5,-0.4\n");
+  EXPECT_EQ(file.facts.frequency.name, "\u03C9");
+  EXPECT_EQ(file.facts.frequency.unit, "rad/s");
 }
 
 /// Deviations of a modulus are no modulus; averaged into it they would halve it and more.
@@ -706,7 +802,9 @@ TEST(DmaFile, TheShiftBesideAMasterCurveIsRead) {
   const std::string curve = "f (Hz);G' (Pa);G'' (Pa)\n1;2e6;2e5\n10;3e6;4e5\n100;4e6;6e5\n";
   const std::string head = "Master curve, Tref = 20 \u00B0C\n";
   for (const std::string constants :
-       {"WLF C1 = 10\nWLF C2 = 120 K\n", "WLF C1 = 10, C2 = 120 K\n", "C_1: 10\nC_2: 120\n"}) {
+       {"WLF C1 = 10\nWLF C2 = 120 K\n", "WLF C1 = 10, C2 = 120 K\n", "C_1: 10\nC_2: 120\n",
+        "WLF C1 = 10 C2 = 120 K\n", "WLF C1=10 C2 (K) = 120\n", "WLF C1=10 C2=120 Tref 20 C\n",
+        "WLF C1 = 10 C2 = 120 K Tref=20C\n"}) {
     const DmaFile file = read(head + constants + curve);
     ASSERT_TRUE(file.shift.has_value()) << constants;
     EXPECT_EQ(*file.shift, (TemperatureShift{10, 120, 293.15}));
@@ -716,7 +814,8 @@ TEST(DmaFile, TheShiftBesideAMasterCurveIsRead) {
   const std::string reduced = "aT*f (Hz);G' (Pa);G'' (Pa)\n1;2e6;2e5\n10;3e6;4e5\n100;4e6;6e5\n";
   for (const std::string constants :
        {"WLF: Tref = 20 \u00B0C; C1 = 10; C2 = 120 K\n",
-        "WLF: C1 = 10, C2 = 120 K, Tref = 20 \u00B0C\n",
+        "WLF C1 = 10 C2 = 120 K Tref = 20 \u00B0C\n", "WLF C1=10 C2=120 Tref 20 C\n",
+        "WLF Tref=20C C1=10 C2=120\n", "WLF: C1 = 10, C2 = 120 K, Tref = 20 \u00B0C\n",
         "WLF fit: C1 = 10 ; C2 = 120 K ; T0 = 20 \u00B0C\n",
         "WLF Tref = 20 \u00B0C; WLF C1 = 10; WLF C2 = 120 K\n",
         "WLF reference temperature: 20 \u00B0C\nC1 = 10\nC2 (K): 120\n",

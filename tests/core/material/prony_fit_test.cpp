@@ -6,6 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <random>
+#include <utility>
 
 #include "core/base/input_error.h"
 #include "core/material/master_curve.h"
@@ -161,6 +164,36 @@ TEST(PronyFit, ALiquidIsAnErrorUnlessItIsWanted) {
   options.isLiquid = false;
   options.equilibriumModulus = 1;
   EXPECT_EQ(fitPronySeries(points, options).equilibriumModulus, 1);
+}
+
+/// Noise gave a melt an equilibrium modulus of one hundredth of its smallest storage modulus, with
+/// which it passed for a solid.
+TEST(PronyFit, ALiquidIsNoSolidByItsNoise) {
+  constexpr double kNoise = 0.02;
+  int refused = 0;
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> normal;
+    std::vector<DynamicModulus> points;
+    for (double frequency = 0.01; frequency < 1e3; frequency *= 1.3) {
+      DynamicModulus modulus{frequency, 0, 0};
+      for (const auto& [g, tau] : {std::pair(1e5, 1e-3), {5e4, 1e-2}, {3e4, 1e-1}, {1e4, 1.0}}) {
+        const double turn = 2 * std::numbers::pi * frequency * tau;
+        modulus.storage += g * turn * turn / (1 + turn * turn);
+        modulus.loss += g * turn / (1 + turn * turn);
+      }
+      modulus.storage *= 1 + kNoise * normal(random);
+      modulus.loss *= 1 + kNoise * normal(random);
+      points.push_back(modulus);
+    }
+    const std::string error = errorFrom([&] { fitPronySeries(points, {}); });
+    refused += error.find("cannot carry a load for ever") != std::string::npos ? 1 : 0;
+    // A spring that carries most of the smallest storage modulus is none of noise.
+    const double spring = 10 * points.front().storage;
+    for (DynamicModulus& point : points) point.storage += spring;
+    EXPECT_GT(fitPronySeries(points, {}).equilibriumModulus, spring / 2) << seed;
+  }
+  EXPECT_EQ(refused, 20);
 }
 
 /// G' >= G_inf at every frequency.

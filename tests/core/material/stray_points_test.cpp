@@ -32,6 +32,19 @@ TEST(StrayPoints, OneSlipIsNamedAndNothingElse) {
     }
 }
 
+/// One stray in each of two short sweeps spoils up to all other predictions, and neither was found.
+TEST(StrayPoints, AreFoundWhereTheySpoilMostPredictions) {
+  const SyntheticRubber rubber;
+  for (unsigned seed = 1; seed <= 10; ++seed)
+    for (std::size_t at = 2; at < 11; ++at) {
+      std::vector<Isotherm> pair{rubber.sweep(288.15, 0.1, 50, 13, 0.02, seed),
+                                 rubber.sweep(298.15, 0.1, 50, 13, 0.02, seed)};
+      pair[0].points[at].storage *= 10;
+      pair[1].points[12 - at].storage *= 10;
+      EXPECT_EQ(strayPoints(pair).size(), 2U) << seed << " " << at;
+    }
+}
+
 TEST(StrayPoints, TheWorstComesFirst) {
   std::vector<Isotherm> isotherms = SyntheticRubber().sweeps(12, 0.01);
   isotherms[0].points[2].storage *= 3;
