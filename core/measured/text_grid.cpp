@@ -233,6 +233,10 @@ void takeSpacings(const TextTable& table, const TextBlock& block, const SurfaceS
     draft.facts.notes.emplace_back(
         "surface.point_spacing replaces the lengths above the numbers of the file.");
   if (!draft.hasPositions) grid.columnSpacing = grid.rowSpacing = 1;
+  // The entry "Unit" may be the unit of the heights, which tells nothing about a step.
+  if (!draft.positionUnit)
+    draft.positionUnit = headerUnit(table, block, false,
+                                    draft.hasPositions ? UnitEntries::AndCommon : UnitEntries::Own);
 }
 
 }  // namespace
@@ -287,10 +291,6 @@ SurfaceDraft readTextMatrix(const TextTable& table, const TextBlock& block,
     draft.facts.notes.emplace_back("The first row and the first column are positions.");
   } else {
     takeSpacings(table, block, source, draft);
-    // The entry "Unit" may be the unit of the heights, which tells nothing about a step.
-    if (!draft.positionUnit)
-      draft.positionUnit = headerUnit(
-          table, block, false, draft.hasPositions ? UnitEntries::AndCommon : UnitEntries::Own);
   }
   if (const auto size = nanometresPerHeight(table, block); size && !draft.heightUnit)
     draft.heightUnit = StatedUnit{*size == 1 ? "nm" : plainNumber(*size) + " nm", 1e-9 * *size};
@@ -343,21 +343,41 @@ bool isPointsOfGrid(const TextBlock& block, const ColumnRoles& roles) {
   return all <= 2 * static_cast<double>(block.rows) && all >= static_cast<double>(block.rows);
 }
 
+std::optional<GridNumbers> gridNumbers(const TextTable& table, const TextBlock& block,
+                                       const ColumnRoles& roles, const SurfaceSource& source) {
+  const bool isStepKnown = (source.choices.spacing > 0 && source.choices.positionUnit == "auto") ||
+                           headerLength(table, block, LengthKind::Step, 'x');
+  return findGridNumbers(block, roles, source, isStepKnown);
+}
+
 SurfaceDraft readTextPoints(const TextTable& table, const TextBlock& block,
                             const SurfaceSource& source) {
   if (block.columns.size() < 3) source.fail("points need three columns: x, y and z");
-  const PointColumns columns = pointColumns(block, columnRoles(block, source));
+  const ColumnRoles roles = columnRoles(block, source);
+  PointColumns columns = pointColumns(block, roles);
+  const auto numbers = gridNumbers(table, block, roles, source);
+  if (numbers) columns = {numbers->column, numbers->row, numbers->height};
+  // Numbers of points are positions only where the user says in which unit.
+  const bool areNumbers =
+      numbers && (source.choices.spacing > 0 || source.choices.positionUnit == "auto");
   SurfaceDraft draft;
   draft.facts.format = "points";
   draft.facts.positionColumn = columnText(block, columns.x).english();
   draft.facts.heightColumn = columnText(block, columns.z).english();
-  draft.facts.notes.push_back(message("Positions are {} and {}, heights {}.",
-                                      columnText(block, columns.x), columnText(block, columns.y),
-                                      columnText(block, columns.z)));
-  draft.positionUnit = columnUnit(source, table, block, columns.x, false);
-  const auto rowUnit = columnUnit(source, table, block, columns.y, false);
+  draft.facts.notes.push_back(
+      areNumbers ? message("Columns of the grid are numbered by {}, rows by {}; heights are {}.",
+                           columnText(block, columns.x), columnText(block, columns.y),
+                           columnText(block, columns.z))
+                 : message("Positions are {} and {}, heights {}.", columnText(block, columns.x),
+                           columnText(block, columns.y), columnText(block, columns.z)));
+  std::optional<StatedUnit> rowUnit;
+  if (!areNumbers) {
+    draft.positionUnit = columnUnit(source, table, block, columns.x, false);
+    rowUnit = columnUnit(source, table, block, columns.y, false);
+  }
   draft.heightUnit = columnUnit(source, table, block, columns.z, true);
-  if (!draft.positionUnit) draft.unknownPositionUnit = unknownUnit(table, block, columns.x, false);
+  if (!draft.positionUnit && !areNumbers)
+    draft.unknownPositionUnit = unknownUnit(table, block, columns.x, false);
   if (!draft.heightUnit) draft.unknownHeightUnit = unknownUnit(table, block, columns.z, true);
   const double ofRows =
       (rowUnit ? rowUnit->metres : 1) / (draft.positionUnit ? draft.positionUnit->metres : 1);
@@ -368,8 +388,12 @@ SurfaceDraft readTextPoints(const TextTable& table, const TextBlock& block,
   Topography& grid = draft.grid;
   grid.columns = x->count;
   grid.rows = y->count;
-  grid.columnSpacing = x->spacing;
-  grid.rowSpacing = y->spacing * ofRows;
+  if (areNumbers) {
+    takeSpacings(table, block, source, draft);
+  } else {
+    grid.columnSpacing = x->spacing;
+    grid.rowSpacing = y->spacing * ofRows;
+  }
   const double all = static_cast<double>(grid.columns) * static_cast<double>(grid.rows);
   if (all > 4 * static_cast<double>(block.rows))
     source.fail("the points do not lie on a grid of uniform rows and columns");

@@ -94,6 +94,7 @@ Form detectForm(const TextTable& table, const TextBlock& block, const SurfaceSou
   if (columns < 3) return Form::Profile;
   if (hasPositionFrame(block)) return Form::Matrix;
   const ColumnRoles roles = columnRoles(block, source);
+  if (gridNumbers(table, block, roles, source)) return Form::Points;
   if (roles.x >= 0 && roles.y >= 0 && roles.z >= 0) {
     // The table may be a profile with a second lateral coordinate that does not change, or points.
     return Form::Points;

@@ -1,7 +1,10 @@
 // The three forms of surfaces in text tables: profile, matrix and points.
 #pragma once
 
+#include <optional>
+
 #include "core/base/text_table.h"
+#include "core/measured/grid_numbers.h"
 #include "core/measured/surface_draft.h"
 #include "core/measured/text_columns.h"
 
@@ -11,6 +14,11 @@ SurfaceDraft readTextMatrix(const TextTable& table, const TextBlock& block,
                             const SurfaceSource& source);
 SurfaceDraft readTextPoints(const TextTable& table, const TextBlock& block,
                             const SurfaceSource& source);
+
+/// Returns the columns that number the columns and the rows of a grid; nothing where there are
+/// none.
+std::optional<GridNumbers> gridNumbers(const TextTable& table, const TextBlock& block,
+                                       const ColumnRoles& roles, const SurfaceSource& source);
 
 /// Returns whether the first two of three columns are the positions of a grid.
 bool isPointsOfGrid(const TextBlock& block, const ColumnRoles& roles);

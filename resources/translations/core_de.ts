@@ -3691,6 +3691,10 @@
         <translation>Orte sind %1 und %2, Höhen %3.</translation>
     </message>
     <message>
+        <source>Columns of the grid are numbered by %1, rows by %2; heights are %3.</source>
+        <translation>Die Spalten des Gitters nummeriert %1, die Zeilen %2; Höhen sind %3.</translation>
+    </message>
+    <message>
         <source>Positions are in %1, as the file states.</source>
         <translation>Die Orte sind in %1, wie die Datei sagt.</translation>
     </message>
