@@ -41,10 +41,20 @@ bool statesQuantity(std::string_view text) {
   return quantity && !quantity->unit.empty() && isKnownUnit(quantity->unit);
 }
 
+/// Returns whether a comma is the decimal mark of a number behind a word: "cellsize 2,5".
+bool isDecimalMark(std::string_view line, std::size_t comma) {
+  const std::size_t begin = line.find_last_of(" \t", comma);
+  const std::size_t end = std::min(line.find_first_of(" \t", comma), line.size());
+  double number = 0;
+  return begin != std::string_view::npos &&
+         readTextNumber(line.substr(begin + 1, end - begin - 1), ',', number);
+}
+
 /// Returns whether the fields behind a comma are a value in a file whose numbers have no separator:
 /// a number or a unit.
 bool statesAfterComma(std::string_view line, std::size_t comma, const TextDialect& dialect) {
-  if (dialect.isExact() || comma == std::string_view::npos || line.find(", ") != line.npos)
+  if (dialect.isExact() || comma == std::string_view::npos || line.find(", ") != line.npos ||
+      isDecimalMark(line, comma))
     return false;
   std::vector<std::string_view> fields;
   splitFields(line, Separator::Comma, fields);

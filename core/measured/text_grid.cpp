@@ -246,17 +246,19 @@ SurfaceDraft readTextMatrix(const TextTable& table, const TextBlock& block,
   SurfaceDraft draft;
   draft.facts.format = "matrix";
   Topography& grid = draft.grid;
-  const Frame frame = readFrame(block);
   const auto spip = spipHeader(table, block);
+  // A grid of ESRI states how many heights it has: there are no other numbers.
+  const bool isEsri = !table.entry("ncols", block).empty();
+  const Frame frame = isEsri ? Frame{} : readFrame(block);
   const CornerUnits corner = frame.hasColumn && !frame.hasRow ? cornerUnits(block) : CornerUnits{};
   // Numbers 0, 1, 2, ... are positions only where their unit is stated, and no other step.
   const bool hasUnit = corner.x || corner.y || !corner.unknownPosition.empty() ||
                        headerUnit(table, block, false, UnitEntries::Own);
   const bool isNumbered = frame.hasColumn && countByOne(frame.x) && countByOne(frame.y) &&
                           (!hasUnit || headerLength(table, block, LengthKind::Step, 'x'));
-  const Numbering numbering = frame.hasColumn ? Numbering{isNumbered, isNumbered}
-                              : spip          ? Numbering{}
-                                              : findNumbering(block, source);
+  const Numbering numbering = frame.hasColumn  ? Numbering{isNumbered, isNumbered}
+                              : spip || isEsri ? Numbering{}
+                                               : findNumbering(block, source);
   const std::size_t firstColumn = frame.hasColumn || numbering.column ? 1 : 0;
   const std::size_t firstRow = frame.hasRow || (!frame.hasColumn && numbering.row) ? 1 : 0;
   grid.columns = static_cast<std::int64_t>(block.columns.size() - firstColumn);

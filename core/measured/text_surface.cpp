@@ -10,6 +10,7 @@
 #include "core/measured/text_columns.h"
 #include "core/measured/text_lengths.h"
 #include "core/measured/uniform_positions.h"
+#include "core/measured/word_reader.h"
 
 namespace asperity {
 namespace {
@@ -222,12 +223,15 @@ SurfaceDraft readTextSurface(const SurfaceSource& source) {
         message("is a road file ({}), a kind that is not read; the heights of one track as "
                 "text are, with their distance as surface.point_spacing",
                 Message::name(std::string(kind))));
+  const bool isEsri =
+      format != "profile" && format != "points" && isEsriGrid(withoutByteOrderMark(source.bytes));
   TextTableOptions options;
   options.blankLinesAreGaps = true;
   options.progress = [&source](double part) { source.report(0.9 * part); };
-  const TextTable table = readTextTable(source.bytes, source.name, options);
+  const TextTable table =
+      isEsri ? readEsriGrid(source) : readTextTable(source.bytes, source.name, options);
   const TextBlock& block = table.largest();
-  const Form form = detectForm(table, block, source);
+  const Form form = isEsri ? Form::Matrix : detectForm(table, block, source);
   SurfaceDraft draft = form == Form::Profile  ? readTextProfile(table, block, source)
                        : form == Form::Matrix ? readTextMatrix(table, block, source)
                                               : readTextPoints(table, block, source);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 
 #include "core/base/text_table.h"
 #include "core/measured/grid_numbers.h"
@@ -22,6 +23,13 @@ std::optional<GridNumbers> gridNumbers(const TextTable& table, const TextBlock& 
 
 /// Returns whether the first two of three columns are the positions of a grid.
 bool isPointsOfGrid(const TextBlock& block, const ColumnRoles& roles);
+
+/// Returns whether a text begins with "ncols" and "nrows", as grids of ESRI do.
+bool isEsriGrid(std::string_view bytes);
+
+/// Returns a table of the rows that the header of a grid of ESRI states. Throws InputError where
+/// the heights are fewer or more.
+TextTable readEsriGrid(const SurfaceSource& source);
 
 /// Returns whether the first row and the first column of a matrix hold positions.
 bool hasPositionFrame(const TextBlock& block);

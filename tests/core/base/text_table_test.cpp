@@ -299,6 +299,8 @@ TEST(TextTable, FindsKeysAndValues) {
   const TextTable grid = read("ncols 4\nnrows 2\ncellsize 0.5\n1 2 3 4\n5 6 7 8\n");
   EXPECT_EQ(grid.entry("ncols", grid.largest()), "4");
   EXPECT_EQ(grid.largest().rows, 2u);
+  const TextTable commas = read("ncols 4\ncellsize 2,5\n1,5 2 3 4\n5,5 6 7 8\n");
+  EXPECT_EQ(commas.entry("cellsize", commas.largest()), "2,5");
 }
 
 TEST(TextTable, ACommaBetweenQuotesEndsNoKey) {

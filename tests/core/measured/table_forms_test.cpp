@@ -106,5 +106,57 @@ TEST(GridNumbers, MayLackPointsAndAreUnique) {
               HasSubstr("there is a point at this position already"));
 }
 
+// ---- Grids of ESRI -----------------------------------------------------------------------------
+
+std::string esriHeader(int columns, int rows, const std::string& step = "2") {
+  return fmt::format("ncols {}\nnrows {}\nxllcorner 0\nyllcorner 0\ncellsize {}\n", columns, rows,
+                     step);
+}
+
+/// The heights of the first rows, so many of them in a line.
+std::string esriHeights(std::size_t perLine, int rows = kRows, char decimal = '.') {
+  std::string text;
+  for (int i = 0; i < kColumns * rows; ++i) {
+    std::string number = fmt::format("{:.4f}", micrometres(i / kColumns, i % kColumns));
+    std::ranges::replace(number, '.', decimal);
+    text += number + ((static_cast<std::size_t>(i) + 1) % perLine == 0 ? "\n" : " ");
+  }
+  return text;
+}
+
+const ReadingChoices kInMicrometres{.positionUnit = "um", .heightUnit = "um"};
+
+TEST(EsriGrids, HaveTheRowsThatTheirHeaderStates) {
+  for (const std::size_t perLine : {7u, 1u, 3u, 5u, 14u, 28u}) {
+    SCOPED_TRACE(perLine);
+    expectSquareGrid(read(esriHeader(kColumns, kRows) + esriHeights(perLine), kInMicrometres),
+                     "matrix", 2e-6);
+  }
+  const std::string text = "NROWS\t4\r\nNCOLS\t7\r\nCELLSIZE\t2\r\n" + esriHeights(5);
+  expectSquareGrid(read(text, kInMicrometres), "matrix", 2e-6);
+  expectCutOffIsNoHarm(text, kInMicrometres);
+}
+
+TEST(EsriGrids, MayHaveADecimalComma) {
+  for (const char* step : {"2,0", "2,5", "2"})
+    expectSquareGrid(
+        read(esriHeader(kColumns, kRows, step) + esriHeights(7, kRows, ','), kInMicrometres),
+        "matrix", std::string_view(step) == "2,5" ? 2.5e-6 : 2e-6);
+}
+
+TEST(EsriGrids, MustNotContradictTheirHeader) {
+  const auto error = [](const std::string& text) { return errorOf(text, kInMicrometres); };
+  EXPECT_THAT(error(esriHeader(kColumns, kRows) + esriHeights(7, 3)),
+              HasSubstr("line 8: ends after 21 of 28 heights"));
+  EXPECT_THAT(error(esriHeader(6, kRows) + esriHeights(7)),
+              HasSubstr("line 9: has more than the 24 heights that the header says"));
+  EXPECT_THAT(error(esriHeader(kRows, kColumns) + "1 2 3 4 5 6 7\n" + esriHeights(7, 3)),
+              HasSubstr("the header says 4 x 7 pixels; the file has 7 x 4 numbers"));
+  EXPECT_THAT(error("ncols 7\nnrows 2.5\ncellsize 2\n" + esriHeights(7)),
+              HasSubstr("nrows in the header is not a number above 0"));
+  EXPECT_THAT(error(esriHeader(kColumns, kRows) + "1 2 x 4\n" + esriHeights(7)),
+              HasSubstr("line 6: height 3 is not a number"));
+}
+
 }  // namespace
 }  // namespace asperity::written
