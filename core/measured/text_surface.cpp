@@ -7,6 +7,7 @@
 
 #include "core/base/number_text.h"
 #include "core/base/text_number.h"
+#include "core/measured/matrix_frame.h"
 #include "core/measured/text_columns.h"
 #include "core/measured/text_lengths.h"
 #include "core/measured/uniform_positions.h"
@@ -93,7 +94,7 @@ Form detectForm(const TextTable& table, const TextBlock& block, const SurfaceSou
   if (format == "points") return Form::Points;
   const std::size_t columns = block.columns.size();
   if (columns < 3) return Form::Profile;
-  if (hasPositionFrame(block)) return Form::Matrix;
+  if (readFrame(block).hasColumn) return Form::Matrix;
   const ColumnRoles roles = columnRoles(block, source);
   if (gridNumbers(table, block, roles, source)) return Form::Points;
   if (roles.x >= 0 && roles.y >= 0 && roles.z >= 0) {

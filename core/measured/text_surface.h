@@ -31,7 +31,4 @@ bool isEsriGrid(std::string_view bytes);
 /// the heights are fewer or more.
 TextTable readEsriGrid(const SurfaceSource& source);
 
-/// Returns whether the first row and the first column of a matrix hold positions.
-bool hasPositionFrame(const TextBlock& block);
-
 }  // namespace asperity

@@ -3923,6 +3923,18 @@
         <translation>wird gebraucht: Die erste Spalte kann die Punkte nummerieren; lassen Sie sie weg, oder setzen Sie matrix, wenn sie Höhen enthält</translation>
     </message>
     <message>
+        <source>is needed: the first row is evenly spaced and may hold positions; leave it out, or set matrix where it holds heights</source>
+        <translation>wird gebraucht: Die erste Zeile hat gleiche Abstände und kann Orte enthalten; lassen Sie sie weg, oder setzen Sie matrix, wenn sie Höhen enthält</translation>
+    </message>
+    <message>
+        <source>is needed: the first column is evenly spaced and may hold positions; leave it out, or set matrix where it holds heights</source>
+        <translation>wird gebraucht: Die erste Spalte hat gleiche Abstände und kann Orte enthalten; lassen Sie sie weg, oder setzen Sie matrix, wenn sie Höhen enthält</translation>
+    </message>
+    <message>
+        <source>The first row and the first column are evenly spaced and are taken as positions; the number %1 in the corner is left out.</source>
+        <translation>Die erste Zeile und die erste Spalte haben gleiche Abstände und gelten als Orte; die Zahl %1 in der Ecke bleibt weg.</translation>
+    </message>
+    <message>
         <source>The first row and the first column number the points.</source>
         <translation>Die erste Zeile und die erste Spalte nummerieren die Punkte.</translation>
     </message>

@@ -19,6 +19,8 @@ bool tells(const MeasuredFile& file, const std::string& part) {
   });
 }
 
+const ReadingChoices kInMicrometres{.positionUnit = "um", .heightUnit = "um"};
+
 /// Expects the known surface with the same step along both axes.
 void expectSquareGrid(MeasuredFile file, const std::string& format, double step) {
   EXPECT_NEAR(file.topography.columnSpacing, step, 1e-9 * step);
@@ -106,6 +108,70 @@ TEST(GridNumbers, MayLackPointsAndAreUnique) {
               HasSubstr("there is a point at this position already"));
 }
 
+// ---- Axes around a matrix ----------------------------------------------------------------------
+
+/// The known surface, or a plane, with axes; no text: without this axis.
+std::string withAxes(const std::string& corner, int columns, int rows, bool hasRow, bool hasColumn,
+                     double first = 0, bool isPlane = false) {
+  std::string text = hasRow ? corner : "";
+  for (int column = 0; hasRow && column < columns; ++column)
+    text += (column > 0 || hasColumn ? "," : "") + fmt::format("{:.3f}", first + 2.0 * column);
+  text += hasRow ? "\n" : "";
+  for (int row = 0; row < rows; ++row) {
+    if (hasColumn) text += fmt::format("{:.3f},", first + 5.0 * row);
+    for (int column = 0; column < columns; ++column)
+      text += (column > 0 ? "," : "") +
+              fmt::format("{:.6f}", isPlane ? 0.7 * column - 0.3 * row : micrometres(row, column));
+    text += "\n";
+  }
+  return text;
+}
+
+TEST(Axes, AreNoHeightsWhateverIsInTheCorner) {
+  for (const char* corner : {"0", "0.000", "7", "-1.5", "9999"})
+    for (const double first : {0.0, 12.5, -3.0}) {
+      SCOPED_TRACE(corner);
+      constexpr int kWidth = 9, kLength = 6;
+      const std::string text = withAxes(corner, kWidth, kLength, true, true, first);
+      const MeasuredFile file = read(text, kInMicrometres);
+      const Topography& grid = file.topography;
+      ASSERT_EQ(grid.columns, kWidth);
+      ASSERT_EQ(grid.rows, kLength);
+      EXPECT_NEAR(grid.columnSpacing, 2e-6, 1e-15);
+      EXPECT_NEAR(grid.rowSpacing, 5e-6, 1e-15);
+      for (int i = 0; i < kWidth * kLength; ++i)
+        EXPECT_NEAR(grid.at(i / kWidth, i % kWidth), height(i / kWidth, i % kWidth), 1e-13) << i;
+      EXPECT_TRUE(tells(file, "are evenly spaced and are taken as positions; the number "));
+      EXPECT_EQ(file.facts.assumptions.size(), 1u);
+      EXPECT_THAT(errorOf(text, {.heightUnit = "um"}),
+                  HasSubstr("surface.position_unit: is needed"));
+    }
+}
+
+TEST(Axes, OnOneSideAloneAreAskedFor) {
+  ReadingChoices choices{.heightUnit = "um", .spacing = 2e-6};
+  for (const double first : {0.0, 12.5}) {
+    const std::string row = withAxes("", 10, 12, true, false, first);
+    EXPECT_THAT(errorOf(row, choices), HasSubstr("surface.format: is needed: the first row is "
+                                                 "evenly spaced and may hold positions"));
+    const std::string column = withAxes("", 14, 12, false, true, first);
+    EXPECT_THAT(errorOf(column, choices), HasSubstr("surface.format: is needed: the first column "
+                                                    "is evenly spaced and may hold positions"));
+    ReadingChoices asMatrix = choices;
+    asMatrix.format = "matrix";
+    EXPECT_EQ(read(row, asMatrix).topography.rows, 13);
+    EXPECT_EQ(read(column, asMatrix).topography.columns, 15);
+  }
+}
+
+/// All rows and columns of a plane are evenly spaced: they are heights.
+TEST(Axes, AreNoRowsOfAPlane) {
+  const MeasuredFile file =
+      read(withAxes("", 14, 12, false, false, 0, true), {.heightUnit = "um", .spacing = 2e-6});
+  EXPECT_EQ(file.topography.columns, 14);
+  EXPECT_EQ(file.topography.rows, 12);
+}
+
 // ---- Grids of ESRI -----------------------------------------------------------------------------
 
 std::string esriHeader(int columns, int rows, const std::string& step = "2") {
@@ -123,8 +189,6 @@ std::string esriHeights(std::size_t perLine, int rows = kRows, char decimal = '.
   }
   return text;
 }
-
-const ReadingChoices kInMicrometres{.positionUnit = "um", .heightUnit = "um"};
 
 TEST(EsriGrids, HaveTheRowsThatTheirHeaderStates) {
   for (const std::size_t perLine : {7u, 1u, 3u, 5u, 14u, 28u}) {
