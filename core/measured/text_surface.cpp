@@ -189,12 +189,32 @@ SurfaceDraft readTextProfile(const TextTable& table, const TextBlock& block,
   return draft;
 }
 
+std::size_t indexOfHeights(const TextTable& table) {
+  return static_cast<std::size_t>(&table.largest() - table.blocks.data());
+}
+
+/// Removes the first number of a single column where it is the number of those below it. Returns
+/// its line, 0 where there is none.
+std::uint32_t takeCount(TextBlock& block) {
+  constexpr std::size_t kFewest = 5;
+  if (block.columns.size() != 1 || block.rows <= kFewest ||
+      block.values.front() != static_cast<double>(block.rows - 1))
+    return 0;
+  const std::uint32_t line = block.lines.front();
+  block.values.erase(block.values.begin());
+  block.lines.erase(block.lines.begin());
+  --block.rows;
+  return line;
+}
+
 /// Adds what the reader can only suppose about the notation of the numbers.
-void addAssumptions(const TextTable& table, ReadingFacts& facts) {
+void addAssumptions(const TextTable& table, std::uint32_t lineOfCount, ReadingFacts& facts) {
   const auto add = [&facts](const Message& note) {
     facts.notes.push_back(note);
     facts.assumptions.push_back(note);
   };
+  if (lineOfCount > 0)
+    add(message("Line {} is left out: it is the number of the heights below it.", lineOfCount));
   const std::vector<std::uint32_t>& leftOut = table.leftOut;
   if (leftOut.size() == 1)
     add(message("Line {} is left out: it begins with a number and is no row of the table.",
@@ -229,9 +249,10 @@ SurfaceDraft readTextSurface(const SurfaceSource& source) {
   TextTableOptions options;
   options.blankLinesAreGaps = true;
   options.progress = [&source](double part) { source.report(0.9 * part); };
-  const TextTable table =
+  TextTable table =
       isEsri ? readEsriGrid(source) : readTextTable(source.bytes, source.name, options);
-  const TextBlock& block = table.largest();
+  TextBlock& block = table.blocks[indexOfHeights(table)];
+  const std::uint32_t lineOfCount = isEsri ? 0 : takeCount(block);
   const Form form = isEsri ? Form::Matrix : detectForm(table, block, source);
   SurfaceDraft draft = form == Form::Profile  ? readTextProfile(table, block, source)
                        : form == Form::Matrix ? readTextMatrix(table, block, source)
@@ -240,7 +261,7 @@ SurfaceDraft readTextSurface(const SurfaceSource& source) {
     draft.facts.notes.push_back(
         message("The file has {} tables of numbers; the largest one, from line {} on, is read.",
                 table.blocks.size(), block.lines.front()));
-  addAssumptions(table, draft.facts);
+  addAssumptions(table, lineOfCount, draft.facts);
   return draft;
 }
 

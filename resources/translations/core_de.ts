@@ -4011,6 +4011,10 @@
         <translation>Höhen sind %1, die erste von %2 möglichen Spalten; surface.height_column wählt eine andere.</translation>
     </message>
     <message>
+        <source>Line %1 is left out: it is the number of the heights below it.</source>
+        <translation>Zeile %1 bleibt weg: Sie ist die Anzahl der Höhen darunter.</translation>
+    </message>
+    <message>
         <source>The file has %1 tables of numbers; the largest one, from line %2 on, is read.</source>
         <translation>Die Datei hat %1 Zahlentabellen; gelesen wird die größte, ab Zeile %2.</translation>
     </message>

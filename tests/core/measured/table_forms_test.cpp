@@ -108,6 +108,22 @@ TEST(GridNumbers, MayLackPointsAndAreUnique) {
               HasSubstr("there is a point at this position already"));
 }
 
+// ---- A count above a list ----------------------------------------------------------------------
+
+TEST(Count, AboveAListIsNoHeight) {
+  std::string list;
+  for (int i = 0; i < 40; ++i) list += fmt::format("{:.4f}\n", std::sin(0.3 * i));
+  const ReadingChoices choices{.heightUnit = "um", .spacing = 2e-6};
+  for (const char* head : {"40\n", "z (um)\n40\n", "40.0\n"}) {
+    const MeasuredFile file = read(head + list, choices);
+    ASSERT_EQ(file.topography.columns, 40);
+    EXPECT_NEAR(file.topography.at(0, 1), 1e-6 * std::sin(0.3), 1e-10);
+    EXPECT_TRUE(tells(file, "is left out: it is the number of the heights below it."));
+    EXPECT_EQ(file.facts.assumptions.size(), 1u);
+  }
+  EXPECT_EQ(read("39\n" + list, choices).topography.columns, 41);
+}
+
 // ---- Axes around a matrix ----------------------------------------------------------------------
 
 /// The known surface, or a plane, with axes; no text: without this axis.
