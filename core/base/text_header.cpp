@@ -13,6 +13,17 @@
 
 namespace asperity {
 
+std::string_view withoutRemarkMark(std::string_view line) {
+  const std::size_t blank = std::min(line.find(' '), line.size());
+  const std::string_view rest = trimmedBlanks(line.substr(blank));
+  const std::string word = lowerCase(line.substr(0, blank));
+  // Between two marks stands a quoted name, and among units "--" is that of a pure number.
+  const bool isQuote = word == "'" && rest.find('\'') == std::string_view::npos;
+  const bool isDash = word == "--" && !rest.starts_with('-') &&
+                      !isKnownUnit(rest.substr(0, rest.find_first_of(" \t")));
+  return word == "rem" || isDash || isQuote ? rest : line;
+}
+
 std::string_view withoutCommentMark(std::string_view line, const TextDialect& dialect) {
   line = trimmedBlanks(line);
   const bool orSemicolon = dialect.separator != TextDialect::Separator::Semicolon;
@@ -20,7 +31,7 @@ std::string_view withoutCommentMark(std::string_view line, const TextDialect& di
          (orSemicolon && line.starts_with(';')))
     line = trimmedBlanks(line.substr(1));
   if (line.starts_with("//")) line = trimmedBlanks(line.substr(2));
-  return line;
+  return withoutRemarkMark(line);
 }
 
 std::size_t keyEnd(std::string_view line) {
