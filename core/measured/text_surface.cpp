@@ -7,6 +7,7 @@
 
 #include "core/base/number_text.h"
 #include "core/base/text_number.h"
+#include "core/measured/height_table.h"
 #include "core/measured/matrix_frame.h"
 #include "core/measured/text_columns.h"
 #include "core/measured/text_lengths.h"
@@ -189,10 +190,6 @@ SurfaceDraft readTextProfile(const TextTable& table, const TextBlock& block,
   return draft;
 }
 
-std::size_t indexOfHeights(const TextTable& table) {
-  return static_cast<std::size_t>(&table.largest() - table.blocks.data());
-}
-
 /// Removes the first number of a single column where it is the number of those below it. Returns
 /// its line, 0 where there is none.
 std::uint32_t takeCount(TextBlock& block) {
@@ -251,16 +248,14 @@ SurfaceDraft readTextSurface(const SurfaceSource& source) {
   options.progress = [&source](double part) { source.report(0.9 * part); };
   TextTable table =
       isEsri ? readEsriGrid(source) : readTextTable(source.bytes, source.name, options);
-  TextBlock& block = table.blocks[indexOfHeights(table)];
+  const HeightTable chosen = chooseHeightTable(table);
+  TextBlock& block = table.blocks[chosen.index];
   const std::uint32_t lineOfCount = isEsri ? 0 : takeCount(block);
   const Form form = isEsri ? Form::Matrix : detectForm(table, block, source);
   SurfaceDraft draft = form == Form::Profile  ? readTextProfile(table, block, source)
                        : form == Form::Matrix ? readTextMatrix(table, block, source)
                                               : readTextPoints(table, block, source);
-  if (table.blocks.size() > 1)
-    draft.facts.notes.push_back(
-        message("The file has {} tables of numbers; the largest one, from line {} on, is read.",
-                table.blocks.size(), block.lines.front()));
+  if (chosen.note) draft.facts.notes.push_back(*chosen.note);
   addAssumptions(table, lineOfCount, draft.facts);
   return draft;
 }

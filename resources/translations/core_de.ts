@@ -4015,6 +4015,14 @@
         <translation>Zeile %1 bleibt weg: Sie ist die Anzahl der Höhen darunter.</translation>
     </message>
     <message>
+        <source>The file has %1 tables of numbers; that of heights, from line %2 on, is read.</source>
+        <translation>Die Datei hat %1 Zahlentabellen; gelesen wird die der Höhen, ab Zeile %2.</translation>
+    </message>
+    <message>
+        <source>The file has %1 tables of numbers; the first of %2 equally large ones, from line %3 on, is read.</source>
+        <translation>Die Datei hat %1 Zahlentabellen; gelesen wird die erste von %2 gleich großen, ab Zeile %3.</translation>
+    </message>
+    <message>
         <source>The file has %1 tables of numbers; the largest one, from line %2 on, is read.</source>
         <translation>Die Datei hat %1 Zahlentabellen; gelesen wird die größte, ab Zeile %2.</translation>
     </message>

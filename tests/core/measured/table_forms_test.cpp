@@ -238,5 +238,52 @@ TEST(EsriGrids, MustNotContradictTheirHeader) {
               HasSubstr("line 6: height 3 is not a number"));
 }
 
+// ---- Several tables ----------------------------------------------------------------------------
+
+/// The known heights, or an intensity in their place.
+std::string tableOf(bool areHeights, int times = 1) {
+  std::string text;
+  for (int row = 0; row < times * kRows; ++row)
+    for (int column = 0; column < kColumns; ++column)
+      text += (areHeights ? fmt::format("{:.6f}", micrometres(row, column))
+                          : fmt::format("{}", (17 * row + 5 * column * column) % 101)) +
+              (column + 1 < kColumns ? "," : "\n");
+  return text;
+}
+
+TEST(SeveralTables, AreChosenByTheirNames) {
+  const std::string head = "Spacing: 2 um\nUnit: um\n";
+  for (const char* other :
+       {"Intensity", "\"Light\"", "Laser", "Optical image", "Channel: Light", "Intensit\u00E4t"})
+    for (const char* name : {"Height", "\"Height\"", "Z", "[Height]", "Height,um", "Image: Height",
+                             "Height (um)", "H\u00F6he"}) {
+      SCOPED_TRACE(std::string(other) + " " + name);
+      const std::string heights = std::string(name) + "\n" + tableOf(true);
+      for (const int times : {1, 2}) {
+        const std::string light = std::string(other) + "\n" + tableOf(false, times);
+        for (const std::string& text : {head + light + heights, head + heights + light}) {
+          const MeasuredFile file = read(text);
+          expectSquareGrid(file, "matrix", 2e-6);
+          EXPECT_TRUE(tells(file, "The file has 2 tables of numbers; that of heights, from line "));
+        }
+      }
+    }
+}
+
+TEST(SeveralTables, OfOneSizeWithoutANameAreTold) {
+  const std::string head = "Spacing: 2 um\nUnit: um\n";
+  const MeasuredFile file = read(head + "A\n" + tableOf(true) + "B\n" + tableOf(false));
+  expectSquareGrid(file, "matrix", 2e-6);
+  EXPECT_TRUE(tells(file,
+                    "The file has 2 tables of numbers; the first of 2 equally large ones, from "
+                    "line 4 on, is read."));
+  // What is no height gives way to a table without a name.
+  expectSquareGrid(read(head + "Light\n" + tableOf(false) + "B\n" + tableOf(true)), "matrix", 2e-6);
+  // A small table beside a large one does not count.
+  const MeasuredFile large = read(head + "Height\n1,2,3\n4,5,7\nData\n" + tableOf(true));
+  expectSquareGrid(large, "matrix", 2e-6);
+  EXPECT_TRUE(tells(large, "the largest one, from line 7 on, is read."));
+}
+
 }  // namespace
 }  // namespace asperity::written
