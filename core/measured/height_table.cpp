@@ -40,7 +40,10 @@ Kind kindOf(const TextBlock& block) {
   Kind kind = Kind::Unknown;
   for (const TextEntry& entry : block.header) {
     const bool isNamed = entry.key.empty() || isOneOf(lowerCase(entry.key), kKeys);
-    if (!isNamed && !metresPer(entry.value)) continue;
+    // "Z unit: um" and "z: um" state a unit of the file.
+    const bool hasUnit =
+        entry.key.size() > 1 && entry.key.find(' ') == std::string::npos && metresPer(entry.value);
+    if (!isNamed && !hasUnit) continue;
     const Kind found = kindOf(isNamed ? entry.value : entry.key);
     if (found != Kind::Unknown) kind = found;
   }

@@ -13,12 +13,6 @@ namespace {
 
 using testing::HasSubstr;
 
-bool tells(const MeasuredFile& file, const std::string& part) {
-  return std::ranges::any_of(file.facts.notes, [&part](const Message& note) {
-    return note.english().find(part) != std::string::npos;
-  });
-}
-
 const ReadingChoices kInMicrometres{.positionUnit = "um", .heightUnit = "um"};
 
 /// Expects the known surface with the same step along both axes.
@@ -83,9 +77,9 @@ TEST(GridNumbers, MayHaveAnyName) {
   const std::string text = "i,j,z (um),gain\n" + rows;
   const MeasuredFile file = read(text, {.spacing = 3e-6});
   expectSquareGrid(file, "points", 3e-6);
-  EXPECT_TRUE(tells(file,
-                    "Columns of the grid are numbered by column 2 'j', rows by column 1 'i'; "
-                    "heights are column 3 'z'."));
+  EXPECT_TRUE(says(file,
+                   "Columns of the grid are numbered by column 2 'j', rows by column 1 'i'; "
+                   "heights are column 3 'z'."));
   // The user may say that the numbers are lengths.
   const MeasuredFile inMillimetres = read(text, {.positionUnit = "mm"});
   EXPECT_EQ(inMillimetres.facts.format, "points");
@@ -118,7 +112,7 @@ TEST(Count, AboveAListIsNoHeight) {
     const MeasuredFile file = read(head + list, choices);
     ASSERT_EQ(file.topography.columns, 40);
     EXPECT_NEAR(file.topography.at(0, 1), 1e-6 * std::sin(0.3), 1e-10);
-    EXPECT_TRUE(tells(file, "is left out: it is the number of the heights below it."));
+    EXPECT_TRUE(says(file, "is left out: it is the number of the heights below it."));
     EXPECT_EQ(file.facts.assumptions.size(), 1u);
   }
   EXPECT_EQ(read("39\n" + list, choices).topography.columns, 41);
@@ -157,7 +151,7 @@ TEST(Axes, AreNoHeightsWhateverIsInTheCorner) {
       EXPECT_NEAR(grid.rowSpacing, 5e-6, 1e-15);
       for (int i = 0; i < kWidth * kLength; ++i)
         EXPECT_NEAR(grid.at(i / kWidth, i % kWidth), height(i / kWidth, i % kWidth), 1e-13) << i;
-      EXPECT_TRUE(tells(file, "are evenly spaced and are taken as positions; the number "));
+      EXPECT_TRUE(says(file, "are evenly spaced and are taken as positions; the number "));
       EXPECT_EQ(file.facts.assumptions.size(), 1u);
       EXPECT_THAT(errorOf(text, {.heightUnit = "um"}),
                   HasSubstr("surface.position_unit: is needed"));
@@ -264,25 +258,25 @@ TEST(SeveralTables, AreChosenByTheirNames) {
         for (const std::string& text : {head + light + heights, head + heights + light}) {
           const MeasuredFile file = read(text);
           expectSquareGrid(file, "matrix", 2e-6);
-          EXPECT_TRUE(tells(file, "The file has 2 tables of numbers; that of heights, from line "));
+          EXPECT_TRUE(says(file, "The file has 2 tables of numbers; that of heights, from line "));
         }
       }
     }
 }
 
 TEST(SeveralTables, OfOneSizeWithoutANameAreTold) {
-  const std::string head = "Spacing: 2 um\nUnit: um\n";
+  const std::string head = "Spacing: 2 um\nZ unit: um\nz: um\n";
   const MeasuredFile file = read(head + "A\n" + tableOf(true) + "B\n" + tableOf(false));
   expectSquareGrid(file, "matrix", 2e-6);
-  EXPECT_TRUE(tells(file,
-                    "The file has 2 tables of numbers; the first of 2 equally large ones, from "
-                    "line 4 on, is read."));
+  EXPECT_TRUE(says(file,
+                   "The file has 2 tables of numbers; the first of 2 equally large ones, from "
+                   "line 5 on, is read."));
   // What is no height gives way to a table without a name.
   expectSquareGrid(read(head + "Light\n" + tableOf(false) + "B\n" + tableOf(true)), "matrix", 2e-6);
   // A small table beside a large one does not count.
   const MeasuredFile large = read(head + "Height\n1,2,3\n4,5,7\nData\n" + tableOf(true));
   expectSquareGrid(large, "matrix", 2e-6);
-  EXPECT_TRUE(tells(large, "the largest one, from line 7 on, is read."));
+  EXPECT_TRUE(says(large, "the largest one, from line 8 on, is read."));
 }
 
 }  // namespace
