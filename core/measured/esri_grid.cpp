@@ -92,8 +92,6 @@ class EsriReader {
     // A height takes at least a digit and a blank.
     requireSize(source_, columns, rows, whole_ + 1, 2);
     block().columns.resize(static_cast<std::size_t>(columns));
-    block().texts.resize(block().columns.size());
-    block().cells.resize(block().columns.size());
     block().rows = static_cast<std::size_t>(rows);
     points_ = block().columns.size() * block().rows;
     block().values.reserve(points_);

@@ -26,6 +26,8 @@ NumberName readName(const TextColumn& column) {
   constexpr WordList kPixels("pixel pixels px py ix iy index idx nr no");
   NumberName found;
   std::string name = lowerCase(column.name);
+  // "Column 1" and "Line 2" are names that programs give to columns of any kind.
+  if (name.find_first_of("0123456789") != std::string::npos) return found;
   std::ranges::replace_if(
       name,
       [](char letter) {
@@ -51,13 +53,12 @@ NumberName readName(const TextColumn& column) {
   return found;
 }
 
-/// The whole numbers of a column, from `first` on; count 0: they are no such numbers.
+/// The range of the whole numbers of a column; count 0: it holds other numbers, or only one.
 struct Numbers {
   std::int64_t first = 0, count = 0;
+  bool isComplete = false;  // each number of the range is there
 };
 
-/// Returns the range of the numbers of a column where all are whole and none of the range is
-/// missing.
 Numbers numbersOf(const TextBlock& block, std::size_t column) {
   double lowest = INFINITY, highest = -INFINITY;
   for (std::size_t i = 0; i < block.rows; ++i) {
@@ -66,19 +67,23 @@ Numbers numbersOf(const TextBlock& block, std::size_t column) {
     lowest = std::min(lowest, value);
     highest = std::max(highest, value);
   }
-  const auto count = static_cast<std::size_t>(highest - lowest) + 1;
-  if (count < 2 || count > block.rows / 2) return {};
-  std::vector<bool> isThere(count);
+  if (lowest == highest) return {};
+  Numbers numbers{static_cast<std::int64_t>(lowest),
+                  static_cast<std::int64_t>(highest - lowest) + 1};
+  if (numbers.count > static_cast<std::int64_t>(block.rows)) return numbers;
+  std::vector<bool> isThere(static_cast<std::size_t>(numbers.count));
   for (std::size_t i = 0; i < block.rows; ++i)
     isThere[static_cast<std::size_t>(block.at(i, column) - lowest)] = true;
-  if (std::ranges::find(isThere, false) != isThere.end()) return {};
-  return {static_cast<std::int64_t>(lowest), static_cast<std::int64_t>(count)};
+  numbers.isComplete = std::ranges::find(isThere, false) == isThere.end();
+  return numbers;
 }
 
 /// Returns whether the two columns hold each pair of their numbers once.
 bool enumerate(const TextBlock& block, std::size_t one, const Numbers& ofOne, std::size_t other,
                const Numbers& ofOther) {
-  if (ofOne.count * ofOther.count != static_cast<std::int64_t>(block.rows)) return false;
+  if (!ofOne.isComplete || !ofOther.isComplete ||
+      ofOne.count * ofOther.count != static_cast<std::int64_t>(block.rows))
+    return false;
   std::vector<bool> isThere(block.rows);
   for (std::size_t i = 0; i < block.rows; ++i) {
     const auto at = static_cast<std::size_t>(
@@ -125,9 +130,10 @@ std::optional<GridNumbers> findGridNumbers(const TextBlock& block, const ColumnR
       if (numbers[one].count == 0 || numbers[other].count == 0) continue;
       const NumberName first = readName(block.columns[one]),
                        second = readName(block.columns[other]);
-      // Points may be missing where the names leave no doubt.
+      // Points may be missing, or there twice, where the names leave no doubt.
       const bool areNamed =
-          first.isNumber && second.isNumber &&
+          first.isNumber && second.isNumber && !countsRows(block, one) &&
+          !countsRows(block, other) &&
           ((first.isOfColumns && second.isOfRows) || (first.isOfRows && second.isOfColumns));
       if (!areNamed && !enumerate(block, one, numbers[one], other, numbers[other])) continue;
       const auto isOther = [&](int column) {

@@ -300,7 +300,12 @@ SurfaceDraft readTextPoints(const TextTable& table, const TextBlock& block,
       (rowUnit ? rowUnit->metres : 1) / (draft.positionUnit ? draft.positionUnit->metres : 1);
 
   const auto x = columnAxis(block, columns.x), y = columnAxis(block, columns.y);
-  if (!x || !y) source.fail("the points do not lie on a grid of uniform rows and columns");
+  constexpr double kRounding = 1e-3;
+  const auto countsByOne = [](const GridAxis& axis) {
+    return std::abs(axis.spacing - 1) < kRounding;
+  };
+  if (!x || !y || (areNumbers && !(countsByOne(*x) && countsByOne(*y))))
+    source.fail("the points do not lie on a grid of uniform rows and columns");
   // A single row may also run along y.
   Topography& grid = draft.grid;
   grid.columns = x->count;

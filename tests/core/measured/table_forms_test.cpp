@@ -100,6 +100,32 @@ TEST(GridNumbers, MayLackPointsAndAreUnique) {
   expectKnown(file, "points", true, 1e-13);
   EXPECT_THAT(errorOf(text + "0,0,1\n", {.spacing = 2e-6}),
               HasSubstr("there is a point at this position already"));
+  // A whole row may be missing; numbers in steps of two are no grid of this spacing.
+  const auto withRows = [](const std::vector<int>& numbers) {
+    std::string points = "row,col,z (um)\n";
+    for (const int row : numbers)
+      for (int column = 0; column < kColumns; ++column)
+        points += fmt::format("{},{},{}\n", row, column, micrometres(row, column));
+    return points;
+  };
+  const MeasuredFile without = read(withRows({0, 1, 3, 4}), {.spacing = 2e-6});
+  EXPECT_EQ(without.topography.rows, 5);
+  EXPECT_EQ(without.facts.gaps, kColumns);
+  EXPECT_THAT(errorOf(withRows({0, 2, 4, 6}), {.spacing = 2e-6}),
+              HasSubstr("the points do not lie on a grid"));
+}
+
+/// A column that counts the lines numbers no rows of a grid.
+TEST(GridNumbers, AreNoColumnsOfOtherKinds) {
+  std::string lines;
+  for (int i = 0; i < 30; ++i) lines += fmt::format("{},{},{}\n", i, i * i % 7, i * i % 5);
+  const ReadingChoices choices{.heightUnit = "nm", .spacing = 2e-6};
+  for (const char* names : {"Row,Column,z\n", "Line,Height,Col\n"}) {
+    SCOPED_TRACE(names);
+    const MeasuredFile file = read(names + lines, choices);
+    EXPECT_EQ(file.facts.format, "profile");
+    EXPECT_EQ(file.topography.columns, 30);
+  }
 }
 
 // ---- A count above a list ----------------------------------------------------------------------
