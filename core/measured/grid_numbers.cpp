@@ -142,10 +142,12 @@ std::optional<GridNumbers> findGridNumbers(const TextBlock& block, const ColumnR
       if (isOther(roles.x) && isPositionName(lowerCase(nameOf(roles.x)))) return {};
       GridNumbers found{static_cast<int>(one), static_cast<int>(other), -1};
       if (rowsComeFirst(block, one, other)) std::swap(found.column, found.row);
+      // Heights that rise all along may have been taken for positions.
       const auto height = std::ranges::find_if(roles.heights, isOther);
       found.height = source.choices.heightColumn > 0 ? source.choices.heightColumn - 1
                      : height != roles.heights.end() ? *height
-                                                     : roles.z;
+                     : isOther(roles.z)              ? roles.z
+                                                     : roles.x;
       if (isOther(found.height)) return found;
     }
   return {};

@@ -115,14 +115,27 @@ TEST(GridNumbers, MayLackPointsAndAreUnique) {
               HasSubstr("the points do not lie on a grid"));
 }
 
-/// A column that counts the lines numbers no rows of a grid.
+TEST(GridNumbers, MayHaveHeightsThatRiseAllAlong) {
+  const std::string text = "line,sample,z (um)\n" + pointLines([](int row, int column) {
+                             return fmt::format("{},{},{}\n", row, column, kColumns * row + column);
+                           });
+  const MeasuredFile file = read(text, {.spacing = 2e-6});
+  EXPECT_EQ(file.topography.columns, kColumns);
+  ASSERT_EQ(file.topography.rows, kRows);
+  EXPECT_NEAR(file.topography.at(1, 2), 1e-6 * (kColumns + 2), 1e-12);
+}
+
+/// A column that counts the lines numbers no rows of a grid; "Line 1" is the name of a profile.
 TEST(GridNumbers, AreNoColumnsOfOtherKinds) {
-  std::string lines;
-  for (int i = 0; i < 30; ++i) lines += fmt::format("{},{},{}\n", i, i * i % 7, i * i % 5);
-  const ReadingChoices choices{.heightUnit = "nm", .spacing = 2e-6};
-  for (const char* names : {"Row,Column,z\n", "Line,Height,Col\n"}) {
-    SCOPED_TRACE(names);
-    const MeasuredFile file = read(names + lines, choices);
+  std::string counted, other;
+  for (int i = 0; i < 30; ++i) {
+    counted += fmt::format("{},{},{}\n", i, i * i % 7, i * i % 5);
+    other += fmt::format("{},{},{}.5\n", 3 * i % 7, i * i % 5, i * i % 11);
+  }
+  for (const std::string& text :
+       {"Row,Column,z\n" + counted, "Line,Height,Col\n" + counted, "Line 1,Column 2,z\n" + other}) {
+    SCOPED_TRACE(text.substr(0, text.find('\n')));
+    const MeasuredFile file = read(text, {.heightUnit = "nm", .spacing = 2e-6});
     EXPECT_EQ(file.facts.format, "profile");
     EXPECT_EQ(file.topography.columns, 30);
   }
