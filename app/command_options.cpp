@@ -52,13 +52,13 @@ const CLI::App& selectedCommand(const CLI::App& app) {
 }
 
 /// Returns how a command is called: "asperity study run".
-std::string callOf(const CLI::App& command) {
+std::string commandPath(const CLI::App& command) {
   const CLI::App* parent = command.get_parent();
-  return parent ? callOf(*parent) + " " + command.get_name() : "asperity";
+  return parent ? commandPath(*parent) + " " + command.get_name() : "asperity";
 }
 
 /// Returns the option as the user writes it: "--frames", or "SCENE" for one without dashes.
-std::string nameOf(const CLI::Option& option) {
+std::string optionName(const CLI::Option& option) {
   return option.get_positional() ? option.get_name() : option.get_name(false, false);
 }
 
@@ -72,12 +72,12 @@ InputError unexpected(const CLI::App& app) {
   const CLI::App& command = selectedCommand(app);
   const std::vector<std::string> own = app.remaining(), words = command.remaining();
   if (&command != &app && !own.empty()) return beforeCommand(command, own.front());
-  const std::string call = callOf(command);
+  const std::string call = commandPath(command);
   for (const std::string& word : words) {
     if (!word.starts_with('-')) continue;
     std::vector<std::string> names;
     for (const CLI::Option* option : command.get_options())
-      if (!option->get_positional()) names.push_back(nameOf(*option));
+      if (!option->get_positional()) names.push_back(optionName(*option));
     const std::vector<std::string_view> known(names.begin(), names.end());
     const std::string_view nearest = nearestWord(word, known);
     return {"", shortened(word.substr(0, word.find('='))),
@@ -155,7 +155,7 @@ bool shapesOutputs(std::string_view word) {
 std::vector<GivenOption> givenOptions(const CLI::App& command) {
   std::vector<GivenOption> given;
   for (const CLI::Option* option : selectedCommand(command).get_options()) {
-    const std::string word = option->get_positional() ? "" : nameOf(*option);
+    const std::string word = option->get_positional() ? "" : optionName(*option);
     if (option->count() == 0 || !word.starts_with("--") || !shapesOutputs(word.substr(2))) continue;
     const bool isFlag = option->get_expected_max() == 0;
     given.push_back({word.substr(2), isFlag ? std::vector<std::string>{} : option->results(),
@@ -207,7 +207,7 @@ void refuseWordsBeforeCommand(const CLI::App& app) {
   const CLI::App& command = selectedCommand(app);
   if (&command == &app) return;
   for (const CLI::Option* option : app.get_options())
-    if (option->count() > 0) throw beforeCommand(command, nameOf(*option));
+    if (option->count() > 0) throw beforeCommand(command, optionName(*option));
 }
 
 namespace {

@@ -18,7 +18,7 @@ struct Option {
   bool takesValue;
 };
 
-std::vector<Option> optionsOf(const CLI::App& command) {
+std::vector<Option> longOptions(const CLI::App& command) {
   std::vector<Option> options;
   for (const CLI::Option* option : command.get_options())
     for (const std::string& name : option->get_lnames())
@@ -26,7 +26,7 @@ std::vector<Option> optionsOf(const CLI::App& command) {
   return options;
 }
 
-std::vector<std::string> namesOf(const CLI::App& app) {
+std::vector<std::string> commandNames(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
   return names;
@@ -34,7 +34,8 @@ std::vector<std::string> namesOf(const CLI::App& app) {
 
 std::string optionNames(const CLI::App& command) {
   std::string names;
-  for (const Option& option : optionsOf(command)) names += (names.empty() ? "" : " ") + option.name;
+  for (const Option& option : longOptions(command))
+    names += (names.empty() ? "" : " ") + option.name;
   return names;
 }
 
@@ -57,7 +58,8 @@ std::string bashScript(const CLI::App& app) {
   for (const CLI::App* command : app.get_subcommands({}))
     cases +=
         fmt::format("    {}) words={} ;;\n", command->get_name(), quoted(optionNames(*command)));
-  return fmt::format(R"(# Completions of asperity for bash; made by the program itself.
+  return fmt::format(
+      R"(# Completions of asperity for bash; made by the program itself.
 _asperity() {{
   local word=${{COMP_WORDS[COMP_CWORD]}} before=${{COMP_WORDS[COMP_CWORD-1]}} words=
   COMPREPLY=()
@@ -79,9 +81,8 @@ _asperity() {{
 }}
 complete -o filenames -F _asperity asperity
 )",
-                     quoted(keys("=")),
-                     quoted(fmt::format("{} {}", fmt::join(namesOf(app), " "), optionNames(app))),
-                     cases);
+      quoted(keys("=")),
+      quoted(fmt::format("{} {}", fmt::join(commandNames(app), " "), optionNames(app))), cases);
 }
 
 /// In the descriptions of zsh a colon and brackets have a meaning.
@@ -97,7 +98,7 @@ std::string zshScript(const CLI::App& app) {
     commands += fmt::format(
         "    {}\n", quoted(command->get_name() + ":" + plainWords(command->get_description())));
     std::string options;
-    for (const Option& option : optionsOf(*command)) {
+    for (const Option& option : longOptions(*command)) {
       const std::string after = option.name == "--set" ? ":key:($keys)"
                                 : option.takesValue    ? ":value:_files"
                                                        : "";
@@ -139,7 +140,7 @@ std::string fishScript(const CLI::App& app) {
     text += fmt::format("complete -c asperity -n __fish_use_subcommand -a {} -d {}\n",
                         command->get_name(), quoted(command->get_description()));
   for (const CLI::App* command : app.get_subcommands({}))
-    for (const Option& option : optionsOf(*command)) {
+    for (const Option& option : longOptions(*command)) {
       const std::string values = option.name == "--set"
                                      ? fmt::format(" -x -a {}", quoted(keys("=")))
                                  : option.takesValue ? " -r"

@@ -157,7 +157,7 @@ struct FamilyMember {
   Scene scene;
 };
 
-std::vector<FamilyMember> familyOf(const CurveArguments& arguments, const Scene& scene) {
+std::vector<FamilyMember> familyMembers(const CurveArguments& arguments, const Scene& scene) {
   std::vector<FamilyMember> members;
   if (arguments.family.empty()) return members;
   const ParameterRange range = familyRange(arguments, scene);
@@ -299,7 +299,7 @@ void checkCurves(const CurveArguments& arguments, const Scene& scene) {
   if (!arguments.compare.empty() && choosesAccuracy(scene))
     throw InputError("", "accuracy.target_relative_error",
                      "--compare needs the same resolution at every velocity, not a target");
-  familyOf(arguments, scene);
+  familyMembers(arguments, scene);
   for (const std::string& assignments : arguments.with) sceneWith(scene, assignments);
 }
 
@@ -346,7 +346,7 @@ CurveSet curvesWithoutPoints(const CurveArguments& arguments, const Scene& scene
     const int index = static_cast<int>(set.pinned.size());
     set.pinned.push_back({std::move(name), other, {}, index, index + 1, familyValue});
   };
-  for (const FamilyMember& member : familyOf(arguments, scene)) {
+  for (const FamilyMember& member : familyMembers(arguments, scene)) {
     set.familyKey = parseRangeOption(kFamily, arguments.family).key();
     add(describeParameter(set.familyKey, member.scene), member.scene, member.value);
   }
@@ -411,11 +411,8 @@ ComputedCurves makeCurveSet(const CurveArguments& arguments, const ComparedScene
                                     : message("{}: {}", other.name, *missed);
     other.points = std::move(curve.points);
   }
-  if (hasComparisons(set)) {
-    StateOptions options;
-    options.threads = common.threads;
-    addComparisons(set, readComparisonData(scene, compared.given), options);
-  }
+  if (hasComparisons(set))
+    addComparisons(set, readComparisonData(scene, compared.given), {.threads = common.threads});
   if (arguments.compare.empty()) return curves;
   ProgressBar bar(Words::tr("lines compared"), common.quiet);
   DifferenceOptions options;

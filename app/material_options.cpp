@@ -65,7 +65,7 @@ double numberWithin(const Option& option, double least, double most) {
   return number;
 }
 
-std::string unitOf(const Option& option, bool isKnown, const std::string& allowed) {
+std::string knownUnit(const Option& option, bool isKnown, const std::string& allowed) {
   if (!isKnown)
     throw InputError("", option.name,
                      message("'{}' is not one of {}", shortened(option.value), allowed));
@@ -136,15 +136,16 @@ constexpr std::array<Row, 26> kRows{{
     {"--frequency-unit",
      [](const Option& o, MaterialChoices& c) {
        c.columns.frequencyUnit =
-           unitOf(o, frequencyUnit(o.value, false).has_value(), "rad/s, " + unitNames("Hz"));
+           knownUnit(o, frequencyUnit(o.value, false).has_value(), "rad/s, " + unitNames("Hz"));
      }},
     {"--temperature-unit",
      [](const Option& o, MaterialChoices& c) {
-       c.columns.temperatureUnit = unitOf(o, temperatureUnit(o.value).has_value(), unitNames("K"));
+       c.columns.temperatureUnit =
+           knownUnit(o, temperatureUnit(o.value).has_value(), unitNames("K"));
      }},
     {"--modulus-unit",
      [](const Option& o, MaterialChoices& c) {
-       c.columns.modulusUnit = unitOf(o, unitSize(o.value, "Pa").has_value(), unitNames("Pa"));
+       c.columns.modulusUnit = knownUnit(o, unitSize(o.value, "Pa").has_value(), unitNames("Pa"));
      }},
     {"--name", [](const Option& o, MaterialChoices& c) { c.name = o.value; }},
     {"--source", [](const Option& o, MaterialChoices& c) { c.source = o.value; }},

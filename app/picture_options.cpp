@@ -76,7 +76,7 @@ FigureStyle styleFrom(const PictureArguments& arguments) {
 }
 
 /// Returns the pixels of the picture to one pixel at 96 per inch.
-float scaleOf(const PictureArguments& arguments, const FigureStyle& style, float usual) {
+float chosenScale(const PictureArguments& arguments, const FigureStyle& style, float usual) {
   constexpr float kPaperDensity = 300;  // dpi
   const bool hasDensity =
       std::ranges::any_of(arguments.figure, [](const auto& given) { return given.first == "dpi"; });
@@ -91,7 +91,7 @@ float scaleOf(const PictureArguments& arguments, const FigureStyle& style, float
 
 /// Returns letters and lines in pixels. A picture with a size on paper has letters of 7 pt, more
 /// where it is wider than two columns of a journal, and none below 6 pt.
-DiagramFormat formatOf(const FigureStyle& style, const PictureSettings& settings) {
+DiagramFormat diagramFormat(const FigureStyle& style, const PictureSettings& settings) {
   constexpr double kPaperLetters = 7, kMinLetters = 6, kTwoColumns = 178 / 25.4;  // pt, inches
   const double inch = kPixelsPerInch * static_cast<double>(settings.scale), point = inch / 72;
   DiagramFormat format;
@@ -213,7 +213,7 @@ PictureSettings pictureSettings(const PictureArguments& arguments,
   PictureSettings settings;
   settings.style = styleFrom(arguments);
   const FigureStyle& style = settings.style;
-  settings.scale = scaleOf(arguments, style, defaults.scale);
+  settings.scale = chosenScale(arguments, style, defaults.scale);
   const auto pixels = [&](int length) {
     return static_cast<int>(std::lround(static_cast<float>(length) * settings.scale));
   };
@@ -227,7 +227,7 @@ PictureSettings pictureSettings(const PictureArguments& arguments,
   settings.transparent = arguments.transparent;
   if (!arguments.backend.empty())
     settings.backend = chosen(kBackends, arguments.backend, "--backend");
-  settings.format = formatOf(style, settings);
+  settings.format = diagramFormat(style, settings);
   return settings;
 }
 
@@ -289,15 +289,10 @@ void exaggerate(double exaggeration, const Frame& frame, ContactPictureOptions& 
 }
 
 /// Returns how many times as large as lengths heights are drawn.
-double exaggerationOf(const Frame& frame, const ContactPictureOptions& options) {
+double drawnExaggeration(const Frame& frame, const ContactPictureOptions& options) {
   const ContactView view = resolvedView(frame, options.view);
   const Box plot = contactPlotArea(frame, options);
   return plot.height / (view.top - view.bottom) / (plot.width / view.width);
-}
-
-double& endOf(ContactView& view, ContactOverlay overlay) {
-  if (overlay == ContactOverlay::Relaxation) return view.age;
-  return overlay == ContactOverlay::Power ? view.power : view.pressure;
 }
 
 }  // namespace
@@ -390,7 +385,7 @@ void applyView(const ViewArguments& arguments, const Frame& frame, ContactPictur
     view.left = range.from;
     view.width = arguments.width();
   }
-  if (arguments.coloursTo) endOf(view, options.overlay) = *arguments.coloursTo;
+  if (arguments.coloursTo) setColourMaximum(view, options.overlay, *arguments.coloursTo);
   options.probe = arguments.probe;
   if (arguments.magnified) options.magnifier = Magnifier{*arguments.magnified};
   if (!arguments.heights.empty()) {
@@ -400,7 +395,7 @@ void applyView(const ViewArguments& arguments, const Frame& frame, ContactPictur
   } else if (arguments.exaggeration) {
     exaggerate(*arguments.exaggeration, frame, options);
   } else if (arguments.xRange.empty()) {
-    const double natural = exaggerationOf(frame, options);
+    const double natural = drawnExaggeration(frame, options);
     if (natural > 1 && natural <= kNearlyToScale) exaggerate(1, frame, options);
   }
 }

@@ -50,7 +50,7 @@ void addOption(std::vector<std::string>& words, const std::string& word, const J
 }
 
 /// Returns the words of options that the user gives again.
-std::set<std::string> wordsOf(const std::vector<std::string>& given) {
+std::set<std::string> optionWords(const std::vector<std::string>& given) {
   std::set<std::string> words;
   for (const std::string& word : given)
     if (word.starts_with("--")) words.insert(word.substr(2, word.find('=') - 2));
@@ -68,7 +68,7 @@ std::string taken(Json& object, const char* member) {
 
 /// Returns the options of material.json, which are in its origin: other files are made from it, and
 /// must not depend on the style of its pictures.
-Json optionsOfMaterial(const Json& metadata) {
+Json materialOptions(const Json& metadata) {
   Json options = Json::object();
   const Json given = metadata["origin"].value("options", Json::object());
   for (const auto& [option, value] : given.items()) {
@@ -90,7 +90,7 @@ bool isFromMeasurements(const FoundScene& found) {
 }
 
 /// Returns the options that made the file. Throws where a file of this origin cannot be made again.
-Json optionsOf(const FoundScene& found, const std::string& file) {
+Json recordedOptions(const FoundScene& found, const std::string& file) {
   if (!found.isEmbedded) throw InputError(file, "", "is a scene, not a result that can be remade");
   if (!isOneOf(found.verb, {"accuracy", "batch", "curve", "cutoff", "figure", "fit", "map",
                             "material", "motion", "render", "sensitivity", "study", "surface"}))
@@ -98,7 +98,7 @@ Json optionsOf(const FoundScene& found, const std::string& file) {
         file, "",
         message("is a result of the kind '{}', which cannot be remade", shortened(found.verb)));
   if (isFromMeasurements(found) && !found.origin.contains("options"))
-    return optionsOfMaterial(found.origin);
+    return materialOptions(found.origin);
   // A file that an earlier version wrote into a folder does not name itself.
   const bool isOfFolder = isOneOf(found.verb, {"accuracy", "batch", "fit", "material"});
   if (!found.options.is_object() || (isOfFolder && !found.options.contains("file")) ||
@@ -115,7 +115,7 @@ Json optionsOf(const FoundScene& found, const std::string& file) {
 
 /// The store in which a study's results are: the one that the user names, or the first beside the
 /// file, above it or in the present folder that has as many of its simulations.
-fs::path storeOf(const FoundScene& found, const OpenCommand& command) {
+fs::path findStore(const FoundScene& found, const OpenCommand& command) {
   const std::string& file = command.common.scene;
   const std::string digest = assignedText(found.origin.value("study_sha256", Json()));
   const Json simulations = found.origin.value("simulations", Json());
@@ -197,7 +197,7 @@ void checkOutput(const Remake& remake, const OpenCommand& command,
       check({".csv", ".json"});
     checkWritable(remake.output);
   }
-  for (const std::string& word : wordsOf(command.others))
+  for (const std::string& word : optionWords(command.others))
     if (isOfPictures(word) == isTableFile(remake.output) &&
         (isOfPictures(word) || word == "columns"))
       throw InputError("", "--" + word,
@@ -215,7 +215,7 @@ std::vector<fs::path> addInputs(Remake& remake, FoundScene& found, const std::st
       !command.common.assignments.empty())
     throw InputError("", "--set", message("sets keys of a scene, and {} is not of one", file));
   if (found.verb == "study") {
-    const fs::path store = storeOf(found, command);
+    const fs::path store = findStore(found, command);
     remake.words.insert(remake.words.end(), {part.empty() ? "table" : "analyse", store.string()});
     return {store};
   }
@@ -240,7 +240,7 @@ std::vector<fs::path> addInputs(Remake& remake, FoundScene& found, const std::st
 void addOwnOptions(Remake& remake, const Json& options, const OpenCommand& command) {
   const std::string& file = command.common.scene;
   const bool isFigure = remake.words.front() == "figure";
-  std::set<std::string> given = wordsOf(command.others);
+  std::set<std::string> given = optionWords(command.others);
   if (!command.common.language.empty()) given.insert("language");
   const bool dropsPictures = isTableFile(remake.output) && !isTableFile(file);
   const bool isVector = isOneOf(fileExtension(remake.output), {".svg", ".pdf", ".eps"});
@@ -280,7 +280,7 @@ Remake prepareRemake(const OpenCommand& command) {
   FoundScene found = findResult(file, isFolder ? command.from : std::string());
   if (!command.from.empty() && !isFolder && found.verb != "study")
     throw InputError("", "--from", message("{} is not a folder", shortened(command.from)));
-  Json options = optionsOf(found, file);
+  Json options = recordedOptions(found, file);
   const std::string part = taken(options, found.verb == "figure" ? "name" : "file");
   // A name in a foreign file must not lead out of the folder.
   if (part.find('/') != std::string::npos)

@@ -38,8 +38,8 @@ struct Sweep {
 };
 
 /// Returns the values of a range, logarithmic unless it is declared linear.
-std::vector<std::string> valuesOf(const Parameter& row, const Json& spec,
-                                  const std::string& where) {
+std::vector<std::string> readSweepRange(const Parameter& row, const Json& spec,
+                                        const std::string& where) {
   checkMembers(spec, where, {"from", "to", "points", "scale", "spacing"});
   if (spec.contains("scale") && spec.contains("spacing"))
     refuseMember(where, "scale and spacing mean the same; one of them is enough");
@@ -62,7 +62,7 @@ std::vector<std::string> valuesOf(const Parameter& row, const Json& spec,
 
 /// Reads the sweeps of an entry. An error in a sweep names the batch's key, which begins with
 /// "sweep".
-std::vector<Sweep> sweepsOf(const Json& entry) {
+std::vector<Sweep> readSweeps(const Json& entry) {
   std::vector<Sweep> sweeps;
   const auto found = entry.find("sweep");
   if (found == entry.end()) return sweeps;
@@ -75,7 +75,7 @@ std::vector<Sweep> sweepsOf(const Json& entry) {
       if (values.is_array())
         for (const Json& value : values) sweep.values.push_back(assignedText(value));
       else
-        sweep.values = valuesOf(numberRow(row.key), values, where);
+        sweep.values = readSweepRange(numberRow(row.key), values, where);
     } catch (const InputError& error) {
       refuseMember(error.key().starts_with(where) ? error.key() : where, error.message());
     }
@@ -114,7 +114,7 @@ class Entry {
     show_ = textMember(json_, "show", "");
     if (!show_.empty()) layoutFrom(show_, "show");
     readSet();
-    sweeps_ = sweepsOf(json_);
+    sweeps_ = readSweeps(json_);
     for (const Sweep& sweep : sweeps_)
       if (json_.contains("set") && json_["set"].contains(sweep.key))
         refuseMember(sweep.key, "stands in set and in sweep; one of them is enough");

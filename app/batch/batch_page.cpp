@@ -36,16 +36,16 @@ ContactSheets::ContactSheets(int count, int width, int height) : count_(std::max
   rows_ = std::min((count_ + columns_ - 1) / columns_, kLargestSheet / cellHeight_);
 }
 
-int ContactSheets::on(int sheet) const {
+int ContactSheets::picturesOn(int sheet) const {
   return std::clamp(count_ - sheet * perSheet(), 0, perSheet());
 }
 
 int ContactSheets::widthOf(int sheet) const {
-  return std::min(on(sheet), columns_) * cellWidth_;
+  return std::min(picturesOn(sheet), columns_) * cellWidth_;
 }
 
 int ContactSheets::heightOf(int sheet) const {
-  return (on(sheet) + columns_ - 1) / columns_ * cellHeight_;
+  return (picturesOn(sheet) + columns_ - 1) / columns_ * cellHeight_;
 }
 
 ContactSheets::Cell ContactSheets::cell(int picture) const {

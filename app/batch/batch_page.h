@@ -35,7 +35,7 @@ class ContactSheets {
 
  private:
   int perSheet() const { return columns_ * rows_; }
-  int on(int sheet) const;  // number of pictures on this sheet
+  int picturesOn(int sheet) const;
 
   int count_, cellWidth_, cellHeight_;
   int columns_ = 1, rows_ = 1;  // of a full sheet

@@ -17,7 +17,7 @@ constexpr const char* kName = ".asperity_batch_progress";
 // program ensures that it is the same program that reads them.
 static_assert(std::is_trivially_copyable_v<CurvePoint>);
 
-std::string hexOf(const CurvePoint& point) {
+std::string toHex(const CurvePoint& point) {
   constexpr const char* kDigits = "0123456789abcdef";
   std::array<unsigned char, sizeof(CurvePoint)> bytes{};
   std::memcpy(bytes.data(), &point, bytes.size());
@@ -30,7 +30,7 @@ std::string hexOf(const CurvePoint& point) {
 }
 
 /// Throws std::runtime_error where the text is not that of a point.
-CurvePoint pointFrom(const std::string& text) {
+CurvePoint pointFromHex(const std::string& text) {
   std::array<unsigned char, sizeof(CurvePoint)> bytes{};
   if (text.size() != 2 * bytes.size()) throw std::runtime_error("not a point");
   for (std::size_t i = 0; i < bytes.size(); ++i)
@@ -50,9 +50,9 @@ BatchProgress::BatchProgress(const std::filesystem::path& folder)
     while (std::getline(lines, line)) {
       const Json json = Json::parse(line);
       BatchProgressEntry entry;
-      for (const Json& point : json.at("curve")) entry.curve.push_back(pointFrom(point));
-      if (!json.at("mean").is_null()) entry.result.mean = pointFrom(json.at("mean"));
-      const CurvePoint shown = pointFrom(json.at("line"));
+      for (const Json& point : json.at("curve")) entry.curve.push_back(pointFromHex(point));
+      if (!json.at("mean").is_null()) entry.result.mean = pointFromHex(json.at("mean"));
+      const CurvePoint shown = pointFromHex(json.at("line"));
       entry.result.lineMu = shown.mu;
       entry.result.lineIndentation = shown.indentation;
       entry.result.lineContactFraction = shown.contactFraction;
@@ -75,13 +75,13 @@ const BatchProgressEntry* BatchProgress::find(const std::string& key) const {
 
 void BatchProgress::add(const std::string& key, const BatchProgressEntry& entry) {
   Json json = {{"key", key}, {"files", entry.result.files}, {"mean", nullptr}};
-  if (entry.result.mean) json["mean"] = hexOf(*entry.result.mean);
+  if (entry.result.mean) json["mean"] = toHex(*entry.result.mean);
   CurvePoint shown{.mu = entry.result.lineMu,
                    .contactFraction = entry.result.lineContactFraction,
                    .indentation = entry.result.lineIndentation};
-  json["line"] = hexOf(shown);
+  json["line"] = toHex(shown);
   Json& curve = json["curve"] = Json::array();
-  for (const CurvePoint& point : entry.curve) curve.push_back(hexOf(point));
+  for (const CurvePoint& point : entry.curve) curve.push_back(toHex(point));
   std::ofstream(file_, std::ios::app) << json.dump() + "\n";
 }
 

@@ -210,8 +210,7 @@ class BatchRun {
       if (!known->curve.empty()) content.curves.present = {{}, shown, known->curve, 0};
       if (!grid_) return;
     }
-    CurveOptions options;
-    options.threads = command_.common.threads;
+    const CurveOptions options{.threads = command_.common.threads};
     if (!known && (layout == PictureLayout::Curve || layout == PictureLayout::Both)) {
       requireSteadySliding(scene, Message::name("\"show\": \"" + result.item.show + "\""));
       const Curve curve = computeCurve(scene, options);

@@ -10,6 +10,7 @@
 #include "core/base/text.h"
 #include "core/contact/steady_sliding.h"
 #include "core/contact/steady_solver.h"
+#include "core/friction/curve_point.h"
 #include "core/friction/law.h"
 #include "core/lesson/lesson_answers.h"
 #include "core/lesson/lesson_file.h"
@@ -48,6 +49,12 @@ std::string summaryText(const Scene& scene, const LineSource& source, const LawI
   if (in.rmsHeight > 0 && scene.load.kind != LoadKind::Indentation)
     add(filled(Words::tr("dimensionless force F\u2099 / G h L = %1 (Eq. 14)"),
                {number(dimensionlessForce(in))}));
+  if (scene.load.kind == LoadKind::Pressure) {
+    CurvePoint point;
+    point.normalForce = in.normalForce;
+    point.nominalPressure = scene.load.nominalPressure;
+    if (const auto note = pressureNote({&point, 1}, scene.load.width)) add(translated(*note));
+  }
   // Eq. (13) has one relaxation time.
   if (in.rmsHeight > 0 && elementLaw(scene.elastomer).kind() != ElementKind::Arms)
     add(filled(Words::tr("dimensionless velocity tau v slope / (sqrt(2) h) = %1 (Eq. 13)"),
@@ -100,9 +107,7 @@ void checkLesson(const CommonOptions& command, bool isOneOfMany,
   if (!command.assignments.empty())
     throw InputError("", "--set", "sets keys of a scene, and this file is a lesson");
   const Lesson lesson = readLessonFile(command.scene, readNamedScene);
-  CurveOptions options;
-  options.threads = command.threads;
-  checkChoices(lesson, command.scene, options);
+  checkChoices(lesson, command.scene, {.threads = command.threads});
   printSummary(command.json, command.quiet,
                (isOneOfMany ? command.scene + ": " : "") +
                    printable(lesson.title.in(presentLanguage())) + "\n  " +

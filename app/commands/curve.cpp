@@ -52,10 +52,9 @@ std::string summaryText(const Curve& curve, const CurveSet& set) {
   const auto unresolved = std::ranges::count_if(curve.points, [](const CurvePoint& point) {
     return pointNoteSet(point).has(Note::UnresolvedFriction);
   });
-  const CurvePoint& first = curve.points.front();
-  if (std::isfinite(first.normalForce) && scene.sweep.isOfVelocity())
-    text += filledLine(Words::tr("F\u2099 = %1 N on one period; results depend on the width"),
-                       answerNumber(first.normalForce, 6));
+  // A curve over the width has no width of its own.
+  const auto pressure = pressureNote(curve.points, scene.load.width);
+  if (pressure && scene.sweep.key != "load.width") text += translated(*pressure) + "\n";
   for (const MeasuredCurve& measured : set.measured)
     for (const Message& note : measured.data.notes)
       text += measured.data.name + ": " + translated(note) + "\n";
@@ -116,7 +115,7 @@ void checkRealizations(const CurveCommand& command, const Scene& scene) {
   constexpr const char* kOption = "--realizations-table";
   const std::string& file = command.realizationTable;
   if (file.empty()) return;
-  requireVelocityAxis(scene, "--realizations-table");
+  requireVelocityAxis(scene, kOption);
   if (choosesAccuracy(scene))
     throw InputError("", kOption,
                      "needs the same lines at every velocity; with "

@@ -48,13 +48,11 @@ Json numberJson(const LessonNumber& number) {
 /// Returns the right answer of each step, as computed now.
 Json answersJson(const Lesson& lesson, int threads) {
   Json steps = Json::array();
-  CurveOptions options;
-  options.threads = threads;
   for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
     const LessonStep& step = lesson.steps[i];
     Json one = {{"step", i + 1}, {"title", shown(step.title)}};
     if (step.prediction) {
-      const LessonAnswer answer = lessonAnswer(step, options);
+      const LessonAnswer answer = lessonAnswer(step, {.threads = threads});
       one["question"] = shown(step.prediction->question);
       if (answer.choice >= 0) {
         one["answer"] = {
@@ -184,9 +182,7 @@ int runLesson(const LessonCommand& command) {
     throw InputError("", "--teacher", "is of a handout; give -o as well");
   for (const std::string& output : command.outputs) checkNoInput(output, {name});
   const Lesson lesson = readNamedLesson(name, readNamedScene);
-  CurveOptions computing;
-  computing.threads = common.threads;
-  checkChoices(lesson, name, computing);
+  checkChoices(lesson, name, {.threads = common.threads});
   std::string summary = summaryText(lesson);
   if (!command.outputs.empty()) {
     HeadlessPictures pictures;

@@ -52,13 +52,8 @@ std::string factsText(const std::vector<Message>& facts) {
 /// Returns the interpretation of the file, and the values before and after processing.
 std::string measuredText(const MeasuredSummary& summary) {
   std::string text = factsText(factsOf(summary));
-  constexpr int kColumn = 14;
-  const auto cell = [](std::string word) {
-    // Columns are aligned by code points, not bytes.
-    const auto letters = std::ranges::count_if(word, beginsCharacter);
-    word.append(static_cast<std::size_t>(std::max<std::ptrdiff_t>(kColumn - letters, 1)), ' ');
-    return word;
-  };
+  // fmt counts letters, not bytes.
+  const auto cell = [](const std::string& word) { return fmt::format("{:<13} ", word); };
   text += cell("") + cell(Words::tr("raw")) + Words::tr("used") + "\n";
   for (const NamedValue& value : namedValues(summary))
     text += cell(value.name) + cell(valueText(value.raw, value.unit)) +

@@ -18,7 +18,7 @@ namespace {
 constexpr const char* kTool = "pdftops";
 
 /// Returns the metadata as comments, whose lines PostScript limits to 255 characters.
-std::string commentsOf(const std::string& metadata) {
+std::string metadataComments(const std::string& metadata) {
   constexpr std::size_t kLine = 200;
   std::string text;
   for (std::size_t at = 0; at < metadata.size(); at += kLine)
@@ -100,7 +100,7 @@ void writeEps(const std::string& file, const DrawList& list, const PdfOptions& o
   const std::size_t header = eps.find(end);
   if (tool.exitCode() != 0 || !eps.starts_with("%!PS") || header == eps.npos)
     fail("pdftops failed: " + tool.readAllStandardError().simplified().toStdString());
-  eps.insert(header + end.size(), commentsOf(options.metadata));
+  eps.insert(header + end.size(), metadataComments(options.metadata));
   writeFileAtomically(file, eps);
 }
 

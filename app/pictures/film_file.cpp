@@ -226,10 +226,12 @@ struct FilmFile::Body {
   }
 
   void start(int reading) {
-    const auto pathOf = [](int number) { return fmt::format("file:/proc/self/fd/{}", number); };
+    const auto descriptorPath = [](int number) {
+      return fmt::format("file:/proc/self/fd/{}", number);
+    };
     std::vector<std::string> words =
-        ffmpegArguments(extension, options, pathOf(kOutput),
-                        metadata.number() < 0 ? std::string() : pathOf(kMetadata));
+        ffmpegArguments(extension, options, descriptorPath(kOutput),
+                        metadata.number() < 0 ? std::string() : descriptorPath(kMetadata));
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);

@@ -17,7 +17,7 @@ constexpr double kMaxFrames = 1e6;
 constexpr std::int64_t kSamples = 200;  // minimum number of samples over a motion
 constexpr double kMaxPeriods = 1e9;     // maximum distance of sliding, in periods
 
-double fpsOf(const TimeArguments& arguments) {
+double chosenFramesPerSecond(const TimeArguments& arguments) {
   return arguments.framesPerSecond > 0 ? arguments.framesPerSecond : kDefaultFps;
 }
 
@@ -63,7 +63,7 @@ void checkMoment(const Scene& scene, const TimeArguments& arguments, double leng
 FramePlan steadyPlan(double period, const TimeArguments& arguments, bool single) {
   FramePlan plan;
   const double cycles = arguments.cycles > 0 ? arguments.cycles : 1;
-  const double fps = fpsOf(arguments);
+  const double fps = chosenFramesPerSecond(arguments);
   if (arguments.frames > 0 || arguments.duration > 0)
     plan.count =
         arguments.frames > 0 ? arguments.frames : rounded(arguments.duration * fps, "--duration");
@@ -83,7 +83,7 @@ FramePlan motionPlan(double duration, const TimeArguments& arguments, bool singl
   if (arguments.slowMotion > 0 && (arguments.frames > 0 || arguments.duration > 0))
     throw InputError("", "--slow-motion", "follows from the motion and the length of the film");
   FramePlan plan;
-  const double fps = fpsOf(arguments);
+  const double fps = chosenFramesPerSecond(arguments);
   plan.count = single                   ? 1
                : arguments.frames > 0   ? arguments.frames
                : arguments.duration > 0 ? rounded(arguments.duration * fps, "--duration")
@@ -107,9 +107,9 @@ FramePlan planFrames(const Scene& scene, double length, const TimeArguments& arg
       throw InputError("", "--slow-motion", "needs a velocity above 0");
     plan = steadyPlan(velocity > 0 ? length / velocity : 0, arguments, single);
     if (plan.count > 1 && velocity > 0)
-      plan.timeScale = plan.periodsPerFrame * length / velocity * fpsOf(arguments);
+      plan.timeScale = plan.periodsPerFrame * length / velocity * chosenFramesPerSecond(arguments);
   }
-  plan.framesPerSecond = fpsOf(arguments);
+  plan.framesPerSecond = chosenFramesPerSecond(arguments);
   return plan;
 }
 
@@ -117,7 +117,7 @@ FramePlan planFrames(const Scene& scene, double length, const TimeArguments& arg
 
 FrameSource::FrameSource(const Scene& scene, const TimeArguments& arguments, bool single,
                          const FrameFields& fields, double visibleLength)
-    : choice_(arguments), velocity_(scene.sliding.velocity), duration_(scene.sliding.duration) {
+    : arguments_(arguments), velocity_(scene.sliding.velocity), duration_(scene.sliding.duration) {
   const auto shared = std::make_shared<const Scene>(scene);
   if (scene.sliding.kind == SlidingKind::Steady)
     steady_.emplace(shared, fields, visibleLength);
@@ -132,20 +132,20 @@ FrameSource::FrameSource(const Scene& scene, const TimeArguments& arguments, boo
 }
 
 Frame FrameSource::steadyFrame(std::int64_t index) const {
-  if (!choice_.at && !choice_.slid)
+  if (!arguments_.at && !arguments_.slid)
     return steady_->frameAt(static_cast<double>(index) * plan_.periodsPerFrame, plan_.timeScale,
                             static_cast<std::uint64_t>(index));
-  const double slid = choice_.slid ? *choice_.slid : *choice_.at * velocity_;
+  const double slid = arguments_.slid ? *arguments_.slid : *arguments_.at * velocity_;
   Frame frame = steady_->frameAt(slid / steady_->length(), 0, 0);
   frame.distance = slid;  // exact to the last digit
-  if (choice_.at) frame.time = *choice_.at;
+  if (arguments_.at) frame.time = *arguments_.at;
   return frame;
 }
 
 /// Returns the frame of a motion at the present time, as the window shows it.
 Frame FrameSource::momentFrame() {
   const RunnerOptions window;
-  motion_->advanceTo(choice_.at.value_or(duration_), window.partPerFrame(),
+  motion_->advanceTo(arguments_.at.value_or(duration_), window.partPerFrame(),
                      window.secondsPerFrame());
   Frame frame = motion_->frame();
   frame.timeScale = 0;

@@ -49,7 +49,7 @@ class FrameSource {
   Frame steadyFrame(std::int64_t index) const;
   Frame momentFrame();
 
-  TimeArguments choice_;
+  TimeArguments arguments_;
   double velocity_ = 0;  // m/s, in steady sliding
   double length_ = 0;
   std::optional<SteadyFrames> steady_;

@@ -39,12 +39,11 @@ PictureLayout layoutFrom(const std::string& name, const char* key) {
 }
 
 ContactOverlay overlayFrom(const std::string& name) {
-  NamedChoices<ContactOverlay, 4> all{{{{}, ContactOverlay::None},
-                                       {{}, ContactOverlay::Pressure},
-                                       {{}, ContactOverlay::Relaxation},
-                                       {{}, ContactOverlay::Power}}};
-  for (auto& [word, overlay] : all) word = wordFor(overlay);
-  return chosen(all, name, "--overlay");
+  const auto named = [](ContactOverlay overlay) { return std::pair(wordFor(overlay), overlay); };
+  const NamedChoices<ContactOverlay, 4> overlays{
+      named(ContactOverlay::None), named(ContactOverlay::Pressure),
+      named(ContactOverlay::Relaxation), named(ContactOverlay::Power)};
+  return chosen(overlays, name, "--overlay");
 }
 
 void checkPanels(const DiagramSheet& sheet, const PictureSettings& settings, int above) {

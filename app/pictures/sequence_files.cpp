@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 // the texts of a picture are within these first bytes
 constexpr std::size_t kHead = std::size_t{1} << 21;
 
-std::string headOf(const std::string& file) {
+std::string readHead(const std::string& file) {
   std::ifstream stream(file, std::ios::binary);
   std::string bytes(kHead, '\0');
   stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
@@ -42,7 +42,7 @@ bool isFrameName(const std::string& name) {
 bool isOwnFrame(const std::string& file) {
   constexpr int kDeepest = 12;  // largest nesting of a scene in a provenance, with a margin
   try {
-    const auto made = parseJson(pngMetadata(headOf(file)), kDeepest);
+    const auto made = parseJson(pngMetadata(readHead(file)), kDeepest);
     const auto verb = made.find("verb"), picture = made.find("picture");
     return verb != made.end() && *verb == "render" && picture != made.end() &&
            picture->contains("frame");
@@ -75,7 +75,7 @@ std::vector<std::int64_t> SequenceFiles::missing() const {
     const auto index = static_cast<std::int64_t>(i);
     if (!fs::exists(files_[i]))
       missing.push_back(index);
-    else if (pngMetadata(headOf(files_[i])) != metadata(index))
+    else if (pngMetadata(readHead(files_[i])) != metadata(index))
       throw InputError(files_[i], "",
                        "was made by another scene, version or options; without --resume it is "
                        "made anew");

@@ -229,8 +229,8 @@ std::optional<Message> warningOfTarget(const Scene& scene, const Prediction& pre
         lines, PrintedNumber{printedNumber(static_cast<double>(kMostLines))},
         PrintedNumber{printedQuantity(prediction.seconds, "s", 2)});
   return message(
-      "accuracy.target_relative_error needs about {} lines at one velocity, and the run takes about "
-      "{}; half the error needs four times as many lines",
+      "accuracy.target_relative_error needs about {} lines at one velocity, and the run takes "
+      "about {}; half the error needs four times as many lines",
       lines, PrintedNumber{printedQuantity(prediction.seconds, "s", 2)});
 }
 

@@ -1,11 +1,13 @@
 #include "core/base/file_digest.h"
 
+#include <nettle/md5.h>
 #include <nettle/sha2.h>
 
 #include <array>
 #include <cstdint>
 #include <map>
 #include <mutex>
+#include <span>
 
 #include "core/base/regular_file.h"
 
@@ -14,22 +16,28 @@ namespace {
 
 namespace fs = std::filesystem;
 
+const std::uint8_t* asBytes(std::string_view text) {
+  return reinterpret_cast<const std::uint8_t*>(text.data());
+}
+
+std::string hexadecimal(std::span<const std::uint8_t> bytes) {
+  constexpr char kDigits[] = "0123456789abcdef";
+  std::string text;
+  for (const std::uint8_t byte : bytes) {
+    text += kDigits[byte >> 4];
+    text += kDigits[byte & 15];
+  }
+  return text;
+}
+
 class Sha256 {
  public:
   Sha256() { sha256_init(&context_); }
-  void add(std::string_view bytes) {
-    sha256_update(&context_, bytes.size(), reinterpret_cast<const std::uint8_t*>(bytes.data()));
-  }
-  std::string hexadecimal() {
-    constexpr char kDigits[] = "0123456789abcdef";
-    std::array<std::uint8_t, SHA256_DIGEST_SIZE> digest{};
-    sha256_digest(&context_, digest.size(), digest.data());
-    std::string text;
-    for (const std::uint8_t byte : digest) {
-      text += kDigits[byte >> 4];
-      text += kDigits[byte & 15];
-    }
-    return text;
+  void add(std::string_view bytes) { sha256_update(&context_, bytes.size(), asBytes(bytes)); }
+  std::string digest() {
+    std::array<std::uint8_t, SHA256_DIGEST_SIZE> bytes{};
+    sha256_digest(&context_, bytes.size(), bytes.data());
+    return hexadecimal(bytes);
   }
 
  private:
@@ -47,7 +55,16 @@ struct Known {
 std::string sha256(std::string_view bytes) {
   Sha256 sha;
   sha.add(bytes);
-  return sha.hexadecimal();
+  return sha.digest();
+}
+
+std::string md5(std::string_view bytes) {
+  md5_ctx context;
+  md5_init(&context);
+  md5_update(&context, bytes.size(), asBytes(bytes));
+  std::array<std::uint8_t, MD5_DIGEST_SIZE> digest{};
+  md5_digest(&context, digest.size(), digest.data());
+  return hexadecimal(digest);
 }
 
 std::string sha256OfFile(const fs::path& file) {
@@ -70,7 +87,7 @@ std::string sha256OfFile(const fs::path& file) {
     sha.add(part);
     if (part.size() < kPart) break;
   }
-  Known now{open.size(), time, sha.hexadecimal()};
+  Known now{open.size(), time, sha.digest()};
   const std::lock_guard guard(lock);
   return (known[name] = std::move(now)).digest;
 }

@@ -2,8 +2,10 @@
 // Constant; any thread.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -16,17 +18,29 @@ namespace asperity {
 template <class Choice, std::size_t N>
 using NamedChoices = std::array<std::pair<std::string_view, Choice>, N>;
 
+/// Returns the enumerator of a word; nothing for any other one.
+template <class Choice, std::size_t N>
+std::optional<Choice> findChoice(const NamedChoices<Choice, N>& choices, std::string_view word) {
+  for (const auto& [known, choice] : choices)
+    if (known == word) return choice;
+  return {};
+}
+
+/// Says that a word is none of those of the enumeration, and which there are.
+template <class Choice, std::size_t N>
+Message notOneOf(std::string_view word, const NamedChoices<Choice, N>& choices) {
+  std::array<std::string_view, N> known;
+  std::ranges::transform(choices, known.begin(), [](const auto& choice) { return choice.first; });
+  return notOneOf(word, known);
+}
+
 /// Returns the enumerator of a word. Throws InputError with the key or option `where` and the known
 /// words for any other one.
 template <class Choice, std::size_t N>
 Choice chosen(const NamedChoices<Choice, N>& choices, const std::string& word,
               const std::string& where) {
-  std::array<std::string_view, N> known;
-  for (std::size_t i = 0; i < N; ++i) {
-    if (choices[i].first == word) return choices[i].second;
-    known[i] = choices[i].first;
-  }
-  throw InputError("", where, notOneOf(word, known));
+  if (const auto choice = findChoice(choices, word)) return *choice;
+  throw InputError("", where, notOneOf(word, choices));
 }
 
 /// Returns the word of an enumerator.

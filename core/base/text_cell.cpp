@@ -10,6 +10,7 @@
 #include "core/base/text.h"
 #include "core/base/text_number.h"
 #include "core/base/text_table.h"
+#include "core/base/text_units.h"
 #include "core/base/units.h"
 
 namespace asperity {

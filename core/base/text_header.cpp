@@ -9,7 +9,7 @@
 #include "core/base/power_of_ten.h"
 #include "core/base/text.h"
 #include "core/base/text_number.h"
-#include "core/base/units.h"
+#include "core/base/text_units.h"
 
 namespace asperity {
 

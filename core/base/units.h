@@ -1,6 +1,6 @@
 // Units of measurement in texts: the one table of units, quantities as people type them ("20mN",
-// "10 MPa", "40 \u00B0C"), and why one is refused; the units that text files contain, in whatever
-// spelling. Pure; any thread.
+// "10 MPa", "40 \u00B0C"), and why one is refused. text_units.h finds units in the names of
+// columns. Pure; any thread.
 #pragma once
 
 #include <optional>
@@ -34,11 +34,15 @@ std::optional<Unit> findUnit(std::string_view name);
 std::optional<Unit> findUnit(std::string_view name, std::string_view si);
 
 /// Returns the same as instruments write it, in any case where that leaves no doubt: "KHZ", "MPA"
-/// and "mpa" (megapascals, for nobody measures rubber in millipascals), "MS" (milliseconds). "FN"
-/// and "Fn" are no femtonewtons: they are symbols of the normal force.
+/// and "mpa" (megapascals, for nobody measures rubber in millipascals), "MS" (milliseconds). What
+/// isFemtoUnit names is none.
 /// A power of ten may stand in front, "10^-3 m/s", or alone for a pure number; "100 N" is no unit,
 /// because it may be a load.
 std::optional<Unit> unitInAnyCase(std::string_view name, std::string_view si);
+
+/// Returns whether the name would mean femtonewtons, femtopascals or femtometres per second, which
+/// no table has: "FN" and "Fn" are symbols of the normal force.
+bool isFemtoUnit(std::string_view name);
 
 /// Returns how many of the SI unit one of such a unit is, also with a power of ten in front of it:
 /// "10^6 Pa". Empty where it is none.
@@ -64,29 +68,5 @@ struct TypedQuantity {
 
 /// Reads "20mN", "20 mN" or "0.02", which is in the SI unit; the decimal sign is a point.
 TypedQuantity typedQuantity(std::string_view text, const QuantityRule& rule);
-
-// ---- Units in text files
-
-/// Returns whether the word is a unit of length, time, frequency, temperature, force, pressure,
-/// velocity, angle or a share. "-" and "1" stand for a pure number.
-bool isUnitWord(std::string_view text);
-
-/// Returns the same of a unit with or without brackets around it, or with a power of ten in front.
-bool isKnownUnit(std::string_view text);
-
-/// Returns the number of metres in one of this unit: "m", "mm", "\u00B5m", "um", "microns", "nm",
-/// "\u00C5", "in", "mil", "1e-6 m", "10^-9 m", with or without brackets; letters large or small.
-/// A number in front has to be a power of ten. Empty where the text is no unit of length.
-std::optional<double> metresPer(std::string_view unit);
-
-/// A power of a length: metres^power is one of the unit in SI.
-struct LengthPower {
-  double metres = 1;
-  int power = 1;
-};
-
-/// Reads a unit such as "1/um", "rad/m", "cycles/m", "nm^-1", "m^3", "um\u00B3", "mm", "um^2 mm",
-/// "um^2/(1/mm)". Empty where the text is none.
-std::optional<LengthPower> parseLengthPower(std::string_view text);
 
 }  // namespace asperity

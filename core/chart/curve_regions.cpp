@@ -13,25 +13,24 @@ namespace asperity {
 namespace {
 
 struct RegionText {
-  std::string_view name, word, sentence;
+  std::string_view word, sentence;
 };
+/// In the order of kRegionNames.
 constexpr std::array<RegionText, 4> kTexts{
-    {{"I", "linear",
+    {{"linear",
       "Friction grows in proportion to velocity, Eqs. (5) to (8). Ends where the curve is 20 % "
       "below that line."},
-     {"II", "transition",
-      "From the line to the plateau. Ends where 95 % of the maximum is reached."},
-     {"III", "plateau",
+     {"transition", "From the line to the plateau. Ends where 95 % of the maximum is reached."},
+     {"plateau",
       "Contacts carry on their leading sides only, Eq. (9). Ends where friction falls below 95 % "
       "of the maximum."},
-     {"IV", "decrease",
+     {"decrease",
       "Few summits of the finite period carry the load, and the slope in contact falls, "
       "Eq. (15). Begins below 95 % of the maximum."}}};
 
 const RegionText* findRegionText(std::string_view name) {
-  for (const RegionText& text : kTexts)
-    if (text.name == name) return &text;
-  return nullptr;
+  const std::size_t number = regionNumber(name);
+  return number < kTexts.size() ? &kTexts[number] : nullptr;
 }
 
 /// The known part of a curve, where friction is positive and has a logarithm.
@@ -70,10 +69,10 @@ class Regions {
       : begin_(known.velocities.front()), end_(known.velocities.back()) {}
 
   /// Adds a region, which ends at the border or, if that is not on the curve, at the curve's end.
-  void add(std::size_t name, double border) {
+  void add(std::size_t number, double border) {
     const double end = std::isfinite(border) ? std::min(border, end_) : end_;
     if (!(end > begin_)) return;
-    regions_.push_back({std::string(kTexts[name].name), begin_, end});
+    regions_.push_back({kRegionNames[number], begin_, end});
     begin_ = end;
   }
   std::vector<CurveRegion> take() { return std::move(regions_); }

@@ -363,6 +363,12 @@ void addComparisons(CurveSet& set, std::vector<FrictionData> data, const StateOp
     for (const MeasuredPoint& point : table.points) states.push_back(sceneAtPoint(point, scene));
     SteadyStates found = slideStates(states, options);
     if (found.isComplete) curve.computed = std::move(found.points);
+    const bool hasPressures = std::ranges::any_of(table.points, [](const MeasuredPoint& point) {
+      return !std::isnan(point.nominalPressure);
+    });
+    // Another pressure of the scene has its own note.
+    if (const auto note = pressureNote(curve.computed, scene.load.width); hasPressures && note)
+      set.notes.push_back(message("{}: {}", Message::name(table.name), *note));
     curve.data = std::move(table);
     set.measured.push_back(std::move(curve));
   }

@@ -24,15 +24,11 @@ constexpr std::size_t kLargestStyle = std::size_t{1} << 20;  // bytes
 
 /// Sets one of several named values; returns why the word is refused.
 template <class Value, class Target, std::size_t N>
-Message choose(const NamedChoices<Value, N>& words, const std::string& word, Target& target) {
-  std::array<std::string_view, N> known;
-  for (std::size_t i = 0; i < N; ++i) {
-    known[i] = words[i].first;
-    if (words[i].first != word) continue;
-    target = words[i].second;
-    return {};
-  }
-  return notOneOf(word, known);
+Message choose(const NamedChoices<Value, N>& words, std::string_view word, Target& target) {
+  const auto choice = findChoice(words, word);
+  if (!choice) return notOneOf(word, words);
+  target = *choice;
+  return {};
 }
 
 constexpr NamedChoices<bool, 2> kOnOff{{{"on", true}, {"off", false}}};
@@ -89,9 +85,9 @@ bool isHex(char c) {
 }
 
 /// Reads "#d55e00" or a name.
-bool readColour(const std::string& word, CurveStyle& curve) {
+bool readColour(std::string_view word, CurveStyle& curve) {
   if (word.size() == 7 && word[0] == '#' && std::all_of(word.begin() + 1, word.end(), isHex)) {
-    curve.paint = static_cast<std::uint32_t>(std::stoul(word.substr(1), nullptr, 16));
+    curve.paint = static_cast<std::uint32_t>(std::stoul(std::string(word.substr(1)), nullptr, 16));
     return true;
   }
   return choose(kColours, word, curve.paint).empty();
@@ -106,10 +102,7 @@ Message addCurve(FigureStyle& style, const std::string& text) {
     return message("'{}' is not NUMBER=WORDS with the number of a curve in the legend",
                    shortened(text));
   CurveStyle curve;
-  std::string words = text.substr(equals + 1) + ",";
-  for (std::size_t comma = words.find(','); comma != words.npos; comma = words.find(',')) {
-    const std::string word = words.substr(0, comma);
-    words.erase(0, comma + 1);
+  for (const std::string_view word : splitText(std::string_view(text).substr(equals + 1), ",")) {
     if (!readColour(word, curve) && !choose(kMarks, word, curve.mark).empty() &&
         !choose(kStrokes, word, curve.stroke).empty())
       return message(
@@ -213,10 +206,9 @@ std::string optionText(const Json& value) {
   return value.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-void setFrom(FigureStyle& style, const FigureOption& option, const Json& value,
-             const std::string& file) {
+void setFrom(FigureStyle& style, const FigureOption& option, const Json& value) {
   const Message refusal = option.set(style, optionText(value));
-  if (!refusal.empty()) throw InputError(file, optionKey(option), refusal);
+  if (!refusal.empty()) throw InputError("", optionKey(option), refusal);
 }
 
 /// Adds the parts of a text that `sentences` joined.
@@ -411,11 +403,11 @@ FigureStyle styleFromJson(std::string_view text, const std::string& file) {
                              : message("is no option of a style; did you mean {}?", nearest));
       }
       if (value.is_array() && option->repeats)
-        for (const Json& one : value) setFrom(style, *option, one, "");
+        for (const Json& one : value) setFrom(style, *option, one);
       else if (value.is_object() || value.is_array() || value.is_null())
         throw InputError("", key, "is a text, a number, true or false");
       else
-        setFrom(style, *option, value, "");
+        setFrom(style, *option, value);
     }
     return style;
   } catch (const InputError& error) {

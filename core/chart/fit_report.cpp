@@ -200,9 +200,12 @@ std::string fitCsv(const Fit& fit, std::span<const FrictionData> data) {
       "\n";
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double mu = totalMu(fit.computed[i]);
-    for (const double value : {points[i].velocity, points[i].normalForce, points[i].nominalPressure,
-                               points[i].temperature, points[i].mu, points[i].muError, mu,
-                               fit.computedErrors[i], fit.bandErrors[i]})
+    // A nominal pressure was computed as a force.
+    const double force =
+        std::isnan(points[i].normalForce) ? fit.computed[i].normalForce : points[i].normalForce;
+    for (const double value :
+         {points[i].velocity, force, points[i].nominalPressure, points[i].temperature, points[i].mu,
+          points[i].muError, mu, fit.computedErrors[i], fit.bandErrors[i]})
       text += csvNumber(value) + ",";
     text += csvNumber(points[i].mu / mu) + "\n";
   }
@@ -321,10 +324,10 @@ FitReport fitReport(const FittedCurve& fitted, const std::string& folder) {
   std::vector<FrictionData> data;
   for (const MeasuredCurve& measured : fitted.set.measured) data.push_back(measured.data);
   FitReport report;
-  report.texts = {{"fit.json", fitAnswer(fitted.start, fit, fitted.varied)},
-                  {"fitted.scene.json", writeScene(seenFrom(folder, fit.scene))},
-                  {"fit.csv", "# asperity: " + provenanceLine(fitProvenance(fitted.start, fit)) +
-                                  "\n" + fitCsv(fit, data)}};
+  report.texts = {
+      {"fit.json", fitAnswer(fitted.start, fit, fitted.varied)},
+      {"fitted.scene.json", writeScene(seenFrom(folder, fit.scene))},
+      {"fit.csv", provenanceComment(fitProvenance(fitted.start, fit)) + fitCsv(fit, data)}};
   report.sheets.push_back({"curve", fitSheet(fit, fitted.set)});
   if (!fit.profiles.empty()) report.sheets.push_back({"profiles", profileSheet(fit)});
   return report;

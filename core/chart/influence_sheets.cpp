@@ -151,10 +151,19 @@ DiagramSheet cutoffSheet(const Scene& scene, const std::vector<CutoffPoint>& poi
   return sheet;
 }
 
-std::string cutoffCsv(const std::vector<CutoffPoint>& points) {
+namespace {
+
+/// Returns the columns of the states at all cut-offs.
+CurveTable stateTable(const std::vector<CutoffPoint>& points) {
   std::vector<CurvePoint> states;
   for (const CutoffPoint& point : points) states.push_back(point.state);
-  const CurveTable table(states, {});
+  return {states, {}};
+}
+
+}  // namespace
+
+std::string cutoffCsv(const std::vector<CutoffPoint>& points) {
+  const CurveTable table = stateTable(points);
   std::string text = kWavelength.text() + "," + kShare.text() + "," + kShareError.text() + "," +
                      table.header() + "\n";
   for (const CutoffPoint& point : points)
@@ -164,9 +173,7 @@ std::string cutoffCsv(const std::vector<CutoffPoint>& points) {
 }
 
 std::string cutoffJson(const Scene& scene, const std::vector<CutoffPoint>& points) {
-  std::vector<CurvePoint> states;
-  for (const CutoffPoint& point : points) states.push_back(point.state);
-  const CurveTable table(states, {});
+  const CurveTable table = stateTable(points);
   Json root = provenance("cutoff", scene);
   Json rows = Json::array();
   for (const CutoffPoint& point : points) {

@@ -220,11 +220,6 @@ struct Regions {
   std::array<std::vector<RegionCut>, 4> cuts;
 };
 
-std::size_t regionNumber(std::string_view name) {
-  constexpr std::array<std::string_view, 4> names{"I", "II", "III", "IV"};
-  return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
-}
-
 Regions cutRegions(const RisingMap& map, bool velocityIsX) {
   Regions regions;
   const std::vector<double>& velocities = velocityIsX ? map.x : map.y;
@@ -242,7 +237,6 @@ Regions cutRegions(const RisingMap& map, bool velocityIsX) {
     std::array<bool, 3> isThere{};
     for (std::size_t r = 0; r < found.size(); ++r) {
       const std::size_t number = regionNumber(found[r].name);
-      if (number > 3) continue;
       regions.cuts[number].push_back({others[k], found[r].from, found[r].to});
       if (r + 1 == found.size() || number > 2) continue;
       regions.borders[number].push_back(point(found[r].to, others[k]));
@@ -259,11 +253,10 @@ bool isFinite(const DiagramPoint& point) {
 }
 
 DiagramSeries borderSeries(std::vector<DiagramPoint> points) {
-  DiagramSeries series{.stroke = SeriesStroke::Dashed,
-                       .isTheory = true,
-                       .points = std::move(points),
-                       .id = kRegionBorder};
-  return series;
+  return {.stroke = SeriesStroke::Dashed,
+          .isTheory = true,
+          .points = std::move(points),
+          .id = kRegionBorder};
 }
 
 /// Returns the position at which the name of a region has the most space: away from the borders of
@@ -318,11 +311,10 @@ Message addRegionBorders(Diagram& diagram, const ParameterMap& given, const Risi
       diagram.series.push_back(borderSeries(std::move(border)));
     }
     if (!isAny) return {};
-    constexpr std::array<const char*, 4> names{"I", "II", "III", "IV"};
     for (std::size_t number = 0; number < 4; ++number) {
       if (regions.cuts[number].size() < 3) continue;
       const DiagramPoint at = namePosition(regions.cuts[number], given, diagram, isX);
-      diagram.labels.push_back({Message::name(names[number]), at.x, at.y});
+      diagram.labels.push_back({Message::name(kRegionNames[number]), at.x, at.y});
     }
     return "Dashed: borders of the regions I to IV, each read from the friction curve at one value "
            "of the other parameter.";
@@ -350,8 +342,7 @@ Message addRegionBorders(Diagram& diagram, const ParameterMap& given, const Risi
 std::optional<DiagramMarker> makeCross(const ParameterMap& map, const Diagram& diagram) {
   const double x = axisNumber(map.scene, map.x), y = axisNumber(map.scene, map.y);
   if (x < diagram.x.from || x > diagram.x.to || y < diagram.y.from || y > diagram.y.to) return {};
-  DiagramMarker cross{.x = x, .y = y, .isCross = true};
-  return cross;
+  return DiagramMarker{.x = x, .y = y, .isCross = true};
 }
 
 }  // namespace

@@ -170,7 +170,6 @@ Diagram residualDiagram(const Material& material, const DiagramAxis& along) {
 
 NamedSheet masterSheet(const Material& material) {
   DiagramSheet sheet{.title = message("{}: master curve", material.name),
-                     .subtitle = sentences({}),
                      .diagrams = {masterDiagram(material)},
                      .columns = 1};
   if (material.isMeasured()) {

@@ -159,6 +159,9 @@ class Fitting {
     for (const FrictionData& table : data_)
       for (const Message& note : table.notes)
         fit_.notes.push_back(message("{}: {}", Message::name(table.name), note));
+    const double width = fit_.scene.load.width;
+    if (const auto note = pressureNote(fit_.computed, width))
+      (width > 0 ? fit_.notes : fit_.warnings).push_back(*note);
     if (shiftsByGeneralConstants())
       fit_.warnings.push_back(message(
           "times are shifted to the temperatures of the points by the general WLF constants, C1 = "

@@ -74,6 +74,24 @@ void refuseFrictionForce(const std::vector<MeasuredPoint>& points, const TextBlo
               shortened(block.columns[force->index].name), ratio(*low)));
 }
 
+/// Throws InputError for two points that nothing tells apart.
+[[noreturn]] void refuseRepeat(const MeasuredPoint& first, const MeasuredPoint& second,
+                               const FrictionRoles& roles, const std::string& name) {
+  if (!roles.find(FrictionQuantity::Velocity))
+    throw InputError(
+        name, "",
+        message("rows {} and {} have the velocity above the table, and no load, temperature or "
+                "label tells them apart; give the velocity of each row in a column, as in "
+                "\"v (m/s)\"",
+                first.row, second.row));
+  throw InputError(
+      name, "",
+      message("row {}: {}", second.row,
+              message("has the velocity of row {}, {} m/s; average repeated measurements and "
+                      "give their error as mu_error, or tell them apart by a label",
+                      first.row, plain(second.velocity))));
+}
+
 /// Returns a note on the point of a series, in the order of velocities, that lies furthest from
 /// the line between its neighbours in double logarithm, where it is far above or below both. The
 /// first and the last two points are left out: there it is open which one is wrong.
@@ -115,12 +133,7 @@ void checkPoints(const std::vector<MeasuredPoint>& points, const TextBlock& bloc
   for (std::size_t i = 0; i < points.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       if (points[i].velocity == points[j].velocity && areOfOneSeries(points[i], points[j]))
-        throw InputError(
-            name, "",
-            message("row {}: {}", points[i].row,
-                    message("has the velocity of row {}, {} m/s; average repeated measurements and "
-                            "give their error as mu_error, or tell them apart by a label",
-                            points[j].row, plain(points[i].velocity))));
+        refuseRepeat(points[j], points[i], roles, name);
 }
 
 std::vector<Message> slipNotes(const std::vector<MeasuredPoint>& points) {

@@ -10,6 +10,7 @@
 #include "core/base/text_clause.h"
 #include "core/base/text_dialect.h"
 #include "core/base/text_number.h"
+#include "core/base/text_units.h"
 #include "core/material/dma_columns.h"
 
 namespace asperity {
@@ -31,7 +32,8 @@ constexpr QuantityNames kKnownNames[] = {
      "velocita velocit\u00E0distrisciamento velocidad velocidaddedeslizamiento "
      "\u901F\u5EA6 \u3059\u3079\u308A\u901F\u5EA6 \u6ED1\u308A\u901F\u5EA6"},
     {Quantity::Mu, "coefficient of friction",
-     "mu \u00B5 \u03BC cof friction frictioncoefficient coefficientoffriction coefficient reibwert "
+     "mu \u00B5 \u03BC cof friction frictioncoefficient frictioncoeff frictioncoef "
+     "coefficientoffriction coeffoffriction coefoffriction coefficient reibwert "
      "reibungszahl reibbeiwert reibungskoeffizient muk mukin mukinetic mudyn mudynamic "
      "kineticfriction dynamicfriction slidingfriction gleitreibwert gleitreibungszahl "
      "gleitreibungskoeffizient coefficientdefrottement coefdefrottement coefficientediattrito "
@@ -178,6 +180,7 @@ std::optional<Unit> unitOfQuantity(const std::string& unit, Quantity quantity) {
   if (unit.empty()) return {};
   if (quantity == Quantity::Force) return unitInAnyCase(unit, "N");
   if (quantity == Quantity::Pressure) return unitInAnyCase(unit, "Pa");
+  if (quantity == Quantity::Velocity) return unitInAnyCase(unit, "m/s");
   return quantity == Quantity::Temperature ? temperatureUnit(unit) : std::nullopt;
 }
 
@@ -198,6 +201,17 @@ bool isAmbiguousName(const std::string& name) {
 bool isRelativeError(const std::string& name) {
   return std::ranges::any_of(nameWords(name),
                              [](const std::string& word) { return word.starts_with("rel"); });
+}
+
+bool isScatter(const std::string& name) {
+  const std::string word = plainWord(name);
+  if (containsOneOf(word, "err fehler")) return false;
+  return containsOneOf(
+             word,
+             "std stdev stddev deviation abw deviazione desviaci \u00E9carttype ecarttype "
+             "\u6A19\u6E96\u504F\u5DEE varian") ||
+         hasOneOf(nameWords(name), "sd s rsd cv sigma \u03C3") ||
+         (word.starts_with('s') && quantityNamed(word.substr(1)) == Quantity::Mu);
 }
 
 bool isShareUnit(std::string_view unit) {

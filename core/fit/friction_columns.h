@@ -65,10 +65,13 @@ std::optional<ErrorScale> findErrorScale(const TextColumn& column);
 bool isErrorName(const std::string& name);
 /// Returns whether the name of an error says that it is a share of its quantity.
 bool isRelativeError(const std::string& name);
+/// Returns whether the name of an error is that of the scatter of single values, such as "SD", and
+/// not of the error of their mean.
+bool isScatter(const std::string& name);
 /// Returns whether a unit is "% of mu", "% rel." or the like: a share of the quantity.
 bool isShareUnit(std::string_view unit);
 
-/// Returns the unit of this load or temperature; nothing where the text is none.
+/// Returns the unit of this load, temperature or velocity; nothing where the text is none.
 std::optional<Unit> unitOfQuantity(const std::string& unit, FrictionQuantity quantity);
 /// Returns whether a unit measures this load or temperature.
 bool measures(const std::string& unit, FrictionQuantity quantity);

@@ -72,14 +72,65 @@ class FrictionRows {
  public:
   FrictionRows(const TextBlock& block, const FrictionRoles& roles,
                const std::vector<HeaderStatement>& common, const std::string& name)
-      : block_(block), roles_(roles), common_(common), name_(name) {}
+      : block_(block), roles_(roles), common_(common), name_(name) {
+    for (const FrictionRole& column : roles.columns)
+      if (hasNegativeLoads(column)) negativeLoads_.push_back(column.index);
+  }
 
+  /// Returns notes on loads that are below 0 in all rows.
+  std::vector<Message> signNotes() const {
+    std::vector<Message> notes;
+    for (const FrictionRole& column : roles_.columns)
+      if (isNegative(column))
+        notes.push_back(message(
+            "column {}: the {} is below 0 in all rows, by a convention of signs; its magnitude is "
+            "taken",
+            column.index + 1, Message(meaningOf(column.quantity))));
+    return notes;
+  }
+
+  /// Returns the note on a coefficient of friction that contradicts the forces beside it, by more
+  /// than a tenth in the median.
+  std::optional<Message> contradiction() const {
+    if (!roles_.forceOfFriction) return {};
+    const auto& [quantity, index, conversion, note] = *roles_.forceOfFriction;
+    std::vector<double> ratios;
+    for (std::size_t row = 0; row < block_.rows; ++row) {
+      const double force = std::abs(conversion.unit.toSi(block_.at(row, index)));
+      if (!std::isgreater(force, 0)) continue;
+      const double ratio = valueAt(row, Quantity::Mu) * valueAt(row, Quantity::Force) / force;
+      if (std::isgreater(ratio, 0)) ratios.push_back(ratio);
+    }
+    constexpr double kSame = 0.1;
+    if (ratios.empty()) return {};
+    const double ratio = upperMedian(std::move(ratios));
+    if (std::abs(ratio - 1) <= kSame) return {};
+    return message(
+        "column {} contradicts the forces: in the median it is {} times the force of friction in "
+        "column {} over the normal force; it is read as the coefficient of friction",
+        shortened(block_.columns[roles_.find(Quantity::Mu)->index].name),
+        PrintedNumber{printedNumber(ratio, 3)}, shortened(block_.columns[index].name));
+  }
+
+  /// Returns the points; rows without a velocity or a coefficient of friction are left out.
   std::vector<MeasuredPoint> read() const {
     std::vector<MeasuredPoint> points;
-    for (std::size_t row = 0; row < block_.rows; ++row)
-      if (!isBlank(row)) points.push_back(pointAt(row));
-    if (!roles_.repeats.empty()) averageRepeats(points);
+    std::vector<std::size_t> rows;
+    for (std::size_t row = 0; row < block_.rows; ++row) {
+      if (!hasPoint(row)) continue;
+      points.push_back(pointAt(row));
+      rows.push_back(row);
+    }
+    if (!roles_.repeats.empty() && !roles_.find(Quantity::MuError)) averageRepeats(rows, points);
     return points;
+  }
+
+  /// Returns the number of rows that have values and are left out.
+  std::size_t leftOut() const {
+    std::size_t count = 0;
+    for (std::size_t row = 0; row < block_.rows; ++row)
+      if (!isBlank(row) && !hasPoint(row)) ++count;
+    return count;
   }
 
  private:
@@ -97,12 +148,12 @@ class FrictionRows {
 
   /// Sets friction to the mean of its repeats. The relative scatter is that of all rows together,
   /// because that of a few values is itself uncertain.
-  void averageRepeats(std::vector<MeasuredPoint>& points) const {
+  void averageRepeats(const std::vector<std::size_t>& rows,
+                      std::vector<MeasuredPoint>& points) const {
     double squares = 0;
     std::size_t freedom = 0, i = 0;
     std::vector<std::size_t> counts;
-    for (std::size_t row = 0; row < block_.rows; ++row) {
-      if (isBlank(row)) continue;
+    for (const std::size_t row : rows) {
       const std::vector<double> values = repeatsOf(row);
       for (const double value : values) squares += std::pow(value / points[i].mu - 1, 2);
       freedom += values.size() - 1;
@@ -115,12 +166,33 @@ class FrictionRows {
                                                    static_cast<double>(counts[i]));
   }
 
+  /// Returns whether a row has a velocity and friction, as far as their values are not missing.
+  bool hasPoint(std::size_t row) const {
+    return !std::isnan(valueAt(row, Quantity::Velocity)) && !std::isnan(valueAt(row, Quantity::Mu));
+  }
+
   /// Returns whether a row has nothing but separators.
   bool isBlank(std::size_t row) const {
     for (std::size_t i = 0; i < block_.columns.size(); ++i)
       if (block_.columns[i].isText ? !block_.texts[i][row].empty() : !std::isnan(block_.at(row, i)))
         return false;
     return true;
+  }
+
+  bool isNegative(const FrictionRole& column) const {
+    return std::ranges::find(negativeLoads_, column.index) != negativeLoads_.end();
+  }
+
+  /// Returns whether a column has loads below 0 in all rows, as load cells give compression.
+  bool hasNegativeLoads(const FrictionRole& column) const {
+    if (column.quantity != Quantity::Force && column.quantity != Quantity::Pressure) return false;
+    bool isNegative = false;
+    for (std::size_t row = 0; row < block_.rows; ++row) {
+      const double load = block_.at(row, column.index);
+      if (std::isgreaterequal(load, 0)) return false;
+      isNegative = isNegative || std::isless(load, 0);
+    }
+    return isNegative;
   }
 
   /// Returns a value of a row; NaN where the column or the value is missing.
@@ -138,6 +210,7 @@ class FrictionRows {
     double number = block_.at(row, column->index);
     if (std::isnan(number)) return kNotApplicable;
     if (in.isVariance) number = std::sqrt(number);
+    if (isNegative(*column)) number = -number;
     if (in.isForce) return std::abs(in.unit.toSi(number)) / valueAt(row, Quantity::Force);
     return in.unit.toSi(number) * (in.isShare ? whole : 1) / in.divisor;
   }
@@ -188,6 +261,7 @@ class FrictionRows {
   const FrictionRoles& roles_;
   const std::vector<HeaderStatement>& common_;
   const std::string& name_;
+  std::vector<std::size_t> negativeLoads_;  // columns
 };
 
 /// Returns notes on how the columns were understood, and which ones were ignored.
@@ -217,6 +291,11 @@ std::vector<Message> notesOn(const TextBlock& block, const FrictionRoles& roles,
         "the lines above the table state several loads; one normal force or one nominal pressure "
         "says the load");
   for (const HeaderStatement& one : header.common)
+    if (one.isNegative)
+      notes.push_back(
+          message("line {}: the {} is below 0, by a convention of signs; its magnitude is taken",
+                  one.line, Message(meaningOf(*one.quantity))));
+  for (const HeaderStatement& one : header.common)
     if (!one.groupedNumber.empty())
       notes.push_back(
           mark.decimal == ','
@@ -227,18 +306,7 @@ std::vector<Message> notesOn(const TextBlock& block, const FrictionRoles& roles,
   return notes;
 }
 
-}  // namespace
-
-bool isFrictionTable(std::string_view bytes) {
-  try {
-    return hasFriction(readTable(bytes, {}).largest());
-  } catch (const InputError&) {
-    return false;
-  }
-}
-
-FrictionData parseFrictionData(std::string_view bytes, const std::string& name) {
-  const TextTable table = readTable(bytes, name);
+FrictionData readPoints(const TextTable& table, const std::string& name) {
   const TextBlock* first = nullptr;
   for (const TextBlock& block : table.blocks) {
     if (!hasFriction(block)) continue;
@@ -258,12 +326,41 @@ FrictionData parseFrictionData(std::string_view bytes, const std::string& name) 
   const HeaderMark mark = decimalMark(block, table.dialect);
   const HeaderStatements header = readHeader(
       block.header, mark, [&](Quantity quantity) { return roles.isGiven(quantity); }, name);
-  FrictionData data{name, FrictionRows(block, roles, header.common, name).read(),
-                    notesOn(block, roles, header, mark)};
+  requireQuantities(
+      block, roles,
+      [&](Quantity quantity) {
+        return std::ranges::find(header.common, quantity, &HeaderStatement::quantity) !=
+               header.common.end();
+      },
+      name);
+  const FrictionRows rows(block, roles, header.common, name);
+  FrictionData data{name, rows.read(), notesOn(block, roles, header, mark)};
+  if (const std::size_t leftOut = rows.leftOut(); leftOut > 0)
+    data.notes.push_back(message("rows without a value, left out: {}", leftOut));
+  std::ranges::move(rows.signNotes(), std::back_inserter(data.notes));
+  if (const auto note = rows.contradiction()) data.notes.push_back(*note);
   checkPoints(data.points, block, roles, name);
   std::ranges::move(slipNotes(data.points), std::back_inserter(data.notes));
   if (table.dialect.isUnclear) data.notes.push_back(unclearMark(table.dialect.decimal));
   return data;
+}
+
+}  // namespace
+
+bool isFrictionTable(std::string_view bytes) {
+  try {
+    const TextTable table = readTable(bytes, {});
+    const TextBlock& block = table.largest();
+    if (hasFriction(block)) return true;
+    // A line above the table may state the velocity, and forces give friction.
+    return block.hasNames() && !readPoints(table, {}).points.empty();
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+FrictionData parseFrictionData(std::string_view bytes, const std::string& name) {
+  return readPoints(readTable(bytes, name), name);
 }
 
 FrictionData readFrictionData(const std::filesystem::path& file, const std::string& label) {

@@ -47,7 +47,7 @@ FrictionData readFrictionData(const std::filesystem::path& file, const std::stri
 FrictionData parseFrictionData(std::string_view bytes, const std::string& name);
 
 /// Returns whether a text has a table with named columns of a velocity and of a coefficient of
-/// friction.
+/// friction, or another one that is read as friction by its names.
 bool isFrictionTable(std::string_view bytes);
 
 /// Returns the scene at a measured point: in steady sliding at its velocity, with the force,

@@ -12,6 +12,7 @@
 #include "core/base/text_dialect.h"
 #include "core/base/text_header.h"
 #include "core/base/text_number.h"
+#include "core/base/text_units.h"
 #include "core/material/dma_columns.h"
 
 namespace asperity {
@@ -21,6 +22,15 @@ using namespace std::string_view_literals;
 
 bool isLoad(std::optional<FrictionQuantity> quantity) {
   return std::ranges::find(kLoadsAndTemperature, quantity) != kLoadsAndTemperature.end();
+}
+
+bool saysLoad(FrictionQuantity quantity) {
+  return quantity == FrictionQuantity::Force || quantity == FrictionQuantity::Pressure;
+}
+
+/// Returns whether two statements exclude each other: a force and a pressure both say the load.
+bool sayTheSame(FrictionQuantity one, FrictionQuantity other) {
+  return one == other || (saysLoad(one) && saysLoad(other));
 }
 
 /// Words that do not change what a name or a value means.
@@ -99,7 +109,7 @@ void splitUnit(std::string_view text, Value& value) {
   for (std::size_t end = most; end != std::string_view::npos && end > 0;
        end = text.find_last_of(" (", end - 1)) {
     const std::string unit(withoutBrackets(withoutEnd(trimmedBlanks(text.substr(0, end)), ".,;")));
-    if (!quantityOfUnit(unit)) continue;
+    if (!quantityOfUnit(unit) && !measures(unit, FrictionQuantity::Velocity)) continue;
     value.unit = unit;
     value.remark = trimmedBlanks(text.substr(end));
     return;
@@ -166,7 +176,7 @@ std::optional<FrictionQuantity> findLoadUnit(std::string_view text) {
     const auto quantity = parseQuantity(text.substr(i, kLongest));
     Value value;
     if (quantity) splitUnit(quantity->unit, value);
-    if (!value.unit.empty()) return quantityOfUnit(value.unit);
+    if (const auto found = quantityOfUnit(value.unit)) return found;
   }
   return {};
 }
@@ -183,7 +193,7 @@ std::string withoutFillers(std::string_view text) {
 
 /// Reads one statement, such as "Load = 30 N", "T 23 °C" and "Conditions: p [MPa] = 0.2". Nothing
 /// where it has no name, no number, or names another quantity; without a quantity where it has a
-/// unit of a load or temperature and is not understood.
+/// unit of a load or temperature and is not understood. A velocity counts where it is understood.
 std::optional<HeaderStatement> readStatement(std::string_view clause, HeaderMark mark) {
   const std::size_t sign = clause.find_last_of(":=");
   const std::size_t begin = sign == clause.npos ? findNumber(clause) : sign + 1;
@@ -214,16 +224,20 @@ std::optional<HeaderStatement> readStatement(std::string_view clause, HeaderMark
   const std::string remark = withoutFillers(value->remark);
   if (!remark.empty()) name.name += " " + remark;
   const auto quantity = findMeaning(name.name, unit), ofUnit = quantityOfUnit(unit);
-  if (quantity ? !isLoad(quantity) : !isLoadName && !ofUnit && !mayBeLoad) return {};
+  const bool isVelocity = quantity == FrictionQuantity::Velocity;
+  if (quantity ? !isLoad(quantity) && !isVelocity : !isLoadName && !ofUnit && !mayBeLoad) return {};
   HeaderStatement statement;
   statement.candidate = ofUnit ? ofUnit : isLoadName ? named : ofLastWord;
   const std::vector<std::string> headings = nameWords(std::string(front));
   const bool isOfTable =
       std::ranges::all_of(headings, isHeading) || findMeaning(std::string(front), unit) == quantity;
   const auto known = quantity ? unitOfQuantity(unit, *quantity) : std::nullopt;
-  if (!known || !isOfTable || value->isUnclear) return statement;
+  if (!known || !isOfTable || value->isUnclear)
+    return isVelocity ? std::nullopt : std::optional(statement);
   statement.quantity = quantity;
   statement.value = known->toSi(value->number);
+  statement.isNegative = saysLoad(*quantity) && statement.value < 0;
+  if (statement.isNegative) statement.value = -statement.value;
   statement.number = value->number;
   statement.groupedNumber = value->groupedNumber;
   return statement;
@@ -342,9 +356,8 @@ std::vector<HeaderStatement> readStatements(const TextEntry& entry, HeaderMark m
 void refuseUnclear(const HeaderStatement& one, const std::vector<HeaderStatement>& common,
                    const std::function<bool(FrictionQuantity)>& isGiven, const std::string& name) {
   if (one.quantity || !one.candidate || isGiven(*one.candidate)) return;
-  const bool isTemperature = one.candidate == FrictionQuantity::Temperature;
   for (const HeaderStatement& other : common)
-    if ((other.quantity == FrictionQuantity::Temperature) == isTemperature) return;
+    if (sayTheSame(*other.quantity, *one.candidate)) return;
   struct WayOut {
     FrictionQuantity quantity;
     const char *example, *key;
@@ -372,16 +385,15 @@ HeaderStatements readHeader(const std::vector<TextEntry>& header, HeaderMark mar
   for (const TextEntry& entry : header)
     for (HeaderStatement& statement : readStatements(entry, mark)) {
       const bool isCommon = statement.quantity && !isGiven(*statement.quantity);
+      // A column of velocities leaves no doubt.
+      if (!isCommon && statement.quantity == FrictionQuantity::Velocity) continue;
       (isCommon ? possible : read.unused).push_back(std::move(statement));
     }
-  const auto saysLoad = [](const HeaderStatement& one) {
-    return one.quantity != FrictionQuantity::Temperature;
-  };
   // Two values of one quantity, or a force and a pressure, leave open which one is meant.
   const auto isDoubtful = [&](const HeaderStatement& one) {
     return !(one.value > 0) || std::ranges::any_of(possible, [&](const HeaderStatement& other) {
       return one.quantity == other.quantity ? one.value != other.value
-                                            : saysLoad(one) && saysLoad(other);
+                                            : sayTheSame(*one.quantity, *other.quantity);
     });
   };
   for (const HeaderStatement& one : possible) {
@@ -390,7 +402,7 @@ HeaderStatements readHeader(const std::vector<TextEntry>& header, HeaderMark mar
     if (isDoubtful(one) && one.isSentence) read.unused.back().quantity.reset();
   }
   read.hasTwoLoads = std::ranges::count_if(possible, [&](const HeaderStatement& one) {
-                       return saysLoad(one) && isDoubtful(one);
+                       return saysLoad(*one.quantity) && isDoubtful(one);
                      }) > 1;
   std::ranges::stable_sort(read.unused, {}, &HeaderStatement::line);
   for (const HeaderStatement& one : read.unused) refuseUnclear(one, read.common, isGiven, name);

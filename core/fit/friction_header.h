@@ -1,5 +1,5 @@
 // What the lines above a table of measured friction state of all its points ("Load = 30 N,
-// T = 23 °C"), in English and German.
+// T = 23 °C", "v = 10 mm/s"), in English and German.
 // Pure functions; any thread. Failure: InputError that names the file and the line.
 #pragma once
 
@@ -20,7 +20,7 @@ struct HeaderMark {
   bool isKnown = true;  // otherwise "4.000" may be four or four thousand
 };
 
-/// A load or temperature in a line above the table.
+/// A load, a temperature or the velocity in a line above the table.
 struct HeaderStatement {
   std::string text{};  // of the line, for notes
   std::size_t line = 0;
@@ -31,6 +31,7 @@ struct HeaderStatement {
   /// The load or temperature that may be meant where it is not understood; nothing where the line
   /// names another thing, such as the air.
   std::optional<FrictionQuantity> candidate{};
+  bool isNegative = false;  // a load below 0, by a convention of signs; value is its magnitude
   bool isSentence = false;  // "Tested at 23 °C", which has no name of the quantity
 };
 

@@ -77,6 +77,16 @@ void separateUnit(TextColumn& column) {
   column.name = trimmedBlanks(column.name.substr(0, open));
 }
 
+/// Joins the symbol of friction to the name of its error, "s(\u00B5)" and "\u03C3_\u00B5": nobody
+/// measures an error of friction in microns.
+void joinSymbol(TextColumn& column) {
+  if (!isOneOf(column.unit, "\u00B5 \u03BC")) return;
+  const std::string name = column.name + "(" + column.unit + ")";
+  if (findMeaning(name, {}) != FrictionQuantity::MuError) return;
+  column.name = name;
+  column.unit.clear();
+}
+
 /// Splits "mu \u00B1 2 sigma", the name of a column with errors in its cells; returns the name of
 /// the errors.
 std::string takeErrorName(TextColumn& column) {
@@ -157,7 +167,10 @@ bool namesQuantity(const std::string& line) {
 
 void prepareColumns(TextBlock& block) {
   findNames(block);
-  for (TextColumn& column : block.columns) separateUnit(column);
+  for (TextColumn& column : block.columns) {
+    separateUnit(column);
+    joinSymbol(column);
+  }
   keepLabels(block);
   separateErrors(block);
 }

@@ -16,6 +16,12 @@ namespace {
 
 using Quantity = FrictionQuantity;
 
+std::string namesOfColumns(const TextBlock& block) {
+  std::string names;
+  for (const TextColumn& column : block.columns) appendItem(names, shortened(column.name));
+  return names;
+}
+
 class FrictionRoleFinder {
  public:
   FrictionRoleFinder(const TextBlock& block, const std::string& name)
@@ -63,14 +69,22 @@ class FrictionRoleFinder {
     }
     for (const TextColumn& column : block_.columns) refuseUnclear(column);
     if (!roles_.find(Quantity::Mu)) findRepeats();
-    if (!roles_.find(Quantity::Mu) && roles_.find(Quantity::Force)) findFrictionForce();
-    for (const Quantity needed : {Quantity::Velocity, Quantity::Mu})
-      if (!roles_.find(needed))
-        refuse(message("has no column of the {}; its columns are {}; name it as in \"{}\"",
-                       Message(meaningOf(needed)), Message::name(namesOfColumns()),
-                       needed == Quantity::Mu ? "mu" : "v (m/s)"));
+    findFrictionForce();
+    if (!roles_.find(Quantity::Mu))
+      refuse(message("has no column of the {}; its columns are {}; name it as in \"{}\"",
+                     Message(meaningOf(Quantity::Mu)), Message::name(namesOfColumns(block_)),
+                     "mu"));
     if (roles_.find(Quantity::Force) && roles_.find(Quantity::Pressure))
       refuse("has both a normal force and a nominal pressure; one of them says the load");
+  }
+
+  /// Returns whether a name is that of friction in one state: "mu 5\u00B0C", "mu_5C", "mu@5 N".
+  static bool namesState(const std::string& name) {
+    const std::size_t number = name.find_first_of("-0123456789");
+    if (number == name.npos || quantityNamed(plainWord(name.substr(0, number))) != Quantity::Mu)
+      return false;
+    const auto state = parseQuantity(withoutEnd(name.substr(number), ")"));
+    return state && quantityOfUnit(state->unit);
   }
 
   /// Throws InputError for friction at several temperatures or loads side by side.
@@ -79,12 +93,13 @@ class FrictionRoleFinder {
     int count = 0;
     for (const TextColumn& column : block_.columns) {
       const std::vector<std::string> words = nameWords(column.name);
-      if (words.empty() || quantityNamed(words.front()) != Quantity::Mu) continue;
+      const bool isState = namesState(column.name);
+      if (words.empty() || (!isState && quantityNamed(words.front()) != Quantity::Mu)) continue;
       // "mu (0.1 MPa)", "mu 20 \u00B0C"; "mu 1" is the first of several measurements.
       const bool isInUnit = column.unit.size() > 1 && isDigit(column.unit.front());
       const bool isInName = words.size() > 1 && isDigit(words[1].front()) &&
                             (words.size() > 2 || !column.unit.empty()) && !findMeaning(column);
-      if (!isInUnit && !isInName) continue;
+      if (!isInUnit && !isInName && !isState) continue;
       appendItem(names, shortened(column.name));
       ++count;
     }
@@ -105,21 +120,31 @@ class FrictionRoleFinder {
           !column.isText)
         roles_.repeats.push_back(i);
     }
-    if (roles_.repeats.size() < 2 || roles_.find(Quantity::MuError)) {
+    if (roles_.repeats.size() < 2) {
       roles_.repeats.clear();
       return;
     }
+    // A standard deviation of the repeats of a row says less than their scatter in all rows.
+    std::erase_if(roles_.columns, [&](const FrictionRole& role) {
+      return role.quantity == Quantity::MuError && isScatter(block_.columns[role.index].name);
+    });
+    const std::size_t first = roles_.repeats.front() + 1, last = roles_.repeats.back() + 1;
     roles_.columns.push_back(
         {Quantity::Mu,
          roles_.repeats.front(),
          {},
-         message("columns {} to {}: repeated measurements of the coefficient of "
-                 "friction; each point is their mean, with a standard error from "
-                 "the scatter in all rows",
-                 roles_.repeats.front() + 1, roles_.repeats.back() + 1)});
+         roles_.find(Quantity::MuError)
+             ? message("columns {} to {}: repeated measurements of the coefficient of friction; "
+                       "each point is their mean",
+                       first, last)
+             : message("columns {} to {}: repeated measurements of the coefficient of "
+                       "friction; each point is their mean, with a standard error from "
+                       "the scatter in all rows",
+                       first, last)});
   }
 
-  /// Finds the one column of the force of friction, which gives mu beside the normal force.
+  /// Finds the one column of the force of friction. Over the normal force it is the coefficient of
+  /// friction; beside one it says the same.
   void findFrictionForce() {
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i < block_.columns.size(); ++i)
@@ -128,14 +153,21 @@ class FrictionRoleFinder {
           !block_.columns[i].isText)
         found.push_back(i);
     if (found.size() != 1) return;
-    FrictionConversion conversion =
-        findConversion(Quantity::Force, block_.columns[found.front()], block_, name_);
+    const std::size_t index = found.front();
+    const TextColumn& column = block_.columns[index];
+    if (roles_.find(Quantity::Mu)) {
+      const auto unit =
+          column.unit.empty() ? Unit{"N"} : unitOfQuantity(column.unit, Quantity::Force);
+      if (unit) roles_.forceOfFriction = {Quantity::Mu, index, {*unit}, {}};
+      return;
+    }
+    FrictionConversion conversion = findConversion(Quantity::Force, column, block_, name_);
     conversion.isForce = true;
     roles_.columns.push_back(
-        {Quantity::Mu, found.front(), conversion,
+        {Quantity::Mu, index, conversion,
          message("column {}: force of friction; its magnitude over the normal force "
                  "is the coefficient of friction",
-                 found.front() + 1)});
+                 index + 1)});
   }
 
   static bool isClear(const TextColumn& column) {
@@ -220,12 +252,6 @@ class FrictionRoleFinder {
     }
   }
 
-  std::string namesOfColumns() const {
-    std::string names;
-    for (const TextColumn& column : block_.columns) appendItem(names, shortened(column.name));
-    return names;
-  }
-
   void add(Quantity quantity, std::size_t index) {
     const TextColumn& column = block_.columns[index];
     const FrictionRole* other = roles_.find(quantity);
@@ -275,7 +301,8 @@ const FrictionRole* FrictionRoles::find(Quantity quantity) const {
 }
 
 bool FrictionRoles::isGiven(Quantity quantity) const {
-  if (quantity == Quantity::Temperature) return find(quantity) != nullptr;
+  if (quantity == Quantity::Temperature || quantity == Quantity::Velocity)
+    return find(quantity) != nullptr;
   return find(Quantity::Force) != nullptr || find(Quantity::Pressure) != nullptr;
 }
 
@@ -288,6 +315,35 @@ bool FrictionRoles::areErrorsUsed(const TextBlock& block, std::size_t index) con
   return std::ranges::any_of(columns, [&](const FrictionRole& role) {
     return block.columns[role.index].errorsOf == index;
   });
+}
+
+void requireQuantities(const TextBlock& block, const FrictionRoles& roles,
+                       const std::function<bool(FrictionQuantity)>& isStated,
+                       const std::string& name) {
+  const auto isKnown = [&](Quantity quantity) {
+    return roles.find(quantity) || isStated(quantity);
+  };
+  if (!isKnown(Quantity::Velocity))
+    throw InputError(
+        name, "",
+        message("has no column of the velocity; its columns are {}; name it as in \"v (m/s)\", or "
+                "write one velocity of all rows above them, as in \"Velocity: 10 mm/s\"",
+                Message::name(namesOfColumns(block))));
+  // The velocity above such a table is that of the wheel or the vehicle.
+  const auto isSlip = [](const TextColumn& column) {
+    return hasOneOf(nameWords(column.name), "slip schlupf");
+  };
+  if (const auto slip = std::ranges::find_if(block.columns, isSlip);
+      slip != block.columns.end() && !roles.find(Quantity::Velocity))
+    throw InputError(name, "",
+                     message("column {}: with a slip, the velocity of sliding is not the one above "
+                             "the table; give it for each row in a column, as in \"v (m/s)\"",
+                             shortened(slip->name)));
+  if (roles.find(Quantity::Mu)->conversion.isForce && !isKnown(Quantity::Force))
+    throw InputError(
+        name, "",
+        "has no coefficient of friction, and a force of friction without a normal force; give it "
+        "in a column \"Fz (N)\", or above the columns, as in \"Normal force: 30 N\"");
 }
 
 FrictionRoles findRoles(const TextBlock& block, const std::string& name) {

@@ -5,6 +5,8 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,11 +28,12 @@ struct FrictionRole {
 struct FrictionRoles {
   std::vector<FrictionRole> columns{};
   std::vector<std::size_t> repeats{};  // columns of one coefficient of friction, "mu1", "mu2"
+  std::optional<FrictionRole> forceOfFriction{};  // beside a coefficient of friction
 
   /// Returns the first column of a quantity; null where there is none.
   const FrictionRole* find(FrictionQuantity quantity) const;
-  /// Returns whether a column gives this load or the temperature; a force and a pressure both say
-  /// the load.
+  /// Returns whether a column gives this load, the temperature or the velocity; a force and a
+  /// pressure both say the load.
   bool isGiven(FrictionQuantity quantity) const;
   /// Returns whether a column is used.
   bool isUsed(std::size_t index) const;
@@ -41,5 +44,11 @@ struct FrictionRoles {
 /// Finds the roles of the columns. The columns need names unless there are two or three. name: of
 /// the file.
 FrictionRoles findRoles(const TextBlock& block, const std::string& name);
+
+/// Throws InputError where neither a column nor a line above the table gives the velocity, or the
+/// normal force beside a force of friction. isStated: whether such a line gives a quantity.
+void requireQuantities(const TextBlock& block, const FrictionRoles& roles,
+                       const std::function<bool(FrictionQuantity)>& isStated,
+                       const std::string& name);
 
 }  // namespace asperity

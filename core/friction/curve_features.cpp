@@ -97,16 +97,19 @@ RegionBorders regionBorders(std::span<const double> velocities, std::span<const 
           crossing(velocities, top, reached, value)};
 }
 
+std::size_t regionNumber(std::string_view name) {
+  return static_cast<std::size_t>(std::ranges::find(kRegionNames, name) - kRegionNames.begin());
+}
+
 std::vector<CurveRegion> regionsWithin(const RegionBorders& borders, double from, double to) {
-  constexpr const char* kNames[] = {"I", "II", "III", "IV"};
   std::vector<CurveRegion> regions;
-  std::size_t name = 0;
+  std::size_t number = 0;
   for (const double border : {borders.endOfLinear, borders.toPlateau, borders.offPlateau, to}) {
     if (std::isfinite(border) && border > from) {
-      regions.push_back({kNames[name], from, border});
+      regions.push_back({kRegionNames[number], from, border});
       from = border;
     }
-    ++name;
+    ++number;
   }
   return regions;
 }

@@ -3,8 +3,11 @@
 // curve by the same rule. Pure; any thread.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace asperity {
@@ -52,8 +55,14 @@ CurveMaximum curveMaximum(std::span<const double> velocities, std::span<const do
 RegionBorders regionBorders(std::span<const double> velocities, std::span<const double> values,
                             const BorderRule& rule = {});
 
+/// The names of the regions, by rising velocity.
+inline constexpr std::array<const char*, 4> kRegionNames{"I", "II", "III", "IV"};
+
+/// Returns the place of a region among their names, from 0; 4 where it is none of them.
+std::size_t regionNumber(std::string_view name);
+
 struct CurveRegion {
-  std::string name;         // "I"
+  std::string name;         // one of kRegionNames
   double from = 0, to = 0;  // m/s
 };
 

@@ -1,7 +1,9 @@
 #include "core/friction/curve_point.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "core/base/number_text.h"
 #include "core/contact/steady_sliding.h"
 #include "core/friction/excitation.h"
 #include "core/friction/law.h"
@@ -39,6 +41,52 @@ CurvePoint CurveAverages::point(double velocity) const {
   point.marginalShare = marginalShare.mean();
   point.realizations = mu.count();
   return point;
+}
+
+namespace {
+
+/// The smallest and the largest of several values, in words: "0.5 N", "0.5 N to 2 N".
+class PrintedRange {
+ public:
+  void add(double value) {
+    least_ = std::min(least_, value);
+    most_ = std::max(most_, value);
+  }
+  bool empty() const { return least_ > most_; }
+  Message inUnit(std::string_view unit) const {
+    constexpr int kDigits = 6;
+    const PrintedNumber least{printedQuantity(least_, unit, kDigits)},
+        most{printedQuantity(most_, unit, kDigits)};
+    return least.text == most.text ? Message(least) : message("{} to {}", least, most);
+  }
+
+ private:
+  double least_ = std::numeric_limits<double>::infinity(), most_ = -least_;
+};
+
+}  // namespace
+
+std::optional<Message> pressureNote(std::span<const CurvePoint> points, double width) {
+  PrintedRange pressures, forces, periods;
+  for (const CurvePoint& point : points) {
+    const double line = point.normalForce / point.nominalPressure;  // period times width
+    if (!std::isgreater(line, 0)) continue;
+    pressures.add(point.nominalPressure);
+    forces.add(point.normalForce);
+    periods.add(width > 0 ? line / width : std::sqrt(line));
+  }
+  if (pressures.empty()) return {};
+  return width > 0 ? message(
+                         "the nominal pressure of {} is a normal force of {}: pressure times the "
+                         "period of {} times the width of {} (load.width)",
+                         pressures.inUnit("Pa"), forces.inUnit("N"), periods.inUnit("m"),
+                         PrintedNumber{printedQuantity(width, "m")})
+                   : message(
+                         "the nominal pressure of {} is a normal force of {}: pressure times the "
+                         "period of {} times the width, for which the period is taken because none "
+                         "is given; results depend on it, so set load.width (with load.kind "
+                         "pressure)",
+                         pressures.inUnit("Pa"), forces.inUnit("N"), periods.inUnit("m"));
 }
 
 double totalMu(const CurvePoint& point) {

@@ -6,8 +6,11 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
+#include <span>
 #include <vector>
 
+#include "core/base/message.h"
 #include "core/friction/line_mean.h"
 #include "core/scene/notes.h"
 #include "core/scene/scene.h"
@@ -71,6 +74,11 @@ struct CurvePoint {
 
 /// Returns friction as it is measured: of deformation and interface together.
 double totalMu(const CurvePoint& point);
+
+/// Returns how the nominal pressures of some points become forces on one period, by which width:
+/// without a width (m) of the load it is the period, and results depend on it. Nothing where no
+/// point has a nominal pressure.
+std::optional<Message> pressureNote(std::span<const CurvePoint> points, double width);
 
 /// Returns whether so few separate stretches bear the load that friction is that of single summits:
 /// fewer than kFewContacts in a period that is less than half in contact. Beyond half of it

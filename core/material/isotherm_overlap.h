@@ -3,8 +3,6 @@
 // equal input gives equal bits.
 #pragma once
 
-#include <limits>
-
 #include "core/material/isotherms.h"
 #include "core/material/overlap_residuals.h"
 
@@ -25,12 +23,6 @@ struct Overlap {
   /// Whether the moduli do not tell a vertical shift from a horizontal one (to 5 %): both are power
   /// laws of one exponent within their noise.
   bool isVerticalOpen = false;
-};
-
-/// A shift by least squares.
-struct ShiftEstimate {
-  double value = 0;                                         // decades
-  double error = std::numeric_limits<double>::quiet_NaN();  // decades, standard error
 };
 
 /// The shifts that follow from both moduli, and from each alone. An estimate that is not available

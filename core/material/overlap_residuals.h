@@ -9,6 +9,12 @@
 
 namespace asperity {
 
+/// A shift by least squares.
+struct ShiftEstimate {
+  double value = 0;                                         // decades
+  double error = std::numeric_limits<double>::quiet_NaN();  // decades, standard error
+};
+
 /// One more unknown of the overlap of two isotherms, by least squares beside those of the shift.
 /// Its value is linear in the logarithms of the moduli, so that its variance is a sum over them.
 struct Contrast {

@@ -122,9 +122,7 @@ class HeaderReader {
       }
     const std::string_view key = keyBefore(before);
     const std::vector<std::string> words = wordsIn(before);
-    if (isLineOfShift_ || areOfGlass(words)) {
-      if (addOfShift(words, kelvin)) return false;
-    }
+    if ((isLineOfShift_ || areOfGlass(words)) && addOfShift(words, kelvin)) return false;
     if (areOfOther(words)) return false;
     Rank rank = rankOf(key);
     if (rank == Rank::Reference && isLineOfShift_ && !hasOneOf(words, "master curve kurve"))

@@ -8,7 +8,7 @@
 
 #include "core/base/number_text.h"
 #include "core/base/text.h"
-#include "core/base/units.h"
+#include "core/base/text_units.h"
 #include "core/measured/byte_reader.h"
 #include "core/measured/surface_draft.h"
 

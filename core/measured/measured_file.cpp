@@ -7,12 +7,12 @@
 
 #include "core/base/input_error.h"
 #include "core/base/json_text.h"
-#include "core/base/number_text.h"
 #include "core/base/regular_file.h"
 #include "core/base/stop.h"
 #include "core/base/text.h"
 #include "core/base/text_encoding.h"
-#include "core/base/units.h"
+#include "core/base/text_units.h"
+#include "core/measured/reading_notes.h"
 #include "core/measured/surface_draft.h"
 
 namespace asperity {
@@ -24,9 +24,6 @@ constexpr double kFarthest = 1e6;         // m, limit of lengths and heights
 // Numbers without a unit that exceed these limits are hardly metres.
 constexpr double kLongestAssumed = 1;    // m
 constexpr double kSteepestAssumed = 10;  // rms slope
-// Beyond these limits a file may state a wrong unit.
-constexpr double kLongestUsual = 10;   // m
-constexpr double kHighestUsual = 0.1;  // m, from the lowest to the highest height
 
 constexpr std::string_view kUnits = "m, mm, \u00B5m, nm, in";  // those of the keys
 constexpr std::string_view kKnownUnits = "m, cm, mm, \u00B5m, nm, pm, \u00C5, in, mil, \u00B5in";
@@ -138,9 +135,9 @@ Message unknownUnitText(const std::string& unit) {
 
 /// Throws InputError where a unit or the distance of the points is unknown, and where numbers
 /// without a unit would be impossible lengths in metres.
-void requirePlausible(const SurfaceSource& source, const SurfaceDraft& draft,
-                      const ReadingFacts& facts) {
+void requirePlausible(const SurfaceSource& source, const SurfaceDraft& draft) {
   const Topography& grid = draft.grid;
+  const ReadingFacts& facts = draft.facts;
   const bool assumesX = facts.positionUnit.source == UnitSource::Assumed;
   const bool assumesZ = facts.heightUnit.source == UnitSource::Assumed;
   const double length = std::max(grid.length(), grid.width());
@@ -213,144 +210,13 @@ void requireNear(const SurfaceSource& source, const Topography& grid) {
   if (isFar) source.fail(message("has lengths or heights beyond {} m", kFarthest));
 }
 
-// ---- Sentences ---------------------------------------------------------------------------------
-
-Message formText(const ReadingFacts& facts) {
-  if (facts.format == "profile") return "a profile as text";
-  if (facts.format == "matrix") return "a matrix of heights as text";
-  if (facts.format == "points") return "points x, y, z as text";
-  if (facts.format == "zygo") return "a file of Zygo";
-  if (facts.format == "wyko") return "a text file of Wyko";
-  if (facts.format == "surfer") return "a grid of Surfer";
-  if (facts.format == "npy") return "an array of NumPy";
-  if (facts.format == "gwyddion") return "a file that Gwyddion has converted";
-  std::string name = facts.format;
-  for (char& letter : name)
-    if (letter >= 'a' && letter <= 'z') letter = static_cast<char>(letter - 'a' + 'A');
-  return Message::name(name);
-}
-
-/// Returns the unit as people write it; one of Shift-JIS was read as Latin-1.
-std::string printedUnit(const std::string& unit) {
-  return unit == "um" || unit == "\u0192\u00CAm" ? "\u00B5m" : unit;
-}
-
-/// Returns whether programs write this number where nothing was measured: 9999, -999.99, -32768.
-bool isVoidCode(double number) {
-  const std::string digits = plainNumber(std::abs(number));
-  return digits == "32767" || digits == "32768" ||
-         (digits.size() > 2 && digits.find_first_not_of("9.") == std::string::npos);
-}
-
-/// Adds a note where the lowest or highest height is far from all others, as numbers for missing
-/// points are: where it occurs several times, or is a number that is known for it.
-template <class Say>
-void noteVoids(const Topography& grid, const UnitFact& unit, const Say& say) {
-  constexpr double kFar = 3;  // times the range of all others
-  constexpr int kDigits = 8;
-  for (const double sign : {1.0, -1.0}) {
-    double lowest = INFINITY, second = INFINITY, highest = -INFINITY;
-    std::int64_t count = 0, others = 0;
-    for (const double height : grid.height) {
-      const double z = sign * height;
-      if (std::isnan(z)) continue;
-      if (z < lowest) {
-        second = lowest;
-        others += std::exchange(count, 0);
-        lowest = z;
-      }
-      (z == lowest ? count : others) += 1;
-      if (z > lowest) second = std::min(second, z);
-      highest = std::max(highest, z);
-    }
-    const double number = roundedToDigits(sign * lowest / unit.metres, kDigits);
-    const bool isFar = highest > second && second - lowest > kFar * (highest - second);
-    if (!isFar || count >= others || (count == 1 && !isVoidCode(number))) continue;
-    const PrintedNumber text = plain(number);
-    const std::string printed = printedUnit(unit.unit);
-    say(count == 1
-            ? message(
-                  "The height {} (in {}) is far from all others: if it means a missing point, it "
-                  "has to be left empty, or surface.outliers has to be set.",
-                  text, printed)
-            : message("The height {} (in {}) stands {} times, far from all others: if it means "
-                      "missing points, they have to be left empty, or surface.outliers has to be "
-                      "set.",
-                      text, printed, count));
-  }
-}
-
-/// Adds notes where a unit that the file states makes the surface unusually large: the unit may be
-/// that of other numbers.
-void noteLargeSizes(const Topography& grid, const ReadingFacts& facts,
-                    std::vector<Message>& notes) {
-  const double length = std::max(grid.length(), grid.width());
-  if (facts.positionUnit.source == UnitSource::File && length > kLongestUsual)
-    notes.push_back(
-        message("The surface is {:.3g} m long: if the file states a wrong unit of positions, "
-                "surface.position_unit replaces it.",
-                length));
-  if (facts.heightUnit.source != UnitSource::File) return;
-  double lowest = INFINITY, highest = -INFINITY;
-  for (const double height : grid.height) {
-    lowest = std::fmin(lowest, height);
-    highest = std::fmax(highest, height);
-  }
-  if (highest - lowest > kHighestUsual)
-    notes.push_back(
-        message("The heights span {:.3g} m: if the file states a wrong unit of heights, "
-                "surface.height_unit replaces it.",
-                highest - lowest));
-}
-
-/// Makes the notes: first how the reader understood the file, then what is special about it.
-void describe(const SurfaceDraft& draft, ReadingFacts& facts) {
-  const Topography& grid = draft.grid;
-  std::vector<Message> notes;
-  const PrintedNumber spacing{printedQuantity(grid.columnSpacing, "m")};
-  if (grid.isProfile())
-    notes.push_back(
-        message("Read as {}: {} points, {} apart.", formText(facts), grid.columns, spacing));
-  else
-    notes.push_back(message("Read as {}: {} x {} points, {} and {} apart.", formText(facts),
-                            grid.columns, grid.rows, spacing,
-                            PrintedNumber{printedQuantity(grid.rowSpacing, "m")}));
-  notes.insert(notes.end(), facts.notes.begin(), facts.notes.end());
-  const auto assume = [&notes, &facts](const Message& note) {
-    notes.push_back(note);
-    facts.assumptions.push_back(note);
-  };
-  const UnitFact& position = facts.positionUnit;
-  if (position.source == UnitSource::File)
-    notes.push_back(
-        message("Positions are in {}, as the file states.", printedUnit(position.unit)));
-  else if (position.source == UnitSource::Choice)
-    notes.push_back(message("Positions are in {}, as the scene says.", printedUnit(position.unit)));
-  else
-    assume("The file states no unit of positions: they are taken as metres.");
-  const UnitFact& height = facts.heightUnit;
-  if (height.source == UnitSource::File)
-    notes.push_back(message("Heights are in {}, as the file states.", printedUnit(height.unit)));
-  else if (height.source == UnitSource::Choice)
-    notes.push_back(message("Heights are in {}, as the scene says.", printedUnit(height.unit)));
-  else
-    assume("The file states no unit of heights: they are taken as metres.");
-  if (!draft.hasPositions)
-    assume("The file does not say how far its points are apart: one unit of positions.");
-  noteLargeSizes(grid, facts, notes);
-  noteVoids(grid, height, assume);
-  if (facts.gaps == 1) notes.emplace_back("One point has no height.");
-  if (facts.gaps > 1) notes.push_back(message("{} points have no height.", facts.gaps));
-  facts.notes = std::move(notes);
-}
-
 MeasuredFile finished(const SurfaceSource& source, SurfaceDraft draft) {
   applyUnits(source, draft);
   if (draft.grid.rows == 1) draft.grid.rowSpacing = 0;
   requireSound(source, draft.grid, draft.facts);
-  requirePlausible(source, draft, draft.facts);
+  requirePlausible(source, draft);
   requireNear(source, draft.grid);
-  describe(draft, draft.facts);
+  addReadingNotes(draft);
   source.report(1);
   return {std::move(draft.grid), std::move(draft.facts)};
 }

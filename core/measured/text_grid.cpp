@@ -5,7 +5,6 @@
 
 #include "core/base/number_text.h"
 #include "core/base/text_number.h"
-#include "core/base/units.h"
 #include "core/measured/matrix_frame.h"
 #include "core/measured/text_columns.h"
 #include "core/measured/text_lengths.h"

@@ -8,7 +8,7 @@
 #include "core/base/text.h"
 #include "core/base/text_header.h"
 #include "core/base/text_number.h"
-#include "core/base/units.h"
+#include "core/base/text_units.h"
 #include "core/measured/text_columns.h"
 
 namespace asperity {

@@ -1,115 +1,23 @@
 // X3P (ISO 25178-72, before it ISO 5436-2): a ZIP archive with `main.xml`, which contains the
 // heights as a list or names a binary file of them, in metres. Of the feature types, profiles (PRF)
 // and surfaces (SUR) are read; a point cloud (PCL) has no grid.
-#include <nettle/md5.h>
-#include <zip.h>
-
 #include <algorithm>
 #include <array>
-#include <memory>
 #include <pugixml.hpp>
 #include <string>
 #include <vector>
 
+#include "core/base/file_digest.h"
 #include "core/base/number_text.h"
 #include "core/base/text.h"
 #include "core/base/text_number.h"
 #include "core/measured/byte_reader.h"
 #include "core/measured/surface_draft.h"
 #include "core/measured/uniform_positions.h"
+#include "core/measured/zip_archive.h"
 
 namespace asperity {
 namespace {
-
-// ---- The archive -------------------------------------------------------------------------------
-
-/// The files of a ZIP archive in memory.
-class Archive {
- public:
-  explicit Archive(const SurfaceSource& source) : source_(source) {
-    zip_error_t error;
-    zip_error_init(&error);
-    zip_source_t* bytes =
-        zip_source_buffer_create(source.bytes.data(), source.bytes.size(), 0, &error);
-    if (bytes != nullptr) {
-      archive_.reset(zip_open_from_source(bytes, ZIP_RDONLY, &error));
-      if (!archive_) zip_source_free(bytes);
-    }
-    zip_error_fini(&error);
-    if (!archive_) source.fail(message("is not a whole {} archive", "ZIP"));
-  }
-
-  bool has(const std::string& file) const { return indexOf(file) >= 0; }
-
-  /// Returns all bytes of a file in the archive, at most `limit` of them.
-  std::string read(const std::string& file, std::uint64_t limit) const {
-    const zip_int64_t index = indexOf(file);
-    if (index < 0) source_.fail(message("has no file '{}' in its archive", shortened(file)));
-    zip_stat_t stat;
-    zip_stat_init(&stat);
-    const bool isKnown =
-        zip_stat_index(archive_.get(), static_cast<zip_uint64_t>(index), 0, &stat) == 0 &&
-        (stat.valid & ZIP_STAT_SIZE) != 0;
-    if (!isKnown) fail(file);
-    if (stat.size > limit)
-      source_.fail(message("'{}' in its archive is larger than the {} bytes allowed",
-                           shortened(file), limit));
-    // Deflate packs at most about a thousand bytes into one: a directory that states more is wrong.
-    constexpr std::uint64_t kMostDeflated = 1100, kSlack = 4096;
-    if ((stat.valid & ZIP_STAT_COMP_SIZE) == 0 ||
-        stat.size / kMostDeflated > stat.comp_size + kSlack)
-      fail(file);
-    const std::unique_ptr<zip_file_t, Close> open(
-        zip_fopen_index(archive_.get(), static_cast<zip_uint64_t>(index), 0));
-    if (!open) fail(file);
-    std::string bytes;
-    bytes.reserve(stat.size);
-    constexpr std::size_t kStep = std::size_t{1} << 20;
-    while (bytes.size() < stat.size) {
-      const std::size_t before = bytes.size();
-      // The memory grows with the bytes that are really there, whatever the directory states.
-      bytes.resize(before + std::min<std::size_t>(kStep, stat.size - before));
-      const zip_int64_t got = zip_fread(open.get(), bytes.data() + before, bytes.size() - before);
-      if (got <= 0) fail(file);
-      bytes.resize(before + static_cast<std::size_t>(got));
-      source_.report(0.5 * static_cast<double>(bytes.size()) / static_cast<double>(stat.size));
-    }
-    // Reading on at the end makes the library compare the checksum.
-    char more = 0;
-    if (zip_fread(open.get(), &more, 1) != 0) fail(file);
-    return bytes;
-  }
-
- private:
-  struct Close {
-    void operator()(zip_t* archive) const { zip_discard(archive); }
-    void operator()(zip_file_t* file) const { zip_fclose(file); }
-  };
-
-  zip_int64_t indexOf(const std::string& file) const {
-    return zip_name_locate(archive_.get(), file.c_str(), ZIP_FL_NOCASE);
-  }
-  [[noreturn]] void fail(const std::string& file) const {
-    source_.fail(message("'{}' in its archive cannot be unpacked", shortened(file)));
-  }
-
-  const SurfaceSource& source_;
-  std::unique_ptr<zip_t, Close> archive_;
-};
-
-std::string md5(std::string_view bytes) {
-  md5_ctx context;
-  md5_init(&context);
-  md5_update(&context, bytes.size(), reinterpret_cast<const std::uint8_t*>(bytes.data()));
-  std::array<std::uint8_t, MD5_DIGEST_SIZE> digest{};
-  md5_digest(&context, digest.size(), digest.data());
-  std::string text;
-  for (const std::uint8_t byte : digest) {
-    text += "0123456789abcdef"[byte >> 4];
-    text += "0123456789abcdef"[byte & 0xF];
-  }
-  return text;
-}
 
 // ---- main.xml ----------------------------------------------------------------------------------
 
@@ -450,7 +358,7 @@ class Reader {
   }
 
   const SurfaceSource& source_;
-  Archive archive_;
+  ZipArchive archive_;
   std::string xml_;
   pugi::xml_document document_;
   pugi::xml_node root_;

@@ -1,5 +1,6 @@
 #include "core/study/curve_fits.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -79,7 +80,7 @@ void addMaximum(const KnownCurve& curve, CurveFitValues& fits) {
 
 void addRegions(const Scene& scene, const KnownCurve& curve, CurveFitValues& fits) {
   for (const CurveRegion& region : findRegions(scene, curve.points)) {
-    const std::size_t number = region.name == "IV" ? 3 : region.name.size() - 1;  // from 0
+    const std::size_t number = regionNumber(region.name);
     std::vector<double> x, mu;
     double sum = 0;
     for (std::size_t i = 0; i < curve.size(); ++i)

@@ -59,7 +59,7 @@ class TableWriter {
       append(text + ",\n  \"rows\": [");
       return;
     }
-    append("# asperity: " + provenanceLine(origin) + "\n");
+    append(provenanceComment(origin));
     append(kSimulation.text());
     for (std::size_t c = 0; c < point_.size(); ++c)
       append("," + std::string(study_.space.column(c).key()));

@@ -1,8 +1,6 @@
 #include "core/surface/profile_file.h"
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <cmath>
 #include <optional>
 #include <span>
@@ -11,127 +9,12 @@
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/regular_file.h"
-#include "core/base/text.h"
 #include "core/base/text_encoding.h"
 #include "core/base/text_number.h"
+#include "core/surface/profile_header.h"
 
 namespace asperity {
 namespace {
-
-// ---- The first row: names of columns, or a damaged row of numbers ------------------------------
-
-using namespace std::string_view_literals;
-
-bool isLetter(char letter) {
-  const auto byte = static_cast<unsigned char>(letter);
-  return byte >= 0x80 || std::isalpha(byte) != 0;
-}
-
-/// Words that programs write for a missing value.
-constexpr std::array kMissing{"na"sv, "n/a"sv, "nan"sv, "null"sv, "none"sv, "missing"sv, "bad"sv};
-
-/// Returns whether a field begins like a number: 1, -1, .5, -.5, or what the reader takes for
-/// infinity.
-bool beginsAsValue(std::string_view field) {
-  if (!field.empty() && (field.front() == '+' || field.front() == '-')) field.remove_prefix(1);
-  if (!field.empty() && field.front() == '.') field.remove_prefix(1);
-  const std::string word = lowerCase(field);
-  return (!field.empty() && isDigit(field.front())) || word == "inf" || word == "infinity";
-}
-
-constexpr std::array kMetres{"m"sv, "metre"sv, "metres"sv, "meter"sv, "meters"sv};
-
-/// Units of length that are not words of a language, also in Latin-1.
-constexpr std::array kLengths{
-    "mm"sv,          "cm"sv,          "dm"sv,          "km"sv,          "um"sv,
-    "nm"sv,          "pm"sv,          "fm"sv,          "\u00B5m"sv,     "\u03BCm"sv,
-    "mum"sv,         "\xB5m"sv,       "micron"sv,      "microns"sv,     "micrometer"sv,
-    "micrometers"sv, "micrometre"sv,  "micrometres"sv, "millimeter"sv,  "millimeters"sv,
-    "millimetre"sv,  "millimetres"sv, "centimeter"sv,  "centimeters"sv, "centimetre"sv,
-    "centimetres"sv, "nanometer"sv,   "nanometers"sv,  "nanometre"sv,   "nanometres"sv,
-    "kilometer"sv,   "kilometers"sv,  "kilometre"sv,   "kilometres"sv,  "angstrom"sv,
-    "angstroms"sv,   "\u00C5"sv,      "\u212B"sv,      "\u00E5"sv,      "inch"sv,
-    "inches"sv,      "pixel"sv,       "pixels"sv,      "px"sv,          "\xC5"sv,
-    "\u339A"sv,      "\u339B"sv,      "\u339C"sv,      "\u339D"sv};
-
-/// Units that are also words or letters; they count only in brackets and behind a stroke.
-constexpr std::array kShortUnits{"in"sv,     "ft"sv,   "yd"sv,   "mil"sv,  "mils"sv,  "thou"sv,
-                                 "pt"sv,     "a"sv,    "s"sv,    "ms"sv,   "us"sv,    "min"sv,
-                                 "v"sv,      "mv"sv,   "uv"sv,   "n"sv,    "deg"sv,   "rad"sv,
-                                 "\u00B0"sv, "%"sv,    "arb"sv,  "a.u."sv, "au"sv,    "counts"sv,
-                                 "count"sv,  "feet"sv, "foot"sv, "\""sv,   "index"sv, "samples"sv};
-
-/// "(", "[" and "{" end at their counterparts; a stroke reaches to the end.
-constexpr std::string_view kOpening = "([{/";
-
-/// Returns each text in brackets or behind a stroke in the name.
-std::vector<std::string_view> bracketed(std::string_view name) {
-  std::vector<std::string_view> found;
-  for (std::size_t at = 0; (at = name.find_first_of(kOpening, at)) != std::string_view::npos;) {
-    const std::string_view closing = name[at] == '/' ? "" : ")]}";
-    const std::size_t end = closing.empty() ? name.size() : name.find_first_of(closing, at);
-    found.push_back(
-        name.substr(at + 1, (end == std::string_view::npos ? name.size() : end) - at - 1));
-    ++at;
-  }
-  return found;
-}
-
-/// Returns the words of a name, split at characters that no unit contains.
-std::vector<std::string> splitWords(std::string_view text) {
-  std::vector<std::string> words;
-  constexpr std::string_view between = " \t_()[]{}/,;:=*";
-  while (true) {
-    const std::size_t first = text.find_first_not_of(between);
-    if (first == std::string_view::npos) return words;
-    const std::size_t end = std::min(text.find_first_of(between, first), text.size());
-    words.push_back(lowerCase(text.substr(first, end - first)));
-    text.remove_prefix(end);
-  }
-}
-
-/// Returns whether metres have a factor in front: "1e-6 m", "10^-9 m", "\u00D710\u207B\u2076 m".
-bool scalesMetres(const std::vector<std::string>& words) {
-  const auto isMetres = [](const std::string& word) { return isOneOf(word, kMetres); };
-  return words.size() > 1 && std::ranges::any_of(words, isMetres) &&
-         std::ranges::any_of(
-             words, [](const std::string& word) { return std::ranges::any_of(word, isDigit); });
-}
-
-/// Returns whether the fields of a first row are names of columns: at least one has a letter, and
-/// none begins like a number or stands for a missing value.
-bool namesColumns(std::span<const std::string_view> fields) {
-  const auto isName = [](std::string_view field) { return std::ranges::any_of(field, isLetter); };
-  const auto isValue = [](std::string_view field) {
-    return beginsAsValue(field) || isOneOf(lowerCase(field), kMissing);
-  };
-  return std::ranges::any_of(fields, isName) && std::ranges::none_of(fields, isValue);
-}
-
-/// Returns the unit other than metres in the name of a column: "mm" of "x (mm)", "height [mm]",
-/// "z/mm", "z_mm" and "z mm". Empty where there is none.
-std::string foreignUnitIn(std::string_view name) {
-  for (const std::string_view part : bracketed(name)) {
-    const std::vector<std::string> words = splitWords(part);
-    if (scalesMetres(words)) return std::string(part);
-    if (words.size() == 1 && isOneOf(words.front(), kShortUnits)) return words.front();
-  }
-  for (const std::string& word : splitWords(name))
-    if (isOneOf(word, kLengths)) return word;
-  return {};
-}
-
-/// Returns whether the field is one word with a unit in brackets or behind a stroke, as in the
-/// names of columns in comments: "x (mm)", "z/um".
-bool isWordWithUnit(std::string_view field) {
-  const std::size_t opening = field.find_first_of(kOpening);
-  if (opening == std::string_view::npos || opening == 0) return false;
-  std::string_view name = field.substr(0, opening);
-  while (!name.empty() && name.back() == ' ') name.remove_suffix(1);
-  return !name.empty() && name.find(' ') == std::string_view::npos;
-}
-
-// ---- The reader --------------------------------------------------------------------------------
 
 constexpr std::size_t kLargestProfile = std::size_t{1} << 28;  // bytes
 constexpr double kFarthest = 1e6;                              // m, of positions and heights

@@ -14,7 +14,7 @@
 #include "core/base/text_encoding.h"
 #include "core/base/text_number.h"
 #include "core/base/text_table.h"
-#include "core/base/units.h"
+#include "core/base/text_units.h"
 
 namespace asperity {
 namespace {

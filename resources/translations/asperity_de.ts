@@ -436,10 +436,6 @@
         <translation>verwendet</translation>
     </message>
     <message>
-        <source>Fₙ = %1 N on one period; results depend on the width</source>
-        <translation>Fₙ = %1 N auf eine Periode; Ergebnisse hängen von der Breite ab</translation>
-    </message>
-    <message>
         <source>Fₙ = %1 on one period of %2, which is twice the file&apos;s; Fₙ / L = %3</source>
         <translation>Fₙ = %1 auf eine Periode von %2, die zweimal die der Datei ist; Fₙ / L = %3</translation>
     </message>

@@ -6783,12 +6783,52 @@
         <translation>Spalte %1: Die Kraft ist proportional zur Reibungszahl, wie es eine Reibkraft ist; sie Reibkraft nennen und die Normalkraft in einer Spalte normal_force oder einer Zeile &quot;Normalkraft: %2 N&quot; angeben</translation>
     </message>
     <message>
+        <source>line %1: the %2 is below 0, by a convention of signs; its magnitude is taken</source>
+        <translation>Zeile %1 (%2): unter 0, nach einer Vorzeichenregel; der Betrag wird genommen</translation>
+    </message>
+    <message>
+        <source>column %1: with a slip, the velocity of sliding is not the one above the table; give it for each row in a column, as in &quot;v (m/s)&quot;</source>
+        <translation>Spalte %1: Mit einem Schlupf ist die Gleitgeschwindigkeit nicht die über der Tabelle; sie für jede Zeile in einer Spalte angeben, wie &quot;v (m/s)&quot;</translation>
+    </message>
+    <message>
+        <source>rows %1 and %2 have the velocity above the table, and no load, temperature or label tells them apart; give the velocity of each row in a column, as in &quot;v (m/s)&quot;</source>
+        <translation>die Zeilen %1 und %2 haben die Geschwindigkeit über der Tabelle, und keine Last, Temperatur oder Bezeichnung unterscheidet sie; die Geschwindigkeit jeder Zeile in einer Spalte angeben, wie &quot;v (m/s)&quot;</translation>
+    </message>
+    <message>
+        <source>has no coefficient of friction, and a force of friction without a normal force; give it in a column &quot;Fz (N)&quot;, or above the columns, as in &quot;Normal force: 30 N&quot;</source>
+        <translation>hat keine Reibungszahl, und eine Reibkraft ohne Normalkraft; diese in einer Spalte &quot;Fz (N)&quot; angeben oder über den Spalten, wie &quot;Normalkraft: 30 N&quot;</translation>
+    </message>
+    <message>
+        <source>has no column of the velocity; its columns are %1; name it as in &quot;v (m/s)&quot;, or write one velocity of all rows above them, as in &quot;Velocity: 10 mm/s&quot;</source>
+        <translation>hat keine Spalte der Geschwindigkeit; die Spalten sind %1; eine nennen wie &quot;v (m/s)&quot; oder eine Geschwindigkeit aller Zeilen darüber schreiben, wie &quot;Geschwindigkeit: 10 mm/s&quot;</translation>
+    </message>
+    <message>
+        <source>column %1: the %2 is below 0 in all rows, by a convention of signs; its magnitude is taken</source>
+        <translation>Spalte %1 (%2): in allen Zeilen unter 0, nach einer Vorzeichenregel; der Betrag wird genommen</translation>
+    </message>
+    <message>
+        <source>column %1 contradicts the forces: in the median it is %2 times the force of friction in column %3 over the normal force; it is read as the coefficient of friction</source>
+        <translation>Spalte %1 widerspricht den Kräften: Im Median ist sie %2-mal die Reibkraft in Spalte %3 durch die Normalkraft; sie wird als Reibungszahl gelesen</translation>
+    </message>
+    <message>
+        <source>the nominal pressure of %1 is a normal force of %2: pressure times the period of %3 times the width, for which the period is taken because none is given; results depend on it, so set load.width (with load.kind pressure)</source>
+        <translation>der nominelle Druck von %1 ist eine Normalkraft von %2: Druck mal Periode von %3 mal Breite, für die die Periode genommen wird, weil keine angegeben ist; Ergebnisse hängen von ihr ab, also load.width setzen (mit load.kind pressure)</translation>
+    </message>
+    <message>
+        <source>the nominal pressure of %1 is a normal force of %2: pressure times the period of %3 times the width of %4 (load.width)</source>
+        <translation>der nominelle Druck von %1 ist eine Normalkraft von %2: Druck mal Periode von %3 mal Breite von %4 (load.width)</translation>
+    </message>
+    <message>
         <source>has friction in several states side by side (%1); write them one below the other, with a column that tells them apart, such as temperature</source>
         <translation>hat die Reibung in mehreren Zuständen nebeneinander (%1); sie untereinander schreiben, mit einer Spalte, die sie unterscheidet, etwa temperature</translation>
     </message>
     <message>
         <source>columns %1 to %2: repeated measurements of the coefficient of friction; each point is their mean, with a standard error from the scatter in all rows</source>
         <translation>Spalten %1 bis %2: wiederholte Messungen der Reibungszahl; jeder Punkt ist ihr Mittelwert, mit einem Standardfehler aus der Streuung in allen Zeilen</translation>
+    </message>
+    <message>
+        <source>columns %1 to %2: repeated measurements of the coefficient of friction; each point is their mean</source>
+        <translation>Spalten %1 bis %2: wiederholte Messungen der Reibungszahl; jeder Punkt ist ihr Mittelwert</translation>
     </message>
     <message>
         <source>column %1: force of friction; its magnitude over the normal force is the coefficient of friction</source>

@@ -76,9 +76,26 @@ TEST_F(FitCommandTest, SaysWhatItsNumbersMean) {
                                        HasSubstr("the points have no errors; they scatter by"),
                                        Not(HasSubstr("\u03C7\u00B2"))));
   EXPECT_THAT(read("out/fit.csv"), AllOf(HasSubstr("\nvelocity,normal_force,nominal_pressure,"),
-                                         HasSubstr("\n0.01,,8.5,")));
+                                         HasSubstr("\n0.01,0.008,20,")));
   // Points of each load have a mark of their own.
   EXPECT_THAT(read("out/curve.svg"), AllOf(HasSubstr("bare, 8.5 Pa"), HasSubstr("bare, 20 Pa")));
+}
+
+/// Without a width a nominal pressure acts on the square of the period, which nobody chose.
+TEST_F(FitCommandTest, SaysWhichForceANominalPressureIs) {
+  const std::string pressure = " s.json --set load.kind=pressure --set load.nominal_pressure=8.5";
+  for (const std::string& verb : {"check" + pressure, "curve" + pressure + " -o p.csv"}) {
+    const auto ran = program.run(verb);
+    ASSERT_EQ(ran.status, 0) << ran.err;
+    EXPECT_THAT(ran.out + ran.err,
+                AllOf(HasSubstr("the nominal pressure of 8.5 Pa is a normal force of 3.4 mN"),
+                      HasSubstr("set load.width")))
+        << verb;
+    const auto wide = program.run(verb + " --set load.width=1mm");
+    EXPECT_THAT(wide.out + wide.err, AllOf(HasSubstr("is a normal force of 170 \u00B5N"),
+                                           HasSubstr("the width of 1 mm (load.width)")))
+        << verb;
+  }
 }
 
 TEST_F(FitCommandTest, RefusesWhatItCannotFit) {

@@ -79,7 +79,7 @@ QPointF ChartGeometry::at(double xValue, double yValue) const {
 }
 
 double ChartGeometry::mapX(double value) const {
-  return area.left() + area.width() * fraction(axisPosition(xScale, value), x);
+  return pixelX(axisPosition(xScale, value));
 }
 
 double ChartGeometry::columnAt(double value) const {
@@ -87,17 +87,33 @@ double ChartGeometry::columnAt(double value) const {
 }
 
 double ChartGeometry::mapY(double value) const {
-  return area.bottom() - area.height() * fraction(axisPosition(yScale, value), y);
+  return pixelY(axisPosition(yScale, value));
 }
 
 double ChartGeometry::xAt(double pixel) const {
-  const double part = area.width() > 0 ? (pixel - area.left()) / area.width() : 0;
-  return axisValue(xScale, x.from + part * x.size());
+  return axisValue(xScale, positionX(pixel));
 }
 
 double ChartGeometry::yAt(double pixel) const {
+  return axisValue(yScale, positionY(pixel));
+}
+
+double ChartGeometry::pixelX(double position) const {
+  return area.left() + area.width() * fraction(position, x);
+}
+
+double ChartGeometry::pixelY(double position) const {
+  return area.bottom() - area.height() * fraction(position, y);
+}
+
+double ChartGeometry::positionX(double pixel) const {
+  const double part = area.width() > 0 ? (pixel - area.left()) / area.width() : 0;
+  return x.from + part * x.size();
+}
+
+double ChartGeometry::positionY(double pixel) const {
   const double part = area.height() > 0 ? (area.bottom() - pixel) / area.height() : 0;
-  return axisValue(yScale, y.from + part * y.size());
+  return y.from + part * y.size();
 }
 
 ChartTarget targetAt(const std::vector<ChartGeometry>& geometries, const DiagramSheet& sheet,
@@ -133,18 +149,11 @@ ZoomAxes axesAt(const ChartGeometry& geometry, QPointF position) {
 }
 
 VisibleRange zoomed(const ChartGeometry& geometry, QPointF about, double factor, ZoomAxes axes) {
-  const QRectF& area = geometry.area;
   VisibleRange window{geometry.x, geometry.y};
-  if (axes.x && area.width() > 0) {
-    const double at =
-        geometry.x.from + (about.x() - area.left()) / area.width() * geometry.x.size();
-    window.x = scaled(geometry.x, at, factor);
-  }
-  if (axes.y && area.height() > 0) {
-    const double at =
-        geometry.y.from + (area.bottom() - about.y()) / area.height() * geometry.y.size();
-    window.y = scaled(geometry.y, at, factor);
-  }
+  if (axes.x && geometry.area.width() > 0)
+    window.x = scaled(geometry.x, geometry.positionX(about.x()), factor);
+  if (axes.y && geometry.area.height() > 0)
+    window.y = scaled(geometry.y, geometry.positionY(about.y()), factor);
   return window;
 }
 

@@ -49,9 +49,14 @@ struct ChartGeometry {
   /// lie on them.
   double columnAt(double value) const;
   double mapY(double value) const;
-  /// These functions return the values at a position.
+  /// These functions return the values at a pixel.
   double xAt(double pixel) const;
   double yAt(double pixel) const;
+  /// These functions do the same for positions on the axes (AxisRange) instead of values.
+  double pixelX(double position) const;
+  double pixelY(double position) const;
+  double positionX(double pixel) const;
+  double positionY(double pixel) const;
 };
 
 /// Returns a rectangle as pictures have it.

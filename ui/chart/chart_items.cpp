@@ -184,13 +184,11 @@ QRectF UnderItem::labelBox(const QRectF& area, int alignment, const DiagramSpan&
 /// the time that painting a diagram takes.
 void UnderItem::paintGrid(QPainter& painter) const {
   const auto upright = [this](double position) {
-    const double part = (position - map_.x.from) / map_.x.size();
-    const double x = std::floor(map_.area.left() + part * map_.area.width()) + 0.5;
+    const double x = std::floor(map_.pixelX(position)) + 0.5;
     return QLineF(x, frame_.top(), x, frame_.bottom());
   };
   const auto level = [this](double position) {
-    const double part = (position - map_.y.from) / map_.y.size();
-    const double y = std::floor(map_.area.bottom() - part * map_.area.height()) + 0.5;
+    const double y = std::floor(map_.pixelY(position)) + 0.5;
     return QLineF(frame_.left(), y, frame_.right(), y);
   };
   QList<QLineF> fine, whole;
@@ -216,8 +214,7 @@ void UnderItem::paintNumbers(QPainter& painter) const {
   const double line = style_.line();
   painter.setPen(style_.text());
   for (const Tick& tick : yAxis_.ticks) {
-    const double part = (tick.value - map_.y.from) / map_.y.size();
-    const double middle = map_.area.bottom() - part * map_.area.height();
+    const double middle = map_.pixelY(tick.value);
     painter.drawText(QRectF(0, middle - line / 2, frame_.left() - kNumberGap, line),
                      Qt::AlignRight | Qt::AlignVCenter | Qt::TextDontClip,
                      QString::fromStdString(tick.label));

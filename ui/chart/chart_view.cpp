@@ -32,13 +32,18 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kOverlayDepth = 100;  // above everything in the charts
-constexpr double kWheel = 1.25;        // factor of one notch of the wheel
+constexpr double kWheel = 1.25;        // factor of one step of the wheel
 constexpr double kKeyZoom = 1.5;
 constexpr double kKeyStep = 0.05;  // decades per key press
 constexpr double kFinely = 0.1;    // factor of a drag or key step with Shift
 
-double notches(const QWheelEvent& event) {
-  return event.angleDelta().y() / 120.0;
+const DiagramSeries& targetSeries(const DiagramSheet& sheet, const ChartTarget& target) {
+  return sheet.diagrams[static_cast<std::size_t>(target.diagram)]
+      .series[static_cast<std::size_t>(target.series)];
+}
+
+const DiagramPoint& targetPoint(const DiagramSheet& sheet, const ChartTarget& target) {
+  return targetSeries(sheet, target).points[static_cast<std::size_t>(target.point)];
 }
 
 /// Calls back after a widget has got another size, once its layout is done.
@@ -332,13 +337,8 @@ void ChartView::pan(QPointF by) {
 void ChartView::mouseReleaseEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return QWidget::mouseReleaseEvent(event);
   const Gesture ended = std::exchange(gesture_, Gesture::None);
-  if (ended == Gesture::Press && pressed_.isPoint()) {
-    if (pressed_.diagram == 0) {
-      const DiagramSeries& series =
-          sheet_.diagrams[0].series[static_cast<std::size_t>(pressed_.series)];
-      emit pointChosen(series.id, series.points[static_cast<std::size_t>(pressed_.point)].row);
-    }
-  }
+  if (ended == Gesture::Press && pressed_.isPoint() && pressed_.diagram == 0)
+    emit pointChosen(targetSeries(sheet_, pressed_).id, targetPoint(sheet_, pressed_).row);
   if (std::exchange(held_, std::nullopt)) showAll();
   read(event->position() - corner());
 }
@@ -356,7 +356,8 @@ void ChartView::wheelEvent(QWheelEvent* event) {
   if (layout_.frames.empty()) return event->ignore();
   const ZoomAxes axes = axesAt(layout_.frames[0], position);
   if ((!axes.x && !axes.y) || event->angleDelta().y() == 0) return event->ignore();
-  setZoom(zoomed(layout_.frames[0], position, std::pow(kWheel, -notches(*event)), axes));
+  const double steps = event->angleDelta().y() / double{QWheelEvent::DefaultDeltasPerStep};
+  setZoom(zoomed(layout_.frames[0], position, std::pow(kWheel, -steps), axes));
   event->accept();
 }
 
@@ -424,11 +425,8 @@ void ChartView::read(QPointF position) {
   if (text.isEmpty()) return tip_->clear();
   QPointF at = position;
   if (target.isPoint()) {
-    const auto i = static_cast<std::size_t>(target.diagram);
-    const DiagramPoint& point = sheet_.diagrams[i]
-                                    .series[static_cast<std::size_t>(target.series)]
-                                    .points[static_cast<std::size_t>(target.point)];
-    at = layout_.frames[i].at(point.x, point.y);
+    const DiagramPoint& point = targetPoint(sheet_, target);
+    at = layout_.frames[static_cast<std::size_t>(target.diagram)].at(point.x, point.y);
   }
   tip_->show(text, at, target.isPoint(), view_->sceneRect(), style_);
 }
@@ -437,10 +435,7 @@ void ChartView::read(QPointF position) {
 std::optional<HoverExplanation> ChartView::explanationAt(const ChartTarget& target,
                                                          QPointF position) const {
   if (layout_.frames.empty()) return std::nullopt;
-  if (target.isPoint())
-    return findExplanation(english_.diagrams[static_cast<std::size_t>(target.diagram)]
-                               .series[static_cast<std::size_t>(target.series)]
-                               .name);
+  if (target.isPoint()) return findExplanation(targetSeries(english_, target).name);
   const Diagram& diagram = english_.diagrams[0];
   if (target.span >= 0)
     return findExplanation(std::string_view(
@@ -454,12 +449,9 @@ std::optional<HoverExplanation> ChartView::explanationAt(const ChartTarget& targ
 
 QString ChartView::tipText(const ChartTarget& target, QPointF position) const {
   if (layout_.frames.empty()) return {};
-  if (target.isPoint()) {
-    const DiagramSeries& series = sheet_.diagrams[static_cast<std::size_t>(target.diagram)]
-                                      .series[static_cast<std::size_t>(target.series)];
-    const int row = series.points[static_cast<std::size_t>(target.point)].row;
-    return describe_ ? describe_(series.id, row) : QString();
-  }
+  if (target.isPoint())
+    return describe_ ? describe_(targetSeries(sheet_, target).id, targetPoint(sheet_, target).row)
+                     : QString();
   if (target.span >= 0) {
     const DiagramSpan& span = sheet_.diagrams[0].spans[static_cast<std::size_t>(target.span)];
     QStringList lines{QString::fromStdString(span.label.text)};

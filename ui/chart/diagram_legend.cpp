@@ -67,14 +67,14 @@ void enclose(Legend& legend, float width, std::size_t rows) {
   legend.height = std::ceil(legend.height + 1.2F * kPad * legend.size);
 }
 
-std::size_t rowsOf(const Legend& legend) {
+std::size_t legendRows(const Legend& legend) {
   const auto columns = static_cast<std::size_t>(legend.columns);
   return (legend.entries.size() + columns - 1) / columns;
 }
 
 /// Returns the widths of the columns, each that of its widest entry.
 std::vector<float> columnWidths(const Legend& legend) {
-  const std::size_t rows = rowsOf(legend);
+  const std::size_t rows = legendRows(legend);
   std::vector<float> widths;
   for (std::size_t i = 0; i < legend.entries.size(); ++i) {
     if (i % rows == 0) widths.push_back((kSample + kEntryGap) * legend.size);
@@ -85,7 +85,7 @@ std::vector<float> columnWidths(const Legend& legend) {
 
 /// Measures the entries column by column.
 void measure(Legend& legend) {
-  const std::size_t rows = rowsOf(legend);
+  const std::size_t rows = legendRows(legend);
   const std::vector<float> widths = columnWidths(legend);
   const float between = kBetween * legend.size;
   float x = 0;

@@ -1,7 +1,6 @@
 #include "ui/chart/occupancy_grid.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>

@@ -19,6 +19,7 @@ struct ForceArrows {
   double enlarged = 1;
   bool pointsRight = false;
 };
+
 /// Returns whether the friction force on the line points to the right. It points against the
 /// motion, except shortly after a stop or a reversal, when contact is still on the other side.
 bool pushesRight(const Frame& frame);

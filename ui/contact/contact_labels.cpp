@@ -34,7 +34,7 @@ struct Tag {
 };
 
 /// Returns the sign that a tag, or its arrow, is in this box.
-ContactSign signOf(const Tag& tag, const Box& box) {
+ContactSign makeSign(const Tag& tag, const Box& box) {
   return {box, plainText(tag.before), tag.id, tag.tip, tag.handle};
 }
 
@@ -84,7 +84,7 @@ float TagPainter::width(const Tag& tag) const {
 
 void TagPainter::paint(const Tag& tag, DrawPoint topLeft, const Rgba& plate) {
   const Box box{topLeft.x, topLeft.y, width(tag), height()};
-  signs_.push_back(signOf(tag, box));
+  signs_.push_back(makeSign(tag, box));
   // A tag that is covered in part would lose its words, but not its plate.
   const auto covers = [&box](const Box& cover) { return cover.width > 0 && cover.overlaps(box); };
   if (std::ranges::any_of(layout_.covered, covers)) return;
@@ -458,12 +458,12 @@ Notes addLabels(DrawList& list, const Frame& frame, const ContactLayout& layout,
     if (arrows.down > 0) {
       const DrawPoint foot = arrowFoot(arrows, layout, top);
       const float reach = 9 * layout.sizes.unit;
-      signs->push_back(signOf(pressingTag(frame, arrows),
-                              {foot.x - reach, foot.y, 2 * reach, arrows.down + reach}));
+      signs->push_back(makeSign(pressingTag(frame, arrows),
+                                {foot.x - reach, foot.y, 2 * reach, arrows.down + reach}));
       if (arrows.sideways > 0) {
         const float from = arrows.pointsRight ? foot.x : foot.x - arrows.sideways;
-        signs->push_back(signOf(frictionTag(frame, arrows, false),
-                                {from, foot.y - reach, arrows.sideways, 2 * reach}));
+        signs->push_back(makeSign(frictionTag(frame, arrows, false),
+                                  {from, foot.y - reach, arrows.sideways, 2 * reach}));
       }
     }
   }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/chart/extent.h"
 #include "ui/contact/contact_parts.h"
 #include "ui/contact/frame_curves.h"
 #include "ui/contact/label_placement.h"
@@ -15,24 +16,14 @@ namespace {
 constexpr float kMinWidth = 110, kMinHeight = 74;  // units
 constexpr int kMinPoints = 6;  // minimum number of the frame's points in the inset
 
-/// The height range of both curves in a view, m.
-struct Heights {
-  double low = 0, high = 0;
-};
-
-Heights heightsIn(const Frame& frame, const ContactView& view, float pixels) {
+/// Returns the heights of both curves in a view, m; 0 where there are none.
+Extent heightsIn(const Frame& frame, const ContactView& view, float pixels) {
   const PointRange range = pointsWithin(frame, view.left, view.width);
   const Columns columns{view.left, pixels / view.width};
-  Heights heights;
-  bool isFirst = true;
+  Extent heights;
   for (const std::vector<double>* curve : {&frame.lineHeight, &frame.surfaceHeight})
-    for (const CurveVertex& v : decimated(frame, *curve, range, columns)) {
-      if (!std::isfinite(v.height)) continue;
-      heights.low = isFirst ? v.height : std::min(heights.low, v.height);
-      heights.high = isFirst ? v.height : std::max(heights.high, v.height);
-      isFirst = false;
-    }
-  return heights;
+    for (const CurveVertex& v : decimated(frame, *curve, range, columns)) heights.add(v.height);
+  return heights.isEmpty() ? Extent{0, 0} : heights;
 }
 
 /// Returns the view of the inset, with at least the part `below` of its height free under both

@@ -177,4 +177,8 @@ double colourMaximum(const ContactView& view, ContactOverlay overlay) {
   return maximum ? view.*maximum : 0;
 }
 
+void setColourMaximum(ContactView& view, ContactOverlay overlay, double maximum) {
+  if (const auto member = overlayEntry(overlay).maximum) view.*member = maximum;
+}
+
 }  // namespace asperity

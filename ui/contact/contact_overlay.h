@@ -59,5 +59,7 @@ double scaleMaximum(const Frame& frame, ContactOverlay overlay, double last);
 
 /// Returns the maximum of the colour scale in a view.
 double colourMaximum(const ContactView& view, ContactOverlay overlay);
+/// Sets it; a view without an overlay has none.
+void setColourMaximum(ContactView& view, ContactOverlay overlay, double maximum);
 
 }  // namespace asperity

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
+#include "core/chart/extent.h"
 #include "ui/contact/contact_overlay.h"
 #include "ui/contact/contact_parts.h"
 #include "ui/contact/frame_curves.h"
@@ -14,7 +14,7 @@
 namespace asperity {
 namespace {
 
-ContactPictureOptions tidy(ContactPictureOptions options) {
+ContactPictureOptions withMinimumSize(ContactPictureOptions options) {
   options.width = std::max(options.width, 1);
   options.height = std::max(options.height, 1);
   return options;
@@ -28,29 +28,21 @@ constexpr double kSpaceAbove = 0.24, kSpaceBelow = 0.30;
 constexpr double kMostLabelSpace = 0.3, kSpareSpace = 0.03;
 constexpr double kMaxPeriods = 50;
 
-struct Extent {
-  double low = 0, high = 0;
-  double size() const { return high - low; }
-};
-
+/// Returns the heights of both bodies, m; 0 where there are none.
 Extent interfaceExtent(const Frame& frame) {
-  Extent extent{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-  for (const std::vector<double>* heights : {&frame.lineHeight, &frame.surfaceHeight}) {
-    for (const double height : *heights) {
-      if (!std::isfinite(height)) continue;
-      extent.low = std::min(extent.low, height);
-      extent.high = std::max(extent.high, height);
-    }
-  }
-  return extent.low <= extent.high ? extent : Extent{};
+  Extent extent;
+  for (const std::vector<double>* heights : {&frame.lineHeight, &frame.surfaceHeight})
+    for (const double height : *heights) extent.add(height);
+  return extent.isEmpty() ? Extent{0, 0} : extent;
 }
 
 /// Extends the range of a flat interface to the undeformed surface, or to a micrometre around it.
 Extent withMinimumHeight(Extent extent) {
-  const double farthest = std::max(std::abs(extent.low), std::abs(extent.high));
+  const double farthest = std::max(std::abs(extent.least), std::abs(extent.most));
   if (extent.size() > 1e-9 * farthest) return extent;
   if (farthest == 0) return {-0.5e-6, 0.5e-6};
-  return {std::min(extent.low, 0.0) - 0.2 * farthest, std::max(extent.high, 0.0) + 0.2 * farthest};
+  return {std::min(extent.least, 0.0) - 0.2 * farthest,
+          std::max(extent.most, 0.0) + 0.2 * farthest};
 }
 
 /// Returns the space above the interface relative to its height range.
@@ -64,8 +56,8 @@ bool stillFits(const ContactView& view, const Extent& extent, double labelSpace)
   const double fill = extent.size() / size;
   const double usual = (1 + kSpaceAbove + kSpaceBelow) / (1 + spaceAbove(labelSpace) + kSpaceBelow);
   return size > 0 && fill > 0.48 * usual &&
-         extent.high < view.top - std::max(0.10, labelSpace) * size &&
-         extent.low > view.bottom + 0.09 * usual * size;
+         extent.most < view.top - std::max(0.10, labelSpace) * size &&
+         extent.least > view.bottom + 0.09 * usual * size;
 }
 
 }  // namespace
@@ -78,8 +70,8 @@ ContactView fittedView(const Frame& frame, const std::optional<ContactView>& las
     // The ends are rounded outwards, so that small changes do not move the axis even without
     // `last`.
     const double grid = roundUp125(extent.size() / 20);
-    view.bottom = std::floor((extent.low - kSpaceBelow * extent.size()) / grid) * grid;
-    view.top = std::ceil((extent.high + spaceAbove(labelSpace) * extent.size()) / grid) * grid;
+    view.bottom = std::floor((extent.least - kSpaceBelow * extent.size()) / grid) * grid;
+    view.top = std::ceil((extent.most + spaceAbove(labelSpace) * extent.size()) / grid) * grid;
   }
   view.pressure = scaleMaximum(frame, ContactOverlay::Pressure, view.pressure);
   view.age = scaleMaximum(frame, ContactOverlay::Relaxation, view.age);
@@ -107,7 +99,7 @@ ContactView resolvedView(const Frame& frame, const ContactView& view) {
 }
 
 PreparedPicture prepareContact(const Frame& frame, const ContactPictureOptions& asked) {
-  PreparedPicture prepared{tidy(asked), {}, {}};
+  PreparedPicture prepared{withMinimumSize(asked), {}, {}};
   const ContactPictureOptions& options = prepared.options;
   prepared.list.width = options.width;
   prepared.list.height = options.height;
@@ -129,7 +121,7 @@ double labelSpace(const Frame& frame, const ContactPictureOptions& asked) {
 }
 
 float contactUnit(const ContactPictureOptions& options) {
-  return sizesFor(tidy(options)).unit;
+  return sizesFor(withMinimumSize(options)).unit;
 }
 
 DrawList composeContact(const Frame& frame, const ContactPictureOptions& asked,

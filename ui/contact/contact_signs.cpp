@@ -68,19 +68,30 @@ void addFooterSigns(std::vector<ContactSign>& signs, const ContactLayout& layout
   }
 }
 
+/// The labels in the plot, then its arrows, and the notes of the footer.
+struct Labels {
+  std::vector<ContactSign> signs;
+  Notes notes;
+};
+
+Labels makeLabels(PreparedPicture& prepared, const Frame& frame) {
+  prepared.list.layers.emplace_back();  // in place of the bodies
+  Labels labels;
+  labels.notes = addLabels(prepared.list, frame, prepared.layout, &labels.signs);
+  return labels;
+}
+
 }  // namespace
 
 std::vector<ContactSign> contactSigns(const Frame& frame, const ContactPictureOptions& asked) {
   PreparedPicture prepared = prepareContact(frame, asked);
   std::vector<ContactSign> signs = contactReadings(frame, prepared.options);
-  prepared.list.layers.emplace_back();  // in place of the bodies
-  std::vector<ContactSign> labels;
-  const Notes notes = addLabels(prepared.list, frame, prepared.layout, &labels);
-  for (ContactSign& label : labels)
+  Labels labels = makeLabels(prepared, frame);
+  for (ContactSign& label : labels.signs)
     if (!label.id.empty()) signs.push_back(std::move(label));
   addAxisSigns(signs, prepared.layout);
   addLegendSign(signs, prepared.layout);
-  addFooterSigns(signs, prepared.layout, notes);
+  addFooterSigns(signs, prepared.layout, labels.notes);
   return signs;
 }
 
@@ -101,19 +112,11 @@ double withFourDigits(double value) {
   return std::strtod(fmt::format("{:.4g}", value).c_str(), nullptr);
 }
 
-/// Returns the labels, then the arrows in the plot.
-std::vector<ContactSign> labelSigns(const Frame& frame, const ContactPictureOptions& asked) {
-  PreparedPicture prepared = prepareContact(frame, asked);
-  prepared.list.layers.emplace_back();  // in place of the bodies
-  std::vector<ContactSign> labels;
-  addLabels(prepared.list, frame, prepared.layout, &labels);
-  return labels;
-}
-
 }  // namespace
 
 std::vector<ContactSign> contactHandles(const Frame& frame, const ContactPictureOptions& options) {
-  std::vector<ContactSign> labels = labelSigns(frame, options);
+  PreparedPicture prepared = prepareContact(frame, options);
+  std::vector<ContactSign> labels = makeLabels(prepared, frame).signs;
   std::erase_if(labels, [](const ContactSign& label) {
     return label.handle == ContactHandle::None || label.handle == ContactHandle::Body;
   });
@@ -122,9 +125,9 @@ std::vector<ContactSign> contactHandles(const Frame& frame, const ContactPicture
 
 ContactHandle handleAt(const Frame& frame, const ContactPictureOptions& asked, float x, float y) {
   constexpr float kReach = 5;  // units below the line that still belong to the rigid body
-  for (const ContactSign& sign : labelSigns(frame, asked))
+  PreparedPicture prepared = prepareContact(frame, asked);
+  for (const ContactSign& sign : makeLabels(prepared, frame).signs)
     if (sign.box.contains(x, y)) return sign.handle;
-  const PreparedPicture prepared = prepareContact(frame, asked);
   const ContactPictureOptions& options = prepared.options;
   const ContactLayout& layout = prepared.layout;
   const Box& plot = layout.plot;

@@ -9,7 +9,6 @@
 namespace asperity {
 namespace {
 
-constexpr double kStep = 1.25;    // enlargement per step
 constexpr double kHeights = 0.7;  // exponent of heights, a usual Hurst exponent
 constexpr double kFewest = 8;     // minimum number of elements across the plot
 // The magnifier moves to another asperity only if its pressure is greater by the first factor;
@@ -124,14 +123,14 @@ void ContactViewer::navigate(const ViewNavigation& navigation) {
 }
 
 void ContactViewer::zoom(const ViewPosition& at, double steps) {
-  navigate(
-      navigation_.zoomed(at, std::pow(kStep, steps), std::pow(kStep, kHeights * steps), finest()));
+  navigate(navigation_.zoomed(at, std::pow(kZoomStep, steps), std::pow(kZoomStep, kHeights * steps),
+                              finest()));
   // Zooming out to the whole period shows everything.
   if (steps < 0 && navigation_.enlargement() == 1) fit();
 }
 
 void ContactViewer::exaggerate(const ViewPosition& at, double steps) {
-  navigate(navigation_.zoomed(at, 1, std::pow(kStep, steps), finest()));
+  navigate(navigation_.zoomed(at, 1, std::pow(kZoomStep, steps), finest()));
 }
 
 void ContactViewer::pan(double dx, double dy) {

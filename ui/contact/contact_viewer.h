@@ -15,6 +15,8 @@ namespace asperity {
 
 class ContactViewer {
  public:
+  static constexpr double kZoomStep = 1.25;  // enlargement by one step
+
   /// Sets the frame. Heights and colours stay fitted and steady from frame to frame; a line of
   /// another length is shown as a whole.
   void setFrame(std::shared_ptr<const Frame> frame);

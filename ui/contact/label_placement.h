@@ -23,8 +23,8 @@ std::optional<float> labelPlacement(const Frame& frame, const ContactLayout& lay
 /// never crosses a label above the row while it slides by.
 bool lineStaysBelow(const Frame& frame, const ContactLayout& layout, float bottom);
 
-/// Returns whether this holds or the whole line is above the row `top`: it crosses nothing between
-/// the two.
+/// Returns whether the whole line stays below the row `bottom` or above the row `top`: then it
+/// crosses nothing between the two.
 bool lineMisses(const Frame& frame, const ContactLayout& layout, float top, float bottom);
 
 /// The highest and the lowest pixel row that a curve of the frame reaches now, for each column of
@@ -39,8 +39,8 @@ struct CurveRows {
 CurveRows curveRows(const Frame& frame, const std::vector<double>& heights,
                     const ContactLayout& layout);
 
-/// Returns the left end nearest to `wanted`, from `from` to `to`, of a box of this size at the row
-/// `top` that is above the curve now; none where there is no such position.
+/// Returns the left end of a box that is moved sideways from `wanted` as little as possible, within
+/// `from` to `to`, so that it is above the curve now; none where there is no such position.
 std::optional<float> freeSpanAbove(const CurveRows& curve, const Box& wanted, float from, float to);
 
 enum class Body { Rigid, Elastomer };

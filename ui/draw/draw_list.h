@@ -4,7 +4,6 @@
 // left, y down. Colours: sRGB, straight alpha.
 #pragma once
 
-#include <array>
 #include <string>
 #include <vector>
 

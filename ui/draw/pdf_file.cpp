@@ -8,7 +8,6 @@
 #include <QPainterPath>
 #include <QPdfWriter>
 #include <stdexcept>
-#include <string_view>
 
 #include "core/base/atomic_file.h"
 #include "ui/draw/fonts.h"

@@ -47,11 +47,6 @@ void appendTriangles(const std::vector<DrawVertex>& corners, Geometry& geometry,
   }
 }
 
-Rgba meanColour(const Rgba& a, const Rgba& b, const Rgba& c, const Rgba& d) {
-  return {(a.r + b.r + c.r + d.r) / 4, (a.g + b.g + c.g + d.g) / 4, (a.b + b.b + c.b + d.b) / 4,
-          (a.a + b.a + c.a + d.a) / 4};
-}
-
 /// Returns a field as triangles, four around the middle of each cell of its grid.
 std::vector<DrawVertex> fieldTriangles(const DrawField& field) {
   const std::size_t columns = field.x.size();
@@ -65,9 +60,8 @@ std::vector<DrawVertex> fieldTriangles(const DrawField& field) {
                                    vertex(i, j + 1)};
       if (std::ranges::any_of(around, [](const DrawVertex& v) { return v.colour.a == 0; }))
         continue;
-      const DrawVertex middle{
-          (around[0].x + around[2].x) / 2, (around[0].y + around[2].y) / 2,
-          meanColour(around[0].colour, around[1].colour, around[2].colour, around[3].colour)};
+      const DrawVertex middle{(around[0].x + around[2].x) / 2, (around[0].y + around[2].y) / 2,
+                              meanColour(around)};
       for (std::size_t k = 0; k < 4; ++k)
         corners.insert(corners.end(), {around[k], around[(k + 1) % 4], middle});
     }
@@ -97,6 +91,18 @@ void appendLine(const std::vector<DrawVertex>& v, float width, Geometry& geometr
 }
 
 }  // namespace
+
+Rgba meanColour(std::span<const DrawVertex> vertices) {
+  Rgba sum{0, 0, 0, 0};
+  for (const DrawVertex& v : vertices) {
+    sum.r += v.colour.r;
+    sum.g += v.colour.g;
+    sum.b += v.colour.b;
+    sum.a += v.colour.a;
+  }
+  const auto count = static_cast<float>(vertices.size());
+  return {sum.r / count, sum.g / count, sum.b / count, sum.a / count};
+}
 
 void cleanVertices(const DrawLine& line, std::vector<DrawVertex>& clean) {
   clean.clear();

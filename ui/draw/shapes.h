@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -85,7 +86,7 @@ void addPicture(DrawList& list, DrawList part, float right, float down);
 /// Returns one picture above the other; as wide as the wider one.
 DrawList stacked(DrawList above, DrawList below);
 
-// ---- For the rasterizer and OpenGL
+// ---- For the rasterizer, OpenGL and vector files
 
 inline constexpr int kTriangleFloats = 6;  // x y r g b a for each corner
 inline constexpr int kSegmentFloats = 17;  // ends (4), neighbours (4), two colours (8), width
@@ -106,6 +107,9 @@ struct Geometry {
   std::vector<float> data;
   std::vector<DrawBatch> batches;
 };
+
+/// Returns the mean colour of vertices, channel by channel.
+Rgba meanColour(std::span<const DrawVertex> vertices);
 
 /// Fills `clean`, reusing its memory, with the vertices of a line that are finite and do not repeat
 /// the previous one; repeated ones would hide the joins.

@@ -1,6 +1,5 @@
 #include "ui/draw/svg_file.h"
 
-#include <QList>
 #include <QString>
 #include <array>
 #include <charconv>

@@ -5,6 +5,15 @@
 #include <cmath>
 
 namespace asperity {
+namespace {
+
+/// Returns how light a colour appears, 0 to 1 (the luma of ITU-R BT.601).
+float luma(const Rgba& c) {
+  return 0.299F * c.r + 0.587F * c.g + 0.114F * c.b;
+}
+
+}  // namespace
+
 const Theme& lightTheme() {
   static const Theme theme{.background = colourFrom(0xFFFFFF),
                            .panel = colourFrom(0xEFF5FA),
@@ -64,8 +73,7 @@ const Theme& paperTheme() {
 }
 
 bool isDark(const Theme& theme) {
-  const Rgba& c = theme.background;
-  return 0.299F * c.r + 0.587F * c.g + 0.114F * c.b < 0.5F;
+  return luma(theme.background) < 0.5F;
 }
 
 void removeColours(DrawList& list) {
@@ -119,8 +127,7 @@ Rgba withAlpha(Rgba colour, float alpha) {
 }
 
 Rgba textOn(const Rgba& fill) {
-  const float lightness = 0.299F * fill.r + 0.587F * fill.g + 0.114F * fill.b;
-  return lightness > 0.5F ? colourFrom(0x161E28) : colourFrom(0xF0F5FA);
+  return luma(fill) > 0.5F ? colourFrom(0x161E28) : colourFrom(0xF0F5FA);
 }
 
 Rgba pressureColour(float t) {

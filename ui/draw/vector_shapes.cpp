@@ -5,7 +5,6 @@
 #include <cmath>
 #include <map>
 #include <optional>
-#include <tuple>
 
 #include "ui/draw/theme.h"
 
@@ -20,20 +19,6 @@ bool isTranslucent(const std::vector<DrawVertex>& vertices) {
                      [](const DrawVertex& v) { return v.colour.a < 1; });
 }
 
-/// Gives a translucent line its mean colour, because overlapping ends of pieces would be visible.
-void setMeanColour(std::vector<DrawVertex>& vertices) {
-  Rgba mean{0, 0, 0, 0};
-  for (const DrawVertex& v : vertices) {
-    mean.r += v.colour.r;
-    mean.g += v.colour.g;
-    mean.b += v.colour.b;
-    mean.a += v.colour.a;
-  }
-  const auto count = static_cast<float>(vertices.size());
-  mean = {mean.r / count, mean.g / count, mean.b / count, mean.a / count};
-  for (DrawVertex& v : vertices) v.colour = mean;
-}
-
 class StrokeCollector {
  public:
   explicit StrokeCollector(std::vector<VectorStroke>& strokes) : strokes_(strokes) {}
@@ -43,7 +28,9 @@ class StrokeCollector {
     cleanVertices(line, vertices);
     if (vertices.empty() || !(line.width > 0)) return;
     width_ = line.width;
-    if (isTranslucent(vertices)) setMeanColour(vertices);
+    // A translucent line has one colour, because overlapping ends of pieces would be visible.
+    if (isTranslucent(vertices))
+      for (const Rgba mean = meanColour(vertices); DrawVertex & v : vertices) v.colour = mean;
     open_ = false;
     if (vertices.size() == 1) begin(vertices[0].colour, {vertices[0].x, vertices[0].y});
     for (std::size_t i = 0; i + 1 < vertices.size(); ++i) addSegment(vertices[i], vertices[i + 1]);
@@ -115,13 +102,6 @@ float colourDistance(const Rgba& a, const Rgba& b) {
   const float opacity = std::max(a.a, b.a);
   return std::max({opacity * std::abs(a.r - b.r), opacity * std::abs(a.g - b.g),
                    opacity * std::abs(a.b - b.b), std::abs(a.a - b.a)});
-}
-
-Rgba meanColour(const Triangle& t) {
-  return {(t[0].colour.r + t[1].colour.r + t[2].colour.r) / 3,
-          (t[0].colour.g + t[1].colour.g + t[2].colour.g) / 3,
-          (t[0].colour.b + t[1].colour.b + t[2].colour.b) / 3,
-          (t[0].colour.a + t[1].colour.a + t[2].colour.a) / 3};
 }
 
 float variation(const Triangle& t) {

@@ -12,8 +12,8 @@
 #include <QRegularExpression>
 #include <QResizeEvent>
 #include <QScrollArea>
-#include <QScrollBar>
 #include <QStyle>
+#include <QTextDocument>
 #include <QToolButton>
 #include <QToolTip>
 #include <QWheelEvent>
@@ -208,9 +208,8 @@ TextBox::TextBox(QWidget* parent) : QPlainTextEdit(parent) {
   setFrameShape(QFrame::NoFrame);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  // Another text, another width and a scroll bar change the number of lines.
-  connect(this, &QPlainTextEdit::textChanged, this, &TextBox::updateGeometry);
-  connect(verticalScrollBar(), &QScrollBar::rangeChanged, this, &TextBox::updateGeometry);
+  setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  connect(this, &QPlainTextEdit::textChanged, this, &TextBox::fitToText);
 }
 
 void TextBox::showText(const QString& text) {
@@ -224,18 +223,43 @@ void TextBox::replaceText(const QString& text) {
   if (toPlainText() != text) setPlainText(text);
 }
 
+/// Returns the height of a line, in pixels; layouts of Qt round it up.
+double TextBox::lineHeight() const {
+  return std::ceil(QFontMetricsF(font()).lineSpacing());
+}
+
+/// Returns the height of the text, in pixels, where no scroll bar takes a part of the width.
+double TextBox::textHeight() const {
+  QTextDocument text;
+  text.setDefaultFont(font());
+  text.setPlainText(toPlainText());
+  text.setTextWidth(contentsRect().width());
+  return text.size().height() - 2 * text.documentMargin();
+}
+
 QSize TextBox::sizeHint() const {
   constexpr int kAround = 16;  // pixels, margins and frame
-  // The height of a plain text's document counts lines, as they are broken at the present width.
-  const int lines = static_cast<int>(document()->size().height());
   const double text =
-      std::clamp(lines, kFewestLines, kMaxLines) * QFontMetricsF(font()).lineSpacing();
+      std::clamp(textHeight(), kFewestLines * lineHeight(), kMaxLines * lineHeight());
   return {120, static_cast<int>(std::ceil(text)) + kAround};
+}
+
+/// Sets the height, and whether there is a scroll bar. Qt would also show one while the box is
+/// still too low; the lines that it breaks earlier could then keep it there.
+void TextBox::fitToText() {
+  const bool isScrolled = textHeight() > kMaxLines * lineHeight();
+  setVerticalScrollBarPolicy(isScrolled ? Qt::ScrollBarAlwaysOn : Qt::ScrollBarAlwaysOff);
+  updateGeometry();
 }
 
 void TextBox::resizeEvent(QResizeEvent* event) {
   QPlainTextEdit::resizeEvent(event);
-  if (event->oldSize().width() != event->size().width()) updateGeometry();
+  if (event->oldSize().width() != event->size().width()) fitToText();
+}
+
+void TextBox::changeEvent(QEvent* event) {
+  QPlainTextEdit::changeEvent(event);
+  if (event->type() == QEvent::FontChange) fitToText();
 }
 
 void TextBox::keyPressEvent(QKeyEvent* event) {
@@ -391,6 +415,11 @@ void WrappedLabel::resizeEvent(QResizeEvent* event) {
   if (event->oldSize().width() != event->size().width()) updateGeometry();
 }
 
+QFont boldFont(QFont font) {
+  font.setBold(true);
+  return font;
+}
+
 namespace {
 
 /// Sets the font of a heading whenever that of the widget changes.
@@ -410,8 +439,7 @@ class HeadingFont : public QObject {
 
  private:
   void set() {
-    QFont font = of_.font();
-    font.setBold(true);
+    QFont font = boldFont(of_.font());
     font.setPointSizeF(scale_ * font.pointSizeF());
     heading_.setFont(font);
   }

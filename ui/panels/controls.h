@@ -31,12 +31,12 @@ Control* named(const QString& name, Arguments&&... arguments) {
   return control;
 }
 
-/// Controls of several kinds, to go through them.
+/// Widgets of several kinds, for a loop over them.
 using Widgets = std::initializer_list<QWidget*>;
 
 /// Makes a layout without margins. spacing: pixels between its items; -1: as the style says.
 template <class Layout>
-Layout* flush(QWidget* parent = nullptr, int spacing = -1) {
+Layout* marginless(QWidget* parent = nullptr, int spacing = -1) {
   auto* layout = new Layout(parent);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(spacing);
@@ -125,6 +125,8 @@ class SpinBox : public QSpinBox {
   void wheelEvent(QWheelEvent* event) override;
 };
 
+/// A box for a text of several lines, which is as high as the text within limits; a longer text is
+/// scrolled.
 class TextBox : public QPlainTextEdit {
   Q_OBJECT
 
@@ -147,8 +149,12 @@ class TextBox : public QPlainTextEdit {
   void keyPressEvent(QKeyEvent* event) override;
   void focusOutEvent(QFocusEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
+  void changeEvent(QEvent* event) override;
 
  private:
+  double lineHeight() const;
+  double textHeight() const;
+  void fitToText();
   void commit();
 
   QString accepted_;
@@ -200,6 +206,9 @@ class WrappedLabel : public QLabel {
   void paintEvent(QPaintEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 };
+
+/// Returns the font in bold letters.
+QFont boldFont(QFont font);
 
 /// Keeps the font of a heading bold and this many times as large as that of the widget whose
 /// content it heads.

@@ -101,14 +101,10 @@ MaterialBox::MaterialBox(QWidget* parent) : ChoiceBox(parent) {
 void MaterialBox::showMaterial(const Elastomer& elastomer) {
   const bool isSame = count() > 0 && elastomer.material == elastomer_.material;
   elastomer_ = elastomer;
-  if (!isSame) fill();
+  if (!isSame) showTexts();
 }
 
 void MaterialBox::showTexts() {
-  fill();
-}
-
-void MaterialBox::fill() {
   clear();
   addItem(tr("own values"), QString());
   for (const ShippedMaterial& material : shippedMaterials()) {

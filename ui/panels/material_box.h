@@ -27,7 +27,6 @@ class MaterialBox : public ChoiceBox {
   void fileRequested();
 
  private:
-  void fill();
   void pick(int index);
 
   Elastomer elastomer_;

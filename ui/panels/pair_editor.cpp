@@ -38,14 +38,14 @@ class PairRow {
     for (std::size_t k = 0; k < entries_.size(); ++k) addValue(grid, line, k);
     remove_->setText(QStringLiteral("✕"));
     remove_->setProperty("role", "remove");
-    remove_->setObjectName(editor.objectName("Remove:%1").arg(index));
+    remove_->setObjectName(editor.partName("Remove:%1").arg(index));
     remove_->setFocusPolicy(Qt::TabFocus);
     // This runs later, because the button may be deleted with its row.
     QObject::connect(
         remove_, &QToolButton::clicked, &editor_, [&editor, index] { editor.remove(index); },
         Qt::QueuedConnection);
     grid.addWidget(remove_, line, kGridColumns - 1);
-    error_ = named<QLabel>(editor.objectName("Error:%1").arg(index));
+    error_ = named<QLabel>(editor.partName("Error:%1").arg(index));
     error_->setProperty("role", "error");
     error_->setWordWrap(true);
     error_->hide();
@@ -147,20 +147,22 @@ class PairRow {
 PairEditor::PairEditor(const Kind& kind, QWidget* parent)
     : QWidget(parent),
       kind_(kind),
-      fold_(named<QToolButton>(objectName("sFold"))),
+      fold_(named<QToolButton>(partName("sFold"))),
       table_(new QWidget),
-      add_(named<QToolButton>(objectName("sAdd"))),
-      paste_(named<QToolButton>(objectName("sPaste"))),
-      refusal_(named<QLabel>(objectName("sRefusal"))) {
-  fold_->setProperty("role", "browse");
+      add_(named<QToolButton>(partName("sAdd"))),
+      paste_(named<QToolButton>(partName("sPaste"))),
+      refusal_(named<QLabel>(partName("sRefusal"))) {
+  for (QToolButton* button : {fold_, add_, paste_}) {
+    button->setProperty("role", "browse");
+    button->setFocusPolicy(Qt::StrongFocus);
+  }
   fold_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   fold_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  fold_->setFocusPolicy(Qt::StrongFocus);
   connect(fold_, &QToolButton::clicked, this, [this] {
     opened_ = !isOpen();
     showFold();
   });
-  grid_ = flush<QGridLayout>(table_);
+  grid_ = marginless<QGridLayout>(table_);
   grid_->setHorizontalSpacing(5);
   grid_->setVerticalSpacing(2);
   grid_->setColumnStretch(1, 1);
@@ -170,15 +172,11 @@ PairEditor::PairEditor(const Kind& kind, QWidget* parent)
     headings_[k]->setProperty("role", "unit");
     grid_->addWidget(headings_[k], 0, static_cast<int>(1 + 2 * k), 1, 2);
   }
-  add_->setProperty("role", "browse");
-  add_->setFocusPolicy(Qt::StrongFocus);
   connect(add_, &QToolButton::clicked, this, &PairEditor::add);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(14, 2, 0, 4);
   column->setSpacing(4);
   column->addWidget(table_);
-  paste_->setProperty("role", "browse");
-  paste_->setFocusPolicy(Qt::StrongFocus);
   connect(paste_, &QToolButton::clicked, this, &PairEditor::paste);
   auto* buttons = new QHBoxLayout;
   buttons->setSpacing(5);
@@ -196,7 +194,7 @@ void PairEditor::begin() {
   keepTranslated(*this, [this] { showTexts(); });
 }
 
-QString PairEditor::objectName(const char* part) const {
+QString PairEditor::partName(const char* part) const {
   return QString(kind_.name) + part;
 }
 

@@ -103,7 +103,7 @@ class PairEditor : public QWidget {
   friend class PairRow;
 
   Pairs sorted(Pairs pairs) const;
-  QString objectName(const char* part) const;
+  QString partName(const char* part) const;
   void pass(Pairs pairs);
   void change(std::size_t index, const Pair& pair);
   void add();

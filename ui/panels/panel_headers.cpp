@@ -140,9 +140,7 @@ void SectionHeader::showState(const QString& title, int changed, bool isUnfolded
 }
 
 QSize SectionHeader::sizeHint() const {
-  QFont bold = font();
-  bold.setBold(true);
-  const QFontMetrics metrics(bold);
+  const QFontMetrics metrics(boldFont(font()));
   return {kChevron + metrics.horizontalAdvance(text()), metrics.height() + kAbove + kBelow};
 }
 
@@ -170,9 +168,7 @@ void SectionHeader::paintEvent(QPaintEvent*) {
   painter.setPen(QPen(ink, 1.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   painter.drawPath(chevron);
 
-  QFont bold = font();
-  bold.setBold(true);
-  painter.setFont(bold);
+  painter.setFont(boldFont(font()));
   painter.setPen(ink);
   painter.drawText(line.adjusted(kChevron, 0, 0, 0), Qt::AlignVCenter | Qt::AlignLeft, text());
   painter.setFont(font());

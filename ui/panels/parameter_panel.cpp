@@ -131,7 +131,7 @@ ParameterPanel::ParameterPanel(const Scene& scene, const std::vector<ParameterGr
   scroll_->setFocusPolicy(Qt::NoFocus);  // its rows take the focus
   scroll_->setFrameShape(QFrame::NoFrame);
   scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  auto* layout = flush<QVBoxLayout>(this, 0);
+  auto* layout = marginless<QVBoxLayout>(this, 0);
   if (bar_) {
     layout->addWidget(bar_);
     connect(bar_, &PanelBar::changed, this, [this] {
@@ -534,15 +534,17 @@ void ParameterPanel::updateWidth() {
       {kMinWidth,
        row + margins.left() + margins.right() + scroll_->verticalScrollBar()->sizeHint().width(),
        bar_ ? bar_->minimumSizeHint().width() : 0});
-  const int before = minimumWidth(), present = width();
-  if (least == before) return;
+  if (least == minimumWidth()) return;
   setMinimumWidth(least);
-  if (!isVisible()) return;
-  if (least > present && widthBefore_ == 0) widthBefore_ = present;
-  if (least > before || widthBefore_ == 0) return;
-  // A wider panel was made so by the user.
-  if (present <= before) emit widthReleased(std::max(least, widthBefore_));
-  if (least <= widthBefore_ || present > before) widthBefore_ = 0;
+  const int enough = std::max(least, chosenWidth_);
+  if (isVisible() && enough < width()) emit widthReleased(enough);
+}
+
+/// Only a panel that is wider than its minimum has the width that the user chose; at its minimum
+/// it may be wider than that.
+void ParameterPanel::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  chosenWidth_ = width() > minimumWidth() ? width() : std::min(chosenWidth_, width());
 }
 
 bool ParameterPanel::eventFilter(QObject* watched, QEvent* event) {

@@ -14,7 +14,6 @@
 #include <map>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "core/scene/notes.h"
@@ -124,13 +123,14 @@ class ParameterPanel : public QWidget {
   void viewChanged();
   /// Emitted when Escape leaves the filter.
   void filterLeft();
-  /// Emitted with the former width when the panel was made wider by rows that the scene no longer
-  /// has.
+  /// Emitted when the scene no longer has the rows that forced the panel to be wider than the user
+  /// chose, with the width that is now enough.
   void widthReleased(int width);
 
  protected:
   void changeEvent(QEvent* event) override;
   void leaveEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
@@ -174,7 +174,7 @@ class ParameterPanel : public QWidget {
   LineSize line_;  // of the present line, if it belongs to the scene
   FileChooser chooser_;
   QMap<QString, QString> runErrors_;   // texts of showError(), by key
-  int widthBefore_ = 0;                // before rows made the panel wider; 0: they did not
+  int chosenWidth_ = QWIDGETSIZE_MAX;  // by the user; rows may need more
   bool areRemarksWaiting_ = false;     // until the rows may move
   QTimer* remarkDelay_;                // from the last change of a waiting warning
   QMap<QString, ParameterRow*> rows_;  // by key

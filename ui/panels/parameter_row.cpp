@@ -84,7 +84,7 @@ double asNumber(const ParameterValue& value) {
 ParameterRow::ParameterRow(const Parameter& parameter, QWidget* parent)
     : QWidget(parent), parameter_(parameter) {
   setObjectName("row:" + fromUtf8(parameter.key));
-  auto* column = flush<QVBoxLayout>(this, 0);
+  auto* column = marginless<QVBoxLayout>(this, 0);
   auto* line = new QHBoxLayout;
   line->setSpacing(kGap);
   column->addLayout(line);
@@ -313,16 +313,15 @@ void ParameterRow::setWidths() {
   const auto digits = [digit](double count) {
     return static_cast<int>(std::lround(count * digit));
   };
-  if (unit_)
-    label_->setMinimumWidth(longestWord(label_->text(), font()));
-  else
-    label_->setFixedWidth(labelWidth(font()));
   if (unit_) {
+    label_->setMinimumWidth(longestWord(label_->text(), font()));
     // A number without a unit is a count with many digits: it also uses the unit's width.
     const bool isCount = parameter_.unit.empty();
     unit_->setHidden(isCount);
     unit_->setFixedWidth(digits(kUnitWidth));
     entry_->setFixedWidth(digits(kEntryWidth) + (isCount ? kGap + unit_->width() : 0));
+  } else {
+    label_->setFixedWidth(labelWidth(font()));
   }
   reset_->setFixedWidth(digits(kResetWidth));
 }
@@ -353,11 +352,10 @@ void ParameterRow::addNumber(QHBoxLayout& line, QVBoxLayout& column) {
   });
   line.addWidget(entry_);
 
-  auto* unit = named<QLabel>(nameFor("unit"));
-  unit->setProperty("role", "unit");
-  connect(entry_, &ValueEntry::unitShown, unit, &QLabel::setText);
-  unit_ = unit;
-  line.addWidget(unit);
+  unit_ = named<QLabel>(nameFor("unit"));
+  unit_->setProperty("role", "unit");
+  connect(entry_, &ValueEntry::unitShown, unit_, &QLabel::setText);
+  line.addWidget(unit_);
 
   // The slider follows the entry in the order of the tab key, too.
   slider_ = named<ValueSlider>(nameFor("slider"), SliderScale(parameter_));
@@ -375,8 +373,7 @@ void ParameterRow::addNumber(QHBoxLayout& line, QVBoxLayout& column) {
 
 void ParameterRow::addChoice(QHBoxLayout& line, const ChoiceField& field) {
   choice_ = named<ChoiceBox>(nameFor("choice"));
-  for (const std::string_view word : field.choices)
-    choice_->addItem(wordText(word, parameter_.key), fromUtf8(word));
+  for (const std::string_view word : field.choices) choice_->addItem(QString(), fromUtf8(word));
   choice_->setEnabled(field.choices.size() > 1);
   connect(choice_, &QComboBox::activated, this, [this](int index) {
     emit valueGiven(choice_->itemData(index).toString().toStdString());

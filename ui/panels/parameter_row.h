@@ -9,6 +9,7 @@
 #pragma once
 
 #include <QWidget>
+#include <optional>
 
 #include "core/scene/parameters.h"
 #include "ui/panels/profile_defaults.h"

@@ -49,13 +49,6 @@ Placeholder fromFile(const Parameter& parameter, double known) {
   return {inLanguage(text.number), known, false, text.unit};
 }
 
-/// Returns which of two sizes belongs to this kind of surface.
-LineSize& rememberedSize(SurfaceKind kind, LineSize& profile, LineSize& others) {
-  Surface surface;
-  surface.kind = kind;
-  return hasSurfaceFile(surface) ? profile : others;
-}
-
 }  // namespace
 
 QString zeroText(const Parameter& parameter) {
@@ -151,18 +144,19 @@ Missing missingValue(const Scene& scene) {
 
 RememberedSizes::RememberedSizes(const Surface& surface)
     : others_{Surface{}.length, Surface{}.elements} {
-  rememberedSize(surface.kind, profile_, others_) = {surface.length, surface.elements};
+  sizeOf(surface) = {surface.length, surface.elements};
+}
+
+LineSize& RememberedSizes::sizeOf(const Surface& surface) {
+  return hasSurfaceFile(surface) ? fromFile_ : others_;
 }
 
 void RememberedSizes::update(const Surface& before, Surface& next) {
-  const bool wasProfile = hasSurfaceFile(before);
-  const bool isProfile = hasSurfaceFile(next);
-  if (wasProfile != isProfile) {
-    rememberedSize(before.kind, profile_, others_) = {before.length, before.elements};
-    const LineSize& size = rememberedSize(next.kind, profile_, others_);
-    next.length = size.length;
-    next.elements = size.elements;
-  }
+  if (hasSurfaceFile(before) == hasSurfaceFile(next)) return;
+  sizeOf(before) = {before.length, before.elements};
+  const LineSize& size = sizeOf(next);
+  next.length = size.length;
+  next.elements = size.elements;
 }
 
 void updateRealizations(const Scene& before, Scene& next) {

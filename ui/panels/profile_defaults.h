@@ -71,7 +71,9 @@ class RememberedSizes {
   void update(const Surface& before, Surface& next);
 
  private:
-  LineSize profile_, others_;
+  LineSize& sizeOf(const Surface& surface);
+
+  LineSize fromFile_, others_;
 };
 
 /// Sets the realizations of `next`, which follows `before`: to every row (0) where the surface

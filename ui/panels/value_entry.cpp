@@ -60,7 +60,7 @@ void ValueEntry::showError(const QString& reason) {
 
 /// Returns whether the entry handles the key itself: undo and redo only for input that has not been
 /// accepted yet.
-bool ValueEntry::hasOwn(const QKeyEvent& event) const {
+bool ValueEntry::handlesKey(const QKeyEvent& event) const {
   if (event.matches(QKeySequence::Undo)) return text() != accepted_ && isUndoAvailable();
   if (event.matches(QKeySequence::Redo)) return isRedoAvailable();
   return true;
@@ -68,7 +68,7 @@ bool ValueEntry::hasOwn(const QKeyEvent& event) const {
 
 /// A line edit claims the keys of undo and redo even if it has nothing to undo.
 bool ValueEntry::event(QEvent* event) {
-  if (event->type() == QEvent::ShortcutOverride && !hasOwn(*static_cast<QKeyEvent*>(event))) {
+  if (event->type() == QEvent::ShortcutOverride && !handlesKey(*static_cast<QKeyEvent*>(event))) {
     event->ignore();
     return false;
   }

@@ -54,7 +54,7 @@ class ValueEntry : public QLineEdit {
   void showUnit(const QString& unit);
   void correctText();
   void commit();
-  bool hasOwn(const QKeyEvent& event) const;
+  bool handlesKey(const QKeyEvent& event) const;
 
   QString accepted_, acceptedUnit_;
   QString unit_;

@@ -15,7 +15,7 @@
 #include "core/base/input_error.h"
 #include "core/base/text_header.h"
 #include "core/base/text_number.h"
-#include "core/base/units.h"
+#include "core/base/text_units.h"
 #include "tests/core/error_from.h"
 
 namespace asperity {

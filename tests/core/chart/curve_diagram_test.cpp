@@ -280,6 +280,37 @@ TEST(CurveDiagram, MeasuredRowsOfOtherVelocitiesAreNotShownOverForce) {
               testing::HasSubstr("without forces is not shown: it has no column of normal force"));
 }
 
+/// A nominal pressure of a table becomes a force by the width, which a scene of a force has not.
+TEST(CurveDiagram, SaysWhichForceTheNominalPressureOfATableGives) {
+  Scene scene = smallScene();
+  scene.surface.length = 0.02;
+  FrictionData table{"a table", {{0.1, 0.01}, {0.2, 0.02}}};
+  for (MeasuredPoint& point : table.points) point.nominalPressure = 2e4;
+  table.points[1].nominalPressure = 4e4;
+  const auto noteOf = [&] {
+    CurveSet set;
+    set.present = {{}, scene, {}};
+    addComparisons(set, {table});
+    EXPECT_EQ(set.notes.size(), 1U);
+    return set.notes.empty() ? std::string() : set.notes[0].english();
+  };
+  EXPECT_THAT(noteOf(),
+              testing::AllOf(testing::HasSubstr("a table: the nominal pressure of 20 kPa to 40 kPa "
+                                                "is a normal force of 8 N to 16 N: pressure times "
+                                                "the period of 20 mm times the width, for which "
+                                                "the period is taken because none is given"),
+                             testing::HasSubstr("set load.width")));
+  scene.load.kind = LoadKind::Pressure;
+  scene.load.width = 0.01;
+  EXPECT_THAT(noteOf(), testing::HasSubstr("4 N to 8 N: pressure times the period of 20 mm times "
+                                           "the width of 10 mm (load.width)"));
+  for (MeasuredPoint& point : table.points) point.nominalPressure = kNotApplicable;
+  CurveSet set;
+  set.present = {{}, scene, {}};
+  addComparisons(set, {table});
+  EXPECT_TRUE(set.notes.empty());
+}
+
 /// Equal steps stand in equal distances; a chosen scale and chosen ends are taken.
 TEST(CurveDiagram, TheHorizontalAxisIsAsTheSweepOrAsChosen) {
   Scene scene = smallScene();

@@ -50,6 +50,19 @@ TEST(FitSheet, WithLocalFrictionHasTheTheoriesAndTheBandOfTheTotal) {
   for (std::size_t i = 0; i < points.size(); ++i) EXPECT_EQ(band.points[i].y, totalMu(points[i]));
 }
 
+/// A nominal pressure is computed as a force by the width of the load: the table has that force.
+TEST(FitReport, ItsTableHasTheForceOfANominalPressure) {
+  FrictionData table{"a table", {{0.1, 0.01}, {0.1, 0.02}}};
+  table.points[0].nominalPressure = 2e4;
+  table.points[1].normalForce = 3;
+  Fit fit;
+  fit.computed.resize(2);
+  fit.computed[0].normalForce = 8;
+  fit.computedErrors = fit.bandErrors = {0, 0};
+  EXPECT_THAT(fitCsv(fit, {&table, 1}), testing::AllOf(testing::HasSubstr("\n0.1,8,20000,"),
+                                                       testing::HasSubstr("\n0.1,3,,")));
+}
+
 /// In the notation of the window.
 TEST(FitReport, NamesTheSumOfSquaresByItsSign) {
   Fit fit;

@@ -372,6 +372,34 @@ TEST(Fit, ForceSeriesAreFittedToo) {
   EXPECT_LT(fit.parameters[1].standardError, 0.2);
 }
 
+/// A nominal pressure is a force by a width; where the scene has none, the values depend on one
+/// that nobody chose.
+TEST(Fit, WarnsWhereANominalPressureHasNoWidth) {
+  Scene scene = sceneOfSize(kElements, kVelocities, 2);
+  scene.surface.length = 0.02;
+  FrictionData data;
+  for (const double velocity : {1e-3, 1e-2, 1e-1}) {
+    MeasuredPoint point;
+    point.velocity = velocity;
+    point.mu = 0.05;
+    point.nominalPressure = 25;
+    data.points.push_back(point);
+  }
+  const auto have = [](const std::vector<Message>& messages, const char* text) {
+    return std::ranges::any_of(messages, [text](const Message& one) {
+      return one.english().find(text) != std::string::npos;
+    });
+  };
+  const std::vector<VariedParameter> varied{{"surface.rms_height", scene}};
+  const Fit fit = fitFriction(scene, {&data, 1}, varied, withoutProfiles());
+  EXPECT_TRUE(have(fit.warnings, "of 25 Pa is a normal force of 10 mN"));
+  scene.load.kind = LoadKind::Pressure;
+  scene.load.width = 0.04;
+  const Fit wide = fitFriction(scene, {&data, 1}, varied, withoutProfiles());
+  EXPECT_FALSE(have(wide.warnings, "is a normal force of"));
+  EXPECT_TRUE(have(wide.notes, "of 25 Pa is a normal force of 20 mN"));
+}
+
 TEST(Fit, AnyNumberOfThreadsGivesTheSameBits) {
   const FrictionData data = noisy(exactFriction(truth(), 1e-4, 1e3), 2);
   const Scene scene = start(20, 6);

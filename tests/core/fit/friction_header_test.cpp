@@ -41,6 +41,62 @@ TEST(FrictionData, ReadsLoadAndTemperatureAboveTheTable) {
   EXPECT_EQ(columns.notes[1].english(), "not used: Belastung [N]: 50");
 }
 
+/// One velocity of a series over the load or the temperature, and one load of a force of friction.
+TEST(FrictionHeader, StatesWhatNoColumnGives) {
+  for (const char* line :
+       {"# v = 10 mm/s", "# sliding velocity: 10 mm/s", "Velocity 0.01 m/s", "v [mm/s]: 10"}) {
+    const FrictionData data = parsed(std::string(line) + "\nFN (N),mu\n0.2,0.25\n0.5,0.2\n");
+    EXPECT_DOUBLE_EQ(data.points[1].velocity, 0.01) << line;
+    EXPECT_DOUBLE_EQ(data.points[1].normalForce, 0.5) << line;
+    EXPECT_THAT(data.notes[0].english(), HasSubstr("line 1: velocity of all points")) << line;
+  }
+  const FrictionData both = parsed("T = 23 \u00B0C, v = 10 mm/s\nFN (N),mu\n0.2,0.25\n0.5,0.2\n");
+  EXPECT_DOUBLE_EQ(both.points[0].velocity, 0.01);
+  EXPECT_DOUBLE_EQ(both.points[0].temperature, 296.15);
+  EXPECT_DOUBLE_EQ(parsed("v = 10 mm/s\nv (m/s),mu\n1,0.2\n2,0.3\n").points[0].velocity, 1);
+  for (const char* line : {"", "v = 10 mm/s\nv = 20 mm/s\n", "v = 10\n", "v: 10 N\n"})
+    EXPECT_THAT(errorOf(std::string(line) + "mu,T (C)\n0.2,25\n0.3,60\n"), HasSubstr("mine.csv: "))
+        << line;
+  EXPECT_THAT(errorOf("mu,T (C)\n0.2,25\n0.3,60\n"),
+              HasSubstr("has no column of the velocity; its columns are mu, T; name it as in"));
+  EXPECT_THAT(errorOf("v = 10 mm/s\nTime (s),mu\n1,0.2\n2,0.3\n"),
+              HasSubstr("rows 3 and 4 have the velocity above the table, and no load"));
+  EXPECT_THAT(errorOf("v = 10 km/h\nslip (%),mu,FN (N)\n1,0.2,5\n2,0.3,6\n"),
+              HasSubstr("column slip: with a slip, the velocity of sliding is not the one"));
+  // What a velocity says beside a load does not hide the load.
+  EXPECT_THAT(errorOf("v = 10 mm/s under 30 N\nv (m/s),mu\n1,0.2\n2,0.3\n"),
+              HasSubstr("may state the normal force"));
+
+  const FrictionData force =
+      parsed("Normal load: 0.5 N\nv (m/s),Friction force (mN)\n1,100\n2,150\n");
+  EXPECT_DOUBLE_EQ(force.points[1].mu, 0.3);
+  EXPECT_DOUBLE_EQ(force.points[1].normalForce, 0.5);
+  EXPECT_THAT(errorOf("v (m/s),Friction force (mN)\n1,100\n2,150\n"),
+              HasSubstr("a force of friction without a normal force"));
+}
+
+/// A load cell gives compression a sign.
+TEST(FrictionHeader, TakesTheMagnitudeOfALoadBelowZero) {
+  const FrictionData data = parsed("Fz = -30 N\nv (m/s),mu\n1,0.2\n2,0.3\n");
+  EXPECT_DOUBLE_EQ(data.points[0].normalForce, 30);
+  EXPECT_EQ(
+      data.notes[1].english(),
+      "line 1: the normal force is below 0, by a convention of signs; its magnitude is taken");
+  EXPECT_DOUBLE_EQ(parsed("T = -5 \u00B0C\nv (m/s),mu\n1,0.2\n2,0.3\n").points[0].temperature,
+                   268.15);
+}
+
+/// A window opens such tables as friction.
+TEST(FrictionHeader, TablesWithoutAColumnOfVelocityAreRecognized) {
+  for (const char* text :
+       {"v (m/s),mu\n1,0.2\n2,0.3\n", "v = 10 mm/s\nFN (N),mu\n0.2,0.25\n0.5,0.2\n",
+        "Load: 5 N\nv (m/s),Fx (N)\n1,2\n2,3\n", "v (m/s),mu1,mu2\n1,0.2,0.3\n2,0.3,0.4\n"})
+    EXPECT_TRUE(isFrictionTable(text)) << text;
+  for (const char* text :
+       {"1,0.2\n2,0.3\n", "x (mm),z (um)\n1,0.2\n2,0.3\n", "FN (N),mu\n0.2,0.25\n0.5,0.2\n"})
+    EXPECT_FALSE(isFrictionTable(text)) << text;
+}
+
 /// A reader looks for what the file has, not for what the program makes of it.
 TEST(FrictionHeader, LinesAreQuotedAsTheFileHasThem) {
   const std::string rows = "v (mm/s);mu\n1;0,45\n10;0,62\n";

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <random>
 
-#include "core/base/units.h"
+#include "core/base/text_units.h"
 #include "tests/core/measured/surface_expectations.h"
 
 namespace asperity::written {

@@ -2,6 +2,7 @@
 // and as OpenGL does.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 

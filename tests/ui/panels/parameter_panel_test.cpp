@@ -169,15 +169,18 @@ TEST_F(ParameterPanelTest, SentencesHaveABox) {
   EXPECT_EQ(box.toPlainText(), "");
 }
 
+/// Returns a scene with a description of so many words.
+Scene describedScene(int words) {
+  Scene scene;
+  for (int i = 0; i < words; ++i) scene.description += "roughness ";
+  return scene;
+}
+
 TEST_F(ParameterPanelTest, ABoxIsAsHighAsItsSentences) {
   auto& box = *control<TextBox>("text:description");
-  const double line = QFontMetricsF(box.font()).lineSpacing();
+  const double line = std::ceil(QFontMetricsF(box.font()).lineSpacing());
   const int low = box.height();
-  const auto describe = [&](int words) {
-    Scene scene;
-    for (int i = 0; i < words; ++i) scene.description += "roughness ";
-    panel_.setScene(scene);
-  };
+  const auto describe = [&](int words) { panel_.setScene(describedScene(words)); };
   const auto growsBy = [&](double lines, bool isWhole) {
     return QTest::qWaitFor([&] {
       return std::abs(box.height() - low - lines * line) <= 1 &&
@@ -193,6 +196,22 @@ TEST_F(ParameterPanelTest, ABoxIsAsHighAsItsSentences) {
   EXPECT_TRUE(growsBy(2, true) || growsBy(3, true)) << box.height();
   panel_.resize(3 * panel_.width(), panel_.height());
   EXPECT_TRUE(growsBy(0, true)) << "in a wide panel";
+}
+
+/// Qt breaks lines earlier beside a scroll bar, which a box that is still low would have.
+TEST_F(ParameterPanelTest, ATextThatFitsHasNoScrollBarHoweverItCame) {
+  auto& box = *control<TextBox>("text:description");
+  const auto isScrolled = [&](int words) {
+    panel_.setScene(describedScene(words));
+    QTest::qWait(10);
+    return box.verticalScrollBar()->isVisible();
+  };
+  int words = 1;
+  while (words < 1000 && !isScrolled(words)) ++words;
+  ASSERT_GT(words, 10);
+  ASSERT_LT(words, 1000) << "a book is scrolled";
+  EXPECT_FALSE(isScrolled(1));
+  EXPECT_FALSE(isScrolled(words - 1)) << words - 1 << " words at once";
 }
 
 TEST_F(ParameterPanelTest, NamesAndSymbolsAreAsPeopleWriteThem) {

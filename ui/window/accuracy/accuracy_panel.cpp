@@ -78,7 +78,7 @@ QString comparingText() {
 }
 
 /// Returns a maker of this scene's diagram, which is shown where a figure of the paper would be.
-FigureMaker comparisonOf(const Scene& scene) {
+FigureMaker comparisonMaker(const Scene& scene) {
   return [scene](FigureName, const FigureOptions& options) {
     WorkPrecisionOptions measured;
     measured.lines = 3;
@@ -142,7 +142,7 @@ AccuracyPanel::AccuracyPanel(QWidget* parent)
 
   picture_ = new RegionPictures;
   showInvitation();
-  auto* line = flush<QHBoxLayout>(this);
+  auto* line = marginless<QHBoxLayout>(this);
   scrolled_ = new ControlColumn(controls);
   line->addWidget(scrolled_);
   line->addWidget(picture_, 1);
@@ -300,7 +300,7 @@ void AccuracyPanel::compareMethods() {
   };
   comparison_.request(
       [scene = scene_, progressed](const BackgroundWork::Run& run) {
-        return computeFigure(run, comparisonOf(scene), {}, 0, progressed);
+        return computeFigure(run, comparisonMaker(scene), {}, 0, progressed);
       },
       [this](std::shared_ptr<const ComputedFigure> made) {
         endComparison();

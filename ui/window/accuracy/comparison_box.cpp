@@ -12,6 +12,7 @@
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/controls.h"
+#include "ui/panels/number_text.h"
 
 namespace asperity {
 
@@ -58,7 +59,7 @@ ComparisonBox::ComparisonBox(QWidget* parent)
   choice->addWidget(scheme_);
   choice->addWidget(oversampling_);
   choice->addWidget(lines_, 1);
-  auto* column = flush<QVBoxLayout>(this, 4);
+  auto* column = marginless<QVBoxLayout>(this, 4);
   column->addWidget(compare_);
   column->addLayout(choice);
 

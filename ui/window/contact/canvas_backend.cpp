@@ -154,8 +154,8 @@ class SoftwareCanvas : public QWidget, public CanvasBackend {
   bool isFitting() const { return image_.size() == size() * devicePixelRatioF(); }
 
   QColor colour() const {
-    const Rgba& c = request_.options.theme.background;
-    return request_.frame ? QColor::fromRgbF(c.r, c.g, c.b) : palette().color(QPalette::Window);
+    return request_.frame ? toQColor(request_.options.theme.background)
+                          : palette().color(QPalette::Window);
   }
 
   void requestPicture() {

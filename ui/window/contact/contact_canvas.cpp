@@ -24,15 +24,13 @@ namespace asperity {
 
 namespace {
 
-constexpr double kWheelStep = 120;     // of angleDelta per step of a usual wheel
-constexpr double kKeyPan = 0.1;        // part of the plot per key press
-constexpr double kZoomPerStep = 1.25;  // the same as the viewer's
+constexpr double kKeyPan = 0.1;  // part of the plot per key press
 constexpr int kManyElements = 10;
 constexpr double kDragThreshold = 5;  // pixels after which a drag of the body has its direction
 constexpr double kNudge = 1 / 80.0;   // part of the plot by which a key drags
 
 double zoomSteps(double factor) {
-  return factor > 0 ? std::log(factor) / std::log(kZoomPerStep) : 0;
+  return factor > 0 ? std::log(factor) / std::log(ContactViewer::kZoomStep) : 0;
 }
 
 bool prefersOpenGl() {
@@ -71,8 +69,9 @@ class Veil : public QLabel {
 }  // namespace
 
 ContactCanvas::ContactCanvas(QWidget* parent)
-    : QWidget(parent), layout_(new QVBoxLayout(this)), veil_(named<Veil>("contactVeil", this)) {
-  layout_->setContentsMargins(0, 0, 0, 0);
+    : QWidget(parent),
+      layout_(marginless<QVBoxLayout>(this)),
+      veil_(named<Veil>("contactVeil", this)) {
   setMinimumSize(320, 160);
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
@@ -292,6 +291,11 @@ void ContactCanvas::showCrosshair(const QPointF& position) {
   changed();
 }
 
+void ContactCanvas::hideCrosshair() {
+  viewer_.pointAt(std::nullopt);
+  changed();
+}
+
 /// Moves the crosshair. The reading is the accessible description, because the picture itself has
 /// no text for screen readers.
 void ContactCanvas::movePointer(int elements) {
@@ -308,7 +312,7 @@ void ContactCanvas::wheelEvent(QWheelEvent* event) {
   const auto position = viewPositionAt(event->position());
   if (!position) return event->ignore();
   event->accept();
-  const QPointF turned = QPointF(event->angleDelta()) / kWheelStep;
+  const QPointF turned = QPointF(event->angleDelta()) / QWheelEvent::DefaultDeltasPerStep;
   // Some systems turn the wheel sideways themselves while a modifier is held.
   const double steps = turned.y() != 0 ? turned.y() : turned.x();
   if (event->modifiers() & Qt::ControlModifier)
@@ -383,7 +387,7 @@ void ContactCanvas::continueDrag(const QPointF& position) {
     return showCrosshair(position);
   }
   dragged_ = position;
-  if (viewer_.pointer()) showCrosshair({-1, -1});  // its readout would hide what moves
+  if (viewer_.pointer()) hideCrosshair();  // its readout would hide what moves
   const QPointF moved = position - grip_->from;
   const double right = moved.x() / plot.width();
   // The arrow of a line that slides to the left grows to the left.
@@ -418,7 +422,7 @@ void ContactCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
 
 void ContactCanvas::leaveEvent(QEvent* event) {
   QWidget::leaveEvent(event);
-  if (!dragged_) showCrosshair({-1, -1});
+  if (!dragged_) hideCrosshair();
 }
 
 void ContactCanvas::keyPressEvent(QKeyEvent* event) {
@@ -432,7 +436,7 @@ void ContactCanvas::keyPressEvent(QKeyEvent* event) {
     endDrag();
     emit sceneEdited(before);
   } else if (event->key() == Qt::Key_Escape && viewer_.pointer()) {
-    showCrosshair({-1, -1});
+    hideCrosshair();
   } else if (isInX && control) {
     movePointer(sign * (shift ? kManyElements : 1));
   } else if (isInY && shift) {
@@ -462,7 +466,7 @@ void ContactCanvas::explain(const QPoint& position, const QPoint& onScreen) {
     hasHint_ = true;
     return;
   }
-  if (!html.isEmpty() && viewer_.pointer()) showCrosshair({-1, -1});
+  if (!html.isEmpty() && viewer_.pointer()) hideCrosshair();
   const QRect around(position - QPoint(kReach, kReach), QSize(2 * kReach, 2 * kReach));
   QToolTip::showText(onScreen, html, this, around);  // an empty one hides it
 }

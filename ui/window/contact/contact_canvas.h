@@ -120,6 +120,7 @@ class ContactCanvas : public QWidget {
   std::optional<ViewPosition> viewPositionAt(const QPointF& position) const;
   ViewPosition zoomCentre() const;
   void showCrosshair(const QPointF& position);
+  void hideCrosshair();
   void movePointer(int elements);
   ContactTip tipAt(const QPointF& position) const;
   ContactHandle handleUnder(const QPointF& position) const;

@@ -25,7 +25,7 @@ namespace {
 constexpr double kReach = 24;  // pixels from a point of the loop
 
 /// Returns "t = 0.2 s".
-QString named(const QString& name, double value, const char* unit) {
+QString equation(const QString& name, double value, const char* unit) {
   return name + " = " + quantityLabel(value, unit);
 }
 
@@ -37,7 +37,7 @@ MotionView::MotionView(QWidget* parent)
       loop_(named<ChartView>("frictionLoop")),
       stripFiles_(new DiagramView(this)),
       loopFiles_(new DiagramView(this)) {
-  auto* row = flush<QHBoxLayout>(this, 0);
+  auto* row = marginless<QHBoxLayout>(this, 0);
   row->addWidget(strips_, 3);
   row->addWidget(loop_, 2);
   loop_->hide();
@@ -138,9 +138,9 @@ const TransientSample* MotionView::sampleAt(const ChartView& chart, QPointF posi
 }
 
 QString MotionView::reading(const TransientSample& sample) const {
-  QStringList lines{named("t", sample.time, "s"), named("v", sample.velocity, "m/s")};
+  QStringList lines{equation("t", sample.time, "s"), equation("v", sample.velocity, "m/s")};
   if (std::isfinite(sample.mu)) lines += QStringLiteral("μ = ") + readingLabel(sample.mu);
-  lines += named("d", sample.indentation, "m");
+  lines += equation("d", sample.indentation, "m");
   lines += tr("normal force %1").arg(quantityLabel(sample.normalForce, "N"));
   lines += tr("in contact %1 %").arg(readingLabel(100 * sample.contactFraction));
   return lines.join('\n');

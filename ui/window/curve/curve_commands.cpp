@@ -38,9 +38,7 @@ constexpr double kZoom = 1.5;  // factor of one command
 
 std::shared_ptr<const CurveUpdate> computeCurveToPin(const Scene& scene,
                                                      const std::stop_token& stop) {
-  CurveOptions options;
-  options.stop = stop;
-  Curve curve = computeCurve(scene, options);
+  Curve curve = computeCurve(scene, {.stop = stop});
   if (!curve.isComplete) throw StopRequested{};
   auto update = std::make_shared<CurveUpdate>();
   update->scene = std::make_shared<const Scene>(scene);

@@ -156,9 +156,7 @@ void SceneComparisons::update() {
         auto set = std::make_shared<CurveSet>();
         set->present.scene = scene;
         set->y = quantity;
-        StateOptions options;
-        options.stop = run.stop();
-        addComparisons(*set, readComparisonData(scene), options);
+        addComparisons(*set, readComparisonData(scene), {.stop = run.stop()});
         return std::shared_ptr<const CurveSet>(std::move(set));
       },
       [this, scene](const std::shared_ptr<const CurveSet>& set) {

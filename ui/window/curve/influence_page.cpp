@@ -65,7 +65,7 @@ InfluencePage::InfluencePage(QWidget* parent)
   row->addWidget(choice_);
   row->addSpacing(6);
   row->addWidget(hint_, 1);
-  auto* column = flush<QVBoxLayout>(this, 2);
+  auto* column = marginless<QVBoxLayout>(this, 2);
   column->addLayout(row);
   auto* scroll = scrolled(view_);
   scroll->setFocusPolicy(Qt::NoFocus);
@@ -173,8 +173,7 @@ void InfluencePage::compute() {
   showProgress();
   work_.request(
       [this, scene, hasWaves](const BackgroundWork::Run& run) {
-        StateOptions options;
-        options.stop = run.stop();
+        StateOptions options{.stop = run.stop()};
         options.progress = run.percents([this](int percent) {
           percent_ = percent;
           showProgress();

@@ -115,7 +115,7 @@ ExportForm::ExportForm(bool isMotion, const RenderCommandOptions& shown, QWidget
   rate_ = addEntry("exportRate", tr("Fra&mes per s"), tr("0.001 to 1000"));
   rate_->setText("25");
   speedRow_ = new QWidget;
-  auto* speed = flush<QHBoxLayout>(speedRow_);
+  auto* speed = marginless<QHBoxLayout>(speedRow_);
   speed_ = named<ChoiceBox>("exportSpeed");
   speed_->setAccessibleName(tr("speed"));
   if (isMotion_)
@@ -198,7 +198,7 @@ QLineEdit* ExportForm::addEntry(const char* name, const QString& label, const QS
 void ExportForm::addSize() {
   preset_ = addChoice("exportPreset", tr("S&ize"));
   size_ = new QWidget;
-  auto* row = flush<QHBoxLayout>(size_);
+  auto* row = marginless<QHBoxLayout>(size_);
   width_ = named<QLineEdit>("exportWidth");
   width_->setAccessibleName(tr("width"));
   height_ = named<QLineEdit>("exportHeight");
@@ -358,6 +358,16 @@ bool ExportForm::canBeTransparent() const {
   return kind() != ExportKind::Film || extension() != ".mp4";
 }
 
+bool ExportForm::isSlow() const {
+  return chosen(*speed_) == "slow";
+}
+
+/// Returns whether the length of the film can be given: that of a whole motion follows from how
+/// many times slower it is.
+bool ExportForm::hasDuration() const {
+  return !(isMotion_ && isSlow());
+}
+
 bool ExportForm::isOnPaper() const {
   return chosen(*unit_) == "mm";
 }
@@ -368,7 +378,6 @@ void ExportForm::showRows() {
   const bool isFigure = kind() == ExportKind::Figure;
   const QString content = chosen(*content_);
   const bool hasContact = content != "curve" && content != "motion" && !isFigure;
-  const bool isSlow = chosen(*speed_) == "slow";
   const auto show = [this](QWidget* field, bool isShown) {
     // QFormLayout::setRowVisible() would move the rows below; these few do so only with the kind.
     field->setVisible(isShown);
@@ -385,7 +394,7 @@ void ExportForm::showRows() {
                                ? QString()
                                : tr("MP4 knows no transparency. WebM, GIF and WebP know it."));
   for (QWidget* field : Widgets{duration_, rate_, speedRow_}) show(field, isFilm);
-  duration_->setEnabled(!(isMotion_ && isSlow));
+  duration_->setEnabled(hasDuration());
   speedValue_->setEnabled(chosen(*speed_) != "whole");
   show(columns_, isTable);
   show(realizations_, isFigure);
@@ -414,10 +423,9 @@ ExportRequest ExportForm::request() const {
       request.scale = density + QStringLiteral("dpi");
   }
   if (request.kind != ExportKind::Film) return request;
-  const bool isSlow = chosen(*speed_) == "slow";
-  if (!(isMotion_ && isSlow)) request.duration = machineNumber(*duration_);
+  if (hasDuration()) request.duration = machineNumber(*duration_);
   request.framesPerSecond = machineNumber(*rate_);
-  if (isSlow) request.slowMotion = machineNumber(*speedValue_);
+  if (isSlow()) request.slowMotion = machineNumber(*speedValue_);
   if (chosen(*speed_) == "cycles") request.cycles = machineNumber(*speedValue_);
   return request;
 }
@@ -466,11 +474,9 @@ QString ExportForm::errorText() const {
 std::vector<const QLineEdit*> ExportForm::numbers() const {
   if (kind() == ExportKind::Figure) return {realizations_};
   if (kind() != ExportKind::Film) return {};
-  const bool hasSpeed = chosen(*speed_) != "whole";
-  const bool hasDuration = !(isMotion_ && chosen(*speed_) == "slow");
   std::vector<const QLineEdit*> numbers{rate_};
-  if (hasDuration) numbers.push_back(duration_);
-  if (hasSpeed) numbers.push_back(speedValue_);
+  if (hasDuration()) numbers.push_back(duration_);
+  if (chosen(*speed_) != "whole") numbers.push_back(speedValue_);
   return numbers;
 }
 

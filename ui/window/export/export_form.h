@@ -74,6 +74,8 @@ class ExportForm : public QWidget {
   void takePreset();
   void convertSize();
   bool canBeTransparent() const;
+  bool isSlow() const;
+  bool hasDuration() const;
   void showRows();
   bool isOnPaper() const;
   bool hasOwnSize() const;

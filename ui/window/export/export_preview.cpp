@@ -71,7 +71,7 @@ ExportPreview::ExportPreview(QWidget* parent)
   note_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   pages_->addWidget(picture_);
   pages_->addWidget(table_);
-  auto* column = flush<QVBoxLayout>(this);
+  auto* column = marginless<QVBoxLayout>(this);
   column->addLayout(pages_, 1);
   column->addWidget(note_);
   keepTranslated(*this, [this] {

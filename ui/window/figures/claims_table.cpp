@@ -11,6 +11,7 @@
 
 #include "ui/draw/ticks.h"
 #include "ui/language/translated.h"
+#include "ui/panels/controls.h"
 #include "ui/window/figures/figure_gallery.h"
 
 namespace asperity {
@@ -52,7 +53,7 @@ QColor verdictColour(Verdict verdict, bool dark) {
 }
 
 /// Returns the details that the row itself does not show.
-QString detailsOf(const Claim& claim) {
+QString claimDetails(const Claim& claim) {
   QStringList lines{ClaimsTable::tr("Measured: %1.").arg(translatedText(claim.quantity))};
   if (!claim.criterion.empty())
     lines << ClaimsTable::tr("Holds when: %1.").arg(translatedText(claim.criterion));
@@ -187,14 +188,12 @@ void ClaimsTable::fill() {
     for (int column = 0; column < kClaimColumns; ++column) {
       auto* item = new QTableWidgetItem(cells[column]);
       item->setTextAlignment(Qt::AlignLeft | Qt::AlignTop);
-      item->setToolTip(
-          QStringLiteral("<p style='white-space:pre-wrap'>%1</p>").arg(richText(detailsOf(claim))));
+      item->setToolTip(QStringLiteral("<p style='white-space:pre-wrap'>%1</p>")
+                           .arg(richText(claimDetails(claim))));
       setItem(row, column, item);
     }
     item(row, kHolds)->setForeground(verdictColour(claim.holds, isDark_));
-    QFont bold = font();
-    bold.setBold(true);
-    item(row, kHolds)->setFont(bold);
+    item(row, kHolds)->setFont(boldFont(font()));
   }
   setWidths();
   resizeRowsToContents();
@@ -204,7 +203,7 @@ void ClaimsTable::unfold(int chosen) {
   for (int row = 0; row < rowCount(); ++row) {
     const Claim& claim = claims_[static_cast<std::size_t>(row)];
     item(row, kClaim)
-        ->setText(row == chosen ? translatedText(claim.claim) + "\n\n" + detailsOf(claim)
+        ->setText(row == chosen ? translatedText(claim.claim) + "\n\n" + claimDetails(claim)
                                 : translatedText(claim.claim));
   }
   resizeRowsToContents();

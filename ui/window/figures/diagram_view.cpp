@@ -28,7 +28,7 @@ namespace {
 constexpr int kPicturePause = 400;  // ms between two pictures
 constexpr float kMinText = 1;       // views are low, which would make their texts small
 
-DiagramSheet sheetOf(const DiagramView::Maker& maker) {
+DiagramSheet makeSheet(const DiagramView::Maker& maker) {
   try {
     return maker();
   } catch (const std::exception& error) {
@@ -120,7 +120,7 @@ void DiagramView::request() {
   ++asked_;
   pictures_.request(
       [maker = maker_, options, scale](const BackgroundWork::Run&) {
-        const DiagramSheet sheet = readableSheet(sheetOf(maker), options);
+        const DiagramSheet sheet = readableSheet(makeSheet(maker), options);
         QImage image = renderImage(contextOfThread(), composeDiagrams(sheet, options));
         image.setDevicePixelRatio(scale);
         std::vector<ChartGeometry> frames = diagramFrames(sheet, options);
@@ -193,7 +193,7 @@ void DiagramView::save(const QString& file) {
 void DiagramView::copy() {
   files_.request(
       [maker = export_.sheet ? export_.sheet : maker_, theme = theme_](const BackgroundWork::Run&) {
-        const DiagramSheet sheet = sheetOf(maker);
+        const DiagramSheet sheet = makeSheet(maker);
         return renderImage(contextOfThread(), composeDiagrams(sheet, printOptions(sheet, theme)));
       },
       [this](const QImage& image) {

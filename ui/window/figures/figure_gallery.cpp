@@ -39,23 +39,15 @@ std::shared_ptr<const ComputedFigure> computeFigure(const BackgroundWork::Run& r
   return std::make_shared<const ComputedFigure>(std::move(made));
 }
 
-namespace {
-
-/// Returns the provenance that `asperity figure` writes, so that the file opens as its scene.
-std::string originOf(const Figure& figure) {
-  return pictureOrigin("figure", figure.scene);
-}
-
-}  // namespace
-
 QString figureFile(FigureName name, const QString& extension) {
   return "figure_" + fromUtf8(figureEntry(name).word) + extension;
 }
 
 void writeFigurePicture(const std::filesystem::path& file, const ComputedFigure& made) {
   const Figure& figure = made.figure;
+  // With the provenance that `asperity figure` writes the file opens as its scene.
   writePicture(file, composeFigure(figure, made.contact.get(), printOptions(figure.sheet)),
-               {translated(figure.sheet.title), originOf(figure)});
+               {translated(figure.sheet.title), pictureOrigin("figure", figure.scene)});
 }
 
 void writeFigureData(const std::filesystem::path& file, const ComputedFigure& made) {

@@ -8,6 +8,7 @@
 
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
+#include "ui/panels/controls.h"
 #include "ui/panels/number_text.h"
 
 namespace asperity {
@@ -62,9 +63,7 @@ class EntryDelegate : public QStyledItemDelegate {
   static void paintTexts(QPainter& painter, const QStyleOptionViewItem& option,
                          const QModelIndex& index) {
     const QRect inside = option.rect.adjusted(kPadding, 7, -kPadding, -7);
-    QFont bold = option.font;
-    bold.setBold(true);
-    painter.setFont(bold);
+    painter.setFont(boldFont(option.font));
     painter.setPen(option.palette.color(QPalette::Text));
     painter.drawText(inside, Qt::AlignLeft | Qt::AlignTop, index.data(kLabel).toString());
     painter.setFont(option.font);
@@ -150,12 +149,10 @@ void FigureList::showStatus(FigureName name, const FigureStatus& status) {
 }
 
 QSize FigureList::minimumSizeHint() const {
-  QFont bold = font();
-  bold.setBold(true);
-  const QFontMetrics metrics(font());
+  const QFontMetrics metrics(font()), boldMetrics(boldFont(font()));
   int width = 0;
   for (int row = 0; row < count(); ++row) {
-    const int label = QFontMetrics(bold).horizontalAdvance(item(row)->data(kLabel).toString());
+    const int label = boldMetrics.horizontalAdvance(item(row)->data(kLabel).toString());
     const int state = std::max(metrics.horizontalAdvance(tr("not computed")),
                                metrics.horizontalAdvance(item(row)->data(kState).toString()));
     width = std::max(width, label + metrics.averageCharWidth() + state);

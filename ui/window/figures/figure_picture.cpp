@@ -159,7 +159,7 @@ RegionPictures::RegionPictures(QWidget* parent)
   connect(buttons_, &QButtonGroup::idClicked, this, &RegionPictures::choose);
   picture_->setMinimumSize(200, 100);
   picture_->setMinTextSize(kMinRegionText);
-  auto* column = flush<QVBoxLayout>(this, 0);
+  auto* column = marginless<QVBoxLayout>(this, 0);
   column->addWidget(bar_);
   column->addWidget(picture_, 1);
   bar_->hide();

@@ -35,7 +35,7 @@ constexpr int kSteps = 1000;  // steps of the progress bar
 
 /// Returns the style of the page in the colours of a palette: flat and rounded, as the window's
 /// bars.
-QString styleSheetOf(const QPalette& palette) {
+QString galleryStyleSheet(const QPalette& palette) {
   const auto name = [&](QPalette::ColorRole role) { return palette.color(role).name(); };
   const auto tint = [&](int percent) {
     const QColor accent = palette.color(QPalette::Highlight);
@@ -81,7 +81,7 @@ GalleryPage::GalleryPage(FigureMaker maker, QWidget* parent)
   splitter->setStretchFactor(1, 1);
   splitter->setSizes({270, 1000});
 
-  auto* column = flush<QVBoxLayout>(this, 0);
+  auto* column = marginless<QVBoxLayout>(this, 0);
   column->addWidget(makeHeading());
   column->addWidget(messages_);
   column->addWidget(splitter, 1);
@@ -127,7 +127,7 @@ QWidget* GalleryPage::makeHeading() {
 
 QWidget* GalleryPage::makeLeft() {
   auto* left = new QWidget;
-  auto* column = flush<QVBoxLayout>(left, 0);
+  auto* column = marginless<QVBoxLayout>(left, 0);
   list_ = new FigureList;
   column->addWidget(list_, 1);
   column->addWidget(makeChoices());
@@ -182,7 +182,7 @@ QWidget* GalleryPage::makeRight() {
   splitter->setSizes({700, 300});
 
   auto* right = new QWidget;
-  auto* column = flush<QVBoxLayout>(right, 0);
+  auto* column = marginless<QVBoxLayout>(right, 0);
   column->addWidget(splitter, 1);
   column->addWidget(makeCommands());
   return right;
@@ -241,7 +241,7 @@ void GalleryPage::showEvent(QShowEvent* event) {
 }
 
 void GalleryPage::setTheme(const Theme& theme) {
-  setStyleSheet(styleSheetOf(themePalette(theme)));
+  setStyleSheet(galleryStyleSheet(themePalette(theme)));
   picture_->setTheme(theme);
   claims_->setDark(isDark(theme));
 }

@@ -74,13 +74,13 @@ FitChoices::FitChoices(const Scene& scene, const FitSelection& before, QWidget* 
       tables_(named<QListWidget>("fitTables")),
       lines_(named<SpinBox>("fitLines")),
       profiles_(named<QCheckBox>("fitProfiles", tr("profile along each parameter"))) {
-  auto* column = flush<QVBoxLayout>(this, 6);
+  auto* column = marginless<QVBoxLayout>(this, 6);
   column->addWidget(heading(tr("Parameters to fit")));
   column->addWidget(keys_, 3);
   column->addWidget(heading(tr("Measured friction")));
   column->addWidget(tables_);
   tables_->setFixedHeight(3 * (fontMetrics().lineSpacing() + 4) + 4);
-  auto* form = flush<QFormLayout>();
+  auto* form = marginless<QFormLayout>();
   form->addRow(tr("random lines"), lines_);
   column->addLayout(form);
   column->addWidget(profiles_);

@@ -84,7 +84,7 @@ FitPage::FitPage(const Scene& scene, const FitSelection& before, const Theme& th
   halves->addLayout(right, 1);
   buildResult(theme);
   texts_ = new QWidget;
-  auto* column = flush<QVBoxLayout>(texts_);
+  auto* column = marginless<QVBoxLayout>(texts_);
   column->addWidget(table_);
   column->addWidget(warnings_);
   column->addWidget(notes_);

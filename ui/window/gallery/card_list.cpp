@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/panels/controls.h"
+
 namespace asperity {
 
 namespace {
@@ -22,12 +24,7 @@ constexpr int kDefaultColumns = 4;             // more only where cards would be
 constexpr double kShape = 0.6;                 // height of a picture, relative to its width
 constexpr double kCardCorner = 8;              // radius, pixels
 
-QFont boldOf(QFont font) {
-  font.setBold(true);
-  return font;
-}
-
-int heightOf(const QFont& font, const QString& text, int width) {
+int wrappedHeight(const QFont& font, const QString& text, int width) {
   return QFontMetrics(font)
       .boundingRect(QRect(0, 0, width, 10000), Qt::TextWordWrap, text)
       .height();
@@ -61,7 +58,7 @@ class CardList::Painter : public QStyledItemDelegate {
  private:
   static void paintHeading(QPainter& painter, const QStyleOptionViewItem& option,
                            const QModelIndex& index) {
-    painter.setFont(boldOf(option.font));
+    painter.setFont(boldFont(option.font));
     painter.setPen(option.palette.color(QPalette::PlaceholderText));
     painter.drawText(option.rect.adjusted(2, 0, 0, -3), Qt::AlignLeft | Qt::AlignBottom,
                      index.data(Qt::DisplayRole).toString());
@@ -102,12 +99,12 @@ class CardList::Painter : public QStyledItemDelegate {
   void paintTexts(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index,
                   const QRectF& card) const {
     const QRectF texts = card.adjusted(kInside, kShape * card.width() + 7, -kInside, -4);
-    painter.setFont(boldOf(option.font));
+    painter.setFont(boldFont(option.font));
     painter.setPen(option.palette.color(QPalette::Text));
     painter.drawText(texts, Qt::AlignLeft | Qt::TextWordWrap, index.data(kTitleRole).toString());
     painter.setFont(option.font);
-    const int title = heightOf(boldOf(option.font), index.data(kTitleRole).toString(),
-                               static_cast<int>(texts.width()));
+    const int title = wrappedHeight(boldFont(option.font), index.data(kTitleRole).toString(),
+                                    static_cast<int>(texts.width()));
     painter.drawText(texts.adjusted(0, title + 3, 0, 0), Qt::AlignLeft | Qt::TextWordWrap,
                      index.data(kSentenceRole).toString());
   }
@@ -218,9 +215,9 @@ void CardList::layOut() {
   int texts = 0;
   const int inside = width - 2 * kInside - 3;
   for (const int row : cardRows())
-    texts =
-        std::max(texts, heightOf(boldOf(font()), item(row)->data(kTitleRole).toString(), inside) +
-                            heightOf(font(), item(row)->data(kSentenceRole).toString(), inside));
+    texts = std::max(
+        texts, wrappedHeight(boldFont(font()), item(row)->data(kTitleRole).toString(), inside) +
+                   wrappedHeight(font(), item(row)->data(kSentenceRole).toString(), inside));
   const QSize size(width, static_cast<int>(std::lround(kShape * width)) + texts + 20);
   card_ = size;
   scheduleDelayedItemsLayout();
@@ -245,14 +242,14 @@ QModelIndex CardList::moveCursor(CursorAction action, Qt::KeyboardModifiers modi
   const auto indexOf = [&](int index) {
     return indexFromItem(item(rows[std::clamp(index, 0, static_cast<int>(rows.size()) - 1)]));
   };
-  const auto centreOf = [&](int row) { return visualRect(indexFromItem(item(row))).center(); };
-  const QPoint here = centreOf(rows[at]);
+  const auto centre = [&](int row) { return visualRect(indexFromItem(item(row))).center(); };
+  const QPoint here = centre(rows[at]);
   // Returns the card whose line is nearest to this distance below (sign 1) or above (-1).
   const auto towards = [&](int sign, int distance) {
     int best = rows[at];
     double least = 1e12;
     for (const int row : rows) {
-      const QPoint away = centreOf(row) - here;
+      const QPoint away = centre(row) - here;
       const int down = sign * away.y();
       if (down <= card_.height() / 2) continue;
       const double cost = 1000.0 * std::abs(down - distance) + std::abs(away.x());

@@ -47,7 +47,7 @@ SceneGallery::SceneGallery(QWidget* parent)
   none_ = named<QLabel>("noScene");
   none_->setAlignment(Qt::AlignCenter);
   none_->setWordWrap(true);
-  auto* column = flush<QVBoxLayout>(this, 0);
+  auto* column = marginless<QVBoxLayout>(this, 0);
   column->addWidget(makeHeading());
   column->addWidget(cards_, 1);
   column->addWidget(none_, 1);

@@ -115,16 +115,11 @@ QImage diagramImage(DiagramSheet sheet, const Theme& theme) {
 QImage curveImage(Scene scene, const Theme& theme, const std::stop_token& stop) {
   scene.ensemble.realizations = std::min(scene.ensemble.realizations, kLines);
   scene.accuracy.targetRelativeError = 0;
-  CurveOptions options;
-  options.threads = 1;
-  options.stop = stop;
-  const Curve curve = computeCurve(scene, options);
+  const Curve curve = computeCurve(scene, {.threads = 1, .stop = stop});
   throwIfStopped(stop);
   CurveSet set;
   set.present = {{}, scene, curve.points, 0, kPresentCurve};
-  StateOptions others;
-  others.stop = stop;
-  if (hasComparisons(set)) addComparisons(set, readComparisonData(scene), others);
+  if (hasComparisons(set)) addComparisons(set, readComparisonData(scene), {.stop = stop});
   return diagramImage(curveSheet(set), theme);
 }
 
@@ -224,12 +219,7 @@ QPixmap SceneThumbnails::picture(const QString& scene) {
 }
 
 void SceneThumbnails::requestAll() {
-  for (const LibraryScene& entry : libraryScenes()) {
-    if (requested_.contains(entry.name)) continue;
-    requested_ += entry.name;
-    waiting_.push_back(entry.name);
-  }
-  drawNext();
+  for (const LibraryScene& entry : libraryScenes()) request(entry.name);
 }
 
 void SceneThumbnails::request(const QString& scene) {

@@ -9,6 +9,7 @@
 #include <QImage>
 #include <QObject>
 #include <QPixmap>
+#include <QSet>
 #include <deque>
 #include <functional>
 #include <stop_token>

@@ -26,7 +26,7 @@ constexpr QSize kDefault(1120, 720);  // pixels
 constexpr std::size_t kShownBytes = 4096;
 
 /// Returns the first whole lines of a text file; empty where the file is no text.
-QString beginningOf(const std::string& name) {
+QString readBeginning(const std::string& name) {
   try {
     const RegularFile file(name);
     std::string bytes = file.read(0, kShownBytes);
@@ -45,7 +45,7 @@ ImportPage::ImportPage(const QString& file, const QString& accept, QWidget* pare
     : QDialog(parent),
       file_(file),
       shown_(new QWidget),
-      views_(new QVBoxLayout(shown_)),
+      views_(marginless<QVBoxLayout>(shown_, 8)),
       beginning_(fixedText("importBeginning")),
       halves_(new QHBoxLayout),
       message_(errorTextLabel("importComplaint")),
@@ -58,11 +58,7 @@ ImportPage::ImportPage(const QString& file, const QString& accept, QWidget* pare
   name->setToolTip(QDir::toNativeSeparators(file));
   name->setTextFormat(Qt::PlainText);
   name->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  QFont bold = name->font();
-  bold.setBold(true);
-  name->setFont(bold);
-  views_->setSpacing(8);
-  views_->setContentsMargins(0, 0, 0, 0);
+  name->setFont(boldFont(name->font()));
   beginning_->setAccessibleName(tr("the first lines of the file"));
   beginning_->setLineWrapMode(QPlainTextEdit::NoWrap);
   beginning_->setPlaceholderText(tr("Nothing of this file can be shown."));
@@ -159,7 +155,7 @@ void ImportPage::setState(State state) {
 
 /// Shows the first lines of the file, so that the user can name its columns.
 void ImportPage::showBeginning() {
-  beginning_->setPlainText(beginningOf(file_.toStdString()));
+  beginning_->setPlainText(readBeginning(file_.toStdString()));
   beginning_->show();
 }
 

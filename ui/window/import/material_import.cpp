@@ -104,7 +104,7 @@ void MaterialImport::buildViews(const Theme& theme) {
   sheet_->setTheme(theme);
   sheet_->setAccessibleName(tr("the measured moduli and their fit"));
   auto* texts = new QWidget;
-  auto* column = flush<QVBoxLayout>(texts, 4);
+  auto* column = marginless<QVBoxLayout>(texts, 4);
   for (QLabel* text : {warnings_, summary_}) column->addWidget(text);
   column->addStretch(1);
   warnings_->hide();
@@ -157,7 +157,7 @@ QCheckBox* MaterialImport::addCheck(QFormLayout& form, const char* option, const
 
 void MaterialImport::buildChoices() {
   auto* content = new QWidget;
-  auto* form = flush<QFormLayout>(content);
+  auto* form = marginless<QFormLayout>(content);
   form->setVerticalSpacing(5);
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   const auto heading = [&](const QString& text) {

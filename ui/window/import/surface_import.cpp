@@ -32,7 +32,7 @@ namespace asperity {
 namespace {
 
 /// Shades that stay apart in print and for colour-blind eyes: from dark blue over green to yellow.
-QRgb shadeOf(double part) {
+QRgb topographyShade(double part) {
   static constexpr struct {
     double red, green, blue;
   } kStops[] = {{45, 20, 80}, {50, 80, 140}, {35, 140, 140}, {95, 200, 100}, {250, 230, 60}};
@@ -92,7 +92,8 @@ TopographyImage topographyImage(const Topography& topography, bool isTurned, int
       const double value = means[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
                                  static_cast<std::size_t>(x)];
       image.setPixel(
-          x, y, std::isnan(value) ? qRgba(0, 0, 0, 0) : shadeOf((value - made.lowest) / range));
+          x, y,
+          std::isnan(value) ? qRgba(0, 0, 0, 0) : topographyShade((value - made.lowest) / range));
     }
   made.isTurned = isTurned;
   made.image = isTurned ? image.transformed(QTransform(0, 1, 1, 0, 0, 0)) : image;
@@ -221,7 +222,7 @@ void SurfaceImport::buildViews(const Theme& theme) {
   topography_ = new TopographyPicture;
   topography_->hide();
   auto* texts = new QWidget;
-  auto* column = flush<QVBoxLayout>(texts, 4);
+  auto* column = marginless<QVBoxLayout>(texts, 4);
   notes_ = warningTextLabel("surfaceNotes");
   facts_ = textLabel("surfaceFacts");
   for (QLabel* text : {notes_, facts_}) column->addWidget(text);

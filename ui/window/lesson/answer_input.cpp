@@ -13,6 +13,7 @@
 #include <algorithm>
 
 #include "core/base/units.h"
+#include "ui/panels/controls.h"
 #include "ui/panels/number_text.h"
 #include "ui/window/lesson/lesson_pane.h"
 #include "ui/window/lesson/lesson_text.h"
@@ -57,9 +58,7 @@ class ChoiceButton : public QRadioButton {
 class ChoiceLine : public QWidget {
  public:
   ChoiceLine(QRadioButton* button, const QString& text) {
-    auto* line = new QHBoxLayout(this);
-    line->setContentsMargins(0, 0, 0, 0);
-    line->setSpacing(6);
+    auto* line = marginless<QHBoxLayout>(this, 6);
     label_ = new QLabel(text);
     label_->setWordWrap(true);
     label_->setTextFormat(Qt::PlainText);

@@ -121,8 +121,7 @@ QPushButton* LessonEditor::makeButton(const char* name, const QString& text, Slo
 
 QWidget* LessonEditor::buildSteps() {
   auto* part = new QWidget;
-  auto* column = new QVBoxLayout(part);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* column = marginless<QVBoxLayout>(part);
   steps_ = named<QListWidget>("editorSteps");
   steps_->setAccessibleName(tr("steps"));
   steps_->setWordWrap(true);

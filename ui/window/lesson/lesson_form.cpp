@@ -62,9 +62,10 @@ UnitText readable(const QString& text, const Parameter& row) {
 // ---- Changes of a scene
 
 AssignmentList::AssignmentList(const QString& name, const QString& label, QWidget* parent)
-    : QWidget(parent), name_(name), column_(new QVBoxLayout(this)), add_(new QToolButton) {
-  column_->setContentsMargins(0, 0, 0, 0);
-  column_->setSpacing(4);
+    : QWidget(parent),
+      name_(name),
+      column_(marginless<QVBoxLayout>(this, 4)),
+      add_(new QToolButton) {
   add_->setObjectName(name);
   add_->setText(tr("Change a parameter…"));
   add_->setAccessibleDescription(label);
@@ -99,9 +100,7 @@ void AssignmentList::showRows() {
     rows_->deleteLater();  // one of its buttons may have been pressed
   }
   rows_ = new QWidget;
-  auto* rows = new QVBoxLayout(rows_);
-  rows->setContentsMargins(0, 0, 0, 0);
-  rows->setSpacing(3);
+  auto* rows = marginless<QVBoxLayout>(rows_, 3);
   for (std::size_t i = 0; i < assignments_.size(); ++i) rows->addWidget(makeRow(i));
   // All values begin at the same place.
   const QList<QLabel*> names = rows_->findChildren<QLabel*>();
@@ -123,8 +122,7 @@ QWidget* AssignmentList::makeRow(std::size_t index) {
   const std::string key(assignmentKey(assignments_[index]));
   const Parameter* row = findParameter(key);
   auto* all = new QWidget;
-  auto* line = new QHBoxLayout(all);
-  line->setContentsMargins(0, 0, 0, 0);
+  auto* line = marginless<QHBoxLayout>(all);
   const QString label = row ? ParameterRow::labelText(*row) : QString::fromStdString(key);
   auto* name = new QLabel(label);
   if (row) name->setToolTip(translatedText(row->sentence) + '\n' + QString::fromStdString(key));

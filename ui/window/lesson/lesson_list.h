@@ -5,7 +5,6 @@
 
 #include <QDialog>
 #include <QString>
-#include <functional>
 #include <map>
 #include <vector>
 

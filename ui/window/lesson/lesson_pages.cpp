@@ -103,8 +103,7 @@ LessonStepPage::LessonStepPage(QWidget* parent) : LessonForm(parent) {
 
 void LessonStepPage::addScene() {
   auto* row = new QWidget;
-  auto* line = new QHBoxLayout(row);
-  line->setContentsMargins(0, 0, 0, 0);
+  auto* line = marginless<QHBoxLayout>(row);
   sceneText_ = new WrappedLabel;
   sceneText_->setObjectName("editorScene");
   auto* button = new QPushButton(tr("Take the scene that is shown"));

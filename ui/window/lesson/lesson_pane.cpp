@@ -59,9 +59,7 @@ LessonPane::LessonPane(QWidget* parent) : QWidget(parent) {
   column->addStretch(1);
   constexpr double kHeadingScale = 1.08;  // below that of the lesson, above the text
   keepHeading(*title_, *this, kHeadingScale);
-  QFont strong = question_->font();
-  strong.setBold(true);
-  question_->setFont(strong);
+  question_->setFont(boldFont(question_->font()));
 
   scroll_ = scrolled(content, Qt::ScrollBarAlwaysOff);
   scroll_->setFocusPolicy(Qt::NoFocus);  // its texts take the focus
@@ -77,9 +75,7 @@ LessonPane::LessonPane(QWidget* parent) : QWidget(parent) {
   QSizePolicy kept = show_->sizePolicy();
   kept.setRetainSizeWhenHidden(true);
   show_->setSizePolicy(kept);
-  auto* all = new QVBoxLayout(this);
-  all->setContentsMargins(0, 0, 0, 0);
-  all->setSpacing(0);
+  auto* all = marginless<QVBoxLayout>(this, 0);
   all->addWidget(scroll_, 1);
   all->addLayout(foot);
 

@@ -382,18 +382,14 @@ void LessonPlayer::showPoint() {
 void LessonPlayer::findAnswer() {
   if (isFinding_) return;
   isFinding_ = true;
-  finding_.request(
-      [step = present(), find = find_](const BackgroundWork::Run& run) {
-        CurveOptions options;
-        options.stop = run.stop();
-        return find(step, options);
-      },
-      [this](const LessonAnswer& answer) { takeAnswer(answer); },
-      [this](const QString& reason) {
-        stopFinding();
-        pane_->setWaiting(false);
-        pane_->showNote(reason);
-      });
+  finding_.request([step = present(), find = find_](
+                       const BackgroundWork::Run& run) { return find(step, {.stop = run.stop()}); },
+                   [this](const LessonAnswer& answer) { takeAnswer(answer); },
+                   [this](const QString& reason) {
+                     stopFinding();
+                     pane_->setWaiting(false);
+                     pane_->showNote(reason);
+                   });
 }
 
 void LessonPlayer::stopFinding() {

@@ -29,20 +29,20 @@ namespace asperity {
 namespace {
 
 /// Returns the shipped lesson to which results belong, with whole questions.
-std::optional<Lesson> shippedLessonOf(const LessonResults& results) {
+std::optional<Lesson> findShippedLesson(const LessonResults& results) {
   std::optional<Lesson> lesson = shippedLesson(results);
   if (lesson) lesson = withWholeQuestions(*std::move(lesson));
   return lesson;
 }
 
 /// Returns the title in the language of the window where the lesson is a shipped one.
-QString titleOf(const LessonResults& results) {
-  const std::optional<Lesson> lesson = shippedLessonOf(results);
+QString resultsTitle(const LessonResults& results) {
+  const std::optional<Lesson> lesson = findShippedLesson(results);
   return lesson ? plainText(lesson->title) : QString::fromStdString(results.title);
 }
 
 /// Returns the step if it asks for a prediction; null where not, or where the lesson is not known.
-const LessonStep* stepOf(const std::optional<Lesson>& lesson, int step) {
+const LessonStep* predictionStep(const std::optional<Lesson>& lesson, int step) {
   return lesson ? askingStep(*lesson, step) : nullptr;
 }
 
@@ -90,7 +90,7 @@ QString rowHtml(const QStringList& cells, const QString& cell = QStringLiteral("
   return "<tr>" + begin + cells.join(end + begin) + end + "</tr>";
 }
 
-QString tableOf(const QString& rows) {
+QString tableHtml(const QString& rows) {
   return "<table cellpadding=\"5\" cellspacing=\"0\" border=\"1\" "
          "style=\"border-collapse: collapse; border-color: gray\">" +
          rows + "</table>";
@@ -110,7 +110,7 @@ const QString kOneLine = QStringLiteral("white-space: nowrap");
 
 /// Returns the table of the students in one lesson.
 QString classTable(const std::vector<StudentResults>& students) {
-  const std::optional<Lesson> lesson = shippedLessonOf(students.front().results);
+  const std::optional<Lesson> lesson = findShippedLesson(students.front().results);
   std::map<int, const LessonResult*> steps;  // a result of each step, for the right answer
   for (const StudentResults& student : students)
     for (const LessonResult& one : student.results.results) steps.emplace(one.step, &one);
@@ -118,7 +118,7 @@ QString classTable(const std::vector<StudentResults>& students) {
                        LessonResultsPage::tr("wrong"), LessonResultsPage::tr("shown")};
   QStringList answers = {"<b>" + LessonResultsPage::tr("Right answer") + "</b>", {}, {}, {}};
   for (const auto& [step, one] : steps) {
-    const QString right = shortAnswer(*one, stepOf(lesson, step), rightAnswer(*one));
+    const QString right = shortAnswer(*one, predictionStep(lesson, step), rightAnswer(*one));
     heads += LessonResultsPage::tr("Step") + ' ' + QString::number(step + 1);
     answers += "<b>" + right.toHtmlEscaped() + "</b>";
   }
@@ -132,12 +132,12 @@ QString classTable(const std::vector<StudentResults>& students) {
       const LessonResult* one = results.find(step);
       QString cell = one ? verdict(*one) : QStringLiteral("–");
       if (one && one->given.isGiven())
-        cell += " (" + shortAnswer(*one, stepOf(lesson, step), one->given) + ')';
+        cell += " (" + shortAnswer(*one, predictionStep(lesson, step), one->given) + ')';
       cells += cell.toHtmlEscaped();
     }
     rows += rowHtml(cells, "td", kOneLine);
   }
-  return tableOf(rows);
+  return tableHtml(rows);
 }
 
 }  // namespace
@@ -153,8 +153,8 @@ std::optional<Lesson> shippedLesson(const LessonResults& results) {
 
 QString LessonResultsPage::html(const QString& file) {
   const LessonResults results = readResultsFile(file.toStdString());
-  const std::optional<Lesson> lesson = shippedLessonOf(results);
-  QString html = "<h3>" + titleOf(results).toHtmlEscaped() + "</h3><p>" +
+  const std::optional<Lesson> lesson = findShippedLesson(results);
+  QString html = "<h3>" + resultsTitle(results).toHtmlEscaped() + "</h3><p>" +
                  QFileInfo(file).fileName().toHtmlEscaped();
   if (!results.date.empty()) html += ", " + dateText(results.date).toHtmlEscaped();
   html += "</p><p><b>" +
@@ -165,14 +165,14 @@ QString LessonResultsPage::html(const QString& file) {
           "</b></p>";
   QString rows = rowHtml({tr("Step"), tr("Answer"), QString(), tr("Right answer")}, "th");
   for (const LessonResult& one : results.results) {
-    const LessonStep* asked = stepOf(lesson, one.step);
+    const LessonStep* asked = predictionStep(lesson, one.step);
     QString name = QString::number(one.step + 1);
     if (asked) name += ". " + plainText(asked->prediction->question).toHtmlEscaped();
     rows += rowHtml({name, answerText(one, asked, one.given).toHtmlEscaped(),
                      "<b>" + verdict(one) + "</b>",
                      answerText(one, asked, rightAnswer(one)).toHtmlEscaped()});
   }
-  return html + tableOf(rows);
+  return html + tableHtml(rows);
 }
 
 QString LessonResultsPage::classHtml(const QStringList& files) {
@@ -183,8 +183,8 @@ QString LessonResultsPage::classHtml(const QStringList& files) {
   if (classes.empty() && !refused.empty()) throw InputError(refused.front());
   QString html;
   for (const std::vector<StudentResults>& students : classes)
-    html +=
-        "<h3>" + titleOf(students.front().results).toHtmlEscaped() + "</h3>" + classTable(students);
+    html += "<h3>" + resultsTitle(students.front().results).toHtmlEscaped() + "</h3>" +
+            classTable(students);
   if (!refused.empty()) html += "<h3>" + tr("Files without results") + "</h3>";
   for (const InputError& error : refused) {
     const QString name = QFileInfo(QString::fromStdString(error.file())).fileName();

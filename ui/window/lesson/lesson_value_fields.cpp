@@ -10,6 +10,7 @@
 #include "core/friction/curve_quantity.h"
 #include "core/scene/parameters.h"
 #include "ui/language/translated.h"
+#include "ui/panels/controls.h"
 #include "ui/panels/parameter_row.h"
 #include "ui/window/lesson/lesson_form.h"
 
@@ -109,9 +110,8 @@ void LessonValueFields::setShown(bool isShown) {
 }
 
 void LessonValueFields::showRows() {
-  for (QWidget* field : std::initializer_list<QWidget*>{kind_, column_, set_})
-    page_.setShown(field, isShown_);
-  for (QWidget* field : std::initializer_list<QWidget*>{key_, from_, to_})
+  for (QWidget* field : Widgets{kind_, column_, set_}) page_.setShown(field, isShown_);
+  for (QWidget* field : Widgets{key_, from_, to_})
     page_.setShown(field, isShown_ && kind_->currentIndex() == kExponent);
 }
 

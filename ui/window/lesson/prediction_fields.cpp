@@ -9,7 +9,6 @@
 #include <QStandardItemModel>
 #include <QStyledItemDelegate>
 #include <QTableWidget>
-#include <algorithm>
 #include <cmath>
 
 #include "ui/language/translated.h"
@@ -85,7 +84,7 @@ PredictionFields::PredictionFields(LessonForm& page) : QObject(&page), page_(pag
   after_ = page.addAssignments(tr("Changed with the answer"), "editorAfter");
   after_->setToolTip(tr("What the program changes in the scene when the answer is shown"));
   reveal_ = page.addText(tr("Said with the answer"), "editorReveal", 4);
-  for (QWidget* text : std::initializer_list<QWidget*>{right_, wrong_, reveal_})
+  for (QWidget* text : Widgets{right_, wrong_, reveal_})
     text->setToolTip(tr(
         "Write {answer} where the computed answer or the right choice belongs, and {given} where "
         "the student's does"));
@@ -175,7 +174,7 @@ void PredictionFields::showChoices(const LessonPrediction& prediction) {
 /// Shows the rows that the kind of prediction has.
 void PredictionFields::showRows() {
   const int kind = kind_->currentIndex();
-  for (QWidget* field : std::initializer_list<QWidget*>{question_, right_, wrong_, after_, reveal_})
+  for (QWidget* field : Widgets{question_, right_, wrong_, after_, reveal_})
     page_.setShown(field, kind != kNone);
   page_.setShown(choices_, kind == kChoice);
   value_->setShown(kind == kChoice || kind == kNumber);

@@ -6,7 +6,6 @@
 #include <QMenu>
 #include <QWidget>
 #include <algorithm>
-#include <utility>
 
 #include "core/chart/curve_set.h"
 #include "ui/chart/diagram_style.h"

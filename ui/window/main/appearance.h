@@ -4,6 +4,7 @@
 #pragma once
 
 #include <QColor>
+#include <QList>
 #include <QObject>
 #include <QPalette>
 #include <QSizeF>
@@ -12,6 +13,7 @@
 #include "ui/contact/contact_picture.h"
 #include "ui/draw/fonts.h"
 
+class QAction;
 class QMenu;
 class QWidget;
 

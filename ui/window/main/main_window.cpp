@@ -101,9 +101,9 @@ LineSize lineSize(const Frame& frame) {
 }
 
 /// Puts widgets below each other without a gap; the last one takes the remaining height.
-QWidget* inColumn(std::initializer_list<QWidget*> widgets) {
+QWidget* inColumn(Widgets widgets) {
   auto* all = new QWidget;
-  auto* column = flush<QVBoxLayout>(all, 0);
+  auto* column = marginless<QVBoxLayout>(all, 0);
   for (QWidget* widget : widgets) column->addWidget(widget);
   column->setStretchFactor(*std::rbegin(widgets), 1);
   return all;
@@ -164,7 +164,7 @@ void MainWindow::buildViews() {
   splitter_->setChildrenCollapsible(false);
   timeBar_ = new TimeBar;
   auto* contact = named<QWidget>("contactPage");
-  auto* column = flush<QVBoxLayout>(contact, 0);
+  auto* column = marginless<QVBoxLayout>(contact, 0);
   column->addWidget(canvas_, 1);
   column->addWidget(timeBar_);
   splitter_->addWidget(contact);
@@ -273,11 +273,11 @@ void MainWindow::connectScene() {
   const auto edit = [this](const Scene& scene) { document_->edit(scene); };
   connect(panel_, &ParameterPanel::sceneEdited, this, edit);
   connect(panel_, &ParameterPanel::guideRequested, this, &MainWindow::openGuide);
-  // Escape in the filter gives the keys of the picture back.
-  // Later, when the dock knows the new least width.
+  // The connection is queued, because the dock does not know the new minimum width yet.
   connect(
       panel_, &ParameterPanel::widthReleased, this,
       [this](int width) { resizeDocks({dock_}, {width}, Qt::Horizontal); }, Qt::QueuedConnection);
+  // Escape in the filter gives the keys of the picture back.
   connect(panel_, &ParameterPanel::filterLeft, canvas_, [this] { canvas_->setFocus(); });
   connect(canvas_, &ContactCanvas::guideRequested, this, &MainWindow::openGuide);
   connect(&tabs_->accuracy(), &AccuracyPanel::sceneEdited, this, edit);

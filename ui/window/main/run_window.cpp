@@ -163,6 +163,14 @@ QuitLimit::~QuitLimit() {
 
 // ---- The start
 
+namespace {
+
+double toSeconds(const timespec& time) {
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+}  // namespace
+
 double secondsSinceStart() {
   QFile file(QStringLiteral("/proc/self/stat"));
   timespec now{};
@@ -171,14 +179,14 @@ double secondsSinceStart() {
   const QList<QByteArray> fields = text.mid(text.lastIndexOf(')') + 2).split(' ');
   if (fields.size() <= kStartField) return 0;
   const double start = fields[kStartField].toDouble() / static_cast<double>(sysconf(_SC_CLK_TCK));
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec) - start;
+  return toSeconds(now) - start;
 }
 
 void printTime(const char* name) {
   timespec busy{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &busy);
   std::fprintf(stderr, "%s after %.3f s, %.3f s of them computing\n", name, secondsSinceStart(),
-               static_cast<double>(busy.tv_sec) + 1e-9 * static_cast<double>(busy.tv_nsec));
+               toSeconds(busy));
 }
 
 StartTimes::StartTimes(MainWindow& window) : QObject(&window) {

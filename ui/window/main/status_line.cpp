@@ -388,8 +388,7 @@ void StatusLine::fitReadings() {
   for (StatusReading* reading :
        {mu_, regime_, force_, velocity_, simulations_, rate_, backend_, settling_}) {
     const bool isBehindMessage =
-        messageTimer_->isActive() &&
-        (reading == simulations_ || reading == rate_ || reading == backend_);
+        hasMessage && (reading == simulations_ || reading == rate_ || reading == backend_);
     // Readings that come and go keep their space while they are empty, so that no other one moves:
     // that of work, and the region, which an unfinished curve and another axis do not have.
     const bool keepsSpace = reading == simulations_ || reading == regime_;

@@ -183,9 +183,7 @@ QWidget* groupWidget(const ShortcutGroup& group) {
   grid->setHorizontalSpacing(18);
   grid->setVerticalSpacing(2);
   auto* title = new QLabel(group.title);
-  QFont bold = title->font();
-  bold.setBold(true);
-  title->setFont(bold);
+  title->setFont(boldFont(title->font()));
   grid->addWidget(title, 0, 0, 1, 2);
   int row = 1;
   for (const ShortcutGroup::Entry& entry : group.entries) {

@@ -130,7 +130,7 @@ MapPanel::MapPanel(QWidget* parent)
   end_->addWidget(save_);
   end_->addWidget(progressLabel_);
   row->addWidget(end_);
-  auto* column = flush<QVBoxLayout>(this, 2);
+  auto* column = marginless<QVBoxLayout>(this, 2);
   column->addLayout(row);
   column->addWidget(view_, 1);
   for (const std::string_view name : mapQuantities()) quantity_->addItem(QString(), fromUtf8(name));

@@ -1,0 +1,42 @@
+// The least-squares fit of the shift between two isotherms over the range in which they overlap.
+// isotherm_overlap.h finds where the fit starts and judges its result. Pure functions; any thread.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/material/overlap_residuals.h"
+
+namespace asperity {
+
+/// An isotherm in decades (decimal logarithms).
+struct LogSweep {
+  std::vector<double> x, storage, loss;
+};
+
+/// The common range of two isotherms after the colder one has been moved, on the axis of the warmer
+/// one.
+struct CommonRange {
+  double from, to;
+  double width() const { return to - from; }
+};
+
+CommonRange commonRange(const LogSweep& colder, const LogSweep& warmer, double shift);
+
+/// The moduli from which a shift is determined.
+enum class ShiftModuli { Both, Storage, Loss };
+
+/// The shifts that bring two isotherms together.
+struct FittedShifts {
+  ShiftEstimate horizontal, vertical;
+  OverlapResiduals residuals{};  // of both moduli
+};
+
+/// Returns the shifts from these moduli; nothing where the points do not determine them. The fit
+/// starts at `shift` (decades), and is repeated until its window and its shift agree.
+/// expectedVertical: decades; empty where there is no vertical shift.
+std::optional<FittedShifts> fittedShift(const LogSweep& colder, const LogSweep& warmer,
+                                        double shift, std::optional<double> expectedVertical,
+                                        ShiftModuli moduli);
+
+}  // namespace asperity

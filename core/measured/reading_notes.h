@@ -1,0 +1,13 @@
+// Says in sentences how a file of a surface was read, what was assumed, and what is unusual about
+// its heights. Pure; any thread.
+#pragma once
+
+#include "core/measured/surface_draft.h"
+
+namespace asperity {
+
+/// Completes the notes of a draft: first how the reader understood the file, then what is special
+/// about it. What had to be assumed stands among the assumptions as well.
+void addReadingNotes(SurfaceDraft& draft);
+
+}  // namespace asperity

@@ -1,0 +1,84 @@
+#include "core/measured/zip_archive.h"
+
+#include <zip.h>
+
+#include <algorithm>
+
+#include "core/base/text.h"
+
+namespace asperity {
+namespace {
+
+struct CloseFile {
+  void operator()(zip_file_t* file) const { zip_fclose(file); }
+};
+
+}  // namespace
+
+void ZipArchive::Close::operator()(zip* archive) const {
+  zip_discard(archive);
+}
+
+ZipArchive::ZipArchive(const SurfaceSource& source) : source_(source) {
+  zip_error_t error;
+  zip_error_init(&error);
+  zip_source_t* bytes =
+      zip_source_buffer_create(source.bytes.data(), source.bytes.size(), 0, &error);
+  if (bytes != nullptr) {
+    archive_.reset(zip_open_from_source(bytes, ZIP_RDONLY, &error));
+    if (!archive_) zip_source_free(bytes);
+  }
+  zip_error_fini(&error);
+  if (!archive_) source.fail(message("is not a whole {} archive", "ZIP"));
+}
+
+bool ZipArchive::has(const std::string& file) const {
+  return indexOf(file) >= 0;
+}
+
+std::string ZipArchive::read(const std::string& file, std::uint64_t limit) const {
+  const zip_int64_t index = indexOf(file);
+  if (index < 0) source_.fail(message("has no file '{}' in its archive", shortened(file)));
+  zip_stat_t stat;
+  zip_stat_init(&stat);
+  const bool isKnown =
+      zip_stat_index(archive_.get(), static_cast<zip_uint64_t>(index), 0, &stat) == 0 &&
+      (stat.valid & ZIP_STAT_SIZE) != 0;
+  if (!isKnown) fail(file);
+  if (stat.size > limit)
+    source_.fail(
+        message("'{}' in its archive is larger than the {} bytes allowed", shortened(file), limit));
+  // Deflate packs at most about a thousand bytes into one: a directory that states more is wrong.
+  constexpr std::uint64_t kMostDeflated = 1100, kSlack = 4096;
+  if ((stat.valid & ZIP_STAT_COMP_SIZE) == 0 || stat.size / kMostDeflated > stat.comp_size + kSlack)
+    fail(file);
+  const std::unique_ptr<zip_file_t, CloseFile> open(
+      zip_fopen_index(archive_.get(), static_cast<zip_uint64_t>(index), 0));
+  if (!open) fail(file);
+  std::string bytes;
+  bytes.reserve(stat.size);
+  constexpr std::size_t kStep = std::size_t{1} << 20;
+  while (bytes.size() < stat.size) {
+    const std::size_t before = bytes.size();
+    // The memory grows with the bytes that are really there, whatever the directory states.
+    bytes.resize(before + std::min<std::size_t>(kStep, stat.size - before));
+    const zip_int64_t got = zip_fread(open.get(), bytes.data() + before, bytes.size() - before);
+    if (got <= 0) fail(file);
+    bytes.resize(before + static_cast<std::size_t>(got));
+    source_.report(0.5 * static_cast<double>(bytes.size()) / static_cast<double>(stat.size));
+  }
+  // Reading on at the end makes the library compare the checksum.
+  char more = 0;
+  if (zip_fread(open.get(), &more, 1) != 0) fail(file);
+  return bytes;
+}
+
+std::int64_t ZipArchive::indexOf(const std::string& file) const {
+  return zip_name_locate(archive_.get(), file.c_str(), ZIP_FL_NOCASE);
+}
+
+void ZipArchive::fail(const std::string& file) const {
+  source_.fail(message("'{}' in its archive cannot be unpacked", shortened(file)));
+}
+
+}  // namespace asperity
