@@ -13,6 +13,17 @@
 
 namespace asperity {
 
+std::string_view withoutRemarkMark(std::string_view line) {
+  const std::size_t blank = std::min(line.find(' '), line.size());
+  const std::string_view rest = trimmedBlanks(line.substr(blank));
+  const std::string word = lowerCase(line.substr(0, blank));
+  // Between two marks stands a quoted name, and among units "--" is that of a pure number.
+  const bool isQuote = word == "'" && rest.find('\'') == std::string_view::npos;
+  const bool isDash = word == "--" && !rest.starts_with('-') &&
+                      !isKnownUnit(rest.substr(0, rest.find_first_of(" \t")));
+  return word == "rem" || isDash || isQuote ? rest : line;
+}
+
 std::string_view withoutCommentMark(std::string_view line, const TextDialect& dialect) {
   line = trimmedBlanks(line);
   const bool orSemicolon = dialect.separator != TextDialect::Separator::Semicolon;
@@ -20,7 +31,7 @@ std::string_view withoutCommentMark(std::string_view line, const TextDialect& di
          (orSemicolon && line.starts_with(';')))
     line = trimmedBlanks(line.substr(1));
   if (line.starts_with("//")) line = trimmedBlanks(line.substr(2));
-  return line;
+  return withoutRemarkMark(line);
 }
 
 std::size_t keyEnd(std::string_view line) {
@@ -41,10 +52,20 @@ bool statesQuantity(std::string_view text) {
   return quantity && !quantity->unit.empty() && isKnownUnit(quantity->unit);
 }
 
+/// Returns whether a comma is the decimal mark of a number behind a word: "cellsize 2,5".
+bool isDecimalMark(std::string_view line, std::size_t comma) {
+  const std::size_t begin = line.find_last_of(" \t", comma);
+  const std::size_t end = std::min(line.find_first_of(" \t", comma), line.size());
+  double number = 0;
+  return begin != std::string_view::npos &&
+         readTextNumber(line.substr(begin + 1, end - begin - 1), ',', number);
+}
+
 /// Returns whether the fields behind a comma are a value in a file whose numbers have no separator:
 /// a number or a unit.
 bool statesAfterComma(std::string_view line, std::size_t comma, const TextDialect& dialect) {
-  if (dialect.isExact() || comma == std::string_view::npos || line.find(", ") != line.npos)
+  if (dialect.isExact() || comma == std::string_view::npos || line.find(", ") != line.npos ||
+      isDecimalMark(line, comma))
     return false;
   std::vector<std::string_view> fields;
   splitFields(line, Separator::Comma, fields);

@@ -18,6 +18,10 @@ struct TextLine {
   std::size_t number = 0;  // counted from 1
 };
 
+/// Returns the line without a mark of comments that may also be a word of a table: "-- text", "REM
+/// text", "' text".
+std::string_view withoutRemarkMark(std::string_view line);
+
 /// Returns the line without the mark of a comment; a semicolon is one where it separates no fields.
 std::string_view withoutCommentMark(std::string_view line, const TextDialect& dialect);
 

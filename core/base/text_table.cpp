@@ -83,6 +83,7 @@ class TableReader {
     if (isComment(line.text)) return keep(line);
     readRow(line.text);
     if (isOpen_ && fits()) return append(line);
+    if (isOpen_ && isRemark(line)) return keep(line);
     if (isOpen_) refuseAmidRows(line);
     if (startsBlock(line)) return start(line);
     keep(line);
@@ -97,8 +98,20 @@ class TableReader {
   /// begins a new block.
   bool goesOn() const {
     return std::ranges::all_of(above_, [this](const TextLine& line) {
-      return isComment(line.text) && parseEntry(line, table_.dialect).key.empty();
+      return (isComment(line.text) || isRemark(line)) &&
+             parseEntry(line, table_.dialect).key.empty();
     });
+  }
+
+  /// Returns whether a line begins with a mark of comments that are known as such only between
+  /// rows. An empty first field is none.
+  bool isRemark(const TextLine& line) const {
+    const std::string_view text = trimmedBlanks(line.text);
+    if (!text.starts_with(';')) return withoutRemarkMark(text).size() != text.size();
+    std::vector<std::string_view> fields;
+    splitFields(text, table_.dialect.separator, fields);
+    return table_.dialect.separator != TextDialect::Separator::Semicolon ||
+           fields.size() != block().columns.size();
   }
 
   TextBlock& block() const { return table_.blocks.back(); }

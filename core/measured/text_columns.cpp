@@ -118,6 +118,10 @@ bool isHeightName(std::string_view name) {
   return begins(kHeights, name);
 }
 
+bool isPositionName(std::string_view name) {
+  return begins(kPositions, name) || isProfilePosition(name);
+}
+
 bool isRowName(std::string_view name) {
   return begins(kRows, name);
 }
@@ -198,7 +202,7 @@ class RoleFinder {
       if (i == positionChoice_ || i == heightChoice_) continue;
       if (isRowName(name) && !name.starts_with("y.") && !name.starts_with("y("))
         lateral.push_back(roles_.y = i);
-      else if (roles_.x < 0 && (begins(kPositions, name) || isProfilePosition(name)))
+      else if (roles_.x < 0 && isPositionName(name))
         roles_.x = i;
       else if (isHeightName(name))
         roles_.heights.push_back(i);
@@ -292,7 +296,7 @@ bool mayNumberPoints(const TextBlock& block, const ColumnRoles& roles,
   if (roles.x < 0 || source.choices.positionColumn > 0) return false;
   const TextColumn& column = block.columns[static_cast<std::size_t>(roles.x)];
   const std::string name = lowerCase(column.name);
-  return column.unit.empty() && !begins(kPositions, name) && !isProfilePosition(name) &&
+  return column.unit.empty() && !isPositionName(name) &&
          countsRows(block, static_cast<std::size_t>(roles.x));
 }
 

@@ -37,6 +37,9 @@ Message columnText(const TextBlock& block, int column);
 /// Returns whether a name in lower case is one of heights: "z", "height (um)", "profil".
 bool isHeightName(std::string_view name);
 
+/// Returns whether a name in lower case is one of positions along a line: "x", "distance (mm)".
+bool isPositionName(std::string_view name);
+
 /// Returns whether a name in lower case is one of positions across the lines of a field: "y".
 bool isRowName(std::string_view name);
 

@@ -5,6 +5,7 @@
 
 #include "core/base/number_text.h"
 #include "core/base/text_number.h"
+#include "core/measured/matrix_frame.h"
 #include "core/measured/text_columns.h"
 #include "core/measured/text_lengths.h"
 #include "core/measured/text_surface.h"
@@ -54,101 +55,6 @@ void applySpipHeader(const SpipHeader& header, const SurfaceSource& source, Topo
     if (!(grid.height[points + i] > 0)) grid.height[i] = kNone;
   grid.height.resize(points);
   grid.rows = header.rows;
-}
-
-/// The first row and the first column of a matrix where they hold positions; the corner is empty or
-/// a text.
-struct Frame {
-  bool hasColumn = false, hasRow = false;
-  std::vector<double> x, y;
-};
-
-Frame readFrame(const TextBlock& block) {
-  Frame frame;
-  const std::size_t columns = block.columns.size();
-  if (columns < 4 || block.rows < 3) return frame;
-  // All names but the first are numbers.
-  std::vector<double> named;
-  for (std::size_t i = 1; i < columns; ++i) {
-    double number = 0;
-    if (readTextNumber(block.columns[i].name, '.', number) ||
-        readTextNumber(block.columns[i].name, ',', number))
-      named.push_back(number);
-  }
-  std::vector<double> first;
-  for (std::size_t i = 1; i < columns; ++i) first.push_back(block.at(0, i));
-  const bool inNames = named.size() + 1 == columns && uniformSpacing(named).has_value();
-  const bool inRow = !inNames && std::isnan(block.at(0, 0)) &&
-                     std::ranges::none_of(first, [](double x) { return std::isnan(x); }) &&
-                     uniformSpacing(first).has_value();
-  if (!inNames && !inRow) return frame;
-  std::vector<double> y;
-  for (std::size_t i = inRow ? 1 : 0; i < block.rows; ++i) y.push_back(block.at(i, 0));
-  if (y.size() < 2 || !uniformSpacing(y)) return frame;
-  frame.hasColumn = true;
-  frame.hasRow = inRow;
-  frame.x = inNames ? named : first;
-  frame.y = std::move(y);
-  return frame;
-}
-
-}  // namespace
-
-bool hasPositionFrame(const TextBlock& block) {
-  return readFrame(block).hasColumn;
-}
-
-namespace {
-
-/// Returns whether these are whole numbers, each larger by one than the one before.
-bool countByOne(const std::vector<double>& numbers) {
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-    if (numbers[i] != (i == 0 ? std::floor(numbers[0]) : numbers[i - 1] + 1)) return false;
-  return !numbers.empty();
-}
-
-/// Whether the first row and the first column of a matrix number the points.
-struct Numbering {
-  bool row = false, column = false;
-};
-
-/// Returns whether the first row or column from number `from` on numbers the points: it counts by
-/// one, and the others do not. Throws InputError where that is not clear.
-bool numbersPoints(const TextBlock& block, bool isRow, std::size_t from,
-                   const SurfaceSource& source) {
-  const std::size_t lines = isRow ? block.rows : block.columns.size();
-  const std::size_t size = isRow ? block.columns.size() : block.rows;
-  const auto numbersOf = [&](std::size_t line) {
-    std::vector<double> numbers;
-    for (std::size_t i = from; i < size; ++i)
-      numbers.push_back(isRow ? block.at(line, i) : block.at(i, line));
-    return numbers;
-  };
-  constexpr std::size_t kFewest = 3, kMany = 8;
-  if (size < from + kFewest || !countByOne(numbersOf(0))) return false;
-  std::size_t alike = 0;
-  bool areWhole = true;
-  for (std::size_t line = 1; line < lines; ++line) {
-    const std::vector<double> numbers = numbersOf(line);
-    alike += countByOne(numbers) ? 1 : 0;
-    areWhole = areWhole && std::ranges::all_of(numbers, [](double one) {
-                 return std::isnan(one) || one == std::floor(one);
-               });
-  }
-  if (alike + 1 == lines) return false;  // a ramp
-  if (alike == 0 && (!areWhole || size >= from + kMany)) return true;
-  if (source.choices.format == "matrix") return false;
-  throw InputError(source.name, "surface.format",
-                   isRow ? message("is needed: the first row may number the points; leave it out, "
-                                   "or set matrix where it holds heights")
-                         : message("is needed: the first column may number the points; leave it "
-                                   "out, or set matrix where it holds heights"));
-}
-
-Numbering findNumbering(const TextBlock& block, const SurfaceSource& source) {
-  if (numbersPoints(block, true, 1, source) && numbersPoints(block, false, 1, source))
-    return {true, true};
-  return {numbersPoints(block, true, 0, source), numbersPoints(block, false, 0, source)};
 }
 
 void flip(Topography& grid, bool columns, bool rows) {
@@ -232,6 +138,10 @@ void takeSpacings(const TextTable& table, const TextBlock& block, const SurfaceS
     draft.facts.notes.emplace_back(
         "surface.point_spacing replaces the lengths above the numbers of the file.");
   if (!draft.hasPositions) grid.columnSpacing = grid.rowSpacing = 1;
+  // The entry "Unit" may be the unit of the heights, which tells nothing about a step.
+  if (!draft.positionUnit)
+    draft.positionUnit = headerUnit(table, block, false,
+                                    draft.hasPositions ? UnitEntries::AndCommon : UnitEntries::Own);
 }
 
 }  // namespace
@@ -241,17 +151,19 @@ SurfaceDraft readTextMatrix(const TextTable& table, const TextBlock& block,
   SurfaceDraft draft;
   draft.facts.format = "matrix";
   Topography& grid = draft.grid;
-  const Frame frame = readFrame(block);
   const auto spip = spipHeader(table, block);
+  // A grid of ESRI states how many heights it has: there are no other numbers.
+  const bool isEsri = !table.entry("ncols", block).empty();
+  const MatrixFrame frame = isEsri ? MatrixFrame{} : readFrame(block);
   const CornerUnits corner = frame.hasColumn && !frame.hasRow ? cornerUnits(block) : CornerUnits{};
   // Numbers 0, 1, 2, ... are positions only where their unit is stated, and no other step.
   const bool hasUnit = corner.x || corner.y || !corner.unknownPosition.empty() ||
                        headerUnit(table, block, false, UnitEntries::Own);
   const bool isNumbered = frame.hasColumn && countByOne(frame.x) && countByOne(frame.y) &&
                           (!hasUnit || headerLength(table, block, LengthKind::Step, 'x'));
-  const Numbering numbering = frame.hasColumn ? Numbering{isNumbered, isNumbered}
-                              : spip          ? Numbering{}
-                                              : findNumbering(block, source);
+  const Numbering numbering = frame.hasColumn  ? Numbering{isNumbered, isNumbered}
+                              : spip || isEsri ? Numbering{}
+                                               : findNumbering(block, source);
   const std::size_t firstColumn = frame.hasColumn || numbering.column ? 1 : 0;
   const std::size_t firstRow = frame.hasRow || (!frame.hasColumn && numbering.row) ? 1 : 0;
   grid.columns = static_cast<std::int64_t>(block.columns.size() - firstColumn);
@@ -283,13 +195,18 @@ SurfaceDraft readTextMatrix(const TextTable& table, const TextBlock& block,
     if (!draft.positionUnit) draft.unknownPositionUnit = corner.unknownPosition;
     if (!draft.positionUnit && draft.unknownPositionUnit.empty())
       draft.positionUnit = headerUnit(table, block, false);
-    draft.facts.notes.emplace_back("The first row and the first column are positions.");
+    if (frame.corner) {
+      const Message note = message(
+          "The first row and the first column are evenly spaced and are taken as positions; the "
+          "number {} in the corner is left out.",
+          plain(*frame.corner));
+      draft.facts.notes.push_back(note);
+      draft.facts.assumptions.push_back(note);
+    } else {
+      draft.facts.notes.emplace_back("The first row and the first column are positions.");
+    }
   } else {
     takeSpacings(table, block, source, draft);
-    // The entry "Unit" may be the unit of the heights, which tells nothing about a step.
-    if (!draft.positionUnit)
-      draft.positionUnit = headerUnit(
-          table, block, false, draft.hasPositions ? UnitEntries::AndCommon : UnitEntries::Own);
   }
   if (const auto size = nanometresPerHeight(table, block); size && !draft.heightUnit)
     draft.heightUnit = StatedUnit{*size == 1 ? "nm" : plainNumber(*size) + " nm", 1e-9 * *size};
@@ -342,33 +259,62 @@ bool isPointsOfGrid(const TextBlock& block, const ColumnRoles& roles) {
   return all <= 2 * static_cast<double>(block.rows) && all >= static_cast<double>(block.rows);
 }
 
+std::optional<GridNumbers> gridNumbers(const TextTable& table, const TextBlock& block,
+                                       const ColumnRoles& roles, const SurfaceSource& source) {
+  const bool isStepKnown = (source.choices.spacing > 0 && source.choices.positionUnit == "auto") ||
+                           headerLength(table, block, LengthKind::Step, 'x');
+  return findGridNumbers(block, roles, source, isStepKnown);
+}
+
 SurfaceDraft readTextPoints(const TextTable& table, const TextBlock& block,
                             const SurfaceSource& source) {
   if (block.columns.size() < 3) source.fail("points need three columns: x, y and z");
-  const PointColumns columns = pointColumns(block, columnRoles(block, source));
+  const ColumnRoles roles = columnRoles(block, source);
+  PointColumns columns = pointColumns(block, roles);
+  const auto numbers = gridNumbers(table, block, roles, source);
+  if (numbers) columns = {numbers->column, numbers->row, numbers->height};
+  // Numbers of points are positions only where the user says in which unit.
+  const bool areNumbers =
+      numbers && (source.choices.spacing > 0 || source.choices.positionUnit == "auto");
   SurfaceDraft draft;
   draft.facts.format = "points";
   draft.facts.positionColumn = columnText(block, columns.x).english();
   draft.facts.heightColumn = columnText(block, columns.z).english();
-  draft.facts.notes.push_back(message("Positions are {} and {}, heights {}.",
-                                      columnText(block, columns.x), columnText(block, columns.y),
-                                      columnText(block, columns.z)));
-  draft.positionUnit = columnUnit(source, table, block, columns.x, false);
-  const auto rowUnit = columnUnit(source, table, block, columns.y, false);
+  draft.facts.notes.push_back(
+      areNumbers ? message("Columns of the grid are numbered by {}, rows by {}; heights are {}.",
+                           columnText(block, columns.x), columnText(block, columns.y),
+                           columnText(block, columns.z))
+                 : message("Positions are {} and {}, heights {}.", columnText(block, columns.x),
+                           columnText(block, columns.y), columnText(block, columns.z)));
+  std::optional<StatedUnit> rowUnit;
+  if (!areNumbers) {
+    draft.positionUnit = columnUnit(source, table, block, columns.x, false);
+    rowUnit = columnUnit(source, table, block, columns.y, false);
+  }
   draft.heightUnit = columnUnit(source, table, block, columns.z, true);
-  if (!draft.positionUnit) draft.unknownPositionUnit = unknownUnit(table, block, columns.x, false);
+  if (!draft.positionUnit && !areNumbers)
+    draft.unknownPositionUnit = unknownUnit(table, block, columns.x, false);
   if (!draft.heightUnit) draft.unknownHeightUnit = unknownUnit(table, block, columns.z, true);
   const double ofRows =
       (rowUnit ? rowUnit->metres : 1) / (draft.positionUnit ? draft.positionUnit->metres : 1);
 
   const auto x = columnAxis(block, columns.x), y = columnAxis(block, columns.y);
-  if (!x || !y) source.fail("the points do not lie on a grid of uniform rows and columns");
+  constexpr double kRounding = 1e-3;
+  const auto countsByOne = [](const GridAxis& axis) {
+    return std::abs(axis.spacing - 1) < kRounding;
+  };
+  if (!x || !y || (areNumbers && !(countsByOne(*x) && countsByOne(*y))))
+    source.fail("the points do not lie on a grid of uniform rows and columns");
   // A single row may also run along y.
   Topography& grid = draft.grid;
   grid.columns = x->count;
   grid.rows = y->count;
-  grid.columnSpacing = x->spacing;
-  grid.rowSpacing = y->spacing * ofRows;
+  if (areNumbers) {
+    takeSpacings(table, block, source, draft);
+  } else {
+    grid.columnSpacing = x->spacing;
+    grid.rowSpacing = y->spacing * ofRows;
+  }
   const double all = static_cast<double>(grid.columns) * static_cast<double>(grid.rows);
   if (all > 4 * static_cast<double>(block.rows))
     source.fail("the points do not lie on a grid of uniform rows and columns");

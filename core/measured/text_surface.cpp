@@ -7,9 +7,12 @@
 
 #include "core/base/number_text.h"
 #include "core/base/text_number.h"
+#include "core/measured/height_table.h"
+#include "core/measured/matrix_frame.h"
 #include "core/measured/text_columns.h"
 #include "core/measured/text_lengths.h"
 #include "core/measured/uniform_positions.h"
+#include "core/measured/word_reader.h"
 
 namespace asperity {
 namespace {
@@ -92,8 +95,9 @@ Form detectForm(const TextTable& table, const TextBlock& block, const SurfaceSou
   if (format == "points") return Form::Points;
   const std::size_t columns = block.columns.size();
   if (columns < 3) return Form::Profile;
-  if (hasPositionFrame(block)) return Form::Matrix;
+  if (readFrame(block).hasColumn) return Form::Matrix;
   const ColumnRoles roles = columnRoles(block, source);
+  if (gridNumbers(table, block, roles, source)) return Form::Points;
   if (roles.x >= 0 && roles.y >= 0 && roles.z >= 0) {
     // The table may be a profile with a second lateral coordinate that does not change, or points.
     return Form::Points;
@@ -186,12 +190,28 @@ SurfaceDraft readTextProfile(const TextTable& table, const TextBlock& block,
   return draft;
 }
 
+/// Removes the first number of a single column where it is the number of those below it. Returns
+/// its line, 0 where there is none.
+std::uint32_t takeCount(TextBlock& block) {
+  constexpr std::size_t kFewest = 5;
+  if (block.columns.size() != 1 || block.rows <= kFewest ||
+      block.values.front() != static_cast<double>(block.rows - 1))
+    return 0;
+  const std::uint32_t line = block.lines.front();
+  block.values.erase(block.values.begin());
+  block.lines.erase(block.lines.begin());
+  --block.rows;
+  return line;
+}
+
 /// Adds what the reader can only suppose about the notation of the numbers.
-void addAssumptions(const TextTable& table, ReadingFacts& facts) {
+void addAssumptions(const TextTable& table, std::uint32_t lineOfCount, ReadingFacts& facts) {
   const auto add = [&facts](const Message& note) {
     facts.notes.push_back(note);
     facts.assumptions.push_back(note);
   };
+  if (lineOfCount > 0)
+    add(message("Line {} is left out: it is the number of the heights below it.", lineOfCount));
   const std::vector<std::uint32_t>& leftOut = table.leftOut;
   if (leftOut.size() == 1)
     add(message("Line {} is left out: it begins with a number and is no row of the table.",
@@ -221,20 +241,22 @@ SurfaceDraft readTextSurface(const SurfaceSource& source) {
         message("is a road file ({}), a kind that is not read; the heights of one track as "
                 "text are, with their distance as surface.point_spacing",
                 Message::name(std::string(kind))));
+  const bool isEsri =
+      format != "profile" && format != "points" && isEsriGrid(withoutByteOrderMark(source.bytes));
   TextTableOptions options;
   options.blankLinesAreGaps = true;
   options.progress = [&source](double part) { source.report(0.9 * part); };
-  const TextTable table = readTextTable(source.bytes, source.name, options);
-  const TextBlock& block = table.largest();
-  const Form form = detectForm(table, block, source);
+  TextTable table =
+      isEsri ? readEsriGrid(source) : readTextTable(source.bytes, source.name, options);
+  const HeightTable chosen = chooseHeightTable(table);
+  TextBlock& block = table.blocks[chosen.index];
+  const std::uint32_t lineOfCount = isEsri ? 0 : takeCount(block);
+  const Form form = isEsri ? Form::Matrix : detectForm(table, block, source);
   SurfaceDraft draft = form == Form::Profile  ? readTextProfile(table, block, source)
                        : form == Form::Matrix ? readTextMatrix(table, block, source)
                                               : readTextPoints(table, block, source);
-  if (table.blocks.size() > 1)
-    draft.facts.notes.push_back(
-        message("The file has {} tables of numbers; the largest one, from line {} on, is read.",
-                table.blocks.size(), block.lines.front()));
-  addAssumptions(table, draft.facts);
+  if (chosen.note) draft.facts.notes.push_back(*chosen.note);
+  addAssumptions(table, lineOfCount, draft.facts);
   return draft;
 }
 

@@ -1,7 +1,11 @@
 // The three forms of surfaces in text tables: profile, matrix and points.
 #pragma once
 
+#include <optional>
+#include <string_view>
+
 #include "core/base/text_table.h"
+#include "core/measured/grid_numbers.h"
 #include "core/measured/surface_draft.h"
 #include "core/measured/text_columns.h"
 
@@ -12,10 +16,19 @@ SurfaceDraft readTextMatrix(const TextTable& table, const TextBlock& block,
 SurfaceDraft readTextPoints(const TextTable& table, const TextBlock& block,
                             const SurfaceSource& source);
 
+/// Returns the columns that number the columns and the rows of a grid; nothing where there are
+/// none.
+std::optional<GridNumbers> gridNumbers(const TextTable& table, const TextBlock& block,
+                                       const ColumnRoles& roles, const SurfaceSource& source);
+
 /// Returns whether the first two of three columns are the positions of a grid.
 bool isPointsOfGrid(const TextBlock& block, const ColumnRoles& roles);
 
-/// Returns whether the first row and the first column of a matrix hold positions.
-bool hasPositionFrame(const TextBlock& block);
+/// Returns whether a text begins with "ncols" and "nrows", as grids of ESRI do.
+bool isEsriGrid(std::string_view bytes);
+
+/// Returns a table of the rows that the header of a grid of ESRI states. Throws InputError where
+/// the heights are fewer or more.
+TextTable readEsriGrid(const SurfaceSource& source);
 
 }  // namespace asperity

@@ -3691,6 +3691,10 @@
         <translation>Orte sind %1 und %2, Höhen %3.</translation>
     </message>
     <message>
+        <source>Columns of the grid are numbered by %1, rows by %2; heights are %3.</source>
+        <translation>Die Spalten des Gitters nummeriert %1, die Zeilen %2; Höhen sind %3.</translation>
+    </message>
+    <message>
         <source>Positions are in %1, as the file states.</source>
         <translation>Die Orte sind in %1, wie die Datei sagt.</translation>
     </message>
@@ -3919,6 +3923,18 @@
         <translation>wird gebraucht: Die erste Spalte kann die Punkte nummerieren; lassen Sie sie weg, oder setzen Sie matrix, wenn sie Höhen enthält</translation>
     </message>
     <message>
+        <source>is needed: the first row is evenly spaced and may hold positions; leave it out, or set matrix where it holds heights</source>
+        <translation>wird gebraucht: Die erste Zeile hat gleiche Abstände und kann Orte enthalten; lassen Sie sie weg, oder setzen Sie matrix, wenn sie Höhen enthält</translation>
+    </message>
+    <message>
+        <source>is needed: the first column is evenly spaced and may hold positions; leave it out, or set matrix where it holds heights</source>
+        <translation>wird gebraucht: Die erste Spalte hat gleiche Abstände und kann Orte enthalten; lassen Sie sie weg, oder setzen Sie matrix, wenn sie Höhen enthält</translation>
+    </message>
+    <message>
+        <source>The first row and the first column are evenly spaced and are taken as positions; the number %1 in the corner is left out.</source>
+        <translation>Die erste Zeile und die erste Spalte haben gleiche Abstände und gelten als Orte; die Zahl %1 in der Ecke bleibt weg.</translation>
+    </message>
+    <message>
         <source>The first row and the first column number the points.</source>
         <translation>Die erste Zeile und die erste Spalte nummerieren die Punkte.</translation>
     </message>
@@ -3993,6 +4009,18 @@
     <message>
         <source>Heights are %1, the first of %2 columns that could be; surface.height_column chooses another.</source>
         <translation>Höhen sind %1, die erste von %2 möglichen Spalten; surface.height_column wählt eine andere.</translation>
+    </message>
+    <message>
+        <source>Line %1 is left out: it is the number of the heights below it.</source>
+        <translation>Zeile %1 bleibt weg: Sie ist die Anzahl der Höhen darunter.</translation>
+    </message>
+    <message>
+        <source>The file has %1 tables of numbers; that of heights, from line %2 on, is read.</source>
+        <translation>Die Datei hat %1 Zahlentabellen; gelesen wird die der Höhen, ab Zeile %2.</translation>
+    </message>
+    <message>
+        <source>The file has %1 tables of numbers; the first of %2 equally large ones, from line %3 on, is read.</source>
+        <translation>Die Datei hat %1 Zahlentabellen; gelesen wird die erste von %2 gleich großen, ab Zeile %3.</translation>
     </message>
     <message>
         <source>The file has %1 tables of numbers; the largest one, from line %2 on, is read.</source>

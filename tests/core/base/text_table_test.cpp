@@ -299,6 +299,8 @@ TEST(TextTable, FindsKeysAndValues) {
   const TextTable grid = read("ncols 4\nnrows 2\ncellsize 0.5\n1 2 3 4\n5 6 7 8\n");
   EXPECT_EQ(grid.entry("ncols", grid.largest()), "4");
   EXPECT_EQ(grid.largest().rows, 2u);
+  const TextTable commas = read("ncols 4\ncellsize 2,5\n1,5 2 3 4\n5,5 6 7 8\n");
+  EXPECT_EQ(commas.entry("cellsize", commas.largest()), "2,5");
 }
 
 TEST(TextTable, ACommaBetweenQuotesEndsNoKey) {
@@ -361,6 +363,28 @@ TEST(TextTable, KeepsRowsTogetherAcrossBlankLinesAndComments) {
   ASSERT_EQ(made.blocks.size(), 1u);
   EXPECT_THAT(made.blocks[0].column(1), ElementsAre(2, 4, 6, 8));
   EXPECT_THAT(made.blocks[0].lines, ElementsAre(1u, 3u, 5u, 8u));
+}
+
+/// Such a comment cut the table, and the rows behind it lost their names.
+TEST(TextTable, KeepsRowsTogetherAcrossAnyMarkOfComments) {
+  for (const std::string mark : {"; ", ";", "-- ", "REM ", "rem ", "' "}) {
+    SCOPED_TRACE(mark);
+    const TextTable made = read(mark + "Operator: A\n" + mark + "x (um)  z (nm)\n1 2\n3 4\n" +
+                                mark + "pause\n" + mark + "of 5 s\n5 6\n7 8\n" + mark + "end\n");
+    ASSERT_EQ(made.blocks.size(), 1u);
+    EXPECT_THAT(made.blocks[0].column(1), ElementsAre(2, 4, 6, 8));
+    EXPECT_EQ(made.blocks[0].columns[0].name, "x");
+    EXPECT_EQ(made.blocks[0].columns[1].unit, "nm");
+    EXPECT_EQ(made.entry("operator", made.blocks[0]), "A");
+    ASSERT_EQ(made.trailer.size(), 1u);
+    EXPECT_EQ(made.trailer[0].value, "end");
+  }
+  const TextTable fields = read("x;z\n1;2\n3;4\n; pause; 5 s; A\n5;6\n");
+  EXPECT_THAT(fields.largest().column(1), ElementsAre(2, 4, 6));
+  // Names and units are no comments.
+  EXPECT_EQ(read("x;z\n1;2\n3;4\n;z2\n5;6\n").blocks.size(), 2u);
+  EXPECT_EQ(read("'x' 'z'\n1 2\n3 4\n'x' 'z'\n5 6\n").blocks.size(), 2u);
+  EXPECT_EQ(read("n  x  z\n-- um nm\n1 2 3\n3 4 5\n").largest().columns[1].unit, "um");
 }
 
 TEST(TextTable, TakesAnotherWidthForAnotherBlock) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -20,6 +21,13 @@ inline MeasuredFile read(const std::string& bytes, const ReadingChoices& choices
 /// The message of the error; "no error" where there is none.
 inline std::string errorOf(const std::string& bytes, const ReadingChoices& choices = {}) {
   return errorFrom([&] { read(bytes, choices); });
+}
+
+/// Returns whether a note of the reader has this part.
+inline bool says(const MeasuredFile& file, const std::string& part) {
+  return std::ranges::any_of(file.facts.notes, [&part](const Message& note) {
+    return note.english().find(part) != std::string::npos;
+  });
 }
 
 inline std::string replaced(std::string text, const std::string& what, const std::string& by) {
