@@ -16,6 +16,7 @@
 #include "core/scene/provenance.h"
 #include "core/scene/scene_check.h"
 #include "core/scene/sweep.h"
+#include "core/surface/measured_summary.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 
@@ -60,7 +61,6 @@ std::string summaryText(const Curve& curve, const CurveSet& set) {
     for (const Message& note : measured.data.notes)
       text += measured.data.name + ": " + translated(note) + "\n";
   for (const Message& note : set.notes) text += translated(note) + "\n";
-  for (const std::string& assumption : surfaceAssumptions(scene)) text += assumption + "\n";
   NoteSet notes;
   for (const CurvePoint& point : curve.points) notes.add(point.notes);
   text += noteLines(notes);
@@ -165,7 +165,8 @@ int runCurve(const CurveCommand& command) {
                            return sheet;
                          },
                      .origin = [&] { return provenance("curve", scene); },
-                     .summary = summaryText(curve, set)};
+                     .summary = summaryText(curve, set),
+                     .reading = readingFacts(scene)};
   command.curves.addTo(result.picture);
   if (keepsLines)
     result.otherFiles = {

@@ -43,15 +43,9 @@ std::string valueText(double value, const std::string& unit) {
   return unit.empty() ? answerNumber(value, 4) : answerQuantity(value, unit);
 }
 
-std::string factsText(const std::vector<Message>& facts) {
-  std::string text;
-  for (const Message& fact : facts) text += translated(fact) + "\n";
-  return text;
-}
-
 /// Returns the interpretation of the file, and the values before and after processing.
 std::string measuredText(const MeasuredSummary& summary) {
-  std::string text = factsText(factsOf(summary));
+  std::string text = factLines(factsOf(summary));
   constexpr int kColumn = 14;
   const auto cell = [](std::string word) {
     // Columns are aligned by code points, not bytes.
@@ -154,7 +148,7 @@ int runSurface(const SurfaceCommand& command) {
     const LineSource source(scene, writtenPointsPerElement(scene, isFile));
     const Line line = source.make(0);
     const std::string text = (source.measured() ? measuredText(measuredSummary(scene, source))
-                                                : factsText(source.spectrumFacts())) +
+                                                : factLines(source.spectrumFacts())) +
                              noteLines(lineNotes(source)) + summaryText(line, command.outputs);
     for (const std::string& output : command.outputs)
       if (output != "-" || !command.common.json) writeSurface(output, command, scene, source, line);

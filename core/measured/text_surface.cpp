@@ -187,11 +187,8 @@ SurfaceDraft readTextProfile(const TextTable& table, const TextBlock& block,
 }
 
 /// Adds what the reader can only suppose about the notation of the numbers.
-void addAssumptions(const TextTable& table, ReadingFacts& facts) {
-  const auto add = [&facts](const Message& note) {
-    facts.notes.push_back(note);
-    facts.assumptions.push_back(note);
-  };
+void addAssumptions(const TextTable& table, std::vector<Message>& notes) {
+  const auto add = [&notes](const Message& note) { notes.push_back(note); };
   const std::vector<std::uint32_t>& leftOut = table.leftOut;
   if (leftOut.size() == 1)
     add(message("Line {} is left out: it begins with a number and is no row of the table.",
@@ -234,7 +231,7 @@ SurfaceDraft readTextSurface(const SurfaceSource& source) {
     draft.facts.notes.push_back(
         message("The file has {} tables of numbers; the largest one, from line {} on, is read.",
                 table.blocks.size(), block.lines.front()));
-  addAssumptions(table, draft.facts);
+  addAssumptions(table, draft.facts.notes);
   return draft;
 }
 

@@ -64,8 +64,11 @@ Message spikesFact(std::int64_t spikes) {
       spikes, PrintedNumber{printedNumber(kUsualOutliers, 2)});
 }
 
-std::vector<Message> factsOf(const MissingHeights& missing) {
-  std::vector<Message> list;
+namespace {
+
+/// Returns how the file was read, then what is left out and what is interpolated.
+std::vector<Message> readingFacts(const ReadingFacts& facts, const MissingHeights& missing) {
+  std::vector<Message> list = facts.notes;
   const auto add = [&list](std::int64_t count, const Message& one, const Message& several) {
     if (count > 0) list.push_back(count == 1 ? one : several);
   };
@@ -78,11 +81,17 @@ std::vector<Message> factsOf(const MissingHeights& missing) {
   return list;
 }
 
+}  // namespace
+
+std::vector<Message> readingFacts(const Scene& scene) {
+  if (scene.surface.kind == SurfaceKind::Spectrum) return LineSource(scene, 1).spectrumFacts();
+  if (scene.surface.kind != SurfaceKind::Measured) return {};
+  const auto lines = MeasuredLines::of(scene);
+  return readingFacts(lines->file().facts, lines->missingHeights());
+}
+
 std::vector<Message> factsOf(const MeasuredSummary& summary) {
-  const ReadingFacts& facts = summary.facts;
-  std::vector<Message> list;
-  for (const Message& note : facts.notes) list.push_back(note);
-  for (const Message& fact : factsOf(summary.missing)) list.push_back(fact);
+  std::vector<Message> list = readingFacts(summary.facts, summary.missing);
   if (summary.rows > 1)
     list.push_back(summary.rowsUsed == 1 ? message("row {} alone is the line", summary.rowInFile)
                                          : message("shown is row {}; {} rows are lines",

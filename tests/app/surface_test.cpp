@@ -148,6 +148,35 @@ TEST_F(SurfaceCommandTest, EveryVerbSaysWhatIsLeftOutAndFilled) {
                 "of 4; 0 is every one of them");
 }
 
+/// Which column is read, what is averaged and what is left out changes friction, so every verb that
+/// uses the surface says it, in its JSON, too.
+TEST_F(SurfaceCommandTest, EveryVerbSaysHowTheFileWasRead) {
+  std::ostringstream table;
+  table << "x (um),z1 (um),z2 (um)\n";
+  const auto add = [&table](int i) {
+    table << i << "," << std::sin(0.21 * i) << "," << std::cos(0.3 * i) << "\n";
+  };
+  for (int i = 0; i < 100; ++i) {
+    add(i);
+    if (i == 50) add(i);
+  }
+  program.folder.write("two.csv", table.str());
+  program.folder.write("t.json", R"({"surface":{"kind":"measured","file":"two.csv"},
+      "ensemble":{"realizations":0},"sweep":{"points":2}})");
+  const std::string column = "the first of 2 columns that could be", repeated = "repeat a position";
+  for (const std::string verb :
+       {"surface", "check", "explain", "curve", "cutoff",
+        "map --x sliding.velocity=0.1:1:2 --y load.normal_force=0.1:1:2"}) {
+    const std::size_t end = std::min(verb.find(' '), verb.size());
+    const std::string arguments = verb.substr(0, end) + " t.json" + verb.substr(end) + " --json";
+    const Said said = program.run(arguments);
+    EXPECT_EQ(said.status, 0) << said.err;
+    EXPECT_THAT(said.err, AllOf(HasSubstr(column), HasSubstr(repeated))) << arguments;
+    const std::string facts = nlohmann::json::parse(said.out)["reading"]["facts"].dump();
+    EXPECT_THAT(facts, AllOf(HasSubstr(column), HasSubstr(repeated))) << arguments;
+  }
+}
+
 /// The height of an equivalent line is another one than that of its row: both factors are told.
 TEST_F(SurfaceCommandTest, TellsHeightAndSlopeOfTheEquivalentLine) {
   const std::string as = " --set surface.line=";
