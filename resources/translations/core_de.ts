@@ -3607,6 +3607,10 @@
         <translation>ist von einer Art, die nur Gwyddion liest, und das ist nicht installiert; ohne es werden Text (Profile, Matrizen, Punkte) und Dateien dieser Arten gelesen: %1</translation>
     </message>
     <message>
+        <source>is %1; without Gwyddion, which is not installed, text (profiles, matrices, points) and files of these kinds are read: %2</source>
+        <translation>ist %1; ohne Gwyddion, das nicht installiert ist, werden Text (Profile, Matrizen, Punkte) und Dateien dieser Arten gelesen: %2</translation>
+    </message>
+    <message>
         <source>cannot be converted: Gwyddion does not start</source>
         <translation>lässt sich nicht umwandeln: Gwyddion startet nicht</translation>
     </message>
