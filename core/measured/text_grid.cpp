@@ -1,5 +1,6 @@
 // Reads topographies in text tables: a matrix of heights, or points x, y, z in any order.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -185,17 +186,24 @@ void requireAgreement(const AxisSteps& axis, std::int64_t count, const SurfaceSo
                              PrintedNumber{printedQuantity(extent, "m")}, count));
 }
 
+}  // namespace
+
 void takeSpacings(const TextTable& table, const TextBlock& block, const SurfaceSource& source,
                   SurfaceDraft& draft) {
   Topography& grid = draft.grid;
   AxisSteps x, y;
   for (auto* axis : {&x, &y}) {
     const char letter = axis == &x ? 'x' : 'y';
-    axis->step = headerLength(table, block, LengthKind::Step, letter);
-    axis->extent = headerLength(table, block, LengthKind::Extent, letter);
+    axis->step = headerLength(table, block, LengthKind::Step, letter, source);
+    axis->extent = headerLength(table, block, LengthKind::Extent, letter, source);
     if (spipHeader(table, block) && axis->extent && !axis->extent->unit)
       axis->extent->unit = StatedUnit{"nm", 1e-9};
   }
+  if (!x.step && !y.step && !y.extent)
+    if (const auto sides = widthAndLength(block)) {
+      x.extent = sides->first;
+      y.extent = sides->second;
+    }
   // A width without a unit that is the number of columns counts them.
   const auto isCount = [](const AxisSteps& axis, std::int64_t count) {
     return axis.extent && !axis.extent->unit && axis.extent->value == static_cast<double>(count);
@@ -235,8 +243,6 @@ void takeSpacings(const TextTable& table, const TextBlock& block, const SurfaceS
   if (!draft.hasPositions) grid.columnSpacing = grid.rowSpacing = 1;
 }
 
-}  // namespace
-
 SurfaceDraft readTextMatrix(const TextTable& table, const TextBlock& block,
                             const SurfaceSource& source) {
   SurfaceDraft draft;
@@ -249,7 +255,7 @@ SurfaceDraft readTextMatrix(const TextTable& table, const TextBlock& block,
   const bool hasUnit = corner.x || corner.y || !corner.unknownPosition.empty() ||
                        headerUnit(table, block, false, UnitEntries::Own);
   const bool isNumbered = frame.hasColumn && countByOne(frame.x) && countByOne(frame.y) &&
-                          (!hasUnit || headerLength(table, block, LengthKind::Step, 'x'));
+                          (!hasUnit || headerLength(table, block, LengthKind::Step, 'x', source));
   const Numbering numbering = frame.hasColumn ? Numbering{isNumbered, isNumbered}
                               : spip          ? Numbering{}
                                               : findNumbering(block, source);
@@ -332,6 +338,23 @@ std::optional<GridAxis> columnAxis(const TextBlock& block, int column) {
   return findGridAxis(std::move(values), static_cast<std::int64_t>(block.rows));
 }
 
+/// Returns whether the positions number the points: they are in pixels, or count by one without a
+/// unit where the user states the spacing alone.
+bool numberPoints(const TextTable& table, const TextBlock& block, const PointColumns& columns,
+                  const std::array<GridAxis, 2>& axes, const SurfaceSource& source) {
+  if (std::ranges::any_of(axes, [](const GridAxis& axis) {
+        return axis.count > 1 && std::abs(axis.spacing - 1) > 1e-9;
+      }))
+    return false;
+  if (isInPixels(block, columns.x) && isInPixels(block, columns.y)) return true;
+  const auto hasNoUnit = [&block](int column) {
+    return block.columns[static_cast<std::size_t>(column)].unit.empty();
+  };
+  return source.choices.spacing > 0 && source.choices.positionUnit == "auto" &&
+         (axes[0].first == 0 || axes[0].first == 1) && axes[1].first == axes[0].first &&
+         hasNoUnit(columns.x) && hasNoUnit(columns.y) && !headerUnit(table, block, false);
+}
+
 }  // namespace
 
 bool isPointsOfGrid(const TextBlock& block, const ColumnRoles& roles) {
@@ -354,16 +377,24 @@ SurfaceDraft readTextPoints(const TextTable& table, const TextBlock& block,
   draft.facts.notes.push_back(message("Positions are {} and {}, heights {}.",
                                       columnText(block, columns.x), columnText(block, columns.y),
                                       columnText(block, columns.z)));
-  draft.positionUnit = columnUnit(source, table, block, columns.x, false);
-  const auto rowUnit = columnUnit(source, table, block, columns.y, false);
+  const auto x = columnAxis(block, columns.x), y = columnAxis(block, columns.y);
+  if (!x || !y) source.fail("the points do not lie on a grid of uniform rows and columns");
+  draft.hasPositions = !numberPoints(table, block, columns, {*x, *y}, source);
+  std::optional<StatedUnit> rowUnit;
+  if (draft.hasPositions) {
+    draft.positionUnit = columnUnit(source, table, block, columns.x, false);
+    rowUnit = columnUnit(source, table, block, columns.y, false);
+  } else {
+    draft.facts.notes.push_back(message("{} and {} number the points.",
+                                        columnText(block, columns.x),
+                                        columnText(block, columns.y)));
+  }
   draft.heightUnit = columnUnit(source, table, block, columns.z, true);
   if (!draft.positionUnit) draft.unknownPositionUnit = unknownUnit(table, block, columns.x, false);
   if (!draft.heightUnit) draft.unknownHeightUnit = unknownUnit(table, block, columns.z, true);
   const double ofRows =
       (rowUnit ? rowUnit->metres : 1) / (draft.positionUnit ? draft.positionUnit->metres : 1);
 
-  const auto x = columnAxis(block, columns.x), y = columnAxis(block, columns.y);
-  if (!x || !y) source.fail("the points do not lie on a grid of uniform rows and columns");
   // A single row may also run along y.
   Topography& grid = draft.grid;
   grid.columns = x->count;

@@ -3911,6 +3911,34 @@
         <translation>surface.point_spacing ersetzt die Längen über den Zahlen der Datei.</translation>
     </message>
     <message>
+        <source>is needed (in m): lines %1 and %2 state different lengths of one axis</source>
+        <translation>wird gebraucht (in m): Die Zeilen %1 und %2 nennen verschiedene Längen für eine Achse</translation>
+    </message>
+    <message>
+        <source>the header states %1 rows of %2 points; the file has %3 heights in one column</source>
+        <translation>der Kopf nennt %1 Zeilen zu %2 Punkten; die Datei hat %3 Höhen in einer Spalte</translation>
+    </message>
+    <message>
+        <source>The rows follow each other in one column; the header states their length.</source>
+        <translation>Die Zeilen folgen einander in einer Spalte; der Kopf nennt ihre Länge.</translation>
+    </message>
+    <message>
+        <source>The header states %1 points, and the table has %2: the file may be cut off.</source>
+        <translation>Der Kopf nennt %1 Punkte, und die Tabelle hat %2: Die Datei ist vielleicht abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>The header states %1 x %2 points, and the table has %3 x %4: the file may be cut off.</source>
+        <translation>Der Kopf nennt %1 x %2 Punkte, und die Tabelle hat %3 x %4: Die Datei ist vielleicht abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>%1 numbers the points.</source>
+        <translation>%1 nummeriert die Punkte.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 number the points.</source>
+        <translation>%1 und %2 nummerieren die Punkte.</translation>
+    </message>
+    <message>
         <source>is needed (in m): the file states a step of %1 and an extent of %2, which do not fit %3 points</source>
         <translation>wird gebraucht (in m): Die Datei nennt einen Schritt von %1 und eine Ausdehnung von %2, die nicht zu %3 Punkten passen</translation>
     </message>

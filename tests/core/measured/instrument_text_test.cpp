@@ -16,12 +16,6 @@ namespace {
 
 using testing::HasSubstr;
 
-bool says(const MeasuredFile& file, const std::string& part) {
-  return std::ranges::any_of(file.facts.notes, [&part](const Message& note) {
-    return note.english().find(part) != std::string::npos;
-  });
-}
-
 ReadingChoices inMicrometres() {
   ReadingChoices choices;
   choices.positionUnit = choices.heightUnit = "um";

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -26,6 +27,13 @@ inline std::string replaced(std::string text, const std::string& what, const std
   const std::size_t at = text.find(what);
   EXPECT_NE(at, std::string::npos) << what;
   return at == std::string::npos ? text : text.replace(at, what.size(), by);
+}
+
+/// Returns whether a note of the file has this part.
+inline bool says(const MeasuredFile& file, const std::string& part) {
+  return std::ranges::any_of(file.facts.notes, [&part](const Message& note) {
+    return note.english().find(part) != std::string::npos;
+  });
 }
 
 /// Every beginning of the file is read or refused in one line.

@@ -3,8 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "tests/core/measured/surface_expectations.h"
 
 namespace asperity::written {
@@ -24,12 +22,6 @@ std::string linesOf(const Line& line, int count = kRowCount) {
   std::string text;
   for (int i = 0; i < count; ++i) text += line(i) + "\n";
   return text;
-}
-
-bool says(const MeasuredFile& file, const std::string& part) {
-  return std::ranges::any_of(file.facts.notes, [&part](const Message& note) {
-    return note.english().find(part) != std::string::npos;
-  });
 }
 
 void expectSpacing(const MeasuredFile& file, double spacing) {
