@@ -64,7 +64,12 @@ std::string summaryText(const Curve& curve, const CurveSet& set) {
   NoteSet notes;
   for (const CurvePoint& point : curve.points) notes.add(point.notes);
   text += noteLines(notes);
-  if (unresolved > 0)
+  if (unresolved == 1)
+    text += Words::tr(
+                "at one velocity friction is below what the elements resolve, see the "
+                "column notes") +
+            "\n";
+  if (unresolved > 1)
     text += filledLine(
         Words::tr("at %1 velocities friction is below what the elements resolve, see the "
                   "column notes"),

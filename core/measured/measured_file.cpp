@@ -190,6 +190,8 @@ void applyUnits(const SurfaceSource& source, SurfaceDraft& draft) {
 
 void requireSound(const SurfaceSource& source, const Topography& grid, ReadingFacts& facts) {
   constexpr std::int64_t kFewest = 3;
+  if (grid.columns == 1)
+    source.fail(message("has one point along x; at least {} are needed", kFewest));
   if (grid.columns < kFewest)
     source.fail(message("has {} points along x; at least {} are needed", grid.columns, kFewest));
   const auto isLength = [](double length) { return std::isfinite(length) && length > 0; };

@@ -44,7 +44,8 @@ MeasuredSummary measuredSummary(const Scene& scene, const LineSource& source) {
   summary.usedSpectrum = hannSpectrum(withoutGaps(profile.used), profile.spacing);
   const SpectrumLimits limits = lines.spectrumLimits(profile);
   summary.steps = limits.steps;
-  summary.band = limits.band;
+  summary.isFlat = summary.raw.pt == 0;
+  if (!summary.isFlat) summary.band = limits.band;
   summary.coarseRows = lines.coarseRows();
   summary.radius = lines.radiusOfForm();
   summary.period = source.length();
@@ -58,10 +59,16 @@ MeasuredSummary measuredSummary(const Scene& scene, const LineSource& source) {
 }
 
 Message spikesFact(std::int64_t spikes) {
+  const PrintedNumber usual{printedNumber(kUsualOutliers, 2)};
+  if (spikes == 1)
+    return message(
+        "one point of all rows stands far out of its neighbours, like a spike: where it is an "
+        "error of the measurement, surface.outliers={} replaces it",
+        usual);
   return message(
       "{} points of all rows stand far out of their neighbours, like spikes: where they are errors "
       "of the measurement, surface.outliers={} replaces them",
-      spikes, PrintedNumber{printedNumber(kUsualOutliers, 2)});
+      spikes, usual);
 }
 
 namespace {
@@ -74,6 +81,8 @@ std::vector<Message> readingFacts(const ReadingFacts& facts, const MissingHeight
   };
   add(missing.rowsLeftOut, "one row with fewer than three heights is left out",
       message("{} rows with fewer than three heights are left out", missing.rowsLeftOut));
+  add(missing.ends, "one point without a height at an end is left out",
+      message("{} points without a height at the ends are left out", missing.ends));
   add(missing.gaps, "one point without a height is interpolated",
       message("{} points without a height are interpolated", missing.gaps));
   add(missing.outliers, "one outlier is interpolated",
@@ -141,6 +150,10 @@ std::vector<Message> factsOf(const MeasuredSummary& summary) {
     list.push_back(
         message("of {} rows examined, {} have heights in steps that are too coarse for their line",
                 summary.coarseRows.examined, summary.coarseRows.coarse));
+  if (summary.isFlat) {
+    list.push_back("all heights of the row are the same: it has no spectrum");
+    return list;
+  }
   if (!(summary.band.to > summary.band.from)) {
     list.push_back("the profile is too short, or too noisy, for a spectrum that can be relied on");
     return list;

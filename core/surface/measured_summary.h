@@ -28,6 +28,7 @@ struct MeasuredSummary {
   CoarseRows coarseRows{};                        // of all that are lines
   double radius = 0;  // m, of rows that are parts of circles (MeasuredLines::radiusOfForm); 0: none
   ReliableBand band{};
+  bool isFlat = false;   // all heights of that row are the same
   double period = 0;     // m, of the line
   double lineSlope = 0;  // rms, of the line that slides
   EquivalentRatios ratios{};

@@ -3343,16 +3343,16 @@
         <translation>%1 ist mehr als die %2 Zeilen der Datei; 0 heißt jede Zeile</translation>
     </message>
     <message>
-        <source>%1 m is more than the period of %2 m that the file gives with this seam</source>
-        <translation>%1 m ist mehr als die Periode von %2 m, die die Datei mit dieser Naht ergibt</translation>
+        <source>%1 is more than the period of %2 that the file gives with this seam</source>
+        <translation>%1 ist mehr als die Periode von %2, die die Datei mit dieser Naht ergibt</translation>
     </message>
     <message>
-        <source>%1 m has less than %2 points of the file</source>
-        <translation>%1 m hat weniger als %2 Punkte der Datei</translation>
+        <source>%1 has less than %2 points of the file</source>
+        <translation>%1 hat weniger als %2 Punkte der Datei</translation>
     </message>
     <message>
-        <source>%1 m is more than half of the profile, which is %2 m long</source>
-        <translation>%1 m ist mehr als die Hälfte des Profils, das %2 m lang ist</translation>
+        <source>%1 is more than half of the profile, which is %2 long</source>
+        <translation>%1 ist mehr als die Hälfte des Profils, das %2 lang ist</translation>
     </message>
     <message>
         <source>row %1 has no measured point within %2 m</source>
@@ -3911,6 +3911,46 @@
         <translation>surface.point_spacing ersetzt die Längen über den Zahlen der Datei.</translation>
     </message>
     <message>
+        <source>one point without a height at an end is left out</source>
+        <translation>ein Punkt ohne Höhe an einem Ende fällt weg</translation>
+    </message>
+    <message>
+        <source>%1 points without a height at the ends are left out</source>
+        <translation>%1 Punkte ohne Höhe an den Enden fallen weg</translation>
+    </message>
+    <message>
+        <source>all heights of the row are the same: it has no spectrum</source>
+        <translation>alle Höhen der Zeile sind gleich: sie hat kein Spektrum</translation>
+    </message>
+    <message>
+        <source>one point of all rows stands far out of its neighbours, like a spike: where it is an error of the measurement, surface.outliers=%1 replaces it</source>
+        <translation>ein Punkt aller Zeilen ragt weit aus seinen Nachbarn heraus, wie eine Spitze: wo er ein Messfehler ist, ersetzt ihn surface.outliers=%1</translation>
+    </message>
+    <message>
+        <source>has one point along x; at least %1 are needed</source>
+        <translation>hat einen Punkt entlang x; mindestens %1 werden gebraucht</translation>
+    </message>
+    <message>
+        <source>line %1: has one field where the lines before have %2</source>
+        <translation>Zeile %1: hat ein Feld, wo die Zeilen davor %2 haben</translation>
+    </message>
+    <message>
+        <source>one row repeats a position: the mean of the heights is taken.</source>
+        <translation>eine Zeile wiederholt einen Ort: Der Mittelwert der Höhen gilt.</translation>
+    </message>
+    <message>
+        <source>One place has no row in the file and is taken as a gap.</source>
+        <translation>Eine Stelle hat keine Zeile in der Datei und gilt als Lücke.</translation>
+    </message>
+    <message>
+        <source>%1 numbers the points.</source>
+        <translation>%1 nummeriert die Punkte.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 number the points.</source>
+        <translation>%1 und %2 nummerieren die Punkte.</translation>
+    </message>
+    <message>
         <source>is needed (in m): lines %1 and %2 state different lengths of one axis</source>
         <translation>wird gebraucht (in m): Die Zeilen %1 und %2 nennen verschiedene Längen für eine Achse</translation>
     </message>
@@ -3929,14 +3969,6 @@
     <message>
         <source>The header states %1 x %2 points, and the table has %3 x %4: the file may be cut off.</source>
         <translation>Der Kopf nennt %1 x %2 Punkte, und die Tabelle hat %3 x %4: Die Datei ist vielleicht abgeschnitten.</translation>
-    </message>
-    <message>
-        <source>%1 numbers the points.</source>
-        <translation>%1 nummeriert die Punkte.</translation>
-    </message>
-    <message>
-        <source>%1 and %2 number the points.</source>
-        <translation>%1 und %2 nummerieren die Punkte.</translation>
     </message>
     <message>
         <source>is needed (in m): the file states a step of %1 and an extent of %2, which do not fit %3 points</source>
