@@ -172,6 +172,14 @@ bool isSame(const HeaderLength& one, const HeaderLength& other) {
   return std::abs(metres(one) - metres(other)) <= kRounding * metres(one);
 }
 
+/// Returns whether the name is that of a resolution, which may be a number of points as well.
+bool isResolution(std::string_view name) {
+  const std::string text = lowerCase(name);
+  constexpr WordList kWords("resolution aufl\u00F6sung r\u00E9solution");
+  return std::ranges::any_of(
+      kWords, [&text](std::string_view word) { return text.find(word) != std::string::npos; });
+}
+
 /// Reads an entry without a key: "DeltaX 0.5 um", "10 um x 20 um".
 TextEntry keyedEntry(const TextEntry& entry) {
   const std::size_t number = entry.value.find_first_of("0123456789");
@@ -205,6 +213,7 @@ std::optional<HeaderLength> headerLength(const TextTable& table, const TextBlock
       if (!place || place->place > first) continue;
       const auto lengths = parseLengths(entry.value, name.unit);
       if (!lengths || (place->hasAxis && lengths->second)) continue;
+      if (place->hasAxis && !lengths->first.unit && isResolution(name.name)) continue;
       const bool isPair = lengths->second.has_value();
       // "50x 10 um" is no pair of lengths.
       const bool isClear =

@@ -87,6 +87,8 @@ TEST(PointDistances, HaveManyNames) {
 }
 
 TEST(PointDistances, AreNoOtherLengths) {
+  expectSpacings("X Resolution: 12\nY Resolution: 9\nX range: 24 um\nY range: 27 um\nZ unit: um\n",
+                 2e-6, 3e-6);
   for (const std::string line :
        {"Step height: 1.2 um", "Mean spacing RSm: 12.3 um", "Spacing Sm = 12.3 um",
         "Line spacing: 10 um", "Resolution: 0.01 um", "Position resolution: 0.5 um",
