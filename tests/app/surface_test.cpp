@@ -165,7 +165,8 @@ TEST_F(SurfaceCommandTest, EveryVerbSaysHowTheFileWasRead) {
   program.folder.write("two.csv", table.str());
   program.folder.write("t.json", R"({"surface":{"kind":"measured","file":"two.csv"},
       "ensemble":{"realizations":0},"sweep":{"points":2}})");
-  const std::string column = "the first of 2 columns that could be", repeated = "repeats a position";
+  const std::string column = "the first of 2 columns that could be",
+                    repeated = "repeats a position";
   for (const std::string verb :
        {"surface", "check", "explain", "curve", "cutoff",
         "map --x sliding.velocity=0.1:1:2 --y load.normal_force=0.1:1:2"}) {
