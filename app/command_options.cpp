@@ -254,13 +254,10 @@ void findLinesWithProgress(const Scene& scene, bool quiet) {
   }
 }
 
-std::vector<std::string> surfaceAssumptions(const Scene& scene) {
-  std::vector<std::string> sentences;
-  if (scene.surface.kind != SurfaceKind::Measured) return sentences;
-  const auto lines = MeasuredLines::of(scene);
-  for (const auto& facts : {lines->file().facts.assumptions, factsOf(lines->missingHeights())})
-    for (const Message& fact : facts) sentences.push_back(translated(fact));
-  return sentences;
+std::string factLines(const std::vector<Message>& facts) {
+  std::string text;
+  for (const Message& fact : facts) text += translated(fact) + "\n";
+  return text;
 }
 
 std::string noteLines(const NoteSet& notes) {

@@ -122,10 +122,8 @@ auto withSceneContext(const CommonOptions& options, const Work& work) {
 /// code also reports errors, because it knows their context.
 void findLinesWithProgress(const Scene& scene, bool quiet);
 
-/// Returns the assumptions about the scene's measured surface, if it has one, that its file does
-/// not state: "they are taken as metres", and what is left out or interpolated. Sentences in the
-/// present language.
-std::vector<std::string> surfaceAssumptions(const Scene& scene);
+/// Returns a line in the present language for each fact.
+std::string factLines(const std::vector<Message>& facts);
 
 /// Returns a line for each note: its word and its sentence in the present language.
 std::string noteLines(const NoteSet& notes);

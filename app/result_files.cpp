@@ -10,6 +10,7 @@
 #include "app/pictures/headless_pictures.h"
 #include "core/base/atomic_file.h"
 #include "core/scene/provenance.h"
+#include "core/surface/surface_file.h"
 #include "ui/language/translated.h"
 
 namespace asperity {
@@ -74,26 +75,34 @@ void writeResult(const TableCommand& command, const PictureSettings& settings,
     const ProvenanceOptions given(optionsFor(common.given, output));
     return form();
   };
+  const auto json = [&] {
+    if (result.reading.empty()) return result.json();
+    auto answer = nlohmann::ordered_json::parse(result.json());
+    addReadingFacts(answer, result.reading);
+    return answer.dump(2) + "\n";
+  };
   // A chart for which the picture has no room is refused before the first file is written.
   const std::optional<DrawnChart> chart = drawChart(command, settings, result);
   for (const OtherFile& other : result.otherFiles) other.write();
   for (const std::string& output : outputs) {
     const std::string extension = fileExtension(output);
     if (extension == ".csv") writeFileAtomically(output, tableText(result.csv, output));
-    if (extension == ".json") writeFileAtomically(output, tableText(result.json, output));
+    if (extension == ".json") writeFileAtomically(output, tableText(json, output));
   }
   if (chart) writePictures(command, settings, result, *chart);
   std::vector<std::string> files = outputs;
   for (const OtherFile& other : result.otherFiles) files.push_back(other.name);
   const bool printsTable = outputs.empty() || hasStandardOutput(outputs);
   if (common.json)
-    fmt::print("{}", tableText(result.json, ".json"));
+    fmt::print("{}", tableText(json, ".json"));
   else if (outputs.empty() && !result.printed.empty())
     fmt::print("{}", result.printed);
   else if (printsTable)
     fmt::print("{}", tableText(result.csv, ".csv"));
-  if (!files.empty())
-    printSummary(common.json || printsTable, common.quiet, result.summary + wroteLines(files));
+  // Without a file the table is all that is printed, beside what was assumed about the surface.
+  const std::string reading = factLines(result.reading);
+  printSummary(common.json || printsTable, common.quiet,
+               files.empty() ? reading : result.summary + reading + wroteLines(files));
 }
 
 OutputFolder::OutputFolder(std::string folder, std::vector<std::filesystem::path> inputs,

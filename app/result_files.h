@@ -47,6 +47,7 @@ struct TableResult {
   nlohmann::ordered_json picture = nlohmann::ordered_json::object();
   float minTextSize = 0;                // of the chart, as in DiagramOptions
   std::string summary{};                // lines before those that name the files
+  std::vector<Message> reading{};       // of the surface, for the summary and the JSON
   std::string printed{};                // where there are no files; empty: the CSV
   std::vector<OtherFile> otherFiles{};  // written before the outputs
 };

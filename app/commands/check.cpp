@@ -18,6 +18,7 @@
 #include "core/scene/provenance.h"
 #include "core/surface/line_source.h"
 #include "core/surface/measured_summary.h"
+#include "core/surface/surface_file.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/window/main/scene_library.h"
@@ -37,7 +38,8 @@ LawInput makeLawInput(const Scene& scene, const LineSource& source) {
           scene.sliding.velocity};
 }
 
-std::string summaryText(const Scene& scene, const LineSource& source, const LawInput& in) {
+std::string summaryText(const Scene& scene, const LineSource& source, const LawInput& in,
+                        const std::vector<Message>& reading) {
   const auto number = [](double value) { return answerNumber(value, 6); };
   const double spacing = source.length() / static_cast<double>(source.elements());
   std::string text =
@@ -59,7 +61,7 @@ std::string summaryText(const Scene& scene, const LineSource& source, const LawI
   if (in.rmsHeight > 0 && elementLaw(scene.elastomer).kind() != ElementKind::Arms)
     add(filled(Words::tr("dimensionless velocity tau v slope / (sqrt(2) h) = %1 (Eq. 13)"),
                {number(dimensionlessVelocity(in))}));
-  for (const std::string& assumption : surfaceAssumptions(scene)) add(assumption);
+  for (const Message& fact : reading) add(translated(fact));
   const std::int64_t spikes = source.measured() ? source.measured()->spikes() : 0;
   if (spikes > 0) add(translated(spikesFact(spikes)));
   return text + "\n";
@@ -91,12 +93,14 @@ void checkScene(const CommonOptions& command, bool isOneOfMany,
     if (scene.sliding.kind == SlidingKind::Steady) const SteadySolver solver(scene);
     const LineSource source(scene, pointsPerElement(scene));
     const LawInput in = makeLawInput(scene, source);
+    const std::vector<Message> reading = readingFacts(scene);
     const std::string name = isOneOfMany ? command.scene + ": " : "";
-    printSummary(command.json, command.quiet, name + summaryText(scene, source, in));
+    printSummary(command.json, command.quiet, name + summaryText(scene, source, in, reading));
     answers.push_back(provenance("check", scene));
     if (isOneOfMany) answers.back()["file"] = command.scene;
     answers.back()["valid"] = true;
     answers.back()["derived"] = derivedJson(scene, source, in);
+    addReadingFacts(answers.back(), reading);
   });
 }
 

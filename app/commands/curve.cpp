@@ -16,6 +16,7 @@
 #include "core/scene/provenance.h"
 #include "core/scene/scene_check.h"
 #include "core/scene/sweep.h"
+#include "core/surface/measured_summary.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 
@@ -59,11 +60,15 @@ std::string summaryText(const Curve& curve, const CurveSet& set) {
     for (const Message& note : measured.data.notes)
       text += measured.data.name + ": " + translated(note) + "\n";
   for (const Message& note : set.notes) text += translated(note) + "\n";
-  for (const std::string& assumption : surfaceAssumptions(scene)) text += assumption + "\n";
   NoteSet notes;
   for (const CurvePoint& point : curve.points) notes.add(point.notes);
   text += noteLines(notes);
-  if (unresolved > 0)
+  if (unresolved == 1)
+    text += Words::tr(
+                "at one velocity friction is below what the elements resolve, see the "
+                "column notes") +
+            "\n";
+  if (unresolved > 1)
     text += filledLine(
         Words::tr("at %1 velocities friction is below what the elements resolve, see the "
                   "column notes"),
@@ -164,7 +169,8 @@ int runCurve(const CurveCommand& command) {
                            return sheet;
                          },
                      .origin = [&] { return provenance("curve", scene); },
-                     .summary = summaryText(curve, set)};
+                     .summary = summaryText(curve, set),
+                     .reading = readingFacts(scene)};
   command.curves.addTo(result.picture);
   if (keepsLines)
     result.otherFiles = {

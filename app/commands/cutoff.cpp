@@ -5,6 +5,7 @@
 #include "core/chart/influence_sheets.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_check.h"
+#include "core/surface/measured_summary.h"
 #include "ui/language/language.h"
 
 namespace asperity {
@@ -24,7 +25,8 @@ int runCutoff(const TableCommand& command) {
               {.csv = [&] { return provenanceComment(origin()) + cutoffCsv(points); },
                .json = [&] { return cutoffJson(scene, points); },
                .sheet = [&] { return cutoffSheet(scene, points); },
-               .origin = origin});
+               .origin = origin,
+               .reading = readingFacts(scene)});
   return kDone;
 }
 

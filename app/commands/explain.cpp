@@ -127,8 +127,7 @@ std::string explanationText(const Explanation& explanation) {
     text += translated(message("{}: {}", Message(theoryEntry(theory).name),
                                Message(theoryEntry(theory).range))) +
             "\n";
-  for (const std::string& assumption : surfaceAssumptions(scene)) text += assumption + "\n";
-  text += noteLines(explanation.notes);
+  text += factLines(explanation.reading) + noteLines(explanation.notes);
   if (const auto& predicted = explanation.predicted) {
     text += Words::tr("predicted") + "\n" +
             costLines(filled(Words::tr("%1 on %2 (%3)"),

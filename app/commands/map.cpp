@@ -8,6 +8,7 @@
 #include "core/scene/data_table.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_check.h"
+#include "core/surface/measured_summary.h"
 #include "ui/language/language.h"
 
 namespace asperity {
@@ -57,7 +58,8 @@ int runMap(const MapCommand& command) {
                .json = [&] { return withColumns(mapJson(map, quantity), columns); },
                .sheet = [&] { return mapSheet(map, quantity); },
                .origin = [&] { return mapProvenance(map, quantity); },
-               .summary = summaryText(map)});
+               .summary = summaryText(map),
+               .reading = readingFacts(scene)});
   return kDone;
 }
 

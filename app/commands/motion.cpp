@@ -10,6 +10,7 @@
 #include "app/result_files.h"
 #include "core/scene/data_table.h"
 #include "core/scene/provenance.h"
+#include "core/surface/measured_summary.h"
 #include "ui/language/language.h"
 
 namespace asperity {
@@ -57,7 +58,8 @@ int runMotion(const MotionCommand& command) {
        .sheet = [&] { return motionSheet(scene, table); },
        .origin = origin,
        .minTextSize = kMotionText,
-       .summary = summaryText(table)});
+       .summary = summaryText(table),
+       .reading = readingFacts(scene)});
   return kDone;
 }
 

@@ -6,6 +6,7 @@
 #include "core/chart/influence_sheets.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_check.h"
+#include "core/surface/measured_summary.h"
 #include "ui/language/language.h"
 
 namespace asperity {
@@ -29,6 +30,7 @@ int runSensitivity(const TableCommand& command) {
                .json = [&] { return sensitivityJson(scene, exponents); },
                .sheet = [&] { return sensitivitySheet(scene, exponents); },
                .origin = origin,
+               .reading = readingFacts(scene),
                .printed = sensitivityText(exponents, {Words::tr("parameter"), Words::tr("value"),
                                                       Words::tr("exponent"), Words::tr("error")})});
   return kDone;

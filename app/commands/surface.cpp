@@ -43,15 +43,9 @@ std::string valueText(double value, const std::string& unit) {
   return unit.empty() ? answerNumber(value, 4) : answerQuantity(value, unit);
 }
 
-std::string factsText(const std::vector<Message>& facts) {
-  std::string text;
-  for (const Message& fact : facts) text += translated(fact) + "\n";
-  return text;
-}
-
 /// Returns the interpretation of the file, and the values before and after processing.
 std::string measuredText(const MeasuredSummary& summary) {
-  std::string text = factsText(factsOf(summary));
+  std::string text = factLines(factsOf(summary));
   // fmt counts letters, not bytes.
   const auto cell = [](const std::string& word) { return fmt::format("{:<13} ", word); };
   text += cell("") + cell(Words::tr("raw")) + Words::tr("used") + "\n";
@@ -149,7 +143,7 @@ int runSurface(const SurfaceCommand& command) {
     const LineSource source(scene, writtenPointsPerElement(scene, isFile));
     const Line line = source.make(0);
     const std::string text = (source.measured() ? measuredText(measuredSummary(scene, source))
-                                                : factsText(source.spectrumFacts())) +
+                                                : factLines(source.spectrumFacts())) +
                              noteLines(lineNotes(source)) + summaryText(line, command.outputs);
     for (const std::string& output : command.outputs)
       if (output != "-" || !command.common.json) writeSurface(output, command, scene, source, line);

@@ -17,6 +17,8 @@
 #include "core/scene/provenance.h"
 #include "core/scene/sweep.h"
 #include "core/surface/line_source.h"
+#include "core/surface/measured_summary.h"
+#include "core/surface/surface_file.h"
 
 namespace asperity {
 namespace {
@@ -48,6 +50,7 @@ void addLine(Explanation& explanation) {
   constexpr std::int64_t kLongLine = std::int64_t{1} << 22;     // elements
   const Scene& scene = explanation.scene;
   const LineExtent extent = lineExtent(scene);
+  explanation.reading = readingFacts(scene);
   explanation.length = extent.length;
   if (scene.load.kind != LoadKind::Indentation)
     explanation.normalForce = loadOn(scene.load, extent.length).normalForce;
@@ -134,6 +137,7 @@ std::string explanationJson(const Explanation& explanation) {
   root["length"] = explanation.length;
   root["normal_force"] = numberOrNull(explanation.normalForce);
   root["force_per_length"] = numberOrNull(explanation.normalForce / explanation.length);
+  addReadingFacts(root, explanation.reading);
   root["notes"] = Json::array();
   for (const Note note : explanation.notes.list())
     root["notes"].push_back({{"word", noteWord(note)}, {"meaning", noteSentence(note).english()}});

@@ -30,6 +30,7 @@ struct Explanation {
   double fewSummitsVelocity = kNotApplicable;
   double length = 0;                    // m, of the line
   double normalForce = kNotApplicable;  // N, on one period, where the load means one
+  std::vector<Message> reading{};       // how the file of the surface was read (readingFacts)
   NoteSet notes{};                      // of the line and the elastomer, at the scene's velocity
   /// Which frequencies the line excites and how many of them were measured; empty where it is not
   /// known what was measured.

@@ -77,7 +77,9 @@ bool statesAfterComma(std::string_view line, std::size_t comma, const TextDialec
 }  // namespace
 
 TextEntry parseEntry(const TextLine& kept, const TextDialect& dialect) {
-  const std::string_view line = withoutCommentMark(kept.text, dialect);
+  std::string_view line = withoutCommentMark(kept.text, dialect);
+  // "\Scan Size: 120 120 ~m" in quotes, as NanoScope writes it
+  if (const std::string_view bare = trimmedField(line); bare.find('"') == bare.npos) line = bare;
   TextEntry entry{{}, std::string(line), kept.number};
   entry.written = line.substr(0, line.find_last_not_of(";, \t") + 1);
   replaceAll(entry.written, "\t", " ");

@@ -287,8 +287,10 @@ class TableReader {
                             nextLineResembles(fields_.size());
     if (!goOnBroken && !nextLineFits()) return;
     if (isWide && countOf(FieldKind::Text) == 0)
-      fail(message("line {}: has {} fields where the lines before have {}", line.number,
-                   fields_.size(), columns.size()));
+      fail(fields_.size() == 1 ? message("line {}: has one field where the lines before have {}",
+                                         line.number, columns.size())
+                               : message("line {}: has {} fields where the lines before have {}",
+                                         line.number, fields_.size(), columns.size()));
     for (std::size_t i = 0; i < std::min(columns.size(), fields_.size()); ++i)
       if (kinds_[i].kind == FieldKind::Text && !columns[i].isText)
         fail(message("line {}: '{}' in column {} is not a number", line.number,

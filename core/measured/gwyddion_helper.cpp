@@ -21,6 +21,7 @@
 #include "core/base/program.h"
 #include "core/base/regular_file.h"
 #include "core/base/stop.h"
+#include "core/base/text_encoding.h"
 #include "core/measured/surface_draft.h"
 
 extern char** environ;
@@ -113,12 +114,19 @@ std::string convertWithGwyddion(const fs::path& file, const std::stop_token& sto
   const std::string name = file.string();
   const RegularFile regular(file);  // refuses a pipe, for which Gwyddion would wait
   const std::string program = findProgram("gwyddion");
-  if (program.empty())
+  if (program.empty()) {
+    const std::string_view kind = detectNonText(regular.read(0, kBeginning));
+    if (!kind.empty())
+      throw InputError(name, "",
+                       message("is {}; without Gwyddion, which is not installed, text (profiles, "
+                               "matrices, points) and files of these kinds are read: {}",
+                               Message(kind), readableFormats()));
     throw InputError(name, "",
                      message("is of a kind that only Gwyddion reads, which is not installed; text "
                              "(profiles, matrices, points) and files of these kinds are read "
                              "without it: {}",
                              readableFormats()));
+  }
   const TemporaryFolder folder(name);
   const fs::path result = folder.path() / "surface.gwy";
   Process process(program, {"gwyddion", "--no-splash", "--disable-gl",

@@ -19,8 +19,7 @@ namespace asperity {
 namespace {
 
 constexpr std::size_t kLargestFile = std::size_t{1} << 31;  // bytes
-constexpr std::size_t kBeginning = 4096;  // bytes, in which the format shows itself
-constexpr double kFarthest = 1e6;         // m, limit of lengths and heights
+constexpr double kFarthest = 1e6;                           // m, limit of lengths and heights
 // Numbers without a unit that exceed these limits are hardly metres.
 constexpr double kLongestAssumed = 1;    // m
 constexpr double kSteepestAssumed = 10;  // rms slope
@@ -85,11 +84,7 @@ SurfaceDraft readDraft(const SurfaceSource& source) {
     if (chosen != kFormats.end()) format = chosen;
   } else {
     format = detectFormat(source);
-    if (format == nullptr && !canBeText(source))
-      source.fail(
-          message("is {}; text (profiles, matrices, points) and files of these kinds are "
-                  "read: {}",
-                  Message(detectNonText(source.bytes)), readableFormats()));
+    if (format == nullptr && !canBeText(source)) refuseKind(source);
   }
   return format != nullptr ? format->read(source) : readTextSurface(source);
 }
@@ -192,6 +187,8 @@ void applyUnits(const SurfaceSource& source, SurfaceDraft& draft) {
 
 void requireSound(const SurfaceSource& source, const Topography& grid, ReadingFacts& facts) {
   constexpr std::int64_t kFewest = 3;
+  if (grid.columns == 1)
+    source.fail(message("has one point along x; at least {} are needed", kFewest));
   if (grid.columns < kFewest)
     source.fail(message("has {} points along x; at least {} are needed", grid.columns, kFewest));
   const auto isLength = [](double length) { return std::isfinite(length) && length > 0; };
@@ -249,6 +246,13 @@ std::vector<std::string_view> surfaceFileEndings() {
     for (const std::string_view ending : format.endings)
       if (!ending.empty()) endings.push_back(ending);
   return endings;
+}
+
+void refuseKind(const SurfaceSource& source) {
+  source.fail(
+      message("is {}; text (profiles, matrices, points) and files of these kinds are read: "
+              "{}",
+              Message(detectNonText(source.bytes)), readableFormats()));
 }
 
 std::string readableFormats() {

@@ -76,8 +76,7 @@ struct ReadingFacts {
   std::int64_t gaps = 0;        // of these, without a height
   double spacingVariation = 0;  // largest deviation of a step between positions, over the mean step
   bool resampled = false;       // positions were not uniform: heights are interpolated linearly
-  std::vector<Message> notes{};        // plain sentences, the most important ones first
-  std::vector<Message> assumptions{};  // those of the notes that neither file nor user states
+  std::vector<Message> notes{};  // plain sentences, the most important ones first
 
   bool operator==(const ReadingFacts&) const = default;
 };

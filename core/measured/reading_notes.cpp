@@ -117,10 +117,7 @@ void addReadingNotes(SurfaceDraft& draft) {
                             grid.columns, grid.rows, spacing,
                             PrintedNumber{printedQuantity(grid.rowSpacing, "m")}));
   notes.insert(notes.end(), facts.notes.begin(), facts.notes.end());
-  const auto assume = [&notes, &facts](const Message& note) {
-    notes.push_back(note);
-    facts.assumptions.push_back(note);
-  };
+  const auto add = [&notes](const Message& note) { notes.push_back(note); };
   const UnitFact& position = facts.positionUnit;
   if (position.source == UnitSource::File)
     notes.push_back(
@@ -128,18 +125,18 @@ void addReadingNotes(SurfaceDraft& draft) {
   else if (position.source == UnitSource::Choice)
     notes.push_back(message("Positions are in {}, as the scene says.", printedUnit(position.unit)));
   else
-    assume("The file states no unit of positions: they are taken as metres.");
+    add("The file states no unit of positions: they are taken as metres.");
   const UnitFact& height = facts.heightUnit;
   if (height.source == UnitSource::File)
     notes.push_back(message("Heights are in {}, as the file states.", printedUnit(height.unit)));
   else if (height.source == UnitSource::Choice)
     notes.push_back(message("Heights are in {}, as the scene says.", printedUnit(height.unit)));
   else
-    assume("The file states no unit of heights: they are taken as metres.");
+    add("The file states no unit of heights: they are taken as metres.");
   if (!draft.hasPositions)
-    assume("The file does not say how far its points are apart: one unit of positions.");
+    add("The file does not say how far its points are apart: one unit of positions.");
   noteLargeSizes(grid, facts, notes);
-  noteVoids(grid, height, assume);
+  noteVoids(grid, height, add);
   if (facts.gaps == 1) notes.emplace_back("One point has no height.");
   if (facts.gaps > 1) notes.push_back(message("{} points have no height.", facts.gaps));
   facts.notes = std::move(notes);

@@ -6,8 +6,8 @@
 
 namespace asperity {
 
-/// Completes the notes of a draft: first how the reader understood the file, then what is special
-/// about it. What had to be assumed stands among the assumptions as well.
+/// Completes the notes of a draft: first how the reader understood the file and what had to be
+/// assumed, then what is special about it.
 void addReadingNotes(SurfaceDraft& draft);
 
 }  // namespace asperity

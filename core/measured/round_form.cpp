@@ -76,6 +76,8 @@ double radiusOfRoundForm(std::span<const double> heights, double spacing) {
   const Eigen::Vector3d parabola = powers.colPivHouseholderQr().solve(z);
   const double byParabola =
       (z - powers * parabola).norm() / std::sqrt(static_cast<double>(x.size()));
+  constexpr double kRounding = 1e-12;  // of the heights, where a parabola leaves nothing
+  if (byParabola <= kRounding * z.lpNorm<Eigen::Infinity>()) return 0;
   const double steep = 1 + parabola[1] * parabola[1];
   Circle circle(parabola[0], parabola[1], 2 * parabola[2] / (steep * std::sqrt(steep)));
   // The parabola of a steep form is bent more than its circle, which would end before the profile.

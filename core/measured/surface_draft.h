@@ -72,6 +72,11 @@ std::optional<StatedUnit> statedUnit(const SurfaceSource& source, std::string_vi
 /// read; else empty.
 std::string_view detectRoadFormat(std::string_view bytes);
 
+inline constexpr std::size_t kBeginning = 4096;  // bytes, in which the format shows itself
+
+/// Throws InputError that says what the file is, where it is none of the formats.
+[[noreturn]] void refuseKind(const SurfaceSource& source);
+
 /// Returns the names of the formats that are read besides text: "X3P, SUR, PRO, ...".
 std::string readableFormats();
 

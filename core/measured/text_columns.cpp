@@ -291,12 +291,17 @@ ColumnRoles columnRoles(const TextBlock& block, const SurfaceSource& source) {
   return RoleFinder(block, source).find();
 }
 
+bool isInPixels(const TextBlock& block, int column) {
+  constexpr WordList kPixels("px pix pixel pixels");
+  return isOneOf(lowerCase(block.columns[static_cast<std::size_t>(column)].unit), kPixels);
+}
+
 bool mayNumberPoints(const TextBlock& block, const ColumnRoles& roles,
                      const SurfaceSource& source) {
   if (roles.x < 0 || source.choices.positionColumn > 0) return false;
   const TextColumn& column = block.columns[static_cast<std::size_t>(roles.x)];
   const std::string name = lowerCase(column.name);
-  return column.unit.empty() && !isPositionName(name) &&
+  return (isInPixels(block, roles.x) || (column.unit.empty() && !isPositionName(name))) &&
          countsRows(block, static_cast<std::size_t>(roles.x));
 }
 

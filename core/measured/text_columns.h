@@ -26,9 +26,12 @@ struct ColumnRoles {
 /// are counted from 0.
 ColumnRoles columnRoles(const TextBlock& block, const SurfaceSource& source);
 
+/// Returns whether the positions in a column are in pixels: they number the points.
+bool isInPixels(const TextBlock& block, int column);
+
 /// Returns whether the column that was taken for positions, 0, 1, 2, ... or 1, 2, 3, ..., may be
-/// the numbers of the points instead: it has neither a unit nor the name of a position, and the
-/// user did not choose it.
+/// the numbers of the points instead: it is in pixels, or it has neither a unit nor the name of a
+/// position, and the user did not choose it.
 bool mayNumberPoints(const TextBlock& block, const ColumnRoles& roles, const SurfaceSource& source);
 
 /// Returns "column 2 'z'" or, without a name, "column 2".

@@ -1,5 +1,6 @@
 // Reads topographies in text tables: a matrix of heights, or points x, y, z in any order.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -90,17 +91,24 @@ void requireAgreement(const AxisSteps& axis, std::int64_t count, const SurfaceSo
                              PrintedNumber{printedQuantity(extent, "m")}, count));
 }
 
+}  // namespace
+
 void takeSpacings(const TextTable& table, const TextBlock& block, const SurfaceSource& source,
                   SurfaceDraft& draft) {
   Topography& grid = draft.grid;
   AxisSteps x, y;
   for (auto* axis : {&x, &y}) {
     const char letter = axis == &x ? 'x' : 'y';
-    axis->step = headerLength(table, block, LengthKind::Step, letter);
-    axis->extent = headerLength(table, block, LengthKind::Extent, letter);
+    axis->step = headerLength(table, block, LengthKind::Step, letter, source);
+    axis->extent = headerLength(table, block, LengthKind::Extent, letter, source);
     if (spipHeader(table, block) && axis->extent && !axis->extent->unit)
       axis->extent->unit = StatedUnit{"nm", 1e-9};
   }
+  if (!x.step && !y.step && !y.extent)
+    if (const auto sides = widthAndLength(block)) {
+      x.extent = sides->first;
+      y.extent = sides->second;
+    }
   // A width without a unit that is the number of columns counts them.
   const auto isCount = [](const AxisSteps& axis, std::int64_t count) {
     return axis.extent && !axis.extent->unit && axis.extent->value == static_cast<double>(count);
@@ -144,8 +152,6 @@ void takeSpacings(const TextTable& table, const TextBlock& block, const SurfaceS
                                     draft.hasPositions ? UnitEntries::AndCommon : UnitEntries::Own);
 }
 
-}  // namespace
-
 SurfaceDraft readTextMatrix(const TextTable& table, const TextBlock& block,
                             const SurfaceSource& source) {
   SurfaceDraft draft;
@@ -160,7 +166,7 @@ SurfaceDraft readTextMatrix(const TextTable& table, const TextBlock& block,
   const bool hasUnit = corner.x || corner.y || !corner.unknownPosition.empty() ||
                        headerUnit(table, block, false, UnitEntries::Own);
   const bool isNumbered = frame.hasColumn && countByOne(frame.x) && countByOne(frame.y) &&
-                          (!hasUnit || headerLength(table, block, LengthKind::Step, 'x'));
+                          (!hasUnit || headerLength(table, block, LengthKind::Step, 'x', source));
   const Numbering numbering = frame.hasColumn  ? Numbering{isNumbered, isNumbered}
                               : spip || isEsri ? Numbering{}
                                                : findNumbering(block, source);
@@ -196,12 +202,10 @@ SurfaceDraft readTextMatrix(const TextTable& table, const TextBlock& block,
     if (!draft.positionUnit && draft.unknownPositionUnit.empty())
       draft.positionUnit = headerUnit(table, block, false);
     if (frame.corner) {
-      const Message note = message(
+      draft.facts.notes.push_back(message(
           "The first row and the first column are evenly spaced and are taken as positions; the "
           "number {} in the corner is left out.",
-          plain(*frame.corner));
-      draft.facts.notes.push_back(note);
-      draft.facts.assumptions.push_back(note);
+          plain(*frame.corner)));
     } else {
       draft.facts.notes.emplace_back("The first row and the first column are positions.");
     }
@@ -248,6 +252,23 @@ std::optional<GridAxis> columnAxis(const TextBlock& block, int column) {
   return findGridAxis(std::move(values), static_cast<std::int64_t>(block.rows));
 }
 
+/// Returns whether the positions number the points: they are in pixels, or count by one without a
+/// unit where the user states the spacing alone.
+bool numberPoints(const TextTable& table, const TextBlock& block, const PointColumns& columns,
+                  const std::array<GridAxis, 2>& axes, const SurfaceSource& source) {
+  if (std::ranges::any_of(axes, [](const GridAxis& axis) {
+        return axis.count > 1 && std::abs(axis.spacing - 1) > 1e-9;
+      }))
+    return false;
+  if (isInPixels(block, columns.x) && isInPixels(block, columns.y)) return true;
+  const auto hasNoUnit = [&block](int column) {
+    return block.columns[static_cast<std::size_t>(column)].unit.empty();
+  };
+  return source.choices.spacing > 0 && source.choices.positionUnit == "auto" &&
+         (axes[0].first == 0 || axes[0].first == 1) && axes[1].first == axes[0].first &&
+         hasNoUnit(columns.x) && hasNoUnit(columns.y) && !headerUnit(table, block, false);
+}
+
 }  // namespace
 
 bool isPointsOfGrid(const TextBlock& block, const ColumnRoles& roles) {
@@ -262,7 +283,7 @@ bool isPointsOfGrid(const TextBlock& block, const ColumnRoles& roles) {
 std::optional<GridNumbers> gridNumbers(const TextTable& table, const TextBlock& block,
                                        const ColumnRoles& roles, const SurfaceSource& source) {
   const bool isStepKnown = (source.choices.spacing > 0 && source.choices.positionUnit == "auto") ||
-                           headerLength(table, block, LengthKind::Step, 'x');
+                           headerLength(table, block, LengthKind::Step, 'x', source);
   return findGridNumbers(block, roles, source, isStepKnown);
 }
 
@@ -273,9 +294,18 @@ SurfaceDraft readTextPoints(const TextTable& table, const TextBlock& block,
   PointColumns columns = pointColumns(block, roles);
   const auto numbers = gridNumbers(table, block, roles, source);
   if (numbers) columns = {numbers->column, numbers->row, numbers->height};
+  const auto x = columnAxis(block, columns.x), y = columnAxis(block, columns.y);
+  if (!x || !y) source.fail("the points do not lie on a grid of uniform rows and columns");
   // Numbers of points are positions only where the user says in which unit.
   const bool areNumbers =
-      numbers && (source.choices.spacing > 0 || source.choices.positionUnit == "auto");
+      (numbers && (source.choices.spacing > 0 || source.choices.positionUnit == "auto")) ||
+      numberPoints(table, block, columns, {*x, *y}, source);
+  const auto countsByOne = [](const GridAxis& axis) {
+    constexpr double kRounding = 1e-3;
+    return std::abs(axis.spacing - 1) < kRounding;
+  };
+  if (areNumbers && !(countsByOne(*x) && countsByOne(*y)))
+    source.fail("the points do not lie on a grid of uniform rows and columns");
   SurfaceDraft draft;
   draft.facts.format = "points";
   draft.facts.positionColumn = columnText(block, columns.x).english();
@@ -298,13 +328,6 @@ SurfaceDraft readTextPoints(const TextTable& table, const TextBlock& block,
   const double ofRows =
       (rowUnit ? rowUnit->metres : 1) / (draft.positionUnit ? draft.positionUnit->metres : 1);
 
-  const auto x = columnAxis(block, columns.x), y = columnAxis(block, columns.y);
-  constexpr double kRounding = 1e-3;
-  const auto countsByOne = [](const GridAxis& axis) {
-    return std::abs(axis.spacing - 1) < kRounding;
-  };
-  if (!x || !y || (areNumbers && !(countsByOne(*x) && countsByOne(*y))))
-    source.fail("the points do not lie on a grid of uniform rows and columns");
   // A single row may also run along y.
   Topography& grid = draft.grid;
   grid.columns = x->count;

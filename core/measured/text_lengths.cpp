@@ -1,6 +1,7 @@
 #include "core/measured/text_lengths.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <string_view>
 #include <vector>
@@ -23,13 +24,25 @@ struct LengthNames {
 
 constexpr LengthNames kSteps{
     WordList("dx, pixelbreite, pixel width, pixelwidth", ','),
-    WordList("dy, pixelh\u00F6he, pixel height, pixelheight", ','), WordList("delta", ','),
+    WordList("dy, pixelh\u00F6he, pixel height, pixelheight", ','),
+    WordList("delta, \u0394, \u03B4, \u2206, abstand, resolution, aufl\u00F6sung, r\u00E9solution",
+             ','),
     WordList("cellsize, cell size, spacing, increment, step, step size, stepsize, sampling "
              "interval, sampling step, sample interval, point spacing, pixel size, pixelsize, "
              "punktabstand, messpunktabstand, schrittweite, abtastweite, abtastabstand, data "
              "spacing, pitch, data pitch, point pitch, sampling pitch, measuring pitch, pas, "
              "\u6E2C\u5B9A\u30D4\u30C3\u30C1, lateral resolution, xy calibration, xy justierung, "
-             "xy kalibrierung, xy\uCE98\uB9AC\uBE0C\uB808\uC774\uC158",
+             "xy kalibrierung, xy\uCE98\uB9AC\uBE0C\uB808\uC774\uC158, sample distance, sampling "
+             "distance, sample "
+             "spacing, sampling spacing, point distance, grid spacing, grid step, sampling step "
+             "size, abtastschritt, abtastschrittweite, digitalisierungsabstand, rasterabstand, "
+             "rasterweite, pas d'\u00E9chantillonnage, pas d\u2019\u00E9chantillonnage, pas de "
+             "mesure, intervalle, intervalle d'\u00E9chantillonnage, passo, passo di "
+             "campionamento, passo de amostragem, paso, paso de muestreo, intervalo de muestreo, "
+             "\u30D4\u30C3\u30C1, \uFF8B\uFF9F\uFF6F\uFF81, \u00CB\u00DF\u00AF\u00C1, "
+             "\u30B5\u30F3\u30D7\u30EA\u30F3\u30B0\u30D4\u30C3\u30C1, "
+             "\u30B5\u30F3\u30D7\u30EA\u30F3\u30B0\u9593\u9694, \u6D4B\u91CF\u95F4\u8DDD, "
+             "\u91C7\u6837\u95F4\u8DDD, \u91C7\u6837\u95F4\u9694",
              ',')};
 
 /// The keys of Gwyddion in each of its languages, and others.
@@ -42,10 +55,30 @@ constexpr LengthNames kExtents{
              "\u0432\u044B\u0441\u043E\u0442\u0430, \u0412\u044B\u0441\u043E\u0442\u0430, "
              "\u9AD8\u3055",
              ','),
-    WordList("size, range, length, real, l\u00E4nge", ','),
+    WordList("size, range, length, real, l\u00E4nge, amplitude", ','),
     WordList("scan size, scansize, scan range, scan area, field of view, fov, image size, "
              "measuring area, messfeld, sichtfeld, scanbereich",
              ',')};
+
+/// The ways to name an axis, {}.
+constexpr WordList kAxisForms(
+    "axis {}, {} axis, {}-axis, achse {}, {}-achse, axe {}, axe des {}, eje {}, asse {}", ',');
+
+/// Returns the axis, x, y or z, where the line names it and says no more: the lines below belong to
+/// it. 0: it names none.
+char axisAlone(const TextEntry& entry) {
+  std::string_view text = entry.key.empty() ? entry.value : entry.key;
+  if (!entry.key.empty() && !entry.value.empty()) return 0;
+  text = withoutBrackets(text);
+  if (text.ends_with(':')) text.remove_suffix(1);
+  for (const char axis : {'x', 'y', 'z'})
+    for (const std::string_view form : kAxisForms) {
+      std::string name(form);
+      replaceAll(name, "{}", std::string_view(&axis, 1));
+      if (lowerCase(text) == name) return axis;
+    }
+  return 0;
+}
 
 /// The place of a key among the names of a kind: the first one counts.
 struct KeyPlace {
@@ -53,7 +86,10 @@ struct KeyPlace {
   bool hasAxis = false;
 };
 
-std::optional<KeyPlace> placeOf(std::string_view key, const LengthNames& names, char axis) {
+/// section: the axis to which the line belongs (axisAlone); 0: none.
+std::optional<KeyPlace> placeOf(std::string_view key, const LengthNames& names, char axis,
+                                char section) {
+  key.remove_prefix(std::min(key.find_first_not_of("\\\""), key.size()));  // of NanoScope
   std::string text = lowerCase(key);
   std::ranges::replace_if(
       text, [](char letter) { return letter == '-' || letter == '_'; }, ' ');
@@ -68,7 +104,8 @@ std::optional<KeyPlace> placeOf(std::string_view key, const LengthNames& names, 
   for (const bool needsAxis : {true, false})
     for (const std::string_view name : needsAxis ? names.withAxis : names.ofBoth) {
       if (name == behind || name == before) return KeyPlace{place, true};
-      if (!needsAxis && name == whole) return KeyPlace{place, false};
+      if (name == whole && section == axis) return KeyPlace{place, true};
+      if (name == whole && section == 0 && !needsAxis) return KeyPlace{place, false};
       ++place;
     }
   return {};
@@ -78,7 +115,12 @@ std::optional<KeyPlace> placeOf(std::string_view key, const LengthNames& names, 
 /// the unit is none of length.
 std::optional<HeaderLength> lengthFrom(double number, std::string unit,
                                        const std::string& unitOfKey) {
-  for (const std::string_view each : WordList("/pixel /px /point"))
+  // "0.0005 mm (2000 pt/mm)"
+  if (const std::size_t bracket = unit.find(" ("); bracket != std::string::npos)
+    unit.resize(bracket);
+  while (unit.starts_with(';') || unit.starts_with(' ')) unit.erase(0, 1);  // "Spacing;0,5;um"
+  if (unit == "~m") unit = "\u00B5m";                                       // of NanoScope
+  for (const std::string_view each : WordList("/pixel /px /point /pt /sample"))
     if (lowerCase(unit).ends_with(each)) unit.resize(unit.size() - each.size());
   if (unit.empty()) unit = unitOfKey;
   if (!(number > 0)) return {};
@@ -87,7 +129,7 @@ std::optional<HeaderLength> lengthFrom(double number, std::string unit,
   return metres ? std::optional(HeaderLength{number, StatedUnit{unit, *metres}}) : std::nullopt;
 }
 
-/// One length, or two of them: "0.5 um", "10 um x 20 um", "10 x 20 um".
+/// One length, or two of them: "0.5 um", "10 um x 20 um", "10 x 20 um", "10 20 um".
 struct OneOrTwo {
   HeaderLength first;
   std::optional<HeaderLength> second{};
@@ -97,6 +139,12 @@ std::optional<OneOrTwo> parseLengths(std::string_view text, const std::string& u
   const auto quantity = parseQuantity(text);
   if (!quantity) return {};
   const std::string_view rest = quantity->unit;
+  if (!rest.empty() && rest.front() >= '0' && rest.front() <= '9')
+    if (const auto next = parseQuantity(rest)) {
+      const auto first = lengthFrom(quantity->number, next->unit, unitOfKey);
+      const auto second = lengthFrom(next->number, next->unit, unitOfKey);
+      if (first && second) return OneOrTwo{*first, second};
+    }
   for (const std::string_view times : {"x", "X", "*", "\u00D7"}) {
     const std::size_t at = rest.find(times);
     if (at == rest.npos) continue;
@@ -114,6 +162,24 @@ std::optional<OneOrTwo> parseLengths(std::string_view text, const std::string& u
   return length ? std::optional(OneOrTwo{*length}) : std::nullopt;
 }
 
+/// Returns whether two statements of a length differ by their rounding alone.
+bool isSame(const HeaderLength& one, const HeaderLength& other) {
+  constexpr double kRounding = 0.01;
+  if (!one.unit != !other.unit) return true;  // it is not known
+  const auto metres = [](const HeaderLength& length) {
+    return length.value * (length.unit ? length.unit->metres : 1);
+  };
+  return std::abs(metres(one) - metres(other)) <= kRounding * metres(one);
+}
+
+/// Returns whether the name is that of a resolution, which may be a number of points as well.
+bool isResolution(std::string_view name) {
+  const std::string text = lowerCase(name);
+  constexpr WordList kWords("resolution aufl\u00F6sung r\u00E9solution");
+  return std::ranges::any_of(
+      kWords, [&text](std::string_view word) { return text.find(word) != std::string::npos; });
+}
+
 /// Reads an entry without a key: "DeltaX 0.5 um", "10 um x 20 um".
 TextEntry keyedEntry(const TextEntry& entry) {
   const std::size_t number = entry.value.find_first_of("0123456789");
@@ -125,39 +191,108 @@ TextEntry keyedEntry(const TextEntry& entry) {
 }  // namespace
 
 std::optional<HeaderLength> headerLength(const TextTable& table, const TextBlock& block,
-                                         LengthKind kind, char axis) {
+                                         LengthKind kind, char axis, const SurfaceSource& source) {
   const LengthNames& names = kind == LengthKind::Step ? kSteps : kExtents;
   constexpr std::size_t kWithoutKey = 1000;  // behind all names
   std::size_t first = kWithoutKey;
   std::optional<HeaderLength> found;
+  std::size_t lineOfFound = 0;
+  bool isContradicted = false;
   for (const TextBlock& one : table.blocks) {
+    char section = 0;
+    lineOfFound = 0;  // what is nearer to the table replaces what is above an earlier one
     for (const TextEntry& line : one.header) {
+      if (const char named = axisAlone(line)) {
+        section = named;
+        continue;
+      }
       const TextEntry entry = keyedEntry(line);
       const TextColumn name = parseColumnName(entry.key);
-      auto place = placeOf(name.name, names, axis);
+      auto place = placeOf(name.name, names, axis, section);
       if (entry.key.empty() && kind == LengthKind::Extent) place = KeyPlace{kWithoutKey};
       if (!place || place->place > first) continue;
       const auto lengths = parseLengths(entry.value, name.unit);
       if (!lengths || (place->hasAxis && lengths->second)) continue;
+      if (place->hasAxis && !lengths->first.unit && isResolution(name.name)) continue;
       const bool isPair = lengths->second.has_value();
       // "50x 10 um" is no pair of lengths.
       const bool isClear =
           isPair && lengths->first.unit && line.value.find(" x ") != line.value.npos;
       if (entry.key.empty() && !isClear) continue;
       if (!place->hasAxis && axis == 'y' && !isPair) continue;
+      // "Size: 60" below the name of an axis counts its points.
+      if (section != 0 && kind == LengthKind::Extent && !lengths->first.unit) continue;
+      const HeaderLength length = axis == 'y' && isPair ? *lengths->second : lengths->first;
+      const bool isAgain = found && lineOfFound > 0 && place->place == first;
+      if (isAgain && !entry.key.empty() && !isSame(*found, length)) {
+        isContradicted = true;
+        if (source.choices.spacing == 0)
+          throw InputError(source.name, "surface.point_spacing",
+                           message("is needed (in m): lines {} and {} state different lengths of "
+                                   "one axis",
+                                   lineOfFound, line.line));
+      }
       first = place->place;
-      found = axis == 'y' && isPair ? lengths->second : lengths->first;
+      found = length;
+      lineOfFound = line.line;
     }
     if (&one == &block) break;
   }
-  return found;
+  return isContradicted ? std::nullopt : found;
+}
+
+std::optional<std::pair<HeaderLength, HeaderLength>> widthAndLength(const TextBlock& block) {
+  constexpr WordList kWidths("width, breite, largeur, larghezza, anchura, ancho, largura, \u5E45",
+                             ',');
+  constexpr WordList kSides(
+      "length, l\u00E4nge, longueur, lunghezza, longitud, comprimento, \u9577\u3055", ',');
+  std::optional<HeaderLength> width, length;
+  bool isWidthFirst = true;
+  for (const TextEntry& entry : block.header) {
+    const TextColumn name = parseColumnName(entry.key);
+    const auto lengths = parseLengths(entry.value, name.unit);
+    if (!lengths || lengths->second) continue;
+    const std::string key = lowerCase(name.name);
+    if (isOneOf(key, kWidths)) {
+      width = lengths->first;
+      isWidthFirst = !length;
+    }
+    if (isOneOf(key, kSides)) length = lengths->first;
+  }
+  if (!width || !length) return {};
+  return isWidthFirst ? std::pair{*width, *length} : std::pair{*length, *width};
+}
+
+std::optional<std::int64_t> statedCount(const TextTable& table, const TextBlock& block,
+                                        Counted counted) {
+  constexpr WordList kPoints(
+      "points, number of points, no. of points, data points, number of data points, data number, "
+      "samples, number of samples, samps, npoints, n points, punkte, anzahl punkte, punktanzahl, "
+      "punktzahl, messpunkte, anzahl messpunkte, nombre de points, numero di punti, n\u00FAmero "
+      "de puntos, n\u00FAmero de pontos, \u30C7\u30FC\u30BF\u6570, "
+      "\uFF83\uFF9E\uFF70\uFF80\u6570, \u00C3\u00DE\u00B0\u00C0\u0090\u201D, "
+      "\u70B9\u6570",
+      ',');
+  constexpr WordList kColumns(
+      "columns, number of columns, samps/line, \\samps/line, samples/line, samples per line, "
+      "points per line, pixels in x, x pixels, horizontal, spalten, anzahl spalten, nombre de "
+      "colonnes, \u6A2A",
+      ',');
+  constexpr WordList kRows(
+      "rows, number of rows, lines, \\lines, number of lines, \\number of lines, pixels in y, y "
+      "pixels, vertical, zeilen, anzahl zeilen, nombre de lignes, \u7E26",
+      ',');
+  for (const std::string_view key : counted == Counted::Points    ? kPoints
+                                    : counted == Counted::Columns ? kColumns
+                                                                  : kRows)
+    if (const auto number = parseQuantity(table.entry(key, block)); number && number->number > 0)
+      if (const auto count = wholeNumber(number->number)) return count;
+  return {};
 }
 
 std::optional<HeaderLength> countedStep(const TextTable& table, const TextBlock& block,
                                         std::int64_t count, char axis) {
-  constexpr WordList kForms(
-      "axis {}, {} axis, {}-axis, achse {}, {}-achse, axe {}, axe des {}, eje {}, asse {}", ',');
-  for (const std::string_view form : kForms) {
+  for (const std::string_view form : kAxisForms) {
     std::string key(form);
     replaceAll(key, "{}", std::string_view(&axis, 1));
     const std::string text = table.entry(key, block);
@@ -170,25 +305,28 @@ std::optional<HeaderLength> countedStep(const TextTable& table, const TextBlock&
       continue;
     return HeaderLength{length->number / (points - 1), StatedUnit{length->unit, *metres}};
   }
-  constexpr WordList kNumbers(
-      "points, number of points, data points, data number, punkte, anzahl punkte, messpunkte, "
-      "nombre de points, \u30C7\u30FC\u30BF\u6570",
+  constexpr WordList kDensities(
+      "points per mm, points/mm, data points per mm, samples per mm, samples/mm, pixels per mm, "
+      "punkte pro mm, punkte/mm, messpunkte pro mm, points par mm",
       ',');
+  for (const std::string_view density : kDensities)
+    if (const auto perMillimetre = parseQuantity(table.entry(density, block));
+        perMillimetre && perMillimetre->number > 0)
+      return HeaderLength{1 / perMillimetre->number, StatedUnit{"mm", 1e-3}};
   constexpr WordList kTraverses(
       "traverse length, measuring length, measurement length, tracing length, messl\u00E4nge, "
-      "messstrecke, taststrecke, longueur de mesure, \u6E2C\u5B9A\u9577\u3055",
+      "messstrecke, taststrecke, longueur de mesure, \u6E2C\u5B9A\u9577\u3055, length, total "
+      "length, profile length, scan length, l\u00E4nge, gesamtl\u00E4nge, longueur, longueur "
+      "totale, lunghezza, longitud, comprimento, evaluation length, auswertel\u00E4nge, longueur "
+      "d'\u00E9valuation",
       ',');
-  if (axis != 'x' || count < 2) return {};
-  for (const std::string_view number : kNumbers) {
-    const auto points = parseQuantity(table.entry(number, block));
-    if (!points || points->number != static_cast<double>(count)) continue;
-    for (const std::string_view traverse : kTraverses)
-      if (auto lengths = parseLengths(table.entry(traverse, block), {});
-          lengths && !lengths->second) {
-        lengths->first.value /= static_cast<double>(count - 1);
-        return lengths->first;
-      }
-  }
+  if (axis != 'x' || count < 2 || statedCount(table, block, Counted::Points) != count) return {};
+  for (const std::string_view traverse : kTraverses)
+    if (auto lengths = parseLengths(table.entry(traverse, block), {});
+        lengths && !lengths->second && lengths->first.unit) {
+      lengths->first.value /= static_cast<double>(count - 1);
+      return lengths->first;
+    }
   return {};
 }
 

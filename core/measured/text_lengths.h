@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "core/base/text_table.h"
 #include "core/measured/surface_draft.h"
@@ -21,14 +22,27 @@ struct HeaderLength {
 enum class LengthKind { Step, Extent };
 
 /// Returns the length that the lines above the numbers state along an axis, 'x' or 'y', by its
-/// usual names: "X increment: 0.5 um", "Breite: 10 um". A length of both axes counts for x alone,
-/// and two lengths in a line, as "Scan size: 10 um x 20 um", for x and y.
+/// usual names: "X increment: 0.5 um", "Breite: 10 um". Below a line that names an axis alone, as
+/// "Y-axis:", lengths are of this axis. Another length without an axis counts for x alone, and two
+/// lengths in a line, as "Scan size: 10 um x 20 um", for x and y. Where two lines contradict each
+/// other, it throws InputError, or returns nothing if the user states the spacing.
 std::optional<HeaderLength> headerLength(const TextTable& table, const TextBlock& block,
-                                         LengthKind kind, char axis);
+                                         LengthKind kind, char axis, const SurfaceSource& source);
+
+/// Returns the lengths of a field that the header calls width and length, in their order: the first
+/// one is that along x. Nothing where it has only one of them.
+std::optional<std::pair<HeaderLength, HeaderLength>> widthAndLength(const TextBlock& block);
+
+/// What a header counts: the points of a profile, those of a row of a field, or its rows.
+enum class Counted { Points, Columns, Rows };
+
+/// Returns the number that the header states for it: "Number of points: 800", "Zeilen: 40".
+std::optional<std::int64_t> statedCount(const TextTable& table, const TextBlock& block,
+                                        Counted counted);
 
 /// Returns the step between `count` points where the header states their number and the length from
 /// the first to the last one: "Axis X", 60, "59.00 um", as MountainsMap writes it, or "Points: 60"
-/// and "Traverse length: 59 um".
+/// and "Traverse length: 59 um". It is also stated by "Points per mm: 1000".
 std::optional<HeaderLength> countedStep(const TextTable& table, const TextBlock& block,
                                         std::int64_t count, char axis);
 

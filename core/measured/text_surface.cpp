@@ -132,17 +132,44 @@ void requireHeights(const std::vector<double>& heights, const TextBlock& block,
                           block.lines[i], plain(heights[i])));
 }
 
+/// Makes rows of heights that follow each other in one column where the header states how many
+/// points a row has and how many rows there are, as NanoScope writes them. Throws InputError where
+/// the column has another number of heights.
+void takeRows(const TextTable& table, const TextBlock& block, const SurfaceSource& source,
+              SurfaceDraft& draft) {
+  Topography& grid = draft.grid;
+  const auto columns = statedCount(table, block, Counted::Columns);
+  const auto rows = statedCount(table, block, Counted::Rows);
+  // "columns: 1" and "rows: 400" are of the table.
+  if (!columns || !rows || *rows < 2 || *columns <= std::ssize(block.columns)) return;
+  if (source.choices.format == "profile") return;
+  if (*columns > grid.columns || *columns * *rows != grid.columns)
+    source.fail(
+        message("the header states {} rows of {} points; the file has {} heights in one "
+                "column",
+                *rows, *columns, grid.columns));
+  grid.columns = *columns;
+  grid.rows = *rows;
+  draft.facts.format = "matrix";
+  draft.facts.notes.emplace_back(
+      "The rows follow each other in one column; the header states their length.");
+  takeSpacings(table, block, source, draft);
+}
+
 SurfaceDraft readTextProfile(const TextTable& table, const TextBlock& block,
                              const SurfaceSource& source) {
   ColumnRoles roles = columnRoles(block, source);
   if (roles.z < 0) source.fail("has no column of heights");
   SurfaceDraft draft;
-  auto spacing = headerLength(table, block, LengthKind::Step, 'x');
+  auto spacing = headerLength(table, block, LengthKind::Step, 'x', source);
   if (!spacing) spacing = countedStep(table, block, static_cast<std::int64_t>(block.rows), 'x');
   const bool isGiven = source.choices.spacing > 0 && source.choices.positionUnit == "auto";
-  if ((spacing || isGiven) && mayNumberPoints(block, roles, source)) {
-    draft.facts.notes.push_back(message(
-        "The points are as far apart as is stated: {} numbers them.", columnText(block, roles.x)));
+  const bool isInPixelsAlone = roles.x >= 0 && isInPixels(block, roles.x) && !spacing && !isGiven;
+  if ((spacing || isGiven || isInPixelsAlone) && mayNumberPoints(block, roles, source)) {
+    draft.facts.notes.push_back(
+        isInPixelsAlone ? message("{} numbers the points.", columnText(block, roles.x))
+                        : message("The points are as far apart as is stated: {} numbers them.",
+                                  columnText(block, roles.x)));
     roles.x = -1;
   }
   draft.facts.format = "profile";
@@ -186,6 +213,7 @@ SurfaceDraft readTextProfile(const TextTable& table, const TextBlock& block,
         spacing && spacing->unit
             ? spacing->unit
             : headerUnit(table, block, false, spacing ? UnitEntries::AndCommon : UnitEntries::Own);
+    takeRows(table, block, source, draft);
   }
   return draft;
 }
@@ -204,12 +232,34 @@ std::uint32_t takeCount(TextBlock& block) {
   return line;
 }
 
+/// Adds a note where the header states another number of points than there are.
+void noteOtherCounts(const TextTable& table, const TextBlock& block, SurfaceDraft& draft) {
+  const Topography& grid = draft.grid;
+  const auto points = statedCount(table, block, Counted::Points);
+  const auto columns = statedCount(table, block, Counted::Columns);
+  const auto rows = statedCount(table, block, Counted::Rows);
+  const auto lines = static_cast<std::int64_t>(block.rows);
+  std::vector<Message>& notes = draft.facts.notes;
+  if (grid.rows == 1) {
+    if (points && *points != lines && *points != grid.columns)
+      notes.push_back(
+          message("The header states {} points, and the table has {}: the file may be cut off.",
+                  *points, lines));
+  } else if (columns && rows) {
+    const bool isSame = *columns == grid.columns && *rows == grid.rows;
+    const bool isTurned = *columns == grid.rows && *rows == grid.columns;
+    if (!isSame && !isTurned)
+      notes.push_back(
+          message("The header states {} x {} points, and the table has {} x {}: the "
+                  "file may be cut off.",
+                  *columns, *rows, grid.columns, grid.rows));
+  }
+}
+
 /// Adds what the reader can only suppose about the notation of the numbers.
-void addAssumptions(const TextTable& table, std::uint32_t lineOfCount, ReadingFacts& facts) {
-  const auto add = [&facts](const Message& note) {
-    facts.notes.push_back(note);
-    facts.assumptions.push_back(note);
-  };
+void addAssumptions(const TextTable& table, std::uint32_t lineOfCount,
+                    std::vector<Message>& notes) {
+  const auto add = [&notes](const Message& note) { notes.push_back(note); };
   if (lineOfCount > 0)
     add(message("Line {} is left out: it is the number of the heights below it.", lineOfCount));
   const std::vector<std::uint32_t>& leftOut = table.leftOut;
@@ -256,7 +306,8 @@ SurfaceDraft readTextSurface(const SurfaceSource& source) {
                        : form == Form::Matrix ? readTextMatrix(table, block, source)
                                               : readTextPoints(table, block, source);
   if (chosen.note) draft.facts.notes.push_back(*chosen.note);
-  addAssumptions(table, lineOfCount, draft.facts);
+  noteOtherCounts(table, block, draft);
+  addAssumptions(table, lineOfCount, draft.facts.notes);
   return draft;
 }
 

@@ -21,6 +21,10 @@ SurfaceDraft readTextPoints(const TextTable& table, const TextBlock& block,
 std::optional<GridNumbers> gridNumbers(const TextTable& table, const TextBlock& block,
                                        const ColumnRoles& roles, const SurfaceSource& source);
 
+/// Sets the distances of the points of a field from the lines above its numbers.
+void takeSpacings(const TextTable& table, const TextBlock& block, const SurfaceSource& source,
+                  SurfaceDraft& draft);
+
 /// Returns whether the first two of three columns are the positions of a grid.
 bool isPointsOfGrid(const TextBlock& block, const ColumnRoles& roles);
 

@@ -162,8 +162,10 @@ bool fillGaps(std::span<const double> positions, std::span<const double> heights
   }
   draft.grid.columnSpacing = axis->spacing;
   draft.grid.height = std::move(onGrid);
-  draft.facts.notes.push_back(message("{} places have no row in the file and are taken as gaps.",
-                                      static_cast<std::size_t>(axis->count) - positions.size()));
+  const std::size_t missing = static_cast<std::size_t>(axis->count) - positions.size();
+  draft.facts.notes.push_back(
+      missing == 1 ? Message("One place has no row in the file and is taken as a gap.")
+                   : message("{} places have no row in the file and are taken as gaps.", missing));
   return true;
 }
 
@@ -322,7 +324,9 @@ void placeRising(std::vector<double> positions, std::vector<double> heights,
                  const SurfaceSource& source, SurfaceDraft& draft) {
   if (const std::size_t gone = meanOfRepeats(positions, heights); gone > 0)
     draft.facts.notes.push_back(
-        message("{} rows repeat a position: the mean of their heights is taken.", gone));
+        gone == 1
+            ? Message("one row repeats a position: the mean of the heights is taken.")
+            : message("{} rows repeat a position: the mean of their heights is taken.", gone));
   if (positions.size() < 2) source.fail("all positions are the same");
   if (const auto spacing = uniformSpacing(positions))
     return keepPlaces(positions, *spacing, std::move(heights), draft);

@@ -139,6 +139,10 @@ class Reader {
     // Lists of numbers may be long; a text that is packed more tightly than they can be is none.
     const std::uint64_t limit = std::min<std::uint64_t>(
         kSmall + kMostPacking * source_.bytes.size(), std::uint64_t{1} << 30);
+    // Spreadsheets and arrays of NumPy are ZIP archives as well.
+    const bool isMeant = source_.choices.format != "auto" ||
+                         source_.bytes.find("main.xml") != std::string_view::npos;
+    if (!archive_.has("main.xml") && !isMeant) refuseKind(source_);
     if (!archive_.has("main.xml"))
       source_.fail(message("has no file '{}' in its archive", "main.xml"));
     xml_ = archive_.read("main.xml", limit);

@@ -23,6 +23,10 @@ constexpr std::int64_t kFewestPoints = 3;
   throw InputError("", key, what);
 }
 
+PrintedNumber quantity(double length) {
+  return {printedQuantity(length, "m", 6)};
+}
+
 /// The state of a file when it was read.
 struct FileState {
   fs::path name{};
@@ -217,6 +221,7 @@ void MeasuredLines::chooseStretch(const Scene& scene) {
     while (std::isnan(heights[firstPoint_])) ++firstPoint_;
     while (std::isnan(heights[usedPoints_ - 1])) --usedPoints_;
     usedPoints_ -= firstPoint_;
+    missing_.ends = topography.columns - static_cast<std::int64_t>(usedPoints_);
   }
   const ProcessingChoices& processing = surface_.processing;
   const bool mirrors = processing.seam == Seam::Mirror, blends = processing.seam == Seam::Blend;
@@ -229,11 +234,11 @@ void MeasuredLines::chooseStretch(const Scene& scene) {
     const double points = std::round(wanted / spacing);
     if (points > static_cast<double>(usedPoints_))
       fail("surface.length",
-           message("{} m is more than the period of {} m that the file gives with this seam",
-                   plain(period), plain(mirrors ? 2 * there : there - blend)));
+           message("{} is more than the period of {} that the file gives with this seam",
+                   quantity(period), quantity(mirrors ? 2 * there : there - blend)));
     if (points < static_cast<double>(kFewestPoints))
       fail("surface.length",
-           message("{} m has less than {} points of the file", plain(period), kFewestPoints));
+           message("{} has less than {} points of the file", quantity(period), kFewestPoints));
     usedPoints_ = static_cast<std::size_t>(points);
   } else if (blends && blend == 0) {
     blend = there / 10;
@@ -242,9 +247,8 @@ void MeasuredLines::chooseStretch(const Scene& scene) {
   if (blends) {
     blendPoints_ = static_cast<std::size_t>(std::max(1.0, std::round(blend / spacing)));
     if (2 * blendPoints_ > usedPoints_)
-      fail("surface.blend_length",
-           message("{} m is more than half of the profile, which is {} m long", plain(blend),
-                   plain(usedLength_)));
+      fail("surface.blend_length", message("{} is more than half of the profile, which is {} long",
+                                           quantity(blend), quantity(usedLength_)));
   }
   periodPoints_ = mirrors ? 2 * usedPoints_ : usedPoints_ - blendPoints_;
   if (periodPoints_ < static_cast<std::size_t>(kFewestPoints))

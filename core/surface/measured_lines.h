@@ -36,10 +36,11 @@ struct ProcessedProfile {
   std::int64_t gaps = 0, outliers = 0;  // points that were interpolated
 };
 
-/// What was not measured: rows of the file that are no lines, and points that are interpolated in
-/// all others.
+/// What was not measured: rows of the file that are no lines, ends of a profile, and points that
+/// are interpolated.
 struct MissingHeights {
   std::int64_t rowsLeftOut = 0;         // with fewer than three measured points
+  std::int64_t ends = 0;                // points at the ends of a single profile, left out
   std::int64_t gaps = 0, outliers = 0;  // points of the used parts of the used rows
 };
 

@@ -44,7 +44,8 @@ MeasuredSummary measuredSummary(const Scene& scene, const LineSource& source) {
   summary.usedSpectrum = hannSpectrum(withoutGaps(profile.used), profile.spacing);
   const SpectrumLimits limits = lines.spectrumLimits(profile);
   summary.steps = limits.steps;
-  summary.band = limits.band;
+  summary.isFlat = summary.raw.pt == 0;
+  if (!summary.isFlat) summary.band = limits.band;
   summary.coarseRows = lines.coarseRows();
   summary.radius = lines.radiusOfForm();
   summary.period = source.length();
@@ -58,19 +59,30 @@ MeasuredSummary measuredSummary(const Scene& scene, const LineSource& source) {
 }
 
 Message spikesFact(std::int64_t spikes) {
+  const PrintedNumber usual{printedNumber(kUsualOutliers, 2)};
+  if (spikes == 1)
+    return message(
+        "one point of all rows stands far out of its neighbours, like a spike: where it is an "
+        "error of the measurement, surface.outliers={} replaces it",
+        usual);
   return message(
       "{} points of all rows stand far out of their neighbours, like spikes: where they are errors "
       "of the measurement, surface.outliers={} replaces them",
-      spikes, PrintedNumber{printedNumber(kUsualOutliers, 2)});
+      spikes, usual);
 }
 
-std::vector<Message> factsOf(const MissingHeights& missing) {
-  std::vector<Message> list;
+namespace {
+
+/// Returns how the file was read, then what is left out and what is interpolated.
+std::vector<Message> readingFacts(const ReadingFacts& facts, const MissingHeights& missing) {
+  std::vector<Message> list = facts.notes;
   const auto add = [&list](std::int64_t count, const Message& one, const Message& several) {
     if (count > 0) list.push_back(count == 1 ? one : several);
   };
   add(missing.rowsLeftOut, "one row with fewer than three heights is left out",
       message("{} rows with fewer than three heights are left out", missing.rowsLeftOut));
+  add(missing.ends, "one point without a height at an end is left out",
+      message("{} points without a height at the ends are left out", missing.ends));
   add(missing.gaps, "one point without a height is interpolated",
       message("{} points without a height are interpolated", missing.gaps));
   add(missing.outliers, "one outlier is interpolated",
@@ -78,11 +90,17 @@ std::vector<Message> factsOf(const MissingHeights& missing) {
   return list;
 }
 
+}  // namespace
+
+std::vector<Message> readingFacts(const Scene& scene) {
+  if (scene.surface.kind == SurfaceKind::Spectrum) return LineSource(scene, 1).spectrumFacts();
+  if (scene.surface.kind != SurfaceKind::Measured) return {};
+  const auto lines = MeasuredLines::of(scene);
+  return readingFacts(lines->file().facts, lines->missingHeights());
+}
+
 std::vector<Message> factsOf(const MeasuredSummary& summary) {
-  const ReadingFacts& facts = summary.facts;
-  std::vector<Message> list;
-  for (const Message& note : facts.notes) list.push_back(note);
-  for (const Message& fact : factsOf(summary.missing)) list.push_back(fact);
+  std::vector<Message> list = readingFacts(summary.facts, summary.missing);
   if (summary.rows > 1)
     list.push_back(summary.rowsUsed == 1 ? message("row {} alone is the line", summary.rowInFile)
                                          : message("shown is row {}; {} rows are lines",
@@ -132,6 +150,10 @@ std::vector<Message> factsOf(const MeasuredSummary& summary) {
     list.push_back(
         message("of {} rows examined, {} have heights in steps that are too coarse for their line",
                 summary.coarseRows.examined, summary.coarseRows.coarse));
+  if (summary.isFlat) {
+    list.push_back("all heights of the row are the same: it has no spectrum");
+    return list;
+  }
   if (!(summary.band.to > summary.band.from)) {
     list.push_back("the profile is too short, or too noisy, for a spectrum that can be relied on");
     return list;

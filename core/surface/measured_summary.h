@@ -28,6 +28,7 @@ struct MeasuredSummary {
   CoarseRows coarseRows{};                        // of all that are lines
   double radius = 0;  // m, of rows that are parts of circles (MeasuredLines::radiusOfForm); 0: none
   ReliableBand band{};
+  bool isFlat = false;   // all heights of that row are the same
   double period = 0;     // m, of the line
   double lineSlope = 0;  // rms, of the line that slides
   EquivalentRatios ratios{};
@@ -42,8 +43,10 @@ MeasuredSummary measuredSummary(const Scene& scene, const LineSource& source);
 /// Returns a sentence on the spikes of all rows, and on what removes them.
 Message spikesFact(std::int64_t spikes);
 
-/// Returns what is left out and what is interpolated, one sentence each.
-std::vector<Message> factsOf(const MissingHeights& missing);
+/// Returns how the scene's file of a surface or of a spectrum was read: its kind, columns and
+/// units, what the reader supposes and changes, and what is left out or interpolated; one sentence
+/// each. Empty where the scene has no such file.
+std::vector<Message> readingFacts(const Scene& scene);
 
 /// Returns how the file was understood and processed, one sentence each.
 std::vector<Message> factsOf(const MeasuredSummary& summary);

@@ -66,8 +66,7 @@ void addMeasured(Json& root, const MeasuredSummary& summary) {
              {"rows_left_out", summary.missing.rowsLeftOut},
              {"gaps_interpolated", summary.profile.gaps},
              {"outliers_interpolated", summary.profile.outliers}};
-  reading["facts"] = Json::array();
-  for (const Message& fact : factsOf(summary)) reading["facts"].push_back(fact.english());
+  addReadingFacts(root, factsOf(summary));
   Json raw, used;
   for (const NamedValue& value : namedValues(summary)) {
     raw["P" + value.name.substr(1)] = numberOrNull(value.raw);
@@ -150,6 +149,10 @@ DataTable statisticsTable(const Scene& scene, const LineSource& source, const Li
   return table;
 }
 
+void addReadingFacts(nlohmann::ordered_json& answer, const std::vector<Message>& facts) {
+  for (const Message& fact : facts) answer["reading"]["facts"].push_back(fact.english());
+}
+
 std::string surfaceJson(const Scene& scene, const LineSource& source, const Line& line) {
   const auto [lowest, highest] = std::minmax_element(line.height.begin(), line.height.end());
   Json root = provenance("surface", scene);
@@ -160,8 +163,7 @@ std::string surfaceJson(const Scene& scene, const LineSource& source, const Line
   const SpectralDensity spectrum = lineSpectrum(source.spectrum(0));
   root["spectrum"] = spectrum.empty() ? Json(nullptr) : spectrumJson(spectrum);
   if (source.measured()) addMeasured(root, measuredSummary(scene, source));
-  for (const Message& fact : source.spectrumFacts())
-    root["reading"]["facts"].push_back(fact.english());
+  addReadingFacts(root, source.spectrumFacts());
   return root.dump(2) + "\n";
 }
 

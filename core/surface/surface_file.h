@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,10 @@ DataTable spectrumTable(const LineSource& source);
 /// Returns "quantity", "unit", "value", "raw": the statistics of the line, then the parameters of
 /// ISO 21920-2 of a measured surface before and after processing.
 DataTable statisticsTable(const Scene& scene, const LineSource& source, const Line& line);
+
+/// Adds how the scene's file was read (readingFacts) to an answer in JSON, as `reading.facts`.
+/// Nothing is added where there are no facts.
+void addReadingFacts(nlohmann::ordered_json& answer, const std::vector<Message>& facts);
 
 /// Returns the statistics (Rq of ISO is rms_height, Rdq is rms_slope) and the power spectral
 /// density C(q) (m^3) over q (1/m) for lines that have modes.

@@ -284,6 +284,10 @@
         <translation>bei %1 Geschwindigkeiten liegt die Reibung unter dem, was die Elemente auflösen, siehe Spalte notes</translation>
     </message>
     <message>
+        <source>at one velocity friction is below what the elements resolve, see the column notes</source>
+        <translation>bei einer Geschwindigkeit liegt die Reibung unter dem, was die Elemente auflösen, siehe Spalte notes</translation>
+    </message>
+    <message>
         <source>not measured</source>
         <translation>nicht gemessen</translation>
     </message>

@@ -3343,16 +3343,16 @@
         <translation>%1 ist mehr als die %2 Zeilen der Datei; 0 heißt jede Zeile</translation>
     </message>
     <message>
-        <source>%1 m is more than the period of %2 m that the file gives with this seam</source>
-        <translation>%1 m ist mehr als die Periode von %2 m, die die Datei mit dieser Naht ergibt</translation>
+        <source>%1 is more than the period of %2 that the file gives with this seam</source>
+        <translation>%1 ist mehr als die Periode von %2, die die Datei mit dieser Naht ergibt</translation>
     </message>
     <message>
-        <source>%1 m has less than %2 points of the file</source>
-        <translation>%1 m hat weniger als %2 Punkte der Datei</translation>
+        <source>%1 has less than %2 points of the file</source>
+        <translation>%1 hat weniger als %2 Punkte der Datei</translation>
     </message>
     <message>
-        <source>%1 m is more than half of the profile, which is %2 m long</source>
-        <translation>%1 m ist mehr als die Hälfte des Profils, das %2 m lang ist</translation>
+        <source>%1 is more than half of the profile, which is %2 long</source>
+        <translation>%1 ist mehr als die Hälfte des Profils, das %2 lang ist</translation>
     </message>
     <message>
         <source>row %1 has no measured point within %2 m</source>
@@ -3605,6 +3605,10 @@
     <message>
         <source>is of a kind that only Gwyddion reads, which is not installed; text (profiles, matrices, points) and files of these kinds are read without it: %1</source>
         <translation>ist von einer Art, die nur Gwyddion liest, und das ist nicht installiert; ohne es werden Text (Profile, Matrizen, Punkte) und Dateien dieser Arten gelesen: %1</translation>
+    </message>
+    <message>
+        <source>is %1; without Gwyddion, which is not installed, text (profiles, matrices, points) and files of these kinds are read: %2</source>
+        <translation>ist %1; ohne Gwyddion, das nicht installiert ist, werden Text (Profile, Matrizen, Punkte) und Dateien dieser Arten gelesen: %2</translation>
     </message>
     <message>
         <source>cannot be converted: Gwyddion does not start</source>
@@ -3909,6 +3913,62 @@
     <message>
         <source>surface.point_spacing replaces the lengths above the numbers of the file.</source>
         <translation>surface.point_spacing ersetzt die Längen über den Zahlen der Datei.</translation>
+    </message>
+    <message>
+        <source>one point without a height at an end is left out</source>
+        <translation>ein Punkt ohne Höhe an einem Ende fällt weg</translation>
+    </message>
+    <message>
+        <source>%1 points without a height at the ends are left out</source>
+        <translation>%1 Punkte ohne Höhe an den Enden fallen weg</translation>
+    </message>
+    <message>
+        <source>all heights of the row are the same: it has no spectrum</source>
+        <translation>alle Höhen der Zeile sind gleich: sie hat kein Spektrum</translation>
+    </message>
+    <message>
+        <source>one point of all rows stands far out of its neighbours, like a spike: where it is an error of the measurement, surface.outliers=%1 replaces it</source>
+        <translation>ein Punkt aller Zeilen ragt weit aus seinen Nachbarn heraus, wie eine Spitze: wo er ein Messfehler ist, ersetzt ihn surface.outliers=%1</translation>
+    </message>
+    <message>
+        <source>has one point along x; at least %1 are needed</source>
+        <translation>hat einen Punkt entlang x; mindestens %1 werden gebraucht</translation>
+    </message>
+    <message>
+        <source>line %1: has one field where the lines before have %2</source>
+        <translation>Zeile %1: hat ein Feld, wo die Zeilen davor %2 haben</translation>
+    </message>
+    <message>
+        <source>one row repeats a position: the mean of the heights is taken.</source>
+        <translation>eine Zeile wiederholt einen Ort: Der Mittelwert der Höhen gilt.</translation>
+    </message>
+    <message>
+        <source>One place has no row in the file and is taken as a gap.</source>
+        <translation>Eine Stelle hat keine Zeile in der Datei und gilt als Lücke.</translation>
+    </message>
+    <message>
+        <source>%1 numbers the points.</source>
+        <translation>%1 nummeriert die Punkte.</translation>
+    </message>
+    <message>
+        <source>is needed (in m): lines %1 and %2 state different lengths of one axis</source>
+        <translation>wird gebraucht (in m): Die Zeilen %1 und %2 nennen verschiedene Längen für eine Achse</translation>
+    </message>
+    <message>
+        <source>the header states %1 rows of %2 points; the file has %3 heights in one column</source>
+        <translation>der Kopf nennt %1 Zeilen zu %2 Punkten; die Datei hat %3 Höhen in einer Spalte</translation>
+    </message>
+    <message>
+        <source>The rows follow each other in one column; the header states their length.</source>
+        <translation>Die Zeilen folgen einander in einer Spalte; der Kopf nennt ihre Länge.</translation>
+    </message>
+    <message>
+        <source>The header states %1 points, and the table has %2: the file may be cut off.</source>
+        <translation>Der Kopf nennt %1 Punkte, und die Tabelle hat %2: Die Datei ist vielleicht abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>The header states %1 x %2 points, and the table has %3 x %4: the file may be cut off.</source>
+        <translation>Der Kopf nennt %1 x %2 Punkte, und die Tabelle hat %3 x %4: Die Datei ist vielleicht abgeschnitten.</translation>
     </message>
     <message>
         <source>is needed (in m): the file states a step of %1 and an extent of %2, which do not fit %3 points</source>

@@ -11,7 +11,9 @@ namespace asperity {
 namespace {
 
 using testing::AllOf;
+using testing::AnyOf;
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
 class SurfaceCommandTest : public ProgramTest {
@@ -146,6 +148,70 @@ TEST_F(SurfaceCommandTest, EveryVerbSaysWhatIsLeftOutAndFilled) {
   expectRefused("check g.json --set ensemble.realizations=4", 2,
                 "4 is more than the rows of the file with 3 measured points or more, which are 3 "
                 "of 4; 0 is every one of them");
+}
+
+/// Which column is read, what is averaged and what is left out changes friction, so every verb that
+/// uses the surface says it, in its JSON, too.
+TEST_F(SurfaceCommandTest, EveryVerbSaysHowTheFileWasRead) {
+  std::ostringstream table;
+  table << "x (um),z1 (um),z2 (um)\n";
+  const auto add = [&table](int i) {
+    table << i << "," << std::sin(0.21 * i) << "," << std::cos(0.3 * i) << "\n";
+  };
+  for (int i = 0; i < 100; ++i) {
+    add(i);
+    if (i == 50) add(i);
+  }
+  program.folder.write("two.csv", table.str());
+  program.folder.write("t.json", R"({"surface":{"kind":"measured","file":"two.csv"},
+      "ensemble":{"realizations":0},"sweep":{"points":2}})");
+  const std::string column = "the first of 2 columns that could be",
+                    repeated = "repeats a position";
+  for (const std::string verb :
+       {"surface", "check", "explain", "curve", "cutoff",
+        "map --x sliding.velocity=0.1:1:2 --y load.normal_force=0.1:1:2"}) {
+    const std::size_t end = std::min(verb.find(' '), verb.size());
+    const std::string arguments = verb.substr(0, end) + " t.json" + verb.substr(end) + " --json";
+    const Said said = program.run(arguments);
+    EXPECT_EQ(said.status, 0) << said.err;
+    EXPECT_THAT(said.err, AllOf(HasSubstr(column), HasSubstr(repeated))) << arguments;
+    const std::string facts = nlohmann::json::parse(said.out)["reading"]["facts"].dump();
+    EXPECT_THAT(facts, AllOf(HasSubstr(column), HasSubstr(repeated))) << arguments;
+  }
+}
+
+/// A constant height is neither a circle of any radius nor has it a spectrum.
+TEST_F(SurfaceCommandTest, SaysThatAProfileIsFlat) {
+  for (const std::string height : {"0", "5.3", "-0.7"}) {
+    std::string table = "x (um),z (um)\n";
+    for (int i = 0; i < 100; ++i) table += std::to_string(i) + "," + height + "\n";
+    program.folder.write("flat.csv", table);
+    const std::string said = run("surface flat.csv");
+    EXPECT_THAT(said, HasSubstr("all heights of the row are the same")) << height;
+    EXPECT_THAT(said, Not(AnyOf(HasSubstr("circle"), HasSubstr("reliable"), HasSubstr("relied"))))
+        << height;
+  }
+}
+
+TEST_F(SurfaceCommandTest, SaysWhatIsLeftOutAtTheEnds) {
+  std::string table = "x (um),z (um)\n";
+  for (int i = 0; i < 100; ++i)
+    table += std::to_string(i) + "," +
+             (i < 10 || i > 97 ? "NaN" : std::to_string(std::sin(0.21 * i))) + "\n";
+  program.folder.write("p.csv", table);
+  EXPECT_THAT(run("check m.json --set surface.gaps=interpolate"),
+              HasSubstr("12 points without a height at the ends are left out"));
+}
+
+/// One point is no points.
+TEST_F(SurfaceCommandTest, CountsOneAsOne) {
+  std::string table = "x (um),z (um)\n";
+  for (int i = 0; i < 100; ++i)
+    for (int repeat = 0; repeat < (i == 50 ? 2 : 1); ++repeat)
+      table += std::to_string(i) + "," + std::to_string(i == 30 ? 40 : std::sin(0.21 * i)) + "\n";
+  program.folder.write("one.csv", table);
+  EXPECT_THAT(run("surface one.csv"), AllOf(HasSubstr("one row repeats a position"),
+                                            HasSubstr("one point of all rows stands far out")));
 }
 
 /// The height of an equivalent line is another one than that of its row: both factors are told.

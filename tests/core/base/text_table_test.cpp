@@ -398,7 +398,7 @@ TEST(TextTable, NamesTheLineOfWhatIsWrong) {
   EXPECT_THAT(errorOf("x;z\n1;2\n2;abc\n3;4\n"),
               "table.txt: line 3: 'abc' in column 2 is not a number");
   EXPECT_THAT(errorOf("1 2\n2 3\n3\n4 5\n"),
-              "table.txt: line 3: has 1 fields where the lines before have 2");
+              "table.txt: line 3: has one field where the lines before have 2");
   EXPECT_THAT(errorOf("1;2\n2;3\n3;1.2.3\n4;5\n"), HasSubstr("line 3: '1.2.3' in column 2"));
   EXPECT_THAT(errorOf("only\nwords\n"), "table.txt: has no rows of numbers");
   EXPECT_THAT(errorOf(""), "table.txt: is empty");

@@ -159,13 +159,28 @@ TEST(Gwyddion, ReadsWhatIsOfNoKnownKind) {
   expectKnown(made, "gwyddion", true, 1e-20);
 }
 
+TEST(ZipArchives, WithoutASurfaceAreNamed) {
+  const std::string archive = zipped({{"xl/workbook.xml", "<workbook/>"}});
+  EXPECT_THAT(
+      errorOf(archive),
+      HasSubstr("is a ZIP archive (as of a spreadsheet); text (profiles, matrices, points)"));
+  EXPECT_THAT(errorOf(archive, {.format = "x3p"}), HasSubstr("has no file 'main.xml'"));
+}
+
 TEST(Gwyddion, IsNamedWhereItIsNotInstalled) {
   const TemporaryFolder folder;
   const auto file = folder.write("scan.xyz", std::string("\x01\x02\x00\x03 some instrument", 20));
   const auto error = [&file]() { return errorFrom([&] { readMeasuredFile(file); }); };
   {
     const FakeGwyddion none(folder, "");
-    EXPECT_THAT(error(), HasSubstr("only Gwyddion reads, which is not installed"));
+    EXPECT_THAT(error(), HasSubstr("is a binary file; without Gwyddion, which is not installed"));
+    for (const auto& [bytes, kind] : {std::pair{"\x89PNG\r\n", "a PNG picture"},
+                                      {"%PDF-1.4", "a PDF document"},
+                                      {"\x1F\x8B\x08 packed", "a gzip archive"}}) {
+      const auto foreign = folder.write("foreign", bytes);
+      EXPECT_THAT(errorFrom([&] { readMeasuredFile(foreign); }),
+                  HasSubstr(std::string("is ") + kind + "; without Gwyddion"));
+    }
   }
   const TemporaryFolder other;
   const FakeGwyddion failing(other, "exit 1");

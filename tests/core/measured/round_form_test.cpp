@@ -126,5 +126,15 @@ TEST(RoundForm, IsNoFlatBow) {
   EXPECT_EQ(radiusOfRoundForm(heights, 2 * std::sin(0.01) / kRollerPoints), 0);
 }
 
+/// What rounding leaves of a constant height or of a line is no circle.
+TEST(RoundForm, IsNoneOfAStraightLine) {
+  for (const double slope : {0.0, 0.3}) {
+    std::vector<double> heights(100, 5.3e-6);
+    for (std::size_t i = 0; i < heights.size(); ++i)
+      heights[i] += slope * kRollerSpacing * static_cast<double>(i);
+    EXPECT_EQ(radiusOfRoundForm(heights, kRollerSpacing), 0) << slope;
+  }
+}
+
 }  // namespace
 }  // namespace asperity

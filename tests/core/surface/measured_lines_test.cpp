@@ -151,7 +151,7 @@ TEST(MeasuredLines, TakeAsMuchOfTheFileAsThePeriodNeeds) {
   EXPECT_EQ(MeasuredLines(scene, fileOf(topographyOf(walk(500)))).points(), 600);
   scene.surface.length = 2e-3;
   EXPECT_EQ(errorOf(scene, topographyOf(walk(500))),
-            "surface.length: 0.002 m is more than the period of 0.001 m that the file gives with "
+            "surface.length: 2 mm is more than the period of 1 mm that the file gives with "
             "this seam");
 }
 

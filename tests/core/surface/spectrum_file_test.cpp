@@ -105,7 +105,7 @@ TEST(SpectrumFile, SaysWhatIsWrongAndWhere) {
       {"q,C\n1,1\n1,2\n", "s: has two rows for the wave number 1 1/m"},
       {"q,C\n1,1\n2,-1\n", "s: line 3: the spectrum -1 is below 0"},
       {"q,C\n1,1\n2,nan\n", "s: line 3: the value of C is missing"},
-      {"q;C\n1;1\n2\n3;1\n", "s: line 3: has 1 fields where the lines before have 2"},
+      {"q;C\n1;1\n2\n3;1\n", "s: line 3: has one field where the lines before have 2"},
       {"q,C\n1,0\n2,0\n", "s: has no wave with a strength above 0"},
       {"q [furlong],C\n1,1\n2,1\n",
        "s: furlong is not a unit of q; allowed is 1/m, with "

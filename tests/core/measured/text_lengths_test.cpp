@@ -1,0 +1,159 @@
+// The lengths and the numbers of points that the lines above the numbers of a text state.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/core/measured/surface_expectations.h"
+
+namespace asperity::written {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr int kRowsOfField = 9, kPointsOfRow = 12;
+
+double heightAt(int row, int column) {
+  return std::sin(0.7 * column + 0.4 * row) + 0.1 * std::cos(1.9 * column * row);
+}
+
+/// A field of heights in micrometres; `between` separates the points of a row.
+std::string field(const std::string& between = "\t") {
+  std::string text;
+  for (int row = 0; row < kRowsOfField; ++row)
+    for (int column = 0; column < kPointsOfRow; ++column)
+      text += fmt::format("{:.4f}", heightAt(row, column)) +
+              (column + 1 < kPointsOfRow ? between : "\n");
+  return text;
+}
+
+/// A list of 400 heights in micrometres.
+std::string list() {
+  std::string text = "z (um)\n";
+  for (int i = 0; i < 400; ++i) text += fmt::format("{:.4f}\n", std::sin(0.31 * i) + 0.001 * i);
+  return text;
+}
+
+void expectSpacings(const std::string& header, double x, double y) {
+  const Topography& grid = read(header + field()).topography;
+  EXPECT_NEAR(grid.columnSpacing, x, 1e-9 * x) << header;
+  EXPECT_NEAR(grid.rowSpacing, y, 1e-9 * y) << header;
+}
+
+TEST(AxesOfAHeader, HaveTheirOwnLengths) {
+  for (const std::string form : {"{}-axis:", "{}-Achse", "Axe {}", "[{} axis]"}) {
+    const auto named = [&form](const char* axis) {
+      std::string line = form;
+      return line.replace(line.find("{}"), 2, axis) + "\n";
+    };
+    expectSpacings(named("X") + "Spacing: 2.0 \u00B5m\n" + named("Y") + "Spacing: 3.0 \u00B5m\n" +
+                       named("Z") + "Spacing: 7 nm\nUnit: \u00B5m\n",
+                   2e-6, 3e-6);
+    expectSpacings(named("X") + "Length:\t24\t\u00B5m\nSize:\t12\tdigits\n" + named("Y") +
+                       "Length:\t27\t\u00B5m\nSize:\t9\n" + named("Z") + "Unit: \u00B5m\n",
+                   2e-6, 3e-6);
+  }
+}
+
+TEST(AxesOfAHeader, FollowWidthAndLength) {
+  expectSpacings("Width: 24 um\nLength: 27 um\nZ unit: um\n", 2e-6, 3e-6);
+  expectSpacings("L\u00E4nge: 24 um\nBreite: 27 um\nZ unit: um\n", 2e-6, 3e-6);
+  expectSpacings("Width: 24 um\nHeight: 27 um\nLength: 5 mm\nZ unit: um\n", 2e-6, 3e-6);
+}
+
+TEST(AxesOfAHeader, RefuseContradictions) {
+  const std::string twice = "Spacing: 0.5 um\nSpacing: 2 um\n";
+  EXPECT_THAT(errorOf(twice + list()),
+              HasSubstr("surface.point_spacing: is needed (in m): lines 1 and 2 state different "
+                        "lengths of one axis"));
+  EXPECT_NEAR(read(twice + list(), {.spacing = 3e-6}).topography.columnSpacing, 3e-6, 1e-15);
+  // Rounding is no contradiction.
+  EXPECT_EQ(errorOf("Spacing: 0.5 um\nSpacing: 501 nm\n" + list()), "no error");
+}
+
+TEST(PointDistances, HaveManyNames) {
+  for (const std::string line :
+       {"\u0394x = 0.5 \u00B5m", "Sample distance: 500 nm", "X-Resolution: 0.5 \u00B5m/pt",
+        "Points per mm: 2000", "Sampling interval 0.0005 mm (2000 pt/mm)",
+        "Grid spacing (mm): 0.0005", "Abtastschritt [\u00B5m]: 0,5", "X-Abstand: 0,5 \u00B5m",
+        "Aufl\u00F6sung X: 0,5 \u00B5m", "Digitalisierungsabstand: 0,5 \u00B5m",
+        "Pas d'\u00E9chantillonnage : 0,5 \u00B5m", "Intervalle: 0,5 \u00B5m", "Passo: 0,5 \u00B5m",
+        "Paso de muestreo: 0,5 \u00B5m", "\u30D4\u30C3\u30C1,0.5,um",
+        "\u30B5\u30F3\u30D7\u30EA\u30F3\u30B0\u30D4\u30C3\u30C1: 0.5 \u00B5m",
+        "Spacing;0,5;\u00B5m", "Number of points: 400\nLength: 0.1995 mm"})
+    EXPECT_NEAR(read(line + "\n" + list()).topography.columnSpacing, 5e-7, 1e-12) << line;
+  expectSpacings("X Amplitude: 24 um\nY Amplitude: 27 um\nZ unit: um\n", 2e-6, 3e-6);
+}
+
+TEST(PointDistances, AreNoOtherLengths) {
+  expectSpacings("X Resolution: 12\nY Resolution: 9\nX range: 24 um\nY range: 27 um\nZ unit: um\n",
+                 2e-6, 3e-6);
+  for (const std::string line :
+       {"Step height: 1.2 um", "Mean spacing RSm: 12.3 um", "Spacing Sm = 12.3 um",
+        "Line spacing: 10 um", "Resolution: 0.01 um", "Position resolution: 0.5 um",
+        "Lateral resolution of the instrument: 0.5 um", "Stylus radius: 2 um",
+        "Sampling length: 80 um", "Filter spacing: 8 um"})
+    EXPECT_THAT(errorOf(line + "\n" + list()), HasSubstr("does not say how far")) << line;
+}
+
+TEST(StatedNumbersOfPoints, AreComparedWithThosePresent) {
+  const std::string spacing = "Spacing: 0.5 um\n";
+  for (const std::string key : {"Number of points", "Anzahl Punkte", "\u30C7\u30FC\u30BF\u6570"}) {
+    EXPECT_TRUE(says(read(key + ": 800\n" + spacing + list()),
+                     "The header states 800 points, and the table has 400"))
+        << key;
+    EXPECT_FALSE(says(read(key + ": 400\n" + spacing + list()), "cut off")) << key;
+  }
+  const auto sized = [](const std::string& rows) {
+    return read("Horizontal: 12\nVertical: " + rows + "\nSpacing: 2 um\nZ unit: um\n" + field());
+  };
+  EXPECT_TRUE(
+      says(sized("40"), "The header states 12 x 40 points, and the table has 12 x 9: the file"));
+  EXPECT_FALSE(says(sized("9"), "cut off"));
+}
+
+/// Columns in pixels, or whole numbers without a unit beside a stated spacing, number the points.
+TEST(PixelCoordinates, NeedTheSpacingAlone) {
+  const auto points = [](const std::string& names) {
+    std::string text = names;
+    for (int row = 0; row < kRowsOfField; ++row)
+      for (int column = 0; column < kPointsOfRow; ++column)
+        text += fmt::format("{},{},{:.4f}\n", column, row, heightAt(row, column));
+    return text;
+  };
+  for (const std::string names :
+       {"X (px),Y (px),Z (um)\n", "x [pixel],y [pixel],z [um]\n", "X,Y,Z (um)\n"}) {
+    const MeasuredFile file = read(points(names), {.spacing = 2e-6});
+    ASSERT_EQ(file.topography.columns, kPointsOfRow) << names;
+    EXPECT_NEAR(file.topography.columnSpacing, 2e-6, 1e-15) << names;
+    EXPECT_NEAR(file.topography.rowSpacing, 2e-6, 1e-15) << names;
+    EXPECT_FALSE(says(file, "is not used")) << names;
+    EXPECT_TRUE(says(file, "are numbered by")) << names;
+  }
+  EXPECT_THAT(errorOf(points("X (px),Y (px),Z (um)\n")), HasSubstr("does not say how far"));
+  EXPECT_NEAR(read(points("X (um),Y (um),Z (um)\n"), {.spacing = 2e-6}).topography.columnSpacing,
+              1e-6, 1e-15);
+  std::string profile = "X (px),Z (um)\n";
+  for (int i = 0; i < 50; ++i) profile += fmt::format("{},{:.4f}\n", i, heightAt(0, i));
+  EXPECT_NEAR(read(profile, {.spacing = 2e-6}).topography.columnSpacing, 2e-6, 1e-15);
+  EXPECT_THAT(errorOf(profile), HasSubstr("does not say how far"));
+}
+
+/// NanoScope writes one point in each line, row by row, and its header in quotes.
+TEST(RowsInOneColumn, AreAFieldWhereTheHeaderStatesItsSize) {
+  const std::string header =
+      "\"\\*File list\"\n\"\\Scan Size: 24 27 ~m\"\n\"\\Samps/line: 12\"\n\"\\Lines: 9\"\n"
+      "\"\\*File list end\"\nHeight(um)\n";
+  const MeasuredFile file = read(header + field("\n"));
+  ASSERT_EQ(file.topography.columns, kPointsOfRow);
+  ASSERT_EQ(file.topography.rows, kRowsOfField);
+  EXPECT_NEAR(file.topography.columnSpacing, 2e-6, 1e-15);
+  EXPECT_NEAR(file.topography.rowSpacing, 3e-6, 1e-15);
+  EXPECT_NEAR(file.topography.at(4, 7), 1e-6 * heightAt(4, 7), 1e-10);
+  EXPECT_THAT(errorOf(header + "0.5\n" + field("\n")),
+              HasSubstr("the header states 9 rows of 12 points; the file has 109 heights"));
+}
+
+}  // namespace
+}  // namespace asperity::written
