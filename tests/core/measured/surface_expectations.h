@@ -36,13 +36,6 @@ inline std::string replaced(std::string text, const std::string& what, const std
   return at == std::string::npos ? text : text.replace(at, what.size(), by);
 }
 
-/// Returns whether a note of the file has this part.
-inline bool says(const MeasuredFile& file, const std::string& part) {
-  return std::ranges::any_of(file.facts.notes, [&part](const Message& note) {
-    return note.english().find(part) != std::string::npos;
-  });
-}
-
 /// Every beginning of the file is read or refused in one line.
 inline void expectCutOffIsNoHarm(const std::string& bytes, const ReadingChoices& choices = {}) {
   for (std::size_t size = 0; size < bytes.size(); ++size) {

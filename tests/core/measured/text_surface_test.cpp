@@ -48,12 +48,6 @@ std::string rows(const Row& row) {
   return text;
 }
 
-bool saysSomewhere(const MeasuredFile& file, const std::string& part) {
-  return std::ranges::any_of(file.facts.notes, [&part](const Message& note) {
-    return note.english().find(part) != std::string::npos;
-  });
-}
-
 // ---- Profiles ----------------------------------------------------------------------------------
 
 /// A power of ten in front of the unit was left to the name, and its factor was lost.
@@ -107,7 +101,7 @@ TEST(TextProfile, TakesUnitsFromTheUserFirst) {
   const MeasuredFile file = read(text, choices);
   expectProfile(file);
   EXPECT_EQ(file.facts.positionUnit.source, UnitSource::Choice);
-  EXPECT_TRUE(saysSomewhere(file, "as the scene says"));
+  EXPECT_TRUE(says(file, "as the scene says"));
 }
 
 TEST(TextProfile, AsksForUnitsThatCannotBeMetres) {
@@ -128,10 +122,10 @@ TEST(TextProfile, AsksForUnitsThatCannotBeMetres) {
   // Stated units are believed, however long or steep.
   EXPECT_EQ(errorOf("x (m),z (m)\n0,0\n10,1000\n20,-1000\n"), "no error");
   const MeasuredFile large = read("x (m),z (m)\n0,0\n10,1000\n20,-1000\n");
-  EXPECT_TRUE(saysSomewhere(large, "The surface is 30 m long: if the file states a wrong unit"));
-  EXPECT_TRUE(saysSomewhere(large, "The heights span 2e+03 m: if the file states a wrong unit"));
+  EXPECT_TRUE(says(large, "The surface is 30 m long: if the file states a wrong unit"));
+  EXPECT_TRUE(says(large, "The heights span 2e+03 m: if the file states a wrong unit"));
   const MeasuredFile usual = read("x (m),z (m)\n0,0\n1,0.01\n2,0.02\n3,0.05\n");
-  EXPECT_FALSE(saysSomewhere(usual, "wrong unit"));
+  EXPECT_FALSE(says(usual, "wrong unit"));
   choices.heightUnit = "furlong";
   EXPECT_THAT(errorOf(text(1, 1), choices), HasSubstr("surface.height_unit"));
   EXPECT_THAT(errorOf("x (s),z (um)\n0,1\n1,2\n2,3\n"),
@@ -178,7 +172,7 @@ TEST(TextProfile, LetsTheUserChooseColumns) {
   choices.heightColumn = 3;
   expectProfile(read(text, choices));
   EXPECT_NEAR(read(text).topography.at(0, 0), 5e-6, 1e-12);
-  EXPECT_TRUE(saysSomewhere(read(text), "surface.height_column"));
+  EXPECT_TRUE(says(read(text), "surface.height_column"));
   choices.positionColumn = 4;
   EXPECT_THAT(errorOf(text, choices), HasSubstr("surface.position_column: the file has 3 columns"));
   choices.positionColumn = 3;
@@ -195,7 +189,7 @@ TEST(TextProfile, TakesHeightsAlone) {
   choices.positionUnit = "um";
   const MeasuredFile file = read("Height [um]\n" + heights, choices);
   EXPECT_NEAR(file.topography.columnSpacing, 1e-6, 1e-18);
-  EXPECT_TRUE(saysSomewhere(file, "how far"));
+  EXPECT_TRUE(says(file, "how far"));
   choices.positionUnit = "auto";
   choices.spacing = 2e-6;
   expectProfile(read("Height [um]\n" + heights, choices));
@@ -221,7 +215,7 @@ TEST(TextProfile, KeepsGaps) {
   const MeasuredFile file = read(text);
   expectProfile(file);
   EXPECT_EQ(file.facts.gaps, 2);
-  EXPECT_TRUE(saysSomewhere(file, "2 places have no row"));
+  EXPECT_TRUE(says(file, "2 places have no row"));
 }
 
 // ---- Positions ---------------------------------------------------------------------------------
@@ -253,7 +247,7 @@ TEST(TextProfile, InterpolatesPositionsThatAreNotUniform) {
   }
   const MeasuredFile file = read(text);
   EXPECT_TRUE(file.facts.resampled);
-  EXPECT_TRUE(saysSomewhere(file, "not uniform"));
+  EXPECT_TRUE(says(file, "not uniform"));
   EXPECT_GT(file.facts.spacingVariation, 0.1);
   const Topography& grid = file.topography;
   ASSERT_EQ(grid.columns, 50);
@@ -269,7 +263,7 @@ TEST(TextProfile, TurnsFallingPositionsRound) {
                                                       profileMicrometres(kPoints - 1 - i));
                                  }));
   expectProfile(file);
-  EXPECT_TRUE(saysSomewhere(file, "turned round"));
+  EXPECT_TRUE(says(file, "turned round"));
 }
 
 TEST(TextProfile, NamesTheLineOfPositionsThatGoBack) {
@@ -279,7 +273,7 @@ TEST(TextProfile, NamesTheLineOfPositionsThatGoBack) {
   EXPECT_THAT(errorOf("x (um),z (um)\n0,1\n,2\n2.5,3\n3,4\n"),
               HasSubstr("line 3: the position is missing"));
   const MeasuredFile repeated = read("x (um),z (um)\n0,1\n1,2\n1,4\n2,5\n3,6\n");
-  EXPECT_TRUE(saysSomewhere(repeated, "one row repeats a position"));
+  EXPECT_TRUE(says(repeated, "one row repeats a position"));
   EXPECT_NEAR(repeated.topography.at(0, 1), 3e-6, 1e-15);
 }
 
@@ -289,7 +283,7 @@ TEST(TextProfile, SaysWhatItLeavesOut) {
            rows([](int i) { return fmt::format("{},{:.9g}", 2 * i, profileMicrometres(i)); }) +
            "\nMotif table\n1,2,3\n4,5,6\n");
   expectProfile(file);
-  EXPECT_TRUE(saysSomewhere(file, "2 tables of numbers"));
+  EXPECT_TRUE(says(file, "2 tables of numbers"));
   EXPECT_THAT(errorOf("x (um),z (um)\n0,1\n1,2x\n2,3\n"),
               HasSubstr("line 3: '2x' in column 2 is not a number"));
   EXPECT_THAT(errorOf("x (um),z (um)\n0,1\n1,2\n"), HasSubstr("at least 3"));
@@ -417,10 +411,10 @@ TEST(TextMatrix, LeavesNumbersOfRowsAndColumnsOut) {
     }
     const MeasuredFile row = read(steps + numbered(true, false, first, ""), choices);
     expectKnown(row, "matrix", false, 1e-14);
-    EXPECT_TRUE(saysSomewhere(row, "The first row numbers the points."));
+    EXPECT_TRUE(says(row, "The first row numbers the points."));
     const MeasuredFile column = read(steps + numbered(false, true, first, ""), choices);
     expectKnown(column, "matrix", false, 1e-14);
-    EXPECT_TRUE(saysSomewhere(column, "The first column numbers the points."));
+    EXPECT_TRUE(says(column, "The first column numbers the points."));
   }
   // Few whole numbers may be either, a ramp is none.
   const std::string unclear = steps + "1 2 3 4\n5 5 6 9\n7 1 2 8\n";
