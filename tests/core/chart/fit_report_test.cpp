@@ -58,6 +58,7 @@ TEST(FitReport, ItsTableHasTheForceOfANominalPressure) {
   Fit fit;
   fit.computed.resize(2);
   fit.computed[0].normalForce = 8;
+  fit.computed[0].mu = fit.computed[1].mu = 0.01;
   fit.computedErrors = fit.bandErrors = {0, 0};
   EXPECT_THAT(fitCsv(fit, {&table, 1}), testing::AllOf(testing::HasSubstr("\n0.1,8,20000,"),
                                                        testing::HasSubstr("\n0.1,3,,")));
