@@ -20,7 +20,8 @@ struct MeasuredSweep {
 /// and enters the drift; scatter without such a trend is none. Where other sweeps have the same
 /// frequencies at lower and at higher temperatures, each modulus is interpolated between them, in
 /// its logarithm, to one temperature: the mean of the sweep or, in the outermost sweeps, the one
-/// closest to it that needs no extrapolation. sweeps: by rising temperature.
+/// closest to it that needs no extrapolation. sweeps: by rising temperature, farther apart than the
+/// tolerance, each with rising frequencies.
 void removeDrift(std::vector<MeasuredSweep>& sweeps, double tolerance);
 
 /// Says in which isotherms the temperature drifts, and whether this was removed.

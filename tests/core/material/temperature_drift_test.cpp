@@ -45,10 +45,10 @@ double largestDeviation(const std::vector<Isotherm>& isotherms) {
   double largest = 0;
   for (const Isotherm& isotherm : isotherms)
     for (const DynamicModulus& point : isotherm.points) {
-      const DynamicModulus true_ =
+      const DynamicModulus expected =
           rubber.at(point.frequency * std::pow(10, rubber.log10Shift(isotherm.temperature)));
-      largest = std::max({largest, std::abs(point.storage / true_.storage - 1),
-                          std::abs(point.loss / true_.loss - 1)});
+      largest = std::max({largest, std::abs(point.storage / expected.storage - 1),
+                          std::abs(point.loss / expected.loss - 1)});
     }
   return largest;
 }
