@@ -23,7 +23,7 @@ struct Beginning {
   std::string_view rest;
 };
 
-/// Takes the longest beginning that is a number; no thousands, because what stands behind them may
+/// Takes the longest beginning that is a number; no thousands, because what stands after them may
 /// be anything.
 std::optional<Beginning> takeNumber(std::string_view text, char decimal) {
   text = trimmedBlanks(text);
@@ -43,7 +43,7 @@ bool isCellUnit(std::string_view text) {
   return !text.empty() && !isDigit(text.front()) && text != "-" && isKnownUnit(text);
 }
 
-/// Reads the error in brackets behind a number: "0.31(2)", "0.31(0.02)". Returns what stands behind
+/// Reads the error in brackets after a number: "0.31(2)", "0.31(0.02)". Returns what stands after
 /// it.
 std::optional<std::string_view> takeConcise(const Beginning& value, char decimal, double& error) {
   const std::size_t end = value.rest.find(')');
@@ -58,7 +58,7 @@ std::optional<std::string_view> takeConcise(const Beginning& value, char decimal
   return trimmedBlanks(value.rest.substr(end + 1));
 }
 
-/// Reads a sign of errors with the error behind it, and the unit of one or both.
+/// Reads a sign of errors with the error after it, and the unit of one or both.
 bool takeTolerance(std::string_view text, double number, char decimal, TextCell& rest) {
   const auto sides = splitAtErrorSign(text);
   if (!sides) return false;

@@ -29,7 +29,7 @@ std::string_view withoutEnd(std::string_view text, std::string_view signs);
 /// Returns the key in front of a value: "T" of "Isothermal test: T = ".
 std::string_view keyBefore(std::string_view text);
 
-/// A quantity behind a key, as in "Young's modulus E0 (MPa) = 600" or "T_ref: 20 \u00B0C".
+/// A quantity after a key, as in "Young's modulus E0 (MPa) = 600" or "T_ref: 20 \u00B0C".
 struct TextStatement {
   std::string key{};
   TextColumn name{};  // of the key, with its unit
@@ -39,7 +39,7 @@ struct TextStatement {
   const std::string& unit() const { return quantity.unit.empty() ? name.unit : quantity.unit; }
 };
 
-/// Reads the last key of a clause and the quantity behind it; nothing where there is none.
+/// Reads the last key of a clause and the quantity after it; nothing where there is none.
 std::optional<TextStatement> parseStatement(std::string_view clause);
 
 /// Returns the words of a text in lower case; "T_ref" is one of them.

@@ -144,7 +144,7 @@ bool isMonotone(const std::vector<double>& numbers) {
 }
 
 /// Returns whether commas between whole numbers are decimal marks: in "0,05", "-0,5", "1,5E-3",
-/// where the number of digits behind them is always the same; or where the first one of two columns
+/// where the number of digits after them is always the same; or where the first one of two columns
 /// goes up and down, which positions and velocities do not.
 bool looksLikeDecimals(const Lines& lines, std::size_t columns) {
   std::vector<std::string_view> fields;

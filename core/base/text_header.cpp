@@ -52,7 +52,7 @@ bool statesQuantity(std::string_view text) {
   return quantity && !quantity->unit.empty() && isKnownUnit(quantity->unit);
 }
 
-/// Returns whether a comma is the decimal mark of a number behind a word: "cellsize 2,5".
+/// Returns whether a comma is the decimal mark of a number after a word: "cellsize 2,5".
 bool isDecimalMark(std::string_view line, std::size_t comma) {
   const std::size_t begin = line.find_last_of(" \t", comma);
   const std::size_t end = std::min(line.find_first_of(" \t", comma), line.size());
@@ -61,7 +61,7 @@ bool isDecimalMark(std::string_view line, std::size_t comma) {
          readTextNumber(line.substr(begin + 1, end - begin - 1), ',', number);
 }
 
-/// Returns whether the fields behind a comma are a value in a file whose numbers have no separator:
+/// Returns whether the fields after a comma are a value in a file whose numbers have no separator:
 /// a number or a unit.
 bool statesAfterComma(std::string_view line, std::size_t comma, const TextDialect& dialect) {
   if (dialect.isExact() || comma == std::string_view::npos || line.find(", ") != line.npos ||
@@ -200,7 +200,7 @@ std::optional<TextColumn> splitSpelledUnit(std::string_view text) {
   return makeColumn(text, unit);
 }
 
-/// Makes a column of a name with a unit behind a stroke or a blank. A power of ten in front of the
+/// Makes a column of a name with a unit after a slash or a space. A power of ten in front of the
 /// unit belongs to the unit: "v / 10^-3 m/s".
 TextColumn makeScaledColumn(std::string_view name, std::string_view unit) {
   const std::string_view front = trimmedBlanks(name);
@@ -227,7 +227,7 @@ std::vector<std::string> splitAtWideBlanks(std::string_view line) {
   return fields;
 }
 
-/// Splits at single blanks; a unit, and a text in brackets or behind a stroke, stays with the name
+/// Splits at single blanks; a unit, and a text in brackets or after a slash, stays with the name
 /// before it.
 std::vector<std::string> splitAtBlanks(std::string_view line) {
   std::vector<std::string_view> words;
@@ -271,7 +271,7 @@ TextColumn parseColumnName(std::string_view text) {
     const bool isLast = end + 1 == text.size();
     if (isKnownUnit(unit) || isFahrenheit(text.substr(0, at), unit) ||
         (text[at] == '[' && isLast && at > 0 && !trimmedBlanks(unit).empty())) {
-      // Words behind the unit belong to the name: "G' (MPa) std" is no modulus.
+      // Words after the unit belong to the name: "G' (MPa) std" is no modulus.
       TextColumn found = makeColumn(text.substr(0, at), unit);
       const std::string_view rest = trimmedBlanks(text.substr(end + 1));
       const bool hasWords = std::ranges::any_of(rest, [](char letter) {
@@ -288,7 +288,7 @@ TextColumn parseColumnName(std::string_view text) {
       isUnitWord(text.substr(at + 1)))
     return makeScaledColumn(text.substr(0, at), text.substr(at + 1));
 
-  // The unit may be behind a stroke, which may also be part of it: "v / m/s".
+  // The unit may be after a slash, which may also be part of it: "v / m/s".
   for (std::size_t at = 0; (at = text.find('/', at)) != std::string_view::npos; ++at)
     if (at > 0 &&
         (isKnownUnit(text.substr(at + 1)) || isFahrenheit(text.substr(0, at), text.substr(at + 1))))

@@ -32,13 +32,13 @@ std::size_t keyEnd(std::string_view line);
 TextEntry parseEntry(const TextLine& line, const TextDialect& dialect);
 
 /// Separates the name of a column and its unit: "x (mm)", "z/um", "Height [\u00B5m]", "freq_Hz", "x
-/// in mm", "x, mm", "x mm", "X_(microns)". In round brackets, behind a stroke, a blank or "_" only
+/// in mm", "x, mm", "x mm", "X_(microns)". In round brackets, after a slash, a blank or "_" only
 /// a known unit counts; the text in square brackets at the end is always a unit.
 TextColumn parseColumnName(std::string_view text);
 
 /// Splits a line of names for `columns` columns. The names may be separated differently from the
 /// numbers: the first separator that gives this number of names is used; none where there is no
-/// such separator. A unit behind a blank stays with its name.
+/// such separator. A unit after a space stays with its name.
 std::vector<std::string> splitNames(std::string_view line, const TextDialect& dialect,
                                     std::size_t columns);
 

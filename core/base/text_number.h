@@ -68,11 +68,11 @@ void replaceAll(std::string& text, std::string_view from, std::string_view to);
 
 struct TextQuantity {
   double number = 0;
-  std::string unit{};      // the text behind the number; may be empty
+  std::string unit{};      // the text after the number; may be empty
   bool isGrouped = false;  // a number whose thousands are separated
 };
 
-/// Reads a number with a point or a comma and the unit behind it: "10 \u00B5m", "1,25e-3 m", "512",
+/// Reads a number with a point or a comma and the unit after it: "10 \u00B5m", "1,25e-3 m", "512",
 /// "minus 5 C". The sign may be any dash, with a blank behind it. decimal: the decimal mark of the
 /// file where it is known; the other mark, a blank or an apostrophe may then separate thousands.
 std::optional<TextQuantity> parseQuantity(std::string_view text, std::optional<char> decimal = {});

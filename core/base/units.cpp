@@ -175,7 +175,7 @@ std::optional<Parts> partsOf(std::string_view text) {
   if (!hasDigitsBefore && !hasDigitsBehind) return {};
   Parts parts;
   parts.mantissa = text.substr(text.front() == '+' ? 1 : 0, at - (text.front() == '+' ? 1 : 0));
-  // An "e" without digits behind it begins a unit.
+  // An "e" without digits after it begins a unit.
   if (at < text.size() && (text[at] == 'e' || text[at] == 'E')) {
     const std::size_t end = at;
     ++at;
@@ -301,7 +301,7 @@ TypedQuantity typedQuantity(std::string_view text, const QuantityRule& rule) {
   if (parts->isTooLarge) return {{}, {}, true};
   if (parts->unit.empty()) return {parts->number, {}};
   const std::optional<Unit> unit = findUnit(parts->unit, rule.unit);
-  // A pure number with a word behind it that is no unit is no number.
+  // A pure number with a word after it that is no unit is no number.
   if (!unit && rule.unit.empty() && !findUnit(parts->unit)) return {};
   if (!unit || (unit->offset != 0 && !rule.isTemperature) || (rule.unit.empty() && rule.isWhole))
     return {{}, refusalOf(trimmedBlanks(text), parts->unit, rule)};

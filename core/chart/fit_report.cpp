@@ -298,7 +298,7 @@ FittedCurve fitWithCurve(const Scene& scene, const std::vector<FrictionData>& da
 
 Json fitProvenance(const Scene& start, const Fit& fit) {
   Json root = provenance("fit", fit.scene);
-  // A window opens the fitted scene; the text behind it is not read.
+  // A window opens the fitted scene; the text after it is not read.
   Json fitted = std::move(root["scene"]);
   root.erase("scene");
   root["start"] = Json::parse(writeScene(start));

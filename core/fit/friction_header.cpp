@@ -92,7 +92,7 @@ bool isHeading(const std::string& word) {
   return isOneOf(word, kHeadings) || areDigits(word);
 }
 
-/// A value with its unit, and the words behind it: "30 N (constant)".
+/// A value with its unit, and the words after it: "30 N (constant)".
 struct Value {
   double number = 0;
   std::string unit{};
@@ -101,10 +101,10 @@ struct Value {
   std::string groupedNumber{};
 };
 
-/// Splits a text behind a number into a unit of a load or temperature and a remark. Units may have
+/// Splits a text after a number into a unit of a load or temperature and a remark. Units may have
 /// blanks, as in "deg C".
 void splitUnit(std::string_view text, Value& value) {
-  constexpr std::size_t kLongest = 24;  // bytes of a unit and the blank behind it
+  constexpr std::size_t kLongest = 24;  // bytes of a unit and the space after it
   const std::size_t most = text.size() > kLongest ? text.find_last_of(" (", kLongest) : text.size();
   for (std::size_t end = most; end != std::string_view::npos && end > 0;
        end = text.find_last_of(" (", end - 1)) {

@@ -71,7 +71,7 @@ DmaColumn dmaColumn(std::string_view name, std::string_view unit);
 /// blanks, brackets, "_", "-" and ".": "gdelta" for "G_\u03B4".
 std::string compactName(std::string_view name);
 
-/// Returns the text in brackets, or behind a stroke, at the end of a name: it is meant as a unit,
+/// Returns the text in brackets, or after a slash, at the end of a name: it is meant as a unit,
 /// known or not. Empty where there is none.
 std::string unitText(std::string_view name);
 

@@ -13,7 +13,7 @@
 namespace asperity {
 namespace {
 
-/// Returns the text in brackets, or behind a stroke, at the end of a name that is neither a
+/// Returns the text in brackets, or after a slash, at the end of a name that is neither a
 /// quantity nor a word for the kind of modulus: "furlongs" of "G' (furlongs)". It is refused as a
 /// unit.
 std::string unknownUnitIn(const std::string& name) {

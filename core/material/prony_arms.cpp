@@ -118,7 +118,7 @@ std::optional<double> timeSize(std::string_view unit) {
   return unitSize(unit, "s");
 }
 
-/// Returns the unit of a column of times or rates. A text in brackets, or behind a stroke, at the
+/// Returns the unit of a column of times or rates. A text in brackets, or after a slash, at the
 /// end of its name is a unit, too; empty where there is none, as in "tau (relaxation time)".
 std::string writtenUnit(const TextColumn& column) {
   if (!column.unit.empty()) return column.unit;

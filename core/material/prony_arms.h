@@ -29,7 +29,7 @@ struct SeriesRows {
 std::optional<SeriesRows> readArms(TextTable& table, TextBlock& block, const std::string& name,
                                    const PronyChoices& choices, RawSeries& series);
 
-/// Returns the size of a unit of modulus in Pa; what stands behind it in a header does not count:
+/// Returns the size of a unit of modulus in Pa; what stands after it in a header does not count:
 /// "3 MPa (at 20 °C)". Throws InputError (`name`, `key`) where it is none.
 double modulusSize(const std::string& unit, const std::string& name, const std::string& key);
 

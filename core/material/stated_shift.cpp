@@ -164,7 +164,7 @@ ShiftConstants shiftConstants(const TextTable& table, const std::string& unit) {
   return found;
 }
 
-/// Returns the size in K of a unit of a difference of temperatures; what stands behind it does not
+/// Returns the size in K of a unit of a difference of temperatures; what stands after it does not
 /// count: "K) at 20 \u00B0C". Throws InputError where it is none.
 double differenceSize(const std::string& unit, const std::string& name) {
   if (unit.empty()) return 1;

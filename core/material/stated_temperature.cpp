@@ -107,7 +107,7 @@ class HeaderReader {
   }
 
   /// Reads the first temperature of a text. Returns whether it may be that of the test; otherwise
-  /// what stands behind it is read, too.
+  /// what stands after it is read, too.
   bool readTemperature(std::string_view clause, const TextTemperature& found) {
     std::string_view before = clause.substr(0, found.begin);
     if (beginsAsRange(clause.substr(found.end)) || endsWithinRange(before)) return false;

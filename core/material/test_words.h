@@ -15,7 +15,7 @@ bool isOfMaking(const std::string& word);
 /// Returns whether a word is "mixture", which is a sample or its making.
 bool isMixture(const std::string& word);
 
-/// Returns the words without "mixture" where it has a name behind it, so that it is the sample:
+/// Returns the words without "mixture" where it has a name after it, so that it is the sample:
 /// "Mischung A12". In "mixture at 160 °C" and "Mix 160 °C" it is the making.
 std::vector<std::string> withoutNamesOfMixtures(std::vector<std::string> words);
 

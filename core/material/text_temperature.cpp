@@ -20,7 +20,7 @@ bool goesOnAsRate(std::string_view text) {
   return isOneOf(lowerCase(text.substr(0, end)), "min minute s sec second h hr hour mm m");
 }
 
-/// Returns the length of a sign with the blanks behind it that begins here, 0 where there is none:
+/// Returns the length of a sign with the spaces after it that begins here, 0 where there is none:
 /// "-", "\u2212", an en dash, "minus". A dash before a blank is a sign at the beginning, behind a
 /// key and behind "at"; elsewhere it separates, as in "NR 60 - 20 \u00B0C".
 std::size_t signLength(std::string_view text, std::size_t begin, bool& isMinus) {
@@ -57,7 +57,7 @@ std::optional<TextTemperature> temperatureAt(std::string_view text, std::size_t 
   double value = 0;
   if (!readTextNumber(number, '.', value)) return {};
   while (end < text.size() && (text[end] == ' ' || text[end] == '_')) ++end;
-  // The longest unit is tried first; a letter behind it belongs to another word.
+  // The longest unit is tried first; a letter after it belongs to another word.
   constexpr WordList kUnits(
       "Grad Celsius, grad Celsius, degrees Celsius, degrees C, \u00B0Celsius, \u00B0 Celsius, "
       "Grad C, deg. C, \u00B0C, \u00BAC, \u2103, degC, deg C, \u00B0 C, \u00B0F, degF, Celsius, "

@@ -27,7 +27,7 @@ class ByteReader {
   std::size_t left() const { return bytes_.size() - position_; }
   bool atEnd() const { return left() == 0; }
 
-  /// Returns the next bytes and moves on behind them.
+  /// Returns the next bytes and moves on after them.
   std::string_view take(std::size_t count) {
     if (count > left())
       source_.fail(message("ends too early: {} bytes are needed from byte {} on, and {} are there",

@@ -43,7 +43,7 @@ class NpyHeader {
  public:
   NpyHeader(const SurfaceSource& source, std::string_view text) : source_(source), text_(text) {}
 
-  /// Returns the text behind a key and its colon, up to the end of the header.
+  /// Returns the text after a key and its colon, up to the end of the header.
   std::string_view value(const std::string& key) const {
     for (const std::string& quoted : {"'" + key + "'", "\"" + key + "\""})
       if (const std::size_t at = text_.find(quoted); at != text_.npos) {

@@ -21,7 +21,7 @@ namespace {
 
 // ---- main.xml ----------------------------------------------------------------------------------
 
-/// Returns the part of a name behind its namespace.
+/// Returns the part of a name after its namespace.
 std::string_view plainName(const pugi::xml_node& node) {
   const std::string_view name = node.name();
   const std::size_t colon = name.find(':');

@@ -37,7 +37,7 @@ constexpr WordList kLengths(
     "nanometres kilometer kilometers kilometre kilometres angstrom angstroms \u00C5 "
     "\u212B \u00E5 inch inches pixel pixels px \xC5 \u339A \u339B \u339C \u339D");
 
-/// Units that are also words or letters; they count only in brackets and behind a stroke.
+/// Units that are also words or letters; they count only in brackets and after a slash.
 constexpr WordList kShortUnits(
     "in ft yd mil mils thou pt a s ms us min v mv uv n deg rad \u00B0 % arb a.u. au "
     "counts count feet foot \" index samples");
@@ -45,7 +45,7 @@ constexpr WordList kShortUnits(
 /// "(", "[" and "{" end at their counterparts; a stroke reaches to the end.
 constexpr std::string_view kOpening = "([{/";
 
-/// Returns each text in brackets or behind a stroke in the name.
+/// Returns each text in brackets or after a slash in the name.
 std::vector<std::string_view> bracketed(std::string_view name) {
   std::vector<std::string_view> found;
   for (std::size_t at = 0; (at = name.find_first_of(kOpening, at)) != std::string_view::npos;) {

@@ -16,7 +16,7 @@ bool namesColumns(std::span<const std::string_view> fields);
 /// "z/mm", "z_mm" and "z mm". Empty where there is none.
 std::string foreignUnitIn(std::string_view name);
 
-/// Returns whether the field is one word with a unit in brackets or behind a stroke, as in the
+/// Returns whether the field is one word with a unit in brackets or after a slash, as in the
 /// names of columns in comments: "x (mm)", "z/um".
 bool isWordWithUnit(std::string_view field);
 

@@ -57,7 +57,7 @@ void setMessage(QLabel& label, const QString& text, MessageKind kind);
 
 /// Makes such a label for warnings, in the colour that they have everywhere in a window.
 QLabel* warningTextLabel(const QString& name);
-/// Shows the warnings, each in a line behind its sign; without any it hides the label.
+/// Shows the warnings, each in a line after its sign; without any it hides the label.
 void showWarnings(QLabel& label, const QStringList& warnings);
 
 /// Makes a thin bar of progress without a text.

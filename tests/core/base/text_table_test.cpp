@@ -309,7 +309,7 @@ TEST(TextTable, ACommaBetweenQuotesEndsNoKey) {
   EXPECT_EQ(made.largest().rows, 3u);
 }
 
-/// "Load 30 N" is a statement, not the key of what stands behind it, and not the name of a column.
+/// "Load 30 N" is a statement, not the key of what stands after it, and not the name of a column.
 TEST(TextTable, AStatementIsNoKey) {
   for (const char* line : {"Load 30 N, T 23 C", "Load 30 N; T 23 C", "# Load 30 N, T 23 C"}) {
     const TextTable made = read(std::string(line) + "\nv m/s,mu\n1,0.5\n2,0.6\n");
@@ -517,7 +517,7 @@ TEST(TextTable, TellsUnitsFromLengths) {
   EXPECT_FALSE(isKnownUnit("60 mm"));
 }
 
-/// "#" behind a blank begins a comment only behind a row of numbers alone.
+/// "#" after a space begins a comment only after a row of numbers alone.
 TEST(TextTable, TellsCommentsFromLabelsAndErrors) {
   const TextTable excel = read("1.5\t2.5\t3\n2.5\t#NV\t4\n3.5\t####\t5\n");
   ASSERT_EQ(excel.largest().rows, 3u);

@@ -43,7 +43,7 @@ TEST(FrictionData, ReadsErrorsInCells) {
   EXPECT_DOUBLE_EQ(inCells.points[1].muError, 0.03);
 }
 
-/// The name of the column says what stands behind the sign.
+/// The name of the column says what stands after the sign.
 TEST(FrictionData, ReadsScalesOfErrorsInCells) {
   const auto errorAt = [](const std::string& name) {
     return parsed("v [mm/s];" + name + "\n1;0.5 \u00B1 0.1\n10;0.7 \u00B1 0.1\n").points[0].muError;

@@ -277,7 +277,7 @@ TEST(FrictionData, ReadsLoadsByTheirSymbols) {
     EXPECT_DOUBLE_EQ(first(name, "20").temperature, 293.15) << name;
 }
 
-/// FN is a symbol of the normal force, not femtonewtons, also where a unit stands behind it.
+/// FN is a symbol of the normal force, not femtonewtons, also where a unit stands after it.
 TEST(FrictionData, ReadsNamesWithTheirSymbol) {
   for (const char* name : {"Normalkraft FN", "Normalkraft Fn", "Normal load Fn", "Load FN",
                            "load_FN", "Normalkraft FN [N]", "Normal force F_N (N)", "FN", "FN (N)"})

@@ -81,7 +81,7 @@ TEST(Assumptions, AreToldApart) {
   };
   EXPECT_TRUE(says(read(linesOf(metres)), "positions: they are taken as metres"));
   EXPECT_TRUE(says(read(linesOf(metres)), "heights: they are taken as metres"));
-  // All have three digits behind the mark, and none of them is below 1.
+  // All have three digits after the mark, and none of them is below 1.
   const auto marked = [](int i) { return fmt::format("{};{:.3f}", i, 5 + micrometresAt(i)); };
   EXPECT_TRUE(says(read("x [um];z [um]\n" + linesOf(marked)), "'.' is taken for the decimal mark"));
 }

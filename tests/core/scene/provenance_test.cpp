@@ -92,7 +92,7 @@ TEST(Provenance, SceneComesBackFromAnyFile) {
   }
 }
 
-/// What stands behind the scene of an answer is not read: it may be long, and cut off.
+/// What stands after the scene of an answer is not read: it may be long, and cut off.
 TEST(Provenance, AnAnswerIsReadUpToItsScene) {
   const std::string answer = provenance("curve", awkwardScene()).dump();
   const std::string cut = answer.substr(0, answer.size() - 1) + ",\"points\":[[1,2],[3,";

@@ -205,7 +205,7 @@ void CardList::showPicture(const QString& name) {
 
 /// Sets the size of all cards: as many columns as fit, and as high as the longest texts need.
 void CardList::layOut() {
-  const int available = viewport()->width() - spacing();  // each card has its spacing behind it
+  const int available = viewport()->width() - spacing();  // each card has its spacing after it
   const int letters = QFontMetrics(font()).averageCharWidth();
   const int least = std::max(kMinCard, 30 * letters) + spacing();
   const int most = std::max(kMaxCard, 50 * letters) + spacing();
