@@ -172,7 +172,7 @@ void applyUnits(const SurfaceSource& source, SurfaceDraft& draft) {
   if (!draft.hasPositions && spacing > 0) {
     grid.columnSpacing = grid.rowSpacing = spacing;
     facts.positionUnit = {"m", 1, UnitSource::Choice};
-    draft.hasPositions = true;
+    draft.hasPositions = draft.isSpacingChosen = true;
   }
   grid.columnSpacing *= facts.positionUnit.metres;
   grid.rowSpacing *= facts.positionUnit.metres;

@@ -119,22 +119,26 @@ void addReadingNotes(SurfaceDraft& draft) {
   notes.insert(notes.end(), facts.notes.begin(), facts.notes.end());
   const auto add = [&notes](const Message& note) { notes.push_back(note); };
   const UnitFact& position = facts.positionUnit;
-  if (position.source == UnitSource::File)
+  if (draft.isSpacingChosen)
+    notes.push_back(message("The points are {} apart, as surface.point_spacing says.", spacing));
+  else if (position.source == UnitSource::File)
     notes.push_back(
         message("Positions are in {}, as the file states.", printedUnit(position.unit)));
   else if (position.source == UnitSource::Choice)
-    notes.push_back(message("Positions are in {}, as the scene says.", printedUnit(position.unit)));
+    notes.push_back(
+        message("Positions are in {}, as surface.position_unit says.", printedUnit(position.unit)));
   else
     add("The file states no unit of positions: they are taken as metres.");
   const UnitFact& height = facts.heightUnit;
   if (height.source == UnitSource::File)
     notes.push_back(message("Heights are in {}, as the file states.", printedUnit(height.unit)));
   else if (height.source == UnitSource::Choice)
-    notes.push_back(message("Heights are in {}, as the scene says.", printedUnit(height.unit)));
+    notes.push_back(
+        message("Heights are in {}, as surface.height_unit says.", printedUnit(height.unit)));
   else
     add("The file states no unit of heights: they are taken as metres.");
   if (!draft.hasPositions)
-    add("The file does not say how far its points are apart: one unit of positions.");
+    add(message("The file does not say how far its points are apart: {} is assumed.", spacing));
   noteLargeSizes(grid, facts, notes);
   noteVoids(grid, height, add);
   if (facts.gaps == 1) notes.emplace_back("One point has no height.");

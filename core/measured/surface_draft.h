@@ -45,7 +45,8 @@ struct StatedUnit {
 struct SurfaceDraft {
   Topography grid{};  // both spacings in the position unit, heights in the height unit
   std::optional<StatedUnit> positionUnit{}, heightUnit{};  // empty: the file states none
-  bool hasPositions = true;  // false: the file does not state how far its points are apart
+  bool hasPositions = true;      // false: the file does not state how far its points are apart
+  bool isSpacingChosen = false;  // the choices state it instead
   // A unit in the file that is not known; empty where the file states none or a known one.
   std::string unknownPositionUnit{}, unknownHeightUnit{};
   ReadingFacts facts{};  // format, columns and notes; the rest is filled in later

@@ -3703,8 +3703,12 @@
         <translation>Die Orte sind in %1, wie die Datei sagt.</translation>
     </message>
     <message>
-        <source>Positions are in %1, as the scene says.</source>
-        <translation>Die Orte sind in %1, wie die Szene sagt.</translation>
+        <source>Positions are in %1, as surface.position_unit says.</source>
+        <translation>Die Orte sind in %1, wie surface.position_unit sagt.</translation>
+    </message>
+    <message>
+        <source>The points are %1 apart, as surface.point_spacing says.</source>
+        <translation>Der Punktabstand ist %1, wie surface.point_spacing sagt.</translation>
     </message>
     <message>
         <source>The file states no unit of positions: they are taken as metres.</source>
@@ -3715,16 +3719,16 @@
         <translation>Die Höhen sind in %1, wie die Datei sagt.</translation>
     </message>
     <message>
-        <source>Heights are in %1, as the scene says.</source>
-        <translation>Die Höhen sind in %1, wie die Szene sagt.</translation>
+        <source>Heights are in %1, as surface.height_unit says.</source>
+        <translation>Die Höhen sind in %1, wie surface.height_unit sagt.</translation>
     </message>
     <message>
         <source>The file states no unit of heights: they are taken as metres.</source>
         <translation>Die Datei nennt keine Einheit der Höhen: sie gelten als Meter.</translation>
     </message>
     <message>
-        <source>The file does not say how far its points are apart: one unit of positions.</source>
-        <translation>Die Datei sagt nicht, wie weit ihre Punkte auseinander liegen: eine Einheit der Orte.</translation>
+        <source>The file does not say how far its points are apart: %1 is assumed.</source>
+        <translation>Die Datei sagt nicht, wie weit ihre Punkte auseinander liegen: %1 wird angenommen.</translation>
     </message>
     <message>
         <source>One point has no height.</source>

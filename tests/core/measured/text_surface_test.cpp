@@ -101,7 +101,10 @@ TEST(TextProfile, TakesUnitsFromTheUserFirst) {
   const MeasuredFile file = read(text, choices);
   expectProfile(file);
   EXPECT_EQ(file.facts.positionUnit.source, UnitSource::Choice);
-  EXPECT_TRUE(says(file, "as the scene says"));
+  EXPECT_TRUE(says(file, "Positions are in \u00B5m, as surface.position_unit says."));
+  EXPECT_TRUE(says(file, "Heights are in \u00B5m, as surface.height_unit says."));
+  EXPECT_TRUE(says(read("z (um)\n1\n2\n1\n2\n3\n", {.spacing = 2e-6}),
+                   "The points are 2 \u00B5m apart, as surface.point_spacing says."));
 }
 
 TEST(TextProfile, AsksForUnitsThatCannotBeMetres) {
