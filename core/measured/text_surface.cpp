@@ -256,6 +256,23 @@ void noteOtherCounts(const TextTable& table, const TextBlock& block, SurfaceDraf
   }
 }
 
+/// Adds a note where the header states a factor, of which it does not say what it multiplies.
+void noteFactor(const TextTable& table, const TextBlock& block, std::vector<Message>& notes) {
+  constexpr WordList kFactors(
+      "scaling factor, scale factor, scaling, z scaling, z scale, z-scale, z factor, z-factor, "
+      "height scale, height factor, vertical scale, multiplier, skalierung, skalierungsfaktor, "
+      "faktor, z-faktor, h\u00F6henfaktor, facteur d'\u00E9chelle, fattore di scala, factor de "
+      "escala",
+      ',');
+  for (const std::string_view key : kFactors)
+    if (const auto factor = parseQuantity(table.entry(key, block));
+        factor && factor->number != 1 && factor->number > 0)
+      notes.push_back(message(
+          "The header states a factor of {} ({}), which is not applied: multiply the "
+          "numbers of the file where they have to be.",
+          PrintedNumber{printedNumber(factor->number, 6)}, Message::name(std::string(key))));
+}
+
 /// Adds what the reader can only suppose about the notation of the numbers.
 void addAssumptions(const TextTable& table, std::uint32_t lineOfCount,
                     std::vector<Message>& notes) {
@@ -307,6 +324,7 @@ SurfaceDraft readTextSurface(const SurfaceSource& source) {
                                               : readTextPoints(table, block, source);
   if (chosen.note) draft.facts.notes.push_back(*chosen.note);
   noteOtherCounts(table, block, draft);
+  noteFactor(table, block, draft.facts.notes);
   addAssumptions(table, lineOfCount, draft.facts.notes);
   return draft;
 }

@@ -3967,6 +3967,10 @@
         <translation>Die Zeilen folgen einander in einer Spalte; der Kopf nennt ihre Länge.</translation>
     </message>
     <message>
+        <source>The header states a factor of %1 (%2), which is not applied: multiply the numbers of the file where they have to be.</source>
+        <translation>Der Kopf nennt einen Faktor von %1 (%2), der nicht angewandt wird: Die Zahlen der Datei sind damit zu multiplizieren, wo sie es sein müssen.</translation>
+    </message>
+    <message>
         <source>The header states %1 points, and the table has %2: the file may be cut off.</source>
         <translation>Der Kopf nennt %1 Punkte, und die Tabelle hat %2: Die Datei ist vielleicht abgeschnitten.</translation>
     </message>

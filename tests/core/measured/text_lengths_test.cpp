@@ -113,6 +113,15 @@ TEST(StatedNumbersOfPoints, AreComparedWithThosePresent) {
   EXPECT_FALSE(says(sized("9"), "cut off"));
 }
 
+/// Heights were too large by a hundred in silence. What a factor multiplies no header says.
+TEST(StatedFactors, AreNoted) {
+  const std::string spacing = "Spacing: 0.5 um\n";
+  for (const std::string line :
+       {"Scaling factor: 0.01", "Skalierung: 0,01 \u00B5m", "Z scale = 50"})
+    EXPECT_TRUE(says(read(spacing + line + "\n" + list()), "which is not applied")) << line;
+  EXPECT_FALSE(says(read(spacing + "Scaling factor: 1\n" + list()), "factor"));
+}
+
 /// Columns in pixels, or whole numbers without a unit beside a stated spacing, number the points.
 TEST(PixelCoordinates, NeedTheSpacingAlone) {
   const auto points = [](const std::string& names) {
