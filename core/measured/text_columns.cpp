@@ -202,8 +202,8 @@ class RoleFinder {
       if (i == positionChoice_ || i == heightChoice_) continue;
       if (isRowName(name) && !name.starts_with("y.") && !name.starts_with("y("))
         lateral.push_back(roles_.y = i);
-      else if (roles_.x < 0 && isPositionName(name))
-        roles_.x = i;
+      else if ((roles_.x < 0 || i < heightChoice_) && isPositionName(name))
+        roles_.x = i;  // of several profiles, each with its positions, those of the chosen one
       else if (isHeightName(name))
         roles_.heights.push_back(i);
       else if (!isOneOf(name, kCounts))
@@ -240,11 +240,14 @@ class RoleFinder {
         isMonotone(block_, static_cast<std::size_t>(open_[1])))
       open_.erase(open_.begin());
     const bool hasHeights = open_.size() > 1 || !roles_.heights.empty() || heightChoice_ >= 0;
-    if (roles_.x < 0 && !open_.empty() && hasHeights &&
-        isMonotone(block_, static_cast<std::size_t>(open_.front()))) {
-      roles_.x = open_.front();
-      open_.erase(open_.begin());
-    }
+    if (roles_.x >= 0 || open_.empty() || !hasHeights) return;
+    // The positions of chosen heights stand nearest in front of them.
+    auto candidate = open_.begin();
+    for (auto column = candidate; column != open_.end() && *column < heightChoice_; ++column)
+      if (isMonotone(block_, static_cast<std::size_t>(*column))) candidate = column;
+    if (!isMonotone(block_, static_cast<std::size_t>(*candidate))) return;
+    roles_.x = *candidate;
+    open_.erase(candidate);
   }
 
   void findHeights() {

@@ -107,6 +107,20 @@ TEST(TextProfile, TakesUnitsFromTheUserFirst) {
                    "The points are 2 \u00B5m apart, as surface.point_spacing says."));
 }
 
+/// Two profiles side by side, the second with other distances.
+TEST(TextProfile, TakesThePositionsBesideTheChosenHeights) {
+  const std::string text =
+      "x1 (um);z1 (um);x2 (um);z2 (um)\n" + rows([](int i) {
+        return fmt::format("{};{:.6f};{};{:.6f}", 0.5 * i, profileMicrometres(i), 2 * i,
+                           profileMicrometres(i) + 1);
+      });
+  for (const auto& [column, spacing] : {std::pair{2, 0.5e-6}, std::pair{4, 2e-6}}) {
+    ReadingChoices choices;
+    choices.heightColumn = column;
+    EXPECT_NEAR(read(text, choices).topography.columnSpacing, spacing, 1e-12) << column;
+  }
+}
+
 TEST(TextProfile, AsksForUnitsThatCannotBeMetres) {
   const auto text = [](double ofX, double ofZ) {
     return rows([&](int i) {
