@@ -42,7 +42,7 @@ class EsriReader {
  private:
   TextBlock& block() { return table_.blocks.front(); }
 
-  /// Returns false at the end of the text and behind the last height.
+  /// Returns false at the end of the text and after the last height.
   bool readLine() {
     if (rest_.empty()) return false;
     const TextLine line{takeLine(rest_), ++number_};

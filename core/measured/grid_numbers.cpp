@@ -43,9 +43,8 @@ NumberName readName(const TextColumn& column) {
     isAlongY = isAlongY || isOneOf(word, kAlongY);
     found.isNumber = found.isNumber || isOneOf(word, kPixels);
   }
-  const bool isInPixels = isOneOf(lowerCase(column.unit), WordList("px pixel pixels"));
-  found.isNumber = (found.isNumber || found.isOfColumns || found.isOfRows || isInPixels) &&
-                   (column.unit.empty() || isInPixels);
+  found.isNumber = isInPixels(column) ||
+                   (column.unit.empty() && (found.isNumber || found.isOfColumns || found.isOfRows));
   if (!found.isOfColumns && !found.isOfRows) {
     found.isOfColumns = isAlongX;
     found.isOfRows = isAlongY;

@@ -294,9 +294,9 @@ ColumnRoles columnRoles(const TextBlock& block, const SurfaceSource& source) {
   return RoleFinder(block, source).find();
 }
 
-bool isInPixels(const TextBlock& block, int column) {
+bool isInPixels(const TextColumn& column) {
   constexpr WordList kPixels("px pix pixel pixels");
-  return isOneOf(lowerCase(block.columns[static_cast<std::size_t>(column)].unit), kPixels);
+  return isOneOf(lowerCase(column.unit), kPixels);
 }
 
 bool mayNumberPoints(const TextBlock& block, const ColumnRoles& roles,
@@ -304,7 +304,7 @@ bool mayNumberPoints(const TextBlock& block, const ColumnRoles& roles,
   if (roles.x < 0 || source.choices.positionColumn > 0) return false;
   const TextColumn& column = block.columns[static_cast<std::size_t>(roles.x)];
   const std::string name = lowerCase(column.name);
-  return (isInPixels(block, roles.x) || (column.unit.empty() && !isPositionName(name))) &&
+  return (isInPixels(column) || (column.unit.empty() && !isPositionName(name))) &&
          countsRows(block, static_cast<std::size_t>(roles.x));
 }
 

@@ -27,7 +27,7 @@ struct ColumnRoles {
 ColumnRoles columnRoles(const TextBlock& block, const SurfaceSource& source);
 
 /// Returns whether the positions in a column are in pixels: they number the points.
-bool isInPixels(const TextBlock& block, int column);
+bool isInPixels(const TextColumn& column);
 
 /// Returns whether the column that was taken for positions, 0, 1, 2, ... or 1, 2, 3, ..., may be
 /// the numbers of the points instead: it is in pixels, or it has neither a unit nor the name of a

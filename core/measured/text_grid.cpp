@@ -260,13 +260,12 @@ bool numberPoints(const TextTable& table, const TextBlock& block, const PointCol
         return axis.count > 1 && std::abs(axis.spacing - 1) > 1e-9;
       }))
     return false;
-  if (isInPixels(block, columns.x) && isInPixels(block, columns.y)) return true;
-  const auto hasNoUnit = [&block](int column) {
-    return block.columns[static_cast<std::size_t>(column)].unit.empty();
-  };
+  const TextColumn& x = block.columns[static_cast<std::size_t>(columns.x)];
+  const TextColumn& y = block.columns[static_cast<std::size_t>(columns.y)];
+  if (isInPixels(x) && isInPixels(y)) return true;
   return source.choices.spacing > 0 && source.choices.positionUnit == "auto" &&
          (axes[0].first == 0 || axes[0].first == 1) && axes[1].first == axes[0].first &&
-         hasNoUnit(columns.x) && hasNoUnit(columns.y) && !headerUnit(table, block, false);
+         x.unit.empty() && y.unit.empty() && !headerUnit(table, block, false);
 }
 
 }  // namespace
@@ -295,17 +294,16 @@ SurfaceDraft readTextPoints(const TextTable& table, const TextBlock& block,
   const auto numbers = gridNumbers(table, block, roles, source);
   if (numbers) columns = {numbers->column, numbers->row, numbers->height};
   const auto x = columnAxis(block, columns.x), y = columnAxis(block, columns.y);
-  if (!x || !y) source.fail("the points do not lie on a grid of uniform rows and columns");
-  // Numbers of points are positions only where the user says in which unit.
-  const bool areNumbers =
-      (numbers && (source.choices.spacing > 0 || source.choices.positionUnit == "auto")) ||
-      numberPoints(table, block, columns, {*x, *y}, source);
+  // Numbers of columns and rows are positions only where the user says in which unit.
+  const bool areOfGrid =
+      numbers && (source.choices.spacing > 0 || source.choices.positionUnit == "auto");
   const auto countsByOne = [](const GridAxis& axis) {
     constexpr double kRounding = 1e-3;
     return std::abs(axis.spacing - 1) < kRounding;
   };
-  if (areNumbers && !(countsByOne(*x) && countsByOne(*y)))
+  if (!x || !y || (areOfGrid && !(countsByOne(*x) && countsByOne(*y))))
     source.fail("the points do not lie on a grid of uniform rows and columns");
+  const bool areNumbers = areOfGrid || numberPoints(table, block, columns, {*x, *y}, source);
   SurfaceDraft draft;
   draft.facts.format = "points";
   draft.facts.positionColumn = columnText(block, columns.x).english();

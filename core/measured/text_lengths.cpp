@@ -193,7 +193,7 @@ TextEntry keyedEntry(const TextEntry& entry) {
 std::optional<HeaderLength> headerLength(const TextTable& table, const TextBlock& block,
                                          LengthKind kind, char axis, const SurfaceSource& source) {
   const LengthNames& names = kind == LengthKind::Step ? kSteps : kExtents;
-  constexpr std::size_t kWithoutKey = 1000;  // behind all names
+  constexpr std::size_t kWithoutKey = 1000;  // after all names
   std::size_t first = kWithoutKey;
   std::optional<HeaderLength> found;
   std::size_t lineOfFound = 0;

@@ -30,7 +30,7 @@ bool beginsWithPositions(const TextBlock& block) {
 
 constexpr std::size_t kMostPointColumns = 12;  // positions, height, and what else a point has
 
-/// Returns whether the columns behind the heights are colours, intensities or normals, and no two
+/// Returns whether the columns after the heights are colours, intensities or normals, and no two
 /// points are at the same position: these are points and no matrix.
 bool hasPointAttributes(const TextBlock& block) {
   for (std::size_t column = 3; column < block.columns.size(); ++column) {
@@ -164,7 +164,9 @@ SurfaceDraft readTextProfile(const TextTable& table, const TextBlock& block,
   auto spacing = headerLength(table, block, LengthKind::Step, 'x', source);
   if (!spacing) spacing = countedStep(table, block, static_cast<std::int64_t>(block.rows), 'x');
   const bool isGiven = source.choices.spacing > 0 && source.choices.positionUnit == "auto";
-  const bool isInPixelsAlone = roles.x >= 0 && isInPixels(block, roles.x) && !spacing && !isGiven;
+  const bool isInPixelsAlone = roles.x >= 0 &&
+                               isInPixels(block.columns[static_cast<std::size_t>(roles.x)]) &&
+                               !spacing && !isGiven;
   if ((spacing || isGiven || isInPixelsAlone) && mayNumberPoints(block, roles, source)) {
     draft.facts.notes.push_back(
         isInPixelsAlone ? message("{} numbers the points.", columnText(block, roles.x))
