@@ -6,7 +6,9 @@
 #include <cstddef>
 #include <numbers>
 #include <numeric>
+#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace asperity {
@@ -30,6 +32,15 @@ inline double upperMedian(std::vector<double> values) {
   const auto middle = values.begin() + std::ssize(values) / 2;
   std::ranges::nth_element(values, middle);
   return *middle;
+}
+
+/// Returns the upper median of ratios of two statements of one quantity where they contradict each
+/// other: it differs from 1 by more than a tenth. Nothing otherwise, and of no ratios.
+inline std::optional<double> contradictingRatio(std::vector<double> ratios) {
+  constexpr double kSame = 0.1;
+  if (ratios.empty()) return {};
+  const double ratio = upperMedian(std::move(ratios));
+  return std::abs(ratio - 1) > kSame ? std::optional(ratio) : std::nullopt;
 }
 
 /// Returns the probability that a value deviates by less than t standard errors, which were

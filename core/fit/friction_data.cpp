@@ -89,8 +89,8 @@ class FrictionRows {
     return notes;
   }
 
-  /// Returns the note on a coefficient of friction that contradicts the forces beside it, by more
-  /// than a tenth in the median.
+  /// Returns the note on a coefficient of friction that contradicts the forces beside it
+  /// (contradictingRatio).
   std::optional<Message> contradiction() const {
     if (!roles_.forceOfFriction) return {};
     const auto& [quantity, index, conversion, note] = *roles_.forceOfFriction;
@@ -101,15 +101,13 @@ class FrictionRows {
       const double ratio = valueAt(row, Quantity::Mu) * valueAt(row, Quantity::Force) / force;
       if (std::isgreater(ratio, 0)) ratios.push_back(ratio);
     }
-    constexpr double kSame = 0.1;
-    if (ratios.empty()) return {};
-    const double ratio = upperMedian(std::move(ratios));
-    if (std::abs(ratio - 1) <= kSame) return {};
+    const auto ratio = contradictingRatio(std::move(ratios));
+    if (!ratio) return {};
     return message(
         "column {} contradicts the forces: in the median it is {} times the force of friction in "
         "column {} over the normal force; it is read as the coefficient of friction",
         shortened(block_.columns[roles_.find(Quantity::Mu)->index].name),
-        PrintedNumber{printedNumber(ratio, 3)}, shortened(block_.columns[index].name));
+        PrintedNumber{printedNumber(*ratio, 3)}, shortened(block_.columns[index].name));
   }
 
   /// Returns the points; rows without a velocity or a coefficient of friction are left out.

@@ -117,8 +117,8 @@ std::optional<Message> otherKindNote(const TextBlock& block, std::size_t storage
   return {};
 }
 
-/// Returns the note on a loss factor that contradicts both moduli, by more than a tenth in the
-/// median. tangentSize: of the unit of its column.
+/// Returns the note on a loss factor that contradicts both moduli (contradictingRatio).
+/// tangentSize: of the unit of its column.
 std::optional<Message> lossFactorNote(const TextBlock& block, const ModulusColumns& moduli,
                                       std::size_t tangent, double tangentSize) {
   std::vector<double> ratios;
@@ -129,14 +129,12 @@ std::optional<Message> lossFactorNote(const TextBlock& block, const ModulusColum
     if (isPositive(storage) && isPositive(loss) && isPositive(factor))
       ratios.push_back(factor * storage / loss);
   }
-  constexpr double kSame = 0.1;
-  if (ratios.empty()) return {};
-  const double ratio = upperMedian(std::move(ratios));
-  if (std::abs(ratio - 1) <= kSame) return {};
+  const auto ratio = contradictingRatio(std::move(ratios));
+  if (!ratio) return {};
   return message(
       "{} contradicts the moduli: in the median it is {} times the ratio of {} and {}; the moduli "
       "are read",
-      Message::name(block.label(tangent)), PrintedNumber{printedNumber(ratio, 3)},
+      Message::name(block.label(tangent)), PrintedNumber{printedNumber(*ratio, 3)},
       Message::name(block.label(moduli.second)), Message::name(block.label(moduli.first)));
 }
 

@@ -263,14 +263,11 @@ void noteViscosities(const TextBlock& block, std::size_t viscosity, const PronyC
     if (std::isfinite(product) && std::isfinite(stated) && product > 0)
       ratios.push_back(stated / product);
   }
-  if (ratios.empty()) return;
-  constexpr double kSame = 0.1;
-  const double ratio = upperMedian(std::move(ratios));
-  if (std::abs(ratio - 1) > kSame)
+  if (const auto ratio = contradictingRatio(std::move(ratios)))
     series.notes.push_back(message(
         "{} contradicts the moduli and relaxation times, which are read: in the median it is {} "
         "times their product",
-        Message::name(block.label(viscosity)), PrintedNumber{printedNumber(ratio, 3)}));
+        Message::name(block.label(viscosity)), PrintedNumber{printedNumber(*ratio, 3)}));
 }
 
 /// Reads the arms of a table into the series, and the row of the equilibrium modulus.

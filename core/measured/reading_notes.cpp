@@ -43,8 +43,7 @@ bool isVoidCode(double number) {
 
 /// Adds a note where the lowest or highest height is far from all others, as numbers for missing
 /// points are: where it occurs several times, or is a number that is known for it.
-template <class Say>
-void noteVoids(const Topography& grid, const UnitFact& unit, const Say& say) {
+void noteVoids(const Topography& grid, const UnitFact& unit, std::vector<Message>& notes) {
   constexpr double kFar = 3;  // times the range of all others
   constexpr int kDigits = 8;
   for (const double sign : {1.0, -1.0}) {
@@ -67,7 +66,8 @@ void noteVoids(const Topography& grid, const UnitFact& unit, const Say& say) {
     if (!isFar || count >= others || (count == 1 && !isVoidCode(number))) continue;
     const PrintedNumber text = plain(number);
     const std::string printed = printedUnit(unit.unit);
-    say(count == 1
+    notes.push_back(
+        count == 1
             ? message(
                   "The height {} (in {}) is far from all others: if it means a missing point, it "
                   "has to be left empty, or surface.outliers has to be set.",
@@ -117,7 +117,6 @@ void addReadingNotes(SurfaceDraft& draft) {
                             grid.columns, grid.rows, spacing,
                             PrintedNumber{printedQuantity(grid.rowSpacing, "m")}));
   notes.insert(notes.end(), facts.notes.begin(), facts.notes.end());
-  const auto add = [&notes](const Message& note) { notes.push_back(note); };
   const UnitFact& position = facts.positionUnit;
   if (draft.isSpacingChosen)
     notes.push_back(message("The points are {} apart, as surface.point_spacing says.", spacing));
@@ -128,7 +127,7 @@ void addReadingNotes(SurfaceDraft& draft) {
     notes.push_back(
         message("Positions are in {}, as surface.position_unit says.", printedUnit(position.unit)));
   else
-    add("The file states no unit of positions: they are taken as metres.");
+    notes.emplace_back("The file states no unit of positions: they are taken as metres.");
   const UnitFact& height = facts.heightUnit;
   if (height.source == UnitSource::File)
     notes.push_back(message("Heights are in {}, as the file states.", printedUnit(height.unit)));
@@ -136,11 +135,12 @@ void addReadingNotes(SurfaceDraft& draft) {
     notes.push_back(
         message("Heights are in {}, as surface.height_unit says.", printedUnit(height.unit)));
   else
-    add("The file states no unit of heights: they are taken as metres.");
+    notes.emplace_back("The file states no unit of heights: they are taken as metres.");
   if (!draft.hasPositions)
-    add(message("The file does not say how far its points are apart: {} is assumed.", spacing));
+    notes.push_back(
+        message("The file does not say how far its points are apart: {} is assumed.", spacing));
   noteLargeSizes(grid, facts, notes);
-  noteVoids(grid, height, add);
+  noteVoids(grid, height, notes);
   if (facts.gaps == 1) notes.emplace_back("One point has no height.");
   if (facts.gaps > 1) notes.push_back(message("{} points have no height.", facts.gaps));
   facts.notes = std::move(notes);

@@ -278,19 +278,20 @@ void noteFactor(const TextTable& table, const TextBlock& block, std::vector<Mess
 /// Adds what the reader can only suppose about the notation of the numbers.
 void addAssumptions(const TextTable& table, std::uint32_t lineOfCount,
                     std::vector<Message>& notes) {
-  const auto add = [&notes](const Message& note) { notes.push_back(note); };
   if (lineOfCount > 0)
-    add(message("Line {} is left out: it is the number of the heights below it.", lineOfCount));
+    notes.push_back(
+        message("Line {} is left out: it is the number of the heights below it.", lineOfCount));
   const std::vector<std::uint32_t>& leftOut = table.leftOut;
   if (leftOut.size() == 1)
-    add(message("Line {} is left out: it begins with a number and is no row of the table.",
+    notes.push_back(
+        message("Line {} is left out: it begins with a number and is no row of the table.",
                 leftOut.front()));
   if (leftOut.size() > 1)
-    add(
+    notes.push_back(
         message("{} lines, the first is line {}, are left out: they begin with a number and are no "
                 "rows of the table.",
                 leftOut.size(), leftOut.front()));
-  if (table.dialect.isUnclear) add(unclearMark(table.dialect.decimal));
+  if (table.dialect.isUnclear) notes.push_back(unclearMark(table.dialect.decimal));
 }
 
 }  // namespace
