@@ -59,7 +59,7 @@ std::string summaryText(const Scene& scene, const LineSource& source, const LawI
   }
   // Eq. (13) has one relaxation time.
   if (in.rmsHeight > 0 && elementLaw(scene.elastomer).kind() != ElementKind::Arms)
-    add(filled(Words::tr("dimensionless velocity tau v slope / (sqrt(2) h) = %1 (Eq. 13)"),
+    add(filled(Words::tr("dimensionless velocity \u03C4 v \u2207z / (\u221A2 h) = %1 (Eq. 13)"),
                {number(dimensionlessVelocity(in))}));
   for (const Message& fact : reading) add(translated(fact));
   const std::int64_t spikes = source.measured() ? source.measured()->spikes() : 0;
@@ -150,8 +150,7 @@ int runCheck(const CheckCommand& command) {
     }
   }
   if (common.json)
-    fmt::print("{}\n",
-               isOneOfMany ? nlohmann::ordered_json(answers).dump(2) : answers.front().dump(2));
+    fmt::print("{}", jsonFile(isOneOfMany ? nlohmann::ordered_json(answers) : answers.front()));
   return status;
 }
 

@@ -75,7 +75,7 @@ std::vector<Reading> makeReadings(const Frame& frame) {
   const ContactState state = drawnState(frame);
   readings.push_back(
       {{{hasInterface(frame) ? Words::tr("\u03BC of the deformation")
-                             : Words::tr("friction coefficient \u03BC")}},
+                             : Words::tr("coefficient of friction \u03BC")}},
        // A motion has an error where that of its elements and time steps is known.
        numberWithError(state.mu, isSteady ? kNotApplicable : frame.muError, Zeros::Keep),
        0,
