@@ -284,7 +284,7 @@ ComparedScene withCurveOptions(Scene scene, const CurveArguments& arguments) {
   std::istringstream list(arguments.theory);
   for (std::string word; std::getline(list, word, ',');)
     if (word != "none") words.push_back(word);
-  scene.comparison.theory = parseTheories(words.dump(), kTheory);
+  scene.comparison.theory = parseTheories(jsonLine(words), kTheory);
   return {std::move(scene), std::move(given)};
 }
 

@@ -292,7 +292,7 @@ class BatchRun {
                       {"backend", static_cast<int>(settings_.backend)},
                       {"options", optionsFor(item.name + ".png")},
                       {"origin", provenance("batch", item.scene)}};
-    return sha256(all.dump());
+    return sha256(jsonLine(all));
   }
 
   /// Returns the provenance of a file whose scenes are in another file.
@@ -357,7 +357,7 @@ class BatchRun {
                                        {std::to_string(results_.size()), std::to_string(bad)})) +
             "\n" + (missed > 0 ? filledLine(Words::tr("target accuracy missed: %1"), missed) : "") +
             wroteLine(fileIn("index.html")));
-    if (command_.common.json) fmt::print("{}\n", answer.dump(2));
+    if (command_.common.json) fmt::print("{}", jsonFile(answer));
     return bad + missed > 0 ? kRunFailed : kDone;
   }
 

@@ -41,13 +41,14 @@ LawInput makeLawInput(const Scene& scene, const LineSource& source) {
 std::string summaryText(const Scene& scene, const LineSource& source, const LawInput& in,
                         const std::vector<Message>& reading) {
   const auto number = [](double value) { return answerNumber(value, 6); };
+  const auto meters = [](double value) { return answerQuantity(value, "m", 6); };
   const double spacing = source.length() / static_cast<double>(source.elements());
   std::string text =
       scene.title.empty() ? Words::tr("a valid scene") : printable(translated(scene.title));
   const auto add = [&text](const std::string& line) { text += "\n  " + line; };
-  add(filled(Words::tr("line: L = %1 m, %2 elements of %3 m, rms height %4 m, rms slope %5"),
-             {number(source.length()), std::to_string(source.elements()), number(spacing),
-              number(in.rmsHeight), number(in.rmsSlope)}));
+  add(filled(Words::tr("line: L = %1, %2 elements of %3, rms height %4, rms slope %5"),
+             {meters(source.length()), std::to_string(source.elements()), meters(spacing),
+              meters(in.rmsHeight), number(in.rmsSlope)}));
   if (in.rmsHeight > 0 && scene.load.kind != LoadKind::Indentation)
     add(filled(Words::tr("dimensionless force F\u2099 / G h L = %1 (Eq. 14)"),
                {number(dimensionlessForce(in))}));

@@ -28,7 +28,7 @@ using Json = nlohmann::ordered_json;
 
 /// Prints an answer in JSON. The name of a file may be no UTF-8, which JSON is.
 void printJson(const Json& answer) {
-  fmt::print("{}\n", answer.dump(2, ' ', false, Json::error_handler_t::replace));
+  fmt::print("{}", jsonFile(answer));
 }
 
 std::string summaryText(const Lesson& lesson) {
@@ -154,7 +154,7 @@ int showClass(const LessonCommand& command) {
                    {"students", Json::array()}};
     for (const StudentResults& student : students) {
       Json one = {{"file", student.file}};
-      const Json results = Json::parse(resultsJson(student.results));
+      const Json results = jsonValue(resultsJson(student.results));
       for (const char* member : {"date", "right", "shown", "steps"})
         if (results.contains(member)) one[member] = results[member];
       one["wrong"] = student.results.wrong();

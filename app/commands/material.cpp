@@ -9,6 +9,7 @@
 #include "app/output.h"
 #include "app/result_files.h"
 #include "core/base/input_error.h"
+#include "core/base/json_text.h"
 #include "core/base/regular_file.h"
 #include "core/chart/material_sheets.h"
 #include "core/material/material_json.h"
@@ -90,7 +91,7 @@ int showInScene(const MaterialCommand& command, const PictureSettings& style) {
     if (command.common.json) {
       nlohmann::ordered_json answer = provenance("material", scene);
       answer["excitation"] = excitationJson(scene, excitation);
-      fmt::print("{}\n", answer.dump(2));
+      fmt::print("{}", jsonFile(answer));
     }
     return kDone;
   });

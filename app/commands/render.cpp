@@ -389,7 +389,7 @@ int runRender(const RenderCommand& command) {
   Rendering rendering(command);
   rendering.run();
   printSummary(command.common.json, command.common.quiet, rendering.summary());
-  if (command.common.json) fmt::print("{}\n", rendering.json().dump(2));
+  if (command.common.json) fmt::print("{}", jsonFile(rendering.json()));
   rendering.requireTargets();
   return kDone;
 }

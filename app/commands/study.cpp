@@ -13,6 +13,7 @@
 #include "app/result_files.h"
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
+#include "core/base/json_text.h"
 #include "core/base/named_choices.h"
 #include "core/scene/provenance.h"
 #include "core/study/study_report.h"
@@ -121,7 +122,7 @@ int plan(const StudyCommand& command, const ParameterStudy& study, const Shard& 
   const StudyBudget budget =
       studyBudget(study, shardSimulations(study, shard), done, command.common.threads);
   printSummary(command.common.json, command.common.quiet, planText(budget));
-  if (command.common.json) fmt::print("{}\n", planJson(study, budget).dump(2));
+  if (command.common.json) fmt::print("{}", jsonFile(planJson(study, budget)));
   return kDone;
 }
 
@@ -218,7 +219,7 @@ int runStudyRun(const StudyCommand& command) {
     answer["done"] = store.simulationsDone();
     answer["added"] = added;
     answer["has_failures"] = store.hasFailures();
-    fmt::print("{}\n", answer.dump(2));
+    fmt::print("{}", jsonFile(answer));
   }
   return kDone;
 }
@@ -234,7 +235,7 @@ int runStudyMerge(const StudyCommand& command) {
     Json& missing = answer["missing_shards"] = Json::array();
     for (const Shard& shard : merged.missingShards)
       missing.push_back(fmt::format("{}/{}", shard.number, shard.count));
-    fmt::print("{}\n", answer.dump(2));
+    fmt::print("{}", jsonFile(answer));
   }
   if (!merged.isWhole())
     throw TextError(Message::name(missingText(merged, store.study())), {command.output});
@@ -301,11 +302,11 @@ int runStudyShow(const StudyCommand& command) {
     answer["chunk"] = study.chunk;
     answer["failed"] = failed;
     answer["processor_seconds"] = seconds;
-    answer["study"] = Json::parse(study.canonical);
+    answer["study"] = jsonValue(study.canonical);
     Json& list = answer["failures"] = Json::array();
     for (const auto& [text, count] : failures)
       list.push_back({{"message", text}, {"count", count.count}, {"first", count.first}});
-    fmt::print("{}\n", answer.dump(2));
+    fmt::print("{}", jsonFile(answer));
   }
   std::string text = study.title.empty() ? "" : study.title + "\n";
   if (!store.shard().isWhole())
@@ -340,7 +341,7 @@ int runStudyAnalyse(const StudyCommand& command) {
   };
   Json answer = fileOrigin("analysis.json");
   answer["analysis"] = analysisJson(study, analysis);
-  output.addText("analysis.json", answer.dump(2) + "\n");
+  output.addText("analysis.json", jsonFile(answer));
   const auto addTable = [&](const char* name, const std::string& csv) {
     output.addText(name, provenanceComment(fileOrigin(name)) + csv);
   };
@@ -366,7 +367,7 @@ int runStudyAnalyse(const StudyCommand& command) {
   if (study.space.sampling() != Sampling::Saltelli)
     text += Words::tr("no Sobol indices: they need sampling saltelli") + "\n";
   printSummary(command.common.json, command.common.hidesSummary(), text + output.summary());
-  if (command.common.json) fmt::print("{}\n", answer.dump(2));
+  if (command.common.json) fmt::print("{}", jsonFile(answer));
   return kDone;
 }
 

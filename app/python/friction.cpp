@@ -10,6 +10,7 @@
 #include "app/python/module.h"
 #include "core/accuracy/compute_curve.h"
 #include "core/base/input_error.h"
+#include "core/base/json_text.h"
 #include "core/base/number_text.h"
 #include "core/chart/curve_set.h"
 #include "core/chart/fit_report.h"
@@ -61,7 +62,7 @@ std::shared_ptr<CurveOfScene> curveOf(const Scene& scene, int threads, const py:
 
 /// Returns the columns of the answer that the program writes, which has them for any swept key.
 py::dict curveTableOf(const CurveOfScene& found) {
-  return columnsOf(Json::parse(curveJson(found.curve.points, found.scene))["points"]);
+  return columnsOf(jsonValue(curveJson(found.curve.points, found.scene))["points"]);
 }
 
 // ---- many states in one call

@@ -44,10 +44,10 @@ ParameterValue valueFrom(const std::string& key, const Json& json) {
   if (json.is_number_integer()) return json.get<std::int64_t>();
   if (json.is_number()) return json.get<double>();
   if (json.is_string()) return json.get<std::string>();
-  if (json.is_array() && isList(row)) return json.dump();
+  if (json.is_array() && isList(row)) return jsonLine(json);
   const Message given = json.is_object()  ? Message("an object")
                         : json.is_array() ? Message("a list")
-                                          : Message::name(json.dump());
+                                          : Message::name(jsonLine(json));
   throw InputError("", key,
                    message("{} is not allowed here; allowed is {}", given, allowedText(row)));
 }
@@ -389,7 +389,7 @@ void checkSweepAndEnds(const Scene& scene) {
 }
 
 Json valueJson(const Parameter& row, const ParameterValue& value) {
-  if (isList(row)) return Json::parse(std::get<std::string>(value));
+  if (isList(row)) return jsonValue(std::get<std::string>(value));
   return std::visit([](const auto& held) { return Json(held); }, value);
 }
 
@@ -450,7 +450,7 @@ std::string writeScene(const Scene& scene) {
     if (hasFile && row.key == "surface.elements" && scene.surface.elements == 0) continue;
     memberAt(root, row.key) = valueJson(row, value);
   }
-  return root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return jsonFile(root);
 }
 
 namespace {

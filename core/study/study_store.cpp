@@ -15,6 +15,7 @@
 #include "core/base/atomic_file.h"
 #include "core/base/file_digest.h"
 #include "core/base/input_error.h"
+#include "core/base/json_text.h"
 #include "core/base/number_text.h"
 #include "core/base/regular_file.h"
 #include "core/base/text_encoding.h"
@@ -48,7 +49,7 @@ std::string failuresText(const StudyChunk& chunk) {
   Json list = Json::array();
   for (const StudyFailure& failure : chunk.failures)
     list.push_back({failure.simulation, failure.message});
-  return list.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return jsonLine(list);
 }
 
 std::string_view asBytes(const std::vector<double>& values) {
@@ -505,7 +506,7 @@ void StudyStore::eachChunk(const std::function<bool(const StudyChunk&)>& use) co
                                "run into another store, or merged from intact ones",
                                chunk.number));
     if (!failures.empty())
-      for (const Json& one : Json::parse(failures))
+      for (const Json& one : jsonValue(failures))
         chunk.failures.push_back({one[0].get<std::int64_t>(), one[1].get<std::string>()});
     if (!use(chunk)) return;
   }
