@@ -58,9 +58,11 @@ std::string summaryText(const Scene& scene, const LineSource& source, const LawI
     point.nominalPressure = scene.load.nominalPressure;
     if (const auto note = pressureNote({&point, 1}, scene.load.width)) add(translated(*note));
   }
-  // Eq. (13) has one relaxation time.
+  // Eq. (13) has one relaxation time. (The literal has two parts because lupdate takes 2 for a
+  // digit of the root's code.)
   if (in.rmsHeight > 0 && elementLaw(scene.elastomer).kind() != ElementKind::Arms)
-    add(filled(Words::tr("dimensionless velocity \u03C4 v \u2207z / (\u221A2 h) = %1 (Eq. 13)"),
+    add(filled(Words::tr("dimensionless velocity \u03C4 v \u2207z / (\u221A"
+                         "2 h) = %1 (Eq. 13)"),
                {number(dimensionlessVelocity(in))}));
   for (const Message& fact : reading) add(translated(fact));
   const std::int64_t spikes = source.measured() ? source.measured()->spikes() : 0;
