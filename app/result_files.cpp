@@ -102,8 +102,8 @@ void writeResult(const TableCommand& command, const PictureSettings& settings,
     fmt::print("{}", tableText(result.csv, ".csv"));
   // Without a file the table is all that is printed, beside what was assumed about the surface.
   const std::string reading = factLines(result.reading);
-  printSummary(common.json || printsTable, common.quiet,
-               files.empty() ? reading : result.summary + reading + wroteLines(files));
+  printSummary(common, files.empty() ? reading : result.summary + reading + wroteLines(files),
+               printsTable);
 }
 
 OutputFolder::OutputFolder(std::string folder, std::vector<std::filesystem::path> inputs,

@@ -351,7 +351,7 @@ class BatchRun {
       list.push_back(std::move(entry));
     }
     printSummary(
-        command_.common.json, command_.common.hidesSummary(),
+        command_.common,
         (results_.size() == 1 ? filled(Words::tr("one scene, %1 failed"), {std::to_string(bad)})
                               : filled(Words::tr("%1 scenes, %2 failed"),
                                        {std::to_string(results_.size()), std::to_string(bad)})) +

@@ -98,7 +98,7 @@ void checkScene(const CommonOptions& command, bool isOneOfMany,
     const LawInput in = makeLawInput(scene, source);
     const std::vector<Message> reading = readingFacts(scene);
     const std::string name = isOneOfMany ? command.scene + ": " : "";
-    printSummary(command.json, command.quiet, name + summaryText(scene, source, in, reading));
+    printSummary(command, name + summaryText(scene, source, in, reading));
     answers.push_back(provenance("check", scene));
     if (isOneOfMany) answers.back()["file"] = command.scene;
     answers.back()["valid"] = true;
@@ -115,7 +115,7 @@ void checkLesson(const CommonOptions& command, bool isOneOfMany,
     throw InputError("", "--set", "sets keys of a scene, and this file is a lesson");
   const Lesson lesson = readLessonFile(command.scene, readNamedScene);
   checkChoices(lesson, command.scene, {.threads = command.threads});
-  printSummary(command.json, command.quiet,
+  printSummary(command,
                (isOneOfMany ? command.scene + ": " : "") +
                    printable(lesson.title.in(presentLanguage())) + "\n  " +
                    filledLine(Words::tr("%1 minutes, %2 steps, %3 predictions"), lesson.minutes,

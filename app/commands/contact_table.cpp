@@ -91,7 +91,7 @@ int runContactTable(const RenderCommand& command) {
     fmt::print("{}", csvText(scene, command, table, columns));
   if (command.common.json) fmt::print("{}", json);
   if (command.output != "-")
-    printSummary(command.common.json, command.common.quiet,
+    printSummary(command.common,
                  filledLine(Words::tr("%1 rows"), table.rows.size()) + wroteLine(command.output));
   return kDone;
 }

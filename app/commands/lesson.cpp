@@ -83,7 +83,7 @@ int listAll(const LessonCommand& command) {
     all.push_back(summaryJson(lesson));
     text += std::string(shipped.name) + ": " + summaryText(lesson);
   }
-  printSummary(command.common.json, command.common.quiet, text);
+  printSummary(command.common, text);
   if (command.common.json) printJson(all);
   return kDone;
 }
@@ -134,7 +134,7 @@ int showClass(const LessonCommand& command) {
   for (const std::string& output : command.outputs)
     checkNoInput(output, {command.lessons.begin(), command.lessons.end()});
   if (command.outputs.empty() && !common.json) {
-    printSummary(common.json, common.quiet, classesText(readClasses(command.lessons)));
+    printSummary(common, classesText(readClasses(command.lessons)));
     return kDone;
   }
   const std::vector<StudentResults> students = readClass(command.lessons);
@@ -144,7 +144,7 @@ int showClass(const LessonCommand& command) {
     writeTable(output, classCsv(students));
     summary += wroteLine(output);
   }
-  printSummary(common.json, common.quiet, summary);
+  printSummary(common, summary);
   if (common.json) {
     Json answer = {{"schema", "asperity-lesson-class/1"},
                    {"version", ASPERITY_VERSION},
@@ -194,7 +194,7 @@ int runLesson(const LessonCommand& command) {
       summary += wroteLine(output);
     }
   }
-  printSummary(common.json, common.quiet, summary);
+  printSummary(common, summary);
   if (common.json) {
     Json answer = {{"schema", "asperity-lesson-summary/1"}, {"version", ASPERITY_VERSION}};
     answer.update(summaryJson(lesson));

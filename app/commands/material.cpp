@@ -65,7 +65,7 @@ int makeFromMeasurements(const MaterialCommand& command, const PictureSettings& 
   output.write(command.common.given, origin);
   std::string text = material.name + "\n";
   for (const Message& line : materialSummary(material)) text += "  " + translated(line) + "\n";
-  printSummary(command.common.json, command.common.hidesSummary(), text + output.summary());
+  printSummary(command.common, text + output.summary());
   if (command.common.json) fmt::print("{}", json);
   return kDone;
 }
@@ -86,7 +86,7 @@ int showInScene(const MaterialCommand& command, const PictureSettings& style) {
     }
     output.addSheet("excitation", excitationSheet(scene, excitation));
     output.write(command.common.given, [&] { return provenance("material", scene); });
-    printSummary(command.common.json, command.common.hidesSummary(),
+    printSummary(command.common,
                  translated(describeExcitation(scene, excitation)) + "\n" + output.summary());
     if (command.common.json) {
       nlohmann::ordered_json answer = provenance("material", scene);

@@ -121,7 +121,7 @@ int plan(const StudyCommand& command, const ParameterStudy& study, const Shard& 
   }
   const StudyBudget budget =
       studyBudget(study, shardSimulations(study, shard), done, command.common.threads);
-  printSummary(command.common.json, command.common.quiet, planText(budget));
+  printSummary(command.common, planText(budget));
   if (command.common.json) fmt::print("{}", jsonFile(planJson(study, budget)));
   return kDone;
 }
@@ -212,7 +212,7 @@ int runStudyRun(const StudyCommand& command) {
     added = runStudy(store, options);
   }
   if (added > 0) checkReadable(store);
-  printSummary(command.common.json, command.common.quiet, stateText(store, added, total));
+  printSummary(command.common, stateText(store, added, total));
   if (command.common.json) {
     Json answer = header(study);
     answer["simulations"] = total;
@@ -239,9 +239,8 @@ int runStudyMerge(const StudyCommand& command) {
   }
   if (!merged.isWhole())
     throw TextError(Message::name(missingText(merged, store.study())), {command.output});
-  printSummary(
-      command.common.json, command.common.quiet,
-      filledLine(Words::tr("%1 simulations"), store.simulationsDone()) + wroteLine(command.output));
+  printSummary(command.common, filledLine(Words::tr("%1 simulations"), store.simulationsDone()) +
+                                   wroteLine(command.output));
   return kDone;
 }
 
@@ -278,8 +277,9 @@ int runStudyTable(const StudyCommand& command) {
                    .c_str(),
                stderr);
   if (!isStdout) {
-    printSummary(command.common.json || hasStandardOutput(command.outputs), command.common.quiet,
-                 filledLine(Words::tr("%1 simulations"), rows) + wroteLines(command.outputs));
+    printSummary(command.common,
+                 filledLine(Words::tr("%1 simulations"), rows) + wroteLines(command.outputs),
+                 hasStandardOutput(command.outputs));
   }
   return kDone;
 }
@@ -322,7 +322,7 @@ int runStudyShow(const StudyCommand& command) {
   if (failed > 0) text += filledLine(Words::tr("%1 simulations failed:"), failed);
   for (const auto& [why, count] : failures)
     text += filledLine(Words::tr("  %1 times, first %2: %3"), count.count, count.first, why);
-  printSummary(command.common.json, command.common.quiet, text);
+  printSummary(command.common, text);
   return kDone;
 }
 
@@ -366,7 +366,7 @@ int runStudyAnalyse(const StudyCommand& command) {
   }
   if (study.space.sampling() != Sampling::Saltelli)
     text += Words::tr("no Sobol indices: they need sampling saltelli") + "\n";
-  printSummary(command.common.json, command.common.hidesSummary(), text + output.summary());
+  printSummary(command.common, text + output.summary());
   if (command.common.json) fmt::print("{}", jsonFile(answer));
   return kDone;
 }

@@ -147,8 +147,7 @@ int runSurface(const SurfaceCommand& command) {
                              noteLines(lineNotes(source)) + summaryText(line, command.outputs);
     for (const std::string& output : command.outputs)
       if (output != "-" || !command.common.json) writeSurface(output, command, scene, source, line);
-    const bool machineReads = command.common.json || hasStandardOutput(command.outputs);
-    printSummary(machineReads, command.common.quiet, text);
+    printSummary(command.common, text, hasStandardOutput(command.outputs));
     if (command.common.json) {
       const ProvenanceOptions given(optionsFor(command.common.given, ".json"));
       fmt::print("{}", surfaceJson(scene, source, line));
