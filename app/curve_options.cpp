@@ -25,6 +25,7 @@
 #include "core/scene/list_text.h"
 #include "core/scene/parameters.h"
 #include "core/scene/provenance.h"
+#include "core/scene/scene_assignments.h"
 #include "core/scene/scene_check.h"
 #include "core/scene/scene_file.h"
 #include "core/scene/sweep.h"
