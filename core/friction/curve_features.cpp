@@ -69,8 +69,7 @@ LineFit fitLine(std::span<const double> x, std::span<const double> y) {
     squares += std::pow(y[i] - intercept - slope * x[i], 2);
   const double variance =
       count > 2 ? squares / (count - 2) : std::numeric_limits<double>::quiet_NaN();
-  return {intercept, slope, std::sqrt(variance * (1 / count + meanX * meanX / squaresOfX)),
-          std::sqrt(variance / squaresOfX), std::sqrt(squares / count)};
+  return {intercept, slope, std::sqrt(variance / squaresOfX), std::sqrt(squares / count)};
 }
 
 LineFit fitPower(std::span<const double> x, std::span<const double> y) {

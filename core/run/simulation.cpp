@@ -218,9 +218,10 @@ double Simulation::restingStep() const {
 }
 
 void Simulation::stepOnce(double dt, double distance) {
-  last_ = march_->step(marchLoad(ready_->scene->load, ready_->line().length), dt, distance);
-  lineWork_ += last_.lineWork;
-  normalWork_ += last_.normalForce * distance;
+  const MarchStep step =
+      march_->step(marchLoad(ready_->scene->load, ready_->line().length), dt, distance);
+  lineWork_ += step.lineWork;
+  normalWork_ += step.normalForce * distance;
   const RetardationModes& modes = march_->modes();
   const double fastest = modes.modes() == 0 ? 0 : ready_->velocity() / modes.rate.back();
   const bool instant = modes.glassyCompliance > 0 && modes.modes() > 0;
@@ -228,8 +229,8 @@ void Simulation::stepOnce(double dt, double distance) {
   time_ += dt;
   ++steps_;
   isChanged_ = false;
-  touching_ = kContactsKept * touching_ + last_.contactLength / ready_->line().spacing;
-  stretches_ = kContactsKept * stretches_ + static_cast<double>(last_.contacts);
+  touching_ = kContactsKept * touching_ + step.contactLength / ready_->line().spacing;
+  stretches_ = kContactsKept * stretches_ + static_cast<double>(step.contacts);
 }
 
 bool Simulation::resolvesContacts() const {

@@ -97,7 +97,6 @@ class Simulation {
   std::optional<PlayedMotion> motion_;  // in other motions
   FrameFields fields_;
   mutable std::optional<Frame> still_;  // the steady state at distance 0, once it is shown
-  MarchStep last_;
   std::uint64_t steps_ = 0;
   double stepsPerFrame_;
   double time_ = 0, timeScale_ = 0;
