@@ -291,7 +291,7 @@ TEST(TextTable, KeepsRowsTogetherAcrossBlankLinesAndComments) {
   EXPECT_THAT(made.blocks[0].lines, ElementsAre(1u, 3u, 5u, 8u));
 }
 
-/// Such a comment cut the table, and the rows behind it lost their names.
+/// Such a comment cut the table, and the rows after it lost their names.
 TEST(TextTable, KeepsRowsTogetherAcrossAnyMarkOfComments) {
   for (const std::string mark : {"; ", ";", "-- ", "REM ", "rem ", "' "}) {
     SCOPED_TRACE(mark);
@@ -367,7 +367,7 @@ TEST(TextTable, ReadsSeparatedThousands) {
   // Where a comma can be a decimal mark throughout, it is one.
   EXPECT_THAT(values("1,234\t5,678\n2,345\t6,789\n"), ElementsAre(1.234, 5.678, 2.345, 6.789));
   EXPECT_THAT(values("1.234;5.678\n2.345;6.789\n"), ElementsAre(1.234, 5.678, 2.345, 6.789));
-  // Groups of another size, or behind a 0, are none.
+  // Groups of another size, or after a 0, are none.
   EXPECT_THAT(errorOf("1.5;2.5\n2.5;1,23\n3.5;2.5\n"), HasSubstr("line 2: '1,23' in column 2"));
   EXPECT_THAT(errorOf("1.5;2.5\n2.5;0,234\n3.5;2.5\n"), HasSubstr("line 2: '0,234' in column 2"));
 }

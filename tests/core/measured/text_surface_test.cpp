@@ -145,7 +145,7 @@ TEST(TextProfile, AsksForUnitsThatCannotBeMetres) {
 
 TEST(TextProfile, FindsTheColumnsAmongOthers) {
   const auto value = [](int i) { return fmt::format("{:.9g}", profileMicrometres(i)); };
-  // Row numbers in front, with and without names; a column of validity behind.
+  // Row numbers before the others, with and without names; a column of validity after them.
   expectProfile(read("index,x (um),z (um)\n" +
                      rows([&](int i) { return fmt::format("{},{},{}", i + 1, 2 * i, value(i)); })));
   expectProfile(read("#;x;z\n;um;um\n" +
@@ -502,7 +502,7 @@ TEST(TextPoints, RefusesPointsWithoutAGrid) {
               HasSubstr("line 6: there is a point at this position already"));
 }
 
-/// Clouds of points have colours or normals behind their heights.
+/// Clouds of points have colours or normals after their heights.
 TEST(TextPoints, MayHaveColoursAndNormals) {
   ReadingChoices choices;
   choices.positionUnit = choices.heightUnit = "um";
