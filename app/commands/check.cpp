@@ -7,6 +7,7 @@
 #include "app/command_line.h"
 #include "app/output.h"
 #include "core/base/input_error.h"
+#include "core/base/json_text.h"
 #include "core/base/text.h"
 #include "core/contact/steady_sliding.h"
 #include "core/contact/steady_solver.h"
