@@ -75,7 +75,7 @@ TEST(Assumptions, AreToldApart) {
   EXPECT_FALSE(says(read("x [mm];z [um]\n" + linesOf(row)), "taken"));
   EXPECT_TRUE(
       says(read("x [mm];z [um]\n" + linesOf(row) + "0.120;1.2.3\n"), "Line 62 is left out"));
-  EXPECT_TRUE(says(read("x [mm];z [um]\n0.120;OVER\n" + linesOf(row)), "Line 2 is left out"));
+  EXPECT_TRUE(says(read("x [mm];z [um]\n0.120;broken\n" + linesOf(row)), "Line 2 is left out"));
   const auto metres = [](int i) {
     return fmt::format("{:.6f};{:.10f}", 2e-6 * i, 1e-6 * micrometresAt(i));
   };
