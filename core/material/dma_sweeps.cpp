@@ -91,8 +91,8 @@ void addChosen(const TextBlock& block, const DmaChoices& choices, SweepColumns& 
   if (!choices.frequencyColumn.empty()) columns.indices.erase(ReducedFrequency);
 }
 
-/// Distributes the columns: each belongs to the first sweep of its temperature that has no column
-/// of its quantity yet.
+/// Distributes the columns: each belongs to the first sweep of its temperature and frequency that
+/// has no column of its quantity yet.
 std::vector<SweepColumns> assignToSweeps(const std::vector<DmaColumn>& found) {
   std::vector<SweepColumns> sweeps(1);  // what stands without a temperature is the first
   for (std::size_t i = 0; i < found.size(); ++i) {
@@ -100,10 +100,11 @@ std::vector<SweepColumns> assignToSweeps(const std::vector<DmaColumn>& found) {
     if (column.quantity == None) continue;
     const auto temperature = column.quantity == Temperature ? std::nullopt : column.temperature;
     auto sweepOfColumn = std::ranges::find_if(sweeps, [&](const SweepColumns& sweep) {
-      return sweep.temperature == temperature && !sweep.has(column.quantity);
+      return sweep.temperature == temperature && sweep.frequency == column.frequency &&
+             !sweep.has(column.quantity);
     });
     if (sweepOfColumn == sweeps.end()) {
-      sweeps.push_back({{}, temperature});
+      sweeps.push_back({{}, temperature, column.frequency});
       sweepOfColumn = sweeps.end() - 1;
     }
     sweepOfColumn->indices[column.quantity] = i;
@@ -213,6 +214,59 @@ void refuseLeftovers(const TextBlock& block, const std::string& fileName,
                              listColumns(block, unused)));
 }
 
+/// Keeps viscosities or compliances only where no pair of moduli says the same.
+void chooseForm(std::vector<DmaColumn>& found) {
+  using enum ModulusForm;
+  const auto isPair = [&found](const auto& isWanted) {
+    SweepColumns columns;
+    for (std::size_t i = 0; i < found.size(); ++i)
+      if (isWanted(found[i])) columns.indices[found[i].quantity] = i;
+    return columns.hasModuli();
+  };
+  const auto isModulusItself = [](const DmaColumn& column) { return column.form == Modulus; };
+  const auto isNoCompliance = [](const DmaColumn& column) { return column.form != Compliance; };
+  const auto isNoOther = [](const DmaColumn& column) {
+    return column.form == Compliance || !isModulus(column.quantity);
+  };
+  const bool isMeasuredItself = isPair(isModulusItself), isOfViscosities = isPair(isNoCompliance),
+             isOfCompliances = !isOfViscosities && isPair(isNoOther);
+  for (DmaColumn& column : found) {
+    const bool isKept = isMeasuredItself  ? isModulusItself(column)
+                        : isOfViscosities ? isNoCompliance(column)
+                        : isOfCompliances ? isNoOther(column)
+                                          : isModulusItself(column);
+    if (!isKept) column.quantity = None;
+  }
+}
+
+/// Returns the one frequency (Hz) that the lines above a block state, "Frequency: 1 Hz", "10 Hz";
+/// nothing where they state none, or several.
+std::optional<double> statedFrequency(const TextBlock& block) {
+  std::optional<double> found;
+  for (const TextEntry& entry : block.header) {
+    const std::string line = joinEntry(entry);
+    for (const std::string_view clause : splitClauses(line)) {
+      std::optional<double> size;
+      double number = 0;
+      if (const auto statement = parseStatement(clause)) {
+        const DmaColumn key = dmaColumn(statement->name.name, {});
+        if (key.quantity != Frequency || statement->unit().empty() ||
+            containsOneOf(lowerCase(statement->key), "sampl abtast natural eigen reson filter"))
+          continue;
+        size = frequencyUnit(statement->unit(), key.isAngular);
+        number = statement->quantity.number;
+      } else if (const auto alone = parseQuantity(clause); alone && !alone->unit.empty()) {
+        size = frequencyUnit(alone->unit, false);
+        number = alone->number;
+      }
+      if (!size || !(number > 0)) continue;
+      if (found && *found != number * *size) return {};
+      found = number * *size;
+    }
+  }
+  return found;
+}
+
 bool hasWord(const DmaColumn& column, const WordList& words) {
   return hasOneOf(wordsIn(column.words), words);
 }
@@ -278,7 +332,12 @@ void refuseUnclearColumns(const TextBlock& block, const std::string& fileName,
   const bool hasBoth = (has(Storage) || !choices.storageColumn.empty()) &&
                        (has(Loss) || !choices.lossColumn.empty());
   // A table without any frequency is no table of moduli.
-  if (!has(Frequency) && !has(ReducedFrequency) && choices.frequencyColumn.empty()) return;
+  const bool isStated =
+      statedFrequency(block) || std::ranges::any_of(found, [](const DmaColumn& column) {
+        return column.frequency.has_value();
+      });
+  if (!has(Frequency) && !has(ReducedFrequency) && choices.frequencyColumn.empty() && !isStated)
+    return;
   for (std::size_t i = 0; i < found.size(); ++i) {
     DmaColumn& column = found[i];
     const DmaQuantity quantity = column.quantity;
@@ -292,6 +351,7 @@ void refuseUnclearColumns(const TextBlock& block, const std::string& fileName,
     for (std::size_t j = 0; j < found.size(); ++j) {
       const DmaColumn& other = found[j];
       if (j == i || other.quantity != quantity || other.temperature != column.temperature ||
+          other.frequency != column.frequency ||
           (other.words == column.words && other.unknown == column.unknown &&
            lowerCase(block.columns[i].name) == lowerCase(block.columns[j].name)))
         continue;
@@ -321,7 +381,7 @@ bool SweepColumns::hasModuli() const {
 }
 
 bool SweepColumns::isComplete() const {
-  return hasModuli() && (has(Frequency) || has(ReducedFrequency));
+  return hasModuli() && (has(Frequency) || has(ReducedFrequency) || frequency);
 }
 
 std::vector<SweepColumns> findSweeps(const TextBlock& block, const std::string& fileName,
@@ -329,6 +389,7 @@ std::vector<SweepColumns> findSweeps(const TextBlock& block, const std::string& 
   std::vector<DmaColumn> found;
   for (const TextColumn& column : block.columns)
     found.push_back(column.isText ? DmaColumn{} : dmaColumn(column.name, column.unit));
+  chooseForm(found);
   const ModulusKind kind = kindToRead(found, choices);
   for (DmaColumn& column : found)
     if (isModulus(column.quantity) && !isOfKind(column, kind)) column.quantity = None;
@@ -361,16 +422,22 @@ std::vector<SweepColumns> findSweeps(const TextBlock& block, const std::string& 
         sweep.indices.try_emplace(Temperature, common[Temperature]);
     }
   } else {
-    std::vector<double> temperatures;
+    std::vector<double> temperatures, frequencies;
     for (const SweepColumns& sweep : sweeps) {
-      if (!sweep.temperature) continue;
-      temperatures.push_back(*sweep.temperature);
+      if (!sweep.temperature && !sweep.frequency) continue;
+      if (sweep.temperature) temperatures.push_back(*sweep.temperature);
+      if (sweep.frequency) frequencies.push_back(*sweep.frequency);
       for (const auto& [quantity, index] : sweep.indices)
         common.indices.try_emplace(quantity, index);
     }
     if (withoutRepeats(temperatures).size() == 1) common.temperature = temperatures.front();
+    if (withoutRepeats(frequencies).size() == 1) common.frequency = frequencies.front();
     sweeps = {common};
   }
+  if (!common.has(Frequency) && !common.has(ReducedFrequency))
+    if (const auto stated = statedFrequency(block))
+      for (SweepColumns& sweep : sweeps)
+        if (!sweep.frequency) sweep.frequency = stated;
   std::erase_if(sweeps, [](const SweepColumns& sweep) { return !sweep.isComplete(); });
   if (!sweeps.empty() && !isChosen) refuseLeftovers(block, fileName, found, sweeps);
   return sweeps;

@@ -20,7 +20,8 @@ std::string unknownUnitIn(const std::string& name) {
   const std::string unit = unitText(name);
   const DmaColumn meaning = dmaColumn(unit, {});
   const bool isNone = unit.empty() || meaning.quantity != DmaQuantity::None ||
-                      meaning.temperature || meaning.kind != ModulusKind::Unknown;
+                      meaning.temperature || findFrequency(unit) ||
+                      meaning.kind != ModulusKind::Unknown;
   constexpr WordList kOtherWords(
       "real imaginary imag in-phase out-of-phase elastic viscous dynamic mean average measured "
       "corrected smoothed abs complex at shifted reference linear absolute");
@@ -33,8 +34,9 @@ DmaColumnFact columnFact(const DmaBlock& in, std::size_t column, const std::stri
   fact.name = in.block.label(column);
   fact.unit = choice.empty() ? in.block.columns[column].unit : choice;
   // The brackets of "G' [20 °C]" contain a temperature and no unit.
-  if (choice.empty() && findTemperature(fact.unit)) fact.unit.clear();
-  if (fact.unit.empty()) fact.unit = unknownUnitIn(in.block.columns[column].name);
+  const TextColumn& written = in.block.columns[column];
+  if (choice.empty() && dmaColumn(written.name, written.unit).isUnitOfState) fact.unit.clear();
+  if (fact.unit.empty()) fact.unit = unknownUnitIn(written.name);
   fact.isUnitAssumed = fact.unit.empty();
   return fact;
 }
@@ -48,6 +50,13 @@ DmaColumnFact columnFact(const DmaBlock& in, std::size_t column, const std::stri
 
 // Numbers in this range are temperatures of a test in kelvins.
 constexpr double kLowestKelvins = 200, kHighestKelvins = 500;
+
+/// Returns the size of a unit of such a column in the SI unit; nothing where it is none.
+std::optional<double> modulusUnit(const std::string& unit, ModulusForm form) {
+  if (form == ModulusForm::Viscosity) return viscosityUnit(unit);
+  if (form == ModulusForm::Compliance) return complianceUnit(unit);
+  return unitSize(unit, "Pa");
+}
 
 std::optional<double> tangentSize(const std::string& unit) {
   if (unit.empty() || unit == "1" || unit == "-") return 1;
@@ -69,9 +78,17 @@ SizedColumn frequencyColumn(const DmaBlock& in, std::size_t column) {
 
 SizedColumn modulusColumn(const DmaBlock& in, std::size_t column) {
   SizedColumn found{columnFact(in, column, in.choices.modulusUnit)};
-  if (found.fact.unit.empty()) found.fact.unit = "Pa";
-  const auto size = unitSize(found.fact.unit, "Pa");
-  if (!size) refuseUnit(in, found.fact, unitNames("Pa"), "--modulus-unit");
+  const TextColumn& written = in.block.columns[column];
+  const ModulusForm form = dmaColumn(written.name, written.unit).form;
+  const char* const si = form == ModulusForm::Viscosity    ? "Pa s"
+                         : form == ModulusForm::Compliance ? "1/Pa"
+                                                           : "Pa";
+  if (found.fact.unit.empty()) found.fact.unit = si;
+  const auto size = modulusUnit(found.fact.unit, form);
+  if (!size)
+    refuseUnit(in, found.fact,
+               form == ModulusForm::Compliance ? "1/Pa, 1/kPa, 1/MPa, 1/GPa, mm2/N" : unitNames(si),
+               "--modulus-unit");
   found.size = *size;
   return found;
 }
