@@ -1,8 +1,10 @@
 #include "core/fit/friction_data.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
+#include <map>
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
@@ -67,6 +69,10 @@ void refuseStatements(const TextBlock& block, const std::string& name) {
                     block.lines[row], shortened(cells[row].text), Message(meaningOf(*quantity))));
 }
 
+/// What each point has of its own where a column gives it, beside velocity and friction.
+constexpr std::array kOfEachPoint{Quantity::MuError, Quantity::Force, Quantity::Pressure,
+                                  Quantity::Temperature};
+
 /// The numbers of a table in SI units, row by row.
 class FrictionRows {
  public:
@@ -74,10 +80,11 @@ class FrictionRows {
                const std::vector<HeaderStatement>& common, const std::string& name)
       : block_(block), roles_(roles), common_(common), name_(name) {
     for (const FrictionRole& column : roles.columns)
-      if (hasNegativeLoads(column)) negativeLoads_.push_back(column.index);
+      if (isBelowZero(column)) negatives_.push_back(column.index);
+    refuseEmptyColumns();
   }
 
-  /// Returns notes on loads that are below 0 in all rows.
+  /// Returns notes on loads and friction that are below 0 in all rows.
   std::vector<Message> signNotes() const {
     std::vector<Message> notes;
     for (const FrictionRole& column : roles_.columns)
@@ -110,7 +117,7 @@ class FrictionRows {
         PrintedNumber{printedNumber(*ratio, 3)}, shortened(block_.columns[index].name));
   }
 
-  /// Returns the points; rows without a velocity or a coefficient of friction are left out.
+  /// Returns the points; rows without a value in a column that is used are left out.
   std::vector<MeasuredPoint> read() const {
     std::vector<MeasuredPoint> points;
     std::vector<std::size_t> rows;
@@ -123,12 +130,25 @@ class FrictionRows {
     return points;
   }
 
-  /// Returns the number of rows that have values and are left out.
-  std::size_t leftOut() const {
+  /// Returns notes on the rows that have values and are left out. A point without its own error,
+  /// load or temperature has that of no other.
+  std::vector<Message> leftOutNotes() const {
+    std::vector<Message> notes;
     std::size_t count = 0;
-    for (std::size_t row = 0; row < block_.rows; ++row)
-      if (!isBlank(row) && !hasPoint(row)) ++count;
-    return count;
+    std::map<Quantity, std::string> lines;
+    for (std::size_t row = 0; row < block_.rows; ++row) {
+      const auto missing = missingIn(row);
+      if (isBlank(row) || !missing) continue;
+      if (missing == Quantity::Velocity || missing == Quantity::Mu)
+        ++count;
+      else
+        appendItem(lines[*missing], std::to_string(block_.lines[row]));
+    }
+    if (count > 0) notes.push_back(message("rows without a value, left out: {}", count));
+    for (const auto& [quantity, list] : lines)
+      notes.push_back(message("rows left out, because the {} is missing: lines {}",
+                              Message(meaningOf(quantity)), PrintedNumber{shortened(list)}));
+    return notes;
   }
 
  private:
@@ -140,7 +160,8 @@ class FrictionRows {
   std::vector<double> repeatsOf(std::size_t row) const {
     std::vector<double> values;
     for (const std::size_t index : roles_.repeats)
-      if (const double value = block_.at(row, index); !std::isnan(value)) values.push_back(value);
+      if (const double value = block_.at(row, index); !std::isnan(value))
+        values.push_back(isNegative(*roles_.find(Quantity::Mu)) ? -value : value);
     return values;
   }
 
@@ -164,9 +185,31 @@ class FrictionRows {
                                                    static_cast<double>(counts[i]));
   }
 
-  /// Returns whether a row has a velocity and friction, as far as their values are not missing.
-  bool hasPoint(std::size_t row) const {
-    return !std::isnan(valueAt(row, Quantity::Velocity)) && !std::isnan(valueAt(row, Quantity::Mu));
+  /// Returns the first quantity that a point needs and a row has no value of.
+  std::optional<Quantity> missingIn(std::size_t row) const {
+    for (const Quantity quantity : {Quantity::Velocity, Quantity::Mu})
+      if (std::isnan(valueAt(row, quantity))) return quantity;
+    for (const Quantity quantity : kOfEachPoint)
+      if (roles_.find(quantity) && std::isnan(valueAt(row, quantity))) return quantity;
+    return {};
+  }
+
+  bool hasPoint(std::size_t row) const { return !missingIn(row); }
+
+  /// Throws InputError for a column that would leave out all rows.
+  void refuseEmptyColumns() const {
+    for (const Quantity quantity : kOfEachPoint) {
+      const FrictionRole* column = roles_.find(quantity);
+      if (!column) continue;
+      bool isEmpty = block_.rows > 0;
+      for (std::size_t row = 0; row < block_.rows; ++row)
+        isEmpty = isEmpty && std::isnan(block_.at(row, column->index));
+      if (isEmpty)
+        throw InputError(
+            name_, "",
+            message("column {}: the {} is missing in all rows; take the column out",
+                    shortened(block_.label(column->index)), Message(meaningOf(quantity))));
+    }
   }
 
   /// Returns whether a row has nothing but separators.
@@ -178,18 +221,25 @@ class FrictionRows {
   }
 
   bool isNegative(const FrictionRole& column) const {
-    return std::ranges::find(negativeLoads_, column.index) != negativeLoads_.end();
+    return std::ranges::find(negatives_, column.index) != negatives_.end();
   }
 
-  /// Returns whether a column has loads below 0 in all rows, as load cells give compression.
-  bool hasNegativeLoads(const FrictionRole& column) const {
-    if (column.quantity != Quantity::Force && column.quantity != Quantity::Pressure) return false;
+  /// Returns whether a column has loads below 0 in all rows, as load cells give compression, or
+  /// friction, as force sensors give what acts against the motion.
+  bool isBelowZero(const FrictionRole& column) const {
+    const bool isFriction = column.quantity == Quantity::Mu && !column.conversion.isForce;
+    if (!isFriction && column.quantity != Quantity::Force && column.quantity != Quantity::Pressure)
+      return false;
+    const bool areRepeats = isFriction && !roles_.repeats.empty();
+    const std::vector<std::size_t> columns =
+        areRepeats ? roles_.repeats : std::vector<std::size_t>{column.index};
     bool isNegative = false;
-    for (std::size_t row = 0; row < block_.rows; ++row) {
-      const double load = block_.at(row, column.index);
-      if (std::isgreaterequal(load, 0)) return false;
-      isNegative = isNegative || std::isless(load, 0);
-    }
+    for (const std::size_t index : columns)
+      for (std::size_t row = 0; row < block_.rows; ++row) {
+        const double value = block_.at(row, index);
+        if (std::isgreaterequal(value, 0)) return false;
+        isNegative = isNegative || std::isless(value, 0);
+      }
     return isNegative;
   }
 
@@ -248,18 +298,16 @@ class FrictionRows {
   }
 
   void needPositive(const MeasuredPoint& point, double value, Quantity quantity) const {
-    const Message meaning = meaningOf(quantity);
-    if (std::isnan(value))
-      refuseRow(point.row, message("the {} is missing", meaning));
-    else if (!(value > 0))
-      refuseRow(point.row, message("the {} is {}, which is not above 0", meaning, plain(value)));
+    if (!(value > 0))
+      refuseRow(point.row, message("the {} is {}, which is not above 0",
+                                   Message(meaningOf(quantity)), plain(value)));
   }
 
   const TextBlock& block_;
   const FrictionRoles& roles_;
   const std::vector<HeaderStatement>& common_;
   const std::string& name_;
-  std::vector<std::size_t> negativeLoads_;  // columns
+  std::vector<std::size_t> negatives_;  // columns below 0 in all rows
 };
 
 /// Returns notes on how the columns were understood, and which ones were ignored.
@@ -333,8 +381,12 @@ FrictionData readPoints(const TextTable& table, const std::string& name) {
       name);
   const FrictionRows rows(block, roles, header.common, name);
   FrictionData data{name, rows.read(), notesOn(block, roles, header, mark)};
-  if (const std::size_t leftOut = rows.leftOut(); leftOut > 0)
-    data.notes.push_back(message("rows without a value, left out: {}", leftOut));
+  std::vector<Message> leftOut = rows.leftOutNotes();
+  if (data.points.size() < 2 && !leftOut.empty())
+    throw InputError(name, "",
+                     message("has {} row of numbers; at least 2 are needed ({})",
+                             data.points.size(), leftOut.back()));
+  std::ranges::move(leftOut, std::back_inserter(data.notes));
   std::ranges::move(rows.signNotes(), std::back_inserter(data.notes));
   if (const auto note = rows.contradiction()) data.notes.push_back(*note);
   checkPoints(data.points, block, roles, name);
