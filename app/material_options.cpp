@@ -13,6 +13,7 @@
 #include "core/base/text_number.h"
 #include "core/base/units.h"
 #include "core/material/dma_columns.h"
+#include "core/material/text_frequency.h"
 
 namespace asperity {
 namespace {

@@ -172,7 +172,11 @@ std::optional<NamedState> stateOf(const TextColumn& column) {
     const auto quantity = state ? quantityOfUnit(state->unit) : std::nullopt;
     if (!quantity) continue;
     NamedState found{*quantity, unitOfQuantity(state->unit, *quantity)->toSi(state->number)};
-    found.column.name = withoutEnd(std::string_view(text).substr(0, number), " ([@_,=T");
+    std::string_view name = withoutEnd(std::string_view(text).substr(0, number), " ([@_,=T");
+    for (const std::string_view word : WordList(" at, bei", ','))
+      if (name.ends_with(word) && name.size() > word.size() + 1)
+        name = withoutEnd(name.substr(0, name.size() - word.size()), " ");
+    found.column.name = name;
     found.column.unit = isJoined ? std::string() : column.unit;
     found.column.isText = column.isText;
     found.meaning = findMeaning(found.column);

@@ -8,6 +8,7 @@
 #include "core/base/input_error.h"
 #include "core/base/text.h"
 #include "core/base/text_cell.h"
+#include "core/base/text_number.h"
 
 namespace asperity {
 namespace {
@@ -64,7 +65,12 @@ void separateCells(TextTable& table, const std::string& name, std::vector<Messag
       if (std::ranges::any_of(block.cells[i], isComplex)) separateParts(block, i, name, notes);
       const bool hasErrors = std::ranges::any_of(
           block.cells[i], [](const TextCell& cell) { return !std::isnan(cell.error); });
-      if (hasErrors) appendItem(withErrors, shortened(block.label(i)));
+      if (hasErrors) {
+        // "E' \u00B1 s" is no deviation alone.
+        if (const auto sides = splitAtErrorSign(block.columns[i].name))
+          block.columns[i].name = std::string(trimmedBlanks(sides->number));
+        appendItem(withErrors, shortened(block.label(i)));
+      }
       block.cells[i].clear();
     }
   }

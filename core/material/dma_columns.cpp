@@ -14,6 +14,7 @@
 #include "core/base/text_cell.h"
 #include "core/base/text_clause.h"
 #include "core/base/text_number.h"
+#include "core/material/text_frequency.h"
 
 namespace asperity {
 namespace {
@@ -231,41 +232,6 @@ std::string unknownWords(std::string_view name) {
   return unknown;
 }
 
-/// A frequency with its unit in a text.
-struct TextFrequency {
-  double hertz = 0;
-  std::size_t begin = 0, end = 0;
-};
-
-std::optional<TextFrequency> firstFrequency(std::string_view text) {
-  constexpr WordList kUnits("rad/s mHz kHz MHz Hz HZ hz");
-  for (std::size_t begin = 0; begin < text.size(); ++begin) {
-    if (!isDigit(text[begin])) continue;
-    const std::size_t digits = begin;
-    std::string number;
-    std::size_t end = begin;
-    for (; end < text.size() && (isDigit(text[end]) || text[end] == '.' || text[end] == ','); ++end)
-      number += text[end] == ',' ? '.' : text[end];
-    begin = end;
-    std::size_t unit = end;
-    while (unit < text.size() && (text[unit] == ' ' || text[unit] == '_')) ++unit;
-    double value = 0;
-    // "G1 Hz" and "run3 Hz" are names.
-    const bool isOfWord =
-        digits > 0 && std::isalnum(static_cast<unsigned char>(text[digits - 1])) != 0;
-    if (isOfWord || !readTextNumber(number, '.', value)) continue;
-    for (const std::string_view name : kUnits) {
-      const std::size_t behind = unit + name.size();
-      if (!text.substr(unit).starts_with(name) ||
-          (behind < text.size() && std::isalnum(static_cast<unsigned char>(text[behind])) != 0))
-        continue;
-      if (const auto size = frequencyUnit(name, false); size && value > 0)
-        return TextFrequency{value * *size, digits, behind};
-    }
-  }
-  return {};
-}
-
 /// Returns whether columns of a quantity belong to one frequency where their names state it.
 bool mayStateFrequency(DmaQuantity quantity) {
   return isMeasured(quantity) || quantity == DmaQuantity::Temperature ||
@@ -390,20 +356,6 @@ std::optional<double> parseStrain(std::string_view text) {
   if (!quantity || !(quantity->unit.empty() || quantity->unit == "%")) return {};
   const double strain = quantity->unit.empty() ? quantity->number : quantity->number / 100;
   return strain > 0 && std::isfinite(strain) ? std::optional(strain) : std::nullopt;
-}
-
-std::optional<double> frequencyUnit(std::string_view unit, bool isAngular) {
-  constexpr double kAngular = 0.5 / std::numbers::pi;
-  if (unit.empty()) return isAngular ? kAngular : 1;
-  const std::string word = lowerCase(unit);
-  if (word.starts_with("rad")) return kAngular;
-  if (isAngular && isOneOf(word, "1/s s-1 s^-1 s\u207B\u00B9")) return kAngular;
-  return unitSize(unit, "Hz");
-}
-
-std::optional<double> findFrequency(std::string_view text) {
-  const auto found = firstFrequency(text);
-  return found ? std::optional(found->hertz) : std::nullopt;
 }
 
 std::optional<double> viscosityUnit(std::string unit) {

@@ -91,14 +91,6 @@ std::optional<double> parseStrain(std::string_view text);
 /// text is none, as "mm".
 std::optional<double> strainUnit(std::string_view unit);
 
-/// Returns one unit of frequency in Hz; nothing where the text is none. An empty text means Hz, or
-/// rad/s for omega.
-std::optional<double> frequencyUnit(std::string_view unit, bool isAngular);
-
-/// Returns the first frequency with its unit in a text in Hz: 10 of "E' 10 Hz"; nothing where there
-/// is none.
-std::optional<double> findFrequency(std::string_view text);
-
 /// Returns one unit of viscosity in Pa s; nothing where the text is none.
 std::optional<double> viscosityUnit(std::string unit);
 

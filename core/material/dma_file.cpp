@@ -186,13 +186,14 @@ class Reader {
       for (const auto& [column, value] : {std::pair(moduli.first, first), {moduli.second, second}})
         if (!(value > 0)) refuseCell(in, row, column, moduli);
       if (!(hertz > 0)) refuseRow(in.block.lines[row], "the frequency", hertz);
-      if (moduli.pair->first == Magnitude && isModulus(moduli.pair->second) && !(first > second))
+      const DynamicModulus modulus = moduli.at(hertz, first, second);
+      const bool isOfMagnitude = moduli.pair->first == Magnitude && isModulus(moduli.pair->second);
+      if (isOfMagnitude && !(modulus.storage > 0 && modulus.loss > 0))
         throw InputError(
             name_, fmt::format("line {}", in.block.lines[row]),
             message("{} is not above {}, which is a part of it; leave the row out or correct it",
                     Message::name(shortened(in.block.label(moduli.first))),
                     Message::name(shortened(in.block.label(moduli.second)))));
-      const DynamicModulus modulus = moduli.at(hertz, first, second);
       checkRow(modulus, temperature, in.block.lines[row]);
       file_.rows.push_back({temperature, modulus});
       origins_.push_back({&in.block, row});

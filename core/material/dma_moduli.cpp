@@ -273,6 +273,30 @@ const MeasuredPair* measuredPair(const SweepColumns& columns) {
   return found == std::end(kPairs) ? nullptr : found;
 }
 
+void chooseForm(std::vector<DmaColumn>& found) {
+  using enum ModulusForm;
+  const auto isPair = [&found](const auto& isWanted) {
+    SweepColumns columns;
+    for (std::size_t i = 0; i < found.size(); ++i)
+      if (isWanted(found[i])) columns.indices[found[i].quantity] = i;
+    return columns.hasModuli();
+  };
+  const auto isModulusItself = [](const DmaColumn& column) { return column.form == Modulus; };
+  const auto isNoCompliance = [](const DmaColumn& column) { return column.form != Compliance; };
+  const auto isNoOther = [](const DmaColumn& column) {
+    return column.form == Compliance || !isModulus(column.quantity);
+  };
+  const bool isMeasuredItself = isPair(isModulusItself), isOfViscosities = isPair(isNoCompliance),
+             isOfCompliances = !isOfViscosities && isPair(isNoOther);
+  for (DmaColumn& column : found) {
+    const bool isKept = isMeasuredItself  ? isModulusItself(column)
+                        : isOfViscosities ? isNoCompliance(column)
+                        : isOfCompliances ? isNoOther(column)
+                                          : isModulusItself(column);
+    if (!isKept) column.quantity = DmaQuantity::None;
+  }
+}
+
 DynamicModulus ModulusColumns::at(double hertz, double one, double other) const {
   const double omega = 2 * std::numbers::pi * hertz;
   DynamicModulus modulus = pair->combine(isFirstViscosity ? one * omega : one,

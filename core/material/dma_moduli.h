@@ -22,6 +22,10 @@ struct MeasuredPair {
 /// table has both; null where no pair is complete.
 const MeasuredPair* measuredPair(const SweepColumns& columns);
 
+/// Makes viscosities or compliances columns of none where moduli, or else viscosities, say the
+/// same.
+void chooseForm(std::vector<DmaColumn>& found);
+
 /// The columns that are read as moduli. The sizes turn their numbers into those of shear in SI
 /// units, and into a loss factor or an angle in radians.
 struct ModulusColumns {

@@ -11,6 +11,7 @@
 #include "core/base/text_header.h"
 #include "core/base/text_number.h"
 #include "core/material/dma_moduli.h"
+#include "core/material/text_frequency.h"
 
 namespace asperity {
 namespace {
@@ -212,59 +213,6 @@ void refuseLeftovers(const TextBlock& block, const std::string& fileName,
                              "both moduli: {}; take them out, or say with --storage-column and "
                              "--loss-column which are meant",
                              listColumns(block, unused)));
-}
-
-/// Keeps viscosities or compliances only where no pair of moduli says the same.
-void chooseForm(std::vector<DmaColumn>& found) {
-  using enum ModulusForm;
-  const auto isPair = [&found](const auto& isWanted) {
-    SweepColumns columns;
-    for (std::size_t i = 0; i < found.size(); ++i)
-      if (isWanted(found[i])) columns.indices[found[i].quantity] = i;
-    return columns.hasModuli();
-  };
-  const auto isModulusItself = [](const DmaColumn& column) { return column.form == Modulus; };
-  const auto isNoCompliance = [](const DmaColumn& column) { return column.form != Compliance; };
-  const auto isNoOther = [](const DmaColumn& column) {
-    return column.form == Compliance || !isModulus(column.quantity);
-  };
-  const bool isMeasuredItself = isPair(isModulusItself), isOfViscosities = isPair(isNoCompliance),
-             isOfCompliances = !isOfViscosities && isPair(isNoOther);
-  for (DmaColumn& column : found) {
-    const bool isKept = isMeasuredItself  ? isModulusItself(column)
-                        : isOfViscosities ? isNoCompliance(column)
-                        : isOfCompliances ? isNoOther(column)
-                                          : isModulusItself(column);
-    if (!isKept) column.quantity = None;
-  }
-}
-
-/// Returns the one frequency (Hz) that the lines above a block state, "Frequency: 1 Hz", "10 Hz";
-/// nothing where they state none, or several.
-std::optional<double> statedFrequency(const TextBlock& block) {
-  std::optional<double> found;
-  for (const TextEntry& entry : block.header) {
-    const std::string line = joinEntry(entry);
-    for (const std::string_view clause : splitClauses(line)) {
-      std::optional<double> size;
-      double number = 0;
-      if (const auto statement = parseStatement(clause)) {
-        const DmaColumn key = dmaColumn(statement->name.name, {});
-        if (key.quantity != Frequency || statement->unit().empty() ||
-            containsOneOf(lowerCase(statement->key), "sampl abtast natural eigen reson filter"))
-          continue;
-        size = frequencyUnit(statement->unit(), key.isAngular);
-        number = statement->quantity.number;
-      } else if (const auto alone = parseQuantity(clause); alone && !alone->unit.empty()) {
-        size = frequencyUnit(alone->unit, false);
-        number = alone->number;
-      }
-      if (!size || !(number > 0)) continue;
-      if (found && *found != number * *size) return {};
-      found = number * *size;
-    }
-  }
-  return found;
 }
 
 bool hasWord(const DmaColumn& column, const WordList& words) {

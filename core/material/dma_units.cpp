@@ -9,6 +9,7 @@
 #include "core/base/text.h"
 #include "core/base/text_number.h"
 #include "core/material/dma_columns.h"
+#include "core/material/text_frequency.h"
 
 namespace asperity {
 namespace {
@@ -20,7 +21,7 @@ std::string unknownUnitIn(const std::string& name) {
   const std::string unit = unitText(name);
   const DmaColumn meaning = dmaColumn(unit, {});
   const bool isNone = unit.empty() || meaning.quantity != DmaQuantity::None ||
-                      meaning.temperature || findFrequency(unit) ||
+                      meaning.temperature || firstFrequency(unit) ||
                       meaning.kind != ModulusKind::Unknown;
   constexpr WordList kOtherWords(
       "real imaginary imag in-phase out-of-phase elastic viscous dynamic mean average measured "
@@ -51,11 +52,19 @@ DmaColumnFact columnFact(const DmaBlock& in, std::size_t column, const std::stri
 // Numbers in this range are temperatures of a test in kelvins.
 constexpr double kLowestKelvins = 200, kHighestKelvins = 500;
 
-/// Returns the size of a unit of such a column in the SI unit; nothing where it is none.
-std::optional<double> modulusUnit(const std::string& unit, ModulusForm form) {
-  if (form == ModulusForm::Viscosity) return viscosityUnit(unit);
-  if (form == ModulusForm::Compliance) return complianceUnit(unit);
-  return unitSize(unit, "Pa");
+/// Reads a column of viscosities or compliances, for which --modulus-unit says nothing.
+SizedColumn otherForm(const DmaBlock& in, std::size_t column, ModulusForm form) {
+  const bool isViscosity = form == ModulusForm::Viscosity;
+  SizedColumn found{columnFact(in, column, {})};
+  std::string& unit = found.fact.unit;
+  if (unit.empty()) unit = isViscosity ? "Pa s" : "1/Pa";
+  const auto size = isViscosity ? viscosityUnit(unit) : complianceUnit(unit);
+  if (!size)
+    throw InputError(in.fileName, found.fact.name,
+                     message("has the unit {}, which is not one of {}", shortened(unit),
+                             isViscosity ? unitNames("Pa s") : "1/Pa, 1/kPa, 1/MPa, mm\u00B2/N"));
+  found.size = *size;
+  return found;
 }
 
 std::optional<double> tangentSize(const std::string& unit) {
@@ -77,18 +86,13 @@ SizedColumn frequencyColumn(const DmaBlock& in, std::size_t column) {
 }
 
 SizedColumn modulusColumn(const DmaBlock& in, std::size_t column) {
-  SizedColumn found{columnFact(in, column, in.choices.modulusUnit)};
   const TextColumn& written = in.block.columns[column];
   const ModulusForm form = dmaColumn(written.name, written.unit).form;
-  const char* const si = form == ModulusForm::Viscosity    ? "Pa s"
-                         : form == ModulusForm::Compliance ? "1/Pa"
-                                                           : "Pa";
-  if (found.fact.unit.empty()) found.fact.unit = si;
-  const auto size = modulusUnit(found.fact.unit, form);
-  if (!size)
-    refuseUnit(in, found.fact,
-               form == ModulusForm::Compliance ? "1/Pa, 1/kPa, 1/MPa, 1/GPa, mm2/N" : unitNames(si),
-               "--modulus-unit");
+  if (form != ModulusForm::Modulus) return otherForm(in, column, form);
+  SizedColumn found{columnFact(in, column, in.choices.modulusUnit)};
+  if (found.fact.unit.empty()) found.fact.unit = "Pa";
+  const auto size = unitSize(found.fact.unit, "Pa");
+  if (!size) refuseUnit(in, found.fact, unitNames("Pa"), "--modulus-unit");
   found.size = *size;
   return found;
 }

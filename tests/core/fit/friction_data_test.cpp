@@ -553,6 +553,7 @@ TEST(FrictionData, ReadsStatesSideBySide) {
         {"\u00B5 @ 20 \u00B0C", "\u00B5 @ 40 \u00B0C", 313.15},
         {"mu 20 \u00B0C", "mu 40 \u00B0C", 313.15},
         {"COF (-20 \u00B0C)", "COF (-5 \u00B0C)", 268.15},
+        {"Reibwert bei 20 \u00B0C", "Reibwert bei 40 \u00B0C", 313.15},
         {"mu (T=293 K)", "mu (T=313 K)", 313}}) {
     const FrictionData data = parsed("v," + first + "," + second + "\n1,0.3,0.2\n2,0.4,0.3\n");
     ASSERT_EQ(data.points.size(), 4U) << first;

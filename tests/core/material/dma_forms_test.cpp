@@ -69,6 +69,9 @@ TEST(DmaForms, ErrorsAndUnitsInCellsLeaveTheNumbers) {
   expectRow(file.rows[1], 293.15, 10, 3e6, 4e5);
   EXPECT_THAT(notesOf(file), Contains("errors in cells, not read, because every point counts the "
                                       "same: G', G''"));
+  const DmaFile named =
+      read("f (Hz);T (C);G' \u00B1 s (MPa);tan d\n1;20;2 \u00B1 0.1;0.1\n10;20;3 \u00B1 0.1;0.2\n");
+  expectRow(named.rows[1], 293.15, 10, 3e6, 6e5);
   const DmaFile units =
       read("f;T;G';G''\n1 Hz;20 \u00B0C;2 MPa;200 kPa\n10 Hz;20 \u00B0C;3 MPa;400 kPa\n");
   expectRow(units.rows[1], 293.15, 10, 3e6, 4e5);
@@ -92,6 +95,7 @@ TEST(DmaForms, ViscositiesGiveModuli) {
         "Complex viscosity (Pas),Phase angle (deg)\n10,20,200997.51242241781,5.710593137499643\n"
         "100,20,30265.491900843113,7.594643368591445\n",
         "|eta*| (Pa s),eta' (Pa s)\n10,20,200997.51242241781,2e4\n100,20,30265.491900843113,4e3\n",
+        "G' (MPa),|eta*| (Pa s)\n10,20,2,200997.51242241781\n100,20,3,30265.491900843113\n",
         "G' (MPa),eta' (Pa s)\n10,20,2,2e4\n100,20,3,4e3\n"}) {
     const DmaFile file = read(head + table);
     ASSERT_EQ(file.rows.size(), 2U) << table;
@@ -113,12 +117,15 @@ TEST(DmaForms, CompliancesGiveModuli) {
                                   "Storage compliance J' (1/Pa),Loss compliance J'' "
                                   "(1/Pa)\n1,20,4e-6,3e-6\n10,20,8e-6,6e-6\n",
                                   "J' (1/MPa),tan delta\n1,20,4,0.75\n10,20,8,0.75\n",
-                                  "|J*| (1/MPa),J'' (1/MPa)\n1,20,5,3\n10,20,10,6\n"}) {
+                                  "|J*| (1/MPa),J'' (1/MPa)\n1,20,5,3\n10,20,10,6\n",
+                                  "J* (1/MPa)\n1,20,4-3i\n10,20,8-6i\n"}) {
     const DmaFile file = read("f (Hz),T (C)," + table);
     ASSERT_EQ(file.rows.size(), 2U) << table;
     expectRow(file.rows[0], 293.15, 1, 0.16e6, 0.12e6);
     EXPECT_THAT(notesOf(file), Contains("the moduli follow from compliances: G* = 1 / J*"));
   }
+  EXPECT_EQ(read("f (Hz),T (C),J' (1/MPa),J'' (1/MPa)\n1,20,4,3\n10,20,8,6\n").facts.storage.name,
+            "J'");
   // Those of tension are three times as small as those of shear.
   const DmaFile tension = read("f (Hz),T (C),D' (1/MPa),D'' (1/MPa)\n1,20,4,3\n10,20,8,6\n");
   expectRow(tension.rows[0], 293.15, 1, 0.16e6 / 3, 0.12e6 / 3);
