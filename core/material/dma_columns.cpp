@@ -51,21 +51,21 @@ bool namesTemperature(std::string_view word) {
 }
 
 /// Returns whether a column of this name states a viscosity or a compliance.
-ModulusForm modulusForm(std::string_view word) {
+MeasuredForm formOfName(std::string_view word) {
   if (containsOneOf(word, "viscosity viskositaet viscosite viscosita viscosidad \u7C98\u5EA6") ||
       beginsWithOneOf(word, "eta |eta \u03B7 |\u03B7"))
-    return ModulusForm::Viscosity;
+    return MeasuredForm::Viscosity;
   if (containsOneOf(word, "compliance nachgiebigkeit") ||
       beginsWithOneOf(word, "j' j* |j d' d* |d*"))
-    return ModulusForm::Compliance;
-  return ModulusForm::Modulus;
+    return MeasuredForm::Compliance;
+  return MeasuredForm::Modulus;
 }
 
 /// Returns which part a viscosity or a compliance is; none without a mark of an oscillation, as the
 /// viscosity of a flow.
-DmaQuantity partOf(std::string_view word, ModulusForm form) {
+DmaQuantity partOf(std::string_view word, MeasuredForm form) {
   using enum DmaQuantity;
-  const bool isViscosity = form == ModulusForm::Viscosity;
+  const bool isViscosity = form == MeasuredForm::Viscosity;
   if (containsOneOf(word, "'' doubleprime imagin outofphase losscompl verlustnachg"))
     return isViscosity ? Storage : Loss;
   if (containsOneOf(word, "' prime realpart realteil inphase storagecompl speichernachg"))
@@ -96,7 +96,7 @@ DmaQuantity dmaQuantity(std::string_view word) {
       word == "tan";
   if (isLossTangent) return LossTangent;
   if (containsOneOf(word, "strainrate energy energie stiffness torque")) return None;
-  if (const ModulusForm form = modulusForm(word); form != ModulusForm::Modulus)
+  if (const MeasuredForm form = formOfName(word); form != MeasuredForm::Modulus)
     return partOf(word, form);
   if (containsOneOf(word, "freq frecuenc \u5468\u6CE2\u6570 \u9891\u7387") ||
       isOneOf(word, "f nu omega w angular"))
@@ -314,10 +314,10 @@ DmaColumn dmaColumn(std::string_view name, std::string_view unit) {
   const std::string plain = compactName(word);
   column.quantity = dmaQuantity(plain);
   column.kind = modulusKind(plain);
-  column.form = modulusForm(plain);
+  column.form = formOfName(plain);
   std::vector<std::string> words = wordsOf(word);
   // "D'" is a compliance, and "dE'" the deviation of a modulus.
-  if (column.form == ModulusForm::Compliance && !words.empty() && words.front() == "d")
+  if (column.form == MeasuredForm::Compliance && !words.empty() && words.front() == "d")
     words.front() = "j";
   // "Sample T" and "T furnace"
   if (column.quantity == DmaQuantity::None && words.size() == 2 && isOneOf("t", words) &&

@@ -38,7 +38,7 @@ enum class ModulusKind { Unknown, Shear, Tension };
 
 /// What a column states in place of a modulus: a viscosity, G* = i omega eta*, or a compliance,
 /// G* = 1 / J*.
-enum class ModulusForm { Modulus, Viscosity, Compliance };
+enum class MeasuredForm { Modulus, Viscosity, Compliance };
 
 /// Returns the shear modulus of a Young's modulus, E / (2 (1 + nu)).
 double shearFromYoungs(double youngs, double poisson);
@@ -59,7 +59,7 @@ struct DmaColumn {
   /// are the storage and the loss compliance.
   DmaQuantity quantity = DmaQuantity::None;
   ModulusKind kind = ModulusKind::Unknown;  // of a modulus
-  ModulusForm form = ModulusForm::Modulus;
+  MeasuredForm form = MeasuredForm::Modulus;
   bool isAngular = false;               // of a frequency: omega by its name
   std::optional<double> temperature{};  // K, where the name states one: "G' (20 \u00B0C)"
   std::optional<double> frequency{};    // Hz, where the name of a measured one has it: "E' 10 Hz"

@@ -146,7 +146,7 @@ std::optional<Message> otherKindNote(const TextBlock& block, std::size_t storage
     const TextColumn& other = block.columns[i];
     const DmaColumn meaning = dmaColumn(other.name, other.unit);
     if (other.isText || meaning.quantity != DmaQuantity::Storage ||
-        meaning.form != ModulusForm::Modulus || meaning.kind == ModulusKind::Unknown ||
+        meaning.form != MeasuredForm::Modulus || meaning.kind == ModulusKind::Unknown ||
         meaning.kind == kind)
       continue;
     const double size =
@@ -274,7 +274,7 @@ const MeasuredPair* measuredPair(const SweepColumns& columns) {
 }
 
 void chooseForm(std::vector<DmaColumn>& found) {
-  using enum ModulusForm;
+  using enum MeasuredForm;
   const auto isPair = [&found](const auto& isWanted) {
     SweepColumns columns;
     for (std::size_t i = 0; i < found.size(); ++i)
@@ -320,16 +320,16 @@ ModulusColumns findModulusColumns(const DmaBlock& in, const SweepColumns& column
   found.first = columns[measured.first];
   found.second = columns[measured.second];
   found.pair = &measured;
-  const ModulusForm firstForm = formOf(found.first),
-                    secondForm = areBothModuli ? formOf(found.second) : firstForm;
-  found.areCompliances = firstForm == ModulusForm::Compliance;
-  if (found.areCompliances != (secondForm == ModulusForm::Compliance))
+  const MeasuredForm firstForm = formOf(found.first),
+                     secondForm = areBothModuli ? formOf(found.second) : firstForm;
+  found.areCompliances = firstForm == MeasuredForm::Compliance;
+  if (found.areCompliances != (secondForm == MeasuredForm::Compliance))
     throw InputError(in.fileName, in.block.label(found.second),
                      message("and {} are a compliance and none; both moduli follow from two "
                              "compliances, or from two moduli",
                              shortened(in.block.label(found.first))));
-  found.isFirstViscosity = firstForm == ModulusForm::Viscosity;
-  found.isSecondViscosity = areBothModuli && secondForm == ModulusForm::Viscosity;
+  found.isFirstViscosity = firstForm == MeasuredForm::Viscosity;
+  found.isSecondViscosity = areBothModuli && secondForm == MeasuredForm::Viscosity;
   const SizedColumn first = modulusColumn(in, found.first);
   SizedColumn second;
   if (areBothModuli) {
@@ -354,7 +354,7 @@ ModulusColumns findModulusColumns(const DmaBlock& in, const SweepColumns& column
   if (found.areCompliances) addNote("the moduli follow from compliances: G* = 1 / J*");
   if (found.isFirstViscosity || found.isSecondViscosity)
     addNote("the moduli follow from viscosities: G* = i \u03C9 \u03B7*");
-  if (measured.first == Storage && firstForm == ModulusForm::Modulus)
+  if (measured.first == Storage && firstForm == MeasuredForm::Modulus)
     addNote(otherKindNote(in.block, found.first, found.kind, in.choices.poissonRatio));
   if (measured.first == Magnitude && areBothModuli && firstForm == secondForm)
     addNote(otherPartNote(in.block, found));

@@ -53,8 +53,8 @@ DmaColumnFact columnFact(const DmaBlock& in, std::size_t column, const std::stri
 constexpr double kLowestKelvins = 200, kHighestKelvins = 500;
 
 /// Reads a column of viscosities or compliances, for which --modulus-unit says nothing.
-SizedColumn otherForm(const DmaBlock& in, std::size_t column, ModulusForm form) {
-  const bool isViscosity = form == ModulusForm::Viscosity;
+SizedColumn otherForm(const DmaBlock& in, std::size_t column, MeasuredForm form) {
+  const bool isViscosity = form == MeasuredForm::Viscosity;
   SizedColumn found{columnFact(in, column, {})};
   std::string& unit = found.fact.unit;
   if (unit.empty()) unit = isViscosity ? "Pa s" : "1/Pa";
@@ -87,8 +87,8 @@ SizedColumn frequencyColumn(const DmaBlock& in, std::size_t column) {
 
 SizedColumn modulusColumn(const DmaBlock& in, std::size_t column) {
   const TextColumn& written = in.block.columns[column];
-  const ModulusForm form = dmaColumn(written.name, written.unit).form;
-  if (form != ModulusForm::Modulus) return otherForm(in, column, form);
+  const MeasuredForm form = dmaColumn(written.name, written.unit).form;
+  if (form != MeasuredForm::Modulus) return otherForm(in, column, form);
   SizedColumn found{columnFact(in, column, in.choices.modulusUnit)};
   if (found.fact.unit.empty()) found.fact.unit = "Pa";
   const auto size = unitSize(found.fact.unit, "Pa");
