@@ -148,14 +148,14 @@ class CommandLine {
     if (status != kDone && !remake.hasSeveralScenes) return status;
     if (folder) {
       folder->take(remake);
-      printSummary(open.common.json || remake.output == "-", open.common.quiet,
-                   remake.output == "-" ? std::string() : wroteLine(remake.output));
+      printSummary(open.common, wroteLines({remake.output}), remake.output == "-");
     }
     if (remake.hasTimes)
-      printSummary(true, open.common.quiet,
+      printSummary(open.common,
                    filled(Words::tr("%1: run times, and what follows from them, are measured "
                                     "again; all other numbers are the same"),
-                          {remake.output}));
+                          {remake.output}),
+                   true);
     return status;
   }
 

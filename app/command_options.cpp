@@ -254,6 +254,20 @@ void findLinesWithProgress(const Scene& scene, bool quiet) {
   }
 }
 
+void printSummary(const CommonOptions& options, const std::string& summary, bool hasData) {
+  if (options.quiet || options.isPart) return;
+  std::string text;
+  for (std::size_t at = 0; at < summary.size();) {
+    const std::size_t end = std::min(summary.find('\n', at), summary.size());
+    text += printable(std::string_view(summary).substr(at, end - at)) + "\n";
+    at = end + 1;
+  }
+  if (options.json || hasData)
+    std::fputs(text.c_str(), stderr);
+  else
+    fmt::print("{}", text);
+}
+
 std::string factLines(const std::vector<Message>& facts) {
   std::string text;
   for (const Message& fact : facts) text += translated(fact) + "\n";

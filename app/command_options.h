@@ -95,8 +95,6 @@ struct CommonOptions {
   // instead of the file `scene`, which names it in errors
   std::optional<FoundScene> remade = {};
   bool isPart = false;  // the output folder is temporary: one of its files is kept
-
-  bool hidesSummary() const { return quiet || isPart; }
 };
 
 /// Returns the scene of a command with its assignments. The scene comes from a file or, where no
@@ -121,6 +119,10 @@ auto withSceneContext(const CommonOptions& options, const Work& work) {
 /// are then cached for the code that makes lines of the scene (core/surface/measured_lines.h). That
 /// code also reports errors, because it knows their context.
 void findLinesWithProgress(const Scene& scene, bool quiet);
+
+/// Prints text for a user, in whole lines of printable characters: to stdout, or to stderr where
+/// stdout has output for a machine, JSON or other data.
+void printSummary(const CommonOptions& options, const std::string& summary, bool hasData = false);
 
 /// Returns a line in the present language for each fact.
 std::string factLines(const std::vector<Message>& facts);

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "core/base/json_text.h"
 #include "core/scene/columns.h"
 #include "core/scene/parameters.h"
 
@@ -159,7 +160,7 @@ std::string markdown(const nlohmann::json& text) {
 /// Returns a definition list of the columns, but for keys of scenes, which are columns of a batch.
 std::string columnList() {
   std::string text;
-  const auto columns = nlohmann::json::parse(columnsJson())["columns"];
+  const auto columns = jsonValue(columnsJson())["columns"];
   for (const auto& column : columns) {
     const std::string name = column["name"];
     if (name.find('.') != name.npos) continue;

@@ -25,6 +25,7 @@
 #include "core/scene/list_text.h"
 #include "core/scene/parameters.h"
 #include "core/scene/provenance.h"
+#include "core/scene/scene_assignments.h"
 #include "core/scene/scene_check.h"
 #include "core/scene/scene_file.h"
 #include "core/scene/sweep.h"
@@ -284,7 +285,7 @@ ComparedScene withCurveOptions(Scene scene, const CurveArguments& arguments) {
   std::istringstream list(arguments.theory);
   for (std::string word; std::getline(list, word, ',');)
     if (word != "none") words.push_back(word);
-  scene.comparison.theory = parseTheories(words.dump(), kTheory);
+  scene.comparison.theory = parseTheories(jsonLine(words), kTheory);
   return {std::move(scene), std::move(given)};
 }
 

@@ -13,15 +13,17 @@
 #include "core/base/text_number.h"
 #include "core/base/units.h"
 #include "core/material/dma_columns.h"
+#include "core/material/temperature_shift.h"
 #include "core/material/text_frequency.h"
 
 namespace asperity {
 namespace {
 
-constexpr NamedChoices<std::optional<ShiftKind>, 4> kShifts{{{"auto", std::nullopt},
-                                                             {"wlf", ShiftKind::Wlf},
-                                                             {"arrhenius", ShiftKind::Arrhenius},
-                                                             {"table", ShiftKind::Table}}};
+constexpr NamedChoices<std::optional<ShiftKind>, 4> kShifts{
+    {{"auto", std::nullopt},
+     {shiftName(ShiftKind::Wlf), ShiftKind::Wlf},
+     {shiftName(ShiftKind::Arrhenius), ShiftKind::Arrhenius},
+     {shiftName(ShiftKind::Table), ShiftKind::Table}}};
 constexpr NamedChoices<ModulusKind, 3> kModuli{{{"auto", ModulusKind::Unknown},
                                                 {"shear", ModulusKind::Shear},
                                                 {"tension", ModulusKind::Tension}}};

@@ -135,18 +135,4 @@ std::string wroteLines(const std::vector<std::string>& files) {
   return text;
 }
 
-void printSummary(bool machineReads, bool quiet, const std::string& given) {
-  if (quiet) return;
-  std::string text;
-  for (std::size_t at = 0; at < given.size();) {
-    const std::size_t end = std::min(given.find('\n', at), given.size());
-    text += printable(std::string_view(given).substr(at, end - at)) + "\n";
-    at = end + 1;
-  }
-  if (machineReads)
-    std::fputs(text.c_str(), stderr);
-  else
-    fmt::print("{}", text);
-}
-
 }  // namespace asperity

@@ -78,8 +78,4 @@ std::string wroteLine(const std::string& file);
 /// Returns such a line for each file, without standard output.
 std::string wroteLines(const std::vector<std::string>& files);
 
-/// Prints text for a user, in whole lines of printable characters: to stdout, or to stderr where
-/// stdout has output for a machine.
-void printSummary(bool machineReads, bool quiet, const std::string& given);
-
 }  // namespace asperity

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "core/base/message.h"
 #include "ui/language/language.h"
 
 namespace asperity {

@@ -229,7 +229,7 @@ std::vector<fs::path> addInputs(Remake& remake, FoundScene& found, const std::st
   }
   remake.words.push_back(file);
   if (found.verb == "fit" && found.origin.contains("start"))
-    found.scene = readScene(found.origin["start"].dump(), file, found.scene.folder);
+    found.scene = readScene(jsonLine(found.origin["start"]), file, found.scene.folder);
   if (!remake.hasSeveralScenes)
     found.scene = changedScene(found.scene, command.common.assignments, file);
   remake.found = std::move(found);

@@ -9,6 +9,7 @@
 #include "app/output.h"
 #include "app/pictures/headless_pictures.h"
 #include "core/base/atomic_file.h"
+#include "core/base/json_text.h"
 #include "core/scene/provenance.h"
 #include "core/surface/surface_file.h"
 #include "ui/language/translated.h"
@@ -53,9 +54,9 @@ void writePictures(const TableCommand& command, const PictureSettings& settings,
 
 std::string withColumns(const std::string& json, const ColumnChoice& columns) {
   if (columns.isAll()) return json;
-  auto answer = nlohmann::ordered_json::parse(json);
+  auto answer = jsonValue(json);
   answer["points"] = columns.select(answer["points"]);
-  return answer.dump(2) + "\n";
+  return jsonFile(answer);
 }
 
 PictureSettings checkTableOutputs(const TableCommand& command, const Scene& scene,
@@ -77,9 +78,9 @@ void writeResult(const TableCommand& command, const PictureSettings& settings,
   };
   const auto json = [&] {
     if (result.reading.empty()) return result.json();
-    auto answer = nlohmann::ordered_json::parse(result.json());
+    auto answer = jsonValue(result.json());
     addReadingFacts(answer, result.reading);
-    return answer.dump(2) + "\n";
+    return jsonFile(answer);
   };
   // A chart for which the picture has no room is refused before the first file is written.
   const std::optional<DrawnChart> chart = drawChart(command, settings, result);
@@ -101,8 +102,8 @@ void writeResult(const TableCommand& command, const PictureSettings& settings,
     fmt::print("{}", tableText(result.csv, ".csv"));
   // Without a file the table is all that is printed, beside what was assumed about the surface.
   const std::string reading = factLines(result.reading);
-  printSummary(common.json || printsTable, common.quiet,
-               files.empty() ? reading : result.summary + reading + wroteLines(files));
+  printSummary(common, files.empty() ? reading : result.summary + reading + wroteLines(files),
+               printsTable);
 }
 
 OutputFolder::OutputFolder(std::string folder, std::vector<std::filesystem::path> inputs,

@@ -1,4 +1,5 @@
 #include "app/batch/batch_progress.h"
+#include "core/base/json_text.h"
 
 #include <array>
 #include <cstring>
@@ -48,7 +49,7 @@ BatchProgress::BatchProgress(const std::filesystem::path& folder)
   std::string line;
   try {
     while (std::getline(lines, line)) {
-      const Json json = Json::parse(line);
+      const Json json = jsonValue(line);
       BatchProgressEntry entry;
       for (const Json& point : json.at("curve")) entry.curve.push_back(pointFromHex(point));
       if (!json.at("mean").is_null()) entry.result.mean = pointFromHex(json.at("mean"));
@@ -82,7 +83,7 @@ void BatchProgress::add(const std::string& key, const BatchProgressEntry& entry)
   json["line"] = toHex(shown);
   Json& curve = json["curve"] = Json::array();
   for (const CurvePoint& point : entry.curve) curve.push_back(toHex(point));
-  std::ofstream(file_, std::ios::app) << json.dump() + "\n";
+  std::ofstream(file_, std::ios::app) << jsonLine(json) + "\n";
 }
 
 void BatchProgress::remove() const {

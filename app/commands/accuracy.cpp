@@ -140,8 +140,7 @@ int runAccuracy(const FolderCommand& command) {
                                      workPrecisionCsv(comparison)));
   writeFileAtomically(fileIn(command.output, "accuracy.json"), json);
   writePictures(command, comparison);
-  printSummary(command.common.json, command.common.hidesSummary(),
-               summaryText(comparison, command.output));
+  printSummary(command.common, summaryText(comparison, command.output));
   if (command.common.json) fmt::print("{}", json);
   return kDone;
 }

@@ -175,7 +175,7 @@ class BatchRun {
     BatchResult result;
     result.item = item;
     try {
-      if (item.error.empty()) fill(result, pictures);
+      if (item.error.empty()) completeItem(result, pictures);
     } catch (const InputError& error) {
       result.item.error = errorMessage(error);
     } catch (const std::runtime_error& error) {
@@ -193,34 +193,23 @@ class BatchRun {
   /// Returns the cell of the next scene.
   ContactSheets::Cell cell() const { return grid_->cell(static_cast<int>(results_.size())); }
 
-  void fill(BatchResult& result, HeadlessPictures& pictures) {
-    const Scene& scene = result.item.scene;
-    Scene shown = scene;  // with translated texts, as pictures show them
+  /// Computes one scene and writes its files, unless an earlier run did, and puts its picture on
+  /// the contact sheet.
+  void completeItem(BatchResult& result, HeadlessPictures& pictures) {
+    Scene shown = result.item.scene;  // with translated texts, as pictures show them
     shown.title = translated(result.item.title);
-    const PictureLayout layout = layoutFrom(result.item.show);
-    PictureContent content{layout};
+    PictureContent content{layoutFrom(result.item.show)};
     const std::string key = itemDigest(result.item);
     const BatchProgressEntry* const known = progress_->find(key);
     if (known) {
-      result.mean = known->result.mean;
-      result.lineMu = known->result.lineMu;
-      result.lineIndentation = known->result.lineIndentation;
-      result.lineContactFraction = known->result.lineContactFraction;
-      result.files = known->result.files;
-      if (!known->curve.empty()) content.curves.present = {{}, shown, known->curve, 0};
-      if (!grid_) return;
+      BatchItem item = std::move(result.item);
+      result = known->result;
+      result.item = std::move(item);
     }
-    const CurveOptions options{.threads = command_.common.threads};
-    if (!known && (layout == PictureLayout::Curve || layout == PictureLayout::Both)) {
-      requireSteadySliding(scene, Message::name("\"show\": \"" + result.item.show + "\""));
-      const Curve curve = computeCurve(scene, options);
-      result.missed = missedTarget(curve).value_or(Message());
-      content.curves.present = {{}, shown, curve.points, 0};
-    }
-    if (const auto mean = known ? std::nullopt : computeMean(scene, options)) {
-      result.mean = mean->points.front();
-      if (result.missed.empty()) result.missed = missedTarget(*mean).value_or(Message());
-    }
+    const std::vector<CurvePoint> curve =
+        known ? known->curve : computeMeans(result, content.layout);
+    if (!curve.empty()) content.curves.present = {{}, shown, curve, 0};
+    if (known && !grid_) return;
     FrameSource source(shown, {}, true);
     const Frame frame = source.frame(0);
     if (!known) {
@@ -228,13 +217,30 @@ class BatchRun {
       result.lineIndentation = frame.indentation;
       result.lineContactFraction = frame.contactFraction;
       write(result, shown, content, frame, pictures);
-      if (result.missed.empty())
-        finished_.emplace(key, BatchProgressEntry{result, content.curves.present.points});
+      if (result.missed.empty()) finished_.emplace(key, BatchProgressEntry{result, curve});
     }
     if (!grid_) return;
     const auto [sheet, left, top] = cell();
     addPicture(sheets_[sheet], PictureComposer(small_, content).compose(frame),
                static_cast<float>(left), static_cast<float>(top));
+  }
+
+  /// Computes the mean of a scene over its lines, and its curve where the picture shows it. Returns
+  /// the curve.
+  std::vector<CurvePoint> computeMeans(BatchResult& result, PictureLayout layout) const {
+    const Scene& scene = result.item.scene;
+    const CurveOptions options{.threads = command_.common.threads};
+    Curve curve;
+    if (layout == PictureLayout::Curve || layout == PictureLayout::Both) {
+      requireSteadySliding(scene, Message::name("\"show\": \"" + result.item.show + "\""));
+      curve = computeCurve(scene, options);
+      result.missed = missedTarget(curve).value_or(Message());
+    }
+    if (const auto mean = computeMean(scene, options)) {
+      result.mean = mean->points.front();
+      if (result.missed.empty()) result.missed = missedTarget(*mean).value_or(Message());
+    }
+    return curve.points;
   }
 
   /// Writes the files of one scene.
@@ -292,7 +298,7 @@ class BatchRun {
                       {"backend", static_cast<int>(settings_.backend)},
                       {"options", optionsFor(item.name + ".png")},
                       {"origin", provenance("batch", item.scene)}};
-    return sha256(all.dump());
+    return sha256(jsonLine(all));
   }
 
   /// Returns the provenance of a file whose scenes are in another file.
@@ -351,13 +357,13 @@ class BatchRun {
       list.push_back(std::move(entry));
     }
     printSummary(
-        command_.common.json, command_.common.hidesSummary(),
+        command_.common,
         (results_.size() == 1 ? filled(Words::tr("one scene, %1 failed"), {std::to_string(bad)})
                               : filled(Words::tr("%1 scenes, %2 failed"),
                                        {std::to_string(results_.size()), std::to_string(bad)})) +
             "\n" + (missed > 0 ? filledLine(Words::tr("target accuracy missed: %1"), missed) : "") +
             wroteLine(fileIn("index.html")));
-    if (command_.common.json) fmt::print("{}\n", answer.dump(2));
+    if (command_.common.json) fmt::print("{}", jsonFile(answer));
     return bad + missed > 0 ? kRunFailed : kDone;
   }
 

@@ -7,6 +7,7 @@
 #include "app/command_line.h"
 #include "app/output.h"
 #include "core/base/input_error.h"
+#include "core/base/json_text.h"
 #include "core/base/text.h"
 #include "core/contact/steady_sliding.h"
 #include "core/contact/steady_solver.h"
@@ -41,13 +42,14 @@ LawInput makeLawInput(const Scene& scene, const LineSource& source) {
 std::string summaryText(const Scene& scene, const LineSource& source, const LawInput& in,
                         const std::vector<Message>& reading) {
   const auto number = [](double value) { return answerNumber(value, 6); };
+  const auto meters = [](double value) { return answerQuantity(value, "m", 6); };
   const double spacing = source.length() / static_cast<double>(source.elements());
   std::string text =
       scene.title.empty() ? Words::tr("a valid scene") : printable(translated(scene.title));
   const auto add = [&text](const std::string& line) { text += "\n  " + line; };
-  add(filled(Words::tr("line: L = %1 m, %2 elements of %3 m, rms height %4 m, rms slope %5"),
-             {number(source.length()), std::to_string(source.elements()), number(spacing),
-              number(in.rmsHeight), number(in.rmsSlope)}));
+  add(filled(Words::tr("line: L = %1, %2 elements of %3, rms height %4, rms slope %5"),
+             {meters(source.length()), std::to_string(source.elements()), meters(spacing),
+              meters(in.rmsHeight), number(in.rmsSlope)}));
   if (in.rmsHeight > 0 && scene.load.kind != LoadKind::Indentation)
     add(filled(Words::tr("dimensionless force F\u2099 / G h L = %1 (Eq. 14)"),
                {number(dimensionlessForce(in))}));
@@ -57,9 +59,11 @@ std::string summaryText(const Scene& scene, const LineSource& source, const LawI
     point.nominalPressure = scene.load.nominalPressure;
     if (const auto note = pressureNote({&point, 1}, scene.load.width)) add(translated(*note));
   }
-  // Eq. (13) has one relaxation time.
+  // Eq. (13) has one relaxation time. (The literal has two parts because lupdate takes 2 for a
+  // digit of the root's code.)
   if (in.rmsHeight > 0 && elementLaw(scene.elastomer).kind() != ElementKind::Arms)
-    add(filled(Words::tr("dimensionless velocity tau v slope / (sqrt(2) h) = %1 (Eq. 13)"),
+    add(filled(Words::tr("dimensionless velocity \u03C4 v \u2207z / (\u221A"
+                         "2 h) = %1 (Eq. 13)"),
                {number(dimensionlessVelocity(in))}));
   for (const Message& fact : reading) add(translated(fact));
   const std::int64_t spikes = source.measured() ? source.measured()->spikes() : 0;
@@ -95,7 +99,7 @@ void checkScene(const CommonOptions& command, bool isOneOfMany,
     const LawInput in = makeLawInput(scene, source);
     const std::vector<Message> reading = readingFacts(scene);
     const std::string name = isOneOfMany ? command.scene + ": " : "";
-    printSummary(command.json, command.quiet, name + summaryText(scene, source, in, reading));
+    printSummary(command, name + summaryText(scene, source, in, reading));
     answers.push_back(provenance("check", scene));
     if (isOneOfMany) answers.back()["file"] = command.scene;
     answers.back()["valid"] = true;
@@ -112,7 +116,7 @@ void checkLesson(const CommonOptions& command, bool isOneOfMany,
     throw InputError("", "--set", "sets keys of a scene, and this file is a lesson");
   const Lesson lesson = readLessonFile(command.scene, readNamedScene);
   checkChoices(lesson, command.scene, {.threads = command.threads});
-  printSummary(command.json, command.quiet,
+  printSummary(command,
                (isOneOfMany ? command.scene + ": " : "") +
                    printable(lesson.title.in(presentLanguage())) + "\n  " +
                    filledLine(Words::tr("%1 minutes, %2 steps, %3 predictions"), lesson.minutes,
@@ -150,8 +154,7 @@ int runCheck(const CheckCommand& command) {
     }
   }
   if (common.json)
-    fmt::print("{}\n",
-               isOneOfMany ? nlohmann::ordered_json(answers).dump(2) : answers.front().dump(2));
+    fmt::print("{}", jsonFile(isOneOfMany ? nlohmann::ordered_json(answers) : answers.front()));
   return status;
 }
 

@@ -9,7 +9,7 @@
 namespace asperity {
 
 int runColumns(const CommonOptions& command) {
-  printSummary(command.json, command.quiet, columnsText());
+  printSummary(command, columnsText());
   if (command.json) fmt::print("{}", columnsJson());
   return kDone;
 }

@@ -6,6 +6,7 @@
 #include "app/pictures/frame_source.h"
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
+#include "core/base/json_text.h"
 #include "core/base/named_choices.h"
 #include "core/run/contact_tables.h"
 #include "core/scene/data_table.h"
@@ -83,14 +84,14 @@ int runContactTable(const RenderCommand& command) {
   const bool isCsv = fileExtension(command.output) != ".json";
   const std::string json = isCsv && !command.common.json
                                ? std::string()
-                               : tableAnswer(scene, command, frame, table, columns).dump(2) + "\n";
+                               : jsonFile(tableAnswer(scene, command, frame, table, columns));
   if (command.output != "-")
     writeFileAtomically(command.output, isCsv ? csvText(scene, command, table, columns) : json);
   else if (!command.common.json)
     fmt::print("{}", csvText(scene, command, table, columns));
   if (command.common.json) fmt::print("{}", json);
   if (command.output != "-")
-    printSummary(command.common.json, command.common.quiet,
+    printSummary(command.common,
                  filledLine(Words::tr("%1 rows"), table.rows.size()) + wroteLine(command.output));
   return kDone;
 }

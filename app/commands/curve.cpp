@@ -9,6 +9,7 @@
 #include "core/accuracy/compute_curve.h"
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
+#include "core/base/json_text.h"
 #include "core/chart/curve_diagram.h"
 #include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"
@@ -94,9 +95,9 @@ std::string jsonText(const CurveSet& set, const CurveArguments& arguments,
   const Scene& scene = set.present.scene;
   const std::string own = curveJson(set.present.points, scene, showsForces(set));
   if (!arguments.hasMore(scene)) return withColumns(own, columns);
-  auto answer = nlohmann::ordered_json::parse(own);
+  auto answer = jsonValue(own);
   addCurvesTo(answer, set);
-  return withColumns(answer.dump(2) + "\n", columns);
+  return withColumns(jsonFile(answer), columns);
 }
 
 void writeRealizations(const CurveCommand& command, const Scene& scene,
@@ -112,7 +113,7 @@ void writeRealizations(const CurveCommand& command, const Scene& scene,
   }
   nlohmann::ordered_json answer = provenance("curve", scene);
   answer["rows"] = tableJson(lines.table());
-  writeFileAtomically(file, answer.dump(2) + "\n");
+  writeFileAtomically(file, jsonFile(answer));
 }
 
 /// Checks the file of the table of realizations, which only curves of given lines have.

@@ -159,7 +159,7 @@ int runExplain(const ExplainCommand& command) {
                      mapAxis(scene, parseRangeOption("--y", command.y)), command.common.threads);
     }
     if (command.analyze) analyzeRun(explanation, command.common.threads);
-    printSummary(command.common.json, command.common.quiet, explanationText(explanation));
+    printSummary(command.common, explanationText(explanation));
     if (command.common.json) fmt::print("{}", explanationJson(explanation));
   });
   return kDone;

@@ -177,7 +177,7 @@ int runFigure(const FigureCommand& command) {
   const ComputedFigures made = makeFigures(command, names);
   const std::string claims = claimsJson(made.figures);
   writeFileAtomically(claimsFile(command), claims);
-  printSummary(command.common.json, command.common.hidesSummary(), summaryText(command, made));
+  printSummary(command.common, summaryText(command, made));
   if (command.common.json) fmt::print("{}", claims);
   return kDone;
 }

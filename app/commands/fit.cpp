@@ -60,7 +60,7 @@ int runFit(const FitCommand& command) {
       output.addText(name, name.ends_with(".csv") ? columns.selectAvailable(bytes) : bytes);
     for (const NamedSheet& sheet : report.sheets) output.addSheet(sheet.name, sheet.sheet);
     output.write(command.common.given, [&] { return fitProvenance(fitted.start, fitted.fit); });
-    printSummary(command.common.json, command.common.hidesSummary(),
+    printSummary(command.common,
                  summaryText(fitted.fit) + factLines(readingFacts(scene)) + output.summary());
     if (command.common.json) fmt::print("{}", report.texts.front().second);
     return kDone;

@@ -28,7 +28,7 @@ using Json = nlohmann::ordered_json;
 
 /// Prints an answer in JSON. The name of a file may be no UTF-8, which JSON is.
 void printJson(const Json& answer) {
-  fmt::print("{}\n", answer.dump(2, ' ', false, Json::error_handler_t::replace));
+  fmt::print("{}", jsonFile(answer));
 }
 
 std::string summaryText(const Lesson& lesson) {
@@ -83,7 +83,7 @@ int listAll(const LessonCommand& command) {
     all.push_back(summaryJson(lesson));
     text += std::string(shipped.name) + ": " + summaryText(lesson);
   }
-  printSummary(command.common.json, command.common.quiet, text);
+  printSummary(command.common, text);
   if (command.common.json) printJson(all);
   return kDone;
 }
@@ -134,7 +134,7 @@ int showClass(const LessonCommand& command) {
   for (const std::string& output : command.outputs)
     checkNoInput(output, {command.lessons.begin(), command.lessons.end()});
   if (command.outputs.empty() && !common.json) {
-    printSummary(common.json, common.quiet, classesText(readClasses(command.lessons)));
+    printSummary(common, classesText(readClasses(command.lessons)));
     return kDone;
   }
   const std::vector<StudentResults> students = readClass(command.lessons);
@@ -144,7 +144,7 @@ int showClass(const LessonCommand& command) {
     writeTable(output, classCsv(students));
     summary += wroteLine(output);
   }
-  printSummary(common.json, common.quiet, summary);
+  printSummary(common, summary);
   if (common.json) {
     Json answer = {{"schema", "asperity-lesson-class/1"},
                    {"version", ASPERITY_VERSION},
@@ -154,7 +154,7 @@ int showClass(const LessonCommand& command) {
                    {"students", Json::array()}};
     for (const StudentResults& student : students) {
       Json one = {{"file", student.file}};
-      const Json results = Json::parse(resultsJson(student.results));
+      const Json results = jsonValue(resultsJson(student.results));
       for (const char* member : {"date", "right", "shown", "steps"})
         if (results.contains(member)) one[member] = results[member];
       one["wrong"] = student.results.wrong();
@@ -194,7 +194,7 @@ int runLesson(const LessonCommand& command) {
       summary += wroteLine(output);
     }
   }
-  printSummary(common.json, common.quiet, summary);
+  printSummary(common, summary);
   if (common.json) {
     Json answer = {{"schema", "asperity-lesson-summary/1"}, {"version", ASPERITY_VERSION}};
     answer.update(summaryJson(lesson));

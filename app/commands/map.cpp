@@ -1,5 +1,6 @@
 // asperity map: friction over two parameters, as a picture with contour lines and as a table.
 #include "app/command_line.h"
+#include "app/output.h"
 #include "app/progress_bar.h"
 #include "app/result_files.h"
 #include "core/base/input_error.h"

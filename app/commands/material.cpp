@@ -9,6 +9,7 @@
 #include "app/output.h"
 #include "app/result_files.h"
 #include "core/base/input_error.h"
+#include "core/base/json_text.h"
 #include "core/base/regular_file.h"
 #include "core/chart/material_sheets.h"
 #include "core/material/material_json.h"
@@ -64,7 +65,7 @@ int makeFromMeasurements(const MaterialCommand& command, const PictureSettings& 
   output.write(command.common.given, origin);
   std::string text = material.name + "\n";
   for (const Message& line : materialSummary(material)) text += "  " + translated(line) + "\n";
-  printSummary(command.common.json, command.common.hidesSummary(), text + output.summary());
+  printSummary(command.common, text + output.summary());
   if (command.common.json) fmt::print("{}", json);
   return kDone;
 }
@@ -85,12 +86,12 @@ int showInScene(const MaterialCommand& command, const PictureSettings& style) {
     }
     output.addSheet("excitation", excitationSheet(scene, excitation));
     output.write(command.common.given, [&] { return provenance("material", scene); });
-    printSummary(command.common.json, command.common.hidesSummary(),
+    printSummary(command.common,
                  translated(describeExcitation(scene, excitation)) + "\n" + output.summary());
     if (command.common.json) {
       nlohmann::ordered_json answer = provenance("material", scene);
       answer["excitation"] = excitationJson(scene, excitation);
-      fmt::print("{}\n", answer.dump(2));
+      fmt::print("{}", jsonFile(answer));
     }
     return kDone;
   });

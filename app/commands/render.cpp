@@ -75,7 +75,7 @@ class Rendering {
         settings_(pictureSettings(command.picture, {1280, 720, "light"})),
         layout_(layoutFrom(command.layout)),
         overlay_(command.overlay.empty() ? ContactOverlay::Pressure
-                                         : overlayFrom(command.overlay)) {
+                                         : chosen(kContactOverlays, command.overlay, "--overlay")) {
     checkUsage();
     checkParts();
     if (showsCurve()) checkCurves(command.curves, scene_);
@@ -388,8 +388,8 @@ int runRender(const RenderCommand& command) {
               "belongs to tables, and the output is none");
   Rendering rendering(command);
   rendering.run();
-  printSummary(command.common.json, command.common.quiet, rendering.summary());
-  if (command.common.json) fmt::print("{}\n", rendering.json().dump(2));
+  printSummary(command.common, rendering.summary());
+  if (command.common.json) fmt::print("{}", jsonFile(rendering.json()));
   rendering.requireTargets();
   return kDone;
 }

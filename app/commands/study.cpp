@@ -13,6 +13,7 @@
 #include "app/result_files.h"
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
+#include "core/base/json_text.h"
 #include "core/base/named_choices.h"
 #include "core/scene/provenance.h"
 #include "core/study/study_report.h"
@@ -120,8 +121,8 @@ int plan(const StudyCommand& command, const ParameterStudy& study, const Shard& 
   }
   const StudyBudget budget =
       studyBudget(study, shardSimulations(study, shard), done, command.common.threads);
-  printSummary(command.common.json, command.common.quiet, planText(budget));
-  if (command.common.json) fmt::print("{}\n", planJson(study, budget).dump(2));
+  printSummary(command.common, planText(budget));
+  if (command.common.json) fmt::print("{}", jsonFile(planJson(study, budget)));
   return kDone;
 }
 
@@ -211,14 +212,14 @@ int runStudyRun(const StudyCommand& command) {
     added = runStudy(store, options);
   }
   if (added > 0) checkReadable(store);
-  printSummary(command.common.json, command.common.quiet, stateText(store, added, total));
+  printSummary(command.common, stateText(store, added, total));
   if (command.common.json) {
     Json answer = header(study);
     answer["simulations"] = total;
     answer["done"] = store.simulationsDone();
     answer["added"] = added;
     answer["has_failures"] = store.hasFailures();
-    fmt::print("{}\n", answer.dump(2));
+    fmt::print("{}", jsonFile(answer));
   }
   return kDone;
 }
@@ -234,13 +235,12 @@ int runStudyMerge(const StudyCommand& command) {
     Json& missing = answer["missing_shards"] = Json::array();
     for (const Shard& shard : merged.missingShards)
       missing.push_back(fmt::format("{}/{}", shard.number, shard.count));
-    fmt::print("{}\n", answer.dump(2));
+    fmt::print("{}", jsonFile(answer));
   }
   if (!merged.isWhole())
     throw TextError(Message::name(missingText(merged, store.study())), {command.output});
-  printSummary(
-      command.common.json, command.common.quiet,
-      filledLine(Words::tr("%1 simulations"), store.simulationsDone()) + wroteLine(command.output));
+  printSummary(command.common, filledLine(Words::tr("%1 simulations"), store.simulationsDone()) +
+                                   wroteLine(command.output));
   return kDone;
 }
 
@@ -277,8 +277,9 @@ int runStudyTable(const StudyCommand& command) {
                    .c_str(),
                stderr);
   if (!isStdout) {
-    printSummary(command.common.json || hasStandardOutput(command.outputs), command.common.quiet,
-                 filledLine(Words::tr("%1 simulations"), rows) + wroteLines(command.outputs));
+    printSummary(command.common,
+                 filledLine(Words::tr("%1 simulations"), rows) + wroteLines(command.outputs),
+                 hasStandardOutput(command.outputs));
   }
   return kDone;
 }
@@ -301,11 +302,11 @@ int runStudyShow(const StudyCommand& command) {
     answer["chunk"] = study.chunk;
     answer["failed"] = failed;
     answer["processor_seconds"] = seconds;
-    answer["study"] = Json::parse(study.canonical);
+    answer["study"] = jsonValue(study.canonical);
     Json& list = answer["failures"] = Json::array();
     for (const auto& [text, count] : failures)
       list.push_back({{"message", text}, {"count", count.count}, {"first", count.first}});
-    fmt::print("{}\n", answer.dump(2));
+    fmt::print("{}", jsonFile(answer));
   }
   std::string text = study.title.empty() ? "" : study.title + "\n";
   if (!store.shard().isWhole())
@@ -321,7 +322,7 @@ int runStudyShow(const StudyCommand& command) {
   if (failed > 0) text += filledLine(Words::tr("%1 simulations failed:"), failed);
   for (const auto& [why, count] : failures)
     text += filledLine(Words::tr("  %1 times, first %2: %3"), count.count, count.first, why);
-  printSummary(command.common.json, command.common.quiet, text);
+  printSummary(command.common, text);
   return kDone;
 }
 
@@ -340,7 +341,7 @@ int runStudyAnalyse(const StudyCommand& command) {
   };
   Json answer = fileOrigin("analysis.json");
   answer["analysis"] = analysisJson(study, analysis);
-  output.addText("analysis.json", answer.dump(2) + "\n");
+  output.addText("analysis.json", jsonFile(answer));
   const auto addTable = [&](const char* name, const std::string& csv) {
     output.addText(name, provenanceComment(fileOrigin(name)) + csv);
   };
@@ -365,8 +366,8 @@ int runStudyAnalyse(const StudyCommand& command) {
   }
   if (study.space.sampling() != Sampling::Saltelli)
     text += Words::tr("no Sobol indices: they need sampling saltelli") + "\n";
-  printSummary(command.common.json, command.common.hidesSummary(), text + output.summary());
-  if (command.common.json) fmt::print("{}\n", answer.dump(2));
+  printSummary(command.common, text + output.summary());
+  if (command.common.json) fmt::print("{}", jsonFile(answer));
   return kDone;
 }
 

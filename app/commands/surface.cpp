@@ -31,10 +31,10 @@ namespace asperity {
 namespace {
 
 std::string summaryText(const Line& line, const std::vector<std::string>& outputs) {
-  const auto number = [](double value) { return answerNumber(value, 6); };
-  std::string text =
-      filledLine(Words::tr("length %1 m, %2 points, rms height %3 m, rms slope %4"),
-                 number(line.length), line.nodes(), number(line.rmsHeight), number(line.rmsSlope));
+  const auto meters = [](double value) { return answerQuantity(value, "m", 6); };
+  std::string text = filledLine(Words::tr("length %1, %2 points, rms height %3, rms slope %4"),
+                                meters(line.length), line.nodes(), meters(line.rmsHeight),
+                                answerNumber(line.rmsSlope, 6));
   return text + wroteLines(outputs);
 }
 
@@ -147,8 +147,7 @@ int runSurface(const SurfaceCommand& command) {
                              noteLines(lineNotes(source)) + summaryText(line, command.outputs);
     for (const std::string& output : command.outputs)
       if (output != "-" || !command.common.json) writeSurface(output, command, scene, source, line);
-    const bool machineReads = command.common.json || hasStandardOutput(command.outputs);
-    printSummary(machineReads, command.common.quiet, text);
+    printSummary(command.common, text, hasStandardOutput(command.outputs));
     if (command.common.json) {
       const ProvenanceOptions given(optionsFor(command.common.given, ".json"));
       fmt::print("{}", surfaceJson(scene, source, line));

@@ -11,7 +11,6 @@
 #include "core/chart/curve_diagram.h"
 #include "core/chart/curve_regions.h"
 #include "core/run/transient_diagram.h"
-#include "ui/contact/contact_overlay.h"
 #include "ui/draw/shapes.h"
 #include "ui/language/language.h"
 
@@ -36,14 +35,6 @@ constexpr NamedChoices<PictureLayout, 4> kLayouts{{{"contact", PictureLayout::Co
 
 PictureLayout layoutFrom(const std::string& name, const char* key) {
   return chosen(kLayouts, name, key);
-}
-
-ContactOverlay overlayFrom(const std::string& name) {
-  const auto named = [](ContactOverlay overlay) { return std::pair(wordFor(overlay), overlay); };
-  const NamedChoices<ContactOverlay, 4> overlays{
-      named(ContactOverlay::None), named(ContactOverlay::Pressure),
-      named(ContactOverlay::Relaxation), named(ContactOverlay::Power)};
-  return chosen(overlays, name, "--overlay");
 }
 
 void checkPanels(const DiagramSheet& sheet, const PictureSettings& settings, int above) {

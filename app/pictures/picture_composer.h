@@ -20,9 +20,6 @@ enum class PictureLayout { Contact, Curve, Both, Transient };
 /// Returns the layout of this name. Throws InputError naming the key or the option.
 PictureLayout layoutFrom(const std::string& name, const char* key = "--layout");
 
-/// Returns the overlay of this name. Throws InputError naming --overlay.
-ContactOverlay overlayFrom(const std::string& name);
-
 /// Throws InputError naming --size where several diagrams on a sheet would not fit below `above`
 /// pixels of other content; those pixels grow with the picture.
 void checkPanels(const DiagramSheet& sheet, const PictureSettings& settings, int above);

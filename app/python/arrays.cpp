@@ -32,7 +32,7 @@ class ColumnsOfRows {
 
   py::dict take() {
     py::dict columns;
-    for (Column& column : columns_) columns[py::str(column.name)] = objectOf(column);
+    for (Column& column : columns_) columns[py::str(column.name)] = toObject(column);
     return columns;
   }
 
@@ -44,7 +44,7 @@ class ColumnsOfRows {
     bool isWhole;
   };
 
-  static py::object objectOf(Column& column) {
+  static py::object toObject(Column& column) {
     if (!column.texts.empty()) return py::cast(column.texts);
     if (!column.isWhole) return toArray(std::move(column.numbers));
     std::vector<std::int64_t> whole;
@@ -63,13 +63,13 @@ py::array arrayView(const std::vector<double>& numbers, const py::object& owner)
   return view;
 }
 
-py::dict columnsOf(const Json& rows) {
+py::dict toColumns(const Json& rows) {
   ColumnsOfRows columns;
   for (const Json& row : rows) columns.add(row);
   return columns.take();
 }
 
-py::dict columnsOf(const std::vector<CurvePoint>& points) {
+py::dict toColumns(const std::vector<CurvePoint>& points) {
   const CurveTable table(points, {});
   ColumnsOfRows columns;
   for (const CurvePoint& point : points) columns.add(table.json(point));

@@ -28,10 +28,10 @@ pybind11::array arrayView(const std::vector<double>& numbers, const pybind11::ob
 
 /// Returns the columns of a list of JSON objects with the same names: real and whole numbers as
 /// arrays, null as NaN, texts as a list.
-pybind11::dict columnsOf(const nlohmann::ordered_json& rows);
+pybind11::dict toColumns(const nlohmann::ordered_json& rows);
 
 /// Returns the columns of a curve's table for states that need not be of one curve: a further
 /// column is there where any of them has it.
-pybind11::dict columnsOf(const std::vector<CurvePoint>& points);
+pybind11::dict toColumns(const std::vector<CurvePoint>& points);
 
 }  // namespace asperity

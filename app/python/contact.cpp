@@ -37,8 +37,8 @@ struct Contact {
 };
 
 /// A stop is noticed between the steps, each of which takes memory of its own.
-std::shared_ptr<Contact> contactOf(const Scene& scene, std::int64_t realization,
-                                   const std::stop_token& stop) {
+std::shared_ptr<Contact> findContact(const Scene& scene, std::int64_t realization,
+                                     const std::stop_token& stop) {
   requireSteadySliding(scene, "asperity.state");
   if (realization != 0) LineSource(scene, 1).requireRealization(realization, "--realization");
   const auto contact = std::make_shared<Contact>();
@@ -110,8 +110,8 @@ struct MotionOfScene {
   MotionTable table;
 };
 
-std::shared_ptr<MotionOfScene> motionOf(const Scene& scene, std::int64_t every, std::int64_t lines,
-                                        int threads, const py::object& progress) {
+std::shared_ptr<MotionOfScene> runMotion(const Scene& scene, std::int64_t every, std::int64_t lines,
+                                         int threads, const py::object& progress) {
   checkThreads(threads);
   if (every < 1) throw InputError("", "--every", "is below 1");
   if (lines < 1) throw InputError("", "--lines", "is below 1");
@@ -126,7 +126,7 @@ std::shared_ptr<MotionOfScene> motionOf(const Scene& scene, std::int64_t every, 
   });
 }
 
-py::dict motionColumnsOf(const MotionOfScene& found) {
+py::dict motionArrays(const MotionOfScene& found) {
   py::dict columns;
   for (MotionValues& column : motionColumns(found.table))
     columns[py::str(column.name)] = toArray(std::move(column.values));
@@ -152,8 +152,8 @@ struct SurfaceOfScene {
   Json options() const { return isFirst ? Json::object() : Json(); }
 };
 
-std::shared_ptr<SurfaceOfScene> surfaceOf(const Scene& scene, bool isOfFile,
-                                          std::int64_t realization, const std::stop_token& stop) {
+std::shared_ptr<SurfaceOfScene> makeSurface(const Scene& scene, bool isOfFile,
+                                            std::int64_t realization, const std::stop_token& stop) {
   const LineSource source(scene, writtenPointsPerElement(scene, isOfFile));
   source.requireRealization(realization, "--realization");
   const auto found = std::make_shared<SurfaceOfScene>();
@@ -173,11 +173,11 @@ std::shared_ptr<SurfaceOfScene> surfaceOf(const Scene& scene, bool isOfFile,
 }
 
 /// Names the file once where the file itself is what is wrong.
-std::shared_ptr<SurfaceOfScene> surfaceOfFile(const Scene& scene, const std::string& file,
-                                              std::int64_t realization,
-                                              const std::stop_token& stop) {
+std::shared_ptr<SurfaceOfScene> makeSurfaceFromFile(const Scene& scene, const std::string& file,
+                                                    std::int64_t realization,
+                                                    const std::stop_token& stop) {
   try {
-    return surfaceOf(scene, true, realization, stop);
+    return makeSurface(scene, true, realization, stop);
   } catch (const InputError& error) {
     const std::vector<Message>& parts = error.message().values;
     if (error.key() != "surface.file" || parts.size() != 2)
@@ -191,7 +191,7 @@ std::shared_ptr<SurfaceOfScene> surfaceOfFile(const Scene& scene, const std::str
 void addContact(py::module_& module) {
   addContactClass(module);
   py::class_<MotionOfScene, std::shared_ptr<MotionOfScene>>(module, "Motion")
-      .def("columns", &motionColumnsOf)
+      .def("columns", &motionArrays)
       .def("scene", [](const MotionOfScene& found) { return found.scene; })
       .def("csv",
            [](const MotionOfScene& found) {
@@ -229,10 +229,10 @@ void addContact(py::module_& module) {
       .def("json", [](const SurfaceOfScene& found) { return found.json; });
   module.def("state", [](const Scene& scene, std::int64_t realization, const py::object& progress) {
     return compute(progress, [scene, realization](const Call& call) {
-      return contactOf(scene, realization, call.stop());
+      return findContact(scene, realization, call.stop());
     });
   });
-  module.def("march", &motionOf);
+  module.def("march", &runMotion);
   module.def("is_surface_file", [](const std::string& name) { return isSurfaceFile(name); });
   module.def("surface_file_scene", [](const std::string& file, const Texts& assignments) {
     return std::make_shared<Scene>(surfaceFileScene(file, assignments));
@@ -240,8 +240,8 @@ void addContact(py::module_& module) {
   module.def("surface", [](const Scene& scene, const std::string& file, std::int64_t realization,
                            const py::object& progress) {
     return compute(progress, [scene, file, realization](const Call& call) {
-      return file.empty() ? surfaceOf(scene, false, realization, call.stop())
-                          : surfaceOfFile(scene, file, realization, call.stop());
+      return file.empty() ? makeSurface(scene, false, realization, call.stop())
+                          : makeSurfaceFromFile(scene, file, realization, call.stop());
     });
   });
 }

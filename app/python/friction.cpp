@@ -10,6 +10,7 @@
 #include "app/python/module.h"
 #include "core/accuracy/compute_curve.h"
 #include "core/base/input_error.h"
+#include "core/base/json_text.h"
 #include "core/base/number_text.h"
 #include "core/chart/curve_set.h"
 #include "core/chart/fit_report.h"
@@ -33,7 +34,7 @@ using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
 /// Returns the options of a computation of states that Python waits for.
 template <class Options>
-Options optionsOf(const Call& call, int threads) {
+Options callOptions(const Call& call, int threads) {
   return {.threads = threads, .stop = call.stop(), .progress = [&call](double part) {
             call.report(part);
           }};
@@ -47,7 +48,8 @@ struct CurveOfScene {
   Curve curve;
 };
 
-std::shared_ptr<CurveOfScene> curveOf(const Scene& scene, int threads, const py::object& progress) {
+std::shared_ptr<CurveOfScene> runCurve(const Scene& scene, int threads,
+                                       const py::object& progress) {
   checkThreads(threads);
   requireSteadySliding(scene, "asperity.curve");
   return compute(progress, [scene, threads](const Call& call) {
@@ -60,8 +62,8 @@ std::shared_ptr<CurveOfScene> curveOf(const Scene& scene, int threads, const py:
 }
 
 /// Returns the columns of the answer that the program writes, which has them for any swept key.
-py::dict curveTableOf(const CurveOfScene& found) {
-  return columnsOf(Json::parse(curveJson(found.curve.points, found.scene))["points"]);
+py::dict curveArrays(const CurveOfScene& found) {
+  return toColumns(jsonValue(curveJson(found.curve.points, found.scene))["points"]);
 }
 
 // ---- many states in one call
@@ -75,8 +77,8 @@ struct Override {
 /// States of one call: each is a scene of about a kilobyte.
 constexpr std::size_t kMaxStates = 200000;
 
-std::vector<Scene> statesOf(const Scene& scene, const std::vector<Override>& overrides,
-                            std::size_t count, const std::stop_token& stop) {
+std::vector<Scene> variedScenes(const Scene& scene, const std::vector<Override>& overrides,
+                                std::size_t count, const std::stop_token& stop) {
   Scene plain = scene;  // words and lists beside a curve mean nothing here, but would be copied
   plain.title.clear();
   plain.description.clear();
@@ -126,26 +128,26 @@ py::tuple friction(const Scene& scene, const Texts& keys, const std::vector<Numb
                        message("{} states are more than {} in one call", count, kMaxStates));
   }
   FoundStates found = compute(progress, [scene, overrides, count, threads](const Call& call) {
-    const std::vector<Scene> states = statesOf(scene, overrides, count, call.stop());
-    const auto options = optionsOf<StateOptions>(call, threads);
+    const std::vector<Scene> states = variedScenes(scene, overrides, count, call.stop());
+    const auto options = callOptions<StateOptions>(call, threads);
     const double before = processSeconds();
     SteadyStates slid = slideStates(states, options);
     return FoundStates{std::move(slid.points), slid.computed, processSeconds() - before};
   });
-  return py::make_tuple(columnsOf(found.points), found.computed, found.kernelSeconds);
+  return py::make_tuple(toColumns(found.points), found.computed, found.kernelSeconds);
 }
 
 // ---- maps
 
-std::shared_ptr<ParameterMap> mapOf(const Scene& scene, const Texts& x, const Texts& y, int threads,
-                                    const py::object& progress) {
+std::shared_ptr<ParameterMap> runMap(const Scene& scene, const Texts& x, const Texts& y,
+                                     int threads, const py::object& progress) {
   checkThreads(threads);
   requireSteadySliding(scene, "asperity.map");
   const ParameterRange xRange = parseRange(x.at(0), x.at(1)), yRange = parseRange(y.at(0), y.at(1));
   const MapAxis alongX = mapAxis(scene, xRange, &yRange);
   const MapAxis alongY = mapAxis(scene, yRange, &xRange);
   return compute(progress, [scene, alongX, alongY, threads](const Call& call) {
-    const auto options = optionsOf<MapOptions>(call, threads);
+    const auto options = callOptions<MapOptions>(call, threads);
     return std::make_shared<ParameterMap>(parameterMap(scene, alongX, alongY, options));
   });
 }
@@ -165,15 +167,15 @@ struct SensitivityOfScene {
   std::vector<Exponent> exponents;
 };
 
-std::shared_ptr<SensitivityOfScene> sensitivityOf(const Scene& scene, int threads,
-                                                  const py::object& progress) {
+std::shared_ptr<SensitivityOfScene> runSensitivity(const Scene& scene, int threads,
+                                                   const py::object& progress) {
   checkThreads(threads);
   requireSteadySliding(scene, "asperity.sensitivity");
   requireNoTarget(scene,
                   "differences need the same lines on both sides; give accuracy.scheme and "
                   "ensemble.realizations instead of a target");
   return compute(progress, [scene, threads](const Call& call) {
-    const auto options = optionsOf<StateOptions>(call, threads);
+    const auto options = callOptions<StateOptions>(call, threads);
     std::vector<Sensitivity> all = sensitivities(scene, options);
     std::vector<Exponent> exponents = sensitivityExponents(scene, all);
     return std::make_shared<SensitivityOfScene>(
@@ -214,10 +216,10 @@ struct FitOfScene {
 };
 
 /// tables: names and texts of tables that are no files.
-std::shared_ptr<FitOfScene> fitOf(const Scene& given, const Texts& files,
-                                  const std::vector<std::pair<std::string, std::string>>& tables,
-                                  const Texts& varied, bool hasProfiles, int threads,
-                                  const py::object& progress) {
+std::shared_ptr<FitOfScene> runFit(const Scene& given, const Texts& files,
+                                   const std::vector<std::pair<std::string, std::string>>& tables,
+                                   const Texts& varied, bool hasProfiles, int threads,
+                                   const py::object& progress) {
   checkThreads(threads);
   Scene scene = given;
   const std::vector<FrictionData> read = addComparisonData(scene, files);
@@ -249,7 +251,7 @@ std::shared_ptr<FitOfScene> fitOf(const Scene& given, const Texts& files,
 
 void addFriction(py::module_& module) {
   py::class_<CurveOfScene, std::shared_ptr<CurveOfScene>>(module, "Curve")
-      .def("columns", &curveTableOf)
+      .def("columns", &curveArrays)
       .def("scene", [](const CurveOfScene& found) { return found.scene; })
       .def("csv",
            [](const CurveOfScene& found) {
@@ -281,7 +283,7 @@ void addFriction(py::module_& module) {
         return sensitivityJson(found.scene, found.exponents);
       });
   py::class_<ParameterMap, std::shared_ptr<ParameterMap>>(module, "Map")
-      .def("columns", [](const ParameterMap& map) { return columnsOf(map.points); })
+      .def("columns", [](const ParameterMap& map) { return toColumns(map.points); })
       .def("x", [](const ParameterMap& map) { return toArray(map.x.values); })
       .def("y", [](const ParameterMap& map) { return toArray(map.y.values); })
       .def("computed", [](const ParameterMap& map) { return map.computed; })
@@ -291,11 +293,11 @@ void addFriction(py::module_& module) {
         const ProvenanceOptions none(Json::object());
         return mapJson(map, kShown);
       });
-  module.def("curve", &curveOf);
+  module.def("curve", &runCurve);
   module.def("friction", &friction);
-  module.def("sensitivity", &sensitivityOf);
-  module.def("map", &mapOf);
-  module.def("fit", &fitOf);
+  module.def("sensitivity", &runSensitivity);
+  module.def("map", &runMap);
+  module.def("fit", &runFit);
 }
 
 }  // namespace asperity

@@ -19,7 +19,7 @@ namespace py = pybind11;
 using Texts = std::vector<std::string>;
 
 /// Puts the options into the order of the program, not of the arguments.
-MaterialChoices choicesOf(WrittenOptions options) {
+MaterialChoices orderedChoices(WrittenOptions options) {
   const auto names = materialOptionNames();
   for (const auto& [name, value] : options) {
     if (isOneOf(name, names)) continue;
@@ -55,7 +55,7 @@ void addMaterial(py::module_& module) {
       .def("shifts_csv", &shiftsCsv);
   module.def("material", [](const std::string& file, const WrittenOptions& options,
                             const py::object& progress) {
-    const MaterialChoices choices = choicesOf(options);
+    const MaterialChoices choices = orderedChoices(options);
     return compute(progress, [file, choices](const Call&) {
       return std::make_shared<Material>(readMaterial(file, choices));
     });

@@ -21,7 +21,7 @@ py::object textOrNone(const std::string& text) {
 }
 
 /// An option of the command line is an argument of a Python function.
-std::string argumentOf(std::string key) {
+std::string argumentName(std::string key) {
   if (!key.starts_with("--")) return key;
   key.erase(0, 2);
   std::ranges::replace(key, '-', '_');
@@ -32,7 +32,7 @@ std::string argumentOf(std::string key) {
 py::handle inputErrorClass;
 
 void raise(const InputError& error) {
-  const std::string key = argumentOf(error.key());
+  const std::string key = argumentName(error.key());
   const std::string file = error.file() == "--set" ? std::string() : error.file();
   const InputError shown(file, key, error.message());
   const py::object made = inputErrorClass(shown.what());

@@ -17,24 +17,24 @@ namespace py = pybind11;
 using Assignments = std::vector<std::string>;
 
 /// Returns "real", "whole", "choice", "text" or "list".
-const char* kindOf(const Parameter& row) {
+const char* fieldKind(const Parameter& row) {
   if (std::holds_alternative<RealField>(row.field)) return "real";
   if (std::holds_alternative<IntegerField>(row.field)) return "whole";
   if (std::holds_alternative<ChoiceField>(row.field)) return "choice";
   return isList(row) ? "list" : "text";
 }
 
-py::object objectOf(const ParameterValue& value) {
+py::object toObject(const ParameterValue& value) {
   return std::visit([](const auto& held) -> py::object { return py::cast(held); }, value);
 }
 
 py::object valueIn(const Scene& scene, const std::string& key) {
   const Parameter& row = knownParameter(key);
   if (!isApplicable(row, scene)) throw InputError("", key, "has no meaning in this scene");
-  return objectOf(parameterValue(row, scene));
+  return toObject(parameterValue(row, scene));
 }
 
-py::list keysOf(const Scene& scene) {
+py::list applicableKeys(const Scene& scene) {
   py::list keys;
   for (const Parameter& row : parameters())
     if (isApplicable(row, scene)) keys.append(std::string(row.key));
@@ -62,12 +62,12 @@ py::list parameterTable() {
   for (const Parameter& row : parameters()) {
     py::dict entry;
     entry["key"] = std::string(row.key);
-    entry["kind"] = kindOf(row);
+    entry["kind"] = fieldKind(row);
     entry["label"] = std::string(row.label);
     entry["symbol"] = std::string(row.symbol);
     entry["unit"] = std::string(row.unit);
     entry["allowed"] = allowedText(row).english();
-    entry["default"] = objectOf(defaultValue(row));
+    entry["default"] = toObject(defaultValue(row));
     entry["meaning"] = std::string(row.sentence);
     all.append(entry);
   }
@@ -99,14 +99,14 @@ void addScene(py::module_& module) {
              scene = changedScene(scene, assignments, "");
            })
       .def("value", &valueIn)
-      .def("keys", &keysOf)
+      .def("keys", &applicableKeys)
       .def("json", &writeScene)
       .def_property_readonly("folder", [](const Scene& scene) { return scene.folder.string(); })
       .def("__eq__", &areEqual);
   module.def("found_scene", [](const std::string& file) {
     return std::make_shared<Scene>(findScene(std::filesystem::path(file)).scene);
   });
-  module.def("kind", [](const std::string& key) { return kindOf(knownParameter(key)); });
+  module.def("kind", [](const std::string& key) { return fieldKind(knownParameter(key)); });
   module.def("is_key", [](const std::string& key) { return findParameter(key) != nullptr; });
   module.def("number", &numberFromWord);
   module.def("parameters", &parameterTable);

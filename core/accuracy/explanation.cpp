@@ -172,7 +172,7 @@ std::string explanationJson(const Explanation& explanation) {
                    {"lines", map->lines},
                    {"seconds", map->seconds},
                    {"threads", map->threads}};
-  return root.dump(2) + "\n";
+  return jsonFile(root);
 }
 
 }  // namespace asperity

@@ -210,11 +210,11 @@ double curveMemory(const PilotScene& run, int threads, std::int64_t finest) {
   // Memory in numbers per node: Line, PreparedProfile with its blocks, and the buffers of the
   // transform.
   const double ofLine = scheme == Scheme::Linear && isRandom ? 1 : 2;
-  const double ofTravel = scheme == Scheme::Cubic    ? 3 + 5 * 4.0 / 3
-                          : scheme == Scheme::Linear ? 2 + 5 / 3.0
-                                                     : 2 + 4 / 3.0;
+  const double ofProfile = scheme == Scheme::Cubic    ? 3 + 5 * 4.0 / 3
+                           : scheme == Scheme::Linear ? 2 + 5 / 3.0
+                                                      : 2 + 4 / 3.0;
   const double ofTransform = isRough(scene.surface) ? 2 : 0;
-  double bytes = kOfProgram + (ofLine + ofTravel) * nodes * kNumber * parallel;
+  double bytes = kOfProgram + (ofLine + ofProfile) * nodes * kNumber * parallel;
   bytes += ofTransform * nodes * kNumber * (isRandom ? parallel : 1);
   if (isRandom) bytes += (0.5 + parallel) * elements * kNumber;  // amplitudes and phases
   if (!isRandom) bytes += 2 * nodes * kNumber;                   // for the only line

@@ -5,7 +5,7 @@
 #include <limits>
 #include <optional>
 
-#include "core/accuracy/pilot.h"
+#include "core/accuracy/row_errors.h"
 #include "core/base/number_text.h"
 #include "core/base/processor_time.h"
 #include "core/base/statistics.h"
@@ -123,68 +123,29 @@ class Targeting {
            sampler_.sample({level, isDirect, 1}, states, linesOfEach);
   }
 
-  /// The rows of a topography as its coarsest lines. Draws with replacement are independent, but
-  /// the surface has only these rows, so that their mean has an error of its own.
-  struct CoarseRows {
-    Scene scene;
-    LineSource source;
-    LoadCase sweep;
-
-    explicit CoarseRows(const Scene& its) : scene(withEveryRow(its)), source(scene, 1) {}
-
-    static Scene withEveryRow(Scene scene) {
-      scene.accuracy = {Scheme::Cubic, 1, 0};
-      scene.ensemble.realizations = 0;
-      return scene;
-    }
-  };
-
   bool hasRows() { return sampler_.source(0).hasRows(); }
 
-  CoarseRows coarseRows() const {
-    CoarseRows rows(scene_);
-    rows.sweep.load = scene_.load;
-    for (const VelocityState& state : states_) rows.sweep.velocities.push_back(state.velocity);
-    return rows;
+  std::vector<double> velocities() const {
+    std::vector<double> velocities;
+    for (const VelocityState& state : states_) velocities.push_back(state.velocity);
+    return velocities;
   }
 
+  /// Returns false where stopped.
   bool findErrorOfRows() {
     if (!hasRows()) return true;
-    const CoarseRows rows = coarseRows();
-    std::vector<LineMean> means(states_.size(), LineMean(rows.source.rows()));
-    const RealizationTask task{rows.scene, rows.source, {&rows.sweep, 1}, 0};
-    const auto take = [&](std::span<const SteadyResult> results) {
-      for (std::size_t i = 0; i < results.size(); ++i) means[i].add(results[i].mu);
-    };
-    if (!slideRealizations(task, rows.source.rows(), options_.threads, options_.stop, take))
-      return false;
-    for (std::size_t i = 0; i < states_.size(); ++i) {
-      states_[i].ofRows = means[i].error();
-      states_[i].ofRows.standardError /= std::abs(means[i].mean());
-    }
-    return true;
+    const auto errors = errorsOfRows(scene_, velocities(), options_.threads, options_.stop);
+    for (std::size_t i = 0; i < errors.size(); ++i) states_[i].ofRows = errors[i];
+    return !errors.empty();
   }
 
-  /// Judges the error of all rows by some pairs of them. Returns the seconds of all rows.
+  /// Returns the seconds that findErrorOfRows would take.
   double predictErrorOfRows() {
-    constexpr std::int64_t kRows = 32;
     if (!hasRows()) return 0;
-    const CoarseRows rows = coarseRows();
-    const double start = threadSeconds();
-    const std::int64_t count = std::min(kRows, rows.source.rows());
-    std::vector<std::vector<double>> mu(states_.size());
-    const auto take = [&](std::span<const SteadyResult> results) {
-      for (std::size_t i = 0; i < results.size(); ++i) mu[i].push_back(results[i].mu);
-    };
-    for (const std::int64_t row : sampledLines(rows.source, count))
-      if (!slideRealizations({rows.scene, rows.source, {&rows.sweep, 1}, row}, 1, 1, options_.stop,
-                             take))
-        throw StopRequested{};
-    const auto all = static_cast<double>(rows.source.rows());
+    const PredictedRowErrors predicted = predictErrorsOfRows(scene_, velocities(), options_.stop);
     for (std::size_t i = 0; i < states_.size(); ++i)
-      states_[i].ofRows.standardError =
-          std::sqrt(varianceOfMean(mu[i], rows.source, all)) / std::abs(mean(mu[i]));
-    return (threadSeconds() - start) * all / static_cast<double>(count);
+      states_[i].ofRows.standardError = predicted.standardErrors[i];
+    return predicted.seconds;
   }
 
   bool runPilot() {

@@ -196,7 +196,7 @@ std::string workPrecisionJson(const WorkPrecision& comparison) {
     regions.push_back(std::move(entry));
   }
   root["regions"] = std::move(regions);
-  return root.dump(2) + "\n";
+  return jsonFile(root);
 }
 
 DiagramSheet workPrecisionSheet(const WorkPrecision& comparison) {

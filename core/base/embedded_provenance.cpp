@@ -62,7 +62,7 @@ std::string_view textOfMp4(std::string_view bytes) {
   return {};
 }
 
-/// Returns the string behind the tag of this name of WebM. The number of leading zero bits in the
+/// Returns the string after the tag of this name of WebM. The number of leading zero bits in the
 /// length's first byte, plus one, is the number of bytes of the length.
 std::string_view textOfWebm(std::string_view bytes) {
   const std::string_view rest = after(bytes,

@@ -5,6 +5,8 @@
 #include <mutex>
 #include <new>
 
+#include "core/base/destroyer.h"
+
 namespace asperity {
 namespace {
 
@@ -23,14 +25,14 @@ std::mutex& plannerLock() {
   return lock;
 }
 
-struct Freed {
-  void operator()(void* values) const { fftw_free(values); }
-};
 template <class Value>
-std::unique_ptr<Value, Freed> aligned(std::size_t count) {
+using Aligned = std::unique_ptr<Value, Destroyer<fftw_free>>;
+
+template <class Value>
+Aligned<Value> aligned(std::size_t count) {
   auto* values = static_cast<Value*>(fftw_malloc(sizeof(Value) * count));
   if (!values) throw std::bad_alloc();
-  return std::unique_ptr<Value, Freed>(values);
+  return Aligned<Value>(values);
 }
 
 }  // namespace

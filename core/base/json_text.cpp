@@ -165,6 +165,22 @@ nlohmann::ordered_json membersUpTo(std::string_view text, const std::string& nam
   return reader.root().is_object() ? std::move(reader.root()) : Json();
 }
 
+Json jsonValue(std::string_view text) {
+  return Json::parse(text);
+}
+
+Json jsonOrDiscarded(std::string_view text) {
+  return Json::parse(text, nullptr, false);
+}
+
+std::string jsonLine(const Json& value) {
+  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string jsonFile(const Json& value) {
+  return value.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
 void refuseMember(const std::string& path, const Message& why) {
   throw InputError("", path, why);
 }
@@ -203,7 +219,7 @@ std::int64_t integerMember(const Json& object, const char* member, std::int64_t 
       number > static_cast<double>(most))
     refuseMember(memberPath(where, member),
                  message("{} is not a whole number from {} to {}",
-                         shortened(object.at(member).dump()), least, most));
+                         shortened(jsonLine(object.at(member))), least, most));
   return static_cast<std::int64_t>(number);
 }
 
@@ -216,7 +232,7 @@ std::string textMember(const Json& object, const char* member, const std::string
 }
 
 std::string assignedText(const Json& value) {
-  return value.is_string() ? value.get<std::string>() : value.dump();
+  return value.is_string() ? value.get<std::string>() : jsonLine(value);
 }
 
 nlohmann::ordered_json numberOrNull(double value) {

@@ -30,6 +30,18 @@ nlohmann::ordered_json parseJson(std::string_view text, int deepest,
 /// parseJson.
 nlohmann::ordered_json membersUpTo(std::string_view text, const std::string& name, int deepest);
 
+/// Returns the value of a text that this program wrote itself. Throws the parser's error.
+nlohmann::ordered_json jsonValue(std::string_view text);
+
+/// Returns the value of the text; a discarded one where the text is not JSON.
+nlohmann::ordered_json jsonOrDiscarded(std::string_view text);
+
+/// Returns JSON in one line without its end. Bytes that are no UTF-8 are replaced, here and below.
+std::string jsonLine(const nlohmann::ordered_json& value);
+
+/// Returns the text of a JSON file, or of an answer of a command: each value in a line of its own.
+std::string jsonFile(const nlohmann::ordered_json& value);
+
 /// Throws InputError with the path.
 [[noreturn]] void refuseMember(const std::string& path, const Message& why);
 

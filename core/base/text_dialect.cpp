@@ -239,7 +239,7 @@ bool isDecimal(std::string_view field, char mark, MarkedNumbers& numbers) {
 
 enum class Mark { Decimal, Unclear, Thousands };
 
-/// Returns the meaning of the marks in the numbers. Where each mark has exactly three digits behind
+/// Returns the meaning of the marks in the numbers. Where each mark has exactly three digits after
 /// it, it may separate thousands. It does where numbers below a thousand have no mark: some of so
 /// many decimals would end with a zero, which programs omit where whole numbers have no mark.
 Mark meaningOf(const Sample& sample, const TextDialect& dialect, const Fit& fit,

@@ -15,7 +15,7 @@ struct TextDialect {
     Semicolon,
     Comma,
     Bar,         // "|"
-    CommaBlank,  // "1,5, 2,5": only a comma with a blank behind it separates
+    CommaBlank,  // "1,5, 2,5": only a comma with a blank after it separates
     CommaPair,   // "1,5,2,5": every second comma separates
   };
 

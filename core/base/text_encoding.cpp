@@ -169,7 +169,7 @@ std::string_view detectNonText(std::string_view bytes) {
   const std::string_view beginning = bytes.substr(0, kLookedAt);
   const std::size_t zero = beginning.find('\0');
   if (zero == std::string_view::npos) return {};
-  // Zeros behind a text alone fill up its last block.
+  // Zeros after a text alone fill up its last block.
   if (zero > 1 && !looksLikeUtf16(beginning) &&
       bytes.find_first_not_of('\0', zero) == std::string_view::npos)
     return {};

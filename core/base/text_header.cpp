@@ -137,7 +137,7 @@ namespace {
 
 using namespace std::string_view_literals;
 
-/// Returns whether a unit that is also a letter fits the name: behind "_" or a blank such letters
+/// Returns whether a unit that is also a letter fits the name: after "_" or a blank such letters
 /// are units only of certain quantities.
 bool suitsLetter(std::string_view name, std::string_view unit) {
   const char first = static_cast<char>(std::tolower(static_cast<unsigned char>(name.front())));
@@ -353,7 +353,7 @@ bool areNames(const Fields& fields, const TextDialect& dialect) {
   return texts > 0 && (numbers == 0 || (columns > 2 && numbers + 1 >= columns));
 }
 
-/// Returns the names or units behind "units:", separated by commas or semicolons whatever separates
+/// Returns the names or units after "units:", separated by commas or semicolons whatever separates
 /// the numbers: "units: x in mm, z in nm". Empty where the line is none of so many columns.
 Fields fieldsOfUnits(std::string_view line, std::size_t columns) {
   const std::size_t end = keyEnd(line);

@@ -72,7 +72,7 @@ bool readPlain(const char* begin, const char* end, double& number) {
 constexpr std::array kThousands{"'"sv, "\u2019"sv, " "sv, "\u00A0"sv, "\u202F"sv, "\u2009"sv};
 
 /// Reads a number with separated thousands, "1.234,5", "-12 345", "1'234'567.8": one to three
-/// digits that do not begin with 0, then groups of three behind equal separators, then optional
+/// digits that do not begin with 0, then groups of three after equal separators, then optional
 /// decimals.
 bool readGroupedNumber(std::string_view text, char decimal, double& number) {
   if (text.empty() || text.size() > kLongestNumber) return false;

@@ -73,7 +73,7 @@ struct TextQuantity {
 };
 
 /// Reads a number with a point or a comma and the unit after it: "10 \u00B5m", "1,25e-3 m", "512",
-/// "minus 5 C". The sign may be any dash, with a blank behind it. decimal: the decimal mark of the
+/// "minus 5 C". The sign may be any dash, with a blank after it. decimal: the decimal mark of the
 /// file where it is known; the other mark, a blank or an apostrophe may then separate thousands.
 std::optional<TextQuantity> parseQuantity(std::string_view text, std::optional<char> decimal = {});
 

@@ -94,7 +94,7 @@ class TableReader {
     if (above_.size() < kMostHeaderLines) above_.push_back(line);
   }
 
-  /// Returns whether rows continue behind kept lines: comments may stand between rows, but a header
+  /// Returns whether rows continue after kept lines: comments may stand between rows, but a header
   /// begins a new block.
   bool goesOn() const {
     return std::ranges::all_of(above_, [this](const TextLine& line) {
@@ -462,7 +462,7 @@ class TableReader {
   std::vector<double> row_;
   std::vector<std::size_t> flags_;  // indices in the last block's values of words such as "valid"
   std::size_t blankLines_ = 0;      // since the last row
-  std::vector<std::pair<std::size_t, std::size_t>> blanks_;  // rows of it behind so many of them
+  std::vector<std::pair<std::size_t, std::size_t>> blanks_;  // rows of it after so many of them
 };
 
 }  // namespace

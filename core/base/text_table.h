@@ -63,9 +63,9 @@ struct TextTable {
   std::string_view encoding{};  // "UTF-8", "UTF-16", "Latin-1"
   TextDialect dialect{};
   std::vector<TextBlock> blocks{};   // at least one
-  std::vector<TextEntry> trailer{};  // lines behind the last block
+  std::vector<TextEntry> trailer{};  // lines after the last block
   /// The numbers of lines that look like rows but are not: damaged ones right above a block, and
-  /// those behind the last block that begin with a number.
+  /// those after the last block that begin with a number.
   std::vector<std::uint32_t> leftOut{};
 
   /// Returns the block with the most numbers; of equal ones the first.
@@ -92,7 +92,7 @@ struct TextTableOptions {
 };
 
 /// Reads the bytes of a file; name: of the file, in errors. A field that is no number among rows of
-/// numbers, or a row of another width, is an error; behind the last row of a block such a line ends
+/// numbers, or a row of another width, is an error; after the last row of a block such a line ends
 /// the block.
 TextTable readTextTable(std::string_view bytes, const std::string& name,
                         const TextTableOptions& options = {});

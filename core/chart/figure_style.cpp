@@ -203,7 +203,7 @@ std::string optionKey(const FigureOption& option) {
 std::string optionText(const Json& value) {
   if (value.is_string()) return value.get<std::string>();
   if (value.is_boolean()) return value.get<bool>() ? "on" : "off";
-  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return jsonLine(value);
 }
 
 void setFrom(FigureStyle& style, const FigureOption& option, const Json& value) {

@@ -301,7 +301,7 @@ Json fitProvenance(const Scene& start, const Fit& fit) {
   // A window opens the fitted scene; the text after it is not read.
   Json fitted = std::move(root["scene"]);
   root.erase("scene");
-  root["start"] = Json::parse(writeScene(start));
+  root["start"] = jsonValue(writeScene(start));
   root["scene"] = std::move(fitted);
   return root;
 }
@@ -316,7 +316,7 @@ std::string fitAnswer(const Scene& start, const Fit& fit, const std::vector<std:
   Json answer = fitProvenance(start, fit);
   answer["vary"] = varied;
   answer["fit"] = fitJson(fit);
-  return answer.dump(2) + "\n";
+  return jsonFile(answer);
 }
 
 FitReport fitReport(const FittedCurve& fitted, const std::string& folder) {

@@ -104,7 +104,7 @@ std::string sensitivityCsv(const std::vector<Exponent>& all) {
 std::string sensitivityJson(const Scene& scene, const std::vector<Exponent>& all) {
   Json root = provenance("sensitivity", scene);
   root["parameters"] = tableJson(sensitivityTable(all));
-  return root.dump(2) + "\n";
+  return jsonFile(root);
 }
 
 DiagramSheet cutoffSheet(const Scene& scene, const std::vector<CutoffPoint>& points) {
@@ -185,7 +185,7 @@ std::string cutoffJson(const Scene& scene, const std::vector<CutoffPoint>& point
     rows.push_back(std::move(row));
   }
   root["points"] = std::move(rows);
-  return root.dump(2) + "\n";
+  return jsonFile(root);
 }
 
 }  // namespace asperity

@@ -14,7 +14,7 @@ namespace asperity {
 /// Gives names to columns whose line of names has blanks within the names as well, "velocity (mm/s)
 /// mu normal force (mN)", of which the line nearest to the numbers is taken. Separates units such
 /// as "(% of mu)" and "(10^-3)" from the names. The errors in the cells of the coefficient of
-/// friction, "0.31 \u00B1 0.02", become a column behind all others. Columns "mu 5 °C" and "mu 25
+/// friction, "0.31 \u00B1 0.02", become a column after all others. Columns "mu 5 °C" and "mu 25
 /// °C" become one with a row for each, and a column of their temperatures or loads.
 void prepareColumns(TextBlock& block);
 

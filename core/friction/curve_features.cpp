@@ -1,10 +1,11 @@
 #include "core/friction/curve_features.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+
+#include "core/base/statistics.h"
 
 namespace asperity {
 namespace {
@@ -51,21 +52,24 @@ Peak findPeak(std::span<const double> velocities, std::span<const double> values
 }  // namespace
 
 LineFit fitLine(std::span<const double> x, std::span<const double> y) {
-  const auto count = static_cast<Eigen::Index>(x.size());
-  const Eigen::Map<const Eigen::VectorXd> abscissa(x.data(), count), ordinate(y.data(), count);
-  Eigen::MatrixXd design(count, 2);
-  design.col(0).setOnes();
-  design.col(1) = abscissa;
-  Eigen::Vector2d coefficients = design.colPivHouseholderQr().solve(ordinate);
-  const double rise = coefficients[1] * (abscissa.maxCoeff() - abscissa.minCoeff());
-  if (std::abs(rise) <= kRounding * ordinate.cwiseAbs().maxCoeff())
-    coefficients = {ordinate.mean(), 0};
-  const double squares = (ordinate - design * coefficients).squaredNorm();
-  const double variance = count > 2 ? squares / static_cast<double>(count - 2)
-                                    : std::numeric_limits<double>::quiet_NaN();
-  const Eigen::Matrix2d covariance = variance * (design.transpose() * design).inverse();
-  return {coefficients[0], coefficients[1], std::sqrt(covariance(0, 0)),
-          std::sqrt(covariance(1, 1)), std::sqrt(squares / static_cast<double>(count))};
+  const auto count = static_cast<double>(x.size());
+  const double meanX = mean(x), meanY = mean(y);
+  double squaresOfX = 0, products = 0, largest = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    squaresOfX += (x[i] - meanX) * (x[i] - meanX);
+    products += (x[i] - meanX) * (y[i] - meanY);
+    largest = std::max(largest, std::abs(y[i]));
+  }
+  double slope = products / squaresOfX;
+  const auto [first, last] = std::ranges::minmax(x);
+  if (std::abs(slope * (last - first)) <= kRounding * largest) slope = 0;
+  const double intercept = meanY - slope * meanX;
+  double squares = 0;
+  for (std::size_t i = 0; i < x.size(); ++i)
+    squares += std::pow(y[i] - intercept - slope * x[i], 2);
+  const double variance =
+      count > 2 ? squares / (count - 2) : std::numeric_limits<double>::quiet_NaN();
+  return {intercept, slope, std::sqrt(variance / squaresOfX), std::sqrt(squares / count)};
 }
 
 LineFit fitPower(std::span<const double> x, std::span<const double> y) {

@@ -223,7 +223,7 @@ std::string curveJson(const std::vector<CurvePoint>& points, const Scene& scene,
   nlohmann::ordered_json root = provenance("curve", scene);
   root["points"] = nlohmann::ordered_json::array();
   for (const CurvePoint& point : points) root["points"].push_back(table.json(point));
-  return root.dump(2) + "\n";
+  return jsonFile(root);
 }
 
 RealizationTable::RealizationTable(std::vector<double> velocities)

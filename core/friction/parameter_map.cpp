@@ -346,7 +346,7 @@ std::string mapJson(const ParameterMap& map, std::string_view quantity) {
     points.push_back(std::move(row));
   }
   root["points"] = std::move(points);
-  return root.dump(2) + "\n";
+  return jsonFile(root);
 }
 
 }  // namespace asperity

@@ -98,7 +98,7 @@ Scene cellScene(const ParameterMap& map, std::size_t i, std::size_t j);
 /// here.
 bool isWithoutEffect(const ParameterMap& map, bool alongX);
 
-// ---- what a map shows
+// ---- What a map shows
 
 /// Returns whether a map can show this quantity: a number among the columns of a curve, or
 /// `exponent`.
@@ -112,7 +112,7 @@ std::string_view mapQuantityUnit(std::string_view name);
 /// in x, which are on the same lines; at the ends through the last three.
 std::vector<double> mapValues(const ParameterMap& map, std::string_view quantity);
 
-// ---- files
+// ---- Files
 
 /// Returns a table with one row for each cell, x fastest. Its columns are the last words of the two
 /// keys (the whole keys if these are equal), then those of a curve; for the quantity `exponent` its

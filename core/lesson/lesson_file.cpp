@@ -6,6 +6,7 @@
 
 #include "core/base/file_digest.h"
 #include "core/base/input_error.h"
+#include "core/base/json_text.h"
 #include "core/base/regular_file.h"
 #include "core/chart/diagram.h"
 #include "core/lesson/lesson_json.h"
@@ -42,7 +43,7 @@ void addText(Json& object, const char* member, const LessonText& text) {
 Json jsonOfValue(const std::string& key, const std::string& text) {
   const Parameter* row = findParameter(key);
   if (row && (allowedRange(*row) || isList(*row))) {
-    const Json parsed = Json::parse(text, nullptr, false);
+    const Json parsed = jsonOrDiscarded(text);
     if (parsed.is_number() || parsed.is_array()) return parsed;
   }
   return text;
@@ -122,7 +123,7 @@ Json toJson(const LessonStep& step) {
   addText(json, "title", step.title);
   addText(json, "text", step.text);
   if (!step.sceneName.empty()) json["scene"] = step.sceneName;
-  if (!step.sceneJson.empty()) json["scene"] = Json::parse(step.sceneJson);
+  if (!step.sceneJson.empty()) json["scene"] = jsonValue(step.sceneJson);
   if (!step.set.empty()) json["set"] = toJson(step.set);
   if (Json show = toJson(step.show); !show.empty()) json["show"] = std::move(show);
   if (Json controls = toJson(step.controls); !controls.empty())
@@ -210,7 +211,7 @@ Lesson readLessonFile(const std::filesystem::path& file, const SceneReader& read
 }
 
 std::string writeLesson(const Lesson& lesson) {
-  return toJson(lesson).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return jsonFile(toJson(lesson));
 }
 
 bool isLesson(std::string_view text) {

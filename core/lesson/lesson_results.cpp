@@ -119,7 +119,7 @@ std::string resultsJson(const LessonResults& results) {
     step["right"] = one.isRight;
     json["steps"].push_back(std::move(step));
   }
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return jsonFile(json);
 }
 
 LessonResults parseResults(std::string_view text, const std::string& file) {

@@ -20,7 +20,7 @@ bool has(const KeywordLine& line, std::string_view word) {
   return std::ranges::find(line.words, word) != line.words.end();
 }
 
-/// Returns the text behind "dependencies=" among the words of a keyword; nothing where there is
+/// Returns the text after "dependencies=" among the words of a keyword; nothing where there is
 /// none.
 std::optional<std::string> textParameter(const KeywordLine& keyword, std::string_view parameter) {
   for (const std::string& word : keyword.words)
@@ -35,7 +35,7 @@ std::optional<double> numberParameter(const KeywordLine& keyword, std::string_vi
   return {};
 }
 
-/// Returns the name behind NAME= as it was written.
+/// Returns the name after NAME= as it was written.
 std::string writtenName(const KeywordLine& keyword) {
   const std::size_t label = lowerCase(keyword.text).find("name");
   if (label == std::string::npos) return {};
@@ -104,7 +104,7 @@ using ShearModulus = double (*)(const KeywordLine& data, const std::string& name
 
 struct ModulusForm {
   ShearModulus shear;
-  std::size_t temperatureAt;  // place of the temperature behind the constants
+  std::size_t temperatureAt;  // place of the temperature after the constants
 };
 
 ModulusForm modulusForm(const KeywordLine& keyword, const std::string& name) {

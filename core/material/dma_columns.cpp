@@ -200,7 +200,7 @@ bool isMadeOfKnownWords(std::string_view word) {
          });
 }
 
-/// Returns a word without the symbol E or G at its end, which needs no blank behind a name in
+/// Returns a word without the symbol E or G at its end, which needs no blank after a name in
 /// Japanese.
 std::string_view withoutGluedSymbol(std::string_view word) {
   const bool hasSymbol = word.size() > 1 && (word.back() == 'e' || word.back() == 'g') &&

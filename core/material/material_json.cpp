@@ -117,7 +117,7 @@ std::string materialJson(const Material& material) {
     root["fit"] = {{"reference_temperature", material.referenceTemperature},
                    {"format", material.format.english()},
                    {"facts", englishOf(material.notes)}};
-    return root.dump(2) + "\n";
+    return jsonFile(root);
   }
   root["measurement"] = measurementJson(material);
   root["fit"] = {{"reference_temperature", material.referenceTemperature},
@@ -126,7 +126,7 @@ std::string materialJson(const Material& material) {
                  {"rms_loss", material.series.rmsLoss},
                  {"wlf", fitJson(material.wlf)},
                  {"arrhenius", fitJson(material.arrhenius)}};
-  return root.dump(2) + "\n";
+  return jsonFile(root);
 }
 
 }  // namespace asperity

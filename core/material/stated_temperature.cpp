@@ -158,7 +158,7 @@ class HeaderReader {
   }
 
   /// Returns whether a temperature without a key and without a word about the test may be that of
-  /// the test: it stands alone, in brackets, behind a dash, a comma or "@", or ends the name of a
+  /// the test: it stands alone, in brackets, after a dash, a comma or "@", or ends the name of a
   /// sample, and the line is about nothing else than a test or a sample. A letter alone as the
   /// unit needs more than a blank in front of its number: "NETZSCH DMA 242 C".
   bool isBareTemperature(std::string_view before, const TextTemperature& found,

@@ -58,18 +58,6 @@ double tableDecades(const TemperatureShift& shift, double temperature) {
 
 }  // namespace
 
-const char* shiftName(ShiftKind kind) {
-  switch (kind) {
-    case ShiftKind::Wlf:
-      return "wlf";
-    case ShiftKind::Arrhenius:
-      return "arrhenius";
-    case ShiftKind::Table:
-      break;
-  }
-  return "table";
-}
-
 double log10ShiftFactor(const TemperatureShift& shift, double temperature) {
   const double decades = shift.kind == ShiftKind::Table       ? tableDecades(shift, temperature)
                          : shift.kind == ShiftKind::Arrhenius ? arrheniusDecades(shift, temperature)

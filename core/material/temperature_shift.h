@@ -3,8 +3,11 @@
 // functions; any thread.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <span>
+#include <string_view>
 
 #include "core/material/elastomer.h"
 
@@ -17,8 +20,11 @@ inline constexpr double kMostDecades = 30;
 inline constexpr double kMostC1 = 1000, kLeastC2 = 1e-3, kMostC2 = 1e4;  // the latter two K
 inline constexpr double kMostActivationEnergy = 1e7;                     // J/mol
 
-/// Returns the word for a kind of shift in options and files: "wlf", "arrhenius", "table".
-const char* shiftName(ShiftKind kind);
+/// The words for the kinds of shift in scenes, options and files, in the order of ShiftKind.
+inline constexpr std::array<std::string_view, 3> kShiftNames{"wlf", "arrhenius", "table"};
+constexpr std::string_view shiftName(ShiftKind kind) {
+  return kShiftNames[static_cast<std::size_t>(kind)];
+}
 
 /// J/(mol K), the molar gas constant (exact since the SI of 2019).
 inline constexpr double kGasConstant = 8.31446261815324;

@@ -21,8 +21,8 @@ bool goesOnAsRate(std::string_view text) {
 }
 
 /// Returns the length of a sign with the spaces after it that begins here, 0 where there is none:
-/// "-", "\u2212", an en dash, "minus". A dash before a blank is a sign at the beginning, behind a
-/// key and behind "at"; elsewhere it separates, as in "NR 60 - 20 \u00B0C".
+/// "-", "\u2212", an en dash, "minus". A dash before a blank is a sign at the beginning, after a
+/// key and after "at"; elsewhere it separates, as in "NR 60 - 20 \u00B0C".
 std::size_t signLength(std::string_view text, std::size_t begin, bool& isMinus) {
   const std::string_view rest = text.substr(begin);
   const std::string_view before = trimmedBlanks(text.substr(0, begin));

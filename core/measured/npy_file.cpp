@@ -72,7 +72,7 @@ class NpyHeader {
     std::vector<std::int64_t> counts;
     for (std::string_view part : splitText(text.substr(1, end - 1), ",")) {
       part = trimmedBlanks(part);
-      if (part.empty()) continue;  // behind the comma of "(3,)"
+      if (part.empty()) continue;  // after the comma of "(3,)"
       if (!readNumber(part, counts.emplace_back()) || counts.back() < 1)
         source_.fail(message("{} in the header is not a number above 0", "shape"));
     }

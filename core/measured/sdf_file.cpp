@@ -1,6 +1,6 @@
 // Surface Data File (ISO 25178-71; BCR before it): aISO-1.0 and aISO-2.0 are text, bISO-1.0 and
 // bISO-2.0 are binary with counts of points of 16 and 32 bits. Some institutes write their own name
-// behind the a or b ("aNPL-V1.0"); the header below it is the same. Heights are numbers times
+// after the a or b ("aNPL-V1.0"); the header below it is the same. Heights are numbers times
 // Zscale, in metres. BAD, the lowest integer or the lowest float marks a point that was not
 // measured.
 #include <algorithm>

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/input_error.h"
+#include "core/base/json_text.h"
 #include "core/paper/figure_parts.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_file.h"
@@ -127,7 +128,7 @@ std::string claimsJson(std::span<const Figure> figures) {
   }
   root["claims"] = std::move(list);
   root["figures"] = std::move(scenes);
-  return root.dump(2) + "\n";
+  return jsonFile(root);
 }
 
 }  // namespace asperity

@@ -349,7 +349,7 @@ std::string motionJson(const Scene& scene, const MotionTable& table) {
     }
   Json root = motionProvenance("motion", scene, table);
   root["points"] = std::move(rows);
-  return root.dump(2) + "\n";
+  return jsonFile(root);
 }
 
 DiagramSheet motionSheet(const Scene& scene, const MotionTable& table) {

@@ -32,12 +32,6 @@ constexpr int kFramesOfRipple = 60;
 // this part of its duration.
 constexpr double kBudgetByHand = 10, kMotionByHand = 0.005;
 
-// Samples of a motion, at least: as many as its march has steps.
-constexpr double kSamplesOfMotion = Transient::kLeastSteps;
-
-// States of a motion that are kept to go back to: how many, and their size in bytes together.
-constexpr double kMostKept = 32, kKeptBytes = 64e6;
-
 /// The normal force (N) and contact fraction of the elements as they are drawn.
 struct Pressed {
   double force = 0, fraction = 0;
@@ -155,9 +149,7 @@ void Simulation::reset() {
 
 void Simulation::settle(double distance) {
   still_.reset();
-  transient_.reset();
-  samples_.clear();
-  kept_.clear();
+  motion_.reset();
   // At rest the elements' own balance holds: from that of the line between them they would creep to
   // it.
   march_ = ready_->velocity() > 0 ? steadyMarch(*ready_->rigid, *ready_->sliding,
@@ -172,9 +164,7 @@ void Simulation::settle(double distance) {
 void Simulation::begin() {
   still_.reset();
   march_.reset();
-  transient_ = ready_->transient;
-  samples_.clear();
-  kept_.clear();
+  motion_.emplace(*ready_->transient);
   timeScale_ = 0;
   recordFields();
   clearReading();
@@ -189,8 +179,8 @@ void Simulation::requestFields(const FrameFields& fields) {
 /// Starts the records; in steady sliding the time before is known, too.
 void Simulation::recordFields() {
   const MarchRecords records{fields_.sinceContact, fields_.power};
-  if (transient_)
-    transient_->record(records);
+  if (motion_)
+    motion_->record(records);
   else
     startRecords(*march_, records, ready_->velocity());
 }
@@ -228,9 +218,10 @@ double Simulation::restingStep() const {
 }
 
 void Simulation::stepOnce(double dt, double distance) {
-  last_ = march_->step(marchLoad(ready_->scene->load, ready_->line().length), dt, distance);
-  lineWork_ += last_.lineWork;
-  normalWork_ += last_.normalForce * distance;
+  const MarchStep step =
+      march_->step(marchLoad(ready_->scene->load, ready_->line().length), dt, distance);
+  lineWork_ += step.lineWork;
+  normalWork_ += step.normalForce * distance;
   const RetardationModes& modes = march_->modes();
   const double fastest = modes.modes() == 0 ? 0 : ready_->velocity() / modes.rate.back();
   const bool instant = modes.glassyCompliance > 0 && modes.modes() > 0;
@@ -238,8 +229,8 @@ void Simulation::stepOnce(double dt, double distance) {
   time_ += dt;
   ++steps_;
   isChanged_ = false;
-  touching_ = kContactsKept * touching_ + last_.contactLength / ready_->line().spacing;
-  stretches_ = kContactsKept * stretches_ + static_cast<double>(last_.contacts);
+  touching_ = kContactsKept * touching_ + step.contactLength / ready_->line().spacing;
+  stretches_ = kContactsKept * stretches_ + static_cast<double>(step.contacts);
 }
 
 bool Simulation::resolvesContacts() const {
@@ -250,7 +241,7 @@ bool Simulation::resolvesContacts() const {
 void Simulation::advance(double part, double wallSeconds) {
   clearReading();
   const double before = time_;
-  if (transient_) return advanceMotion(part, wallSeconds, transient_->motion().duration());
+  if (motion_) return advanceMotion(part, wallSeconds, motion_->motion().duration());
   advanceSteadily(part);
   timeScale_ = std::max(time_ - before, 0.0) / wallSeconds;
 }
@@ -277,89 +268,56 @@ void Simulation::advanceSteadily(double part) {
 }
 
 bool Simulation::beginsAnew() {
-  if (!transient_->isOver()) return false;
+  if (!motion_->transient().isOver()) return false;
   begin();
   steps_ = 0;
   time_ = 0;
   return true;
 }
 
-/// Marches a motion by at least one step, and on to this time, with samples on the way: their
-/// distance in time is limited, so that a fast pace leaves none out. The first one begins at
-/// time 0.
 void Simulation::marchMotion(double time) {
-  const double longest = transient_->motion().duration() / kSamplesOfMotion;
-  if (samples_.empty()) {
-    const TransientSample first = transient_->singleStep();
-    samples_.push_back(first);
-    samples_.front().time = samples_.front().distance = 0;
-    samples_.push_back(first);
-  } else {
-    samples_.push_back(transient_->marchTo(std::min(time, sampleAfter(longest))));
-  }
-  while (transient_->canReach(time))
-    samples_.push_back(transient_->marchTo(std::min(time, sampleAfter(longest))));
-  time_ = transient_->time();
-  steps_ = transient_->steps();
+  motion_->marchTo(time);
+  takeTime();
 }
 
-/// Returns the next multiple of `longest`, s; the present time is near its own one, because steps
-/// are whole.
-double Simulation::sampleAfter(double longest) const {
-  return (std::round(transient_->time() / longest) + 1) * longest;
+/// Takes time and steps from the motion.
+void Simulation::takeTime() {
+  time_ = motion_->transient().time();
+  steps_ = motion_->transient().steps();
 }
 
 /// Advances a motion, which begins again after its end. Frames have equal distances in time through
 /// the whole motion, which are limited by its fastest part, so fast parts appear fast.
 void Simulation::advanceMotion(double part, double wallSeconds, double end) {
   if (beginsAnew()) return;
-  const double duration = transient_->motion().duration();
-  const double stretch = std::min(part * duration, mostSteps() * transient_->shortestStep());
+  const double stretch = std::min(part * motion_->motion().duration(),
+                                  mostSteps() * motion_->transient().shortestStep());
   const double next = (std::round(time_ / stretch) + 1) * stretch;
   marchMotion(std::min(next, end));
   timeScale_ = stretch / wallSeconds;
-  keepState();
-}
-
-/// Keeps the present state where the last one is long ago.
-void Simulation::keepState() {
-  const TimeMarch& march = transient_->march();
-  const double numbers = 4 + static_cast<double>(march.modes().modes());  // of an element
-  // The coarser lines that estimate the error have one and a half times as many elements together.
-  const double bytes = 2.5 * sizeof(double) * numbers * static_cast<double>(ready_->line().nodes());
-  const double most = std::clamp(std::floor(kKeptBytes / bytes), 1.0, kMostKept);
-  const double between = transient_->motion().duration() / (most + 1);
-  const double last = kept_.empty() ? 0 : kept_.back().transient.time();
-  if (time_ >= last + between) kept_.push_back({*transient_, samples_.size()});
+  motion_->keepState();
 }
 
 /// Returns to the last kept state at or before a time, or to the beginning.
 void Simulation::goBackTo(double time) {
-  while (!kept_.empty() && kept_.back().transient.time() > time) kept_.pop_back();
-  if (kept_.empty()) {
-    reset();
-    return;
-  }
-  transient_ = kept_.back().transient;
-  samples_.resize(kept_.back().samples);
-  time_ = transient_->time();
-  steps_ = transient_->steps();
+  if (!motion_->goBackTo(time)) return reset();
+  takeTime();
   recordFields();  // what is wanted may have changed since
   clearReading();
 }
 
 bool Simulation::seek(double time, double part, double wallSeconds) {
-  if (!transient_) return true;
-  const double end = std::clamp(time, 0.0, transient_->motion().duration());
+  if (!motion_) return true;
+  const double end = std::clamp(time, 0.0, motion_->motion().duration());
   if (end < time_) goBackTo(end);
-  if (!transient_->canReach(end)) return true;
+  if (!motion_->transient().canReach(end)) return true;
   clearReading();
   advanceMotion(part, wallSeconds, end);
-  return !transient_->canReach(end);
+  return !motion_->transient().canReach(end);
 }
 
 void Simulation::advanceTo(double time, double part, double wallSeconds) {
-  while (transient_ && transient_->canReach(time)) {
+  while (motion_ && motion_->transient().canReach(time)) {
     clearReading();
     advanceMotion(part, wallSeconds, time);
   }
@@ -369,7 +327,7 @@ void Simulation::singleStep(double part) {
   clearReading();
   const double velocity = ready_->velocity();
   const double distance = part * ready_->line().length;
-  if (transient_) return stepMotion(distance);
+  if (motion_) return stepMotion(distance);
   if (!(velocity > 0)) return stepOnce(restingStep(), 0);
   const double wanted = std::max(distance, naturalStep());
   const double steps =
@@ -389,12 +347,13 @@ void Simulation::singleStep(double part) {
 /// Advances a motion by the time in which the line covers this distance at its highest velocity.
 void Simulation::stepMotion(double distance) {
   if (beginsAnew()) return;
-  const double duration = transient_->motion().duration();
-  const double fastest = transient_->motion().fastest(0, duration);
+  const Transient& transient = motion_->transient();
+  const double duration = transient.motion().duration();
+  const double fastest = transient.motion().fastest(0, duration);
   const double most =
-      std::min(kMotionByHand * duration, kBudgetByHand * mostSteps() * transient_->shortestStep());
+      std::min(kMotionByHand * duration, kBudgetByHand * mostSteps() * transient.shortestStep());
   const double time = fastest > 0 ? std::min(distance / fastest, most) : most;
-  marchMotion(transient_->time() + time);
+  marchMotion(transient.time() + time);
 }
 
 bool Simulation::showsSteadyState() const {
@@ -420,7 +379,7 @@ Frame Simulation::frame() const {
   frame.time = time_;
   frame.distance = march().distance();
   frame.timeScale = timeScale_;
-  if (transient_)
+  if (motion_)
     addMotion(frame);
   else
     addSteady(frame);
@@ -430,10 +389,9 @@ Frame Simulation::frame() const {
 Frame Simulation::marchedFrame() const {
   Frame frame;
   frame.scene = ready_->scene;
-  frame.velocity = transient_ ? transient_->motion().velocityAt(time_) : ready_->velocity();
+  frame.velocity = motion_ ? motion_->motion().velocityAt(time_) : ready_->velocity();
   // At its beginning the contact of a start is still the one at rest.
-  if (transient_ && time_ == 0 &&
-      needsStage(*ready_->scene, Purpose::Picture, Stage::StartFromRest))
+  if (motion_ && time_ == 0 && needsStage(*ready_->scene, Purpose::Picture, Stage::StartFromRest))
     frame.velocity = 0;
   frame.length = ready_->line().length;
   frame.spacing = ready_->line().spacing;
@@ -518,10 +476,11 @@ double Simulation::awayFromSteady() const {
 }
 
 void Simulation::addMotion(Frame& frame) const {
-  frame.nextStep = transient_->nextStep();
-  frame.indentation = transient_->march().indentation();
-  frame.transient = std::make_shared<const std::vector<TransientSample>>(samples_);
-  if (samples_.empty()) {  // the force is balanced from the beginning
+  const std::vector<TransientSample>& samples = motion_->samples();
+  frame.nextStep = motion_->transient().nextStep();
+  frame.indentation = march().indentation();
+  frame.transient = std::make_shared<const std::vector<TransientSample>>(samples);
+  if (samples.empty()) {  // the force is balanced from the beginning
     const Pressed pressed = pressedIn(frame);
     frame.normalForce = pressed.force;
     frame.contactFraction = pressed.fraction;
@@ -532,12 +491,12 @@ void Simulation::addMotion(Frame& frame) const {
                                         pressed.fraction * frame.length);
     return;
   }
-  const TransientSample& now = samples_.back();
+  const TransientSample& now = samples.back();
   frame.normalForce = now.normalForce;
   frame.tangentialForce = std::abs(now.tangentialForce);
   frame.contactFraction = now.contactFraction;
   frame.muMarch = now.mu;
-  frame.muError = recentError(samples_);
+  frame.muError = recentError(samples);
   frame.muInterface = now.muInterface;
 }
 

@@ -11,7 +11,7 @@
 
 #include "core/contact/march/time_march.h"
 #include "core/run/frame.h"
-#include "core/run/transient.h"
+#include "core/run/played_motion.h"
 
 namespace asperity {
 
@@ -67,7 +67,7 @@ class Simulation {
   void advanceSteadily(double part);
   void advanceMotion(double part, double wallSeconds, double end);
   void marchMotion(double time);
-  double sampleAfter(double longest) const;
+  void takeTime();
   double mostSteps() const;
   void stepOnce(double dt, double distance);
   void clearReading();
@@ -86,26 +86,17 @@ class Simulation {
   ContactState drawnState(const Frame& frame) const;
   void stepMotion(double distance);
   bool beginsAnew();
-  void keepState();
   void goBackTo(double time);
   double naturalStep() const;
   double restingStep() const;
   bool resolvesContacts() const;
-  const TimeMarch& march() const { return transient_ ? transient_->march() : *march_; }
+  const TimeMarch& march() const { return motion_ ? motion_->transient().march() : *march_; }
 
   std::shared_ptr<const Ready> ready_;
-  std::optional<TimeMarch> march_;        // in steady sliding
-  std::optional<Transient> transient_;    // in other motions
-  std::vector<TransientSample> samples_;  // since the motion began
-  /// A state of the motion to go back to, and the number of samples before it.
-  struct Kept {
-    Transient transient;
-    std::size_t samples;
-  };
-  std::vector<Kept> kept_;  // at rising times
+  std::optional<TimeMarch> march_;      // in steady sliding
+  std::optional<PlayedMotion> motion_;  // in other motions
   FrameFields fields_;
   mutable std::optional<Frame> still_;  // the steady state at distance 0, once it is shown
-  MarchStep last_;
   std::uint64_t steps_ = 0;
   double stepsPerFrame_;
   double time_ = 0, timeScale_ = 0;

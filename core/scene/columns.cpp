@@ -7,6 +7,7 @@
 #include <set>
 #include <vector>
 
+#include "core/base/json_text.h"
 #include "core/base/text.h"
 #include "core/scene/parameters.h"
 
@@ -77,7 +78,7 @@ std::string columnsJson() {
                      {"verb", "columns"},
                      {"version", ASPERITY_VERSION},
                      {"columns", std::move(list)}};
-  return root.dump(2) + "\n";
+  return jsonFile(root);
 }
 
 }  // namespace asperity

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/input_error.h"
+#include "core/base/json_text.h"
 #include "core/base/number_text.h"
 #include "core/base/text.h"
 #include "core/material/temperature_shift.h"
@@ -31,7 +32,7 @@ Message allowed(const ListMember<Row>& member) {
 }
 
 Json parsedList(std::string_view json, const std::string& key, const Message& allowedList) {
-  Json list = Json::parse(json, nullptr, false);
+  Json list = jsonOrDiscarded(json);
   if (list.is_discarded())
     throw InputError("", key, message("is not a list in JSON; allowed is {}", allowedList));
   if (!list.is_array()) throw InputError("", key, message("needs {}", allowedList));
@@ -75,7 +76,7 @@ std::string listText(const std::vector<Row>& rows,
     for (const ListMember<Row>& member : members) one[member.name] = row.*member.value;
     list.push_back(std::move(one));
   }
-  return list.dump();
+  return jsonLine(list);
 }
 
 }  // namespace
@@ -168,7 +169,7 @@ std::string listText(const std::vector<DataFile>& files) {
     if (!data.label.empty()) one["label"] = data.label;
     list.push_back(std::move(one));
   }
-  return list.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return jsonLine(list);
 }
 
 std::span<const std::string_view> theoryWords() {
@@ -198,7 +199,7 @@ std::string listText(const std::vector<Theory>& theories) {
   Json list = Json::array();
   for (const Theory theory : theories)
     list.push_back(theoryWords()[static_cast<std::size_t>(theory)]);
-  return list.dump();
+  return jsonLine(list);
 }
 
 Message allowedDataFiles() {

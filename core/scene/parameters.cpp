@@ -8,6 +8,7 @@
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/text.h"
+#include "core/material/temperature_shift.h"
 #include "core/measured/measured_file.h"
 #include "core/scene/list_text.h"
 
@@ -26,7 +27,6 @@ constexpr std::array<std::string_view, 4> kSpectrumKinds{"unstated", "c1_two_sid
                                                          "c2"};
 constexpr std::array<std::string_view, 4> kRheologies{"elastic", "kelvin", "standard_solid",
                                                       "prony"};
-constexpr std::array<std::string_view, 3> kShiftKinds{"wlf", "arrhenius", "table"};
 constexpr std::array<std::string_view, 3> kLoadKinds{"force", "indentation", "pressure"};
 constexpr std::array<std::string_view, 5> kSlidingKinds{"steady", "start", "step", "oscillation",
                                                         "reversal"};
@@ -161,7 +161,7 @@ const std::array kTable{
     Parameter{"elastomer.temperature", "temperature", "T", "K", "Temperature of the elastomer; it shifts all relaxation times together.", kLive, {"elastomer.rheology", "kelvin standard_solid prony"},
               RealField{ASPERITY_MEMBER(elastomer, temperature), 1, 2000, 200, 450, kLin}},
     Parameter{"elastomer.shift.kind", "shift", "", "", "How temperature shifts the relaxation times: by Williams, Landel and Ferry (wlf), by an activation energy (arrhenius), or as measured (table).", kLive, {"elastomer.rheology", "kelvin standard_solid prony"},
-              ASPERITY_CHOICE(elastomer.shift, kind, kShiftKinds), {}, kNewOfMaterial},
+              ASPERITY_CHOICE(elastomer.shift, kind, kShiftNames), {}, kNewOfMaterial},
     Parameter{"elastomer.shift.c1", "shift C1", "C_1", "", "First constant of the shift with temperature (Williams, Landel and Ferry).", kLive, {"elastomer.shift.kind", "wlf"},
               RealField{ASPERITY_MEMBER(elastomer.shift, c1), 0, 1e3, 1, 30, kLin}, {}, kOfMaterial},
     Parameter{"elastomer.shift.c2", "shift C2", "C_2", "K", "Second constant of the shift with temperature (Williams, Landel and Ferry).", kLive, {"elastomer.shift.kind", "wlf"},

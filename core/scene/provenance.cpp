@@ -205,7 +205,7 @@ Json provenance(const std::string& verb, const Scene& scene) {
   if (verb == "batch") addCurveOversampling(root, scene);
   if (Json inputs = inputsJson(scene); !inputs.empty()) root["inputs"] = std::move(inputs);
   addOptions(root);
-  root["scene"] = Json::parse(writeScene(scene));
+  root["scene"] = jsonValue(writeScene(scene));
   return root;
 }
 

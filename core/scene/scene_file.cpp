@@ -44,10 +44,10 @@ ParameterValue valueFrom(const std::string& key, const Json& json) {
   if (json.is_number_integer()) return json.get<std::int64_t>();
   if (json.is_number()) return json.get<double>();
   if (json.is_string()) return json.get<std::string>();
-  if (json.is_array() && isList(row)) return json.dump();
+  if (json.is_array() && isList(row)) return jsonLine(json);
   const Message given = json.is_object()  ? Message("an object")
                         : json.is_array() ? Message("a list")
-                                          : Message::name(json.dump());
+                                          : Message::name(jsonLine(json));
   throw InputError("", key,
                    message("{} is not allowed here; allowed is {}", given, allowedText(row)));
 }
@@ -168,13 +168,8 @@ bool isHarmless(const Assignment& assignment) {
 
 constexpr std::string_view kTarget = "accuracy.target_relative_error";
 
-/// Returns whether a target accuracy determines the value of this key.
-bool isResolution(std::string_view key) {
-  return key == "accuracy.scheme" || key == "accuracy.oversampling";
-}
-
 bool isResolution(const Assignment& assignment) {
-  return isResolution(assignment.key);
+  return isSetByTarget(knownParameter(assignment.key));
 }
 
 bool isTarget(const Assignment& assignment) {
@@ -389,7 +384,7 @@ void checkSweepAndEnds(const Scene& scene) {
 }
 
 Json valueJson(const Parameter& row, const ParameterValue& value) {
-  if (isList(row)) return Json::parse(std::get<std::string>(value));
+  if (isList(row)) return jsonValue(std::get<std::string>(value));
   return std::visit([](const auto& held) { return Json(held); }, value);
 }
 
@@ -397,14 +392,6 @@ bool isLeftOut(const Parameter& row, const Scene& scene) {
   const bool isGivenByMaterial = row.rule.isOfMaterial && !scene.elastomer.material.empty();
   return row.rule.isLeftOutAtDefault && !isGivenByMaterial &&
          parameterValue(row, scene) == defaultValue(row);
-}
-
-/// Returns whether the row may be stated for the scene. A target accuracy determines the
-/// resolution, so only one of them may be stated.
-bool isStated(const Parameter& row, const Scene& scene) {
-  if (!isApplicable(row, scene)) return false;
-  if (row.key == kTarget) return choosesAccuracy(scene);
-  return !isResolution(row.key) || !choosesAccuracy(scene);
 }
 
 /// Returns the member of a dotted key.
@@ -439,6 +426,16 @@ Scene readSceneFile(const std::filesystem::path& file,
                    assignments);
 }
 
+bool isSetByTarget(const Parameter& row) {
+  return row.key == "accuracy.scheme" || row.key == "accuracy.oversampling";
+}
+
+bool isStated(const Parameter& row, const Scene& scene) {
+  if (!isApplicable(row, scene)) return false;
+  if (row.key == kTarget) return choosesAccuracy(scene);
+  return !isSetByTarget(row) || !choosesAccuracy(scene);
+}
+
 std::string writeScene(const Scene& scene) {
   Json root;
   root["schema"] = kSchema;
@@ -450,70 +447,12 @@ std::string writeScene(const Scene& scene) {
     if (hasFile && row.key == "surface.elements" && scene.surface.elements == 0) continue;
     memberAt(root, row.key) = valueJson(row, value);
   }
-  return root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return jsonFile(root);
 }
-
-namespace {
-
-constexpr char kBetween = ';', kEscape = '\\';  // of several assignments in one word
-
-std::string assignedValue(const ParameterValue& value) {
-  return std::visit([](const auto& held) { return fmt::format("{}", held); }, value);
-}
-
-/// Returns whether the base's own text would leave another value here. A key without a meaning in
-/// the base is not part of its text, so its default counts.
-bool differs(const Parameter& row, const Scene& base, const Scene& scene) {
-  const ParameterValue value = parameterValue(row, scene);
-  if (isResolution(row.key) && choosesAccuracy(base)) return true;
-  if (row.rule.isOfMaterial && base.elastomer.material != scene.elastomer.material) return true;
-  if (row.rule.isRequired && differs(*findParameter(row.applies.choiceKey), base, scene))
-    return true;
-  return value != parameterValue(row, base) ||
-         (!isApplicable(row, base) && value != defaultValue(row));
-}
-
-}  // namespace
 
 Scene changedScene(const Scene& scene, const std::vector<std::string>& assignments,
                    const std::string& name) {
   return readScene(writeScene(scene), name, scene.folder, assignments);
-}
-
-std::vector<std::string> differingAssignments(const Scene& base, const Scene& scene) {
-  std::vector<std::string> assignments;
-  for (const Parameter& row : parameters())
-    if (isStated(row, scene) && differs(row, base, scene))
-      assignments.push_back(
-          fmt::format("{}={}", row.key, assignedValue(parameterValue(row, scene))));
-  return assignments;
-}
-
-std::string joinedAssignments(const std::vector<std::string>& assignments) {
-  std::string text;
-  for (const std::string& assignment : assignments) {
-    if (!text.empty()) text += kBetween;
-    for (const char c : assignment) {
-      if (c == kBetween || c == kEscape) text += kEscape;
-      text += c;
-    }
-  }
-  return text;
-}
-
-std::vector<std::string> separatedAssignments(std::string_view text) {
-  std::vector<std::string> parts(1);
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const bool escapes = text[i] == kEscape && i + 1 < text.size() &&
-                         (text[i + 1] == kBetween || text[i + 1] == kEscape);
-    if (escapes)
-      parts.back() += text[++i];
-    else if (text[i] == kBetween)
-      parts.emplace_back();
-    else
-      parts.back() += text[i];
-  }
-  return parts;
 }
 
 }  // namespace asperity

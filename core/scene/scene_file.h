@@ -1,6 +1,6 @@
-// Scene files (JSON) and assignments (KEY=VALUE): reading a scene, writing it, and what has to be
-// set over one scene so that it becomes another. Reads and writes through the table of parameters;
-// holds no state. Bad input throws InputError naming file, key and what is allowed.
+// Scene files (JSON): reading a scene, with assignments (KEY=VALUE) over it, and writing it. Reads
+// and writes through the table of parameters; holds no state. Bad input throws InputError naming
+// file, key and what is allowed.
 #pragma once
 
 #include <filesystem>
@@ -12,6 +12,8 @@
 #include "core/scene/scene.h"
 
 namespace asperity {
+
+struct Parameter;
 
 inline constexpr std::size_t kLargestScene = std::size_t{1} << 20;  // bytes of a scene file
 
@@ -40,17 +42,13 @@ using SceneReader =
 /// form that reads back to the same value. readScene(writeScene(s)) == s up to the folder.
 std::string writeScene(const Scene& scene);
 
+/// Returns whether a target accuracy determines the value of the row: only one of both is stated.
+bool isSetByTarget(const Parameter& row);
+/// Returns whether the canonical text states the row.
+bool isStated(const Parameter& row, const Scene& scene);
+
 /// Returns the scene with these keys changed, and checked as if it were read. name: in errors.
 Scene changedScene(const Scene& scene, const std::vector<std::string>& assignments,
                    const std::string& name);
-
-/// Returns "KEY=VALUE" of every key that differs, in the table's order: readScene(text of base,
-/// ..., assignments) is `scene` up to the folder and to keys that have no meaning in it.
-std::vector<std::string> differingAssignments(const Scene& base, const Scene& scene);
-
-/// Join assignments to "KEY=VALUE;KEY=VALUE", and separate them. A ';' inside a value is written
-/// "\;", and a '\' "\\".
-std::string joinedAssignments(const std::vector<std::string>& assignments);
-std::vector<std::string> separatedAssignments(std::string_view text);
 
 }  // namespace asperity

@@ -58,7 +58,7 @@ void addValue(StudyColumn& column, const Json& value, const std::string& where) 
     return;
   }
   if (isNumber(row) || !(value.is_string() || (value.is_array() && isList(row))))
-    refuseMember(where, message("{} is not allowed here; allowed is {}", shortened(value.dump()),
+    refuseMember(where, message("{} is not allowed here; allowed is {}", shortened(jsonLine(value)),
                                 allowedText(row)));
   std::string word = assignedText(value);
   checkValue(row, word, where);

@@ -248,7 +248,7 @@ class StudyReader {
     untitled.title = untitled.description = untitled.chapter = "";
     untitled.comparison = {};
     study_.baseText = writeScene(untitled);
-    text["scene"] = Json::parse(study_.baseText);
+    text["scene"] = jsonValue(study_.baseText);
     Json& space = text["space"] = Json::object();
     for (std::size_t a = 0; a < study_.space.axes().size(); ++a) {
       const StudyAxis& axis = study_.space.axes()[a];
@@ -362,7 +362,7 @@ ParameterStudy readStudy(std::string_view json, const std::string& name,
 
 Message describeDifference(std::string_view expected, std::string_view found) {
   constexpr std::size_t kMost = 3;
-  const Json before = Json::parse(expected).flatten(), now = Json::parse(found).flatten();
+  const Json before = jsonValue(expected).flatten(), now = jsonValue(found).flatten();
   const auto named = [](std::string path) {
     std::ranges::replace(path, '/', '.');
     return shortened(path.substr(std::min<std::size_t>(1, path.size())));
@@ -380,7 +380,7 @@ Message describeDifference(std::string_view expected, std::string_view found) {
     if (other == before.end())
       add(message("{} is new", named(path)));
     else if (*other != value)
-      add(message("{} is {} instead of {}", named(path), shortened(value.dump()),
+      add(message("{} is {} instead of {}", named(path), shortened(jsonLine(value)),
                   shortened(other->dump())));
   }
   for (const auto& [path, value] : before.items())

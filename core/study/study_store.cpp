@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sqlite3.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -10,27 +9,25 @@
 #include <cerrno>
 #include <cstring>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "core/base/atomic_file.h"
 #include "core/base/file_digest.h"
 #include "core/base/input_error.h"
+#include "core/base/json_text.h"
 #include "core/base/number_text.h"
-#include "core/base/regular_file.h"
-#include "core/base/text_encoding.h"
 
 namespace asperity {
 namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
+using Statement = StudyDatabase::Statement;
 
 static_assert(std::endian::native == std::endian::little,
               "the numbers of a store are little-endian");
 
 constexpr int kApplication = 0x41737031;  // "Asp1", in the header of the file
 constexpr int kSchema = 1;                // of the tables
-constexpr int kLockPatience = 60000;      // ms to wait for another process
 
 constexpr const char* kTables = R"(
 CREATE TABLE IF NOT EXISTS meta (key TEXT PRIMARY KEY, value) WITHOUT ROWID;
@@ -48,7 +45,7 @@ std::string failuresText(const StudyChunk& chunk) {
   Json list = Json::array();
   for (const StudyFailure& failure : chunk.failures)
     list.push_back({failure.simulation, failure.message});
-  return list.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return jsonLine(list);
 }
 
 std::string_view asBytes(const std::vector<double>& values) {
@@ -67,6 +64,19 @@ std::string chunkDigest(const StudyChunk& chunk, const std::string& failures) {
 Message shardWords(const Shard& shard) {
   return shard.isWhole() ? Message("the whole study")
                          : message("shard {}/{}", shard.number, shard.count);
+}
+
+StudyDatabase openForWriting(const fs::path& file, const Shard& shard) {
+  checkWritable(file);
+  using Access = StudyDatabase::Access;
+  return StudyDatabase(file, shard.isWhole() ? Access::Write : Access::WriteAlone);
+}
+
+StudyDatabase openForReading(const fs::path& file) {
+  std::error_code ignored;
+  if (!fs::exists(file, ignored)) throw InputError(file.string(), "", "is not there");
+  if (fs::is_directory(file, ignored)) throw InputError(file.string(), "", "is a folder");
+  return StudyDatabase(file, StudyDatabase::Access::Read);
 }
 
 /// Returns the file in which processes claim the chunks of a store.
@@ -93,64 +103,6 @@ Shard parseShard(const std::string& text) {
   return shard;
 }
 
-/// A prepared statement.
-class StudyStore::Statement {
- public:
-  Statement(const StudyStore& store, const char* sql) : store_(store) {
-    const int status = sqlite3_prepare_v2(store.connection_.get(), sql, -1, &statement_, nullptr);
-    if (status != SQLITE_OK) store.fail(status);
-  }
-  ~Statement() { sqlite3_finalize(statement_); }
-  Statement(const Statement&) = delete;
-  Statement& operator=(const Statement&) = delete;
-
-  void bind(int index, std::int64_t value) { check(sqlite3_bind_int64(statement_, index, value)); }
-  void bind(int index, double value) { check(sqlite3_bind_double(statement_, index, value)); }
-  /// The bytes must remain valid until the statement has run.
-  void bindText(int index, std::string_view text) {
-    check(sqlite3_bind_text64(statement_, index, text.data(), text.size(), SQLITE_STATIC,
-                              SQLITE_UTF8));
-  }
-  void bindBytes(int index, std::string_view bytes) {
-    check(sqlite3_bind_blob64(statement_, index, bytes.data(), bytes.size(), SQLITE_STATIC));
-  }
-
-  /// Returns whether there is a row.
-  bool step() {
-    const int status = sqlite3_step(statement_);
-    if (status != SQLITE_ROW && status != SQLITE_DONE) store_.fail(status);
-    return status == SQLITE_ROW;
-  }
-  void reset() { sqlite3_reset(statement_); }
-  std::int64_t whole(int column) const { return sqlite3_column_int64(statement_, column); }
-  double real(int column) const { return sqlite3_column_double(statement_, column); }
-  std::string text(int column) const {
-    const auto* text = reinterpret_cast<const char*>(sqlite3_column_text(statement_, column));
-    return text ? std::string(text,
-                              static_cast<std::size_t>(sqlite3_column_bytes(statement_, column)))
-                : std::string();
-  }
-  std::vector<double> numbers(int column) const {
-    const void* bytes = sqlite3_column_blob(statement_, column);
-    std::vector<double> values(static_cast<std::size_t>(sqlite3_column_bytes(statement_, column)) /
-                               sizeof(double));
-    if (bytes) std::memcpy(values.data(), bytes, values.size() * sizeof(double));
-    return values;
-  }
-
- private:
-  void check(int status) const {
-    if (status != SQLITE_OK) store_.fail(status);
-  }
-
-  const StudyStore& store_;
-  sqlite3_stmt* statement_ = nullptr;
-};
-
-void StudyStore::Close::operator()(sqlite3* connection) const {
-  sqlite3_close_v2(connection);
-}
-
 bool isStudyStore(std::string_view beginning) {
   constexpr std::size_t kPlace = 68, kBytes = 4;  // of application_id, its highest byte first
   if (beginning.size() < kPlace + kBytes || !beginning.starts_with("SQLite format 3")) return false;
@@ -161,29 +113,22 @@ bool isStudyStore(std::string_view beginning) {
 }
 
 StudyStore::StudyStore(const fs::path& file, const ParameterStudy& study, const Shard& shard)
-    : file_(file) {
-  checkWritable(file);
-  shard_ = shard;
-  open(Access::Write);
+    : database_(openForWriting(file, shard)) {
   if (!hasTables()) create(study, shard);
   readHeader();
   if (study_->digest != study.digest)
-    throw InputError(file_.string(), "",
+    throw InputError(file.string(), "",
                      message("is the store of another study: {}; another store is needed",
                              describeDifference(study_->canonical, study.canonical)));
   if (!(shard_ == shard))
     throw InputError(
-        file_.string(), "--shard",
+        file.string(), "--shard",
         message("the store is of {}, not of {}", shardWords(shard_), shardWords(shard)));
   // The study of the caller has its folder.
   study_ = std::make_shared<ParameterStudy>(study);
 }
 
-StudyStore::StudyStore(const fs::path& file) : file_(file) {
-  std::error_code ignored;
-  if (!fs::exists(file, ignored)) throw InputError(file.string(), "", "is not there");
-  if (fs::is_directory(file, ignored)) throw InputError(file.string(), "", "is a folder");
-  open(Access::Read);
+StudyStore::StudyStore(const fs::path& file) : database_(openForReading(file)) {
   if (!hasTables()) throw InputError(file.string(), "", "is empty; 'asperity study run' fills it");
   readHeader();
 }
@@ -193,100 +138,22 @@ StudyStore::~StudyStore() {
 }
 
 StudyStore::StudyStore(StudyStore&& other) noexcept
-    : file_(std::move(other.file_)),
-      connection_(std::move(other.connection_)),
+    : database_(std::move(other.database_)),
       study_(std::move(other.study_)),
       shard_(other.shard_),
-      access_(other.access_),
       claims_(std::exchange(other.claims_, -1)) {}
 
-void StudyStore::fail(int status) const {
-  const std::string file = file_.string();
-  const std::string said = connection_ ? sqlite3_errmsg(connection_.get()) : sqlite3_errstr(status);
-  switch (status & 0xFF) {
-    case SQLITE_NOTADB:
-      throw InputError(file, "", "is not the store of a study");
-    case SQLITE_CORRUPT:
-      throw InputError(file, "",
-                       message("is damaged ({}); the study has to be run into another store, or "
-                               "merged from intact ones",
-                               Message::name(said)));
-    case SQLITE_FULL:
-      throw TextError(
-          "cannot be written, the disk is full; what is done stays, and the same "
-          "command goes on when there is room",
-          {printable(file)});
-    case SQLITE_BUSY:
-    case SQLITE_LOCKED:
-      throw TextError("is in use by another process; a shard belongs to one process at a time",
-                      {printable(file)});
-    case SQLITE_CANTOPEN:
-    case SQLITE_PERM:
-    case SQLITE_AUTH:
-    case SQLITE_READONLY:
-      throw InputError(file, "", message("cannot be opened: {}", Message::name(said)));
-    default:
-      throw TextError(message("cannot be written: {}; what is done stays, and the same command "
-                              "goes on afterwards",
-                              Message::name(said)),
-                      {printable(file)});
-  }
-}
-
-void StudyStore::open(Access access) {
-  access_ = access;
-  std::error_code error;
-  if (fs::exists(file_, error) && fs::file_size(file_, error) > 0) {
-    const RegularFile present(file_);
-    if (const std::string start = present.read(0, 16); !start.starts_with("SQLite format 3")) {
-      const std::string_view kind = detectNonText(start);
-      throw InputError(file_.string(), "",
-                       kind.empty()
-                           ? message("is not the store of a study")
-                           : message("is not the store of a study, but {}", Message(kind)));
-    }
-  }
-  const auto attempt = [&](const std::string& name, int flags) {
-    sqlite3* connection = nullptr;
-    const int status = sqlite3_open_v2(name.c_str(), &connection, flags, nullptr);
-    connection_.reset(connection);
-    if (status != SQLITE_OK) fail(status);
-    sqlite3_extended_result_codes(connection, 1);
-    sqlite3_busy_timeout(connection, kLockPatience);
-  };
-  const int usual = SQLITE_OPEN_NOMUTEX;
-  // An absolute name cannot be taken for a URI or for one of SQLite's own names.
-  const std::string name = fs::absolute(file_).string();
-  if (access == Access::Read) {
-    // A killed process leaves changes that only a writer can take over. SQLite falls back to
-    // reading where the file is protected.
-    attempt(name, usual | SQLITE_OPEN_READWRITE);
-    return;
-  }
-  attempt(name, usual | SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
-  if (!shard_.isWhole()) execute("PRAGMA locking_mode=EXCLUSIVE");
-  // SQLite itself does not wait for another process that changes the mode at the same moment.
-  for (int tries = 0;; ++tries) {
-    const int status =
-        sqlite3_exec(connection_.get(), "PRAGMA journal_mode=WAL", nullptr, nullptr, nullptr);
-    if (status == SQLITE_OK) break;
-    if ((status & 0xFF) != SQLITE_BUSY || tries == kLockPatience / 20) fail(status);
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  }
-  execute("PRAGMA synchronous=NORMAL");
-}
-
 bool StudyStore::hasTables() const {
-  return number("SELECT count(*) FROM sqlite_master") > 0;
+  return database_.number("SELECT count(*) FROM sqlite_master") > 0;
 }
 
 void StudyStore::create(const ParameterStudy& study, const Shard& shard) {
-  execute("BEGIN IMMEDIATE");
-  execute(kTables);
-  execute(fmt::format("PRAGMA application_id={}", kApplication).c_str());
-  execute(fmt::format("PRAGMA user_version={}", kSchema).c_str());
+  database_.execute("BEGIN IMMEDIATE");
+  database_.execute(kTables);
+  database_.execute(fmt::format("PRAGMA application_id={}", kApplication).c_str());
+  database_.execute(fmt::format("PRAGMA user_version={}", kSchema).c_str());
   const auto put = [&](const char* key, const std::string& value) {
-    Statement statement(*this, "INSERT OR IGNORE INTO meta VALUES (?, ?)");
+    Statement statement(database_, "INSERT OR IGNORE INTO meta VALUES (?, ?)");
     statement.bindText(1, key);
     statement.bindText(2, value);
     statement.step();
@@ -296,24 +163,24 @@ void StudyStore::create(const ParameterStudy& study, const Shard& shard) {
   put("title", study.title);
   put("shard", fmt::format("{}/{}", shard.number, shard.count));
   put("version", ASPERITY_VERSION);
-  execute("COMMIT");
+  database_.execute("COMMIT");
 }
 
 void StudyStore::readHeader() {
-  const std::int64_t application = number("PRAGMA application_id");
-  const std::int64_t schema = number("PRAGMA user_version");
+  const std::int64_t application = database_.number("PRAGMA application_id");
+  const std::int64_t schema = database_.number("PRAGMA user_version");
   if (application != kApplication)
-    throw InputError(file_.string(), "", "is a database, but not the store of a study");
+    throw InputError(file().string(), "", "is a database, but not the store of a study");
   if (schema != kSchema)
     throw InputError(
-        file_.string(), "",
+        file().string(), "",
         message("has schema {}; this program knows {}: a newer one is needed", schema, kSchema));
   const std::string text = metaText("study");
   ParameterStudy study;
   try {
-    study = readStudy(text, file_.string(), {});
+    study = readStudy(text, file().string(), {});
   } catch (const InputError&) {
-    throw InputError(file_.string(), "", "is damaged: its study cannot be read");
+    throw InputError(file().string(), "", "is damaged: its study cannot be read");
   }
   // The stored text is the study, even if a later program would write it differently.
   study.canonical = text;
@@ -325,29 +192,9 @@ void StudyStore::readHeader() {
 }
 
 std::string StudyStore::metaText(const char* key) const {
-  Statement statement(*this, "SELECT value FROM meta WHERE key = ?");
+  Statement statement(database_, "SELECT value FROM meta WHERE key = ?");
   statement.bindText(1, key);
   return statement.step() ? statement.text(0) : std::string();
-}
-
-void StudyStore::execute(const char* sql) const {
-  const int status = sqlite3_exec(connection_.get(), sql, nullptr, nullptr, nullptr);
-  if (status == SQLITE_OK) return;
-  if (sqlite3_get_autocommit(connection_.get()) == 0 && std::strcmp(sql, "ROLLBACK") != 0) {
-    // The message is that of the first error.
-    try {
-      fail(status);
-    } catch (...) {
-      sqlite3_exec(connection_.get(), "ROLLBACK", nullptr, nullptr, nullptr);
-      throw;
-    }
-  }
-  fail(status);
-}
-
-std::int64_t StudyStore::number(const char* sql) const {
-  Statement statement(*this, sql);
-  return statement.step() ? statement.whole(0) : 0;
 }
 
 std::int64_t StudyStore::chunksWanted() const {
@@ -356,33 +203,33 @@ std::int64_t StudyStore::chunksWanted() const {
 }
 
 std::int64_t StudyStore::chunksDone() const {
-  return number("SELECT count(*) FROM chunks");
+  return database_.number("SELECT count(*) FROM chunks");
 }
 
 std::int64_t StudyStore::simulationsDone() const {
-  return number("SELECT coalesce(sum(count), 0) FROM chunks");
+  return database_.number("SELECT coalesce(sum(count), 0) FROM chunks");
 }
 
 std::string StudyStore::chunksDigest() const {
   std::string numbers;
-  Statement statement(*this, "SELECT number FROM chunks ORDER BY number");
+  Statement statement(database_, "SELECT number FROM chunks ORDER BY number");
   while (statement.step()) numbers += fmt::format("{},", statement.whole(0));
   return sha256(numbers);
 }
 
 double StudyStore::secondsSpent() const {
-  Statement statement(*this, "SELECT coalesce(sum(seconds), 0) FROM chunks");
+  Statement statement(database_, "SELECT coalesce(sum(seconds), 0) FROM chunks");
   return statement.step() ? statement.real(0) : 0;
 }
 
 bool StudyStore::has(std::int64_t chunk) const {
-  Statement statement(*this, "SELECT 1 FROM chunks WHERE number = ?");
+  Statement statement(database_, "SELECT 1 FROM chunks WHERE number = ?");
   statement.bind(1, chunk);
   return statement.step();
 }
 
 bool StudyStore::hasFailures() const {
-  return number("SELECT EXISTS (SELECT 1 FROM chunks WHERE failures <> '')") != 0;
+  return database_.number("SELECT EXISTS (SELECT 1 FROM chunks WHERE failures <> '')") != 0;
 }
 
 std::vector<std::int64_t> StudyStore::missing(std::size_t most) const {
@@ -391,7 +238,7 @@ std::vector<std::int64_t> StudyStore::missing(std::size_t most) const {
   const auto upTo = [&](std::int64_t number) {
     for (; next < number && missing.size() < most; next += shard_.count) missing.push_back(next);
   };
-  Statement statement(*this, "SELECT number FROM chunks ORDER BY number");
+  Statement statement(database_, "SELECT number FROM chunks ORDER BY number");
   while (missing.size() < most && statement.step()) {
     upTo(statement.whole(0));
     next = std::max(next, statement.whole(0) + shard_.count);
@@ -402,12 +249,12 @@ std::vector<std::int64_t> StudyStore::missing(std::size_t most) const {
 
 std::int64_t StudyStore::claim(std::int64_t from) {
   if (claims_ < 0 && shard_.isWhole()) {
-    claims_ = ::open(claimsFile(file_).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    claims_ = ::open(claimsFile(file()).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (claims_ < 0)
       throw TextError(message("cannot be opened: {}", Message(std::strerror(errno))),
-                      {printable(claimsFile(file_).string())});
+                      {printable(claimsFile(file()).string())});
   }
-  Statement statement(*this, "SELECT number FROM chunks WHERE number >= ? ORDER BY number");
+  Statement statement(database_, "SELECT number FROM chunks WHERE number >= ? ORDER BY number");
   std::int64_t next = from;
   while (next % shard_.count != shard_.number - 1) ++next;
   statement.bind(1, next);
@@ -424,7 +271,7 @@ std::int64_t StudyStore::claim(std::int64_t from) {
     if (::fcntl(claims_, F_OFD_SETLK, &lock) != 0) {
       if (errno == EAGAIN || errno == EACCES) continue;  // another process works on it
       throw TextError(message("cannot be locked: {}", Message(std::strerror(errno))),
-                      {printable(claimsFile(file_).string())});
+                      {printable(claimsFile(file()).string())});
     }
     // Another process may have finished it since the query above.
     if (!has(next)) return next;
@@ -434,7 +281,7 @@ std::int64_t StudyStore::claim(std::int64_t from) {
 
 void StudyStore::insert(const StudyChunk& chunk) {
   const std::string failures = failuresText(chunk), digest = chunkDigest(chunk, failures);
-  Statement statement(*this, "INSERT OR IGNORE INTO chunks VALUES (?, ?, ?, ?, ?, ?, ?)");
+  Statement statement(database_, "INSERT OR IGNORE INTO chunks VALUES (?, ?, ?, ?, ?, ?, ?)");
   statement.bind(1, chunk.number);
   statement.bind(2, chunk.first);
   statement.bind(3, chunk.count);
@@ -450,18 +297,18 @@ void StudyStore::add(const StudyChunk& chunk) {
 }
 
 void StudyStore::add(const std::vector<StudyChunk>& chunks) {
-  execute("BEGIN IMMEDIATE");
+  database_.execute("BEGIN IMMEDIATE");
   try {
     for (const StudyChunk& chunk : chunks) insert(chunk);
-    execute("COMMIT");
+    database_.execute("COMMIT");
   } catch (...) {
-    sqlite3_exec(connection_.get(), "ROLLBACK", nullptr, nullptr, nullptr);
+    database_.rollBack();
     throw;
   }
 }
 
 void StudyStore::addEqual(const std::vector<StudyChunk>& chunks, const fs::path& from) {
-  Statement present(*this, "SELECT digest FROM chunks WHERE number = ?");
+  Statement present(database_, "SELECT digest FROM chunks WHERE number = ?");
   for (const StudyChunk& chunk : chunks) {
     present.bind(1, chunk.number);
     if (present.step() && present.text(0) != chunkDigest(chunk, failuresText(chunk)))
@@ -474,16 +321,13 @@ void StudyStore::addEqual(const std::vector<StudyChunk>& chunks, const fs::path&
 }
 
 void StudyStore::finish() {
-  // While another process has the store open, the last one does this.
-  sqlite3_busy_timeout(connection_.get(), 0);
-  sqlite3_exec(connection_.get(), "PRAGMA journal_mode=DELETE", nullptr, nullptr, nullptr);
-  sqlite3_busy_timeout(connection_.get(), kLockPatience);
-  if (shard_.isWhole() && claims_ >= 0) ::unlink(claimsFile(file_).c_str());
+  database_.endSharing();
+  if (shard_.isWhole() && claims_ >= 0) ::unlink(claimsFile(file()).c_str());
 }
 
 void StudyStore::eachChunk(const std::function<bool(const StudyChunk&)>& use) const {
   const std::size_t numbers = study_->numbers();
-  Statement statement(*this,
+  Statement statement(database_,
                       "SELECT number, first, count, seconds, failures, digest, numbers FROM chunks "
                       "ORDER BY number");
   StudyChunk chunk;
@@ -500,22 +344,22 @@ void StudyStore::eachChunk(const std::function<bool(const StudyChunk&)>& use) co
         chunk.count != study_->sizeOfChunk(chunk.number) ||
         chunk.values.size() != numbers * static_cast<std::size_t>(chunk.count) ||
         chunkDigest(chunk, failures) != statement.text(5))
-      throw InputError(file_.string(), "",
+      throw InputError(file().string(), "",
                        message("is damaged: chunk {} is not what was written; the study has to be "
                                "run into another store, or merged from intact ones",
                                chunk.number));
     if (!failures.empty())
-      for (const Json& one : Json::parse(failures))
+      for (const Json& one : jsonValue(failures))
         chunk.failures.push_back({one[0].get<std::int64_t>(), one[1].get<std::string>()});
     if (!use(chunk)) return;
   }
 }
 
 void StudyStore::check() const {
-  Statement statement(*this, "PRAGMA quick_check(1)");
+  Statement statement(database_, "PRAGMA quick_check(1)");
   const std::string said = statement.step() ? statement.text(0) : "no answer";
   if (said != "ok")
-    throw InputError(file_.string(), "",
+    throw InputError(file().string(), "",
                      message("is damaged ({}); the study has to be run into another store, or "
                              "merged from intact ones",
                              Message::name(said)));

@@ -19,9 +19,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/study/study_database.h"
 #include "core/study/study_file.h"
-
-struct sqlite3;
 
 namespace asperity {
 
@@ -60,8 +59,6 @@ bool isStudyStore(std::string_view beginning);
 
 class StudyStore {
  public:
-  enum class Access { Read, Write };
-
   /// Opens the store of a study, or makes it where there is none. Throws InputError with the
   /// differences where the store belongs to another study or another shard.
   StudyStore(const std::filesystem::path& file, const ParameterStudy& study, const Shard& shard);
@@ -73,7 +70,7 @@ class StudyStore {
 
   const ParameterStudy& study() const { return *study_; }
   const Shard& shard() const { return shard_; }
-  const std::filesystem::path& file() const { return file_; }
+  const std::filesystem::path& file() const { return database_.file(); }
 
   /// Returns the number of chunks of the complete store.
   std::int64_t chunksWanted() const;
@@ -109,26 +106,15 @@ class StudyStore {
   void check() const;
 
  private:
-  class Statement;
-  struct Close {
-    void operator()(sqlite3* connection) const;
-  };
-
-  void open(Access access);
   void create(const ParameterStudy& study, const Shard& shard);
   bool hasTables() const;
   void readHeader();
   std::string metaText(const char* key) const;
-  void execute(const char* sql) const;
-  std::int64_t number(const char* sql) const;
-  [[noreturn]] void fail(int status) const;
   void insert(const StudyChunk& chunk);
 
-  std::filesystem::path file_;
-  std::unique_ptr<sqlite3, Close> connection_;
+  StudyDatabase database_;
   std::shared_ptr<const ParameterStudy> study_;
   Shard shard_;
-  Access access_ = Access::Read;
   int claims_ = -1;  // descriptor of STORE-claims
 };
 

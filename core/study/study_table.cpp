@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/base/json_text.h"
 #include "core/friction/curve_point.h"
 #include "core/scene/columns.h"
 #include "core/scene/data_table.h"
@@ -54,8 +55,8 @@ class TableWriter {
   void begin() {
     const Json origin = studyProvenance(store_);
     if (isJson_) {
-      std::string text = origin.dump(2);
-      text.resize(text.size() - 2);  // the closing brace and the line end before it
+      std::string text = jsonFile(origin);
+      text.resize(text.size() - 3);  // the closing brace with the line ends around it
       append(text + ",\n  \"rows\": [");
       return;
     }
@@ -165,9 +166,7 @@ class TableWriter {
       append(isJson_ ? quotedJson(text) : csvCell(text));
   }
 
-  static std::string quotedJson(std::string_view text) {
-    return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
-  }
+  static std::string quotedJson(std::string_view text) { return jsonLine(Json(text)); }
 
   void append(std::string_view text) { buffer_.append(text.data(), text.data() + text.size()); }
   void flush() {
@@ -189,7 +188,7 @@ class TableWriter {
 
 Json studyProvenance(const StudyStore& store) {
   const ParameterStudy& study = store.study();
-  const Json canonical = Json::parse(study.canonical);
+  const Json canonical = jsonValue(study.canonical);
   Json keys = Json::array();
   for (std::size_t c = 0; c < study.space.columns(); ++c)
     keys.push_back(study.space.column(c).key());

@@ -92,7 +92,7 @@ bool isWrittenLine(const std::filesystem::path& file) {
   const std::string beginning = RegularFile(file).read(0, kBeginning);
   if (!beginning.starts_with('#') || beginning.find("\nposition,height\n") == std::string::npos)
     return false;
-  const auto record = Json::parse(embeddedProvenance(beginning), nullptr, false);
+  const auto record = jsonOrDiscarded(embeddedProvenance(beginning));
   return record.is_object() && record.contains("verb") && record["verb"] == "surface";
 }
 
@@ -102,8 +102,7 @@ Scene surfaceFileScene(const std::filesystem::path& file,
                        const std::vector<std::string>& assignments) {
   const char* const kind = isWrittenLine(file) ? "profile" : "measured";
   const Json json = {{"surface", {{"kind", kind}, {"file", file.filename().string()}}}};
-  return readScene(json.dump(-1, ' ', false, Json::error_handler_t::replace), file.string(),
-                   file.parent_path(), assignments);
+  return readScene(jsonLine(json), file.string(), file.parent_path(), assignments);
 }
 
 std::int64_t writtenPointsPerElement(const Scene& scene, bool isOfFile) {
@@ -164,7 +163,7 @@ std::string surfaceJson(const Scene& scene, const LineSource& source, const Line
   root["spectrum"] = spectrum.empty() ? Json(nullptr) : spectrumJson(spectrum);
   if (source.measured()) addMeasured(root, measuredSummary(scene, source));
   addReadingFacts(root, source.spectrumFacts());
-  return root.dump(2) + "\n";
+  return jsonFile(root);
 }
 
 }  // namespace asperity

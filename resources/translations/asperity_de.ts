@@ -240,16 +240,16 @@
         <translation>eine gültige Szene</translation>
     </message>
     <message>
-        <source>line: L = %1 m, %2 elements of %3 m, rms height %4 m, rms slope %5</source>
-        <translation>Linie: L = %1 m; %2 Elemente zu %3 m; RMS-Höhe %4 m; RMS-Steigung %5</translation>
+        <source>line: L = %1, %2 elements of %3, rms height %4, rms slope %5</source>
+        <translation>Linie: L = %1; %2 Elemente zu %3; RMS-Höhe %4; RMS-Steigung %5</translation>
     </message>
     <message>
         <source>dimensionless force Fₙ / G h L = %1 (Eq. 14)</source>
         <translation>dimensionslose Kraft Fₙ / G h L = %1 (Gl. 14)</translation>
     </message>
     <message>
-        <source>dimensionless velocity tau v slope / (sqrt(2) h) = %1 (Eq. 13)</source>
-        <translation>dimensionslose Geschwindigkeit tau v Steigung / (sqrt(2) h) = %1 (Gl. 13)</translation>
+        <source>dimensionless velocity τ v ∇z / (√2 h) = %1 (Eq. 13)</source>
+        <translation>dimensionslose Geschwindigkeit τ v ∇z / (√2 h) = %1 (Gl. 13)</translation>
     </message>
     <message>
         <source>one velocity</source>
@@ -340,8 +340,8 @@
         <translation>%1 Bilder geschrieben nach %2</translation>
     </message>
     <message>
-        <source>length %1 m, %2 points, rms height %3 m, rms slope %4</source>
-        <translation>Länge %1 m; %2 Punkte; RMS-Höhe %3 m; RMS-Steigung %4</translation>
+        <source>length %1, %2 points, rms height %3, rms slope %4</source>
+        <translation>Länge %1; %2 Punkte; RMS-Höhe %3; RMS-Steigung %4</translation>
     </message>
     <message>
         <source>, </source>
@@ -5094,7 +5094,7 @@
         <translation>μ der Verformung</translation>
     </message>
     <message>
-        <source>friction coefficient μ</source>
+        <source>coefficient of friction μ</source>
         <translation>Reibungszahl μ</translation>
     </message>
     <message>

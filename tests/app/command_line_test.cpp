@@ -194,7 +194,7 @@ TEST_F(CommandLineTest, SurfaceWritesWhatTheProfileReaderTakesBack) {
   program.folder.write("p.json", R"({"surface":{"kind":"profile","file":"line.csv"}})");
   const Said said = program.run("check p.json");
   EXPECT_EQ(said.status, 0) << said.err;
-  EXPECT_THAT(said.out, HasSubstr("rms height 5\u00D710\u207B\u2077 m"));
+  EXPECT_THAT(said.out, HasSubstr("rms height 500 nm"));
   const auto root = nlohmann::json::parse(TemporaryFolder::read(program.folder / "line.json"));
   EXPECT_NEAR(root["statistics"]["rms_height"].get<double>(), 5e-7, 1e-18);
   EXPECT_EQ(root["spectrum"]["wave_number"].size(), 99U);

@@ -139,7 +139,8 @@ TEST(GoldenPictures, Overlays) {
        {ContactOverlay::None, ContactOverlay::Relaxation, ContactOverlay::Power}) {
     options.overlay = overlay;
     options.theme = overlay == ContactOverlay::Power ? darkTheme() : lightTheme();
-    expectAsKept("overlay_" + std::string(wordFor(overlay)), composeContact(frame, options));
+    expectAsKept("overlay_" + std::string(choiceWord(kContactOverlays, overlay)),
+                 composeContact(frame, options));
   }
 }
 

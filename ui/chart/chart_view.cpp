@@ -128,13 +128,10 @@ void ChartView::setChoosers(QWidget* x, QWidget* y) {
 }
 
 void ChartView::setSheet(const DiagramSheet& english) {
-  const auto markerAt = [](const DiagramSheet& sheet) {
-    return sheet.diagrams.empty() || !sheet.diagrams[0].marker ? kNaN : sheet.diagrams[0].marker->x;
-  };
-  const double before = markerAt(sheet_);
+  const double before = markerX();
   english_ = english;
   sheet_ = translated(english);
-  if (markerAt(sheet_) != before && gesture_ != Gesture::Marker) targetX_ = kNaN;
+  if (markerX() != before && gesture_ != Gesture::Marker) targetX_ = kNaN;
   if (zoom_) zoom_ = heldWithin(*zoom_, whole());
   showAll();
 }
@@ -142,14 +139,12 @@ void ChartView::setSheet(const DiagramSheet& english) {
 void ChartView::setMarker(const std::optional<DiagramMarker>& english) {
   if (sheet_.diagrams.empty()) return;
   std::optional<DiagramMarker>& marker = sheet_.diagrams[0].marker;
-  const double before = marker ? marker->x : kNaN;
+  const double before = markerX();
   const std::string name = marker ? marker->name.text : "";
-  marker = english;
   english_.diagrams[0].marker = english;
-  if (marker)
-    for (Message* text : {&marker->name, &marker->label})
-      *text = Message::name(readingText(*text).toStdString());
-  if ((!marker || marker->x != before) && gesture_ != Gesture::Marker) targetX_ = kNaN;
+  marker.reset();
+  if (english) marker = translated(*english);
+  if (markerX() != before && gesture_ != Gesture::Marker) targetX_ = kNaN;
   updateMarker();
   if (name != (marker ? marker->name.text : "")) legend_->show(sheet_, english_, style_);
 }
@@ -178,6 +173,11 @@ QPointF ChartView::mapToPosition(double x, double y, std::size_t diagram) const 
 
 bool ChartView::hasMarker() const {
   return !sheet_.diagrams.empty() && sheet_.diagrams[0].marker;
+}
+
+/// Returns the position of the marker; NaN where there is none.
+double ChartView::markerX() const {
+  return hasMarker() ? sheet_.diagrams[0].marker->x : kNaN;
 }
 
 std::optional<ChartGeometry> ChartView::frame() const {
@@ -492,8 +492,7 @@ void ChartView::moveMarker(double x, bool finely) {
 }
 
 double ChartView::lineValue() const {
-  if (!hasMarker()) return kNaN;
-  return std::isfinite(targetX_) ? targetX_ : sheet_.diagrams[0].marker->x;
+  return hasMarker() && std::isfinite(targetX_) ? targetX_ : markerX();
 }
 
 void ChartView::releaseMarker() {

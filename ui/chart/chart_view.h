@@ -113,6 +113,7 @@ class ChartView : public QWidget {
 
  private:
   bool hasMarker() const;
+  double markerX() const;
   std::optional<HoverExplanation> explanationAt(const ChartTarget& target, QPointF position) const;
   VisibleRange whole() const;
   void showAll();

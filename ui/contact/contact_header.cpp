@@ -75,7 +75,7 @@ std::vector<Reading> makeReadings(const Frame& frame) {
   const ContactState state = drawnState(frame);
   readings.push_back(
       {{{hasInterface(frame) ? Words::tr("\u03BC of the deformation")
-                             : Words::tr("friction coefficient \u03BC")}},
+                             : Words::tr("coefficient of friction \u03BC")}},
        // A motion has an error where that of its elements and time steps is known.
        numberWithError(state.mu, isSteady ? kNotApplicable : frame.muError, Zeros::Keep),
        0,
@@ -260,19 +260,23 @@ float rowHeight(const Sizes& s) {
   return std::round(s.small + s.body + 14 * s.unit);
 }
 
+/// Returns the pixels that title and readings may take from the top.
+float mostHeight(const ContactPictureOptions& options) {
+  return 0.4F * static_cast<float>(options.height);
+}
+
 /// Places as many readings as fit below a title with this baseline.
 std::vector<PlacedReading> placedReadings(const Frame& frame, const ContactPictureOptions& options,
                                           float baseline) {
   const Sizes s = sizesFor(options);
   const float side = std::round(16 * s.unit), gap = std::round(26 * s.unit);
-  const float most = 0.4F * static_cast<float>(options.height);
   const float width = static_cast<float>(options.width) - 2 * side;
   std::vector<Reading> readings = makeReadings(frame);
   const auto tooMuch = [&](const auto& rows) {
     // One reading alone below a full row would take the picture's height, and come and go with the
     // digits of the others.
     const bool hasWidow = rows.size() == 2 && rows[0].size() > 4 && rows[1].size() == 1;
-    return titleHeight(s) + static_cast<float>(rows.size()) * rowHeight(s) > most ||
+    return titleHeight(s) + static_cast<float>(rows.size()) * rowHeight(s) > mostHeight(options) ||
            readingWidth(rows[0][0], s) > width || hasWidow;
   };
   while (!readings.empty() && tooMuch(flow(readings, width, gap, s))) dropLeastImportant(readings);
@@ -290,7 +294,7 @@ std::vector<PlacedReading> placedReadings(const Frame& frame, const ContactPictu
 }
 
 bool hasHeader(const ContactPictureOptions& options) {
-  return titleHeight(sizesFor(options)) <= 0.4F * static_cast<float>(options.height);
+  return titleHeight(sizesFor(options)) <= mostHeight(options);
 }
 
 }  // namespace

@@ -121,7 +121,7 @@ void TagPainter::paintArrow(ArrowDirection direction, float x, float middle, con
   addArrow(arrows_, from, to, 8 * u, 2.4F * u, colour);
 }
 
-// ---- What they say
+// ---- The words of the tags
 
 std::optional<Tag> slidingTag(const Frame& frame, bool brief) {
   if (!frame.scene) return std::nullopt;
@@ -177,7 +177,7 @@ Tag frictionTag(const Frame& frame, const ForceArrows& arrows, bool brief) {
   return tag;
 }
 
-Tag pressingTag(const Frame& frame, const ForceArrows& arrows) {
+Tag normalForceTag(const Frame& frame, const ForceArrows& arrows) {
   return {{{"F"}, {"N", false, true}, {" = " + quantity(drawnState(frame).normalForce, "N")}},
           arrows.down > 0 ? ArrowDirection::None : ArrowDirection::Down,
           {},
@@ -189,7 +189,7 @@ Tag pressingTag(const Frame& frame, const ForceArrows& arrows) {
 std::vector<Tag> forceTags(const Frame& frame, const ForceArrows& arrows, bool brief) {
   std::vector<Tag> tags;
   const ContactState state = drawnState(frame);
-  if (state.normalForce > 0) tags.push_back(pressingTag(frame, arrows));
+  if (state.normalForce > 0) tags.push_back(normalForceTag(frame, arrows));
   // Without steady friction (no friction, or a state without it) rounding errors get no arrow.
   if (totalFriction(state) > 0 && frictionForce(state) > 0)
     tags.push_back(frictionTag(frame, arrows, brief));
@@ -222,7 +222,7 @@ std::vector<Tag> elastomerTags(const Frame& frame) {
   return {whole, name};
 }
 
-// ---- Their places
+// ---- The places of the tags
 
 struct PlacedTag {
   Tag tag;
@@ -458,7 +458,7 @@ Notes addLabels(DrawList& list, const Frame& frame, const ContactLayout& layout,
     if (arrows.down > 0) {
       const DrawPoint foot = arrowFoot(arrows, layout, top);
       const float reach = 9 * layout.sizes.unit;
-      signs->push_back(makeSign(pressingTag(frame, arrows),
+      signs->push_back(makeSign(normalForceTag(frame, arrows),
                                 {foot.x - reach, foot.y, 2 * reach, arrows.down + reach}));
       if (arrows.sideways > 0) {
         const float from = arrows.pointsRight ? foot.x : foot.x - arrows.sideways;

@@ -21,17 +21,17 @@ constexpr int kPowerDecades = 3;
 constexpr double kRelaxationTimes = 4;
 
 struct OverlayEntry {
-  std::string_view word, unit, explanation;
+  std::string_view unit, explanation;
   const std::vector<double> Frame::*values;
   double ContactView::*maximum;
 };
 
 /// The overlays in the order of their enumeration.
 constexpr std::array<OverlayEntry, 4> kOverlays{
-    {{"none", "", "", nullptr, nullptr},
-     {"pressure", "N/m", "contact pressure", &Frame::pressure, &ContactView::pressure},
-     {"relaxation", "s", "time since contact", &Frame::sinceContact, &ContactView::age},
-     {"power", "W/m", "dissipated power", &Frame::power, &ContactView::power}}};
+    {{"", "", nullptr, nullptr},
+     {"N/m", "contact pressure", &Frame::pressure, &ContactView::pressure},
+     {"s", "time since contact", &Frame::sinceContact, &ContactView::age},
+     {"W/m", "dissipated power", &Frame::power, &ContactView::power}}};
 
 const OverlayEntry& overlayEntry(ContactOverlay overlay) {
   return kOverlays[static_cast<std::size_t>(overlay)];
@@ -68,10 +68,6 @@ FrameFields fieldsFor(ContactOverlay overlay) {
   fields.sinceContact = overlay == ContactOverlay::Relaxation;
   fields.power = overlay == ContactOverlay::Power;
   return fields;
-}
-
-std::string_view wordFor(ContactOverlay overlay) {
-  return overlayEntry(overlay).word;
 }
 
 std::string_view explanationId(ContactOverlay overlay) {

@@ -6,15 +6,20 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/named_choices.h"
 #include "ui/contact/contact_picture.h"
 
 namespace asperity {
 
+/// The words of the overlays, in options, settings and names of actions.
+inline constexpr NamedChoices<ContactOverlay, 4> kContactOverlays{
+    {{"none", ContactOverlay::None},
+     {"pressure", ContactOverlay::Pressure},
+     {"relaxation", ContactOverlay::Relaxation},
+     {"power", ContactOverlay::Power}}};
+
 /// Returns the optional values that a frame must contain for the overlay.
 FrameFields fieldsFor(ContactOverlay overlay);
-
-/// Returns "none", "pressure", "relaxation" or "power".
-std::string_view wordFor(ContactOverlay overlay);
 
 /// Returns the id of its explanation (core/chart/explanations.h); empty for None.
 std::string_view explanationId(ContactOverlay overlay);

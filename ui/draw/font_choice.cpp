@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/destroyer.h"
 #include "core/base/input_error.h"
 #include "core/base/text.h"
 

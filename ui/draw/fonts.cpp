@@ -18,6 +18,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/base/destroyer.h"
 #include "ui/draw/font_choice.h"
 #include "ui/draw/pixel_context.h"
 

@@ -19,15 +19,6 @@ class QPainter;
 
 namespace asperity {
 
-/// Destroys an object of a C library by its function: the deleter of a std::unique_ptr.
-template <auto destroy>
-struct Destroyer {
-  template <typename T>
-  void operator()(T* object) const {
-    destroy(object);
-  }
-};
-
 inline constexpr float kAdvancesPerSize = 2048;
 
 inline constexpr float kSmallestFont = 7;  // pixels; smaller letters are illegible

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "core/base/atomic_file.h"
+#include "core/base/destroyer.h"
 
 #ifdef ASPERITY_HAS_TIFF
 #include <tiffio.h>
@@ -62,10 +63,6 @@ toff_t fileSize(thandle_t handle) {
   return memoryFile(handle).bytes.size();
 }
 
-struct Closer {
-  void operator()(TIFF* tiff) const { TIFFClose(tiff); }
-};
-
 }  // namespace
 
 bool canWriteTiff() {
@@ -83,7 +80,7 @@ std::string tiffBytes(const QImage& given, const PngOptions& options) {
   const QImage image = isOpaque ? rgba.convertToFormat(QImage::Format_RGB888) : rgba;
   MemoryFile file;
   {
-    const std::unique_ptr<TIFF, Closer> tiff(
+    const std::unique_ptr<TIFF, Destroyer<TIFFClose>> tiff(
         TIFFClientOpen("picture", "wl", static_cast<thandle_t>(&file), readBytes, writeBytes,
                        moveTo, closeFile, fileSize, nullptr, nullptr));
     if (!tiff) throw std::runtime_error("A TIFF file cannot be begun.");

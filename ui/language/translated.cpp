@@ -114,32 +114,42 @@ QString sceneText(std::string_view text) {
   return found ? *found : QString::fromStdString(std::string(text));
 }
 
+namespace {
+
+void translateInPlace(Message& text) {
+  text = Message::name(readingText(text).toStdString());
+}
+
+}  // namespace
+
+DiagramMarker translated(DiagramMarker marker) {
+  translateInPlace(marker.name);
+  translateInPlace(marker.label);
+  return marker;
+}
+
 DiagramSheet translated(DiagramSheet sheet) {
-  const auto translate = [](Message& text) {
-    text = Message::name(readingText(text).toStdString());
-  };
   for (Message* text : {&sheet.title, &sheet.subtitle, &sheet.note, &sheet.status})
-    translate(*text);
+    translateInPlace(*text);
   for (Diagram& diagram : sheet.diagrams) {
     for (Message* text : {&diagram.title, &diagram.x.title, &diagram.y.title, &diagram.blank})
-      translate(*text);
-    for (DiagramSeries& series : diagram.series) translate(series.name);
+      translateInPlace(*text);
+    for (DiagramSeries& series : diagram.series) translateInPlace(series.name);
     for (DiagramSpan& span : diagram.spans) {
-      translate(span.label);
-      for (Message& note : span.notes) translate(note);
+      translateInPlace(span.label);
+      for (Message& note : span.notes) translateInPlace(note);
     }
-    for (DiagramSpan& shade : diagram.shades) translate(shade.label);
-    for (DiagramLabel& label : diagram.labels) translate(label.text);
-    if (diagram.marker)
-      for (Message* text : {&diagram.marker->name, &diagram.marker->label}) translate(*text);
-    for (DiagramBar& bar : diagram.bars) translate(bar.name);
+    for (DiagramSpan& shade : diagram.shades) translateInPlace(shade.label);
+    for (DiagramLabel& label : diagram.labels) translateInPlace(label.text);
+    if (diagram.marker) diagram.marker = translated(*std::move(diagram.marker));
+    for (DiagramBar& bar : diagram.bars) translateInPlace(bar.name);
     if (diagram.field) {
-      translate(diagram.field->colours.title);
-      for (DiagramContour& contour : diagram.field->contours) translate(contour.label);
+      translateInPlace(diagram.field->colours.title);
+      for (DiagramContour& contour : diagram.field->contours) translateInPlace(contour.label);
     }
     if (diagram.ramp)
       for (Message* text : {&diagram.ramp->title, &diagram.ramp->from, &diagram.ramp->to})
-        translate(*text);
+        translateInPlace(*text);
   }
   return sheet;
 }

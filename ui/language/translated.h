@@ -43,8 +43,9 @@ QString translatedError(const std::exception& error);
 QString sceneText(std::string_view text);
 bool isTranslatedScene(std::string_view text);
 
-/// Translates all titles, names and labels, as readingText(); they then have only their text.
+/// Translate all titles, names and labels, as readingText(); they then have only their text.
 DiagramSheet translated(DiagramSheet sheet);
+DiagramMarker translated(DiagramMarker marker);
 
 /// Returns a formula as rich text: "F_N" with a lowered N, "h^2" with a raised 2.
 QString formulaHtml(std::string_view formula);

@@ -7,6 +7,7 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <QPalette>
+#include <QPolygonF>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QRegularExpression>
@@ -177,15 +178,20 @@ void ChoiceBox::paintEvent(QPaintEvent*) {
                    fontMetrics().elidedText(shownText(), Qt::ElideRight, text.width()));
   if (!isEnabled()) return;
   const double size = arrowSize(*this);
-  QPainterPath chevron;
-  const QPointF centre(width() - 13.0 * size, height() / 2.0 + 0.5);
-  chevron.moveTo(centre + size * QPointF(-3.5, -2));
-  chevron.lineTo(centre + size * QPointF(0, 2));
-  chevron.lineTo(centre + size * QPointF(3.5, -2));
-  painter.setPen(
-      QPen(colours.color(QPalette::Text), 1.5 * size, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  drawChevron(painter, {width() - 13.0 * size, height() / 2.0 + 0.5}, Chevron::Down,
+              colours.color(QPalette::Text), size);
+}
+
+void drawChevron(QPainter& painter, const QPointF& centre, Chevron direction, const QColor& colour,
+                 double size) {
+  QPolygonF line{QPointF(-3.5, -2), QPointF(0, 2), QPointF(3.5, -2)};
+  for (QPointF& point : line)
+    point = centre + size * (direction == Chevron::Down ? point : point.transposed());
+  QPainterPath path;
+  path.addPolygon(line);
+  painter.setPen(QPen(colour, 1.5 * size, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   painter.setBrush(Qt::NoBrush);
-  painter.drawPath(chevron);
+  painter.drawPath(path);
 }
 
 SpinBox::SpinBox(QWidget* parent) : QSpinBox(parent) {

@@ -16,6 +16,7 @@
 #include <initializer_list>
 #include <utility>
 
+class QPainter;
 class QPalette;
 class QProgressBar;
 class QScrollArea;
@@ -98,6 +99,12 @@ class TitleBar : public QWidget {
   QLabel* title_;
   QToolButton* close_;
 };
+
+enum class Chevron { Down, Right };
+
+/// Draws the mark of a list or of a section that opens; colour and size as the letters beside it.
+void drawChevron(QPainter& painter, const QPointF& centre, Chevron direction, const QColor& colour,
+                 double size = 1);
 
 class ChoiceBox : public QComboBox {
  public:

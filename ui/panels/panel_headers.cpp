@@ -4,7 +4,6 @@
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QPainter>
-#include <QPainterPath>
 #include <QToolButton>
 #include <algorithm>
 
@@ -160,13 +159,8 @@ void SectionHeader::paintEvent(QPaintEvent*) {
 
   const bool isHighlighted = underMouse() || hasFocus();
   const QColor ink = colours.color(isHighlighted ? QPalette::Highlight : QPalette::WindowText);
-  QPainterPath chevron;
-  const QPointF centre(5, line.center().y() + 0.5);
-  chevron.moveTo(centre + (isUnfolded_ ? QPointF(-3.5, -2) : QPointF(-2, -3.5)));
-  chevron.lineTo(centre + (isUnfolded_ ? QPointF(0, 2) : QPointF(2, 0)));
-  chevron.lineTo(centre + (isUnfolded_ ? QPointF(3.5, -2) : QPointF(-2, 3.5)));
-  painter.setPen(QPen(ink, 1.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-  painter.drawPath(chevron);
+  drawChevron(painter, {5, line.center().y() + 0.5}, isUnfolded_ ? Chevron::Down : Chevron::Right,
+              ink);
 
   painter.setFont(boldFont(font()));
   painter.setPen(ink);

@@ -184,7 +184,7 @@ class ArmKernel {
     One begin, end, d0, d1, d2, mean;
   };
 
-  /// Loads the first `count` segments of a batch from segment i on. The lanes behind them are flat.
+  /// Loads the first `count` segments of a batch from segment i on. The lanes after them are flat.
   HWY_INLINE Segments loadSegments(std::size_t i, std::size_t count, SegmentBatch& batch) const {
     const double* height = line_.heightAboveMinimum.data() + i;
     const double* slopeOut = line_.slopeOut.empty() ? line_.slopeIn.data() : line_.slopeOut.data();

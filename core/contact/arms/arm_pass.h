@@ -40,7 +40,7 @@ class FreeStretches {
     contact_ = spacing;
     count_ = 0;
   }
-  /// Adds a contact and the free arc behind it, of these lengths (m).
+  /// Adds a contact and the free arc after it, of these lengths (m).
   void add(double contact, double arc) {
     contact_ += contact;
     if (!(arc > least_)) return;

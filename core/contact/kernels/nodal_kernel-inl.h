@@ -157,7 +157,7 @@ class NodalKernel {
       threshold = hn::Max(threshold, reached);
     }
     threshold_ = hn::IfThenElse(loaded, hn::Max(threshold_, threshold), threshold_);
-    // A stretch in contact begins at a loaded element behind one that is not.
+    // A stretch in contact begins at a loaded element after one that is not.
     const V isLoaded = hn::IfThenElseZero(loaded, set(1));
     stretches_ = hn::Add(stretches_, hn::Sub(isLoaded, hn::Mul(isLoaded, wasLoaded_)));
     if (i == 0) firstLoaded_ = isLoaded;

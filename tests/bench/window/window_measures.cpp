@@ -49,7 +49,7 @@ void wait(int milliseconds) {
 // ---- the start
 // ------------------------------------------------------------------------------------
 
-/// Seconds that the program's own clock says behind a name.
+/// Seconds that the program's own clock says after a name.
 double timeIn(const QString& text, const QString& name) {
   const QRegularExpression line(name + QStringLiteral(" after ([0-9.]+) s"));
   const QRegularExpressionMatch found = line.match(text);

@@ -37,7 +37,7 @@ TEST(EmbeddedProvenance, OfAPngIsThatOfItsKey) {
   for (const std::string& title : {kFalse, text("asperity", kFalse), "asperity" + kFalse})
     EXPECT_EQ(embeddedProvenance(png(text("Title", title) + text("asperity", kTrue) + end)), kTrue);
   EXPECT_EQ(embeddedProvenance(png(text("Title", kFalse) + end)), "");
-  EXPECT_EQ(embeddedProvenance(png(end + text("asperity", kFalse))), "");  // behind the picture
+  EXPECT_EQ(embeddedProvenance(png(end + text("asperity", kFalse))), "");  // after the picture
   const std::string whole = png(text("asperity", kTrue) + end);
   for (std::size_t size = 0; size < whole.size(); ++size) {
     const std::string found = embeddedProvenance(std::string_view(whole).substr(0, size));

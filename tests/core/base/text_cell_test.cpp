@@ -210,7 +210,7 @@ TEST(TextCell, AColumnHasOneUnitAfterwards) {
   EXPECT_DOUBLE_EQ(missing.at(2, 0), 1);
 }
 
-/// A text behind cells with units makes all of them texts.
+/// A text after cells with units makes all of them texts.
 TEST(TextCell, ATextMakesAColumnOfTexts) {
   const TextBlock block = blockOf("v;note\n1;5 mm\n2;\n3;smooth\n");
   EXPECT_TRUE(block.columns[1].isText);

@@ -15,7 +15,6 @@
 #include "core/base/input_error.h"
 #include "core/base/text_header.h"
 #include "core/base/text_number.h"
-#include "core/base/text_units.h"
 #include "tests/core/error_from.h"
 
 namespace asperity {
@@ -171,59 +170,6 @@ TEST(TextTable, TakesWordsForMissingValues) {
 
 // ---- Names, units, header ----------------------------------------------------------------------
 
-TEST(TextTable, FindsUnitsInNames) {
-  const auto expect = [](const std::string& text, const std::string& name,
-                         const std::string& unit) {
-    const TextColumn found = parseColumnName(text);
-    EXPECT_EQ(found.name, name) << text;
-    EXPECT_EQ(found.unit, unit) << text;
-  };
-  expect("x (mm)", "x", "mm");
-  expect("x[mm]", "x", "mm");
-  expect("z/um", "z", "um");
-  expect("z / \u00B5m", "z", "\u00B5m");
-  expect("Height [\u03BCm]", "Height", "\u03BCm");
-  expect("freq_Hz", "freq", "Hz");
-  expect("x in mm", "x", "mm");
-  expect("x, mm", "x", "mm");
-  expect("x mm", "x", "mm");
-  expect("X_(microns)", "X", "microns");
-  expect("z_m", "z", "m");
-  expect("v / m/s", "v", "m/s");
-  expect("v_m/s", "v", "m/s");
-  expect("T [\u00B0C]", "T", "\u00B0C");
-  expect("omega (rad/s)", "omega", "rad/s");
-  // Names without special letters spell quotients and products.
-  expect("velocity_m_s", "velocity", "m/s");
-  expect("sliding_speed_mm_s", "sliding_speed", "mm/s");
-  expect("v_mm_per_s", "v", "mm/s");
-  expect("v km per h", "v", "km/h");
-  expect("v_mm_s-1", "v", "mm s-1");
-  expect("v_in_mm_min", "v", "mm/min");
-  expect("v_mps", "v", "mps");
-  expect("omega_rad_s", "omega", "rad/s");
-  expect("p_N_mm2", "p", "N/mm2");
-  expect("eta_MPa_s", "eta", "MPa s");
-  expect("storage_modulus_MPa_mean", "storage_modulus_MPa_mean", "");
-  expect("Height (1e-6 m)", "Height", "1e-6 m");
-  for (const char* between : {" / ", "/", " in ", ", ", " "}) {
-    expect(std::string("v") + between + "10^-3 m/s", "v", "10^-3 m/s");
-    expect(std::string("h") + between + "10\u207B\u00B3 mm", "h", "10\u207B\u00B3 mm");
-  }
-  // Such a factor may have multiplied the values, and a number is none.
-  expect("h \u00D7 10^-3 (mm)", "h \u00D7 10^-3", "mm");
-  expect("sample 10 mm", "sample 10", "mm");
-  expect("E' (MPa)", "E'", "MPa");
-  expect("E_s", "E_s", "");
-  expect("Storage modulus (E')", "Storage modulus (E')", "");
-  expect("Storage modulus E' [MPa]", "Storage modulus E'", "MPa");
-  expect("z [furlong]", "z", "furlong");
-  expect("tan(delta)", "tan(delta)", "");
-  expect("w/o filter", "w/o filter", "");
-  expect("height_raw", "height_raw", "");
-  expect("\"x (mm)\"", "x", "mm");
-}
-
 TEST(TextTable, FindsNamesAndUnitsAboveTheNumbers) {
   for (const std::string header :
        {"x (mm);z (um)\n", "x;z\nmm;um\n", "x;z\n(mm);(um)\n", "# x [mm]   z [um]\n",
@@ -323,26 +269,6 @@ TEST(TextTable, AStatementIsNoKey) {
   }
 }
 
-/// The decimal mark of a file says which mark of a header separates thousands.
-TEST(TextTable, ReadsThousandsOfQuantities) {
-  const auto number = [](const char* text, std::optional<char> decimal) {
-    return parseQuantity(text, decimal).value_or(TextQuantity{}).number;
-  };
-  EXPECT_EQ(number("4.000 N", {}), 4);
-  EXPECT_EQ(number("4.000 N", '.'), 4);
-  EXPECT_EQ(number("4.000 N", ','), 4000);
-  EXPECT_EQ(number("1,000 N", '.'), 1000);
-  EXPECT_EQ(number("1,000 N", ','), 1);
-  EXPECT_EQ(number("\u20131.234,5 N", ','), -1234.5);
-  EXPECT_EQ(number("12 345 N", ','), 12345);
-  EXPECT_EQ(number("1'000 N", '.'), 1000);
-  EXPECT_EQ(number("0.200 N", ','), 0.2);
-  EXPECT_EQ(number("0,3 N", '.'), 0.3);
-  EXPECT_TRUE(parseQuantity("4.000 N", ',')->isGrouped);
-  EXPECT_FALSE(parseQuantity("30 N", ',')->isGrouped);
-  EXPECT_EQ(parseQuantity("12 345 N", ',')->unit, "N");
-}
-
 // ---- Several blocks ----------------------------------------------------------------------------
 
 TEST(TextTable, SeparatesBlocksWithTheirHeaders) {
@@ -367,7 +293,7 @@ TEST(TextTable, KeepsRowsTogetherAcrossBlankLinesAndComments) {
   EXPECT_THAT(made.blocks[0].lines, ElementsAre(1u, 3u, 5u, 8u));
 }
 
-/// Such a comment cut the table, and the rows behind it lost their names.
+/// Such a comment cut the table, and the rows after it lost their names.
 TEST(TextTable, KeepsRowsTogetherAcrossAnyMarkOfComments) {
   for (const std::string mark : {"; ", ";", "-- ", "REM ", "rem ", "' "}) {
     SCOPED_TRACE(mark);
@@ -443,7 +369,7 @@ TEST(TextTable, ReadsSeparatedThousands) {
   // Where a comma can be a decimal mark throughout, it is one.
   EXPECT_THAT(values("1,234\t5,678\n2,345\t6,789\n"), ElementsAre(1.234, 5.678, 2.345, 6.789));
   EXPECT_THAT(values("1.234;5.678\n2.345;6.789\n"), ElementsAre(1.234, 5.678, 2.345, 6.789));
-  // Groups of another size, or behind a 0, are none.
+  // Groups of another size, or after a 0, are none.
   EXPECT_THAT(errorOf("1.5;2.5\n2.5;1,23\n3.5;2.5\n"), HasSubstr("line 2: '1,23' in column 2"));
   EXPECT_THAT(errorOf("1.5;2.5\n2.5;0,234\n3.5;2.5\n"), HasSubstr("line 2: '0,234' in column 2"));
 }
@@ -504,19 +430,6 @@ TEST(TextTable, LooksAtRowsForTheSeparator) {
 TEST(TextTable, NamesTheFieldThatIsNoNumberWhereThereAreNoRows) {
   EXPECT_THAT(errorOf("x;z\n1.2.3;5\n1.2.4;6\n1.2.5;x7\n"),
               HasSubstr("has no rows of numbers; line"));
-}
-
-/// "59.00 um" is a length, "1e-6 m" a unit.
-TEST(TextTable, TellsUnitsFromLengths) {
-  EXPECT_TRUE(isKnownUnit("1e-6 m"));
-  EXPECT_TRUE(isKnownUnit("10^-9 m"));
-  EXPECT_TRUE(isKnownUnit("\u00D710\u207B\u2076 m"));
-  EXPECT_TRUE(isKnownUnit("10e-6 m"));
-  EXPECT_TRUE(isKnownUnit("(10^6 Pa)"));
-  EXPECT_TRUE(isKnownUnit("x 10^3 Pa s"));
-  EXPECT_FALSE(isKnownUnit("59.00 um"));
-  EXPECT_FALSE(isKnownUnit("10z Pa"));
-  EXPECT_FALSE(isKnownUnit("60 mm"));
 }
 
 /// "#" after a space begins a comment only after a row of numbers alone.

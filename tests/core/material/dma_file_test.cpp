@@ -437,7 +437,7 @@ TEST(DmaFile, MissingValuesAreLeftOutAndCounted) {
   EXPECT_EQ(file.facts.leftOut, 2U);
 }
 
-/// What stands in brackets behind a modulus is its unit; one that is not known is refused, not
+/// What stands in brackets after a modulus is its unit; one that is not known is refused, not
 /// taken for pascals.
 TEST(DmaFile, UnitsInBracketsAreKnownOrRefused) {
   const auto storageIn = [](const std::string& unit) {

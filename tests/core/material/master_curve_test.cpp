@@ -112,11 +112,7 @@ TEST(MasterCurve, DifferentShiftsOfTheModuliAreFound) {
 
 TEST(MasterCurve, VerticalShiftsOfAFewPerCentComeBack) {
   std::vector<Isotherm> isotherms = SyntheticRubber().sweeps(21);
-  for (Isotherm& isotherm : isotherms)
-    for (DynamicModulus& point : isotherm.points) {
-      point.storage *= isotherm.temperature / 298.15;
-      point.loss *= isotherm.temperature / 298.15;
-    }
+  makeEntropic(isotherms);
   const MasterCurve curve = masterCurve(isotherms, 298.15, true);
   for (const IsothermShift& shift : curve.shifts) {
     EXPECT_NEAR(shift.log10Vertical, std::log10(shift.temperature / 298.15), 0.012);
@@ -172,11 +168,7 @@ TEST(MasterCurve, AnEntropicRubberIsSimpleWithVerticalShifts) {
   SyntheticRubber rubber;
   rubber.equilibrium = 5e6;
   std::vector<Isotherm> isotherms = rubber.sweeps(21);
-  for (Isotherm& isotherm : isotherms)
-    for (DynamicModulus& point : isotherm.points) {
-      point.storage *= isotherm.temperature / 298.15;
-      point.loss *= isotherm.temperature / 298.15;
-    }
+  makeEntropic(isotherms);
   const MasterCurve plain = masterCurve(isotherms, 298.15);
   const MasterCurve vertical = masterCurve(isotherms, 298.15, true);
   EXPECT_FALSE(plain.isThermorheologicallySimple);
@@ -195,11 +187,7 @@ TEST(MasterCurve, ErrorsGrowWhereVerticalShiftsAreMissing) {
   int count = 0;
   for (unsigned seed = 1; seed <= 20; ++seed) {
     std::vector<Isotherm> isotherms = stiff.sweeps(15, 0.01, seed);
-    for (Isotherm& isotherm : isotherms)
-      for (DynamicModulus& point : isotherm.points) {
-        point.storage *= isotherm.temperature / 298.15;
-        point.loss *= isotherm.temperature / 298.15;
-      }
+    makeEntropic(isotherms);
     const MasterCurve curve = masterCurve(isotherms, 298.15);
     EXPECT_TRUE(curve.vertical.isSignificant) << seed;
     EXPECT_LT(curve.vertical.residualWith, curve.vertical.residual) << seed;

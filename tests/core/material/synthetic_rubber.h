@@ -62,4 +62,13 @@ struct SyntheticRubber {
   }
 };
 
+/// Multiplies the moduli by b_T = T / T_0, as entropy elasticity does.
+inline void makeEntropic(std::vector<Isotherm>& isotherms) {
+  for (Isotherm& isotherm : isotherms)
+    for (DynamicModulus& point : isotherm.points) {
+      point.storage *= isotherm.temperature / SyntheticRubber::kReference;
+      point.loss *= isotherm.temperature / SyntheticRubber::kReference;
+    }
+}
+
 }  // namespace asperity

@@ -404,7 +404,7 @@ TEST(Positions, ThatLeapAreRefused) {
   const std::string first = text;
   for (int i = 0; i < 50; ++i) text += fmt::format("{},{}\n", 1000000 + i, i % 6);
   EXPECT_THAT(errorOf(text), HasSubstr("the positions leap from 49 to 1e+06, 1e+06 times"));
-  // A second stretch not far behind the first one leaves a gap.
+  // A second stretch not far after the first one leaves a gap.
   text = first;
   for (int i = 0; i < 50; ++i) text += fmt::format("{},{}\n", 90 + i, i % 6);
   EXPECT_EQ(read(text).facts.gaps, 40);

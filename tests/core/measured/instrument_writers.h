@@ -15,7 +15,7 @@ namespace asperity::written {
 
 enum class SmdForm {
   Steps,        // SMD: incremental x, records end with ETX, texts with a zero byte
-  Spacing,      // PRF: the step stands behind SPACING, records end with EOR
+  Spacing,      // PRF: the step stands after SPACING, records end with EOR
   Pairs,        // x and z in each line
   Sections,     // all x, then all z
   WithoutEnds,  // SMD whose ends of records were lost
@@ -95,7 +95,7 @@ inline std::string zygo(const ZygoOptions& options) {
   return text + "\n#\n";
 }
 
-/// The same phases in a binary file, of format 1 to 3, behind intensities of one bucket.
+/// The same phases in a binary file, of format 1 to 3, after intensities of one bucket.
 inline std::string binaryZygo(const ZygoOptions& options, int format = 1) {
   constexpr double kScale = 0.5, kWavelength = 6.328e-7, kObliquity = 1.02;
   const std::size_t size = format == 3 ? 4096 : 834;

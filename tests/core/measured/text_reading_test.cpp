@@ -76,31 +76,12 @@ TEST(Assumptions, AreToldApart) {
   EXPECT_TRUE(
       says(read("x [mm];z [um]\n" + linesOf(row) + "0.120;1.2.3\n"), "Line 62 is left out"));
   EXPECT_TRUE(says(read("x [mm];z [um]\n0.120;broken\n" + linesOf(row)), "Line 2 is left out"));
-  const auto metres = [](int i) {
-    return fmt::format("{:.6f};{:.10f}", 2e-6 * i, 1e-6 * micrometresAt(i));
-  };
-  EXPECT_TRUE(says(read(linesOf(metres)), "positions: they are taken as metres"));
-  EXPECT_TRUE(says(read(linesOf(metres)), "heights: they are taken as metres"));
   // All have three digits after the mark, and none of them is below 1.
   const auto marked = [](int i) { return fmt::format("{};{:.3f}", i, 5 + micrometresAt(i)); };
   EXPECT_TRUE(says(read("x [um];z [um]\n" + linesOf(marked)), "'.' is taken for the decimal mark"));
 }
 
-/// Numbers that stand for missing points are far from all heights and alike.
-TEST(VoidCodes, AreNamed) {
-  const auto withCode = [](const std::string& code, int every) {
-    return read("x [um];z [um]\n" + linesOf([&](int i) {
-                  return fmt::format("{};", 2 * i) +
-                         (i % every == 5 ? code : fmt::format("{:.4f}", micrometresAt(i)));
-                }));
-  };
-  for (const std::string code : {"-9999", "-32768", "9999.9999", "99999", "-123.5"})
-    EXPECT_TRUE(says(withCode(code, 20), "The height " + code + " (in \u00B5m) stands 3 times"))
-        << code;
-  EXPECT_TRUE(says(withCode("-999.9", 100), "The height -999.9 (in \u00B5m) is far"));
-  // One deep scratch, or a plateau among the others.
-  EXPECT_FALSE(says(withCode("-123.5", 100), "The height "));
-  EXPECT_FALSE(says(withCode("-5", 4), "The height "));
+TEST(Heights, BeyondEveryLengthAreRefused) {
   EXPECT_THAT(errorOf("x [um];z [um]\n0;1\n2;1.70141e38\n4;1\n6;2\n"),
               HasSubstr("line 3: 1.70141e38 is no height"));
 }

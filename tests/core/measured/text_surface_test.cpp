@@ -8,7 +8,6 @@
 #include <numeric>
 #include <random>
 
-#include "core/base/text_units.h"
 #include "tests/core/measured/surface_expectations.h"
 
 namespace asperity::written {
@@ -138,11 +137,6 @@ TEST(TextProfile, AsksForUnitsThatCannotBeMetres) {
   EXPECT_THAT(errorOf("z\n1e-6\n2e-6\n1e-6\n3e-6\n"), HasSubstr("how far its points are apart"));
   // Stated units are believed, however long or steep.
   EXPECT_EQ(errorOf("x (m),z (m)\n0,0\n10,1000\n20,-1000\n"), "no error");
-  const MeasuredFile large = read("x (m),z (m)\n0,0\n10,1000\n20,-1000\n");
-  EXPECT_TRUE(says(large, "The surface is 30 m long: if the file states a wrong unit"));
-  EXPECT_TRUE(says(large, "The heights span 2e+03 m: if the file states a wrong unit"));
-  const MeasuredFile usual = read("x (m),z (m)\n0,0\n1,0.01\n2,0.02\n3,0.05\n");
-  EXPECT_FALSE(says(usual, "wrong unit"));
   choices.heightUnit = "furlong";
   EXPECT_THAT(errorOf(text(1, 1), choices), HasSubstr("surface.height_unit"));
   EXPECT_THAT(errorOf("x (s),z (um)\n0,1\n1,2\n2,3\n"),
@@ -151,7 +145,7 @@ TEST(TextProfile, AsksForUnitsThatCannotBeMetres) {
 
 TEST(TextProfile, FindsTheColumnsAmongOthers) {
   const auto value = [](int i) { return fmt::format("{:.9g}", profileMicrometres(i)); };
-  // Row numbers in front, with and without names; a column of validity behind.
+  // Row numbers before the others, with and without names; a column of validity after them.
   expectProfile(read("index,x (um),z (um)\n" +
                      rows([&](int i) { return fmt::format("{},{},{}", i + 1, 2 * i, value(i)); })));
   expectProfile(read("#;x;z\n;um;um\n" +
@@ -508,7 +502,7 @@ TEST(TextPoints, RefusesPointsWithoutAGrid) {
               HasSubstr("line 6: there is a point at this position already"));
 }
 
-/// Clouds of points have colours or normals behind their heights.
+/// Clouds of points have colours or normals after their heights.
 TEST(TextPoints, MayHaveColoursAndNormals) {
   ReadingChoices choices;
   choices.positionUnit = choices.heightUnit = "um";
@@ -600,41 +594,6 @@ TEST(RealFiles, AreReadOrAskForTheirUnits) {
   EXPECT_EQ(sdf.topography.columns, 7);
   EXPECT_EQ(sdf.topography.rows, 4);
   EXPECT_NEAR(sdf.topography.at(3, 5), 0.94907e-6, 1e-18);
-}
-
-TEST(LengthUnit, KnowsTheSpellings) {
-  const std::vector<std::pair<std::string, double>> units{{"m", 1},
-                                                          {"mm", 1e-3},
-                                                          {"\u00B5m", 1e-6},
-                                                          {"\u03BCm", 1e-6},
-                                                          {"um", 1e-6},
-                                                          {"microns", 1e-6},
-                                                          {"Micrometer", 1e-6},
-                                                          {"[nm]", 1e-9},
-                                                          {"(mm)", 1e-3},
-                                                          {"\u00C5", 1e-10},
-                                                          {"Angstrom", 1e-10},
-                                                          {"in", 0.0254},
-                                                          {"inches", 0.0254},
-                                                          {"mil", 2.54e-5},
-                                                          {"cm", 1e-2},
-                                                          {"1e-6 m", 1e-6},
-                                                          {"10^-9 m", 1e-9},
-                                                          {"\u00D710\u207B\u2076 m", 1e-6},
-                                                          {"100 nm", 1e-7},
-                                                          {"10e-6 m", 1e-5},
-                                                          {"[1000 um]", 1e-3},
-                                                          {"kilometres", 1e3},
-                                                          {"pm", 1e-12},
-                                                          {"metres", 1},
-                                                          {"\u339B", 1e-6}};
-  for (const auto& [text, metres] : units) {
-    ASSERT_TRUE(metresPer(text).has_value()) << text;
-    EXPECT_NEAR(*metresPer(text), metres, 1e-12 * metres) << text;
-  }
-  for (const char* other : {"", "s", "V", "Hz", "m/s", "px", "10^-999 m", "-1 m", "NaN m",
-                            "59.00 um", "2 m", "106 m", "10z m"})
-    EXPECT_FALSE(metresPer(other).has_value()) << other;
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ struct X3pOptions {
   bool upperCase = false;  // of checksums
   int rows = kRows;
   std::string prefix = "p:";  // of the namespace
-  std::string prologue{};     // behind the XML declaration
+  std::string prologue{};     // after the XML declaration
   std::string pointMd5{};     // instead of the true one
   std::string mainMd5{};
   int claimedColumns = kColumns, claimedRows = kRows;

@@ -21,7 +21,7 @@ Frame frameOf(const std::function<void(Scene&)>& change = {}) {
   return SteadyFrames(scene, {}).frame(0, 1, 25);
 }
 
-/// All sentences, each with a space behind it.
+/// All sentences, each with a space after it.
 std::string said(const Frame& frame, const CurveAtVelocity& curve = {}) {
   std::string text;
   for (const Message& sentence : describeContact(frame, curve)) {

@@ -5,6 +5,7 @@
 #include "core/material/element_law.h"
 #include "core/material/material_library.h"
 #include "core/scene/provenance.h"
+#include "core/scene/scene_assignments.h"
 #include "core/scene/scene_file.h"
 #include "tests/core/error_from.h"
 #include "tests/core/temporary_folder.h"

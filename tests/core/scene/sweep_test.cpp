@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/input_error.h"
+#include "core/scene/scene_assignments.h"
 #include "core/scene/scene_file.h"
 #include "tests/core/error_from.h"
 

@@ -102,23 +102,6 @@ TEST(LineSource, PhasesAreUniform) {
   EXPECT_LT(std::abs(sum) / count, 4 / std::sqrt(count));
 }
 
-/// Salmon et al.'s generator, several counters at a time, against the one of its authors.
-TEST(LineSource, PhasesOfManyModesAreThoseOfEach) {
-  for (const std::uint64_t seed : {1ULL, 9007199254740991ULL})
-    for (const std::uint64_t realization : {0ULL, 3ULL, 0x123456789ABCDEFULL})
-      for (const std::uint64_t first : {0ULL, 5ULL, 0xFFFFFFFEULL})
-        for (const std::size_t pairs : {1UL, 7UL, 64UL}) {
-          std::vector<double> phases(2 * pairs + 1, -1.0);
-          randomPhasesInto(seed, realization, first, pairs, phases.data());
-          for (std::size_t k = 0; k < pairs; ++k) {
-            const PhasePair two = randomPhases(seed, realization, first + k);
-            EXPECT_EQ(phases[2 * k], two.even);
-            EXPECT_EQ(phases[2 * k + 1], two.odd);
-          }
-          EXPECT_EQ(phases.back(), -1);  // no more than was asked for
-        }
-}
-
 TEST(LineSource, EveryModeHasItsOwnPhase) {
   for (const std::int64_t elements : {4, 1025, 1026, 1027, 2600}) {
     const FourierLine line = LineSource(roughScene(elements), 1).spectrum(5);

@@ -118,12 +118,12 @@ TEST(ContactTexts, WhileItSettlesWhatIsDrawnIsTold) {
   frame.drawn = {3.21e-6, 0.0456, 0.0456 * 0.0789, 0.123, 0.0789, 0};
   frame.muSteady = 0.0123;
   const std::string words = allTexts(frame);
-  for (const char* part : {"friction coefficient \u03BC|0.0789|", "\u03BC when settled|0.0123|",
+  for (const char* part : {"coefficient of friction \u03BC|0.0789|", "\u03BC when settled|0.0123|",
                            "3.21 \u00B5m|", "12.3 %|", "45.6 mN|", "= 3.6 mN"})
     EXPECT_NE(words.find(part), std::string::npos) << part << " in " << words;
   expectTidyTexts(frame, {}, "settling");
   frame.drawn.mu = frame.drawn.tangentialForce = kNotApplicable;  // steps too coarse to read it
-  EXPECT_NE(allTexts(frame).find("friction coefficient \u03BC|\u2013|"), std::string::npos);
+  EXPECT_NE(allTexts(frame).find("coefficient of friction \u03BC|\u2013|"), std::string::npos);
   EXPECT_EQ(allTexts(frame).find("tangential force F|"), std::string::npos);
 }
 

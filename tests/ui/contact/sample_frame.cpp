@@ -17,17 +17,24 @@ struct SampleLine {
 /// slope.
 SampleLine line(const SampleOptions& o) {
   SampleLine line{std::vector<double>(o.points), std::vector<double>(o.points)};
+  // One turn in as many steps as there are points: cosines of all modes are among its values.
+  std::vector<double> cosine(o.points), sine(o.points);
+  for (int i = 0; i < o.points; ++i) {
+    cosine[i] = std::cos(2 * std::numbers::pi * i / o.points);
+    sine[i] = std::sin(2 * std::numbers::pi * i / o.points);
+  }
   const int modes = std::max(1, o.points / 2 - 1);
   double square = 0;
   for (int k = 1; k <= modes; ++k) square += 0.5 * std::pow(k, -2 * o.hurst - 1);
   for (int k = 1; k <= modes; ++k) {
     const double amplitude = o.rmsHeight * std::sqrt(std::pow(k, -2 * o.hurst - 1) / square);
-    const double phase = 2 * std::numbers::pi * std::fmod(0.618034 * k * k + 0.31 * k, 1.0);
     const double wave = 2 * std::numbers::pi * k / o.length;
-    for (int i = 0; i < o.points; ++i) {
-      const double angle = wave * (o.length * i / o.points - o.distance) + phase;
-      line.height[i] += amplitude * std::cos(angle);
-      line.slope[i] -= amplitude * wave * std::sin(angle);
+    const double phase =
+        2 * std::numbers::pi * std::fmod(0.618034 * k * k + 0.31 * k, 1.0) - wave * o.distance;
+    const double c = amplitude * std::cos(phase), s = amplitude * std::sin(phase);
+    for (int i = 0, step = 0; i < o.points; ++i, step = (step + k) % o.points) {
+      line.height[i] += c * cosine[step] - s * sine[step];
+      line.slope[i] -= wave * (c * sine[step] + s * cosine[step]);
     }
   }
   return line;

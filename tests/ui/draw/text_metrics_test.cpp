@@ -11,7 +11,7 @@ namespace {
 TEST(TextMetrics, AgreeWithThePaintedFont) {
   for (const char* words :
        {"rigid line slides", "v = \u2212100 mm/s", "2.3\u00D710\u207B\u2075 \u00B5m",
-        "friction coefficient \u03BC", "\u03C4 = 1 ms, 13.1 %", "\u2013 \u2026",
+        "coefficient of friction \u03BC", "\u03C4 = 1 ms, 13.1 %", "\u2013 \u2026",
         "\u03B1 \u03B2 \u0394 \u2207z \u221D \u221A2 \u2264 \u221E",
         "\u00B1 \u00BD m\u00B2 \u00B0 \u00FC"}) {
     for (const float size : {9.0F, 12.0F, 31.0F}) {

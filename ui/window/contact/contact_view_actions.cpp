@@ -104,7 +104,8 @@ class ViewActions {
     keepTranslated(*colours, [colours] { colours->setTitle(tr("Colour by")); });
     auto* group = new QActionGroup(&canvas_);
     for (const auto& [overlay, text, tip] : kChoices) {
-      auto* action = named<QAction>("overlay:" + QString::fromUtf8(wordFor(overlay).data()), group);
+      const std::string_view word = choiceWord(kContactOverlays, overlay);
+      auto* action = named<QAction>("overlay:" + QString::fromUtf8(word.data()), group);
       keepTexts(*action, text, tip ? tip : text);
       action->setCheckable(true);
       action->setChecked(overlay == canvas_.viewer().overlay());

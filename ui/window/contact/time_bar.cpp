@@ -222,12 +222,11 @@ void TimeBar::showFrame(const Frame& frame) {
   }
   showDelay(frame);
   if (!(duration_ > 0) || !frame.transient) return;
-  time_ = frame.time;
   if (!moment_->isSliderDown()) {
     const QSignalBlocker blocker(moment_);
-    moment_->setValue(static_cast<int>(std::lround(kMoments * time_ / duration_)));
+    moment_->setValue(static_cast<int>(std::lround(kMoments * frame.time / duration_)));
   }
-  momentText_->setText(momentText(quantityLabel(time_, "s"), quantityLabel(duration_, "s")));
+  momentText_->setText(momentText(quantityLabel(frame.time, "s"), quantityLabel(duration_, "s")));
 }
 
 /// Shows the pace that the picture has where that is much slower than the requested one, so that

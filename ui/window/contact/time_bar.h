@@ -69,8 +69,8 @@ class TimeBar : public QWidget {
   Scene scene_;
   double length_ = 0;  // m, period of the line; 0: not known yet
   double pace_;
-  double chosen_;  // pace that the user set last, s; pace_ may follow the velocity instead
-  double time_ = 0, duration_ = 0;  // s, of a motion; duration 0: steady sliding
+  double chosen_;        // pace that the user set last, s; pace_ may follow the velocity instead
+  double duration_ = 0;  // s, of a motion; 0: steady sliding
   QSlider *moment_, *slider_;
   QLabel *momentText_, *behindText_, *name_;
   QLineEdit* factor_;

@@ -12,6 +12,7 @@
 #include "core/base/number_text.h"
 #include "core/chart/curve_diagram.h"
 #include "core/scene/parameters.h"
+#include "core/scene/scene_assignments.h"
 #include "core/scene/scene_file.h"
 #include "ui/chart/diagram_picture.h"
 #include "ui/contact/contact_overlay.h"

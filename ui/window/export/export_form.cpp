@@ -145,25 +145,7 @@ ExportForm::ExportForm(bool isMotion, const RenderCommandOptions& shown, QWidget
   choose(*theme_, shown_.dark ? "dark" : "");
   for (QComboBox* box : {kind_, content_, format_, style_, preset_, unit_, theme_, speed_})
     connect(box, &QComboBox::currentIndexChanged, this, [this, box] {
-      if (isFilling_) return;
-      if (box == kind_) fillContents();
-      if (box == content_) fillFormats();
-      if (box == style_) {
-        fillSizes();
-        choose(*preset_, chosen(*style_).isEmpty() ? kDefault : kOfStyle);
-        if (!chosen(*style_).isEmpty())
-          choose(*theme_, "");  // that of the style
-        else if (shown_.dark && kind() != ExportKind::Figure)
-          choose(*theme_, "dark");
-      }
-      if (box == preset_ || box == style_ || box == content_ || box == kind_) takePreset();
-      if (box == preset_ && isOnPaper() && chosen(*theme_) == "dark") choose(*theme_, "");
-      if (box == unit_) {
-        convertSize();
-        choose(*preset_, kOwn);
-      }
-      showRows();
-      emit changed();
+      if (!isFilling_) followChoice(box);
     });
   for (QLineEdit* entry : {width_, height_})
     connect(entry, &QLineEdit::textEdited, this, [this] { choose(*preset_, kOwn); });
@@ -172,10 +154,32 @@ ExportForm::ExportForm(bool isMotion, const RenderCommandOptions& shown, QWidget
     connect(entry, &QLineEdit::textEdited, this, &ExportForm::changed);
   for (QCheckBox* box : {transparent_, asShown_})
     connect(box, &QCheckBox::toggled, this, &ExportForm::changed);
-  takePreset();
+  showSize();
   // The widest kind of export sets the width, so that nothing moves with the kind.
   setMinimumWidth(rows_->minimumSize().width());
   showRows();
+}
+
+/// Fills what depends on a choice that the user has made.
+void ExportForm::followChoice(const QComboBox* box) {
+  if (box == kind_) fillContents();
+  if (box == content_) fillFormats();
+  if (box == style_) {
+    fillSizes();
+    choose(*preset_, chosen(*style_).isEmpty() ? kDefault : kOfStyle);
+    if (!chosen(*style_).isEmpty())
+      choose(*theme_, "");  // that of the style
+    else if (shown_.dark && kind() != ExportKind::Figure)
+      choose(*theme_, "dark");
+  }
+  if (box == preset_ || box == style_ || box == content_ || box == kind_) showSize();
+  if (box == preset_ && isOnPaper() && chosen(*theme_) == "dark") choose(*theme_, "");
+  if (box == unit_) {
+    convertSize();
+    choose(*preset_, kOwn);
+  }
+  showRows();
+  emit changed();
 }
 
 QComboBox* ExportForm::addChoice(const char* name, const QString& label) {
@@ -306,8 +310,8 @@ void ExportForm::fillSizes() {
   isFilling_ = false;
 }
 
-/// Shows the numbers of the named size.
-void ExportForm::takePreset() {
+/// Shows the width, height and resolution of the named size.
+void ExportForm::showSize() {
   const QString word = chosen(*preset_);
   if (word == kOwn) return;
   const auto ofStyle = word == kOfStyle ? sizeOfStyle(chosen(*style_)) : std::nullopt;

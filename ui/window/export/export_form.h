@@ -71,7 +71,8 @@ class ExportForm : public QWidget {
   void fillContents();
   void fillFormats();
   void fillSizes();
-  void takePreset();
+  void followChoice(const QComboBox* box);
+  void showSize();
   void convertSize();
   bool canBeTransparent() const;
   bool isSlow() const;

@@ -53,7 +53,7 @@ bool isPicture(const std::filesystem::path& file) {
 }
 
 bool isMaterialJson(std::string_view text) {
-  const auto root = nlohmann::json::parse(text, nullptr, false);
+  const auto root = jsonOrDiscarded(text);
   return root.is_object() && root.contains("schema") && root["schema"] == kMaterialSchema;
 }
 

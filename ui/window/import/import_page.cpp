@@ -79,7 +79,7 @@ ImportPage::ImportPage(const QString& file, const QString& accept, QWidget* pare
   connect(this, &QDialog::finished, this, &ImportPage::deleteWhenFinished);
 }
 
-/// Adds the error and the buttons below the widgets of the derived class, and so behind them in the
+/// Adds the error and the buttons below the widgets of the derived class, and so after them in the
 /// order of the Tab key.
 void ImportPage::addFoot(QVBoxLayout& page) {
   message_->setMinimumHeight(3 * fontMetrics().lineSpacing());

@@ -254,7 +254,7 @@ LessonForm::LessonForm(QWidget* parent) : QWidget(parent), rows_(new QFormLayout
 void LessonForm::nameField(QWidget& field, const QString& label, const char* name) {
   field.setObjectName(name);
   field.setAccessibleName(label);
-  addRow(label, &field);
+  rows_->addRow(label, &field);
 }
 
 QLineEdit* LessonForm::addLine(const QString& label, const char* name) {
@@ -284,13 +284,9 @@ QComboBox* LessonForm::addChoice(const QString& label, const char* name) {
 
 AssignmentList* LessonForm::addAssignments(const QString& label, const char* name) {
   auto* list = new AssignmentList(QString::fromLatin1(name), label);
-  addRow(label, list);
+  rows_->addRow(label, list);
   connect(list, &AssignmentList::edited, this, &LessonForm::notifyEdited);
   return list;
-}
-
-void LessonForm::addRow(const QString& label, QWidget* field) {
-  rows_->addRow(label, field);
 }
 
 void LessonForm::setShown(QWidget* field, bool isShown) {

@@ -73,7 +73,6 @@ class LessonForm : public QWidget {
   QPlainTextEdit* addText(const QString& label, const char* name, int lines);
   QComboBox* addChoice(const QString& label, const char* name);
   AssignmentList* addAssignments(const QString& label, const char* name);
-  void addRow(const QString& label, QWidget* field);
   /// Shows or hides a field with its label.
   void setShown(QWidget* field, bool isShown);
 

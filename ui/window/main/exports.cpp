@@ -195,7 +195,8 @@ RenderCommandOptions Exports::shownOptions() const {
   }
   options.scale = canvas.devicePixelRatioF() * canvas.textScale();
   options.dark = parts_.appearance.isDark();
-  options.overlay = QString::fromUtf8(wordFor(canvas.viewer().overlay()).data());
+  options.overlay =
+      QString::fromUtf8(choiceWord(kContactOverlays, canvas.viewer().overlay()).data());
   const std::optional<ContactShot> present = shot();
   // A frame of the previous scene has not yet been replaced; fitted values are then sufficient.
   if (present && present->frame->sceneNumber == parts_.session.sceneNumber()) {

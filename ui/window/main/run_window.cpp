@@ -261,9 +261,7 @@ SceneState readLastScene(const QSettings& settings) {
 void restoreView(ContactCanvas& canvas, const QSettings& settings) {
   canvas.setNavigation(ViewNavigation::fromText(settings.value("view").toString().toStdString()));
   const std::string word = settings.value("overlay").toString().toStdString();
-  for (const ContactOverlay overlay : {ContactOverlay::None, ContactOverlay::Pressure,
-                                       ContactOverlay::Relaxation, ContactOverlay::Power})
-    if (wordFor(overlay) == word) canvas.setOverlay(overlay);
+  if (const auto overlay = findChoice(kContactOverlays, word)) canvas.setOverlay(*overlay);
 }
 
 }  // namespace
@@ -291,7 +289,8 @@ void saveLastSession(MainWindow& window, SessionMoment moment) {
                     origin.file.isEmpty() ? QString() : QFileInfo(origin.file).absoluteFilePath());
   const ContactViewer& viewer = window.canvas().viewer();
   settings.setValue("view", QString::fromStdString(viewer.navigation().toText()));
-  settings.setValue("overlay", QString::fromUtf8(wordFor(viewer.overlay()).data()));
+  settings.setValue("overlay",
+                    QString::fromUtf8(choiceWord(kContactOverlays, viewer.overlay()).data()));
   settings.setValue("tab", window.tabs().currentWidget()->objectName());
   settings.sync();
 }

@@ -45,7 +45,7 @@ namespace {
 constexpr int kMessageTime = 5000;     // ms, how long a message is shown
 constexpr int kDrawingInterval = 500;  // ms
 constexpr int kWorkInterval = 100;     // ms
-constexpr int kMeanGap = 10;           // pixels behind the mean, beside the usual spacing
+constexpr int kMeanGap = 10;           // pixels after the mean, beside the usual spacing
 constexpr int kWorkSpacing = 4;        // pixels between the progress bar and its button
 
 const QString kStopSign = QStringLiteral("✕"), kRestartSign = QStringLiteral("↻");

@@ -1,5 +1,5 @@
 // The predicted cost of a map against what the map then costs.
-#include "core/accuracy/prediction.h"
+#include "core/accuracy/map_cost.h"
 
 #include <gtest/gtest.h>
 

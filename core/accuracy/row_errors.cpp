@@ -1,0 +1,73 @@
+#include "core/accuracy/row_errors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "core/accuracy/pilot.h"
+#include "core/base/processor_time.h"
+#include "core/base/statistics.h"
+#include "core/base/stop.h"
+#include "core/friction/realizations.h"
+
+namespace asperity {
+namespace {
+
+/// The rows of a topography as its coarsest lines.
+struct RowsAsLines {
+  Scene scene;
+  LineSource source;
+  LoadCase sweep;
+
+  RowsAsLines(const Scene& its, const std::vector<double>& velocities)
+      : scene(withEveryRow(its)), source(scene, 1), sweep{its.load, velocities} {}
+
+  static Scene withEveryRow(Scene scene) {
+    scene.accuracy = {Scheme::Cubic, 1, 0};
+    scene.ensemble.realizations = 0;
+    return scene;
+  }
+
+  RealizationTask from(std::int64_t row) const { return {scene, source, {&sweep, 1}, row}; }
+};
+
+}  // namespace
+
+std::vector<MeanError> errorsOfRows(const Scene& scene, const std::vector<double>& velocities,
+                                    int threads, const std::stop_token& stop) {
+  const RowsAsLines rows(scene, velocities);
+  std::vector<LineMean> means(velocities.size(), LineMean(rows.source.rows()));
+  const auto take = [&](std::span<const SteadyResult> results) {
+    for (std::size_t i = 0; i < results.size(); ++i) means[i].add(results[i].mu);
+  };
+  if (!slideRealizations(rows.from(0), rows.source.rows(), threads, stop, take)) return {};
+  std::vector<MeanError> errors;
+  for (const LineMean& mean : means) {
+    errors.push_back(mean.error());
+    errors.back().standardError /= std::abs(mean.mean());
+  }
+  return errors;
+}
+
+PredictedRowErrors predictErrorsOfRows(const Scene& scene, const std::vector<double>& velocities,
+                                       const std::stop_token& stop) {
+  constexpr std::int64_t kRows = 32;
+  const RowsAsLines rows(scene, velocities);
+  const double start = threadSeconds();
+  const std::int64_t count = std::min(kRows, rows.source.rows());
+  std::vector<std::vector<double>> mu(velocities.size());
+  const auto take = [&](std::span<const SteadyResult> results) {
+    for (std::size_t i = 0; i < results.size(); ++i) mu[i].push_back(results[i].mu);
+  };
+  for (const std::int64_t row : sampledLines(rows.source, count))
+    if (!slideRealizations(rows.from(row), 1, 1, stop, take)) throw StopRequested{};
+  const auto all = static_cast<double>(rows.source.rows());
+  PredictedRowErrors predicted;
+  for (const std::vector<double>& each : mu)
+    predicted.standardErrors.push_back(std::sqrt(varianceOfMean(each, rows.source, all)) /
+                                       std::abs(mean(each)));
+  predicted.seconds = (threadSeconds() - start) * all / static_cast<double>(count);
+  return predicted;
+}
+
+}  // namespace asperity

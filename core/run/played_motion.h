@@ -1,0 +1,46 @@
+// A motion as it is played in the window: its march, the samples of its diagram, and states to go
+// back to. The same calls give the same samples; no threads and no clock. Cannot fail.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/run/frame.h"
+#include "core/run/transient.h"
+
+namespace asperity {
+
+class PlayedMotion {
+ public:
+  /// beginning: the motion at time 0.
+  explicit PlayedMotion(const Transient& beginning) : transient_(beginning) {}
+
+  const Transient& transient() const { return transient_; }
+  const Motion& motion() const { return transient_.motion(); }
+  const std::vector<TransientSample>& samples() const { return samples_; }  // since the beginning
+
+  void record(const MarchRecords& wanted) { transient_.record(wanted); }
+
+  /// Marches at least one step, and on to this time (s), with samples on the way: their distance in
+  /// time is limited, so that a fast pace leaves none out. The first one begins at time 0.
+  void marchTo(double time);
+
+  /// Keeps the present state where the last one is long ago.
+  void keepState();
+
+  /// Returns to the last kept state at or before a time (s). Returns whether there is one.
+  bool goBackTo(double time);
+
+ private:
+  TransientSample sampleUpTo(double time);
+
+  Transient transient_;
+  std::vector<TransientSample> samples_;
+  struct Kept {
+    Transient transient;
+    std::size_t samples;  // before it
+  };
+  std::vector<Kept> kept_;  // at rising times
+};
+
+}  // namespace asperity

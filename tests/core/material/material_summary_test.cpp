@@ -1,0 +1,118 @@
+// What the summary of a material says: what was measured, what was concluded, what is in doubt.
+#include "core/material/material_summary.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "tests/core/material/shipped_measurements.h"
+#include "tests/core/material/synthetic_rubber.h"
+
+namespace asperity {
+namespace {
+
+using testing::AllOf;
+using testing::Contains;
+using testing::Each;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::Not;
+
+std::vector<std::string> linesOf(const Material& material) {
+  std::vector<std::string> lines;
+  for (const Message& line : materialSummary(material)) lines.push_back(line.english());
+  return lines;
+}
+
+TEST(MaterialSummary, SaysWhatWasMeasured) {
+  const std::vector<std::string> lines = linesOf(epdm());
+  EXPECT_THAT(lines, Contains(HasSubstr("10 isotherms from \u221210.0 \u00B0C to 53.0 \u00B0C")));
+  EXPECT_THAT(lines, Contains(HasSubstr("relaxation times, G\u221E = ")));
+  EXPECT_THAT(lines, Contains(HasSubstr("not thermorheologically simple")));
+  EXPECT_THAT(lines, Contains(HasSubstr("the shift used is the table of measured shifts")));
+}
+
+/// A slip of the decimal mark is named, and nothing is concluded from it.
+TEST(MaterialSummary, ASlipIsNamedAndNothingIsConcludedFromIt) {
+  std::vector<Isotherm> isotherms = SyntheticRubber().sweeps(12, 0.01);
+  EXPECT_THAT(linesOf(fitMaterial(isotherms, {})), Each(Not(HasSubstr("beside it"))));
+  isotherms[4].points[6].storage *= 10;
+  const Material material = fitMaterial(isotherms, {});
+  EXPECT_THAT(linesOf(material), Contains(HasSubstr("G' at 35.0 \u00B0C and 1.23 Hz is")));
+  EXPECT_TRUE(material.curve.isThermorheologicallySimple);
+}
+
+TEST(MaterialSummary, MissingVerticalShiftsAreNamed) {
+  SyntheticRubber rubber;
+  rubber.equilibrium = 5e6;
+  std::vector<Isotherm> isotherms = rubber.sweeps(15, 0.01);
+  makeEntropic(isotherms);
+  const auto last = [&](const MaterialChoices& choices) {
+    return linesOf(fitMaterial(isotherms, choices)).back();
+  };
+  MaterialChoices vertical;
+  vertical.isVertical = true;
+  EXPECT_THAT(last({}), EndsWith("--vertical-shifts"));
+  EXPECT_THAT(last(vertical), Not(HasSubstr("--vertical-shifts")));
+}
+
+/// A scene at its default temperature cannot use such a material.
+TEST(MaterialSummary, AMaterialOfOneTemperatureSaysWhichScenesNeed) {
+  MaterialChoices choices;
+  const std::string series = "tau (s),G (MPa)\ninf,1\n0.1,2\n";
+  const auto linesAt = [&](double kelvin) {
+    choices.columns.temperature = kelvin;
+    return linesOf(makeMaterial(series, "series.csv", choices));
+  };
+  EXPECT_THAT(linesAt(293.15), Contains(HasSubstr("elastomer.temperature=293.15")));
+  EXPECT_THAT(linesAt(293.15), Contains(HasSubstr("one arm, G")));
+  // Degrees that were converted to kelvins are said without their rounding error.
+  EXPECT_THAT(linesAt(-20 + 273.15), Contains(EndsWith("elastomer.temperature=253.15")));
+  EXPECT_THAT(linesAt(298.15), Contains("one temperature alone: there is no shift"));
+}
+
+/// Entropy elasticity, b_T = T / T_0, and repeated rows are said in the summary.
+TEST(MaterialSummary, SaysWhatVerticalShiftsExplain) {
+  SyntheticRubber rubber;
+  rubber.equilibrium = 5e6;
+  std::vector<Isotherm> isotherms = rubber.sweeps(21);
+  makeEntropic(isotherms);
+  isotherms.front().repeats = 2;
+  isotherms.front().repeatRatio = 2.8;
+  MaterialChoices choices;
+  const std::vector<std::string> plain = linesOf(fitMaterial(isotherms, choices));
+  EXPECT_THAT(plain, Contains(HasSubstr("--vertical-shifts")));
+  EXPECT_THAT(plain, Contains(HasSubstr("2 rows, averaged; moduli that became one differ by a "
+                                        "factor of up to 2.8")));
+  choices.isVertical = true;
+  EXPECT_THAT(linesOf(fitMaterial(isotherms, choices)),
+              Each(Not(HasSubstr("shifts from G' alone"))));
+}
+
+/// Moduli that are power laws of one exponent: whoever reads the shifts must know what decided.
+TEST(MaterialSummary, SaysWhereAVerticalShiftCannotBeTold) {
+  std::vector<Isotherm> isotherms;
+  for (const double kelvin : {273.15, 283.15, 293.15}) {
+    Isotherm& isotherm = isotherms.emplace_back();
+    isotherm.temperature = kelvin;
+    for (int i = 0; i < 13; ++i) {
+      const double frequency = std::pow(10, -1 + i / 6.0);
+      const double modulus = 1e6 * std::sqrt(frequency * std::pow(10, -0.07 * (kelvin - 273.15)));
+      isotherm.points.push_back({frequency, modulus, 0.8 * modulus});
+    }
+  }
+  MaterialChoices choices;
+  const char* const open = "in 2 of 2 overlaps the moduli do not tell a vertical shift from a ";
+  EXPECT_THAT(linesOf(fitMaterial(isotherms, choices)),
+              Contains(AllOf(HasSubstr(open), HasSubstr("hold for b_T = 1"))));
+  choices.isVertical = true;
+  EXPECT_THAT(linesOf(fitMaterial(isotherms, choices)),
+              Contains(AllOf(HasSubstr(open), HasSubstr("b_T ~ T, decides"))));
+  EXPECT_THAT(linesOf(fitMaterial(SyntheticRubber().sweeps(15, 0.003), choices)),
+              Each(Not(HasSubstr("do not tell a vertical"))));
+}
+
+}  // namespace
+}  // namespace asperity
