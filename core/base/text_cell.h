@@ -58,5 +58,7 @@ void joinCells(std::vector<std::string_view>& fields);
 /// unit that all cells share or, where they have several units of one quantity, the SI unit. Throws
 /// InputError, with the name of the file, where some cell has none, or a unit of another quantity.
 void unifyUnits(TextBlock& block, const std::string& name);
+/// Does so in one column.
+void unifyUnits(TextBlock& block, std::size_t column, const std::string& name);
 
 }  // namespace asperity

@@ -6,9 +6,11 @@
 #include <utility>
 
 #include "core/base/input_error.h"
+#include "core/base/number_text.h"
 #include "core/base/text.h"
 #include "core/base/text_cell.h"
 #include "core/base/text_number.h"
+#include "core/material/dma_columns.h"
 
 namespace asperity {
 namespace {
@@ -54,14 +56,42 @@ void separateParts(TextBlock& block, std::size_t column, const std::string& name
   block.append({label + " imaginary part", unit}, parts);
 }
 
+/// Makes a column one of texts, as its cells are written.
+void keepAsTexts(TextBlock& block, std::size_t column) {
+  block.columns[column].isText = true;
+  for (std::size_t row = 0; row < block.rows; ++row) {
+    const std::string& text = block.cells[column][row].text;
+    const double number = block.at(row, column);
+    block.texts[column].push_back(text.empty() && !std::isnan(number) ? plain(number).text : text);
+  }
+}
+
+/// Gives the cells of a column one unit. Returns false where they have several and the column may
+/// be one of remarks.
+bool haveOneUnit(TextBlock& block, std::size_t column, const std::string& name) {
+  const TextColumn& written = block.columns[column];
+  const bool isKnown = dmaColumn(written.name, written.unit).quantity != DmaQuantity::None;
+  try {
+    unifyUnits(block, column, name);
+    return isKnown || std::ranges::none_of(block.cells[column], isComplex);
+  } catch (const InputError&) {
+    if (isKnown) throw;
+    return false;
+  }
+}
+
 }  // namespace
 
 void separateCells(TextTable& table, const std::string& name, std::vector<Message>& notes) {
   std::string withErrors;
   for (TextBlock& block : table.blocks) {
     dropOverflows(block);
-    unifyUnits(block, name);
     for (std::size_t i = 0, count = block.columns.size(); i < count; ++i) {
+      if (!haveOneUnit(block, i, name)) keepAsTexts(block, i);
+      if (block.columns[i].isText) {
+        block.cells[i].clear();
+        continue;
+      }
       if (std::ranges::any_of(block.cells[i], isComplex)) separateParts(block, i, name, notes);
       const bool hasErrors = std::ranges::any_of(
           block.cells[i], [](const TextCell& cell) { return !std::isnan(cell.error); });

@@ -80,6 +80,10 @@ TEST(DmaForms, ErrorsAndUnitsInCellsLeaveTheNumbers) {
       read("f (Hz);T (C);log G' (Pa);G'' (Pa)\n1;20;6 \u00B1 0.1;2e5\n10;20;6 \u00B1 0.1;4e5\n")
           .rows[1],
       293.15, 10, 1e6, 4e5);
+  // Remarks may hold anything.
+  const DmaFile remarks = read(
+      "f (Hz);T (C);G' (MPa);G'' (MPa);Remark\n1;20;2;0.2;5 %\n10;20;3;0.4;3 h\n10;30;2;0.1;4\n");
+  EXPECT_EQ(remarks.rows.size(), 3U);
   EXPECT_THAT(errorOf("f;T;G';G''\n1 Hz;20 \u00B0C;2 MPa;200 kPa\n10 Hz;20 \u00B0C;3 N;400 kPa\n"),
               HasSubstr("column G' has the unit N here, and MPa elsewhere"));
 }
