@@ -59,16 +59,21 @@ class WindowFit {
   }
 
   /// Returns nothing where the deviations do not determine the shift. The expected vertical shift
-  /// has the weight that the deviations themselves give it, which are not known in advance.
+  /// has the weight that the deviations themselves give it, which are not known in advance: they
+  /// are first those of a fit in which it has almost none, so that a shift far from what is
+  /// expected is not taken for noise. Where such a fit is not determined, they are first the usual
+  /// ones.
   std::optional<FittedShifts> solve(double start) {
     if (!isVertical_) return iterate(start);
     constexpr int kPasses = 4;
-    deviation_ = kUsualVertical;
+    constexpr double kLeastDeviation = 1e-6;  // decades
+    deviation_ = kLeastDeviation;
+    if (!iterate(start)) deviation_ = kUsualVertical;
     std::optional<FittedShifts> found;
     for (int i = 0; i < kPasses; ++i) {
+      deviation_ = std::max(kLeastDeviation, deviation_);
       found = iterate(start);
       if (!found) return {};
-      deviation_ = std::max(1e-6, deviation_);
     }
     return found;
   }
@@ -140,9 +145,11 @@ class WindowFit {
     Eigen::VectorXd unknowns(system_.cols());
     unknowns.head(linearUnknowns()) = coefficients_;
     unknowns[system_.cols() - 1] = 0;
-    const double squares = (data_ - system_ * unknowns).squaredNorm();
+    const Eigen::VectorXd misfit = data_ - system_ * unknowns;
+    const double squares = misfit.squaredNorm();
     const auto left = static_cast<double>(system_.rows() - system_.cols());
-    deviation_ = std::sqrt(squares / std::max(1.0, left));
+    // The moduli alone, without the row of the expected vertical shift, say how much they deviate.
+    deviation_ = std::sqrt(misfit.head(moduliCount() * rows_).squaredNorm() / std::max(1.0, left));
     FittedShifts found{{shift}, {isVertical_ ? unknowns[system_.cols() - 2] : 0}};
     if (!isVertical_) found.vertical.error = 0;
     if (left < 1) return found;

@@ -69,12 +69,14 @@ TEST(OverlapFit, KnownShiftsComeBackFromEachModulus) {
 
 /// What is expected says little beside moduli that determine the vertical shift.
 TEST(OverlapFit, KnownVerticalShiftsComeBackWhateverIsExpected) {
-  const LogSweep colder = raised(curvedSweep(0.7, 0.7), 0.02), warmer = curvedSweep(0, 0);
-  for (const double expected : {0.01, 0.02, 0.03}) {
-    const auto found = fittedShift(colder, warmer, 0.7, expected, ShiftModuli::Both);
-    ASSERT_TRUE(found.has_value());
-    EXPECT_NEAR(found->vertical.value, 0.02, 1e-4) << expected;
-    EXPECT_NEAR(found->horizontal.value, 0.7, 1e-3) << expected;
+  for (const double vertical : {0.02, 0.1}) {
+    const LogSweep colder = raised(curvedSweep(0.7, 0.7), vertical), warmer = curvedSweep(0, 0);
+    for (const double expected : {-0.05, 0.01, 0.02, 0.03}) {
+      const auto found = fittedShift(colder, warmer, 0.7, expected, ShiftModuli::Both);
+      ASSERT_TRUE(found.has_value());
+      EXPECT_NEAR(found->vertical.value, vertical, 1e-4) << expected;
+      EXPECT_NEAR(found->horizontal.value, 0.7, 1e-3) << expected;
+    }
   }
 }
 
