@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/input_error.h"
+#include "core/base/number_text.h"
 #include "core/base/text.h"
 #include "core/base/text_number.h"
 #include "core/base/text_table.h"
@@ -58,6 +59,45 @@ std::optional<std::string_view> takeConcise(const Beginning& value, char decimal
   return trimmedBlanks(value.rest.substr(end + 1));
 }
 
+bool isImaginaryUnit(std::string_view text) {
+  return isOneOf(text, "i j");
+}
+
+/// Takes an imaginary part with its sign, "+0.3i", "- j*0.3"; returns what stands after it.
+std::optional<std::string_view> takeImaginary(std::string_view text, char decimal,
+                                              double& imaginary) {
+  text = trimmedBlanks(text);
+  double sign = 1;
+  for (const std::string_view minus : {kMinusSign, std::string_view("-"), std::string_view("+")})
+    if (text.starts_with(minus)) {
+      sign = minus == "+" ? 1 : -1;
+      text = trimmedBlanks(text.substr(minus.size()));
+      const bool isInFront = !text.empty() && isImaginaryUnit(text.substr(0, 1));
+      if (isInFront) text = trimmedBlanks(text.substr(1));
+      if (isInFront && text.starts_with('*')) text.remove_prefix(1);
+      const auto part = takeNumber(text, decimal);
+      if (!part || !(part->number >= 0)) return {};
+      std::string_view rest = trimmedBlanks(part->rest);
+      if (!isInFront) {
+        if (rest.starts_with('*')) rest = trimmedBlanks(rest.substr(1));
+        if (rest.empty() || !isImaginaryUnit(rest.substr(0, 1))) return {};
+        rest.remove_prefix(1);
+      }
+      imaginary = sign * part->number;
+      return trimmedBlanks(rest);
+    }
+  return {};
+}
+
+/// Reads "1.2, 0.3" within brackets as a real and an imaginary part.
+std::optional<double> readPair(std::string_view rest, char decimal) {
+  rest = trimmedBlanks(rest);
+  const bool isSeparated = rest.starts_with(';') || (rest.starts_with(',') && decimal != ',');
+  double imaginary = 0;
+  if (!isSeparated || !readTextNumber(trimmedBlanks(rest.substr(1)), decimal, imaginary)) return {};
+  return imaginary;
+}
+
 /// Reads a sign of errors with the error after it, and the unit of one or both.
 bool takeTolerance(std::string_view text, double number, char decimal, TextCell& rest) {
   const auto sides = splitAtErrorSign(text);
@@ -87,7 +127,8 @@ std::optional<CellQuantity> readCell(std::string_view text, char decimal) {
   CellQuantity cell;
   cell.rest.text = text;
   std::string_view behind;
-  if (const std::size_t end = text.rfind(')'); text.starts_with('(') && end != text.npos) {
+  const bool isInBrackets = text.starts_with('(');
+  if (const std::size_t end = text.rfind(')'); isInBrackets && end != text.npos) {
     behind = trimmedBlanks(text.substr(end + 1));
     text = text.substr(1, end - 1);
     if (!behind.empty() && !isCellUnit(behind)) return {};
@@ -99,12 +140,17 @@ std::optional<CellQuantity> readCell(std::string_view text, char decimal) {
   const std::string_view rest = trimmedBlanks(value->rest);
   if (containsOneOf(rest, kErrorSigns)) {
     if (!takeTolerance(rest, cell.number, decimal, cell.rest)) return {};
+  } else if (const auto left = takeImaginary(rest, decimal, cell.rest.imaginary)) {
+    if (!left->empty() && !isCellUnit(*left)) return {};
+    cell.rest.unit = withoutBrackets(*left);
+  } else if (const auto pair = isInBrackets ? readPair(rest, decimal) : std::nullopt) {
+    cell.rest.imaginary = *pair;
   } else {
     std::string_view unit = rest;
     if (value->rest.starts_with('(')) {
-      const auto left = takeConcise(*value, decimal, cell.rest.error);
-      if (!left) return {};
-      unit = *left;
+      const auto behindError = takeConcise(*value, decimal, cell.rest.error);
+      if (!behindError) return {};
+      unit = *behindError;
     }
     if (unit.empty() ? std::isnan(cell.rest.error) : !isCellUnit(unit)) return {};
     cell.rest.unit = withoutBrackets(unit);
@@ -115,10 +161,22 @@ std::optional<CellQuantity> readCell(std::string_view text, char decimal) {
   return cell;
 }
 
+namespace {
+
+/// Returns whether a text is a number times the imaginary unit.
+bool isImaginary(std::string_view text) {
+  return (isImaginaryUnit(text.substr(0, 1)) && isDigit(text.back())) ||
+         (isImaginaryUnit(text.substr(text.size() - 1)) && isDigit(text.front()));
+}
+
+}  // namespace
+
 void joinCells(std::vector<std::string_view>& fields) {
   std::size_t count = 0;  // of the fields that are left
   for (std::size_t i = 0; i < fields.size(); ++i) {
-    const bool isSign = count > 0 && i + 1 < fields.size() && isOneOf(fields[i], kErrorSigns);
+    const bool isSign = count > 0 && i + 1 < fields.size() &&
+                        (isOneOf(fields[i], kErrorSigns) ||
+                         (isOneOf(fields[i], "+ - \u2212") && isImaginary(fields[i + 1])));
     const bool isUnit = count > 0 && fields[i].size() > 1 && isDigit(fields[count - 1].back()) &&
                         isCellUnit(fields[i]);
     if (!isSign && !isUnit) {
@@ -133,41 +191,43 @@ void joinCells(std::vector<std::string_view>& fields) {
   fields.resize(count);
 }
 
-void unifyUnits(TextBlock& block, const std::string& name) {
-  for (std::size_t i = 0; i < block.cells.size(); ++i) {
-    std::vector<TextCell>& cells = block.cells[i];
-    TextColumn& column = block.columns[i];
-    const auto hasUnit = [](const TextCell& cell) { return !cell.unit.empty(); };
-    const auto first = std::ranges::find_if(cells, hasUnit);
-    if (first == cells.end()) continue;
-    const auto refuse = [&](std::size_t row, const Message& what) {
-      throw InputError(name, "", message("row {}: {}", block.lines[row], what));
-    };
-    const std::string common = column.unit.empty() ? first->unit : column.unit;
-    const auto of = findUnit(common);
-    bool isMixed = false;
-    for (std::size_t row = 0; row < block.rows; ++row) {
-      const std::string& unit = cells[row].unit;
-      if (std::isnan(block.at(row, i)) || unit == common) continue;
-      if (unit.empty() && !column.unit.empty()) continue;
-      if (unit.empty())
-        refuse(row, message("column {} has no unit here, and {} elsewhere",
-                            shortened(block.label(i)), shortened(common)));
-      const auto other = findUnit(unit);
-      const bool isSame = of && other && other->si == of->si;
-      // Above the column and in the cell are two statements about one number.
-      if (!isSame || (!column.unit.empty() && !(*other == *of)))
-        refuse(row, message("column {} has the unit {} here, and {} elsewhere",
-                            shortened(block.label(i)), shortened(unit), shortened(common)));
-      isMixed = isMixed || !(*other == *of);
-    }
-    for (std::size_t row = 0; row < block.rows && isMixed; ++row) {
-      if (cells[row].unit.empty()) continue;  // a missing value
-      double& value = block.values[row * block.columns.size() + i];
-      value = findUnit(cells[row].unit)->toSi(value);
-    }
-    column.unit = isMixed ? std::string(of->si) : common;
+void unifyUnits(TextBlock& block, std::size_t i, const std::string& name) {
+  std::vector<TextCell>& cells = block.cells[i];
+  TextColumn& column = block.columns[i];
+  const auto hasUnit = [](const TextCell& cell) { return !cell.unit.empty(); };
+  const auto first = std::ranges::find_if(cells, hasUnit);
+  if (first == cells.end()) return;
+  const auto refuse = [&](std::size_t row, const Message& what) {
+    throw InputError(name, "", message("row {}: {}", block.lines[row], what));
+  };
+  const std::string common = column.unit.empty() ? first->unit : column.unit;
+  const auto of = findUnit(common);
+  bool isMixed = false;
+  for (std::size_t row = 0; row < block.rows; ++row) {
+    const std::string& unit = cells[row].unit;
+    if (std::isnan(block.at(row, i)) || unit == common) continue;
+    if (unit.empty() && !column.unit.empty()) continue;
+    if (unit.empty())
+      refuse(row, message("column {} has no unit here, and {} elsewhere", shortened(block.label(i)),
+                          shortened(common)));
+    const auto other = findUnit(unit);
+    const bool isSame = of && other && other->si == of->si;
+    // Above the column and in the cell are two statements about one number.
+    if (!isSame || (!column.unit.empty() && !(*other == *of)))
+      refuse(row, message("column {} has the unit {} here, and {} elsewhere",
+                          shortened(block.label(i)), shortened(unit), shortened(common)));
+    isMixed = isMixed || !(*other == *of);
   }
+  for (std::size_t row = 0; row < block.rows && isMixed; ++row) {
+    if (cells[row].unit.empty()) continue;  // a missing value
+    double& value = block.values[row * block.columns.size() + i];
+    value = findUnit(cells[row].unit)->toSi(value);
+  }
+  column.unit = isMixed ? std::string(of->si) : common;
+}
+
+void unifyUnits(TextBlock& block, const std::string& name) {
+  for (std::size_t i = 0; i < block.cells.size(); ++i) unifyUnits(block, i, name);
 }
 
 }  // namespace asperity

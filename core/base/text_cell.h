@@ -1,5 +1,5 @@
 // Cells of text tables that hold more than a number: its error or its unit, "0.31 ± 0.02",
-// "0.31(2)", "10 mm/s". Pure functions; any thread.
+// "0.31(2)", "10 mm/s", or an imaginary part, "1.2e6+3.4e5i". Pure functions; any thread.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,8 @@ struct TextBlock;
 struct TextCell {
   std::string text{};  // the whole cell; empty where it has no more than a number
   std::string unit{};  // as written; empty where the cell has none
-  double error = std::numeric_limits<double>::quiet_NaN();  // in the unit of the number
+  double error = std::numeric_limits<double>::quiet_NaN();      // in the unit of the number
+  double imaginary = std::numeric_limits<double>::quiet_NaN();  // of a complex number
 };
 
 /// The signs between a number and its error.
@@ -42,12 +43,13 @@ struct CellQuantity {
 
 /// Reads "0.31 ± 0.02", "0.31 +/- 0.02", "(0.31 ± 0.02) N", "10 mm/s ± 5 %" and "0.31(2)", where
 /// the digits in brackets count in the last place of the number, or "0.31(0.02)" (JCGM 100:2008,
-/// 7.2.2). Nothing where the text is anything else, a number alone, or in doubt: the error of
-/// "31 ± 2 %" may be a share of the number, and one in brackets that exceeds it a mark of something
-/// else.
+/// 7.2.2), and complex numbers: "1.2+0.3i", "(1.2 - 0.3j) MPa", "1.2 + i*0.3", "(1.2, 0.3)".
+/// Nothing where the text is anything else, a number alone, or in doubt: the error of "31 ± 2 %"
+/// may be a share of the number, and one in brackets that exceeds it a mark of something else.
 std::optional<CellQuantity> readCell(std::string_view text, char decimal);
 
-/// Joins what blanks separate within cells: "0.31", "\u00B1", "0.02" and "10", "mm/s". A unit of
+/// Joins what blanks separate within cells: "0.31", "\u00B1", "0.02", "10", "mm/s" and "1.2", "+",
+/// "0.3i". A unit of
 /// one letter may be a label, as in "0.31 C". The fields are parts of one line, separated by
 /// blanks.
 void joinCells(std::vector<std::string_view>& fields);
@@ -56,5 +58,7 @@ void joinCells(std::vector<std::string_view>& fields);
 /// unit that all cells share or, where they have several units of one quantity, the SI unit. Throws
 /// InputError, with the name of the file, where some cell has none, or a unit of another quantity.
 void unifyUnits(TextBlock& block, const std::string& name);
+/// Does so in one column.
+void unifyUnits(TextBlock& block, std::size_t column, const std::string& name);
 
 }  // namespace asperity

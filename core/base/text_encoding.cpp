@@ -1,5 +1,7 @@
 #include "core/base/text_encoding.h"
 
+#include <iconv.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -107,6 +109,40 @@ std::string utf8OfLatin1(std::string_view bytes) {
   return text;
 }
 
+/// Words of Japanese measurements in Shift-JIS; in Latin-1 they would be letters that no language
+/// puts together.
+constexpr std::array kJapaneseWords{
+    "\x89\xB7\x93\x78"sv,          // temperature
+    "\x8E\xFC\x94\x67\x90\x94"sv,  // frequency
+    "\x92\x65\x90\xAB\x97\xA6"sv,  // modulus
+    "\x91\xB9\x8E\xB8"sv,          // loss
+    "\x91\xAA\x92\xE8"sv,          // measurement
+    "\x91\xAC\x93\x78"sv,          // velocity
+    "\x96\x80\x8E\x43"sv,          // friction
+    "\x89\xD7\x8F\x64"sv,          // load
+    "\x8D\x82\x82\xB3"sv,          // height
+    "\x91\x65\x82\xB3"sv           // roughness
+};
+
+/// Returns a text in Shift-JIS as UTF-8; empty where it is none.
+std::string utf8OfShiftJis(std::string_view bytes) {
+  if (std::ranges::none_of(kJapaneseWords, [bytes](std::string_view word) {
+        return bytes.find(word) != bytes.npos;
+      }))
+    return {};
+  const iconv_t converter = iconv_open("UTF-8", "CP932");  // Microsoft's variant
+  if (converter == reinterpret_cast<iconv_t>(-1)) return {};
+  constexpr std::size_t kMostBytes = 3;  // of UTF-8 for one of Shift-JIS
+  std::string from(bytes), text(kMostBytes * bytes.size(), '\0');
+  char *in = from.data(), *out = text.data();
+  std::size_t left = from.size(), room = text.size();
+  const std::size_t failed = iconv(converter, &in, &left, &out, &room);
+  iconv_close(converter);
+  if (failed == static_cast<std::size_t>(-1) || left > 0) return {};
+  text.resize(text.size() - room);
+  return text;
+}
+
 /// Returns whether some carriage return is not followed by a line feed.
 bool hasLoneReturn(std::string_view text) {
   for (std::size_t at = 0; (at = text.find('\r', at)) != std::string_view::npos; ++at)
@@ -190,9 +226,10 @@ DecodedText::DecodedText(std::string_view bytes, const std::string& name)
     text = bytes.substr(kMark8.size());
   }
   if (encoding == "UTF-8" && !isUtf8(text)) {
-    converted = utf8OfLatin1(text);
+    converted = utf8OfShiftJis(text);
+    encoding = converted.empty() ? "Latin-1" : "Shift-JIS";
+    if (converted.empty()) converted = utf8OfLatin1(text);
     text = converted;
-    encoding = "Latin-1";
   }
   // The padding of the last block of a file is no text.
   const std::size_t end = text.find_last_not_of(std::string_view("\0\x1A", 2));

@@ -22,7 +22,9 @@ constexpr WordList kMissing(
     "nan, -nan, +nan, nan(ind), -nan(ind), qnan, 1.#qnan, -1.#qnan, 1.#ind, -1.#ind, 1.#inf, "
     "-1.#inf, 1.#j, -1.#j, inf, +inf, -inf, infinity, -infinity, +infinity, \u221E, -\u221E, na, "
     "n/a, null, none, nil, missing, bad, void, undef, undefined, n.d., n.a., nd, ?, ., \u2013, "
-    "\u2014, ol, overflow, masked, <na>, no data, nodata, no_data, no-data, no value, fehlt, "
+    "\u2014, ol, overflow, over, +over, -over, overrange, over range, out of range, overload, "
+    "underflow, underrange, ovfl, ovld, \u00DCberlauf, "
+    "masked, <na>, no data, nodata, no_data, no-data, no value, fehlt, "
     "error, err, #error, empty, out, saturated, clipped, outlier",
     ',');
 

@@ -473,6 +473,20 @@ std::vector<double> TextBlock::column(std::size_t number) const {
   return found;
 }
 
+void TextBlock::append(TextColumn column, const std::vector<double>& numbers) {
+  const std::size_t count = columns.size();
+  std::vector<double> wider;
+  wider.reserve(rows * (count + 1));
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (std::size_t i = 0; i < count; ++i) wider.push_back(at(row, i));
+    wider.push_back(numbers[row]);
+  }
+  values = std::move(wider);
+  columns.push_back(std::move(column));
+  texts.emplace_back();
+  cells.emplace_back();
+}
+
 bool TextBlock::hasNames() const {
   return std::ranges::any_of(columns,
                              [](const TextColumn& column) { return !column.name.empty(); });

@@ -23,6 +23,7 @@ struct TextColumn {
   std::string unit{};   // as written ("\u00B5m", "rad/s"), from the name or from a row of units
   bool isText = false;  // labels, in TextBlock::texts
   std::optional<std::size_t> errorsOf{};  // the column in whose cells the numbers stand as errors
+  bool isOfNames = false;                 // the numbers stand in the names of other columns
 };
 
 /// A line that is not a row of numbers: "key: value", "key = value", "key;value", "# key: value".
@@ -50,6 +51,8 @@ struct TextBlock {
     return values[row * columns.size() + column];
   }
   std::vector<double> column(std::size_t number) const;
+  /// Appends a column with a number in each row.
+  void append(TextColumn column, const std::vector<double>& numbers);
   /// Returns whether some column has a name.
   bool hasNames() const;
   /// Returns the name of a column, or "column 3".

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/regular_file.h"
-#include "core/base/statistics.h"
 #include "core/base/text.h"
 #include "core/base/text_table.h"
 #include "core/fit/friction_checks.h"
@@ -15,6 +15,7 @@
 #include "core/fit/friction_header.h"
 #include "core/fit/friction_preparation.h"
 #include "core/fit/friction_roles.h"
+#include "core/fit/friction_rows.h"
 
 namespace asperity {
 namespace {
@@ -66,201 +67,6 @@ void refuseStatements(const TextBlock& block, const std::string& name) {
                     "it as \"name: value\", or take the line out",
                     block.lines[row], shortened(cells[row].text), Message(meaningOf(*quantity))));
 }
-
-/// The numbers of a table in SI units, row by row.
-class FrictionRows {
- public:
-  FrictionRows(const TextBlock& block, const FrictionRoles& roles,
-               const std::vector<HeaderStatement>& common, const std::string& name)
-      : block_(block), roles_(roles), common_(common), name_(name) {
-    for (const FrictionRole& column : roles.columns)
-      if (hasNegativeLoads(column)) negativeLoads_.push_back(column.index);
-  }
-
-  /// Returns notes on loads that are below 0 in all rows.
-  std::vector<Message> signNotes() const {
-    std::vector<Message> notes;
-    for (const FrictionRole& column : roles_.columns)
-      if (isNegative(column))
-        notes.push_back(message(
-            "column {}: the {} is below 0 in all rows, by a convention of signs; its magnitude is "
-            "taken",
-            column.index + 1, Message(meaningOf(column.quantity))));
-    return notes;
-  }
-
-  /// Returns the note on a coefficient of friction that contradicts the forces beside it
-  /// (contradictingRatio).
-  std::optional<Message> contradiction() const {
-    if (!roles_.forceOfFriction) return {};
-    const auto& [quantity, index, conversion, note] = *roles_.forceOfFriction;
-    std::vector<double> ratios;
-    for (std::size_t row = 0; row < block_.rows; ++row) {
-      const double force = std::abs(conversion.unit.toSi(block_.at(row, index)));
-      if (!std::isgreater(force, 0)) continue;
-      const double ratio = valueAt(row, Quantity::Mu) * valueAt(row, Quantity::Force) / force;
-      if (std::isgreater(ratio, 0)) ratios.push_back(ratio);
-    }
-    const auto ratio = contradictingRatio(std::move(ratios));
-    if (!ratio) return {};
-    return message(
-        "column {} contradicts the forces: in the median it is {} times the force of friction in "
-        "column {} over the normal force; it is read as the coefficient of friction",
-        shortened(block_.columns[roles_.find(Quantity::Mu)->index].name),
-        PrintedNumber{printedNumber(*ratio, 3)}, shortened(block_.columns[index].name));
-  }
-
-  /// Returns the points; rows without a velocity or a coefficient of friction are left out.
-  std::vector<MeasuredPoint> read() const {
-    std::vector<MeasuredPoint> points;
-    std::vector<std::size_t> rows;
-    for (std::size_t row = 0; row < block_.rows; ++row) {
-      if (!hasPoint(row)) continue;
-      points.push_back(pointAt(row));
-      rows.push_back(row);
-    }
-    if (!roles_.repeats.empty() && !roles_.find(Quantity::MuError)) averageRepeats(rows, points);
-    return points;
-  }
-
-  /// Returns the number of rows that have values and are left out.
-  std::size_t leftOut() const {
-    std::size_t count = 0;
-    for (std::size_t row = 0; row < block_.rows; ++row)
-      if (!isBlank(row) && !hasPoint(row)) ++count;
-    return count;
-  }
-
- private:
-  [[noreturn]] void refuseRow(int row, const Message& what) const {
-    throw InputError(name_, "", message("row {}: {}", row, what));
-  }
-
-  /// Returns the repeated measurements of a row.
-  std::vector<double> repeatsOf(std::size_t row) const {
-    std::vector<double> values;
-    for (const std::size_t index : roles_.repeats)
-      if (const double value = block_.at(row, index); !std::isnan(value)) values.push_back(value);
-    return values;
-  }
-
-  /// Sets friction to the mean of its repeats. The relative scatter is that of all rows together,
-  /// because that of a few values is itself uncertain.
-  void averageRepeats(const std::vector<std::size_t>& rows,
-                      std::vector<MeasuredPoint>& points) const {
-    double squares = 0;
-    std::size_t freedom = 0, i = 0;
-    std::vector<std::size_t> counts;
-    for (const std::size_t row : rows) {
-      const std::vector<double> values = repeatsOf(row);
-      for (const double value : values) squares += std::pow(value / points[i].mu - 1, 2);
-      freedom += values.size() - 1;
-      counts.push_back(values.size());
-      ++i;
-    }
-    if (!(squares > 0)) return;
-    for (i = 0; i < points.size(); ++i)
-      points[i].muError = points[i].mu * std::sqrt(squares / static_cast<double>(freedom) /
-                                                   static_cast<double>(counts[i]));
-  }
-
-  /// Returns whether a row has a velocity and friction, as far as their values are not missing.
-  bool hasPoint(std::size_t row) const {
-    return !std::isnan(valueAt(row, Quantity::Velocity)) && !std::isnan(valueAt(row, Quantity::Mu));
-  }
-
-  /// Returns whether a row has nothing but separators.
-  bool isBlank(std::size_t row) const {
-    for (std::size_t i = 0; i < block_.columns.size(); ++i)
-      if (block_.columns[i].isText ? !block_.texts[i][row].empty() : !std::isnan(block_.at(row, i)))
-        return false;
-    return true;
-  }
-
-  bool isNegative(const FrictionRole& column) const {
-    return std::ranges::find(negativeLoads_, column.index) != negativeLoads_.end();
-  }
-
-  /// Returns whether a column has loads below 0 in all rows, as load cells give compression.
-  bool hasNegativeLoads(const FrictionRole& column) const {
-    if (column.quantity != Quantity::Force && column.quantity != Quantity::Pressure) return false;
-    bool isNegative = false;
-    for (std::size_t row = 0; row < block_.rows; ++row) {
-      const double load = block_.at(row, column.index);
-      if (std::isgreaterequal(load, 0)) return false;
-      isNegative = isNegative || std::isless(load, 0);
-    }
-    return isNegative;
-  }
-
-  /// Returns a value of a row; NaN where the column or the value is missing.
-  double valueAt(std::size_t row, Quantity quantity, double whole = 1) const {
-    const FrictionRole* column = roles_.find(quantity);
-    if (!column) {
-      const auto common = std::ranges::find(common_, quantity, &HeaderStatement::quantity);
-      return common == common_.end() ? kNotApplicable : common->value;
-    }
-    if (quantity == Quantity::Mu && !roles_.repeats.empty()) {
-      const std::vector<double> values = repeatsOf(row);
-      return values.empty() ? kNotApplicable : mean(values);
-    }
-    const FrictionConversion& in = column->conversion;
-    double number = block_.at(row, column->index);
-    if (std::isnan(number)) return kNotApplicable;
-    if (in.isVariance) number = std::sqrt(number);
-    if (isNegative(*column)) number = -number;
-    if (in.isForce) return std::abs(in.unit.toSi(number)) / valueAt(row, Quantity::Force);
-    return in.unit.toSi(number) * (in.isShare ? whole : 1) / in.divisor;
-  }
-
-  MeasuredPoint pointAt(std::size_t row) const {
-    MeasuredPoint point;
-    point.row = static_cast<int>(block_.lines[row]);
-    point.velocity = valueAt(row, Quantity::Velocity);
-    point.mu = valueAt(row, Quantity::Mu);
-    needPositive(point, point.velocity, Quantity::Velocity);
-    needPositive(point, point.mu, Quantity::Mu);
-    point.muError = valueAt(row, Quantity::MuError, point.mu);
-    point.velocityError = valueAt(row, Quantity::VelocityError, point.velocity);
-    point.normalForce = valueAt(row, Quantity::Force);
-    point.nominalPressure = valueAt(row, Quantity::Pressure);
-    point.temperature = valueAt(row, Quantity::Temperature);
-    for (const auto& [quantity, value] : {std::pair{Quantity::MuError, point.muError},
-                                          {Quantity::Force, point.normalForce},
-                                          {Quantity::Pressure, point.nominalPressure},
-                                          {Quantity::Temperature, point.temperature}})
-      if (roles_.find(quantity)) needPositive(point, value, quantity);
-    if (roles_.find(Quantity::VelocityError) && !std::isnan(point.velocityError) &&
-        !(point.velocityError >= 0))
-      refuseRow(point.row, "the error of the velocity is below 0");
-    if (const FrictionRole* temperature = roles_.find(Quantity::Temperature)) {
-      constexpr double kColdest = 120;  // K; below it no elastomer is rubbery
-      if (block_.columns[temperature->index].unit.empty() && point.temperature < kColdest)
-        refuseRow(point.row,
-                  message("a temperature of {} K is too cold for rubber; name the unit, as in "
-                          "\"temperature (C)\"",
-                          plain(point.temperature)));
-    }
-    for (const FrictionRole& column : roles_.columns)
-      if (column.quantity == Quantity::Label)
-        appendItem(point.label, block_.texts[column.index][row]);
-    return point;
-  }
-
-  void needPositive(const MeasuredPoint& point, double value, Quantity quantity) const {
-    const Message meaning = meaningOf(quantity);
-    if (std::isnan(value))
-      refuseRow(point.row, message("the {} is missing", meaning));
-    else if (!(value > 0))
-      refuseRow(point.row, message("the {} is {}, which is not above 0", meaning, plain(value)));
-  }
-
-  const TextBlock& block_;
-  const FrictionRoles& roles_;
-  const std::vector<HeaderStatement>& common_;
-  const std::string& name_;
-  std::vector<std::size_t> negativeLoads_;  // columns
-};
 
 /// Returns notes on how the columns were understood, and which ones were ignored.
 std::vector<Message> notesOn(const TextBlock& block, const FrictionRoles& roles,
@@ -331,12 +137,9 @@ FrictionData readPoints(const TextTable& table, const std::string& name) {
                header.common.end();
       },
       name);
-  const FrictionRows rows(block, roles, header.common, name);
-  FrictionData data{name, rows.read(), notesOn(block, roles, header, mark)};
-  if (const std::size_t leftOut = rows.leftOut(); leftOut > 0)
-    data.notes.push_back(message("rows without a value, left out: {}", leftOut));
-  std::ranges::move(rows.signNotes(), std::back_inserter(data.notes));
-  if (const auto note = rows.contradiction()) data.notes.push_back(*note);
+  FrictionRows rows = readRows(block, roles, header.common, name);
+  FrictionData data{name, std::move(rows.points), notesOn(block, roles, header, mark)};
+  std::ranges::move(rows.notes, std::back_inserter(data.notes));
   checkPoints(data.points, block, roles, name);
   std::ranges::move(slipNotes(data.points), std::back_inserter(data.notes));
   if (table.dialect.isUnclear) data.notes.push_back(unclearMark(table.dialect.decimal));

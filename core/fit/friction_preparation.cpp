@@ -1,6 +1,7 @@
 #include "core/fit/friction_preparation.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -100,20 +101,16 @@ std::string takeErrorName(TextColumn& column) {
 
 /// Appends a column of the errors that stand in the cells of another one.
 void appendErrors(TextBlock& block, std::size_t of, const std::string& name) {
-  const std::size_t count = block.columns.size();
   TextColumn column{name.empty() ? "standard error" : name, block.columns[of].unit};
   column.errorsOf = of;
-  std::vector<double> values;
+  std::vector<double> errors;
   std::vector<TextCell> cells(block.rows);
   for (std::size_t row = 0; row < block.rows; ++row) {
-    for (std::size_t i = 0; i < count; ++i) values.push_back(block.at(row, i));
-    values.push_back(block.cells[of][row].error);
+    errors.push_back(block.cells[of][row].error);
     cells[row].unit = block.cells[of][row].unit;
   }
-  block.columns.push_back(column);
-  block.values = std::move(values);
-  block.texts.emplace_back();
-  block.cells.push_back(std::move(cells));
+  block.append(std::move(column), errors);
+  block.cells.back() = std::move(cells);
 }
 
 /// Gives the errors in the cells of the coefficient of friction a column of their own.
@@ -134,18 +131,141 @@ void separateErrors(TextBlock& block) {
   if (found && count == 1) appendErrors(block, *found, name);
 }
 
-/// Keeps the cells of labels as they are written: "5 N" may name a sample.
+/// Keeps the cells of labels as they are written: "5 N" may name a sample. Complex numbers are no
+/// numbers of friction.
 void keepLabels(TextBlock& block) {
   for (std::size_t i = 0; i < block.columns.size(); ++i) {
     std::vector<TextCell>& cells = block.cells[i];
-    const auto hasText = [](const TextCell& cell) { return !cell.text.empty(); };
-    if (cells.empty() || findMeaning(block.columns[i]) != FrictionQuantity::Label ||
-        !std::ranges::all_of(cells, hasText))
-      continue;
+    const bool isLabel =
+        findMeaning(block.columns[i]) == FrictionQuantity::Label &&
+        std::ranges::all_of(cells, [](const TextCell& cell) { return !cell.text.empty(); });
+    const bool isComplex = std::ranges::any_of(
+        cells, [](const TextCell& cell) { return !std::isnan(cell.imaginary); });
+    if (cells.empty() || !(isLabel || isComplex)) continue;
     block.columns[i].isText = true;
     for (const TextCell& cell : cells) block.texts[i].push_back(cell.text);
     cells.clear();
   }
+}
+
+// ---- Several states side by side ----------------------------------------------------------------
+
+/// A temperature or load in the name of a column, and the column without it.
+struct NamedState {
+  FrictionQuantity quantity = FrictionQuantity::Temperature;
+  double value = 0;  // SI
+  TextColumn column{};
+  std::optional<FrictionQuantity> meaning{};  // of that column
+};
+
+/// Reads "mu 5 \u00B0C", "mu_5C", "mu@5 N", "mu (0.1 MPa)", "mu_error 5 \u00B0C". The unit of the
+/// state may have been taken for that of the column.
+std::optional<NamedState> stateOf(const TextColumn& column) {
+  for (const bool isJoined : {false, true}) {
+    const std::string text = isJoined ? column.name + " " + column.unit : column.name;
+    std::size_t number = text.find_first_of("0123456789");
+    if (number == 0 || number == text.npos) continue;
+    const bool hasMinus = text[number - 1] == '-' && number > 1 &&
+                          std::isalnum(static_cast<unsigned char>(text[number - 2])) == 0;
+    if (hasMinus) --number;
+    const auto state = parseQuantity(withoutEnd(std::string_view(text).substr(number), ")] "));
+    const auto quantity = state ? quantityOfUnit(state->unit) : std::nullopt;
+    if (!quantity) continue;
+    NamedState found{*quantity, unitOfQuantity(state->unit, *quantity)->toSi(state->number)};
+    std::string_view name = withoutEnd(std::string_view(text).substr(0, number), " ([@_,=T");
+    for (const std::string_view word : WordList(" at, bei", ','))
+      if (name.ends_with(word) && name.size() > word.size() + 1)
+        name = withoutEnd(name.substr(0, name.size() - word.size()), " ");
+    found.column.name = name;
+    found.column.unit = isJoined ? std::string() : column.unit;
+    found.column.isText = column.isText;
+    found.meaning = findMeaning(found.column);
+    return found;
+  }
+  return {};
+}
+
+/// The columns of friction and its error in one state.
+struct StateColumns {
+  double value = 0;
+  std::optional<std::size_t> mu{}, error{};
+};
+
+/// Returns the states of a table that has friction in several of them side by side, each once, and
+/// with an error in all or none of them; empty where it is another table, or one that is not clear.
+std::vector<StateColumns> statesOf(const TextBlock& block,
+                                   const std::vector<std::optional<NamedState>>& named) {
+  using enum FrictionQuantity;
+  std::vector<StateColumns> states;
+  std::optional<FrictionQuantity> quantity;
+  for (std::size_t i = 0; i < named.size(); ++i) {
+    if (!named[i]) continue;
+    const bool isMu = named[i]->meaning == Mu, isError = named[i]->meaning == MuError;
+    if (block.columns[i].isText || !(isMu || isError)) return {};
+    if (quantity && quantity != named[i]->quantity) return {};
+    quantity = named[i]->quantity;
+    auto state = std::ranges::find(states, named[i]->value, &StateColumns::value);
+    if (state == states.end()) state = states.insert(state, {named[i]->value});
+    std::optional<std::size_t>& place = isMu ? state->mu : state->error;
+    if (place) return {};
+    place = i;
+  }
+  if (states.size() < 2) return {};
+  for (const StateColumns& state : states)
+    if (!state.mu || state.error.has_value() != states.front().error.has_value()) return {};
+  for (std::size_t i = 0; i < named.size(); ++i) {
+    const auto meaning = named[i] ? std::nullopt : findMeaning(block.columns[i]);
+    const bool isLoad = meaning == Force || meaning == Pressure;
+    const bool isSame = meaning == quantity || (isLoad && quantity != Temperature);
+    // The number of a column behind those of friction would be another one.
+    if (meaning == Mu || isSame || (meaning && i > *states.front().mu)) return {};
+  }
+  return states;
+}
+
+/// Writes friction in several states side by side one below the other.
+void stackStates(TextBlock& block) {
+  std::vector<std::optional<NamedState>> named;
+  for (const TextColumn& column : block.columns) named.push_back(stateOf(column));
+  const std::vector<StateColumns> states = statesOf(block, named);
+  if (states.empty()) return;
+  const StateColumns& first = states.front();
+  const NamedState& example = *named[*first.mu];
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < named.size(); ++i)
+    if (!named[i] || i == first.mu || i == first.error) kept.push_back(i);
+  TextBlock stacked;
+  stacked.header = block.header;
+  // The line of names states none of all points.
+  std::erase_if(stacked.header, [&](const TextEntry& entry) {
+    return entry.written.find(block.columns[*first.mu].name) != std::string::npos;
+  });
+  stacked.rows = block.rows * states.size();
+  stacked.texts.resize(kept.size());
+  stacked.cells.resize(kept.size());
+  for (const std::size_t i : kept)
+    stacked.columns.push_back(named[i] ? named[i]->column : block.columns[i]);
+  std::vector<double> values;
+  for (const StateColumns& state : states)
+    for (std::size_t row = 0; row < block.rows; ++row) {
+      stacked.lines.push_back(block.lines[row]);
+      values.push_back(state.value);
+      for (std::size_t j = 0; j < kept.size(); ++j) {
+        const std::size_t from = kept[j] == first.mu      ? *state.mu
+                                 : kept[j] == first.error ? *state.error
+                                                          : kept[j];
+        stacked.values.push_back(block.at(row, from));
+        if (!block.texts[from].empty()) stacked.texts[j].push_back(block.texts[from][row]);
+        stacked.cells[j].push_back(block.cells[from].empty() ? TextCell{} : block.cells[from][row]);
+      }
+    }
+  TextColumn column{meaningOf(example.quantity),
+                    std::string(unitOfQuantity("K", example.quantity)         ? "K"
+                                : example.quantity == FrictionQuantity::Force ? "N"
+                                                                              : "Pa")};
+  column.isOfNames = true;
+  stacked.append(std::move(column), values);
+  block = std::move(stacked);
 }
 
 }  // namespace
@@ -172,6 +292,7 @@ void prepareColumns(TextBlock& block) {
     joinSymbol(column);
   }
   keepLabels(block);
+  stackStates(block);
   separateErrors(block);
 }
 

@@ -283,7 +283,8 @@ class FrictionRoleFinder {
     const auto number = static_cast<int>(column.errorsOf.value_or(index)) + 1;
     const Message meaning(meaningOf(quantity));
     const Message note = column.errorsOf ? message("column {}, in its cells: {}", number, meaning)
-                                         : message("column {}: {}", number, meaning);
+                         : column.isOfNames ? message("in the names of the columns: {}", meaning)
+                                            : message("column {}: {}", number, meaning);
     roles_.columns.push_back(
         {quantity, index, conversion, unit.empty() ? note : message("{} ({})", note, unit)});
   }

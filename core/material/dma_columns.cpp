@@ -14,6 +14,7 @@
 #include "core/base/text_cell.h"
 #include "core/base/text_clause.h"
 #include "core/base/text_number.h"
+#include "core/material/text_frequency.h"
 
 namespace asperity {
 namespace {
@@ -22,6 +23,11 @@ ModulusKind modulusKind(std::string_view word) {
   if (containsOneOf(word, "shear schub torsion")) return ModulusKind::Shear;
   if (containsOneOf(word, "young tensil tension zug bend biege compress"))
     return ModulusKind::Tension;
+  if (beginsWithOneOf(word, "j |j eta |eta \u03B7 |\u03B7") || containsOneOf(word, "viscos viskos"))
+    return ModulusKind::Shear;
+  if (beginsWithOneOf(word, "d' d* |d") || containsOneOf(word, "complianced' complianced*"))
+    return ModulusKind::Tension;
+  if (containsOneOf(word, "j' j*")) return ModulusKind::Shear;
   // "g'", "|e*|", "storagemodulusg'", "estorage"
   if (word.starts_with("g") && word != "gamma") return ModulusKind::Shear;
   if (word.starts_with("|g")) return ModulusKind::Shear;
@@ -44,6 +50,41 @@ bool namesTemperature(std::string_view word) {
          !containsOneOf(word, "attempt template tempor contemp");
 }
 
+/// Returns whether a column of this name states a viscosity or a compliance.
+MeasuredForm formOfName(std::string_view word) {
+  if (containsOneOf(word, "viscosity viskositaet viscosite viscosita viscosidad \u7C98\u5EA6") ||
+      beginsWithOneOf(word, "eta |eta \u03B7 |\u03B7"))
+    return MeasuredForm::Viscosity;
+  if (containsOneOf(word, "compliance nachgiebigkeit") ||
+      beginsWithOneOf(word, "j' j* |j d' d* |d*"))
+    return MeasuredForm::Compliance;
+  return MeasuredForm::Modulus;
+}
+
+/// Returns which part a viscosity or a compliance is; none without a mark of an oscillation, as the
+/// viscosity of a flow.
+DmaQuantity partOf(std::string_view word, MeasuredForm form) {
+  using enum DmaQuantity;
+  const bool isViscosity = form == MeasuredForm::Viscosity;
+  if (containsOneOf(word, "'' doubleprime imagin outofphase losscompl verlustnachg"))
+    return isViscosity ? Storage : Loss;
+  if (containsOneOf(word, "' prime realpart realteil inphase storagecompl speichernachg"))
+    return isViscosity ? Loss : Storage;
+  return containsOneOf(word, "* | complex komplex star") ? Magnitude : None;
+}
+
+/// Returns whether a name is that of a frequency times a shift factor.
+bool isReducedFrequency(std::string_view word) {
+  return containsOneOf(word, "reduc reduz redui ridott shift master *at at* \u63DB\u7B97") ||
+         word.starts_with("atf") || word.starts_with("redf") ||
+         endsWithOneOf(word, "yat qat qred yred zred");
+}
+
+/// Frequencies in Hz or as omega by their symbols alone.
+constexpr WordList kReducedSymbols("at*f atf fat f*at fred");
+constexpr WordList kReducedAngularSymbols(
+    "omega*at omegaat atomega at*omega at*w w*at atw wat wred omegared");
+
 DmaQuantity dmaQuantity(std::string_view word) {
   using enum DmaQuantity;
   if (word.empty()) return None;
@@ -54,24 +95,24 @@ DmaQuantity dmaQuantity(std::string_view word) {
                     "factordeperdida \u640D\u5931\u6B63\u63A5 \u640D\u5931\u4FC2\u6570") ||
       word == "tan";
   if (isLossTangent) return LossTangent;
-  if (containsOneOf(word,
-                    "viscosity viskositaet compliance nachgiebigkeit strainrate energy energie "
-                    "stiffness torque") ||
-      word.starts_with("eta") || word.starts_with("\u03B7") || word.starts_with("j'") ||
-      word.starts_with("d'"))
-    return None;
+  if (containsOneOf(word, "strainrate energy energie stiffness torque")) return None;
+  if (const MeasuredForm form = formOfName(word); form != MeasuredForm::Modulus)
+    return partOf(word, form);
   if (containsOneOf(word, "freq frecuenc \u5468\u6CE2\u6570 \u9891\u7387") ||
       isOneOf(word, "f nu omega w angular"))
-    return containsOneOf(word, "reduc reduz shift master *at at*") || word.starts_with("atf") ||
-                   word.ends_with("yat") || word.ends_with("qat")
-               ? ReducedFrequency
-               : Frequency;
-  if (isOneOf(word, "at*f atf fat f*at omega*at omegaat atomega at*omega")) return ReducedFrequency;
+    return isReducedFrequency(word) ? ReducedFrequency : Frequency;
+  if (isOneOf(word, kReducedSymbols) || isOneOf(word, kReducedAngularSymbols))
+    return ReducedFrequency;
   if (namesTemperature(word) ||
       isOneOf(
           word,
           "t tc tk tcelsius tkelvin tsample tprobe tset tsoll tist tactual tmeasured ttest tmess"))
     return Temperature;
+  // A complex modulus has no such part by its symbol: "G* imaginary part".
+  const bool isOfModulus =
+      modulusKind(word) != ModulusKind::Unknown || word.find("modul") != word.npos;
+  if (isOfModulus && containsOneOf(word, "imaginarypart imagpart imaginaerteil")) return Loss;
+  if (isOfModulus && containsOneOf(word, "realpart realteil")) return Storage;
   if (containsOneOf(
           word,
           "'' lossmod gloss eloss verlustmodul doubleprime viscousmod modulusloss dprime "
@@ -151,7 +192,8 @@ bool isMadeOfKnownWords(std::string_view word) {
       "dynamischer betrag winkel faktor daempfungs d\u00E4mpfungs teil values value wert mean "
       "average avg mittel measured raw corrected smoothed reduced linear reference ref temperature "
       "temperatur temp of at in out the ratio von bei conservation perte m\u00F3dulo modulo "
-      "conservativo perdita p\u00E9rdida perdida almacenamiento "
+      "conservativo perdita p\u00E9rdida perdida almacenamiento viscosity viskosit\u00E4t "
+      "compliance nachgiebigkeit eta \u03B7 "
       "\u8CAF\u8535\u5F3E\u6027\u7387 \u640D\u5931\u5F3E\u6027\u7387");
   return word.empty() || std::ranges::any_of(kParts, [word](std::string_view part) {
            return word.starts_with(part) && isMadeOfKnownWords(word.substr(part.size()));
@@ -182,12 +224,18 @@ std::string unknownWords(std::string_view name) {
     if (isOneOf(word,
                 "g e d t s p pp g1 g2 e1 e2 gp gpp ep epp gabs eabs gmag emag tand gprime eprime "
                 "dprime gstar estar greal ereal gimag eimag gstorage estorage gloss eloss lossg "
-                "losse log lg ln log10 de di") ||
+                "losse log lg ln log10 de di j") ||
         isMadeOfKnownWords(withoutGluedSymbol(word)))
       continue;
     appendItem(unknown, word, " ");
   }
   return unknown;
+}
+
+/// Returns whether columns of a quantity belong to one frequency where their names state it.
+bool mayStateFrequency(DmaQuantity quantity) {
+  return isMeasured(quantity) || quantity == DmaQuantity::Temperature ||
+         quantity == DmaQuantity::Strain;
 }
 
 }  // namespace
@@ -223,7 +271,7 @@ std::string compactName(std::string_view name) {
                                            {"\u00E9 \u00E8 \u00C9 \u00C8", "e"},
                                            {"\u00F3", "o"},
                                            {"\u2217", "*"},
-                                           {"\u00B7 \u00A0 \u00B0", ""}};
+                                           {"\u00B7 \u22C5 \u00D7 \u00A0 \u00B0", ""}};
   std::string text = replaced(lowerCase(name), kReplacements);
   std::erase_if(text, [](char letter) {
     return std::string_view(" _-.\t()[]{},:@").find(letter) != std::string_view::npos;
@@ -247,14 +295,30 @@ DmaColumn dmaColumn(std::string_view name, std::string_view unit) {
   for (const std::string_view part : {name, unit})
     if (const auto found = firstTemperature(part)) {
       column.temperature = found->kelvin;
-      if (part.data() == name.data())
+      column.isUnitOfState = part.data() != name.data();
+      if (!column.isUnitOfState)
         word = std::string(name.substr(0, found->begin)) + std::string(name.substr(found->end));
       break;
     }
+  // The unit may have been separated from the number in front of it: "E' 3" and "Hz".
+  const std::string whole = word + " " + std::string(unit);
+  if (const auto found = firstFrequency(whole)) {
+    const std::string rest = word.substr(0, std::min(found->begin, word.size())) +
+                             word.substr(std::min(found->end, word.size()));
+    if (mayStateFrequency(dmaQuantity(compactName(rest)))) {
+      column.frequency = found->hertz;
+      column.isUnitOfState = column.isUnitOfState || found->end > word.size();
+      word = rest;
+    }
+  }
   const std::string plain = compactName(word);
   column.quantity = dmaQuantity(plain);
   column.kind = modulusKind(plain);
-  const std::vector<std::string> words = wordsOf(word);
+  column.form = formOfName(plain);
+  std::vector<std::string> words = wordsOf(word);
+  // "D'" is a compliance, and "dE'" the deviation of a modulus.
+  if (column.form == MeasuredForm::Compliance && !words.empty() && words.front() == "d")
+    words.front() = "j";
   // "Sample T" and "T furnace"
   if (column.quantity == DmaQuantity::None && words.size() == 2 && isOneOf("t", words) &&
       (hasOneOf(words, kWordsOfSample) || hasOneOf(words, kWordsOfDevice)))
@@ -272,7 +336,8 @@ DmaColumn dmaColumn(std::string_view name, std::string_view unit) {
   if (column.quantity == DmaQuantity::Temperature && unitSize(unit, "s"))
     column.quantity = DmaQuantity::None;
   if (isMeasured(column.quantity)) column.unknown = unknownWords(word);
-  column.isAngular = containsOneOf(plain, "omega angular kreisfreq") || plain == "w";
+  column.isAngular = containsOneOf(plain, "omega angular kreisfreq") || plain == "w" ||
+                     isOneOf(plain, kReducedAngularSymbols);
   return column;
 }
 
@@ -293,13 +358,27 @@ std::optional<double> parseStrain(std::string_view text) {
   return strain > 0 && std::isfinite(strain) ? std::optional(strain) : std::nullopt;
 }
 
-std::optional<double> frequencyUnit(std::string_view unit, bool isAngular) {
-  constexpr double kAngular = 0.5 / std::numbers::pi;
-  if (unit.empty()) return isAngular ? kAngular : 1;
-  const std::string word = lowerCase(unit);
-  if (word.starts_with("rad")) return kAngular;
-  if (isAngular && isOneOf(word, "1/s s-1 s^-1 s\u207B\u00B9")) return kAngular;
-  return unitSize(unit, "Hz");
+std::optional<double> viscosityUnit(std::string unit) {
+  replaceAll(unit, ".", " ");  // "Pa.s"
+  if (unit.ends_with("Pas")) unit.insert(unit.size() - 1, " ");
+  return unitSize(unit, "Pa s");
+}
+
+std::optional<double> complianceUnit(std::string_view unit) {
+  std::string inverse;
+  if (const std::size_t stroke = unit.find('/'); stroke != unit.npos) {
+    const std::string_view above = trimmedBlanks(unit.substr(0, stroke));
+    inverse = withoutBrackets(unit.substr(stroke + 1));
+    if (above != "1") inverse += "/" + std::string(above);
+  } else {
+    for (const std::string_view power : WordList("^-1 ^(-1) -1 \u207B\u00B9"))
+      if (unit.ends_with(power)) {
+        inverse = trimmedBlanks(unit.substr(0, unit.size() - power.size()));
+        break;
+      }
+  }
+  const auto size = unitSize(inverse, "Pa");
+  return size ? std::optional(1 / *size) : std::nullopt;
 }
 
 std::optional<double> angleUnit(std::string_view unit) {

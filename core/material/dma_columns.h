@@ -36,6 +36,10 @@ bool isMeasured(DmaQuantity quantity);
 
 enum class ModulusKind { Unknown, Shear, Tension };
 
+/// What a column states in place of a modulus: a viscosity, G* = i omega eta*, or a compliance,
+/// G* = 1 / J*.
+enum class MeasuredForm { Modulus, Viscosity, Compliance };
+
 /// Returns the shear modulus of a Young's modulus, E / (2 (1 + nu)).
 double shearFromYoungs(double youngs, double poisson);
 
@@ -51,10 +55,15 @@ inline constexpr WordList kWordsOfDevice(
     "tsoll");
 
 struct DmaColumn {
+  /// Of a viscosity, eta' is part of the loss modulus, and eta'' of the storage modulus; J' and J''
+  /// are the storage and the loss compliance.
   DmaQuantity quantity = DmaQuantity::None;
   ModulusKind kind = ModulusKind::Unknown;  // of a modulus
-  bool isAngular = false;                   // of a frequency: omega by its name
-  std::optional<double> temperature{};      // K, where the name states one: "G' (20 \u00B0C)"
+  MeasuredForm form = MeasuredForm::Modulus;
+  bool isAngular = false;               // of a frequency: omega by its name
+  std::optional<double> temperature{};  // K, where the name states one: "G' (20 \u00B0C)"
+  std::optional<double> frequency{};    // Hz, where the name of a measured one has it: "E' 10 Hz"
+  bool isUnitOfState = false;           // the unit is part of one of these, and none of the numbers
   /// Of no use, and named to the user: a deviation ("G' std"), a set value, a strain in a unit that
   /// is not known. Its quantity is none.
   bool isLeftOut = false;
@@ -82,9 +91,12 @@ std::optional<double> parseStrain(std::string_view text);
 /// text is none, as "mm".
 std::optional<double> strainUnit(std::string_view unit);
 
-/// Returns one unit of frequency in Hz; nothing where the text is none. An empty text means Hz, or
-/// rad/s for omega.
-std::optional<double> frequencyUnit(std::string_view unit, bool isAngular);
+/// Returns one unit of viscosity in Pa s; nothing where the text is none.
+std::optional<double> viscosityUnit(std::string unit);
+
+/// Returns one unit of compliance, "1/MPa" or "mm\u00B2/N", in 1/Pa; nothing where the text is
+/// none.
+std::optional<double> complianceUnit(std::string_view unit);
 
 /// Returns one unit of angle in radians; nothing where the text is none.
 std::optional<double> angleUnit(std::string_view unit);

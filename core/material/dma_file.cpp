@@ -10,6 +10,7 @@
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/text.h"
+#include "core/material/dma_cells.h"
 #include "core/material/dma_moduli.h"
 #include "core/material/dma_samples.h"
 #include "core/material/dma_sweeps.h"
@@ -57,6 +58,7 @@ class Reader {
                          message("line {}: '{}' is no number", block.lines.front(),
                                  shortened(block.texts[i].front())));
     refuseTestOverTime(block);
+    refuseOtherKind(block);
     constexpr std::size_t kMost = 12;
     std::string list;
     for (std::size_t i = 0; i < std::min(block.columns.size(), kMost); ++i)
@@ -86,6 +88,29 @@ class Reader {
                        "holds a test over time: relaxation tests, G(t), and creep tests, J(t), are "
                        "not read; what is read are G' and G'' over frequency at one or several "
                        "temperatures, and Prony series");
+  }
+
+  /// Refuses moduli of another kind than that which the user wants.
+  void refuseOtherKind(const TextBlock& block) const {
+    std::string others;
+    for (std::size_t i = 0; i < block.columns.size(); ++i) {
+      const DmaColumn column = dmaColumn(block.columns[i].name, block.columns[i].unit);
+      if (isModulus(column.quantity) && column.kind != ModulusKind::Unknown &&
+          column.kind != choices_.modulus)
+        appendItem(others, shortened(block.label(i)));
+    }
+    if (others.empty() || choices_.modulus == ModulusKind::Unknown) return;
+    throw InputError(
+        name_, "--modulus",
+        choices_.modulus == ModulusKind::Shear
+            ? message("the file has moduli of tension (E) by their names: {}; without the option "
+                      "they are read as such and divided for shear; where the names are wrong, say "
+                      "with --storage-column and --loss-column which are meant",
+                      Message::name(others))
+            : message("the file has moduli of shear (G) by their names: {}; without the option "
+                      "they are read as such; where the names are wrong, say with --storage-column "
+                      "and --loss-column which are meant",
+                      Message::name(others)));
   }
 
   bool readBlock(const TextBlock& block) {
@@ -120,7 +145,10 @@ class Reader {
     if (columns.has(ReducedFrequency) && hasIsotherms) addNote(shiftIsNotRead());
     const std::size_t frequencyAt = columns[isReduced ? ReducedFrequency : Frequency];
     facts.isReduced = isReduced;
-    const SizedColumn frequency = frequencyColumn(in, frequencyAt);
+    const bool hasFrequencies = frequencyAt != SweepColumns::kNone;
+    const SizedColumn frequency =
+        hasFrequencies ? frequencyColumn(in, frequencyAt)
+                       : SizedColumn{{printedQuantity(*columns.frequency, "Hz", 6), {}, false}, 1};
     facts.frequency = frequency.fact;
     // A master curve belongs to one temperature, whatever the temperatures of its points.
     std::optional<double> oneTemperature = columns.temperature;
@@ -142,7 +170,8 @@ class Reader {
     facts.modulus = moduli.kind;
     for (Message& note : moduli.notes) addNote(std::move(note));
     for (std::size_t row = 0; row < in.block.rows; ++row) {
-      const double hertz = in.block.at(row, frequencyAt) * frequency.size;
+      const double hertz =
+          hasFrequencies ? in.block.at(row, frequencyAt) * frequency.size : *columns.frequency;
       const double first = in.block.at(row, moduli.first) * moduli.firstSize;
       const double second = in.block.at(row, moduli.second) * moduli.secondSize;
       const double temperature =
@@ -156,8 +185,15 @@ class Reader {
       }
       for (const auto& [column, value] : {std::pair(moduli.first, first), {moduli.second, second}})
         if (!(value > 0)) refuseCell(in, row, column, moduli);
-      DynamicModulus modulus = moduli.combine(first, second);
-      modulus.frequency = hertz;
+      if (!(hertz > 0)) refuseRow(in.block.lines[row], "the frequency", hertz);
+      const DynamicModulus modulus = moduli.at(hertz, first, second);
+      const bool isOfMagnitude = moduli.pair->first == Magnitude && isModulus(moduli.pair->second);
+      if (isOfMagnitude && !(modulus.storage > 0 && modulus.loss > 0))
+        throw InputError(
+            name_, fmt::format("line {}", in.block.lines[row]),
+            message("{} is not above {}, which is a part of it; leave the row out or correct it",
+                    Message::name(shortened(in.block.label(moduli.first))),
+                    Message::name(shortened(in.block.label(moduli.second)))));
       checkRow(modulus, temperature, in.block.lines[row]);
       file_.rows.push_back({temperature, modulus});
       origins_.push_back({&in.block, row});
@@ -190,7 +226,8 @@ class Reader {
                   const ModulusColumns& moduli) const {
     const std::string label = in.block.label(column);
     const auto& fact = moduli.storage.name == label ? moduli.storage : moduli.loss;
-    if (fact.name != label || !unitSize(fact.unit, "Pa")) return;  // no modulus
+    const bool isOne = isModulus(column == moduli.first ? moduli.pair->first : moduli.pair->second);
+    if (fact.name != label || !isOne) return;
     throw InputError(
         name_, fmt::format("line {}", in.block.lines[row]),
         message("{} is {}, which must be above 0; leave the row out or correct it",
@@ -198,14 +235,14 @@ class Reader {
                 PrintedNumber{printedNumber(in.block.at(row, column), 8) + " " + fact.unit}));
   }
 
+  [[noreturn]] void refuseRow(std::size_t line, const char* what, double value) const {
+    throw InputError(name_, fmt::format("line {}", line),
+                     message("{} is {:.8g}, which must be above 0; leave the row out or correct it",
+                             Message(what), value));
+  }
+
   void checkRow(const DynamicModulus& modulus, double temperature, std::size_t line) const {
-    const auto refuse = [&](const char* what, double value) {
-      throw InputError(
-          name_, fmt::format("line {}", line),
-          message("{} is {:.8g}, which must be above 0; leave the row out or correct it",
-                  Message(what), value));
-    };
-    if (!(modulus.frequency > 0)) refuse("the frequency", modulus.frequency);
+    const auto refuse = [&](const char* what, double value) { refuseRow(line, what, value); };
     if (!(modulus.storage > 0)) refuse("the storage modulus", modulus.storage);
     if (!(modulus.loss > 0)) refuse("the loss modulus", modulus.loss);
     if (!(temperature > 0)) refuse("the temperature in K", temperature);
@@ -266,10 +303,13 @@ std::vector<Message> factsOf(const DmaFacts& facts) {
 }
 
 DmaFile readDmaFile(TextTable table, const std::string& name, const DmaChoices& choices) {
+  std::vector<Message> ofCells;
+  separateCells(table, name, ofCells);
   undoLogarithms(
       table, [](const std::string& quantity) { return dmaColumn(quantity, {}).quantity != None; });
   DmaFile file = Reader(table, name, choices).read();
   readShift(table, name, choices, file);
+  std::ranges::move(ofCells, std::back_inserter(file.facts.notes));
   file.facts.isMarkUnclear = table.dialect.isUnclear;
   file.facts.decimal = table.dialect.decimal;
   // A loss factor has no unit; then the other column is the modulus.

@@ -22,15 +22,25 @@ struct MeasuredPair {
 /// table has both; null where no pair is complete.
 const MeasuredPair* measuredPair(const SweepColumns& columns);
 
-/// The columns that are read as moduli. The sizes turn their numbers into moduli of shear in Pa,
-/// and into a loss factor or an angle in radians.
+/// Makes viscosities or compliances columns of none where moduli, or else viscosities, say the
+/// same.
+void chooseForm(std::vector<DmaColumn>& found);
+
+/// The columns that are read as moduli. The sizes turn their numbers into those of shear in SI
+/// units, and into a loss factor or an angle in radians.
 struct ModulusColumns {
   std::size_t first = 0, second = 0;
   double firstSize = 1, secondSize = 1;
-  DynamicModulus (*combine)(double first, double second) = nullptr;
+  bool isFirstViscosity = false, isSecondViscosity = false;  // to be multiplied by omega
+  bool areCompliances = false;
+  const MeasuredPair* pair = nullptr;
   DmaColumnFact storage{}, loss{};  // how they were read
   ModulusKind kind = ModulusKind::Shear;
   std::vector<Message> notes{};  // what states the kind, and what contradicts the moduli
+
+  /// Returns the moduli of shear at a frequency (Hz) from the numbers of both columns in SI units.
+  /// A modulus is 0 where the magnitude is no more than its other part.
+  DynamicModulus at(double hertz, double one, double other) const;
 };
 
 /// Returns the columns from which the moduli of a sweep are read, which has such a pair. Throws

@@ -11,6 +11,7 @@
 #include "core/base/text_header.h"
 #include "core/base/text_number.h"
 #include "core/material/dma_moduli.h"
+#include "core/material/text_frequency.h"
 
 namespace asperity {
 namespace {
@@ -91,8 +92,8 @@ void addChosen(const TextBlock& block, const DmaChoices& choices, SweepColumns& 
   if (!choices.frequencyColumn.empty()) columns.indices.erase(ReducedFrequency);
 }
 
-/// Distributes the columns: each belongs to the first sweep of its temperature that has no column
-/// of its quantity yet.
+/// Distributes the columns: each belongs to the first sweep of its temperature and frequency that
+/// has no column of its quantity yet.
 std::vector<SweepColumns> assignToSweeps(const std::vector<DmaColumn>& found) {
   std::vector<SweepColumns> sweeps(1);  // what stands without a temperature is the first
   for (std::size_t i = 0; i < found.size(); ++i) {
@@ -100,10 +101,11 @@ std::vector<SweepColumns> assignToSweeps(const std::vector<DmaColumn>& found) {
     if (column.quantity == None) continue;
     const auto temperature = column.quantity == Temperature ? std::nullopt : column.temperature;
     auto sweepOfColumn = std::ranges::find_if(sweeps, [&](const SweepColumns& sweep) {
-      return sweep.temperature == temperature && !sweep.has(column.quantity);
+      return sweep.temperature == temperature && sweep.frequency == column.frequency &&
+             !sweep.has(column.quantity);
     });
     if (sweepOfColumn == sweeps.end()) {
-      sweeps.push_back({{}, temperature});
+      sweeps.push_back({{}, temperature, column.frequency});
       sweepOfColumn = sweeps.end() - 1;
     }
     sweepOfColumn->indices[column.quantity] = i;
@@ -278,7 +280,12 @@ void refuseUnclearColumns(const TextBlock& block, const std::string& fileName,
   const bool hasBoth = (has(Storage) || !choices.storageColumn.empty()) &&
                        (has(Loss) || !choices.lossColumn.empty());
   // A table without any frequency is no table of moduli.
-  if (!has(Frequency) && !has(ReducedFrequency) && choices.frequencyColumn.empty()) return;
+  const bool isStated =
+      statedFrequency(block) || std::ranges::any_of(found, [](const DmaColumn& column) {
+        return column.frequency.has_value();
+      });
+  if (!has(Frequency) && !has(ReducedFrequency) && choices.frequencyColumn.empty() && !isStated)
+    return;
   for (std::size_t i = 0; i < found.size(); ++i) {
     DmaColumn& column = found[i];
     const DmaQuantity quantity = column.quantity;
@@ -292,6 +299,7 @@ void refuseUnclearColumns(const TextBlock& block, const std::string& fileName,
     for (std::size_t j = 0; j < found.size(); ++j) {
       const DmaColumn& other = found[j];
       if (j == i || other.quantity != quantity || other.temperature != column.temperature ||
+          other.frequency != column.frequency ||
           (other.words == column.words && other.unknown == column.unknown &&
            lowerCase(block.columns[i].name) == lowerCase(block.columns[j].name)))
         continue;
@@ -321,7 +329,7 @@ bool SweepColumns::hasModuli() const {
 }
 
 bool SweepColumns::isComplete() const {
-  return hasModuli() && (has(Frequency) || has(ReducedFrequency));
+  return hasModuli() && (has(Frequency) || has(ReducedFrequency) || frequency);
 }
 
 std::vector<SweepColumns> findSweeps(const TextBlock& block, const std::string& fileName,
@@ -329,6 +337,7 @@ std::vector<SweepColumns> findSweeps(const TextBlock& block, const std::string& 
   std::vector<DmaColumn> found;
   for (const TextColumn& column : block.columns)
     found.push_back(column.isText ? DmaColumn{} : dmaColumn(column.name, column.unit));
+  chooseForm(found);
   const ModulusKind kind = kindToRead(found, choices);
   for (DmaColumn& column : found)
     if (isModulus(column.quantity) && !isOfKind(column, kind)) column.quantity = None;
@@ -361,16 +370,22 @@ std::vector<SweepColumns> findSweeps(const TextBlock& block, const std::string& 
         sweep.indices.try_emplace(Temperature, common[Temperature]);
     }
   } else {
-    std::vector<double> temperatures;
+    std::vector<double> temperatures, frequencies;
     for (const SweepColumns& sweep : sweeps) {
-      if (!sweep.temperature) continue;
-      temperatures.push_back(*sweep.temperature);
+      if (!sweep.temperature && !sweep.frequency) continue;
+      if (sweep.temperature) temperatures.push_back(*sweep.temperature);
+      if (sweep.frequency) frequencies.push_back(*sweep.frequency);
       for (const auto& [quantity, index] : sweep.indices)
         common.indices.try_emplace(quantity, index);
     }
     if (withoutRepeats(temperatures).size() == 1) common.temperature = temperatures.front();
+    if (withoutRepeats(frequencies).size() == 1) common.frequency = frequencies.front();
     sweeps = {common};
   }
+  if (!common.has(Frequency) && !common.has(ReducedFrequency))
+    if (const auto stated = statedFrequency(block))
+      for (SweepColumns& sweep : sweeps)
+        if (!sweep.frequency) sweep.frequency = stated;
   std::erase_if(sweeps, [](const SweepColumns& sweep) { return !sweep.isComplete(); });
   if (!sweeps.empty() && !isChosen) refuseLeftovers(block, fileName, found, sweeps);
   return sweeps;

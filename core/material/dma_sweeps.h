@@ -1,5 +1,6 @@
 // Finds which columns of a table belong together: one sweep, or several side by side, each with its
-// temperature in the names, in a row above them or in a column of its own. Pure; any thread.
+// temperature in the names, in a row above them or in a column of its own, or with its frequency in
+// the names or above them. Pure; any thread.
 #pragma once
 
 #include <map>
@@ -19,6 +20,7 @@ struct SweepColumns {
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
   std::map<DmaQuantity, std::size_t> indices{};
   std::optional<double> temperature{};  // K, where names or a row above the columns state it
+  std::optional<double> frequency{};    // Hz, where names or a line above the columns state it
 
   std::size_t operator[](DmaQuantity quantity) const {
     const auto found = indices.find(quantity);

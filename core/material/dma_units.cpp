@@ -9,6 +9,7 @@
 #include "core/base/text.h"
 #include "core/base/text_number.h"
 #include "core/material/dma_columns.h"
+#include "core/material/text_frequency.h"
 
 namespace asperity {
 namespace {
@@ -20,7 +21,8 @@ std::string unknownUnitIn(const std::string& name) {
   const std::string unit = unitText(name);
   const DmaColumn meaning = dmaColumn(unit, {});
   const bool isNone = unit.empty() || meaning.quantity != DmaQuantity::None ||
-                      meaning.temperature || meaning.kind != ModulusKind::Unknown;
+                      meaning.temperature || firstFrequency(unit) ||
+                      meaning.kind != ModulusKind::Unknown;
   constexpr WordList kOtherWords(
       "real imaginary imag in-phase out-of-phase elastic viscous dynamic mean average measured "
       "corrected smoothed abs complex at shifted reference linear absolute");
@@ -33,8 +35,9 @@ DmaColumnFact columnFact(const DmaBlock& in, std::size_t column, const std::stri
   fact.name = in.block.label(column);
   fact.unit = choice.empty() ? in.block.columns[column].unit : choice;
   // The brackets of "G' [20 °C]" contain a temperature and no unit.
-  if (choice.empty() && findTemperature(fact.unit)) fact.unit.clear();
-  if (fact.unit.empty()) fact.unit = unknownUnitIn(in.block.columns[column].name);
+  const TextColumn& written = in.block.columns[column];
+  if (choice.empty() && dmaColumn(written.name, written.unit).isUnitOfState) fact.unit.clear();
+  if (fact.unit.empty()) fact.unit = unknownUnitIn(written.name);
   fact.isUnitAssumed = fact.unit.empty();
   return fact;
 }
@@ -48,6 +51,21 @@ DmaColumnFact columnFact(const DmaBlock& in, std::size_t column, const std::stri
 
 // Numbers in this range are temperatures of a test in kelvins.
 constexpr double kLowestKelvins = 200, kHighestKelvins = 500;
+
+/// Reads a column of viscosities or compliances, for which --modulus-unit says nothing.
+SizedColumn otherForm(const DmaBlock& in, std::size_t column, MeasuredForm form) {
+  const bool isViscosity = form == MeasuredForm::Viscosity;
+  SizedColumn found{columnFact(in, column, {})};
+  std::string& unit = found.fact.unit;
+  if (unit.empty()) unit = isViscosity ? "Pa s" : "1/Pa";
+  const auto size = isViscosity ? viscosityUnit(unit) : complianceUnit(unit);
+  if (!size)
+    throw InputError(in.fileName, found.fact.name,
+                     message("has the unit {}, which is not one of {}", shortened(unit),
+                             isViscosity ? unitNames("Pa s") : "1/Pa, 1/kPa, 1/MPa, mm\u00B2/N"));
+  found.size = *size;
+  return found;
+}
 
 std::optional<double> tangentSize(const std::string& unit) {
   if (unit.empty() || unit == "1" || unit == "-") return 1;
@@ -68,6 +86,9 @@ SizedColumn frequencyColumn(const DmaBlock& in, std::size_t column) {
 }
 
 SizedColumn modulusColumn(const DmaBlock& in, std::size_t column) {
+  const TextColumn& written = in.block.columns[column];
+  const MeasuredForm form = dmaColumn(written.name, written.unit).form;
+  if (form != MeasuredForm::Modulus) return otherForm(in, column, form);
   SizedColumn found{columnFact(in, column, in.choices.modulusUnit)};
   if (found.fact.unit.empty()) found.fact.unit = "Pa";
   const auto size = unitSize(found.fact.unit, "Pa");

@@ -31,7 +31,7 @@ struct SizedColumn {
 /// Frequencies are in Hz where neither file nor user states a unit, or in rad/s by their name.
 SizedColumn frequencyColumn(const DmaBlock& in, std::size_t column);
 
-/// Moduli without a unit are in Pa.
+/// Moduli without a unit are in Pa, viscosities in Pa s, and compliances in 1/Pa.
 SizedColumn modulusColumn(const DmaBlock& in, std::size_t column);
 
 /// A loss factor has no unit, or %; the fact has its name alone.

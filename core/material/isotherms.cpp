@@ -82,12 +82,6 @@ MeasuredSweep gathered(std::vector<MeasuredModulus> rows) {
   sweep.temperature = coldest.temperature == warmest.temperature
                           ? coldest.temperature
                           : temperatures / static_cast<double>(rows.size());
-  if (sweep.points.size() < 2)
-    throw InputError(
-        "", "frequency",
-        message("there is one frequency alone at {}, {} Hz; a shift needs sweeps of at "
-                "least two frequencies at each temperature",
-                celsius(sweep.temperature), sweep.points.front().frequency));
   return made;
 }
 
@@ -104,17 +98,28 @@ std::vector<Isotherm> groupIsotherms(std::vector<MeasuredModulus> rows, double t
   std::vector<MeasuredSweep> sweeps;
   for (std::size_t begin = 0, i = 1; i <= rows.size(); ++i) {
     if (i < rows.size() && rows[i].temperature - rows[i - 1].temperature <= tolerance) continue;
+    sweeps.push_back(gathered({rows.begin() + static_cast<std::ptrdiff_t>(begin),
+                               rows.begin() + static_cast<std::ptrdiff_t>(i)}));
     // A slow temperature ramp has no gaps, and all its sweeps would become one.
-    const double width = rows[i - 1].temperature - rows[begin].temperature;
-    if (width > 6 * tolerance)
+    const bool isWide = rows[i - 1].temperature - rows[begin].temperature > 6 * tolerance;
+    const Isotherm& sweep = sweeps.back().isotherm;
+    if (isWide || sweep.points.size() < 2) {
+      std::vector<Isotherm> ofRamp = isothermsOfRamp(rows, tolerance);
+      if (!ofRamp.empty()) return ofRamp;
+    }
+    if (isWide)
       throw InputError(
           "", "temperature",
           message("runs from {} to {} without a gap of more than {} K; sweeps at "
                   "constant temperatures are needed (--temperature-tolerance says how "
                   "far the rows of one sweep may lie apart)",
                   celsius(rows[begin].temperature), celsius(rows[i - 1].temperature), tolerance));
-    sweeps.push_back(gathered({rows.begin() + static_cast<std::ptrdiff_t>(begin),
-                               rows.begin() + static_cast<std::ptrdiff_t>(i)}));
+    if (sweep.points.size() < 2)
+      throw InputError(
+          "", "frequency",
+          message("there is one frequency alone at {}, {} Hz; a shift needs sweeps of at "
+                  "least two frequencies at each temperature",
+                  celsius(sweep.temperature), sweep.points.front().frequency));
     begin = i;
   }
   removeDrift(sweeps, tolerance);

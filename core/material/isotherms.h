@@ -36,6 +36,7 @@ struct Isotherm {
   std::size_t repeats = 0;  // rows beyond the first one at each frequency; the points are means
   double repeatRatio = 1;   // the largest of the moduli over the least at one frequency
   std::optional<TemperatureDrift> drift{};
+  bool isOfRamp = false;  // interpolated between the temperatures of slow ramps (isothermsOfRamp)
 
   double lowestFrequency() const { return points.front().frequency; }
   double highestFrequency() const { return points.back().frequency; }
@@ -69,9 +70,10 @@ inline constexpr double kIsothermTolerance = 0.6;  // K
 /// Groups rows into sweeps, by rising temperature and frequency whatever the order of the rows.
 /// Rows whose temperatures follow each other within `tolerance` (K) are one isotherm; several
 /// values at one frequency of a sweep become their geometric mean. A temperature that drifts within
-/// a sweep by more than the tolerance is removed where it can be (removeDrift). Throws InputError
-/// where there is no row, a frequency or modulus is out of range, the temperatures of a sweep drift
-/// over more than a few tolerances without a gap, or a sweep has only one frequency.
+/// a sweep by more than the tolerance is removed where it can be (removeDrift). Rows without such
+/// sweeps may be ramps of temperature (isothermsOfRamp). Throws InputError where there is no row, a
+/// frequency or modulus is out of range, the temperatures of a sweep drift over more than a few
+/// tolerances without a gap, or a sweep has only one frequency, and the rows are no ramps.
 std::vector<Isotherm> groupIsotherms(std::vector<MeasuredModulus> rows,
                                      double tolerance = kIsothermTolerance);
 

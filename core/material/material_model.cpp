@@ -23,7 +23,7 @@ std::optional<TextTable> readTable(std::string_view bytes, const std::string& na
                                    std::optional<InputError>& failure) {
   try {
     TextTableOptions options;
-    options.keepsTexts = true;
+    options.keepsTexts = options.readsCells = true;
     return readTextTable(bytes, name, options);
   } catch (const InputError& error) {
     failure = error;

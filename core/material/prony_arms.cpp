@@ -152,18 +152,12 @@ double rateSizeOf(const TextColumn& column, const std::string& name) {
                    "may be a rate or a time; write its unit, as 1/s, after the name");
 }
 
-/// Returns the size in Pa s of a unit of viscosity; nothing where it is none.
-std::optional<double> viscositySize(std::string unit) {
-  replaceAll(unit, ".", " ");  // "Pa.s"
-  return unitSize(unit, "Pa s");
-}
-
 /// Returns the size in Pa s of the unit of a column of viscosities; without one it is that of the
 /// user's modulus times s. Throws InputError where it is not known.
 double viscositySizeOf(const TextColumn& column, const std::string& name,
                        const PronyChoices& choices) {
   const bool hasUnit = !column.unit.empty() && column.unit != "-";
-  if (const auto size = hasUnit ? viscositySize(column.unit) : unitSize(choices.modulusUnit, "Pa"))
+  if (const auto size = hasUnit ? viscosityUnit(column.unit) : unitSize(choices.modulusUnit, "Pa"))
     return *size;
   throw InputError(name, column.name,
                    hasUnit ? message("has the unit {}, which is not one of {}",
@@ -253,7 +247,7 @@ void divideByModuli(const TextBlock& block, std::size_t viscosity, const std::st
 /// tenth in the median.
 void noteViscosities(const TextBlock& block, std::size_t viscosity, const PronyChoices& choices,
                      const SeriesRows& rows, RawSeries& series) {
-  const auto size = viscositySize(block.columns[viscosity].unit);
+  const auto size = viscosityUnit(block.columns[viscosity].unit);
   if (!size || !series.isUnitKnown) return;
   const double unit = unitSize(choices.modulusUnit, "Pa").value_or(series.unit);
   std::vector<double> ratios;

@@ -9,6 +9,7 @@
 #include "core/base/text.h"
 #include "core/base/text_clause.h"
 #include "core/base/text_number.h"
+#include "core/material/dma_cells.h"
 #include "core/material/isotherms.h"
 #include "core/material/prony_arms.h"
 #include "core/material/stated_temperature.h"
@@ -97,6 +98,15 @@ void assumeUnits(const TextColumn& weights, double sum, std::vector<StatedModulu
     const bool inPascals = fitsStated(sum, one.number * size, one.isInstantaneous);
     // Small letters are those of parts, which may be in per cent.
     const bool isPart = weights.name.starts_with('g') || weights.name.starts_with('e');
+    // Neither a modulus nor the part of one fits: what is wrong is said of parts.
+    constexpr double kWhole = 1, kMostParts = 10;
+    if (isPart && one.isInstantaneous && sum > kWhole && sum < kMostParts)
+      throw InputError(
+          name, weights.name,
+          message("has no unit and adds up to {:.6g}; parts of the instantaneous modulus add up to "
+                  "at most 1, and moduli need their unit: correct the parts, or say with "
+                  "--modulus-unit which unit the moduli have",
+                  sum));
     if (size == 1 ? !inOthers : inOthers == inPascals || (isPart && inOthers))
       throw InputError(
           name, weights.name,
@@ -208,9 +218,10 @@ TextBlock* largestSeries(TextTable& table) {
 
 std::optional<RawSeries> tableSeries(TextTable table, const std::string& name,
                                      const PronyChoices& choices) {
+  RawSeries series;
+  separateCells(table, name, series.notes);
   TextBlock* const block = largestSeries(table);
   if (!block) return {};
-  RawSeries series;
   series.format = "a table of relaxation times and moduli";
   const std::optional<SeriesRows> rows = readArms(table, *block, name, choices, series);
   if (!rows) return {};

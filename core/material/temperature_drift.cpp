@@ -98,7 +98,80 @@ std::optional<Isotherm> atOneTemperature(const std::vector<MeasuredSweep>& sweep
   return isotherm;
 }
 
+/// Returns one frequency of ramps by rising temperature. rows: of this frequency.
+AlongTemperature alongRamp(std::vector<MeasuredModulus> rows, double tolerance) {
+  std::ranges::stable_sort(rows, {}, &MeasuredModulus::temperature);
+  AlongTemperature found;
+  for (std::size_t begin = 0, end = 0; begin < rows.size(); begin = end) {
+    double temperature = 0, storage = 0, loss = 0;
+    for (; end < rows.size() && rows[end].temperature - rows[begin].temperature <= tolerance;
+         ++end) {
+      temperature += rows[end].temperature;
+      storage += std::log(rows[end].modulus.storage);
+      loss += std::log(rows[end].modulus.loss);
+    }
+    const auto count = static_cast<double>(end - begin);
+    found.temperatures.push_back(temperature / count);
+    found.storage.push_back(storage / count);
+    found.loss.push_back(loss / count);
+  }
+  return found;
+}
+
+/// Returns the widest gap (K) between temperatures that touch a range.
+double widestGap(const std::vector<double>& temperatures, double from, double to) {
+  double widest = 0;
+  for (std::size_t i = 1; i < temperatures.size(); ++i)
+    if (temperatures[i] > from && temperatures[i - 1] < to)
+      widest = std::max(widest, temperatures[i] - temperatures[i - 1]);
+  return widest;
+}
+
 }  // namespace
+
+std::vector<Isotherm> isothermsOfRamp(const std::vector<MeasuredModulus>& rows, double tolerance) {
+  constexpr double kNominal = 0.01;                 // by which instruments miss a frequency
+  constexpr double kUsualStep = 3, kWidestGap = 6;  // K
+  constexpr std::size_t kFewest = 4;                // temperatures of one frequency
+  std::vector<MeasuredModulus> byFrequency = rows;
+  std::ranges::stable_sort(byFrequency, {},
+                           [](const MeasuredModulus& row) { return row.modulus.frequency; });
+  std::vector<double> frequencies;
+  std::vector<AlongTemperature> curves;
+  double lowest = 0, highest = std::numeric_limits<double>::infinity(), step = kUsualStep;
+  for (auto begin = byFrequency.begin(), end = begin; begin != byFrequency.end(); begin = end) {
+    const double most = begin->modulus.frequency * (1 + kNominal);
+    double logarithms = 0;
+    for (; end != byFrequency.end() && end->modulus.frequency <= most; ++end)
+      logarithms += std::log(end->modulus.frequency);
+    curves.push_back(alongRamp({begin, end}, tolerance));
+    const std::vector<double>& temperatures = curves.back().temperatures;
+    if (temperatures.size() < kFewest) return {};
+    frequencies.push_back(std::exp(logarithms / static_cast<double>(end - begin)));
+    lowest = std::max(lowest, temperatures.front());
+    highest = std::min(highest, temperatures.back());
+    step = std::max(step, (temperatures.back() - temperatures.front()) /
+                              static_cast<double>(temperatures.size() - 1));
+  }
+  if (curves.size() < 2 || !(highest - lowest >= step)) return {};
+  for (const AlongTemperature& curve : curves)
+    if (widestGap(curve.temperatures, lowest, highest) > kWidestGap) return {};
+  const double count = std::floor((highest - lowest) / step);
+  std::vector<Isotherm> isotherms;
+  for (double i = 0; i <= count; ++i) {
+    Isotherm isotherm;
+    isotherm.isOfRamp = true;
+    isotherm.temperature = std::min(lowest + (highest - lowest) * i / count, highest);
+    for (std::size_t j = 0; j < curves.size(); ++j) {
+      const auto value = [&](const std::vector<double>& logarithms) {
+        return std::exp(alongTemperature(curves[j].temperatures, logarithms, isotherm.temperature));
+      };
+      isotherm.points.push_back({frequencies[j], value(curves[j].storage), value(curves[j].loss)});
+    }
+    isotherms.push_back(std::move(isotherm));
+  }
+  return isotherms;
+}
 
 void removeDrift(std::vector<MeasuredSweep>& sweeps, double tolerance) {
   for (MeasuredSweep& sweep : sweeps) sweep.isotherm.drift = driftOf(sweep, tolerance);
@@ -113,6 +186,13 @@ void removeDrift(std::vector<MeasuredSweep>& sweeps, double tolerance) {
 
 std::vector<Message> describeDrift(const std::vector<Isotherm>& isotherms) {
   std::vector<Message> lines;
+  if (isotherms.size() > 1 && isotherms.front().isOfRamp)
+    lines.push_back(
+        message("the temperature rises or falls slowly at each of {} frequencies: their moduli are "
+                "interpolated to isotherms {} K apart",
+                isotherms.front().points.size(),
+                PrintedNumber{
+                    printedDecimals(isotherms[1].temperature - isotherms.front().temperature, 2)}));
   for (const bool isRemoved : {true, false}) {
     const Isotherm* widest = nullptr;
     std::size_t count = 0;

@@ -1,5 +1,6 @@
 // Sweeps during which the temperature drifted, as in a slow ramp that repeats its frequencies: each
-// frequency has its own temperature then, and the sweep is no isotherm. Pure functions; any thread;
+// frequency has its own temperature then, and the sweep is no isotherm. Ramps without steps have no
+// sweeps at all. Pure functions; any thread;
 // equal input gives equal bits.
 #pragma once
 
@@ -24,7 +25,16 @@ struct MeasuredSweep {
 /// tolerance, each with rising frequencies.
 void removeDrift(std::vector<MeasuredSweep>& sweeps, double tolerance);
 
-/// Says in which isotherms the temperature drifts, and whether this was removed.
+/// Returns isotherms of slow ramps of temperature that repeat a few frequencies, by rising
+/// temperature: at each of them the moduli of each frequency are interpolated, in their logarithm,
+/// between those measured at neighbouring temperatures. The isotherms are 3 K apart, or as far as
+/// the temperatures of one frequency. Values of one frequency at temperatures within the tolerance
+/// (K) count as one, their geometric mean. Empty where there are fewer than two frequencies, or one
+/// of them has too few temperatures or a gap among them.
+std::vector<Isotherm> isothermsOfRamp(const std::vector<MeasuredModulus>& rows, double tolerance);
+
+/// Says which isotherms were interpolated between ramps, in which ones the temperature drifts, and
+/// whether this was removed.
 std::vector<Message> describeDrift(const std::vector<Isotherm>& isotherms);
 
 }  // namespace asperity

@@ -351,8 +351,20 @@
         <translation>%1: %2 ist nicht größer als 0</translation>
     </message>
     <message>
-        <source>the %1 is missing</source>
-        <translation>%1 fehlt</translation>
+        <source>rows left out, because the %1 is missing: lines %2</source>
+        <translation>weggelassene Zeilen, weil der Wert fehlt (%1): %2</translation>
+    </message>
+    <message>
+        <source>column %1: the %2 is missing in all rows; take the column out</source>
+        <translation>Spalte %1: der Wert fehlt in allen Zeilen (%2); die Spalte herausnehmen</translation>
+    </message>
+    <message>
+        <source>has %1 row of numbers; at least 2 are needed (%2)</source>
+        <translation>hat %1 Zeile mit Zahlen; mindestens 2 sind nötig (%2)</translation>
+    </message>
+    <message>
+        <source>in the names of the columns: %1</source>
+        <translation>in den Namen der Spalten: %1</translation>
     </message>
     <message>
         <source>the error of the velocity is below 0</source>
@@ -4371,8 +4383,64 @@
         <translation>steht nirgends; mit --temperature sagen, bei welcher die Moduln gemessen wurden, etwa --temperature 20C (Zeile %1 handelt vielleicht von etwas anderem: %2)</translation>
     </message>
     <message>
-        <source>line %1 states the geometry: %2</source>
-        <translation>Zeile %1 nennt die Geometrie: %2</translation>
+        <source>line %1 says of which kind the moduli are: %2</source>
+        <translation>Zeile %1 sagt, welcher Art die Moduln sind: %2</translation>
+    </message>
+    <message>
+        <source>the column %1 says that the moduli are of shear</source>
+        <translation>die Spalte %1 sagt, dass es Schubmoduln sind</translation>
+    </message>
+    <message>
+        <source>the column %1 says that the moduli are of tension</source>
+        <translation>die Spalte %1 sagt, dass es Zugmoduln sind</translation>
+    </message>
+    <message>
+        <source>the file has moduli of tension (E) by their names: %1; without the option they are read as such and divided for shear; where the names are wrong, say with --storage-column and --loss-column which are meant</source>
+        <translation>die Datei hat den Namen nach Zugmoduln (E): %1; ohne die Option werden sie als solche gelesen und für Schub geteilt; wo die Namen falsch sind, mit --storage-column und --loss-column sagen, welche gemeint sind</translation>
+    </message>
+    <message>
+        <source>the file has moduli of shear (G) by their names: %1; without the option they are read as such; where the names are wrong, say with --storage-column and --loss-column which are meant</source>
+        <translation>die Datei hat den Namen nach Schubmoduln (G): %1; ohne die Option werden sie als solche gelesen; wo die Namen falsch sind, mit --storage-column und --loss-column sagen, welche gemeint sind</translation>
+    </message>
+    <message>
+        <source>%1 is not above %2, which is a part of it; leave the row out or correct it</source>
+        <translation>%1 liegt nicht über %2, einem Teil davon; die Zeile weglassen oder berichtigen</translation>
+    </message>
+    <message>
+        <source>the other modulus follows from %1 and %2, which differ little: 1 % of error in one of them makes %3 % in it, in the median</source>
+        <translation>der andere Modul folgt aus %1 und %2, die sich wenig unterscheiden: 1 % Fehler in einem davon macht im Median %3 % in ihm</translation>
+    </message>
+    <message>
+        <source>and %1 are a compliance and none; both moduli follow from two compliances, or from two moduli</source>
+        <translation>und %1 sind eine Nachgiebigkeit und keine; beide Moduln folgen aus zwei Nachgiebigkeiten oder aus zwei Moduln</translation>
+    </message>
+    <message>
+        <source>the moduli follow from compliances: G* = 1 / J*</source>
+        <translation>die Moduln folgen aus Nachgiebigkeiten: G* = 1 / J*</translation>
+    </message>
+    <message>
+        <source>the moduli follow from viscosities: G* = i ω η*</source>
+        <translation>die Moduln folgen aus Viskositäten: G* = i ω η*</translation>
+    </message>
+    <message>
+        <source>%1: the imaginary parts are below 0 in all rows, by a convention of signs; their magnitude is taken</source>
+        <translation>%1: die Imaginärteile liegen in allen Zeilen unter 0, nach einer Vorzeichenregel; ihr Betrag wird genommen</translation>
+    </message>
+    <message>
+        <source>line %1: is no complex number, as others of the column are</source>
+        <translation>Zeile %1: ist keine komplexe Zahl, wie andere der Spalte es sind</translation>
+    </message>
+    <message>
+        <source>errors in cells, not read, because every point counts the same: %1</source>
+        <translation>Fehler in Zellen, nicht gelesen, weil jeder Punkt gleich viel zählt: %1</translation>
+    </message>
+    <message>
+        <source>the temperature rises or falls slowly at each of %1 frequencies: their moduli are interpolated to isotherms %2 K apart</source>
+        <translation>die Temperatur steigt oder fällt langsam bei jeder von %1 Frequenzen: ihre Moduln werden zwischen den Temperaturen auf Isothermen im Abstand von %2 K interpoliert</translation>
+    </message>
+    <message>
+        <source>has no unit and adds up to %1; parts of the instantaneous modulus add up to at most 1, and moduli need their unit: correct the parts, or say with --modulus-unit which unit the moduli have</source>
+        <translation>hat keine Einheit und ergibt zusammen %1; Anteile des Anfangsmoduls ergeben zusammen höchstens 1, und Moduln brauchen ihre Einheit: die Anteile berichtigen oder mit --modulus-unit sagen, welche Einheit die Moduln haben</translation>
     </message>
     <message>
         <source>tells samples or runs apart, %1 in line %2 and %3 in line %4, whose moduli at the same temperature and frequency differ by a factor of %5 in the median; keep the rows of one of them</source>

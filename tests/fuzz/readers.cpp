@@ -162,7 +162,7 @@ void readModuli(std::string_view text) {
   for (const DmaChoices& choices : {open, chosen})
     readOrRefuse([&] {
       TextTableOptions options;
-      options.keepsTexts = true;
+      options.keepsTexts = options.readsCells = true;
       const DmaFile file = readDmaFile(readTextTable(text, "moduli", options), "moduli", choices);
       requireSound(groupIsotherms(file.rows));
     });
@@ -183,7 +183,7 @@ void requireSound(const PronyFile& file) {
 /// Returns the table in the text; nothing where it has keywords in place of a table.
 std::optional<TextTable> tableIn(std::string_view text) {
   TextTableOptions options;
-  options.keepsTexts = true;
+  options.keepsTexts = options.readsCells = true;
   try {
     return readTextTable(text, "series", options);
   } catch (const InputError&) {

@@ -64,6 +64,39 @@ TEST(TextCell, ReadsConciseErrors) {
   expectCell({"31(2) %", 31, 2, "%"}, '.');
 }
 
+TEST(TextCell, ReadsComplexNumbers) {
+  struct Complex {
+    const char* text;
+    double real, imaginary;
+    const char* unit;
+  };
+  for (const auto& [text, real, imaginary, unit] : {Complex{"4.2e+06+2.5e+05i", 4.2e6, 2.5e5, ""},
+                                                    {"4.2 + 2.5j", 4.2, 2.5, ""},
+                                                    {"-4.2 - 2.5*i", -4.2, -2.5, ""},
+                                                    {"4.2 \u2212 i*2.5", 4.2, -2.5, ""},
+                                                    {"(4.2+2.5j) MPa", 4.2, 2.5, "MPa"},
+                                                    {"4.2+2.5i kPa", 4.2, 2.5, "kPa"},
+                                                    {"(4.2, -2.5)", 4.2, -2.5, ""},
+                                                    {"(4.2;2.5)", 4.2, 2.5, ""}}) {
+    const auto cell = readCell(text, '.');
+    ASSERT_TRUE(cell) << text;
+    EXPECT_EQ(cell->number, real) << text;
+    EXPECT_EQ(cell->rest.imaginary, imaginary) << text;
+    EXPECT_EQ(cell->rest.unit, unit) << text;
+    EXPECT_TRUE(std::isnan(cell->rest.error)) << text;
+  }
+  EXPECT_EQ(readCell("(4,2;2,5)", ',')->rest.imaginary, 2.5);
+  for (const char* other : {"4.2+2.5", "4.2+2.5k", "4.2i", "4.2,2.5", "(4.2,2.5,1)", "4.2+-2.5i",
+                            "4.2+2.5i furlong", "(4.2,)"})
+    EXPECT_FALSE(readCell(other, '.')) << other;
+  EXPECT_TRUE(std::isnan(readCell("0.31 \u00B1 0.02", '.')->rest.imaginary));
+  std::vector<std::string_view> fields;
+  const std::string line = "1 4.2 + 2.5j 3 - 4";
+  splitFields(line, TextDialect::Separator::Blanks, fields);
+  joinCells(fields);
+  EXPECT_EQ(fields, (std::vector<std::string_view>{"1", "4.2 + 2.5j", "3", "-", "4"}));
+}
+
 TEST(TextCell, IsNothingWhereItIsInDoubt) {
   for (const char* text : {"",
                            "0.31",

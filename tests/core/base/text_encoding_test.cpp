@@ -55,5 +55,24 @@ TEST(IsUtf8, OnlyTheShortestEncodingOfACharacterIs) {
     EXPECT_FALSE(isUtf8(text)) << text;
 }
 
+/// Japanese instruments write Shift-JIS, of which Latin-1 made words of no language.
+TEST(DecodedText, ShiftJisIsKnownByItsWords) {
+  const std::string bytes =
+      "\x89\xB7\x93\x78"
+      "(\x81\x8E"
+      "),\x8E\xFC\x94\x67\x90\x94"
+      "(Hz),tan\x83\xC2\n20,1,0.1\n";
+  const DecodedText decoded(bytes, "mine.csv");
+  EXPECT_EQ(decoded.encoding, "Shift-JIS");
+  EXPECT_EQ(decoded.text, "\u6E29\u5EA6(\u2103),\u5468\u6CE2\u6570(Hz),tan\u03B4\n20,1,0.1\n");
+  // Letters of Latin-1 may be those of Shift-JIS, too.
+  const std::string latin =
+      "Ger\xE4t;Pr\xFC"
+      "fung\n1;2\n";
+  EXPECT_EQ(DecodedText(latin, "mine.csv").encoding, "Latin-1");
+  // A file that is cut off within a character is none.
+  EXPECT_EQ(DecodedText("\x89\xB7\x93\x78\x89", "mine.csv").encoding, "Latin-1");
+}
+
 }  // namespace
 }  // namespace asperity

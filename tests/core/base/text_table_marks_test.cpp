@@ -25,7 +25,7 @@ TEST(TextTableMarks, KeepsUnitsAcrossOtherLines) {
   for (const std::string header : {"x [mm];z [um]\n", "x;z\nmm;um\n", "# x/mm;z/um\n"})
     for (const std::string between :
          {"# scan 1\n", "// scan 1\n", "#DATA\n", "BEGIN\n", "start of data\n", "Date: today\n",
-          "-0.5;OVER\n", "-0.5;1e400\n", "***;***\n", "# scan 1\n# pass 2\n", "# first; second\n",
+          "-0.5;broken\n", "-0.5;1e400\n", "***;***\n", "# scan 1\n# pass 2\n", "# first; second\n",
           "Step 1\n\n# it begins\n"}) {
       const TextTable made = tableOf(header + between + "0.5;1.5\n1.0;2.5\n1.5;3.5\n");
       const TextBlock& block = made.largest();
@@ -57,7 +57,7 @@ TEST(TextTableMarks, TakesNoUnitsOfAnotherTable) {
 /// A line that is damaged at the end or at the beginning of the rows is no result of a program.
 TEST(TextTableMarks, NamesLinesThatLookLikeRows) {
   EXPECT_THAT(tableOf("x;z\n1;2\n2;3\n3;4.5.6\n").leftOut, ElementsAre(4u));
-  EXPECT_THAT(tableOf("x;z\n0;OVER\n1;2\n2;3\n").leftOut, ElementsAre(2u));
+  EXPECT_THAT(tableOf("x;z\n0;broken\n1;2\n2;3\n").leftOut, ElementsAre(2u));
   EXPECT_TRUE(tableOf("2024-05-01\nx;z\n1;2\n2;3\nRa;0.5\n# 3 um\n").leftOut.empty());
 }
 

@@ -148,8 +148,10 @@ TEST(TextTable, ReadsNumbersAsInstrumentsWriteThem) {
 }
 
 TEST(TextTable, TakesWordsForMissingValues) {
-  for (const std::string missing : {"", "NaN", "nan", "-nan", "BAD", "-", "--", "***", "inf",
-                                    "-INF", "n/a", "#N/A", "1.#QNAN", "null", "\u221E", "?"}) {
+  for (const std::string missing :
+       {"",       "NaN", "nan",   "-nan",     "BAD",          "-",       "--",
+        "***",    "inf", "-INF",  "n/a",      "#N/A",         "1.#QNAN", "null",
+        "\u221E", "?",   "+OVER", "overload", "Out of range", "OVFL"}) {
     const TextTable made = read("x;z\n1;2\n2;" + missing + "\n3;4\n");
     ASSERT_EQ(made.largest().rows, 3u) << missing;
     EXPECT_TRUE(std::isnan(made.largest().at(1, 1))) << missing;

@@ -69,7 +69,7 @@ TEST(FrictionData, RefusesCellsInDoubt) {
   EXPECT_THAT(errorOf("v;mu\n1;0.31 \u00B1 5 %\n2;0.32 \u00B1 5 %\n"),
               HasSubstr("'0.31 \u00B1 5 %' is not understood as a value with its error"));
   EXPECT_THAT(errorOf("v;mu\n1;0.31 \u00B1 0.02\n2;0.32\n"),
-              HasSubstr("row 3: the error of the coefficient of friction is missing"));
+              HasSubstr("because the error of the coefficient of friction is missing: lines 3"));
   EXPECT_THAT(errorOf("v;mu;std\n1;0.31 \u00B1 0.02;0.1\n2;0.32 \u00B1 0.02;0.1\n"),
               HasSubstr("column mu: has errors in its cells, and std gives them, too"));
   const FrictionData data =

@@ -129,8 +129,11 @@ TEST(FrictionData, SaysInWhichRowWhatIsWrong) {
   EXPECT_THAT(errorOf("velocity,mu\n0,0.2\n2,0.1\n"), HasSubstr("row 2: the velocity is 0"));
   EXPECT_THAT(errorOf("velocity,mu\n1,0.2\n1,0.3\n"),
               HasSubstr("row 3: has the velocity of row 2"));
-  EXPECT_THAT(errorOf("velocity,mu,mu_error\n1,0.2,0.01\n2,0.3,\n"),
-              HasSubstr("row 3: the error of the coefficient of friction is missing"));
+  EXPECT_THAT(errorOf("velocity,mu,mu_error\n1,0.2,\n2,0.3,\n"),
+              HasSubstr("column mu_error: the error of the coefficient of friction is missing in "
+                        "all rows; take the column out"));
+  EXPECT_THAT(errorOf("velocity,mu\n1,0.2+0.1i\n2,0.3+0.1i\n"),
+              HasSubstr("column mu has texts where numbers are expected"));
   EXPECT_THAT(errorOf("velocity,temperature\n1,20\n2,20\n"),
               HasSubstr("no column of the coefficient of friction"));
   EXPECT_THAT(errorOf("velocity,mu,temperature\n1,0.2,20\n2,0.3,20\n"), HasSubstr("name the unit"));
@@ -155,6 +158,44 @@ TEST(FrictionData, LeavesOutRowsWithoutFriction) {
   const FrictionData repeats = parsed("v,mu1,mu2\n1,0.2,0.3\n2,,\n3,0.4,0.6\n");
   EXPECT_NEAR(repeats.points[1].muError, 0.1, 1e-12);
   EXPECT_THAT(errorOf("velocity,mu,T (C)\n1,0.2,20\n2,,20\n"), HasSubstr("1 row of numbers"));
+}
+
+/// A lost error, load or temperature refused the whole table. Its row has that of no other.
+TEST(FrictionData, LeavesOutRowsWithoutAnErrorALoadOrATemperature) {
+  struct Column {
+    std::string name, meaning;
+  };
+  for (const auto& [name, meaning] : {Column{"mu_error", "error of the coefficient of friction"},
+                                      {"Fz (N)", "normal force"},
+                                      {"p (kPa)", "nominal pressure"},
+                                      {"T (K)", "temperature"}}) {
+    const FrictionData data =
+        parsed("v,mu," + name + "\n1,0.2,300\n2,0.3,\n3,0.3,NaN\n4,0.4,300\n5,0.4,300\n");
+    ASSERT_EQ(data.points.size(), 3U) << name;
+    EXPECT_EQ(data.points[1].velocity, 4) << name;
+    EXPECT_EQ(data.notes.back().english(),
+              "rows left out, because the " + meaning + " is missing: lines 3, 4");
+  }
+  // The error of a velocity is a note beside it.
+  EXPECT_EQ(parsed("v,dv,mu\n1,0.1,0.2\n2,,0.3\n").points.size(), 2U);
+}
+
+/// Sensors of forces give friction a sign, which is the same in all rows.
+TEST(FrictionData, TakesTheMagnitudeOfFrictionThatIsAllBelowZero) {
+  const FrictionData data = parsed("v,mu,mu_error (%)\n1,-0.2,5\n2,,5\n3,-0.3,5\n");
+  ASSERT_EQ(data.points.size(), 2U);
+  EXPECT_DOUBLE_EQ(data.points[1].mu, 0.3);
+  EXPECT_DOUBLE_EQ(data.points[1].muError, 0.015);
+  EXPECT_EQ(data.notes.back().english(),
+            "column 2: the coefficient of friction is below 0 in all rows, by a convention of "
+            "signs; its magnitude is taken");
+  const FrictionData repeats = parsed("v,mu1,mu2,mu3\n1,-0.2,-0.3,-0.4\n10,-0.4,-0.6,-0.8\n");
+  EXPECT_DOUBLE_EQ(repeats.points[1].mu, 0.6);
+  EXPECT_NEAR(repeats.points[1].muError, 0.2 / std::sqrt(3), 1e-12);
+  EXPECT_THAT(errorOf("v,mu1,mu2\n1,-0.2,-0.3\n10,-0.4,0.1\n"),
+              HasSubstr("the coefficient of friction is -0.25, which is not above 0"));
+  // Whether the line is slid over backwards is not for the reader to decide.
+  EXPECT_THAT(errorOf("v,mu\n-1,-0.2\n-2,-0.3\n"), HasSubstr("the velocity is -1"));
 }
 
 /// Forces and temperatures tell points apart.
@@ -497,11 +538,53 @@ TEST(FrictionData, ReadsRepeatsAndForces) {
   EXPECT_DOUBLE_EQ(forces.points[0].mu, 0.5);
   EXPECT_DOUBLE_EQ(forces.points[0].normalForce, 30);
   EXPECT_EQ(parsed("v,mu\n1,0.3\n,\n2,0.4\n").points.size(), 2U);
-  for (const char* names : {"mu 5\u00B0C,mu 25\u00B0C", "mu_5C,mu_25C", "mu@5\u00B0C,mu@25\u00B0C",
-                            "mu 20 \u00B0C,mu 40 \u00B0C", "mu (0.1 MPa),mu (0.2 MPa)"})
-    EXPECT_THAT(errorOf(std::string("v,") + names + "\n1,0.3,0.2\n2,0.4,0.3\n"),
-                HasSubstr("in several states side by side"))
-        << names;
+}
+
+/// Friction at several temperatures or loads side by side is a series for each.
+TEST(FrictionData, ReadsStatesSideBySide) {
+  struct Names {
+    std::string first, second;
+    double kelvin;
+  };
+  for (const auto& [first, second, kelvin] :
+       {Names{"mu 5\u00B0C", "mu 25\u00B0C", 298.15},
+        {"mu_5C", "mu_25C", 298.15},
+        {"mu@5\u00B0C", "mu@25\u00B0C", 298.15},
+        {"\u00B5 @ 20 \u00B0C", "\u00B5 @ 40 \u00B0C", 313.15},
+        {"mu 20 \u00B0C", "mu 40 \u00B0C", 313.15},
+        {"COF (-20 \u00B0C)", "COF (-5 \u00B0C)", 268.15},
+        {"Reibwert bei 20 \u00B0C", "Reibwert bei 40 \u00B0C", 313.15},
+        {"mu (T=293 K)", "mu (T=313 K)", 313}}) {
+    const FrictionData data = parsed("v," + first + "," + second + "\n1,0.3,0.2\n2,0.4,0.3\n");
+    ASSERT_EQ(data.points.size(), 4U) << first;
+    EXPECT_DOUBLE_EQ(data.points[2].velocity, 1) << first;
+    EXPECT_DOUBLE_EQ(data.points[2].mu, 0.2) << first;
+    EXPECT_NEAR(data.points[2].temperature, kelvin, 1e-9) << first;
+    EXPECT_EQ(data.points[3].row, 3) << first;
+    EXPECT_EQ(data.notes.size(), 1U) << first;
+    EXPECT_THAT(data.notes[0].english(), HasSubstr("in the names of the columns: temperature (K)"));
+  }
+  const FrictionData loads = parsed("v,mu (0.2 N),mu (1 N)\n1,0.3,\n2,0.4,0.3\n");
+  ASSERT_EQ(loads.points.size(), 3U);
+  EXPECT_DOUBLE_EQ(loads.points[0].normalForce, 0.2);
+  EXPECT_DOUBLE_EQ(loads.points[2].normalForce, 1);
+  EXPECT_DOUBLE_EQ(
+      parsed("v,mu (0.1 MPa),mu (0.2 MPa)\n1,0.3,0.2\n2,0.4,0.3\n").points[3].nominalPressure, 2e5);
+  const FrictionData errors = parsed(
+      "v;T (C);mu 5 N (%);mu_error 5 N (%);mu 9 N (%);mu_error 9 N (%)\n1;20;30;1;20;2\n"
+      "2;20;40;3;30;4\n");
+  EXPECT_DOUBLE_EQ(errors.points[3].mu, 0.3);
+  EXPECT_DOUBLE_EQ(errors.points[3].muError, 0.04);
+  EXPECT_DOUBLE_EQ(errors.points[3].temperature, 293.15);
+  const FrictionData cells = parsed(
+      "v;mu 5 N;mu 9 N\n1;0.3 \u00B1 0.01;0.2 \u00B1 0.02\n2;0.4 \u00B1 0.03;0.3 \u00B1 0.04\n");
+  EXPECT_DOUBLE_EQ(cells.points[3].muError, 0.04);
+  // What is not the same in all of them is for their owner to sort.
+  for (const char* unclear :
+       {"v,mu 5\u00B0C,mu 25\u00B0C,T (K)\n1,0.3,0.2,300\n2,0.4,0.3,300\n",
+        "v,mu 5\u00B0C,mu 9 N\n1,0.3,0.2\n2,0.4,0.3\n",
+        "v,mu 5\u00B0C,mu 25\u00B0C,mu_error 5\u00B0C\n1,0.3,0.2,0.1\n2,0.4,0.3,0.1\n"})
+    EXPECT_THAT(errorOf(unclear), HasSubstr("in several states side by side")) << unclear;
 }
 
 }  // namespace

@@ -8,29 +8,12 @@
 
 #include "core/base/input_error.h"
 #include "tests/core/error_from.h"
+#include "tests/core/material/dma_reading.h"
 
 namespace asperity {
 namespace {
 
 using testing::HasSubstr;
-
-DmaFile read(const std::string& text, const DmaChoices& choices = {}) {
-  TextTableOptions options;
-  options.keepsTexts = true;
-  return readDmaFile(readTextTable(text, "dma.csv", options), "dma.csv", choices);
-}
-
-std::string errorOf(const std::string& text, const DmaChoices& choices = {}) {
-  return errorFrom([&] { read(text, choices); });
-}
-
-void expectRow(const MeasuredModulus& row, double kelvin, double hertz, double storage,
-               double loss) {
-  EXPECT_NEAR(row.temperature, kelvin, 1e-9);
-  EXPECT_NEAR(row.modulus.frequency, hertz, 1e-9 * hertz);
-  EXPECT_NEAR(row.modulus.storage, storage, 1e-9 * storage);
-  EXPECT_NEAR(row.modulus.loss, loss, 1e-9 * loss);
-}
 
 /// The same two rows in many forms: 20 °C, 1 and 10 Hz, G' 2 and 3 MPa, G'' 0.2 and 0.4 MPa.
 TEST(DmaFile, ReadsTheSameRowsFromManyForms) {
@@ -793,7 +776,7 @@ TEST(DmaFile, TheGeometrySaysTheKindOfModuli) {
   const DmaFile film = read("Sample\tNR\nGeometry\tTension: Film\n" + table);
   expectRow(film.rows[0], 293.15, 1, 2e6, 2e5);
   EXPECT_EQ(film.facts.notes.front().english(),
-            "line 2 states the geometry: Geometry Tension: Film");
+            "line 2 says of which kind the moduli are: Geometry Tension: Film");
   expectRow(read("Geometry\tParallel plate\n" + table).rows[0], 293.15, 1, 6e6, 6e5);
 }
 

@@ -18,7 +18,7 @@ inline std::optional<PronyFile> readSeries(const std::string& text,
   std::optional<TextTable> table;
   try {
     TextTableOptions options;
-    options.keepsTexts = true;
+    options.keepsTexts = options.readsCells = true;
     table = readTextTable(text, "prony.txt", options);
   } catch (const InputError&) {
     table.reset();  // no table, as keywords are none

@@ -142,6 +142,10 @@ TEST(PronyTable, RatesHaveTheirOwnUnit) {
 TEST(PronyTable, AUnitThatDoesNotFitIsNotAssumed) {
   EXPECT_THAT(seriesError("G_inf = 1\ntau (s);G_i (Pa)\n0.1;2e6\n10;1e6\n"),
               HasSubstr("G_inf: has no unit, and G_i is in Pa; write its unit"));
+  // What is wrong with parts is said of parts.
+  EXPECT_THAT(seriesError("G0 = 3 MPa\ntau (s);g_i\n0.1;0.6\n10;0.5\n"),
+              HasSubstr("g_i: has no unit and adds up to 1.1; parts of the instantaneous modulus "
+                        "add up to at most 1, and moduli need their unit"));
   EXPECT_THAT(seriesError("G_inf = 1e6 Pa\ntau (s);G_i\n0.1;2\n10;1\n"),
               HasSubstr("G_i: has no unit, and G_inf is in Pa; say with --modulus-unit"));
 }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <random>
 
+#include "tests/core/error_from.h"
 #include "tests/core/material/synthetic_rubber.h"
 
 namespace asperity {
@@ -134,6 +135,43 @@ TEST(TemperatureDrift, ScatterIsNone) {
   for (int i = 0; i < 6; ++i)
     slow.push_back({290 + 0.1 * i, {kFrequencies[static_cast<std::size_t>(i)], 1e6, 1e5}});
   EXPECT_FALSE(groupIsotherms(slow).front().drift);
+}
+
+/// A ramp without steps was refused, because its sweeps have no gaps between them.
+TEST(TemperatureDrift, ARampWithoutStepsBecomesIsotherms) {
+  const SyntheticRubber rubber;
+  for (const double step : {0.1, 0.45, 1.0}) {
+    std::vector<MeasuredModulus> rows;
+    double kelvin = 270;
+    for (int i = 0; kelvin < 300; ++i, kelvin += step) {
+      const double frequency = std::vector<double>{1, 3, 10, 30}[i % 4];
+      DynamicModulus modulus = rubber.at(frequency * std::pow(10, rubber.log10Shift(kelvin)));
+      modulus.frequency = frequency;
+      rows.push_back({kelvin, modulus});
+    }
+    // The order of the rows does not matter, nor that a ramp was repeated.
+    rows.insert(rows.end(), rows.begin(), rows.end());
+    std::ranges::reverse(rows);
+    const std::vector<Isotherm> isotherms = groupIsotherms(rows);
+    ASSERT_GE(isotherms.size(), 6U) << step;
+    EXPECT_GE(isotherms.front().temperature, 270 + 3 * step - 1e-9) << step;
+    for (std::size_t i = 0; i < isotherms.size(); ++i) {
+      EXPECT_EQ(isotherms[i].points.size(), 4U);
+      if (i > 0) EXPECT_GE(isotherms[i].temperature - isotherms[i - 1].temperature, 2.999) << step;
+    }
+    EXPECT_LT(largestDeviation(isotherms), kOfPolynomials) << step;
+    EXPECT_THAT(describeDrift(isotherms).at(0).english(),
+                HasSubstr("rises or falls slowly at each of 4 frequencies"));
+  }
+}
+
+/// Between temperatures that lie far apart nothing is interpolated.
+TEST(TemperatureDrift, ARampWithAGapIsRefused) {
+  std::vector<MeasuredModulus> rows;
+  for (int i = 0; i < 80; ++i)
+    rows.push_back({270 + 0.5 * i + (i < 40 ? 0 : 8), {i % 2 == 0 ? 1.0 : 10.0, 1e6, 1e5}});
+  EXPECT_TRUE(isothermsOfRamp(rows, kIsothermTolerance).empty());
+  EXPECT_THAT(errorFrom([&] { groupIsotherms(rows); }), HasSubstr("without a gap"));
 }
 
 }  // namespace

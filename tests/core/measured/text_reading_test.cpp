@@ -75,7 +75,7 @@ TEST(Assumptions, AreToldApart) {
   EXPECT_FALSE(says(read("x [mm];z [um]\n" + linesOf(row)), "taken"));
   EXPECT_TRUE(
       says(read("x [mm];z [um]\n" + linesOf(row) + "0.120;1.2.3\n"), "Line 62 is left out"));
-  EXPECT_TRUE(says(read("x [mm];z [um]\n0.120;OVER\n" + linesOf(row)), "Line 2 is left out"));
+  EXPECT_TRUE(says(read("x [mm];z [um]\n0.120;broken\n" + linesOf(row)), "Line 2 is left out"));
   // All have three digits after the mark, and none of them is below 1.
   const auto marked = [](int i) { return fmt::format("{};{:.3f}", i, 5 + micrometresAt(i)); };
   EXPECT_TRUE(says(read("x [um];z [um]\n" + linesOf(marked)), "'.' is taken for the decimal mark"));

@@ -57,18 +57,19 @@ bool isMaterialJson(std::string_view text) {
   return root.is_object() && root.contains("schema") && root["schema"] == kMaterialSchema;
 }
 
-/// Returns whether a table has columns of frequency and of a modulus, by their names.
+/// Returns whether a table has columns of a modulus and of frequency or temperature, by their
+/// names.
 bool hasModuli(const TextTable& table) {
   for (const TextBlock& block : table.blocks) {
-    bool hasFrequency = false, hasModulus = false;
+    bool hasState = false, hasModulus = false;
     for (const TextColumn& column : block.columns) {
       const DmaQuantity quantity = dmaColumn(column.name, column.unit).quantity;
-      hasFrequency = hasFrequency || quantity == DmaQuantity::Frequency ||
-                     quantity == DmaQuantity::ReducedFrequency;
+      hasState = hasState || quantity == DmaQuantity::Frequency ||
+                 quantity == DmaQuantity::ReducedFrequency || quantity == DmaQuantity::Temperature;
       hasModulus = hasModulus || quantity == DmaQuantity::Storage ||
                    quantity == DmaQuantity::Loss || quantity == DmaQuantity::Magnitude;
     }
-    if (hasFrequency && hasModulus) return true;
+    if (hasState && hasModulus) return true;
   }
   return false;
 }
@@ -84,7 +85,7 @@ FileKind kindOfText(const std::string& text) {
   std::optional<TextTable> table;
   try {
     TextTableOptions options;
-    options.keepsTexts = true;
+    options.keepsTexts = options.readsCells = true;
     table = readTextTable(text, "", options);
   } catch (const InputError&) {
     return FileKind::Surface;

@@ -1,0 +1,112 @@
+#include "core/material/dma_cells.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/base/input_error.h"
+#include "core/base/number_text.h"
+#include "core/base/text.h"
+#include "core/base/text_cell.h"
+#include "core/base/text_number.h"
+#include "core/material/dma_columns.h"
+
+namespace asperity {
+namespace {
+
+/// Instruments write 9.9E+37 and the like where a value is out of range or missing (SCPI 1999,
+/// volume 1, 7.2.1); no table has such a number.
+void dropOverflows(TextBlock& block) {
+  constexpr double kOverflow = 9.9e30;
+  for (double& value : block.values)
+    if (std::isgreaterequal(std::abs(value), kOverflow))
+      value = std::numeric_limits<double>::quiet_NaN();
+}
+
+bool isComplex(const TextCell& cell) {
+  return !std::isnan(cell.imaginary);
+}
+
+/// Makes two columns of one of complex numbers. A loss is above 0 whatever the sign convention is.
+void separateParts(TextBlock& block, std::size_t column, const std::string& name,
+                   std::vector<Message>& notes) {
+  const std::vector<TextCell> cells = std::exchange(block.cells[column], {});
+  std::vector<double> parts;
+  bool areNegative = true;
+  for (std::size_t row = 0; row < block.rows; ++row) {
+    const bool isLost = std::isnan(block.at(row, column));
+    if (!isLost && !isComplex(cells[row]))
+      throw InputError(
+          name, block.label(column),
+          message("line {}: is no complex number, as others of the column are", block.lines[row]));
+    parts.push_back(cells[row].imaginary);
+    areNegative = areNegative && (isLost || std::isless(cells[row].imaginary, 0));
+  }
+  const std::string label = block.label(column);
+  const std::string unit = block.columns[column].unit;
+  if (areNegative) {
+    for (double& part : parts) part = -part;
+    notes.push_back(
+        message("{}: the imaginary parts are below 0 in all rows, by a convention of signs; their "
+                "magnitude is taken",
+                Message::name(shortened(label))));
+  }
+  block.columns[column].name = label + " real part";
+  block.append({label + " imaginary part", unit}, parts);
+}
+
+/// Makes a column one of texts, as its cells are written.
+void keepAsTexts(TextBlock& block, std::size_t column) {
+  block.columns[column].isText = true;
+  for (std::size_t row = 0; row < block.rows; ++row) {
+    const std::string& text = block.cells[column][row].text;
+    const double number = block.at(row, column);
+    block.texts[column].push_back(text.empty() && !std::isnan(number) ? plain(number).text : text);
+  }
+}
+
+/// Gives the cells of a column one unit. Returns false where they have several and the column may
+/// be one of remarks.
+bool haveOneUnit(TextBlock& block, std::size_t column, const std::string& name) {
+  const TextColumn& written = block.columns[column];
+  const bool isKnown = dmaColumn(written.name, written.unit).quantity != DmaQuantity::None;
+  try {
+    unifyUnits(block, column, name);
+    return isKnown || std::ranges::none_of(block.cells[column], isComplex);
+  } catch (const InputError&) {
+    if (isKnown) throw;
+    return false;
+  }
+}
+
+}  // namespace
+
+void separateCells(TextTable& table, const std::string& name, std::vector<Message>& notes) {
+  std::string withErrors;
+  for (TextBlock& block : table.blocks) {
+    dropOverflows(block);
+    for (std::size_t i = 0, count = block.columns.size(); i < count; ++i) {
+      if (!haveOneUnit(block, i, name)) keepAsTexts(block, i);
+      if (block.columns[i].isText) {
+        block.cells[i].clear();
+        continue;
+      }
+      if (std::ranges::any_of(block.cells[i], isComplex)) separateParts(block, i, name, notes);
+      const bool hasErrors = std::ranges::any_of(
+          block.cells[i], [](const TextCell& cell) { return !std::isnan(cell.error); });
+      if (hasErrors) {
+        // "E' \u00B1 s" is no deviation alone.
+        if (const auto sides = splitAtErrorSign(block.columns[i].name))
+          block.columns[i].name = std::string(trimmedBlanks(sides->number));
+        appendItem(withErrors, shortened(block.label(i)));
+      }
+      block.cells[i].clear();
+    }
+  }
+  if (!withErrors.empty())
+    notes.push_back(message("errors in cells, not read, because every point counts the same: {}",
+                            Message::name(withErrors)));
+}
+
+}  // namespace asperity

@@ -1,0 +1,19 @@
+// Cells of tables of moduli and of Prony series that hold more than a number: units, errors and
+// complex numbers. Pure; any thread. Failure: InputError that names the file and the row.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/message.h"
+#include "core/base/text_table.h"
+
+namespace asperity {
+
+/// Leaves each cell with a number alone: its unit becomes that of the column, the parts of complex
+/// numbers become two columns, "G* real part" and "G* imaginary part", and errors are dropped,
+/// because every point counts the same. Numbers by which instruments say that a value is out of
+/// range are missing. Adds notes on what was done. name: of the file.
+void separateCells(TextTable& table, const std::string& name, std::vector<Message>& notes);
+
+}  // namespace asperity

@@ -1,0 +1,229 @@
+// Moduli in other forms than as two columns of numbers: as a magnitude and one part, as complex
+// numbers, viscosities and compliances, and with their frequencies in names.
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/core/material/dma_reading.h"
+
+namespace asperity {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+
+std::vector<std::string> notesOf(const DmaFile& file) {
+  std::vector<std::string> notes;
+  for (const Message& note : file.facts.notes) notes.push_back(note.english());
+  return notes;
+}
+
+/// 3, 4 and 5 are the sides of a right triangle.
+TEST(DmaForms, AMagnitudeAndOnePartGiveTheOther) {
+  const DmaFile loss = read("f (Hz),T (C),|G*| (MPa),G'' (MPa)\n1,20,5,4\n10,20,10,8\n");
+  expectRow(loss.rows[0], 293.15, 1, 3e6, 4e6);
+  EXPECT_TRUE(loss.facts.notes.empty());
+  const DmaFile storage = read("f (Hz),T (C),|E*| (MPa),E' (kPa)\n1,20,15,12000\n10,20,30,24000\n");
+  expectRow(storage.rows[1], 293.15, 10, 8e6, 6e6);
+  // Digits are lost where both are nearly the same.
+  const DmaFile close = read("f (Hz),T (C),|G*| (MPa),G' (MPa)\n1,20,1,0.99\n10,20,2,1.98\n");
+  EXPECT_THAT(notesOf(close), Contains(HasSubstr("1 % of error in one of them makes 50 % in it")));
+  EXPECT_THAT(errorOf("f (Hz),T (C),|G*| (MPa),G' (MPa)\n1,20,5,4\n10,20,4,5\n"),
+              HasSubstr("line 3: |G*| is not above G', which is a part of it"));
+  // Storage and loss modulus themselves precede.
+  expectRow(read("f (Hz),T (C),|G*| (MPa),G' (MPa),G'' (MPa)\n1,20,5,3,1\n10,20,5,3,1\n").rows[0],
+            293.15, 1, 3e6, 1e6);
+}
+
+TEST(DmaForms, ComplexNumbersAreTwoModuli) {
+  for (const char* cells :
+       {"2e6+2e5i\n3e6+4e5i", "2e6 + 2e5j\n3e6 + 4e5j", "(2e6+2e5j)\n(3e6+4e5j)",
+        "2e6+i*2e5\n3e6+i*4e5", "2000000+200000*i\n3000000+400000*i", "(2e6;2e5)\n(3e6;4e5)"}) {
+    std::string text = "f (Hz)\tT (C)\tG* (Pa)\n1\t20\t" + std::string(cells) + "\n";
+    text.insert(text.find('\n', text.find("1\t20")) + 1, "10\t20\t");
+    const DmaFile file = read(text);
+    ASSERT_EQ(file.rows.size(), 2U) << cells;
+    expectRow(file.rows[1], 293.15, 10, 3e6, 4e5);
+    EXPECT_EQ(file.facts.storage.name, "G* real part");
+    EXPECT_EQ(file.facts.loss.name, "G* imaginary part");
+  }
+  const DmaFile pairs = read(
+      "f (Hz),G* -5 C (MPa),G* 20 C (MPa)\n1,\"(3,1)\",\"(2,0.2)\"\n10,\"(4,1)\",\"(3,0.4)\"\n");
+  ASSERT_EQ(pairs.rows.size(), 4U);
+  expectRow(pairs.rows[3], 293.15, 10, 3e6, 4e5);
+  // exp(-i omega t) turns the sign of the loss.
+  const DmaFile turned = read("f (Hz);T (C);G* (MPa)\n1;20;2,0-0,2i\n10;20;3,0-0,4i\n");
+  expectRow(turned.rows[1], 293.15, 10, 3e6, 4e5);
+  EXPECT_THAT(notesOf(turned),
+              Contains(HasSubstr("G*: the imaginary parts are below 0 in all rows")));
+  EXPECT_THAT(errorOf("f (Hz);T (C);G* (MPa)\n1;20;2+0.2i\n10;20;3-0.4i\n"),
+              HasSubstr("line 3: G* imaginary part is \u22120.4 MPa, which must be above 0"));
+  EXPECT_THAT(errorOf("f (Hz);T (C);G* (MPa)\n1;20;2+0.2i\n10;20;3\n"),
+              HasSubstr("G*: line 3: is no complex number, as others of the column are"));
+}
+
+TEST(DmaForms, ErrorsAndUnitsInCellsLeaveTheNumbers) {
+  const DmaFile file = read(
+      "20 C\nf (Hz),G' (MPa),G'' (MPa)\n1,2 \u00B1 0.1,0.2 \u00B1 0.01\n10,3 +/- 0.1,0.4(1)\n");
+  expectRow(file.rows[1], 293.15, 10, 3e6, 4e5);
+  EXPECT_THAT(notesOf(file), Contains("errors in cells, not read, because every point counts the "
+                                      "same: G', G''"));
+  const DmaFile named =
+      read("f (Hz);T (C);G' \u00B1 s (MPa);tan d\n1;20;2 \u00B1 0.1;0.1\n10;20;3 \u00B1 0.1;0.2\n");
+  expectRow(named.rows[1], 293.15, 10, 3e6, 6e5);
+  const DmaFile units =
+      read("f;T;G';G''\n1 Hz;20 \u00B0C;2 MPa;200 kPa\n10 Hz;20 \u00B0C;3 MPa;400 kPa\n");
+  expectRow(units.rows[1], 293.15, 10, 3e6, 4e5);
+  // The logarithm of a number with an error is one, too.
+  expectRow(
+      read("f (Hz);T (C);log G' (Pa);G'' (Pa)\n1;20;6 \u00B1 0.1;2e5\n10;20;6 \u00B1 0.1;4e5\n")
+          .rows[1],
+      293.15, 10, 1e6, 4e5);
+  // Remarks may hold anything.
+  const DmaFile remarks = read(
+      "f (Hz);T (C);G' (MPa);G'' (MPa);Remark\n1;20;2;0.2;5 %\n10;20;3;0.4;3 h\n10;30;2;0.1;4\n");
+  EXPECT_EQ(remarks.rows.size(), 3U);
+  EXPECT_THAT(errorOf("f;T;G';G''\n1 Hz;20 \u00B0C;2 MPa;200 kPa\n10 Hz;20 \u00B0C;3 N;400 kPa\n"),
+              HasSubstr("column G' has the unit N here, and MPa elsewhere"));
+}
+
+/// G* = i omega eta*; the frequencies are 10 and 100 rad/s.
+TEST(DmaForms, ViscositiesGiveModuli) {
+  const std::string head = "w (rad/s),T (C),";
+  for (const std::string table :
+       {"eta' (Pa s),eta'' (Pa s)\n10,20,2e4,2e5\n100,20,4e3,3e4\n",
+        "\u03B7\u2032 (kPa\u00B7s),\u03B7\u2033 (kPa\u00B7s)\n10,20,20,200\n100,20,4,30\n",
+        "|eta*| (Pa.s),tan delta\n10,20,200997.51242241781,0.1\n100,20,30265.491900843113,"
+        "0.13333333333333333\n",
+        "Complex viscosity (Pas),Phase angle (deg)\n10,20,200997.51242241781,5.710593137499643\n"
+        "100,20,30265.491900843113,7.594643368591445\n",
+        "|eta*| (Pa s),eta' (Pa s)\n10,20,200997.51242241781,2e4\n100,20,30265.491900843113,4e3\n",
+        "G' (MPa),|eta*| (Pa s)\n10,20,2,200997.51242241781\n100,20,3,30265.491900843113\n",
+        "G' (MPa),eta' (Pa s)\n10,20,2,2e4\n100,20,3,4e3\n"}) {
+    const DmaFile file = read(head + table);
+    ASSERT_EQ(file.rows.size(), 2U) << table;
+    expectRow(file.rows[0], 293.15, 5 / std::numbers::pi, 2e6, 2e5);
+    expectRow(file.rows[1], 293.15, 50 / std::numbers::pi, 3e6, 4e5);
+    EXPECT_THAT(notesOf(file),
+                Contains("the moduli follow from viscosities: G* = i \u03C9 \u03B7*"));
+  }
+  // The viscosity of a flow is none.
+  EXPECT_THAT(errorOf(head + "viscosity (Pa s),tan delta\n10,20,1,1\n100,20,1,1\n"),
+              HasSubstr("has no columns that are known"));
+}
+
+/// G* = 1 / J*: 1 / (4 - 3 i) = (4 + 3 i) / 25.
+TEST(DmaForms, CompliancesGiveModuli) {
+  for (const std::string table : {"J' (1/MPa),J'' (1/MPa)\n1,20,4,3\n10,20,8,6\n",
+                                  "J' (MPa^-1),J'' (MPa\u207B\u00B9)\n1,20,4,3\n10,20,8,6\n",
+                                  "J' [mm\u00B2/N],J'' [mm\u00B2/N]\n1,20,4,3\n10,20,8,6\n",
+                                  "Storage compliance J' (1/Pa),Loss compliance J'' "
+                                  "(1/Pa)\n1,20,4e-6,3e-6\n10,20,8e-6,6e-6\n",
+                                  "J' (1/MPa),tan delta\n1,20,4,0.75\n10,20,8,0.75\n",
+                                  "|J*| (1/MPa),J'' (1/MPa)\n1,20,5,3\n10,20,10,6\n",
+                                  "J* (1/MPa)\n1,20,4-3i\n10,20,8-6i\n"}) {
+    const DmaFile file = read("f (Hz),T (C)," + table);
+    ASSERT_EQ(file.rows.size(), 2U) << table;
+    expectRow(file.rows[0], 293.15, 1, 0.16e6, 0.12e6);
+    EXPECT_THAT(notesOf(file), Contains("the moduli follow from compliances: G* = 1 / J*"));
+  }
+  EXPECT_EQ(read("f (Hz),T (C),J' (1/MPa),J'' (1/MPa)\n1,20,4,3\n10,20,8,6\n").facts.storage.name,
+            "J'");
+  // Those of tension are three times as small as those of shear.
+  const DmaFile tension = read("f (Hz),T (C),D' (1/MPa),D'' (1/MPa)\n1,20,4,3\n10,20,8,6\n");
+  expectRow(tension.rows[0], 293.15, 1, 0.16e6 / 3, 0.12e6 / 3);
+  EXPECT_EQ(tension.facts.modulus, ModulusKind::Tension);
+  EXPECT_THAT(errorOf("f (Hz),T (C),J' (1/furlong),J'' (1/furlong)\n1,20,4,3\n10,20,8,6\n"),
+              HasSubstr("has the unit 1/furlong, which is not one of 1/Pa"));
+}
+
+TEST(DmaForms, ReducedFrequenciesHaveManySymbols) {
+  for (const char* name : {"f_red (Hz)", "aT f (Hz)", "aT\u00D7f (Hz)", "freq_red (Hz)",
+                           "fr\u00E9quence r\u00E9duite (Hz)"}) {
+    const DmaFile file =
+        read(std::string("Tref = 20 C\n") + name + ",G' (MPa),G'' (MPa)\n1,2,0.2\n10,3,0.4\n");
+    EXPECT_TRUE(file.facts.isReduced) << name;
+    expectRow(file.rows[1], 293.15, 10, 3e6, 4e5);
+  }
+  for (const char* name : {"log(aT*w/(rad/s))", "log(aT\u00B7\u03C9) (rad/s)", "log w*aT/(rad/s)",
+                           "lg(\u03C9_red) [rad/s]"}) {
+    const DmaFile file =
+        read(std::string("Tref = 20 C\n") + name + ";log G'/Pa;log G''/Pa\n1.0;6;5\n2.0;7;6\n");
+    EXPECT_TRUE(file.facts.isReduced) << name;
+    expectRow(file.rows[1], 293.15, 50 / std::numbers::pi, 1e7, 1e6);
+  }
+  EXPECT_FALSE(read("measured frequency (Hz),T (C),G' (MPa),G'' (MPa)\n1,20,2,0.2\n10,20,3,0.4\n")
+                   .facts.isReduced);
+}
+
+/// Sweeps of temperature at several frequencies, side by side or in blocks.
+TEST(DmaForms, NamesAndLinesMayStateTheFrequency) {
+  for (const char* names : {"T (C),G' 1 Hz (MPa),G'' 1 Hz (MPa),G' 10 Hz (MPa),G'' 10 Hz (MPa)",
+                            "T (C),G' 1Hz (MPa),G' 10Hz (MPa),G'' 1Hz (MPa),G'' 10Hz (MPa)",
+                            "##Temp./\u00B0C,G'(1.000 Hz)/MPa,G''(1.000 Hz)/MPa,G'(10.000 "
+                            "Hz)/MPa,G''(10.000 Hz)/MPa"}) {
+    const bool isMixed = std::string(names).find("1Hz") != std::string::npos;
+    const DmaFile file =
+        read(std::string(names) + (isMixed ? "\n20,2,3,0.2,0.4\n30,1,2,0.1,0.2\n"
+                                           : "\n20,2,0.2,3,0.4\n30,1,0.1,2,0.2\n"));
+    ASSERT_EQ(file.rows.size(), 4U) << names;
+    expectRow(file.rows[0], 293.15, 1, 2e6, 2e5);
+    expectRow(file.rows[3], 303.15, 10, 2e6, 2e5);
+  }
+  const DmaFile tangents = read(
+      "T (C),E' 2.5 Hz [MPa],tan d (2.5 Hz),E' 5 Hz [MPa],tan d (5 Hz)\n20,6,0.1,9,0.2\n"
+      "30,3,0.1,6,0.2\n");
+  expectRow(tangents.rows[0], 293.15, 2.5, 2e6, 2e5);
+  expectRow(tangents.rows[2], 293.15, 5, 3e6, 6e5);
+  const DmaFile blocks = read(
+      "Frequency: 1 Hz\nT (C);G' (MPa);G'' (MPa)\n20;2;0.2\n30;1;0.1\n\nFrequenz = 10 Hz\n"
+      "T (C);G' (MPa);G'' (MPa)\n20;3;0.4\n30;2;0.2\n");
+  ASSERT_EQ(blocks.rows.size(), 4U);
+  expectRow(blocks.rows[2], 293.15, 10, 3e6, 4e5);
+  for (const char* line : {"Sampling frequency: 100 Hz", "Frequency: 1 to 10 Hz", "1 Hz; 2 Hz"})
+    EXPECT_THAT(errorOf(std::string(line) + "\nT (C);G' (MPa);G'' (MPa)\n20;2;0.2\n30;1;0.1\n"),
+                HasSubstr("has no columns that are known"))
+        << line;
+}
+
+TEST(DmaForms, LostValuesAreLeftOut) {
+  for (const char* lost : {"9.9E+30", "9.91E37", "-9.9e+37", "OVER", "+OVER", "Overload", "OVFL"}) {
+    const DmaFile file = read(std::string("f (Hz),T (C),G' (MPa),G'' (MPa)\n1,20,2,0.2\n2,20,") +
+                              lost + ",1\n10,20,3,0.4\n");
+    EXPECT_EQ(file.rows.size(), 2U) << lost;
+    EXPECT_EQ(file.facts.leftOut, 1U) << lost;
+  }
+}
+
+TEST(DmaForms, TheFileMaySayThatModuliAreOfShear) {
+  const std::string table =
+      "f (Hz);T (C);Storage modulus (MPa);Loss modulus (MPa)\n1;20;2;0.2\n10;20;3;0.4\n";
+  for (const char* line : {"Messsystem: PP25-SN123", "Instrument: ARES-G2", "Device: MCR 302e",
+                           "Instrument name: Discovery Hybrid Rheometer"})
+    expectRow(read(std::string(line) + "\n" + table).rows[1], 293.15, 10, 3e6, 4e5);
+  for (const char* column : {"Shear strain (%)", "Schubspannung (kPa)", "Scherdeformation (%)"}) {
+    const DmaFile file =
+        read(std::string("f (Hz);T (C);Storage modulus (MPa);Loss modulus (MPa);") + column +
+             "\n1;20;2;0.2;1\n10;20;3;0.4;1\n");
+    expectRow(file.rows[1], 293.15, 10, 3e6, 4e5);
+    EXPECT_THAT(notesOf(file), Contains(HasSubstr("says that the moduli are of shear")));
+  }
+  for (const char* line : {"Instrument: DMA 850", "Instrument: MCR 702 MultiDrive",
+                           "Instrument: rheometer with DMA", "Operator: Ares"})
+    EXPECT_THAT(errorOf(std::string(line) + "\n" + table), HasSubstr("--modulus shear")) << line;
+}
+
+TEST(DmaForms, ModuliOfAnotherKindThanWantedAreNamed) {
+  DmaChoices choices;
+  choices.modulus = ModulusKind::Shear;
+  const std::string table = "f (Hz),T (C),E' (MPa),E'' (MPa)\n1,20,6,0.6\n10,20,9,1.2\n";
+  EXPECT_THAT(errorOf(table, choices),
+              HasSubstr("--modulus: the file has moduli of tension (E) by their names: E', E''"));
+  choices.storageColumn = "3";
+  choices.lossColumn = "4";
+  expectRow(read(table, choices).rows[0], 293.15, 1, 6e6, 6e5);
+}
+
+}  // namespace
+}  // namespace asperity
