@@ -168,12 +168,17 @@ bool isFahrenheit(std::string_view name, std::string_view unit) {
   return word == "t" || word.starts_with("t_") || word.find("temp") != std::string::npos;
 }
 
+/// What stands before a unit in several languages: "v in m/s", "hauteur en \u00B5m".
+constexpr WordList kBeforeUnits("in en em");
+
 /// Makes a column without what stands between a name and its unit.
 TextColumn makeColumn(std::string_view name, std::string_view unit) {
   while (!name.empty() &&
          (name.back() == '_' || name.back() == ',' || name.back() == ' ' || name.back() == '/'))
     name.remove_suffix(1);
-  if (name.ends_with(" in") || name.ends_with("_in")) name.remove_suffix(3);  // "v in m/s"
+  if (const std::size_t at = name.find_last_of(" _");
+      at != name.npos && isOneOf(name.substr(at + 1), kBeforeUnits))
+    name = name.substr(0, at);
   return {std::string(trimmedField(name)), std::string(trimmedBlanks(unit))};
 }
 
@@ -236,7 +241,7 @@ std::vector<std::string> splitAtBlanks(std::string_view line) {
   bool open = false, joined = false;
   for (const std::string_view word : words) {
     const bool isUnit = (word.front() == '(' || word.front() == '[' || word.front() == '{');
-    const bool isStroke = word == "/" || word == "in";
+    const bool isStroke = word == "/" || isOneOf(word, kBeforeUnits);
     if (!fields.empty() && (open || joined || isUnit || isStroke))
       fields.back() += " " + std::string(word);
     else
@@ -296,8 +301,9 @@ TextColumn parseColumnName(std::string_view text) {
 
   if (auto spelled = splitSpelledUnit(text)) return std::move(*spelled);
 
-  // Behind a comma, " in ", a blank or "_".
-  for (const std::string_view between : {", "sv, ","sv, " in "sv, " "sv, "_"sv}) {
+  // Behind a comma, " in " in one of several languages, a blank or "_".
+  for (const std::string_view between :
+       {", "sv, ","sv, " in "sv, " en "sv, " em "sv, " "sv, "_"sv}) {
     const std::size_t at = text.rfind(between);
     if (at == std::string_view::npos || at == 0) continue;
     const std::string_view unit = text.substr(at + between.size());

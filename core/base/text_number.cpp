@@ -202,6 +202,27 @@ Field readField(std::string_view text, char decimal) {
   return {FieldKind::Text, 0};
 }
 
+bool isDateOrTime(std::string_view field) {
+  field = trimmedField(field);
+  if (field.empty() || !isDigit(field.front()) ||
+      field.find_first_not_of("0123456789-/.,:+TZAPM ") != field.npos)
+    return false;
+  constexpr std::size_t kDigitsOfYear = 4, kPartsOfDate = 3;
+  std::size_t parts = 0, digits = 0;
+  bool hasYear = false;
+  const std::string_view date = field.substr(0, field.find_first_of(" T"));
+  for (std::size_t i = 0; i <= date.size(); ++i) {
+    if (i < date.size() && isDigit(date[i])) {
+      ++digits;
+      continue;
+    }
+    parts += digits > 0 ? 1 : 0;
+    hasYear = hasYear || digits == kDigitsOfYear;
+    digits = 0;
+  }
+  return field.find(':') != field.npos || (parts == kPartsOfDate && hasYear);
+}
+
 bool beginsAsNumber(std::string_view field) {
   field = trimmedField(field);
   for (const std::string_view mark : {"+-", ".,"})

@@ -43,6 +43,10 @@ std::string_view trimmedBlanks(std::string_view text);
 /// Returns the text without brackets around all of it.
 std::string_view withoutBrackets(std::string_view text);
 
+/// Returns whether a field is a date with a year of four digits, a time of day or both:
+/// "2024-03-12 10:22:33.5", "12.03.2024", "10:22".
+bool isDateOrTime(std::string_view field);
+
 /// Returns whether a field begins like a number, valid or damaged: "1.2.3", "5.1x".
 bool beginsAsNumber(std::string_view field);
 

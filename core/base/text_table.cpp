@@ -132,8 +132,8 @@ class TableReader {
   }
 
   void addRow(const TextLine& line) {
-    if (blankLines_ > 0 && block().rows > 0 && above_.empty())
-      blanks_.emplace_back(block().rows, blankLines_);
+    if (blankLines_ > 0 && block().rows > 0)
+      block().blanks.emplace_back(block().rows, above_.empty() ? blankLines_ : 0);
     blankLines_ = 0;
     above_.clear();
     isDirect_ = true;
@@ -186,7 +186,10 @@ class TableReader {
   /// Reads a field; rest: set where it is more than a number.
   Field read(std::string_view text, TextCell* rest = nullptr) const {
     const Field field = readField(text, table_.dialect.decimal);
-    if (field.kind != FieldKind::Text || !options_.readsCells) return field;
+    if (field.kind != FieldKind::Text) return field;
+    if (options_.datesAreMissing && isDateOrTime(text))
+      return {FieldKind::Missing, std::numeric_limits<double>::quiet_NaN()};
+    if (!options_.readsCells) return field;
     auto cell = readCell(text, table_.dialect.decimal);
     if (!cell) return field;
     if (rest != nullptr) *rest = std::move(cell->rest);
@@ -349,15 +352,16 @@ class TableReader {
   /// every row.
   void fillBlankLines() {
     TextBlock& last = block();
-    const bool isSpaced = blanks_.size() + 1 >= last.rows;
+    const bool isSpaced = last.blanks.size() + 1 >= last.rows;
     if (!options_.blankLinesAreGaps || last.columns.size() != 1 || isSpaced) return;
-    for (const auto& [row, count] : blanks_) count_ += count;
+    const auto blanks = std::exchange(last.blanks, {});
+    for (const auto& [row, count] : blanks) count_ += count;
     if (count_ > kMostNumbers) fail(message("has more than {} numbers", kMostNumbers));
     std::vector<double> values;
     std::vector<std::uint32_t> lines;
-    auto blank = blanks_.begin();
+    auto blank = blanks.begin();
     for (std::size_t row = 0; row < last.rows; ++row) {
-      if (blank != blanks_.end() && blank->first == row) {
+      if (blank != blanks.end() && blank->first == row) {
         values.insert(values.end(), blank->second, std::numeric_limits<double>::quiet_NaN());
         lines.insert(lines.end(), blank->second, last.lines[row]);
         ++blank;
@@ -373,7 +377,6 @@ class TableReader {
   void endBlock() {
     clearFlags();
     fillBlankLines();
-    blanks_.clear();
     blankLines_ = 0;
   }
 
@@ -387,7 +390,8 @@ class TableReader {
         std::ranges::count_if(cells_, [](const TextCell& cell) { return !cell.text.empty(); }));
     if (countOf(FieldKind::Number) == cells && (cells < kFewestCells || !nextLineIsAlike()))
       return false;
-    if (!options_.keepsTexts || keyEnd(line.text) != std::string_view::npos) return false;
+    if (!options_.keepsTexts) return countOf(FieldKind::Text) == 0;
+    if (keyEnd(line.text) != std::string_view::npos) return false;
     const auto named = namedColumns(above_, table_.dialect, kinds_);
     return std::ranges::none_of(named,
                                 [](const TextColumn& column) { return column.name.empty(); });
@@ -462,7 +466,6 @@ class TableReader {
   std::vector<double> row_;
   std::vector<std::size_t> flags_;  // indices in the last block's values of words such as "valid"
   std::size_t blankLines_ = 0;      // since the last row
-  std::vector<std::pair<std::size_t, std::size_t>> blanks_;  // rows of it after so many of them
 };
 
 }  // namespace

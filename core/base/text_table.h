@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/base/message.h"
@@ -44,7 +45,10 @@ struct TextBlock {
   std::vector<std::vector<std::string>> texts{};  // of each column; empty where it has numbers
   /// Errors and units of each column that has some in its cells (TextTableOptions::readsCells).
   std::vector<std::vector<TextCell>> cells{};
-  std::vector<TextEntry> header{};     // the lines between the block before and this one
+  std::vector<TextEntry> header{};  // the lines between the block before and this one
+  /// The rows but the first with blank lines in front of them, and how many these are; 0 where
+  /// there are comments, too.
+  std::vector<std::pair<std::size_t, std::size_t>> blanks{};
   std::vector<std::uint32_t> lines{};  // of each row, counted from 1
 
   double at(std::size_t row, std::size_t column) const {
@@ -84,6 +88,8 @@ struct TextTableOptions {
   /// Whether numbers may have errors and units in their cells. A row of such cells alone begins a
   /// block only below names, and above another one.
   bool readsCells = false;
+  /// Whether a date or a time of day is a missing value among numbers.
+  bool datesAreMissing = false;
   /// Whether a blank line between the numbers of a single column is a row without a value, as
   /// spreadsheets write it, unless such a line follows every row.
   bool blankLinesAreGaps = false;

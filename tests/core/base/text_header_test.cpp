@@ -23,6 +23,8 @@ TEST(TextHeader, FindsUnitsInNames) {
   expect("Height [\u03BCm]", "Height", "\u03BCm");
   expect("freq_Hz", "freq", "Hz");
   expect("x in mm", "x", "mm");
+  expect("hauteur en \u00B5m", "hauteur", "\u00B5m");
+  expect("altura em mm", "altura", "mm");
   expect("x, mm", "x", "mm");
   expect("x mm", "x", "mm");
   expect("X_(microns)", "X", "microns");

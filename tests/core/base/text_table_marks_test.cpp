@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/input_error.h"
 #include "core/base/text_table.h"
 
 namespace asperity {
@@ -59,6 +60,21 @@ TEST(TextTableMarks, NamesLinesThatLookLikeRows) {
   EXPECT_THAT(tableOf("x;z\n1;2\n2;3\n3;4.5.6\n").leftOut, ElementsAre(4u));
   EXPECT_THAT(tableOf("x;z\n0;broken\n1;2\n2;3\n").leftOut, ElementsAre(2u));
   EXPECT_TRUE(tableOf("2024-05-01\nx;z\n1;2\n2;3\nRa;0.5\n# 3 um\n").leftOut.empty());
+}
+
+/// A logger writes when it took each value.
+TEST(TextTableMarks, LeavesDatesOutWhereACallerWants) {
+  TextTableOptions options;
+  options.datesAreMissing = true;
+  for (const std::string date : {"2024-03-12", "2024-03-12 10:22:33.5", "12.03.2024", "3/12/2024",
+                                 "10:22:33", "2024-03-12T10:22:33Z"}) {
+    const TextTable made = tableOf(date + ";1;2\n" + date + ";3;4\n", options);
+    ASSERT_EQ(made.largest().rows, 2u) << date;
+    EXPECT_TRUE(std::isnan(made.largest().at(1, 0))) << date;
+    EXPECT_EQ(made.largest().at(1, 2), 4) << date;
+  }
+  for (const std::string other : {"1.2.3", "a 10:22", "12-14", "5.1x"})
+    EXPECT_THROW(tableOf(other + ";1;2\n" + other + ";3;4\n", options), InputError) << other;
 }
 
 /// Spreadsheets write an empty line for an empty cell of a single column.

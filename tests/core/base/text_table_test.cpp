@@ -22,6 +22,7 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Pair;
 
 TextTable read(const std::string& text, const TextTableOptions& options = {}) {
   return readTextTable(text, "table.txt", options);
@@ -291,6 +292,9 @@ TEST(TextTable, KeepsRowsTogetherAcrossBlankLinesAndComments) {
   ASSERT_EQ(made.blocks.size(), 1u);
   EXPECT_THAT(made.blocks[0].column(1), ElementsAre(2, 4, 6, 8));
   EXPECT_THAT(made.blocks[0].lines, ElementsAre(1u, 3u, 5u, 8u));
+  // Where they stand a caller can find, as between several tables.
+  EXPECT_THAT(read("1 2\n\n3 4\n# a comment\n5 6\n\n\n7 8\n\n# next\n9 9\n").blocks[0].blanks,
+              ElementsAre(Pair(1u, 1u), Pair(3u, 2u), Pair(4u, 0u)));
 }
 
 /// Such a comment cut the table, and the rows after it lost their names.
