@@ -53,6 +53,7 @@ struct BatchResult {
   double lineMu = kNotApplicable, lineIndentation = kNotApplicable;
   double lineContactFraction = kNotApplicable;
   std::vector<std::string> files;  // names in the folder; the picture first
+  std::vector<Message> reading{};  // how the file of its surface was read (readingFacts)
   /// Why its curve or its mean misses the target of its scene; empty: neither does.
   Message missed{};
 

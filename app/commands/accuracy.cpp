@@ -18,6 +18,7 @@
 #include "core/scene/provenance.h"
 #include "core/scene/scene_check.h"
 #include "core/scene/sweep.h"
+#include "core/surface/measured_summary.h"
 #include "ui/chart/diagram_picture.h"
 #include "ui/draw/png_file.h"
 #include "ui/language/language.h"
@@ -113,6 +114,7 @@ std::string summaryText(const WorkPrecision& comparison, const std::string& fold
       text += methodLine(point, point.choice == comparison.present, width);
     text += marchLine(region);
   }
+  text += factLines(readingFacts(comparison.scene));
   for (const char* name : kFiles) text += wroteLine(fileIn(folder, name));
   return text;
 }

@@ -30,6 +30,8 @@
 #include "core/scene/provenance.h"
 #include "core/scene/scene_check.h"
 #include "core/scene/scene_file.h"
+#include "core/surface/measured_summary.h"
+#include "core/surface/surface_file.h"
 #include "ui/draw/png_file.h"
 #include "ui/draw/shapes.h"
 #include "ui/language/language.h"
@@ -206,6 +208,7 @@ class BatchRun {
       result = known->result;
       result.item = std::move(item);
     }
+    result.reading = readingFacts(result.item.scene);
     const std::vector<CurvePoint> curve =
         known ? known->curve : computeMeans(result, content.layout);
     if (!curve.empty()) content.curves.present = {{}, shown, curve, 0};
@@ -331,6 +334,17 @@ class BatchRun {
     return origin;
   }
 
+  /// Returns how the surfaces were read, once for scenes that follow each other with the same one.
+  std::string readingText() const {
+    std::string text, last;
+    for (const BatchResult& result : results_) {
+      std::string facts = factLines(result.reading);
+      if (!facts.empty() && facts != last) text += result.item.name + ":\n" + facts;
+      last = std::move(facts);
+    }
+    return text;
+  }
+
   int report() const {
     int bad = 0, missed = 0;
     Json answer = header();
@@ -353,6 +367,7 @@ class BatchRun {
         entry["realizations"] = result.mean ? Json(mean.realizations) : Json();
         entry["line_mu"] = numberOrNull(result.lineMu);
         entry["provenance"] = provenance("batch", result.item.scene);
+        addReadingFacts(entry, result.reading);
       }
       list.push_back(std::move(entry));
     }
@@ -361,7 +376,8 @@ class BatchRun {
         (results_.size() == 1 ? filled(Words::tr("one scene, %1 failed"), {std::to_string(bad)})
                               : filled(Words::tr("%1 scenes, %2 failed"),
                                        {std::to_string(results_.size()), std::to_string(bad)})) +
-            "\n" + (missed > 0 ? filledLine(Words::tr("target accuracy missed: %1"), missed) : "") +
+            "\n" + readingText() +
+            (missed > 0 ? filledLine(Words::tr("target accuracy missed: %1"), missed) : "") +
             wroteLine(fileIn("index.html")));
     if (command_.common.json) fmt::print("{}", jsonFile(answer));
     return bad + missed > 0 ? kRunFailed : kDone;

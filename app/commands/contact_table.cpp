@@ -11,6 +11,8 @@
 #include "core/run/contact_tables.h"
 #include "core/scene/data_table.h"
 #include "core/scene/provenance.h"
+#include "core/surface/measured_summary.h"
+#include "core/surface/surface_file.h"
 #include "ui/language/language.h"
 
 namespace asperity {
@@ -52,6 +54,7 @@ Json tableAnswer(const Scene& scene, const RenderCommand& command, const Frame& 
                  const DataTable& table, const ColumnChoice& columns) {
   const ProvenanceOptions given(optionsFor(command.common.given, ".json"));
   Json answer = provenance("render", scene);
+  addReadingFacts(answer, readingFacts(scene));
   answer["table"] = tableName(command);
   answer["time"] = frame.time;
   answer["derived"] = derivedNumbers(frame);
@@ -90,9 +93,13 @@ int runContactTable(const RenderCommand& command) {
   else if (!command.common.json)
     fmt::print("{}", csvText(scene, command, table, columns));
   if (command.common.json) fmt::print("{}", json);
-  if (command.output != "-")
-    printSummary(command.common,
-                 filledLine(Words::tr("%1 rows"), table.rows.size()) + wroteLine(command.output));
+  const std::string reading = factLines(readingFacts(scene));
+  const bool isPrinted = command.output == "-";
+  printSummary(command.common,
+               isPrinted ? reading
+                         : filledLine(Words::tr("%1 rows"), table.rows.size()) + reading +
+                               wroteLine(command.output),
+               isPrinted);
   return kDone;
 }
 

@@ -21,6 +21,8 @@
 #include "core/base/json_text.h"
 #include "core/run/contact_tables.h"
 #include "core/scene/provenance.h"
+#include "core/surface/measured_summary.h"
+#include "core/surface/surface_file.h"
 #include "ui/contact/contact_overlay.h"
 #include "ui/contact/contact_probe.h"
 #include "ui/draw/png_file.h"
@@ -107,7 +109,7 @@ class Rendering {
   std::string summary() const {
     std::string text = "mu = " + answerNumber(lineFriction(last_), 6);
     if (std::isfinite(last_.muError)) text += " \u00B1 " + answerNumber(last_.muError, 2);
-    text += "\n";
+    text += "\n" + factLines(readingFacts(scene_));
     if (kind_ == Kind::Picture) return text + wroteLine(command_.output);
     text += framesText() + "\n";
     if (const std::int64_t kept = count() - drawn_; kept > 0)
@@ -125,6 +127,7 @@ class Rendering {
 
   Json json() const {
     Json answer = origin();
+    addReadingFacts(answer, readingFacts(scene_));
     const double mu = lineFriction(last_);
     answer["mu"] = numberOrNull(mu);
     if (std::isfinite(last_.muError)) answer["mu_discretization_error"] = last_.muError;

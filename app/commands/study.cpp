@@ -19,6 +19,8 @@
 #include "core/study/study_report.h"
 #include "core/study/study_run.h"
 #include "core/study/study_table.h"
+#include "core/surface/measured_summary.h"
+#include "core/surface/surface_file.h"
 #include "ui/language/language.h"
 #include "ui/window/main/scene_library.h"
 
@@ -133,6 +135,16 @@ void checkReadable(const StudyStore& store) {
   store.eachChunk([](const StudyChunk&) { return true; });
 }
 
+/// Returns how the surface of the base scene is read; nothing where only a simulation's own values
+/// make it readable.
+std::vector<Message> readingFactsOfBase(const ParameterStudy& study) {
+  try {
+    return readingFacts(study.base);
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
 std::string stateText(const StudyStore& store, std::int64_t added, std::int64_t total) {
   const std::int64_t done = store.simulationsDone();
   std::string text =
@@ -212,13 +224,15 @@ int runStudyRun(const StudyCommand& command) {
     added = runStudy(store, options);
   }
   if (added > 0) checkReadable(store);
-  printSummary(command.common, stateText(store, added, total));
+  const std::vector<Message> reading = readingFactsOfBase(study);
+  printSummary(command.common, stateText(store, added, total) + factLines(reading));
   if (command.common.json) {
     Json answer = header(study);
     answer["simulations"] = total;
     answer["done"] = store.simulationsDone();
     answer["added"] = added;
     answer["has_failures"] = store.hasFailures();
+    addReadingFacts(answer, reading);
     fmt::print("{}", jsonFile(answer));
   }
   return kDone;

@@ -12,6 +12,8 @@
 #include "core/scene/columns.h"
 #include "core/scene/provenance.h"
 #include "core/surface/line_source.h"
+#include "core/surface/measured_summary.h"
+#include "core/surface/surface_file.h"
 
 namespace asperity {
 namespace {
@@ -169,6 +171,7 @@ std::string workPrecisionCsv(const WorkPrecision& comparison) {
 
 std::string workPrecisionJson(const WorkPrecision& comparison) {
   Json root = provenance("accuracy", comparison.scene);
+  addReadingFacts(root, readingFacts(comparison.scene));
   root["present_choice"] = methodName(comparison.present);
   root["lines"] = comparison.lines;
   Json regions = Json::array();

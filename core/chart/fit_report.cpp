@@ -19,6 +19,8 @@
 #include "core/scene/provenance.h"
 #include "core/scene/scene_check.h"
 #include "core/scene/scene_file.h"
+#include "core/surface/measured_summary.h"
+#include "core/surface/surface_file.h"
 
 namespace asperity {
 namespace {
@@ -314,6 +316,7 @@ Json fitOptions(const std::vector<std::string>& varied, bool hasProfiles) {
 
 std::string fitAnswer(const Scene& start, const Fit& fit, const std::vector<std::string>& varied) {
   Json answer = fitProvenance(start, fit);
+  addReadingFacts(answer, readingFacts(start));
   answer["vary"] = varied;
   answer["fit"] = fitJson(fit);
   return jsonFile(answer);

@@ -165,11 +165,14 @@ TEST_F(SurfaceCommandTest, EveryVerbSaysHowTheFileWasRead) {
   program.folder.write("two.csv", table.str());
   program.folder.write("t.json", R"({"surface":{"kind":"measured","file":"two.csv"},
       "ensemble":{"realizations":0},"sweep":{"points":2}})");
+  program.folder.write("mu.csv", "v (m/s),mu\n0.001,0.1\n0.01,0.2\n0.1,0.3\n1,0.2\n10,0.1\n");
   const std::string column = "the first of 2 columns that could be",
                     repeated = "repeats a position";
   for (const std::string verb :
        {"surface", "check", "explain", "curve", "cutoff",
-        "map --x sliding.velocity=0.1:1:2 --y load.normal_force=0.1:1:2"}) {
+        "map --x sliding.velocity=0.1:1:2 --y load.normal_force=0.1:1:2",
+        "render -o r.png --size 640x360", "render -o r.csv", "accuracy -o accuracy",
+        "fit --data mu.csv --vary elastomer.relaxation_time=1e-5:1 -o fit"}) {
     const std::size_t end = std::min(verb.find(' '), verb.size());
     const std::string arguments = verb.substr(0, end) + " t.json" + verb.substr(end) + " --json";
     const Said said = program.run(arguments);
@@ -178,6 +181,19 @@ TEST_F(SurfaceCommandTest, EveryVerbSaysHowTheFileWasRead) {
     const std::string facts = nlohmann::json::parse(said.out)["reading"]["facts"].dump();
     EXPECT_THAT(facts, AllOf(HasSubstr(column), HasSubstr(repeated))) << arguments;
   }
+  program.folder.write("study.json", R"({"schema":"asperity-study/1","scene":"t.json",
+      "space":{"load.normal_force":{"from":0.1,"to":1,"points":2}},"outputs":["mu"]})");
+  program.folder.write("batch.json", R"({"schema":"asperity-batch/1","size":"400x400",
+      "entries":[{"name":"a","scene":"t.json"},{"name":"b","scene":"t.json"}]})");
+  for (const std::string arguments :
+       {"study run study.json -o store", "batch batch.json -o sheets"})
+    EXPECT_THAT(run(arguments), AllOf(HasSubstr(column), HasSubstr(repeated))) << arguments;
+  const auto answer = [&](const std::string& arguments) {
+    return nlohmann::json::parse(program.run(arguments + " --json").out);
+  };
+  EXPECT_THAT(answer("study run study.json -o store")["reading"].dump(), HasSubstr(repeated));
+  for (const auto& scene : answer("batch batch.json -o sheets")["scenes"])
+    EXPECT_THAT(scene["reading"].dump(), HasSubstr(repeated));
 }
 
 /// A constant height is neither a circle of any radius nor has it a spectrum.
