@@ -1,9 +1,13 @@
 #include "core/measured/height_table.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/base/text.h"
+#include "core/base/text_clause.h"
 #include "core/base/text_header.h"
 #include "core/base/text_number.h"
 #include "core/base/text_units.h"
@@ -33,21 +37,64 @@ Kind kindOf(std::string_view name) {
                                      : Kind::Unknown;
 }
 
-/// Returns the kind of a table by the nearest line above it that names one: "Height", "Height;um",
-/// "Channel: Height".
-Kind kindOf(const TextBlock& block) {
+/// Returns the text of a line that may name the table below it: "Height", "Height;um", "Channel:
+/// Height"; empty where it states something else.
+std::string_view tableName(const TextEntry& entry) {
   constexpr WordList kKeys("channel kanal image bild data daten type typ name quantity");
+  if (entry.key.empty() || isOneOf(lowerCase(entry.key), kKeys)) return entry.value;
+  // "Z unit: um" and "z: um" state a unit of the file.
+  const bool hasUnit =
+      entry.key.size() > 1 && entry.key.find(' ') == std::string::npos && metresPer(entry.value);
+  return hasUnit ? std::string_view(entry.key) : std::string_view();
+}
+
+/// Returns the kind of a table by the nearest line above it that names one.
+Kind kindOf(const TextBlock& block) {
   Kind kind = Kind::Unknown;
-  for (const TextEntry& entry : block.header) {
-    const bool isNamed = entry.key.empty() || isOneOf(lowerCase(entry.key), kKeys);
-    // "Z unit: um" and "z: um" state a unit of the file.
-    const bool hasUnit =
-        entry.key.size() > 1 && entry.key.find(' ') == std::string::npos && metresPer(entry.value);
-    if (!isNamed && !hasUnit) continue;
-    const Kind found = kindOf(isNamed ? entry.value : entry.key);
-    if (found != Kind::Unknown) kind = found;
-  }
+  for (const TextEntry& entry : block.header)
+    if (const Kind found = kindOf(tableName(entry)); found != Kind::Unknown) kind = found;
   return kind;
+}
+
+/// Returns whether a name is that of a quantity that is no length: "Intensity", "Phase image
+/// (deg)".
+bool isOtherQuantity(std::string_view name, bool ofTable) {
+  constexpr WordList kQuantities(
+      "intensity intensit\u00E4t intensit\u00E9 intensidad intensit\u00E0 brightness helligkeit "
+      "luminance reflectivity reflectance");
+  // A profile has amplitudes as well, and a column of phases its unit.
+  constexpr WordList kOfScans("amplitude phase deflection");
+  constexpr std::size_t kMostWords = 2;  // more are a sentence
+  const TextColumn column = parseColumnName(withoutBrackets(trimmedField(name)));
+  if (metresPer(column.unit)) return false;
+  const auto words = wordsIn(column.name);
+  // "Intensity 50 %" states a number.
+  return words.size() <= kMostWords && std::ranges::none_of(column.name, isDigit) &&
+         (hasOneOf(words, kQuantities) || (ofTable && hasOneOf(words, kOfScans)));
+}
+
+/// Returns whether the numbers of some columns, but not of all, hardly change within each part, as
+/// positions do along the lines of points of one grid.
+bool areLinesOfPoints(const TextBlock& block, std::size_t rowsOfPart) {
+  constexpr std::size_t kFewest = 3, kMost = 12;  // columns of points
+  constexpr double kHardly = 0.25;
+  if (block.columns.size() < kFewest || block.columns.size() > kMost) return false;
+  std::size_t steady = 0;
+  for (std::size_t i = 0; i < block.columns.size(); ++i) {
+    double lowest = INFINITY, highest = -INFINITY, widest = 0;
+    for (std::size_t begin = 0; begin < block.rows; begin += rowsOfPart) {
+      double low = INFINITY, high = -INFINITY;
+      for (std::size_t row = begin; row < begin + rowsOfPart; ++row) {
+        low = std::fmin(low, block.at(row, i));
+        high = std::fmax(high, block.at(row, i));
+      }
+      if (high >= low) widest = std::max(widest, high - low);
+      lowest = std::min(lowest, low);
+      highest = std::max(highest, high);
+    }
+    steady += highest > lowest && widest < kHardly * (highest - lowest) ? 1 : 0;
+  }
+  return steady > 0 && steady < block.columns.size();
 }
 
 }  // namespace
@@ -87,6 +134,56 @@ HeightTable chooseHeightTable(const TextTable& table) {
               : message("The file has {} tables of numbers; the largest one, from line {} on, is "
                         "read.",
                         blocks.size(), line)};
+}
+
+std::size_t splitAtBlankLines(TextTable& table, std::size_t index) {
+  constexpr std::size_t kFewestRows = 3;
+  const TextBlock& whole = table.blocks[index];
+  const std::size_t parts = whole.blanks.size() + 1;
+  if (parts == 1 || whole.columns.size() < 2 || whole.rows % parts != 0) return 1;
+  const std::size_t rows = whole.rows / parts;
+  for (std::size_t i = 0; i + 1 < parts; ++i)
+    if (whole.blanks[i].first != (i + 1) * rows) return 1;
+  if (rows < kFewestRows || areLinesOfPoints(whole, rows)) return 1;
+  std::vector<TextBlock> split;
+  for (std::size_t i = 0; i < parts; ++i) {
+    TextBlock& part = split.emplace_back();
+    part.columns = whole.columns;
+    part.rows = rows;
+    const auto first = static_cast<std::ptrdiff_t>(i * rows),
+               last = static_cast<std::ptrdiff_t>((i + 1) * rows),
+               width = static_cast<std::ptrdiff_t>(whole.columns.size());
+    part.values.assign(whole.values.begin() + first * width, whole.values.begin() + last * width);
+    part.lines.assign(whole.lines.begin() + first, whole.lines.begin() + last);
+    part.texts.resize(whole.columns.size());
+    part.cells.resize(whole.columns.size());
+  }
+  split.front().header = whole.header;
+  const auto place = table.blocks.erase(table.blocks.begin() + static_cast<std::ptrdiff_t>(index));
+  table.blocks.insert(place, std::make_move_iterator(split.begin()),
+                      std::make_move_iterator(split.end()));
+  return parts;
+}
+
+void requireHeightName(const TextBlock& block, int column, const SurfaceSource& source,
+                       std::vector<Message>& notes) {
+  std::string name;
+  if (column >= 0) {
+    const TextColumn& one = block.columns[static_cast<std::size_t>(column)];
+    if (!metresPer(one.unit) && isOtherQuantity(one.name, false)) name = one.name;
+  } else {
+    for (const TextEntry& entry : block.header)
+      if (isOtherQuantity(tableName(entry), true)) name = parseColumnName(tableName(entry)).name;
+  }
+  if (name.empty()) return;
+  if (source.choices.heightUnit == "auto" && source.choices.heightColumn == 0)
+    throw InputError(source.name, "surface.height_unit",
+                     message("is needed ({}): the numbers are named '{}', which are no heights",
+                             kUnitsOfKeys, shortened(name)));
+  notes.push_back(
+      message("The numbers are named '{}', which are no heights: they are taken as such all the "
+              "same.",
+              shortened(name)));
 }
 
 }  // namespace asperity

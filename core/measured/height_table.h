@@ -7,6 +7,7 @@
 
 #include "core/base/message.h"
 #include "core/base/text_table.h"
+#include "core/measured/surface_draft.h"
 
 namespace asperity {
 
@@ -19,5 +20,15 @@ struct HeightTable {
 /// Chooses the table with the most numbers; of equal ones the one that is named as heights, else
 /// the first. A table named as an intensity, such as "Light", gives way to one of heights.
 HeightTable chooseHeightTable(const TextTable& table);
+
+/// Replaces a table by several of equally many rows where blank lines separate it into these, and
+/// returns their number; 1: there are no such parts. The lines of points of one grid stay together.
+std::size_t splitAtBlankLines(TextTable& table, std::size_t index);
+
+/// Throws InputError where the heights have the name of another quantity, such as "Intensity",
+/// without a unit of length; adds a note where the user states the unit. column: of the heights;
+/// -1: the table holds heights alone, and the lines above it may name it.
+void requireHeightName(const TextBlock& block, int column, const SurfaceSource& source,
+                       std::vector<Message>& notes);
 
 }  // namespace asperity

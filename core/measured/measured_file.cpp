@@ -24,7 +24,6 @@ constexpr double kFarthest = 1e6;                           // m, limit of lengt
 constexpr double kLongestAssumed = 1;    // m
 constexpr double kSteepestAssumed = 10;  // rms slope
 
-constexpr std::string_view kUnits = "m, mm, \u00B5m, nm, in";  // those of the keys
 constexpr std::string_view kKnownUnits = "m, cm, mm, \u00B5m, nm, pm, \u00C5, in, mil, \u00B5in";
 
 // ---- Formats -----------------------------------------------------------------------------------
@@ -124,8 +123,8 @@ double rmsSlope(const Topography& grid) {
 
 /// Returns what to say where a unit must be chosen, because that of the file is not known.
 Message unknownUnitText(const std::string& unit) {
-  return message("is needed ({}): the unit '{}' of the file is not known; known are {}", kUnits,
-                 shortened(unit), kKnownUnits);
+  return message("is needed ({}): the unit '{}' of the file is not known; known are {}",
+                 kUnitsOfKeys, shortened(unit), kKnownUnits);
 }
 
 /// Throws InputError where a unit or the distance of the points is unknown, and where numbers
@@ -146,7 +145,7 @@ void requirePlausible(const SurfaceSource& source, const SurfaceDraft& draft) {
     throw InputError(source.name, "surface.position_unit",
                      message("is needed ({}): the file states no unit of positions, and in metres "
                              "the line would be {:.3g} m long",
-                             kUnits, length));
+                             kUnitsOfKeys, length));
   if (assumesZ && !draft.unknownHeightUnit.empty())
     throw InputError(source.name, "surface.height_unit", unknownUnitText(draft.unknownHeightUnit));
   if (!assumesX && !assumesZ) return;
@@ -156,10 +155,10 @@ void requirePlausible(const SurfaceSource& source, const SurfaceDraft& draft) {
                      assumesZ
                          ? message("is needed ({}): the file states no unit of heights, and in "
                                    "metres the rms slope would be {:.3g}",
-                                   kUnits, slope)
+                                   kUnitsOfKeys, slope)
                          : message("is needed ({}): the file states no unit of positions, and "
                                    "in metres the rms slope would be {:.3g}",
-                                   kUnits, slope));
+                                   kUnitsOfKeys, slope));
 }
 
 void applyUnits(const SurfaceSource& source, SurfaceDraft& draft) {

@@ -147,6 +147,7 @@ SurfaceDraft readNpy(const SurfaceSource& source) {
   else
     type->append(source, data, stored.height);
   draft.grid = isColumnByColumn ? transposed(stored) : std::move(stored);
+  if (draft.grid.columns == 1) draft.grid = transposed(draft.grid);  // a profile as a column
   draft.grid.columnSpacing = draft.grid.rowSpacing = 1;
   return draft;
 }

@@ -29,9 +29,12 @@ Message formText(const ReadingFacts& facts) {
   return Message::name(name);
 }
 
-/// Returns the unit as people write it; one of Shift-JIS was read as Latin-1.
-std::string printedUnit(const std::string& unit) {
-  return unit == "um" || unit == "\u0192\u00CAm" ? "\u00B5m" : unit;
+/// Returns the unit that the file states, where the user's choice replaces it by another one.
+std::string replacedUnit(const UnitFact& chosen, const std::optional<StatedUnit>& stated,
+                         const std::string& unknown) {
+  if (chosen.source != UnitSource::Choice) return {};
+  if (!stated) return unknown;
+  return stated->metres != chosen.metres ? printedUnit(stated->text) : "";
 }
 
 /// Returns whether programs write this number where nothing was measured: 9999, -999.99, -32768.
@@ -104,6 +107,11 @@ void noteLargeSizes(const Topography& grid, const ReadingFacts& facts,
 
 }  // namespace
 
+std::string printedUnit(const std::string& unit) {
+  // The second one was written in Shift-JIS and read as Latin-1.
+  return unit == "um" || unit == "\u0192\u00CAm" ? "\u00B5m" : unit;
+}
+
 void addReadingNotes(SurfaceDraft& draft) {
   const Topography& grid = draft.grid;
   ReadingFacts& facts = draft.facts;
@@ -139,6 +147,15 @@ void addReadingNotes(SurfaceDraft& draft) {
   if (!draft.hasPositions)
     notes.push_back(
         message("The file does not say how far its points are apart: {} is assumed.", spacing));
+  if (const std::string other =
+          replacedUnit(position, draft.positionUnit, draft.unknownPositionUnit);
+      !other.empty() && !draft.isSpacingChosen)
+    notes.push_back(
+        message("The file states positions in {}: surface.position_unit replaces it.", other));
+  if (const std::string other = replacedUnit(height, draft.heightUnit, draft.unknownHeightUnit);
+      !other.empty())
+    notes.push_back(
+        message("The file states heights in {}: surface.height_unit replaces it.", other));
   noteLargeSizes(grid, facts, notes);
   noteVoids(grid, height, notes);
   if (facts.gaps == 1) notes.emplace_back("One point has no height.");

@@ -52,6 +52,9 @@ struct SurfaceDraft {
   ReadingFacts facts{};  // format, columns and notes; the rest is filled in later
 };
 
+/// The units that the keys of units may name, for people.
+inline constexpr std::string_view kUnitsOfKeys = "m, mm, \u00B5m, nm, in";
+
 /// The maximum number of points that are read: 512 MiB of heights.
 inline constexpr std::int64_t kMostPoints = std::int64_t{1} << 26;
 

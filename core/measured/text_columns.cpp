@@ -5,6 +5,7 @@
 
 #include "core/base/text.h"
 #include "core/base/text_number.h"
+#include "core/base/units.h"
 #include "core/measured/uniform_positions.h"
 
 namespace asperity {
@@ -35,6 +36,16 @@ constexpr WordList kEither("flag flags status mask quality qual");
 bool begins(const WordList& words, std::string_view name) {
   if (isOneOf(name, words)) return true;
   return isOneOf(name.substr(0, std::min(name.find_first_of(" _-.("), name.size())), words);
+}
+
+/// Returns whether a column holds the times of the points, by its unit or its name.
+bool isTime(const TextColumn& column) {
+  constexpr WordList kTimes(
+      "time, t, date, datetime, date time, timestamp, time stamp, datum, zeit, uhrzeit, "
+      "zeitstempel, temps, heure, tiempo, hora, fecha, tempo, ora",
+      ',');
+  if (isOneOf(lowerCase(column.name), kTimes)) return true;
+  return column.unit != "m" && findUnit(column.unit, "s");
 }
 
 /// Returns whether the column only rises or only falls.
@@ -209,6 +220,8 @@ class RoleFinder {
       else if (!isOneOf(name, kCounts))
         findValidity(block_, i, name, roles_);
       if (roles_.x != i && roles_.y != i && roles_.validity != i && !isOneOf(name, kCounts) &&
+          !isTime(block_.columns[static_cast<std::size_t>(i)]) &&
+          !hasNoNumber(block_, static_cast<std::size_t>(i)) &&
           std::ranges::find(roles_.heights, i) == roles_.heights.end())
         open_.push_back(i);
     }
@@ -292,6 +305,12 @@ class RoleFinder {
 
 ColumnRoles columnRoles(const TextBlock& block, const SurfaceSource& source) {
   return RoleFinder(block, source).find();
+}
+
+bool hasNoNumber(const TextBlock& block, std::size_t column) {
+  for (std::size_t row = 0; row < block.rows; ++row)
+    if (!std::isnan(block.at(row, column))) return false;
+  return true;
 }
 
 bool isInPixels(const TextColumn& column) {

@@ -6,9 +6,13 @@
 
 #include "core/base/number_text.h"
 #include "core/base/text_number.h"
+#include "core/base/text_units.h"
+#include "core/measured/height_table.h"
 #include "core/measured/matrix_frame.h"
 #include "core/measured/text_columns.h"
 #include "core/measured/text_lengths.h"
+#include "core/measured/text_notes.h"
+#include "core/measured/text_steps.h"
 #include "core/measured/text_surface.h"
 #include "core/measured/uniform_positions.h"
 
@@ -152,6 +156,21 @@ void takeSpacings(const TextTable& table, const TextBlock& block, const SurfaceS
                                     draft.hasPositions ? UnitEntries::AndCommon : UnitEntries::Own);
 }
 
+namespace {
+
+/// Returns the unit of length that the cells of a matrix have; nothing where they have none, or
+/// several.
+std::optional<StatedUnit> unitOfCells(const TextBlock& block, std::size_t firstColumn) {
+  const std::string& unit = block.columns.back().unit;
+  for (std::size_t i = firstColumn; i < block.columns.size(); ++i)
+    if (i >= block.cells.size() || block.cells[i].empty() || block.columns[i].unit != unit)
+      return {};
+  const auto metres = metresPer(unit);
+  return metres ? std::optional(StatedUnit{unit, *metres}) : std::nullopt;
+}
+
+}  // namespace
+
 SurfaceDraft readTextMatrix(const TextTable& table, const TextBlock& block,
                             const SurfaceSource& source) {
   SurfaceDraft draft;
@@ -184,7 +203,9 @@ SurfaceDraft readTextMatrix(const TextTable& table, const TextBlock& block,
   }
   if (spip && !frame.hasColumn) applySpipHeader(*spip, source, grid);
   draft.heightUnit = corner.z ? corner.z : headerUnit(table, block, true);
+  if (!draft.heightUnit) draft.heightUnit = unitOfCells(block, firstColumn);
   if (!draft.heightUnit) draft.unknownHeightUnit = corner.unknownHeight;
+  requireHeightName(block, -1, source, draft.facts.notes);
   if (numbering.row && numbering.column)
     draft.facts.notes.emplace_back("The first row and the first column number the points.");
   else if (numbering.row)
@@ -242,14 +263,41 @@ PointColumns pointColumns(const TextBlock& block, const ColumnRoles& roles) {
   return columns;
 }
 
-/// Returns the axis of a grid on which the positions in a column lie; nothing where there is none.
+/// Returns the axis of a grid on which the positions in a column lie, if only nearly; nothing where
+/// there is none.
 std::optional<GridAxis> columnAxis(const TextBlock& block, int column) {
   std::vector<double> values;
   values.reserve(block.rows);
   for (std::size_t i = 0; i < block.rows; ++i)
     if (const double value = block.at(i, static_cast<std::size_t>(column)); !std::isnan(value))
       values.push_back(value);
-  return findGridAxis(std::move(values), static_cast<std::int64_t>(block.rows));
+  const auto most = static_cast<std::int64_t>(block.rows);
+  if (const auto axis = findGridAxis(values, most)) return axis;
+  return findNearGridAxis(std::move(values), most);
+}
+
+/// The height of a point at the position of an earlier one, its row, and its index in the grid.
+struct RepeatedHeight {
+  std::size_t at = 0, row = 0;
+  double height = 0;
+};
+
+/// Replaces the heights at positions that occur several times by their mean.
+void takeMeans(std::vector<RepeatedHeight> repeats, std::vector<double>& heights) {
+  std::ranges::stable_sort(repeats, {}, &RepeatedHeight::at);
+  for (std::size_t i = 0; i < repeats.size();) {
+    double& height = heights[repeats[i].at];
+    double sum = 0, count = 0;
+    const auto add = [&](double one) {
+      if (std::isnan(one)) return;
+      sum += one;
+      count += 1;
+    };
+    add(height);
+    const std::size_t at = repeats[i].at;
+    for (; i < repeats.size() && repeats[i].at == at; ++i) add(repeats[i].height);
+    if (count > 0) height = sum / count;
+  }
 }
 
 /// Returns whether the positions number the points: they are in pixels, or count by one without a
@@ -323,6 +371,9 @@ SurfaceDraft readTextPoints(const TextTable& table, const TextBlock& block,
   if (!draft.positionUnit && !areNumbers)
     draft.unknownPositionUnit = unknownUnit(table, block, columns.x, false);
   if (!draft.heightUnit) draft.unknownHeightUnit = unknownUnit(table, block, columns.z, true);
+  requireHeightName(block, columns.z, source, draft.facts.notes);
+  for (const int column : {columns.x, columns.y, columns.z})
+    noteFactor(block, column, draft.facts.notes);
   const double ofRows =
       (rowUnit ? rowUnit->metres : 1) / (draft.positionUnit ? draft.positionUnit->metres : 1);
 
@@ -342,6 +393,9 @@ SurfaceDraft readTextPoints(const TextTable& table, const TextBlock& block,
   requireSize(source, grid.columns, grid.rows, 0, 0);
   grid.height.assign(static_cast<std::size_t>(grid.columns * grid.rows), kNone);
   std::vector<bool> isTaken(grid.height.size());
+  std::vector<RepeatedHeight> repeats;
+  // More points may be those of another surface.
+  constexpr std::size_t kMostRepeats = 10;  // one of so many points
   const auto gridIndex = [](double value, const GridAxis& axis) {
     return axis.count > 1 ? std::llround((value - axis.first) / axis.spacing) : 0;
   };
@@ -353,11 +407,25 @@ SurfaceDraft readTextPoints(const TextTable& table, const TextBlock& block,
     const auto at = static_cast<std::size_t>(
         std::clamp<std::int64_t>(gridIndex(py, *y), 0, grid.rows - 1) * grid.columns +
         std::clamp<std::int64_t>(gridIndex(px, *x), 0, grid.columns - 1));
-    if (isTaken[at])
-      source.fail(message("line {}: there is a point at this position already", block.lines[i]));
+    const double height = block.at(i, static_cast<std::size_t>(columns.z));
+    if (isTaken[at]) {
+      repeats.push_back({at, i, height});
+      if (kMostRepeats * repeats.size() > block.rows)
+        source.fail(message("line {}: there is a point at this position already",
+                            block.lines[repeats.front().row]));
+      continue;
+    }
     isTaken[at] = true;
-    grid.height[at] = block.at(i, static_cast<std::size_t>(columns.z));
+    grid.height[at] = height;
   }
+  if (!repeats.empty()) {
+    draft.facts.notes.push_back(repeatsNote(repeats.size()));
+    takeMeans(std::move(repeats), grid.height);
+  }
+  if (const double deviation = std::max(x->deviation, y->deviation); deviation > 0)
+    draft.facts.notes.push_back(
+        message("Positions are up to {:.2g} % of a step off an even grid, on which they are taken.",
+                100 * deviation));
   if (grid.columns == 1 && grid.rows > 1) {
     std::swap(grid.columns, grid.rows);
     grid.columnSpacing = grid.rowSpacing;

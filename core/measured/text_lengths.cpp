@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <string_view>
 #include <vector>
 
 #include "core/base/text.h"
+#include "core/base/text_clause.h"
 #include "core/base/text_header.h"
 #include "core/base/text_number.h"
 #include "core/base/text_units.h"
@@ -59,10 +59,6 @@ constexpr LengthNames kExtents{
     WordList("scan size, scansize, scan range, scan area, field of view, fov, image size, "
              "measuring area, messfeld, sichtfeld, scanbereich",
              ',')};
-
-/// The ways to name an axis, {}.
-constexpr WordList kAxisForms(
-    "axis {}, {} axis, {}-axis, achse {}, {}-achse, axe {}, axe des {}, eje {}, asse {}", ',');
 
 /// Returns the axis, x, y or z, where the line names it and says no more: the lines below belong to
 /// it. 0: it names none.
@@ -241,6 +237,11 @@ std::optional<HeaderLength> headerLength(const TextTable& table, const TextBlock
   return isContradicted ? std::nullopt : found;
 }
 
+std::optional<HeaderLength> lengthIn(std::string_view text) {
+  const auto lengths = parseLengths(text, {});
+  return lengths && !lengths->second ? std::optional(lengths->first) : std::nullopt;
+}
+
 std::optional<std::pair<HeaderLength, HeaderLength>> widthAndLength(const TextBlock& block) {
   constexpr WordList kWidths("width, breite, largeur, larghezza, anchura, ancho, largura, \u5E45",
                              ',');
@@ -263,73 +264,6 @@ std::optional<std::pair<HeaderLength, HeaderLength>> widthAndLength(const TextBl
   return isWidthFirst ? std::pair{*width, *length} : std::pair{*length, *width};
 }
 
-std::optional<std::int64_t> statedCount(const TextTable& table, const TextBlock& block,
-                                        Counted counted) {
-  constexpr WordList kPoints(
-      "points, number of points, no. of points, data points, number of data points, data number, "
-      "samples, number of samples, samps, npoints, n points, punkte, anzahl punkte, punktanzahl, "
-      "punktzahl, messpunkte, anzahl messpunkte, nombre de points, numero di punti, n\u00FAmero "
-      "de puntos, n\u00FAmero de pontos, \u30C7\u30FC\u30BF\u6570, "
-      "\uFF83\uFF9E\uFF70\uFF80\u6570, \u00C3\u00DE\u00B0\u00C0\u0090\u201D, "
-      "\u70B9\u6570",
-      ',');
-  constexpr WordList kColumns(
-      "columns, number of columns, samps/line, \\samps/line, samples/line, samples per line, "
-      "points per line, pixels in x, x pixels, horizontal, spalten, anzahl spalten, nombre de "
-      "colonnes, \u6A2A",
-      ',');
-  constexpr WordList kRows(
-      "rows, number of rows, lines, \\lines, number of lines, \\number of lines, pixels in y, y "
-      "pixels, vertical, zeilen, anzahl zeilen, nombre de lignes, \u7E26",
-      ',');
-  for (const std::string_view key : counted == Counted::Points    ? kPoints
-                                    : counted == Counted::Columns ? kColumns
-                                                                  : kRows)
-    if (const auto number = parseQuantity(table.entry(key, block)); number && number->number > 0)
-      if (const auto count = wholeNumber(number->number)) return count;
-  return {};
-}
-
-std::optional<HeaderLength> countedStep(const TextTable& table, const TextBlock& block,
-                                        std::int64_t count, char axis) {
-  for (const std::string_view form : kAxisForms) {
-    std::string key(form);
-    replaceAll(key, "{}", std::string_view(&axis, 1));
-    const std::string text = table.entry(key, block);
-    const std::size_t end = std::min(text.find_first_of(" \t"), text.size());
-    const auto length = parseQuantity(std::string_view(text).substr(end));
-    double points = 0;
-    if (!length || !readTextNumber(std::string_view(text).substr(0, end), '.', points)) continue;
-    const auto metres = metresPer(length->unit);
-    if (!metres || points != static_cast<double>(count) || count < 2 || !(length->number > 0))
-      continue;
-    return HeaderLength{length->number / (points - 1), StatedUnit{length->unit, *metres}};
-  }
-  constexpr WordList kDensities(
-      "points per mm, points/mm, data points per mm, samples per mm, samples/mm, pixels per mm, "
-      "punkte pro mm, punkte/mm, messpunkte pro mm, points par mm",
-      ',');
-  for (const std::string_view density : kDensities)
-    if (const auto perMillimetre = parseQuantity(table.entry(density, block));
-        perMillimetre && perMillimetre->number > 0)
-      return HeaderLength{1 / perMillimetre->number, StatedUnit{"mm", 1e-3}};
-  constexpr WordList kTraverses(
-      "traverse length, measuring length, measurement length, tracing length, messl\u00E4nge, "
-      "messstrecke, taststrecke, longueur de mesure, \u6E2C\u5B9A\u9577\u3055, length, total "
-      "length, profile length, scan length, l\u00E4nge, gesamtl\u00E4nge, longueur, longueur "
-      "totale, lunghezza, longitud, comprimento, evaluation length, auswertel\u00E4nge, longueur "
-      "d'\u00E9valuation",
-      ',');
-  if (axis != 'x' || count < 2 || statedCount(table, block, Counted::Points) != count) return {};
-  for (const std::string_view traverse : kTraverses)
-    if (auto lengths = parseLengths(table.entry(traverse, block), {});
-        lengths && !lengths->second && lengths->first.unit) {
-      lengths->first.value /= static_cast<double>(count - 1);
-      return lengths->first;
-    }
-  return {};
-}
-
 namespace {
 
 /// Returns the text in brackets at the end of a name; empty where there is none.
@@ -346,8 +280,11 @@ bool canBeUnit(std::string_view text) {
          text.find_first_of("0123456789") == std::string_view::npos;
 }
 
-/// The keys, in lower case, of entries that state a unit.
-std::vector<std::string_view> unitKeys(bool ofHeights, UnitEntries entries) {
+/// Keys, in lower case, of entries that state a unit without saying of what.
+constexpr WordList kCommonUnitKeys("unit, units, einheit, length unit", ',');
+
+/// Returns the keys, in lower case, of entries that state a unit of heights or of positions.
+WordList unitKeys(bool ofHeights) {
   constexpr WordList kOfHeights(
       "z, value units, value unit, z unit, z units, z-unit, unit z, units z, height unit, height "
       "units, zunit, einheiten, werteinheit, werteinheiten, z-axis unit, z-axis units, z axis "
@@ -362,18 +299,13 @@ std::vector<std::string_view> unitKeys(bool ofHeights, UnitEntries entries) {
       "units, x-einheit, einheit x, unit\u00E9 x, x-axis unit, x-axis units, x axis unit, x axis "
       "units, einheit x-achse, x",
       ',');
-  std::vector<std::string_view> keys;
-  std::ranges::copy(ofHeights ? kOfHeights : kOfPositions, std::back_inserter(keys));
-  if (entries == UnitEntries::AndCommon)
-    std::ranges::copy(WordList("unit, units, einheit, length unit", ','), std::back_inserter(keys));
-  return keys;
+  return ofHeights ? kOfHeights : kOfPositions;
 }
 
-}  // namespace
-
-std::optional<StatedUnit> headerUnit(const TextTable& table, const TextBlock& block, bool ofHeights,
-                                     UnitEntries entries) {
-  for (const std::string_view key : unitKeys(ofHeights, entries)) {
+/// Returns the unit that one of the entries with these keys states.
+std::optional<StatedUnit> unitOfEntries(const TextTable& table, const TextBlock& block,
+                                        const WordList& keys) {
+  for (const std::string_view key : keys) {
     const std::string text = table.entry(key, block);
     // "x: mm" states a unit, "x: 5 mm" a length.
     const bool isAlone = text.find_first_of("0123456789") == std::string::npos;
@@ -384,17 +316,53 @@ std::optional<StatedUnit> headerUnit(const TextTable& table, const TextBlock& bl
   return {};
 }
 
+/// Returns the unit in the name of the table: "H\u00F6he in \u00B5m", "Height data [nm]",
+/// "Height;um".
+std::optional<StatedUnit> unitOfTableName(const TextTable& table, const TextBlock& block) {
+  constexpr WordList kBeside("data values value map image channel daten werte");
+  std::optional<StatedUnit> found;
+  for (const TextBlock& one : table.blocks) {
+    for (const TextEntry& entry : one.header) {
+      const TextColumn column =
+          entry.key.empty() ? parseColumnName(entry.value) : TextColumn{entry.key, entry.value};
+      const auto metres = metresPer(column.unit);
+      const auto words = wordsIn(column.name);
+      const bool isName = !words.empty() && isHeightName(words.front()) &&
+                          std::all_of(words.begin() + 1, words.end(), [&](const std::string& word) {
+                            return isOneOf(word, kBeside);
+                          });
+      // "Height: 5 um" states a length.
+      const bool isAlone = column.unit.find_first_of("0123456789") == std::string::npos;
+      if (metres && isName && isAlone) found = StatedUnit{column.unit, *metres};
+    }
+    if (&one == &block) break;
+  }
+  return found;
+}
+
+}  // namespace
+
+std::optional<StatedUnit> headerUnit(const TextTable& table, const TextBlock& block, bool ofHeights,
+                                     UnitEntries entries) {
+  if (const auto unit = unitOfEntries(table, block, unitKeys(ofHeights))) return unit;
+  if (ofHeights)
+    if (const auto unit = unitOfTableName(table, block)) return unit;
+  if (entries == UnitEntries::Own) return {};
+  return unitOfEntries(table, block, kCommonUnitKeys);
+}
+
 std::string unknownUnit(const TextTable& table, const TextBlock& block, int column,
                         bool ofHeights) {
   if (column >= 0)
     if (const auto text = inBrackets(block.columns[static_cast<std::size_t>(column)].name);
         canBeUnit(text) && !metresPer(text))
       return std::string(text);
-  for (const std::string_view key : unitKeys(ofHeights, UnitEntries::AndCommon)) {
-    const std::string text = table.entry(key, block);
-    const std::string_view unit = withoutBrackets(text);
-    if (key.size() > 1 && canBeUnit(unit) && !metresPer(unit)) return std::string(unit);
-  }
+  for (const WordList& keys : {unitKeys(ofHeights), kCommonUnitKeys})
+    for (const std::string_view key : keys) {
+      const std::string text = table.entry(key, block);
+      const std::string_view unit = withoutBrackets(text);
+      if (key.size() > 1 && canBeUnit(unit) && !metresPer(unit)) return std::string(unit);
+    }
   return {};
 }
 
@@ -402,6 +370,15 @@ CornerUnits cornerUnits(const TextBlock& block) {
   CornerUnits units;
   // The line above the numbers has the whole text of the corner as its key.
   std::string corner = block.header.empty() ? "" : block.header.back().key;
+  // Units in the cells: "0 um", "2 um", ... along the first row and the first column.
+  double number = 0;
+  const TextColumn& next = block.columns[1];
+  if (const auto metres = metresPer(next.unit);
+      metres && (readTextNumber(next.name, '.', number) || readTextNumber(next.name, ',', number)))
+    units.x = {next.unit, *metres};
+  if (const auto metres = metresPer(block.columns[0].unit); metres && !block.cells[0].empty())
+    units.y = {block.columns[0].unit, *metres};
+  if (units.x || units.y) return units;
   if (corner.empty()) corner = block.columns[0].name + " [" + block.columns[0].unit + "]";
   for (const std::string_view mark : {"\\", "|", ";", " / "}) replaceAll(corner, mark, "\n");
   for (const std::string_view text : splitText(corner, "\n")) {

@@ -6,8 +6,10 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
+#include "core/base/text.h"
 #include "core/base/text_table.h"
 #include "core/measured/surface_draft.h"
 
@@ -18,6 +20,13 @@ struct HeaderLength {
   double value = 0;
   std::optional<StatedUnit> unit{};
 };
+/// The ways to name an axis, {}.
+inline constexpr WordList kAxisForms(
+    "axis {}, {} axis, {}-axis, achse {}, {}-achse, axe {}, axe des {}, eje {}, asse {}", ',');
+
+/// Reads a single length above 0: "10 um", "512"; nothing where the unit is none of length.
+std::optional<HeaderLength> lengthIn(std::string_view text);
+
 /// What a length is: the step between two points, or the extent of the whole field.
 enum class LengthKind { Step, Extent };
 
@@ -33,24 +42,12 @@ std::optional<HeaderLength> headerLength(const TextTable& table, const TextBlock
 /// one is that along x. Nothing where it has only one of them.
 std::optional<std::pair<HeaderLength, HeaderLength>> widthAndLength(const TextBlock& block);
 
-/// What a header counts: the points of a profile, those of a row of a field, or its rows.
-enum class Counted { Points, Columns, Rows };
-
-/// Returns the number that the header states for it: "Number of points: 800", "Zeilen: 40".
-std::optional<std::int64_t> statedCount(const TextTable& table, const TextBlock& block,
-                                        Counted counted);
-
-/// Returns the step between `count` points where the header states their number and the length from
-/// the first to the last one: "Axis X", 60, "59.00 um", as MountainsMap writes it, or "Points: 60"
-/// and "Traverse length: 59 um". It is also stated by "Points per mm: 1000".
-std::optional<HeaderLength> countedStep(const TextTable& table, const TextBlock& block,
-                                        std::int64_t count, char axis);
-
 /// Which entries of the header are searched for a unit: only those for positions or heights, or
 /// also a common one such as "Unit".
 enum class UnitEntries { Own, AndCommon };
 
-/// Returns the unit that an entry of the header states for positions or for heights.
+/// Returns the unit that the header states for positions or for heights: in an entry of its own, or
+/// in the name of the table of heights.
 std::optional<StatedUnit> headerUnit(const TextTable& table, const TextBlock& block, bool ofHeights,
                                      UnitEntries entries = UnitEntries::AndCommon);
 

@@ -4,13 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
+#include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/text_number.h"
 #include "core/measured/height_table.h"
 #include "core/measured/matrix_frame.h"
 #include "core/measured/text_columns.h"
 #include "core/measured/text_lengths.h"
+#include "core/measured/text_notes.h"
+#include "core/measured/text_steps.h"
 #include "core/measured/uniform_positions.h"
 #include "core/measured/word_reader.h"
 
@@ -95,6 +99,9 @@ Form detectForm(const TextTable& table, const TextBlock& block, const SurfaceSou
   if (format == "points") return Form::Points;
   const std::size_t columns = block.columns.size();
   if (columns < 3) return Form::Profile;
+  // The first column holds dates.
+  constexpr std::size_t kFew = 4;
+  if (columns <= kFew && hasNoNumber(block, 0)) return Form::Profile;
   if (readFrame(block).hasColumn) return Form::Matrix;
   const ColumnRoles roles = columnRoles(block, source);
   if (gridNumbers(table, block, roles, source)) return Form::Points;
@@ -163,6 +170,7 @@ SurfaceDraft readTextProfile(const TextTable& table, const TextBlock& block,
   SurfaceDraft draft;
   auto spacing = headerLength(table, block, LengthKind::Step, 'x', source);
   if (!spacing) spacing = countedStep(table, block, static_cast<std::int64_t>(block.rows), 'x');
+  const bool isSampled = !spacing && (spacing = sampledStep(table, block));
   const bool isGiven = source.choices.spacing > 0 && source.choices.positionUnit == "auto";
   const bool isInPixelsAlone = roles.x >= 0 &&
                                isInPixels(block.columns[static_cast<std::size_t>(roles.x)]) &&
@@ -178,6 +186,7 @@ SurfaceDraft readTextProfile(const TextTable& table, const TextBlock& block,
   draft.facts.heightColumn = columnText(block, roles.z).english();
   std::vector<double> heights = block.column(static_cast<std::size_t>(roles.z));
   requireHeights(heights, block, source);
+  requireHeightName(block, roles.z, source, draft.facts.notes);
   if (roles.validity >= 0) {
     for (std::size_t i = 0; i < block.rows; ++i) {
       const double valid = block.at(i, static_cast<std::size_t>(roles.validity));
@@ -194,9 +203,11 @@ SurfaceDraft readTextProfile(const TextTable& table, const TextBlock& block,
         "another.",
         columnText(block, roles.z), roles.candidates));
 
+  noteFactor(block, roles.z, draft.facts.notes);
   Topography& grid = draft.grid;
   grid.rows = 1;
   if (roles.x >= 0) {
+    noteFactor(block, roles.x, draft.facts.notes);
     draft.facts.positionColumn = columnText(block, roles.x).english();
     draft.facts.notes.insert(draft.facts.notes.begin(),
                              message("Positions are {}, heights {}.", columnText(block, roles.x),
@@ -208,6 +219,9 @@ SurfaceDraft readTextProfile(const TextTable& table, const TextBlock& block,
   } else {
     grid.height = std::move(heights);
     grid.columns = static_cast<std::int64_t>(grid.height.size());
+    if (isSampled)
+      draft.facts.notes.emplace_back(
+          "The points are as far apart as the speed and the sampling rate of the header say.");
     draft.hasPositions = spacing.has_value();
     grid.columnSpacing = spacing ? spacing->value : 1;
     // The entry "Unit" may be the unit of the heights, which tells nothing about a step.
@@ -234,64 +248,77 @@ std::uint32_t takeCount(TextBlock& block) {
   return line;
 }
 
-/// Adds a note where the header states another number of points than there are.
-void noteOtherCounts(const TextTable& table, const TextBlock& block, SurfaceDraft& draft) {
-  const Topography& grid = draft.grid;
-  const auto points = statedCount(table, block, Counted::Points);
-  const auto columns = statedCount(table, block, Counted::Columns);
-  const auto rows = statedCount(table, block, Counted::Rows);
-  const auto lines = static_cast<std::int64_t>(block.rows);
-  std::vector<Message>& notes = draft.facts.notes;
-  if (grid.rows == 1) {
-    if (points && *points != lines && *points != grid.columns)
-      notes.push_back(
-          message("The header states {} points, and the table has {}: the file may be cut off.",
-                  *points, lines));
-  } else if (columns && rows) {
-    const bool isSame = *columns == grid.columns && *rows == grid.rows;
-    const bool isTurned = *columns == grid.rows && *rows == grid.columns;
-    if (!isSame && !isTurned)
-      notes.push_back(
-          message("The header states {} x {} points, and the table has {} x {}: the "
-                  "file may be cut off.",
-                  *columns, *rows, grid.columns, grid.rows));
+/// Reads the table. Where that fails, its numbers may have units in their cells, and dates beside
+/// them.
+TextTable readTable(const SurfaceSource& source) {
+  TextTableOptions options;
+  options.blankLinesAreGaps = true;
+  options.progress = [&source](double part) { source.report(0.9 * part); };
+  try {
+    return readTextTable(source.bytes, source.name, options);
+  } catch (const InputError&) {
+    options.readsCells = options.datesAreMissing = true;
+    try {
+      TextTable table = readTextTable(source.bytes, source.name, options);
+      for (TextBlock& block : table.blocks) unifyUnits(block, source.name);
+      return table;
+    } catch (const InputError&) {  // the first error says what is usual
+    }
+    throw;
   }
 }
 
-/// Adds a note where the header states a factor, of which it does not say what it multiplies.
-void noteFactor(const TextTable& table, const TextBlock& block, std::vector<Message>& notes) {
-  constexpr WordList kFactors(
-      "scaling factor, scale factor, scaling, z scaling, z scale, z-scale, z factor, z-factor, "
-      "height scale, height factor, vertical scale, multiplier, skalierung, skalierungsfaktor, "
-      "faktor, z-faktor, h\u00F6henfaktor, facteur d'\u00E9chelle, fattore di scala, factor de "
-      "escala",
-      ',');
-  for (const std::string_view key : kFactors)
-    if (const auto factor = parseQuantity(table.entry(key, block));
-        factor && factor->number != 1 && factor->number > 0)
-      notes.push_back(message(
-          "The header states a factor of {} ({}), which is not applied: multiply the "
-          "numbers of the file where they have to be.",
-          PrintedNumber{printedNumber(factor->number, 6)}, Message::name(std::string(key))));
+/// Returns whether a table has the positions of another one, number by number.
+bool hasPositionsOf(const TextBlock& one, const TextBlock& other, int x) {
+  if (x < 0) return true;
+  const auto column = static_cast<std::size_t>(x);
+  for (std::size_t row = 0; row < one.rows; ++row) {
+    const double a = one.at(row, column), b = other.at(row, column);
+    if (std::isnan(a) != std::isnan(b) || (!std::isnan(a) && a != b)) return false;
+  }
+  return true;
 }
 
-/// Adds what the reader can only suppose about the notation of the numbers.
-void addAssumptions(const TextTable& table, std::uint32_t lineOfCount,
+/// Adds the profiles of further tables of equally many rows to a draft of the first one, as rows.
+/// Returns false where they are none, or at other positions.
+bool addProfiles(std::span<const TextBlock> tables, const TextTable& table,
+                 const SurfaceSource& source, SurfaceDraft& draft) {
+  Topography& grid = draft.grid;
+  const int x = columnRoles(tables.front(), source).x;
+  std::vector<double> heights = grid.height;
+  for (const TextBlock& next : tables.subspan(1)) {
+    if (grid.rows > 1 || !hasPositionsOf(next, tables.front(), x)) return false;
+    const SurfaceDraft further = readTextProfile(table, next, source);
+    if (further.grid.height.size() != grid.height.size()) return false;
+    heights.insert(heights.end(), further.grid.height.begin(), further.grid.height.end());
+  }
+  grid.height = std::move(heights);
+  grid.rows = static_cast<std::int64_t>(tables.size());
+  grid.rowSpacing = grid.columnSpacing;
+  draft.facts.format = "matrix";
+  return true;
+}
+
+/// Adds what there is to say about blank lines between rows. parts: the table that was read and
+/// those that followed it behind blank lines.
+void noteBlankLines(std::span<const TextBlock> parts, bool areRows, Form form,
                     std::vector<Message>& notes) {
-  if (lineOfCount > 0)
+  const TextBlock& read = parts.front();
+  if (areRows)
     notes.push_back(
-        message("Line {} is left out: it is the number of the heights below it.", lineOfCount));
-  const std::vector<std::uint32_t>& leftOut = table.leftOut;
-  if (leftOut.size() == 1)
+        message("Blank lines separate {} profiles, which are the rows of the surface: surface.row "
+                "chooses one. How far they are apart is not known.",
+                parts.size()));
+  else if (parts.size() > 1)
     notes.push_back(
-        message("Line {} is left out: it begins with a number and is no row of the table.",
-                leftOut.front()));
-  if (leftOut.size() > 1)
+        message("Blank lines separate {} tables of equally many rows; the first one, up to line "
+                "{}, is read.",
+                parts.size(), read.lines.back()));
+  else if (form == Form::Matrix && !read.blanks.empty() && read.blanks.size() + 1 < read.rows)
     notes.push_back(
-        message("{} lines, the first is line {}, are left out: they begin with a number and are no "
-                "rows of the table.",
-                leftOut.size(), leftOut.front()));
-  if (table.dialect.isUnclear) notes.push_back(unclearMark(table.dialect.decimal));
+        message("Blank lines stand between the rows, the first one above line {}: all rows are "
+                "taken for one table.",
+                read.lines[read.blanks.front().first]));
 }
 
 }  // namespace
@@ -313,22 +340,27 @@ SurfaceDraft readTextSurface(const SurfaceSource& source) {
                 Message::name(std::string(kind))));
   const bool isEsri =
       format != "profile" && format != "points" && isEsriGrid(withoutByteOrderMark(source.bytes));
-  TextTableOptions options;
-  options.blankLinesAreGaps = true;
-  options.progress = [&source](double part) { source.report(0.9 * part); };
-  TextTable table =
-      isEsri ? readEsriGrid(source) : readTextTable(source.bytes, source.name, options);
+  TextTable table = isEsri ? readEsriGrid(source) : readTable(source);
   const HeightTable chosen = chooseHeightTable(table);
-  TextBlock& block = table.blocks[chosen.index];
-  const std::uint32_t lineOfCount = isEsri ? 0 : takeCount(block);
-  const Form form = isEsri ? Form::Matrix : detectForm(table, block, source);
+  const std::uint32_t lineOfCount = isEsri ? 0 : takeCount(table.blocks[chosen.index]);
+  std::size_t parts = 1;
+  Form form = isEsri ? Form::Matrix : detectForm(table, table.blocks[chosen.index], source);
+  // The second table of SPIP says where heights are missing.
+  const bool hasVoids = !table.entry("voidpixels", table.blocks[chosen.index]).empty();
+  if (!isEsri && !hasVoids && form != Form::Points) {
+    parts = splitAtBlankLines(table, chosen.index);
+    if (parts > 1) form = detectForm(table, table.blocks[chosen.index], source);
+  }
+  const TextBlock& block = table.blocks[chosen.index];
   SurfaceDraft draft = form == Form::Profile  ? readTextProfile(table, block, source)
                        : form == Form::Matrix ? readTextMatrix(table, block, source)
                                               : readTextPoints(table, block, source);
+  const std::span<const TextBlock> tables(&block, parts);
+  const bool areRows =
+      parts > 1 && form == Form::Profile && addProfiles(tables, table, source, draft);
+  noteBlankLines(tables, areRows, form, draft.facts.notes);
   if (chosen.note) draft.facts.notes.push_back(*chosen.note);
-  noteOtherCounts(table, block, draft);
-  noteFactor(table, block, draft.facts.notes);
-  addAssumptions(table, lineOfCount, draft.facts.notes);
+  noteStatements(table, block, source, lineOfCount, draft);
   return draft;
 }
 

@@ -309,6 +309,51 @@ std::optional<GridAxis> findGridAxis(std::vector<double> numbers, std::int64_t m
   return axisThrough(numbers, rounding, kMerged, most);
 }
 
+std::optional<GridAxis> findNearGridAxis(std::vector<double> numbers, std::int64_t most) {
+  constexpr double kNear = 0.02, kShortest = 0.1;  // of a step, of the longest gap
+  if (numbers.size() < 2) return {};
+  std::ranges::sort(numbers);
+  double longest = 0;
+  for (std::size_t i = 1; i < numbers.size(); ++i)
+    longest = std::max(longest, numbers[i] - numbers[i - 1]);
+  double step = longest;
+  for (std::size_t i = 1; i < numbers.size(); ++i)
+    if (const double gap = numbers[i] - numbers[i - 1]; gap > kShortest * longest)
+      step = std::min(step, gap);
+  if (!(step > 0)) return {};
+  // The numbers of one position are close together; the first of them stands for all.
+  std::vector<double> lattice{numbers.front()};
+  std::vector<std::size_t> indices{0};
+  for (std::size_t i = 1; i < numbers.size(); ++i) {
+    const double steps = std::round((numbers[i] - numbers[i - 1]) / step);
+    if (!(static_cast<double>(lattice.size()) + steps <= static_cast<double>(most))) return {};
+    if (steps > 0) {
+      lattice.resize(lattice.size() + static_cast<std::size_t>(steps), kNone);
+      lattice.back() = numbers[i];
+    }
+    indices.push_back(lattice.size() - 1);
+  }
+  const Straight line = straightThrough(lattice);
+  if (!(line.spacing > 0)) return {};
+  // The line through the first numbers of all positions lies at the lower edge of the deviations.
+  double lowest = 0, highest = 0;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const double away = numbers[i] - (line.first + line.spacing * static_cast<double>(indices[i]));
+    lowest = std::min(lowest, away);
+    highest = std::max(highest, away);
+  }
+  const double deviation = (highest - lowest) / 2 / line.spacing;
+  if (deviation > kNear) return {};
+  return GridAxis{line.first + (lowest + highest) / 2, line.spacing,
+                  static_cast<std::int64_t>(lattice.size()), deviation};
+}
+
+Message repeatsNote(std::size_t rows) {
+  return rows == 1
+             ? Message("one row repeats a position: the mean of the heights is taken.")
+             : message("{} rows repeat a position: the mean of their heights is taken.", rows);
+}
+
 namespace {
 
 /// Stores heights at positions that are uniform.
@@ -323,10 +368,7 @@ void keepPlaces(std::span<const double> positions, double spacing, std::vector<d
 void placeRising(std::vector<double> positions, std::vector<double> heights,
                  const SurfaceSource& source, SurfaceDraft& draft) {
   if (const std::size_t gone = meanOfRepeats(positions, heights); gone > 0)
-    draft.facts.notes.push_back(
-        gone == 1
-            ? Message("one row repeats a position: the mean of the heights is taken.")
-            : message("{} rows repeat a position: the mean of their heights is taken.", gone));
+    draft.facts.notes.push_back(repeatsNote(gone));
   if (positions.size() < 2) source.fail("all positions are the same");
   if (const auto spacing = uniformSpacing(positions))
     return keepPlaces(positions, *spacing, std::move(heights), draft);

@@ -28,9 +28,17 @@ std::optional<double> uniformSpacing(std::span<const double> positions);
 struct GridAxis {
   double first = 0, spacing = 0;
   std::int64_t count = 1;
+  double deviation = 0;  // the largest of a position, in steps, where it is more than rounding
 };
 /// Returns the axis on which all the numbers lie, except for rounding; nothing where there is no
 /// such axis with at most `most` positions.
 std::optional<GridAxis> findGridAxis(std::vector<double> numbers, std::int64_t most);
+
+/// Returns the axis from which no number is further away than a fiftieth of a step, as where a
+/// stage states its positions; nothing where there is no such axis with at most `most` positions.
+std::optional<GridAxis> findNearGridAxis(std::vector<double> numbers, std::int64_t most);
+
+/// Says that so many rows repeat a position, and that their heights are averaged.
+Message repeatsNote(std::size_t rows);
 
 }  // namespace asperity

@@ -74,7 +74,12 @@ std::string ZipArchive::read(const std::string& file, std::uint64_t limit) const
 }
 
 std::int64_t ZipArchive::indexOf(const std::string& file) const {
-  return zip_name_locate(archive_.get(), file.c_str(), ZIP_FL_NOCASE);
+  // Some programs separate folders by "\\".
+  std::string forward = file, backward = file;
+  std::ranges::replace(forward, '\\', '/');
+  std::ranges::replace(backward, '/', '\\');
+  const std::int64_t index = zip_name_locate(archive_.get(), forward.c_str(), ZIP_FL_NOCASE);
+  return index >= 0 ? index : zip_name_locate(archive_.get(), backward.c_str(), ZIP_FL_NOCASE);
 }
 
 void ZipArchive::fail(const std::string& file) const {

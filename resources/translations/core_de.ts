@@ -3955,6 +3955,54 @@
         <translation>Zeile %1: hat ein Feld, wo die Zeilen davor %2 haben</translation>
     </message>
     <message>
+        <source>Positions are up to %1 % of a step off an even grid, on which they are taken.</source>
+        <translation>Die Orte liegen bis zu %1 % eines Schritts neben einem gleichmäßigen Gitter, auf dem sie genommen werden.</translation>
+    </message>
+    <message>
+        <source>Blank lines separate %1 tables of equally many rows; the first one, up to line %2, is read.</source>
+        <translation>Leerzeilen trennen %1 Tabellen mit gleich vielen Zeilen; gelesen wird die erste, bis Zeile %2.</translation>
+    </message>
+    <message>
+        <source>Blank lines separate %1 profiles, which are the rows of the surface: surface.row chooses one. How far they are apart is not known.</source>
+        <translation>Leerzeilen trennen %1 Profile, welche die Zeilen der Oberfläche sind: surface.row wählt eines. Ihr Abstand ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Blank lines stand between the rows, the first one above line %1: all rows are taken for one table.</source>
+        <translation>Zwischen den Zeilen stehen Leerzeilen, die erste über Zeile %1: Alle Zeilen gelten als eine Tabelle.</translation>
+    </message>
+    <message>
+        <source>The points are as far apart as the speed and the sampling rate of the header say.</source>
+        <translation>Die Punkte sind so weit voneinander entfernt, wie Geschwindigkeit und Abtastrate im Kopf es sagen.</translation>
+    </message>
+    <message>
+        <source>is needed (%1): the numbers are named &apos;%2&apos;, which are no heights</source>
+        <translation>wird gebraucht (%1): die Zahlen heißen „%2“, was keine Höhen sind</translation>
+    </message>
+    <message>
+        <source>The numbers are named &apos;%1&apos;, which are no heights: they are taken as such all the same.</source>
+        <translation>Die Zahlen heißen „%1“, was keine Höhen sind: Sie werden trotzdem dafür genommen.</translation>
+    </message>
+    <message>
+        <source>The header states %1 for positions, and their column %2, which is taken.</source>
+        <translation>Der Kopf nennt %1 für die Orte und ihre Spalte %2; es gilt die Spalte.</translation>
+    </message>
+    <message>
+        <source>The header states %1 for heights, and their column %2, which is taken.</source>
+        <translation>Der Kopf nennt %1 für die Höhen und ihre Spalte %2; es gilt die Spalte.</translation>
+    </message>
+    <message>
+        <source>The header states a step of %1, and the positions are %2 apart: the positions are taken.</source>
+        <translation>Der Kopf nennt einen Schritt von %1, und die Orte liegen %2 auseinander: Es gelten die Orte.</translation>
+    </message>
+    <message>
+        <source>The file states positions in %1: surface.position_unit replaces it.</source>
+        <translation>Die Datei nennt die Orte in %1: surface.position_unit ersetzt das.</translation>
+    </message>
+    <message>
+        <source>The file states heights in %1: surface.height_unit replaces it.</source>
+        <translation>Die Datei nennt die Höhen in %1: surface.height_unit ersetzt das.</translation>
+    </message>
+    <message>
         <source>one row repeats a position: the mean of the heights is taken.</source>
         <translation>eine Zeile wiederholt einen Ort: Der Mittelwert der Höhen gilt.</translation>
     </message>

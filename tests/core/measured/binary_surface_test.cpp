@@ -208,20 +208,22 @@ TEST(NpyFile, ReadsEveryTypeOrderAndVersion) {
 }
 
 TEST(NpyFile, ReadsUnsignedNumbersAndProfiles) {
-  std::string bytes = npy<std::uint16_t>(">u2", 1, false, false, "(4,)");
-  const std::size_t begin = bytes.size() - 2 * kColumns * kRows;
-  for (int i = 0; i < 4; ++i) {
-    bytes[begin + 2 * i] = static_cast<char>(0xEA);  // 0xEA60 is 60000
-    bytes[begin + 2 * i + 1] = static_cast<char>(0x60 + i);
+  for (const char* shape : {"(4,)", "(1, 4)", "(4, 1)"}) {
+    std::string bytes = npy<std::uint16_t>(">u2", 1, false, false, shape);
+    const std::size_t begin = bytes.size() - 2 * kColumns * kRows;
+    for (int i = 0; i < 4; ++i) {
+      bytes[begin + 2 * i] = static_cast<char>(0xEA);  // 0xEA60 is 60000
+      bytes[begin + 2 * i + 1] = static_cast<char>(0x60 + i);
+    }
+    bytes.resize(begin + 8);
+    ReadingChoices choices;
+    choices.heightUnit = "nm";
+    choices.spacing = 1e-6;
+    const MeasuredFile file = read(bytes, choices);
+    EXPECT_EQ(file.topography.rows, 1);
+    ASSERT_EQ(file.topography.columns, 4);
+    EXPECT_NEAR(file.topography.at(0, 3), 60003e-9, 1e-15);
   }
-  bytes.resize(begin + 8);
-  ReadingChoices choices;
-  choices.heightUnit = "nm";
-  choices.spacing = 1e-6;
-  const MeasuredFile file = read(bytes, choices);
-  EXPECT_EQ(file.topography.rows, 1);
-  ASSERT_EQ(file.topography.columns, 4);
-  EXPECT_NEAR(file.topography.at(0, 3), 60003e-9, 1e-15);
 }
 
 TEST(NpyFile, NamesWhatIsWrong) {

@@ -87,8 +87,8 @@ TEST(GridNumbers, MayHaveAnyName) {
   EXPECT_NEAR(inMillimetres.topography.rowSpacing, 1e-3, 1e-12);
 }
 
-/// Points without a height may be left out where the names leave no doubt; a point must not occur
-/// twice.
+/// Points without a height may be left out where the names leave no doubt; many points must not
+/// occur twice.
 TEST(GridNumbers, MayLackPointsAndAreUnique) {
   std::string text = "row,col,z (um)\n" + pointLines([](int row, int column) {
                        return isGap(row, column) ? std::string()
@@ -98,8 +98,8 @@ TEST(GridNumbers, MayLackPointsAndAreUnique) {
   MeasuredFile file = read(text, {.spacing = 2e-6});
   file.topography.rowSpacing = kRowSpacing;
   expectKnown(file, "points", true, 1e-13);
-  EXPECT_THAT(errorOf(text + "0,0,1\n", {.spacing = 2e-6}),
-              HasSubstr("there is a point at this position already"));
+  EXPECT_THAT(errorOf(text + "0,0,1\n0,1,1\n0,2,1\n0,3,1\n", {.spacing = 2e-6}),
+              HasSubstr("line 29: there is a point at this position already"));
   // A whole row may be missing; numbers in steps of two are no grid of this spacing.
   const auto withRows = [](const std::vector<int>& numbers) {
     std::string points = "row,col,z (um)\n";

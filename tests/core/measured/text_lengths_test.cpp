@@ -97,6 +97,64 @@ TEST(PointDistances, AreNoOtherLengths) {
     EXPECT_THAT(errorOf(line + "\n" + list()), HasSubstr("does not say how far")) << line;
 }
 
+/// A line may state the points with their length, the ends of the axis, or how fast a stylus moves.
+TEST(PointDistances, FollowFromOtherStatements) {
+  for (const std::string line :
+       {"Total length: 199.5 um, 400 points", "Messl\u00E4nge: 0,1995 mm; 400 Punkte",
+        "x from 0 to 199.5 um", "X range: 0 - 199.5 um", "x von 0 bis 199,5 \u00B5m",
+        "x-axis (mm): 0.1 ... 0.2995", "X: -10 um to 189.5 um", "x de 0 \u00E0 199,5 \u00B5m",
+        "Scan speed: 0.5 mm/s\nSampling rate: 1000 Hz",
+        "Vorschubgeschwindigkeit: 0,5 mm/s\nAbtastrate: 1 kHz"})
+    EXPECT_NEAR(read(line + "\n" + list()).topography.columnSpacing, 5e-7, 1e-12) << line;
+  EXPECT_TRUE(says(read("Scan speed: 0.5 mm/s\nSampling rate: 1000 Hz\n" + list()),
+                   "The points are as far apart as the speed and the sampling rate"));
+  for (const std::string line :
+       {"Total length: 199.5 um, 800 points", "y from 0 to 199.5 um", "z from 0 to 5 um",
+        "x from 0 to 199.5 s", "x from 5 to 0 um", "Scan speed: 0.5 mm/s",
+        "Scan speed: 0.5 mm/s\nScan rate: 1 Hz", "Max. 0 to 3 um"})
+    EXPECT_THAT(errorOf(line + "\n" + list()), HasSubstr("does not say how far")) << line;
+  expectSpacings("x from 0 to 22 um\ny from 0 to 24 um\nZ unit: um\n", 2e-6, 3e-6);
+}
+
+/// The name above a matrix states the unit of its numbers, in several languages.
+TEST(NamesOfTables, StateAUnit) {
+  const std::string spacings = "X-Abstand: 2 um\nY-Abstand: 3 um\n";
+  for (const std::string line :
+       {"H\u00F6he in \u00B5m", "Hauteur en \u00B5m", "Altura en \u00B5m", "Altezza in \u00B5m",
+        "Height (um)", "z [um]", "Height data (um)", "Altura em \u00B5m"})
+    EXPECT_NEAR(read(spacings + line + "\n" + field()).topography.at(4, 7), 1e-6 * heightAt(4, 7),
+                1e-10)
+        << line;
+  for (const std::string line : {"Height 27 um", "Height of the sample in um", "Width in um"})
+    EXPECT_THAT(errorOf(spacings + line + "\n" + field()), HasSubstr("surface.height_unit"))
+        << line;
+  const MeasuredFile profile = read("x en mm;hauteur en \u00B5m\n0;1\n1;2\n2;1\n3;2\n");
+  EXPECT_NEAR(profile.topography.columnSpacing, 1e-3, 1e-15);
+  EXPECT_NEAR(profile.topography.at(0, 1), 2e-6, 1e-18);
+}
+
+/// What a header states beside the columns is not lost in silence, nor what the user replaces.
+TEST(Contradictions, AreNoted) {
+  const std::string rows = "x (um),z (um)\n0,1\n0.5,2\n1,1\n1.5,2\n2,3\n";
+  const MeasuredFile file = read("X unit: mm\nZ unit: nm\nSpacing: 2 um\n" + rows);
+  EXPECT_NEAR(file.topography.columnSpacing, 5e-7, 1e-15);
+  EXPECT_NEAR(file.topography.at(0, 1), 2e-6, 1e-18);
+  EXPECT_TRUE(
+      says(file, "The header states mm for positions, and their column \u00B5m, which is taken."));
+  EXPECT_TRUE(
+      says(file, "The header states nm for heights, and their column \u00B5m, which is taken."));
+  EXPECT_TRUE(says(file, "The header states a step of 2 \u00B5m, and the positions are 500 nm"));
+  for (const std::string header : {"", "X unit: um\nZ unit: \u00B5m\nSpacing: 500 nm\n"}) {
+    const MeasuredFile alike = read(header + rows, {.heightUnit = "um"});
+    EXPECT_FALSE(says(alike, "The header states")) << header;
+    EXPECT_FALSE(says(alike, "replaces it")) << header;
+  }
+  const MeasuredFile chosen = read(rows, {.positionUnit = "mm", .heightUnit = "nm"});
+  EXPECT_TRUE(
+      says(chosen, "The file states positions in \u00B5m: surface.position_unit replaces it."));
+  EXPECT_TRUE(says(chosen, "The file states heights in \u00B5m: surface.height_unit replaces it."));
+}
+
 TEST(StatedNumbersOfPoints, AreComparedWithThosePresent) {
   const std::string spacing = "Spacing: 0.5 um\n";
   for (const std::string key : {"Number of points", "Anzahl Punkte", "\u30C7\u30FC\u30BF\u6570"}) {
@@ -120,6 +178,15 @@ TEST(StatedFactors, AreNoted) {
        {"Scaling factor: 0.01", "Skalierung: 0,01 \u00B5m", "Z scale = 50"})
     EXPECT_TRUE(says(read(spacing + line + "\n" + list()), "which is not applied")) << line;
   EXPECT_FALSE(says(read(spacing + "Scaling factor: 1\n" + list()), "factor"));
+  for (const std::string name : {"z (um) x100", "z (um) * 0.01", "z x 10^-2 (um)", "z*100 [um]",
+                                 "z (\u00D7100) (um)", "Height x0,1 (um)"})
+    EXPECT_TRUE(
+        says(read(spacing + replaced(list(), "z (um)", name)), "The header states a factor"))
+        << name;
+  EXPECT_TRUE(says(read("Spacing: 2 um\nZ unit: um\nHeight (um) x100\n" + field()),
+                   "The header states a factor of 100 (Height x100), which is not applied"));
+  for (const std::string name : {"z (um)", "z x 2 (um)", "z max (um)", "z x1 (um)"})
+    EXPECT_FALSE(says(read(spacing + replaced(list(), "z (um)", name)), "factor")) << name;
 }
 
 /// Columns in pixels, or whole numbers without a unit beside a stated spacing, number the points.

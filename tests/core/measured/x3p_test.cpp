@@ -58,6 +58,16 @@ TEST(X3pFile, ReadsProfiles) {
     }
 }
 
+/// Some programs separate the folders of an archive by a backslash.
+TEST(X3pFile, ReadsFoldersOfWindows) {
+  const std::string windows = "bindata\\data.bin";
+  X3pOptions options;
+  for (std::string* const name : {&options.link, &options.entry}) {
+    *name = windows;
+    expectKnown(read(x3p(options)), "x3p", false, 1e-12, 1e-9);
+  }
+}
+
 TEST(X3pFile, ComparesChecksums) {
   X3pOptions options;
   options.upperCase = true;

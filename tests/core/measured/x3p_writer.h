@@ -28,6 +28,8 @@ struct X3pOptions {
   int claimedColumns = kColumns, claimedRows = kRows;
   std::string extra{};                    // in Record2
   double columnSpacing = kColumnSpacing;  // as the file states it
+  // The file of the heights, as main.xml names it and as the directory of the archive does.
+  std::string link = "bindata/data.bin", entry = "bindata/data.bin";
 };
 
 struct X3pParts {
@@ -83,7 +85,7 @@ inline X3pParts x3pParts(const X3pOptions& options) {
   if (options.listed) {
     data = "<DataList>" + list + "</DataList>";
   } else {
-    data = "<DataLink><PointDataLink>bindata/data.bin</PointDataLink>";
+    data = "<DataLink><PointDataLink>" + options.link + "</PointDataLink>";
     if (options.checksums)
       data += "<MD5ChecksumPointData>" + md5Of(options.pointMd5, parts.points) +
               "</MD5ChecksumPointData>";
@@ -115,7 +117,7 @@ inline X3pParts x3pParts(const X3pOptions& options) {
 
 inline std::string x3pArchive(const X3pOptions& options, const X3pParts& parts) {
   std::vector<ZippedFile> files{{"main.xml", parts.main}};
-  if (!options.listed) files.push_back({"bindata/data.bin", parts.points});
+  if (!options.listed) files.push_back({options.entry, parts.points});
   if (options.maskFile) files.push_back({"bindata/valid.bin", parts.valid});
   if (options.checksums)
     files.push_back(

@@ -1,0 +1,197 @@
+#include "core/measured/text_steps.h"
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/text.h"
+#include "core/base/text_clause.h"
+#include "core/base/text_header.h"
+#include "core/base/text_number.h"
+#include "core/base/text_units.h"
+#include "core/base/units.h"
+
+namespace asperity {
+namespace {
+
+/// Calls `use` with each line above the block and above earlier ones.
+template <class Use>
+void eachEntryAbove(const TextTable& table, const TextBlock& block, const Use& use) {
+  for (const TextBlock& one : table.blocks) {
+    for (const TextEntry& entry : one.header) use(entry);
+    if (&one == &block) break;
+  }
+}
+
+/// Returns the number of points that a part of a line states: "400 points" in "Total length: 200
+/// um, 400 points".
+std::optional<std::int64_t> countInClause(const TextTable& table, const TextBlock& block) {
+  constexpr WordList kWords(
+      "points, pts, pt, data points, samples, punkte, messpunkte, datenpunkte, punti, puntos, "
+      "pontos, points de mesure",
+      ',');
+  std::optional<std::int64_t> found;
+  eachEntryAbove(table, block, [&](const TextEntry& entry) {
+    for (const std::string_view clause : splitClauses(entry.value))
+      if (const auto quantity = parseQuantity(clause);
+          quantity && quantity->number > 0 && isOneOf(lowerCase(quantity->unit), kWords))
+        if (const auto count = wholeNumber(quantity->number)) found = count;
+  });
+  return found;
+}
+
+/// Returns whether a text names an axis and says nothing but that positions on it follow: "x from",
+/// "X range", "x-axis", "Axis X".
+bool namesAxis(std::string_view text, char axis) {
+  constexpr WordList kWords(
+      "from range position positions axis limits von bereich achse de da axe");
+  bool isNamed = false;
+  for (const std::string& word : wordsIn(text)) {
+    const bool isAxis = word.size() == 1 && word.front() == axis;
+    if (!isAxis && !isOneOf(word, kWords)) return false;
+    isNamed = isNamed || isAxis;
+  }
+  return isNamed;
+}
+
+/// Returns the length from the first to the last position that a line states: "x from 0 to 199.5
+/// um", "X range: 0 - 199.5 um", "x (mm): 0 ... 0.2".
+std::optional<HeaderLength> extentBetweenEnds(const TextTable& table, const TextBlock& block,
+                                              char axis) {
+  std::optional<HeaderLength> found;
+  eachEntryAbove(table, block, [&](const TextEntry& entry) {
+    const std::string line = lowerCase(joinEntry(entry, " "));
+    std::size_t number = line.find_first_of("0123456789");
+    while (number != line.npos && number > 0 &&
+           isOneOf(line.substr(number - 1, 1), WordList("+ - .")))
+      --number;
+    if (number == line.npos || number == 0) return;
+    const TextColumn name = parseColumnName(line.substr(0, number));
+    if (!namesAxis(name.name, axis)) return;
+    const auto first = parseQuantity(std::string_view(line).substr(number));
+    if (!first) return;
+    for (const std::string_view between :
+         WordList("to bis hasta ate \u00E0 a ... .. \u2026 \u2013 -")) {
+      const std::size_t at = first->unit.find(between);
+      if (at == std::string::npos) continue;
+      const std::string_view unit = trimmedBlanks(std::string_view(first->unit).substr(0, at));
+      const auto last = parseQuantity(std::string_view(first->unit).substr(at + between.size()));
+      if (!last || !(last->number > first->number)) continue;
+      const std::string_view own = !last->unit.empty() ? last->unit : name.unit;
+      const auto metres = metresPer(own);
+      if (!metres || !(unit.empty() || metresPer(unit) == metres)) continue;
+      found = HeaderLength{last->number - first->number, StatedUnit{std::string(own), *metres}};
+      return;
+    }
+  });
+  return found;
+}
+
+/// Returns the first of these entries with a quantity of this SI unit, in that unit.
+std::optional<double> quantityAbove(const TextTable& table, const TextBlock& block,
+                                    const WordList& keys, std::string_view si) {
+  for (const std::string_view key : keys)
+    if (const auto quantity = parseQuantity(table.entry(key, block)); quantity)
+      if (const auto unit = findUnit(quantity->unit, si); unit && quantity->number > 0)
+        return unit->toSi(quantity->number);
+  return {};
+}
+
+}  // namespace
+
+std::optional<std::int64_t> statedCount(const TextTable& table, const TextBlock& block,
+                                        Counted counted) {
+  constexpr WordList kPoints(
+      "points, number of points, no. of points, data points, number of data points, data number, "
+      "samples, number of samples, samps, npoints, n points, punkte, anzahl punkte, punktanzahl, "
+      "punktzahl, messpunkte, anzahl messpunkte, nombre de points, numero di punti, n\u00FAmero "
+      "de puntos, n\u00FAmero de pontos, \u30C7\u30FC\u30BF\u6570, "
+      "\uFF83\uFF9E\uFF70\uFF80\u6570, \u00C3\u00DE\u00B0\u00C0\u0090\u201D, "
+      "\u70B9\u6570",
+      ',');
+  constexpr WordList kColumns(
+      "columns, number of columns, samps/line, \\samps/line, samples/line, samples per line, "
+      "points per line, pixels in x, x pixels, horizontal, spalten, anzahl spalten, nombre de "
+      "colonnes, \u6A2A",
+      ',');
+  constexpr WordList kRows(
+      "rows, number of rows, lines, \\lines, number of lines, \\number of lines, pixels in y, y "
+      "pixels, vertical, zeilen, anzahl zeilen, nombre de lignes, \u7E26",
+      ',');
+  for (const std::string_view key : counted == Counted::Points    ? kPoints
+                                    : counted == Counted::Columns ? kColumns
+                                                                  : kRows)
+    if (const auto number = parseQuantity(table.entry(key, block)); number && number->number > 0)
+      if (const auto count = wholeNumber(number->number)) return count;
+  if (counted == Counted::Points) return countInClause(table, block);
+  return {};
+}
+
+std::optional<HeaderLength> countedStep(const TextTable& table, const TextBlock& block,
+                                        std::int64_t count, char axis) {
+  for (const std::string_view form : kAxisForms) {
+    std::string key(form);
+    replaceAll(key, "{}", std::string_view(&axis, 1));
+    const std::string text = table.entry(key, block);
+    const std::size_t end = std::min(text.find_first_of(" \t"), text.size());
+    const auto length = parseQuantity(std::string_view(text).substr(end));
+    double points = 0;
+    if (!length || !readTextNumber(std::string_view(text).substr(0, end), '.', points)) continue;
+    const auto metres = metresPer(length->unit);
+    if (!metres || points != static_cast<double>(count) || count < 2 || !(length->number > 0))
+      continue;
+    return HeaderLength{length->number / (points - 1), StatedUnit{length->unit, *metres}};
+  }
+  if (count > 1)
+    if (auto extent = extentBetweenEnds(table, block, axis)) {
+      extent->value /= static_cast<double>(count - 1);
+      return extent;
+    }
+  constexpr WordList kDensities(
+      "points per mm, points/mm, data points per mm, samples per mm, samples/mm, pixels per mm, "
+      "punkte pro mm, punkte/mm, messpunkte pro mm, points par mm",
+      ',');
+  for (const std::string_view density : kDensities)
+    if (const auto perMillimetre = parseQuantity(table.entry(density, block));
+        perMillimetre && perMillimetre->number > 0)
+      return HeaderLength{1 / perMillimetre->number, StatedUnit{"mm", 1e-3}};
+  constexpr WordList kTraverses(
+      "traverse length, measuring length, measurement length, tracing length, messl\u00E4nge, "
+      "messstrecke, taststrecke, longueur de mesure, \u6E2C\u5B9A\u9577\u3055, length, total "
+      "length, profile length, scan length, l\u00E4nge, gesamtl\u00E4nge, longueur, longueur "
+      "totale, lunghezza, longitud, comprimento, evaluation length, auswertel\u00E4nge, longueur "
+      "d'\u00E9valuation",
+      ',');
+  if (axis != 'x' || count < 2 || statedCount(table, block, Counted::Points) != count) return {};
+  for (const std::string_view traverse : kTraverses) {
+    const std::string text = table.entry(traverse, block);
+    const auto clauses = splitClauses(text);
+    auto length = clauses.empty() ? std::nullopt : lengthIn(clauses.front());
+    if (!length || !length->unit) continue;
+    length->value /= static_cast<double>(count - 1);
+    return length;
+  }
+  return {};
+}
+
+std::optional<HeaderLength> sampledStep(const TextTable& table, const TextBlock& block) {
+  constexpr WordList kSpeeds(
+      "speed, scan speed, scanning speed, measuring speed, measurement speed, traverse speed, "
+      "tracing speed, stylus speed, drive speed, vt, vorschub, vorschubgeschwindigkeit, "
+      "messgeschwindigkeit, tastgeschwindigkeit, vitesse, vitesse de mesure, vitesse de palpage, "
+      "velocidad, velocidad de medida, velocit\u00E0, velocit\u00E0 di misura, velocidade",
+      ',');
+  constexpr WordList kRates(
+      "sampling rate, sample rate, sampling frequency, data rate, acquisition rate, abtastrate, "
+      "abtastfrequenz, messrate, fr\u00E9quence d'\u00E9chantillonnage, frecuencia de muestreo, "
+      "frequenza di campionamento",
+      ',');
+  const auto speed = quantityAbove(table, block, kSpeeds, "m/s");
+  const auto rate = quantityAbove(table, block, kRates, "Hz");
+  if (!speed || !rate) return {};
+  constexpr double kMicrometre = 1e-6;
+  return HeaderLength{*speed / *rate / kMicrometre, StatedUnit{"\u00B5m", kMicrometre}};
+}
+
+}  // namespace asperity

@@ -1,0 +1,208 @@
+// Text tables whose parts belong together or apart: tables between blank lines, points that repeat
+// or miss a grid, units and dates in the cells, and names of other quantities.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/core/measured/surface_expectations.h"
+
+namespace asperity::written {
+namespace {
+
+using testing::HasSubstr;
+
+const ReadingChoices kInMicrometres{.positionUnit = "um", .heightUnit = "um"};
+
+/// The known heights as a matrix, with a number added to each; `unit` stands behind each number.
+std::string matrix(double added = 0, const std::string& separator = ",",
+                   const std::string& unit = "") {
+  std::string text;
+  for (int row = 0; row < kRows; ++row)
+    for (int column = 0; column < kColumns; ++column)
+      text += fmt::format("{:.6f}{}{}", micrometres(row, column) + added, unit,
+                          column + 1 < kColumns ? separator : "\n");
+  return text;
+}
+
+/// One row of the known heights, with its positions, as a profile in two columns.
+std::string profile(int row, double step = 2) {
+  std::string text;
+  for (int column = 0; column < kColumns; ++column)
+    text += fmt::format("{} {:.6f}\n", step * column, micrometres(row, column));
+  return text;
+}
+
+/// A line for each point of the known surface: "x,y,z", in micrometres.
+std::string points(const std::string& betweenRows = "", double offset = 0) {
+  std::string text;
+  for (int row = 0; row < kRows; ++row) {
+    if (row > 0) text += betweenRows;
+    for (int column = 0; column < kColumns; ++column) {
+      const double away = offset * std::cos(2.1 * (row + 3 * column));
+      text += fmt::format("{:.6f},{:.6f},{:.6f}\n", 2 * (column + away), 5 * (row - away),
+                          micrometres(row, column));
+    }
+  }
+  return text;
+}
+
+// ---- Blank lines -------------------------------------------------------------------------------
+
+/// Two matrices were one of twice as many rows.
+TEST(BlankLines, SeparateMatrices) {
+  const std::string head = "X spacing: 2 um\nY spacing: 5 um\nZ unit: um\n";
+  for (const std::string between : {"\n", "\n\n", "\n# intensity\n"})
+    for (const double added : {0.0, 1000.0}) {
+      const MeasuredFile file = read(head + matrix() + between + matrix(added));
+      expectKnown(file, "matrix", false, 1e-11);
+      EXPECT_TRUE(says(file,
+                       "Blank lines separate 2 tables of equally many rows; the first one, up to "
+                       "line 7, is read."));
+    }
+  // Blank lines between all rows, or between parts of other sizes, mean nothing.
+  std::string spaced = matrix();
+  for (std::size_t at = spaced.find('\n'); at != std::string::npos; at = spaced.find('\n', at + 2))
+    spaced.insert(at, "\n");
+  const MeasuredFile made = read(head + spaced);
+  expectKnown(made, "matrix", false, 1e-11);
+  EXPECT_FALSE(says(made, "Blank lines"));
+  const MeasuredFile whole = read(head + matrix() + "\n" + matrix() + matrix());
+  EXPECT_EQ(whole.topography.rows, 3 * kRows);
+  EXPECT_TRUE(says(whole,
+                   "Blank lines stand between the rows, the first one above line 9: all rows are "
+                   "taken for one table."));
+}
+
+/// As gnuplot draws several curves from one file.
+TEST(BlankLines, SeparateProfilesThatAreRows) {
+  for (const std::string between : {"\n", "\n\n", "\n\n# next\n"}) {
+    const MeasuredFile file = read("# x(um) z(um)\n" + profile(0) + between + profile(1) + between +
+                                   profile(2) + between + profile(3));
+    const Topography& grid = file.topography;
+    ASSERT_EQ(grid.columns, kColumns);
+    ASSERT_EQ(grid.rows, kRows);
+    for (int row = 0; row < kRows; ++row)
+      for (int column = 0; column < kColumns; ++column)
+        EXPECT_NEAR(grid.at(row, column), height(row, column), 1e-12);
+    EXPECT_NEAR(grid.columnSpacing, 2e-6, 1e-15);
+    EXPECT_TRUE(says(file, "Blank lines separate 4 profiles, which are the rows of the surface"));
+  }
+  // Profiles at other positions are no rows.
+  const MeasuredFile first = read("x (um) z (um)\n" + profile(0) + "\n" + profile(1, 3));
+  EXPECT_EQ(first.topography.rows, 1);
+  EXPECT_EQ(first.topography.columns, kColumns);
+  EXPECT_TRUE(says(first, "the first one, up to line 8, is read."));
+}
+
+TEST(BlankLines, BetweenLinesOfPointsMeanNothing) {
+  for (const std::string names : {"x (um),y (um),z (um)\n", ""})
+    for (const double offset : {0.0, 0.01}) {
+      const MeasuredFile file = read(names + points("\n", offset), kInMicrometres);
+      EXPECT_EQ(file.topography.rows, kRows);
+      EXPECT_EQ(file.topography.columns, kColumns);
+      EXPECT_FALSE(says(file, "Blank lines"));
+    }
+  // Where the points are on no grid, no line of them is a table.
+  EXPECT_FALSE(says(read(points("\n", 0.2), kInMicrometres), "the first one, up to line"));
+}
+
+// ---- Points ------------------------------------------------------------------------------------
+
+/// A stage states where it stood, not where it should have stood.
+TEST(PointsNearAGrid, AreTakenOnIt) {
+  for (const std::string names : {"x (um),y (um),z (um)\n", ""}) {
+    const MeasuredFile file = read(names + points("", 0.01), kInMicrometres);
+    expectKnown(file, "points", false, 1e-11, 0.01);
+    EXPECT_TRUE(says(file, "% of a step off an even grid, on which they are taken."));
+  }
+  EXPECT_THAT(errorOf("x (um),y (um),z (um)\n" + points("", 0.05)),
+              HasSubstr("the points do not lie on a grid"));
+  EXPECT_FALSE(says(read("x (um),y (um),z (um)\n" + points()), "off an even grid"));
+}
+
+TEST(PointsAtOnePosition, HaveTheMeanOfTheirHeights) {
+  const std::string text = "x (um),y (um),z (um)\n" + points();
+  const MeasuredFile file =
+      read(text + fmt::format("4,10,{}\n4,10,{}\n", micrometres(2, 2) + 3, micrometres(2, 2) - 3));
+  expectKnown(file, "points", false, 1e-11);
+  EXPECT_TRUE(says(file, "2 rows repeat a position: the mean of their heights is taken."));
+  const MeasuredFile moved = read(text + fmt::format("4,10,{}\n", micrometres(2, 2) + 1));
+  EXPECT_NEAR(moved.topography.at(2, 2), height(2, 2) + 0.5e-6, 1e-12);
+  // Many of them may be another surface.
+  EXPECT_THAT(errorOf(text + points()),
+              HasSubstr("line 30: there is a point at this position already"));
+}
+
+// ---- Cells -------------------------------------------------------------------------------------
+
+TEST(UnitsInCells, AreThoseOfTheNumbers) {
+  for (const std::string separator : {",", ";", "\t", "  "}) {
+    std::string text = "x" + separator + "z\n";
+    for (int column = 0; column < kColumns; ++column)
+      text +=
+          fmt::format("{} um{}{:.3f} nm\n", 2.0 * column, separator, 1e3 * micrometres(0, column));
+    expectKnown(read(text), "profile", false, 1e-12, 1e-9, 1);
+  }
+  // A cell in another unit of length counts in that unit.
+  const MeasuredFile mixed = read("x,z\n0 um,1 um\n1 um,2000 nm\n2 um,3 um\n3 um,1 um\n");
+  EXPECT_NEAR(mixed.topography.at(0, 1), 2e-6, 1e-15);
+  EXPECT_NE(errorOf("x,z\n0 um,1 um\n1 um,2\n2 um,3 um\n3 um,1 um\n"), "no error");
+  const MeasuredFile grid =
+      read("X spacing: 2 um\nY spacing: 5 um\nheights\n" + matrix(0, ",", " um"));
+  expectKnown(grid, "matrix", false, 1e-11);
+}
+
+TEST(UnitsInCells, MayStandAtTheAxesOfAMatrix) {
+  std::string text;
+  for (int column = 0; column < kColumns; ++column) text += fmt::format(",{} um", 2.0 * column);
+  for (int row = 0; row < kRows; ++row) {
+    text += fmt::format("\n{} mm", 0.005 * row);
+    for (int column = 0; column < kColumns; ++column)
+      text += fmt::format(",{:.6f}", micrometres(row, column));
+  }
+  expectKnown(read(text + "\n", {.heightUnit = "um"}), "matrix", false, 1e-11, 1e-9);
+}
+
+TEST(Dates, AreNoPositions) {
+  for (const std::string date : {"2024-03-12 10:22:0{}", "12.03.2024 10:22:0{}", "10:22:0{}.500",
+                                 "2024-03-1{}", "3/1{}/2024"})
+    for (const std::string names :
+         {"Timestamp,X (um),Z (um)\n", "when,x (um),z (um)\n", "# um\n"}) {
+      std::string text = names;
+      for (int column = 0; column < kColumns; ++column)
+        text += fmt::format("{},{},{:.6f}\n", fmt::format(fmt::runtime(date), column), 2 * column,
+                            micrometres(0, column));
+      expectKnown(read(text, kInMicrometres), "profile", false, 1e-12, 1e-9, 1);
+    }
+  std::string times = "Time (s),Z (um)\n";
+  for (int column = 0; column < kColumns; ++column)
+    times += fmt::format("{},{:.6f}\n", 0.01 * column, micrometres(0, column));
+  expectKnown(read(times, {.spacing = 2e-6}), "profile", false, 1e-12, 1e-9, 1);
+  EXPECT_THAT(errorOf(times), HasSubstr("surface.point_spacing: is needed"));
+}
+
+// ---- Other quantities --------------------------------------------------------------------------
+
+TEST(OtherQuantities, AreNoHeights) {
+  const std::string head = "Spacing: 2 um\nUnit: um\n";
+  for (const std::string name :
+       {"Intensity", "Intensity (a.u.)", "Channel: Amplitude", "[Phase]", "Phase image"}) {
+    EXPECT_THAT(errorOf(head + name + "\n" + matrix()),
+                HasSubstr("surface.height_unit: is needed (m, mm, \u00B5m, nm, in): the numbers "
+                          "are named '"))
+        << name;
+    EXPECT_TRUE(says(read(head + name + "\n" + matrix(), {.heightUnit = "um"}),
+                     "which are no heights: they are taken as such all the same."))
+        << name;
+  }
+  for (const std::string name : {"Height", "Amplitude (um)", "Optical profiler", "Intensity 50 %"})
+    EXPECT_EQ(errorOf(head + name + "\n" + matrix()), "no error") << name;
+  std::string columns = "Unit: um\nx (um) Intensity\n" + profile(0);
+  EXPECT_THAT(errorOf(columns), HasSubstr("the numbers are named 'Intensity'"));
+  EXPECT_EQ(errorOf(replaced(columns, "Intensity", "Amplitude")), "no error");
+}
+
+}  // namespace
+}  // namespace asperity::written
