@@ -97,6 +97,44 @@ bool areLinesOfPoints(const TextBlock& block, std::size_t rowsOfPart) {
   return steady > 0 && steady < block.columns.size();
 }
 
+/// The course of the numbers of a column from row to row.
+enum class Course { AllAlong, PartByPart, Other };
+
+/// Returns whether a column rises, or falls, from the first row to the last one, or within each
+/// part and goes back between them.
+Course courseOf(const TextBlock& block, std::size_t column,
+                const std::vector<std::size_t>& begins) {
+  for (const bool rises : {true, false}) {
+    bool isAllAlong = true, isPartByPart = true;
+    auto begin = begins.begin();
+    for (std::size_t row = 0; row < block.rows; ++row) {
+      const bool isFirst = begin != begins.end() && row == *begin;
+      if (isFirst) ++begin;
+      if (row == 0) continue;
+      const double step = block.at(row, column) - block.at(row - 1, column);
+      const bool goesOn = !std::isnan(step) && (rises ? step > 0 : step < 0);
+      isAllAlong = isAllAlong && goesOn;
+      isPartByPart = isPartByPart && goesOn != isFirst;
+    }
+    if (isAllAlong) return Course::AllAlong;
+    if (isPartByPart) return Course::PartByPart;
+  }
+  return Course::Other;
+}
+
+/// Returns whether blank lines separate tables, and no parts of one: those of profiles, whose
+/// positions begin anew, or of equally many rows.
+bool areTables(const TextBlock& block, const std::vector<std::size_t>& begins, bool areEqual) {
+  bool beginAnew = false;
+  for (std::size_t i = 0; i < block.columns.size(); ++i) {
+    const Course course = courseOf(block, i, begins);
+    if (course == Course::AllAlong) return false;
+    beginAnew = beginAnew || course == Course::PartByPart;
+  }
+  if (block.columns.size() == 2) return beginAnew;
+  return areEqual && !areLinesOfPoints(block, begins[1]);
+}
+
 }  // namespace
 
 HeightTable chooseHeightTable(const TextTable& table) {
@@ -139,19 +177,24 @@ HeightTable chooseHeightTable(const TextTable& table) {
 std::size_t splitAtBlankLines(TextTable& table, std::size_t index) {
   constexpr std::size_t kFewestRows = 3;
   const TextBlock& whole = table.blocks[index];
-  const std::size_t parts = whole.blanks.size() + 1;
-  if (parts == 1 || whole.columns.size() < 2 || whole.rows % parts != 0) return 1;
-  const std::size_t rows = whole.rows / parts;
-  for (std::size_t i = 0; i + 1 < parts; ++i)
-    if (whole.blanks[i].first != (i + 1) * rows) return 1;
-  if (rows < kFewestRows || areLinesOfPoints(whole, rows)) return 1;
+  if (whole.blanks.empty() || whole.columns.size() < 2) return 1;
+  std::vector<std::size_t> begins{0};  // of the parts, and the end of the last one
+  for (const auto& [row, count] : whole.blanks) begins.push_back(row);
+  begins.push_back(whole.rows);
+  const std::size_t parts = begins.size() - 1, rows = begins[1];
+  bool areEqual = true;
+  for (std::size_t i = 0; i < parts; ++i) {
+    areEqual = areEqual && begins[i + 1] - begins[i] == rows;
+    if (begins[i + 1] - begins[i] < kFewestRows) return 1;
+  }
+  if (!areTables(whole, begins, areEqual)) return 1;
   std::vector<TextBlock> split;
   for (std::size_t i = 0; i < parts; ++i) {
     TextBlock& part = split.emplace_back();
     part.columns = whole.columns;
-    part.rows = rows;
-    const auto first = static_cast<std::ptrdiff_t>(i * rows),
-               last = static_cast<std::ptrdiff_t>((i + 1) * rows),
+    part.rows = begins[i + 1] - begins[i];
+    const auto first = static_cast<std::ptrdiff_t>(begins[i]),
+               last = static_cast<std::ptrdiff_t>(begins[i + 1]),
                width = static_cast<std::ptrdiff_t>(whole.columns.size());
     part.values.assign(whole.values.begin() + first * width, whole.values.begin() + last * width);
     part.lines.assign(whole.lines.begin() + first, whole.lines.begin() + last);

@@ -21,8 +21,9 @@ struct HeightTable {
 /// the first. A table named as an intensity, such as "Light", gives way to one of heights.
 HeightTable chooseHeightTable(const TextTable& table);
 
-/// Replaces a table by several of equally many rows where blank lines separate it into these, and
-/// returns their number; 1: there are no such parts. The lines of points of one grid stay together.
+/// Replaces a table by several where blank lines separate it into parts of equally many rows, or
+/// into profiles, and returns their number; 1: there are no such parts. The lines of points of one
+/// grid stay together.
 std::size_t splitAtBlankLines(TextTable& table, std::size_t index);
 
 /// Throws InputError where the heights have the name of another quantity, such as "Intensity",

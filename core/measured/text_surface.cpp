@@ -270,6 +270,7 @@ TextTable readTable(const SurfaceSource& source) {
 
 /// Returns whether a table has the positions of another one, number by number.
 bool hasPositionsOf(const TextBlock& one, const TextBlock& other, int x) {
+  if (one.rows != other.rows) return false;
   if (x < 0) return true;
   const auto column = static_cast<std::size_t>(x);
   for (std::size_t row = 0; row < one.rows; ++row) {
@@ -279,7 +280,7 @@ bool hasPositionsOf(const TextBlock& one, const TextBlock& other, int x) {
   return true;
 }
 
-/// Adds the profiles of further tables of equally many rows to a draft of the first one, as rows.
+/// Adds the profiles of further tables to a draft of the first one, as rows.
 /// Returns false where they are none, or at other positions.
 bool addProfiles(std::span<const TextBlock> tables, const TextTable& table,
                  const SurfaceSource& source, SurfaceDraft& draft) {
@@ -311,8 +312,7 @@ void noteBlankLines(std::span<const TextBlock> parts, bool areRows, Form form,
                 parts.size()));
   else if (parts.size() > 1)
     notes.push_back(
-        message("Blank lines separate {} tables of equally many rows; the first one, up to line "
-                "{}, is read.",
+        message("Blank lines separate {} tables; the first one, up to line {}, is read.",
                 parts.size(), read.lines.back()));
   else if (form == Form::Matrix && !read.blanks.empty() && read.blanks.size() + 1 < read.rows)
     notes.push_back(

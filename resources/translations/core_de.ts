@@ -3959,8 +3959,8 @@
         <translation>Die Orte liegen bis zu %1 % eines Schritts neben einem gleichmäßigen Gitter, auf dem sie genommen werden.</translation>
     </message>
     <message>
-        <source>Blank lines separate %1 tables of equally many rows; the first one, up to line %2, is read.</source>
-        <translation>Leerzeilen trennen %1 Tabellen mit gleich vielen Zeilen; gelesen wird die erste, bis Zeile %2.</translation>
+        <source>Blank lines separate %1 tables; the first one, up to line %2, is read.</source>
+        <translation>Leerzeilen trennen %1 Tabellen; gelesen wird die erste, bis Zeile %2.</translation>
     </message>
     <message>
         <source>Blank lines separate %1 profiles, which are the rows of the surface: surface.row chooses one. How far they are apart is not known.</source>

@@ -57,9 +57,8 @@ TEST(BlankLines, SeparateMatrices) {
     for (const double added : {0.0, 1000.0}) {
       const MeasuredFile file = read(head + matrix() + between + matrix(added));
       expectKnown(file, "matrix", false, 1e-11);
-      EXPECT_TRUE(says(file,
-                       "Blank lines separate 2 tables of equally many rows; the first one, up to "
-                       "line 7, is read."));
+      EXPECT_TRUE(
+          says(file, "Blank lines separate 2 tables; the first one, up to line 7, is read."));
     }
   // Blank lines between all rows, or between parts of other sizes, mean nothing.
   std::string spaced = matrix();
@@ -94,6 +93,24 @@ TEST(BlankLines, SeparateProfilesThatAreRows) {
   EXPECT_EQ(first.topography.rows, 1);
   EXPECT_EQ(first.topography.columns, kColumns);
   EXPECT_TRUE(says(first, "the first one, up to line 8, is read."));
+  // Nor are those of other lengths.
+  const MeasuredFile longer =
+      read("x (um) z (um)\n" + profile(0) + "14 1\n\n" + profile(1) + "\n" + profile(2));
+  EXPECT_EQ(longer.topography.rows, 1);
+  EXPECT_EQ(longer.topography.columns, kColumns + 1);
+  EXPECT_TRUE(says(longer, "Blank lines separate 3 tables; the first one, up to line 9, is read."));
+  const MeasuredFile one = read("x (um) z (um)\n" + profile(0) + "\n14 1\n16 2\n18 1\n20 3\n");
+  EXPECT_EQ(one.topography.columns, kColumns + 4);
+  // A profile that goes on behind a blank line is one, also where that line is in its middle.
+  const std::string more = "14 1 2\n16 2 1\n18 1 2\n20 3 1\n22 1 1\n24 2 1\n26 1 2\n";
+  std::string columns = profile(0);
+  for (std::size_t at = columns.find('\n'); at != std::string::npos;
+       at = columns.find('\n', at + 5))
+    columns.insert(at, " 0.5");
+  EXPECT_EQ(read("x (um) z (um) z2 (um)\n" + columns + "\n" + more).topography.columns, 14);
+  EXPECT_EQ(read("x (um) z (um)\n" + profile(0) + "\n14 1\n16 2\n18 1\n20 3\n22 1\n24 2\n26 1\n")
+                .topography.columns,
+            14);
 }
 
 TEST(BlankLines, BetweenLinesOfPointsMeanNothing) {
