@@ -385,10 +385,10 @@ class TableReader {
     if (countOf(FieldKind::Number) == 0) return false;
     if (countOf(FieldKind::Text) == 0 && cells_.empty()) return true;
     // "Load; 30 N" states something of the rows below.
-    constexpr std::size_t kFewestCells = 2;
+    const std::size_t fewestCells = options_.keepsTexts ? 2 : 1;
     const auto cells = static_cast<std::size_t>(
         std::ranges::count_if(cells_, [](const TextCell& cell) { return !cell.text.empty(); }));
-    if (countOf(FieldKind::Number) == cells && (cells < kFewestCells || !nextLineIsAlike()))
+    if (countOf(FieldKind::Number) == cells && (cells < fewestCells || !nextLineIsAlike()))
       return false;
     if (!options_.keepsTexts) return countOf(FieldKind::Text) == 0;
     if (keyEnd(line.text) != std::string_view::npos) return false;

@@ -19,7 +19,8 @@ constexpr WordList kPositions(
     "easting rechtswert");
 constexpr WordList kRows("y yposition ypos ycoordinate northing hochwert");
 constexpr WordList kHeights(
-    "z height heights h h\u00F6he hoehe profile profil elevation altitude topography topo depth "
+    "z height heights h h\u00F6he hoehe h\u00F6hen hauteurs alturas altezze hoogte profile profil "
+    "elevation altitude topography topo depth "
     "tiefe amplitude ordinate hauteur altezza altura primary zdata deviation raw value signal");
 constexpr WordList kCounts(
     "index, #, i, n, no, no., nr, nr., idx, point, pt, punkt, row, id, sample, zeile, messpunkt, "

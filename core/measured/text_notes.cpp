@@ -52,12 +52,15 @@ std::optional<double> numberAlone(std::string_view text) {
   return power ? std::optional(power->value) : std::nullopt;
 }
 
-/// Returns the factor that a name states: "z x100", "z * 0.01", "z (\u00D710)"; nothing where there
-/// is none. "x 2" is a second x.
+/// Returns the factor that a name states: "z x100", "z * 0.01", "z (\u00D710)", "10*z", "z/100";
+/// nothing where there is none. "x 2" is a second x.
 std::optional<double> factorIn(std::string_view name) {
   constexpr double kFewest = 10;
+  if (const auto front = parseQuantity(name);
+      front && isOneOf(front->unit.substr(0, 1), WordList("* /")) && front->number > 0)
+    return front->number;
   while (name.ends_with(')') || name.ends_with(']')) name.remove_suffix(1);
-  for (const std::string_view mark : WordList("x X * \u00D7 \u00B7")) {
+  for (const std::string_view mark : WordList("x X * \u00D7 \u00B7 /")) {
     const std::size_t at = name.rfind(mark);
     if (at == name.npos || at == 0) continue;
     const bool isLetter = mark == "x" || mark == "X";
@@ -65,6 +68,7 @@ std::optional<double> factorIn(std::string_view name) {
       continue;
     const auto factor = numberAlone(trimmedBlanks(name.substr(at + mark.size())));
     if (!factor || !(*factor > 0) || *factor == 1) continue;
+    if (mark == "/") return 1 / *factor;
     if (!isLetter || *factor < 1 || *factor >= kFewest) return factor;
   }
   return {};

@@ -61,7 +61,8 @@ std::optional<HeaderLength> extentBetweenEnds(const TextTable& table, const Text
                                               char axis) {
   std::optional<HeaderLength> found;
   eachEntryAbove(table, block, [&](const TextEntry& entry) {
-    const std::string line = lowerCase(joinEntry(entry, " "));
+    std::string line = lowerCase(joinEntry(entry, " "));
+    for (const std::string_view dots : {"...", "..", "\u2026"}) replaceAll(line, dots, " to ");
     std::size_t number = line.find_first_of("0123456789");
     while (number != line.npos && number > 0 &&
            isOneOf(line.substr(number - 1, 1), WordList("+ - .")))
@@ -71,8 +72,7 @@ std::optional<HeaderLength> extentBetweenEnds(const TextTable& table, const Text
     if (!namesAxis(name.name, axis)) return;
     const auto first = parseQuantity(std::string_view(line).substr(number));
     if (!first) return;
-    for (const std::string_view between :
-         WordList("to bis hasta ate \u00E0 a ... .. \u2026 \u2013 -")) {
+    for (const std::string_view between : WordList("to bis hasta ate \u00E0 a \u2013 -")) {
       const std::size_t at = first->unit.find(between);
       if (at == std::string::npos) continue;
       const std::string_view unit = trimmedBlanks(std::string_view(first->unit).substr(0, at));

@@ -8,6 +8,8 @@
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
+#include "core/base/text_clause.h"
+#include "core/base/text_header.h"
 #include "core/base/text_number.h"
 #include "core/measured/height_table.h"
 #include "core/measured/matrix_frame.h"
@@ -248,6 +250,26 @@ std::uint32_t takeCount(TextBlock& block) {
   return line;
 }
 
+/// Makes an entry of each statement of a line with several: "Points: 400, Step: 0.5 um".
+void splitEntries(TextTable& table) {
+  for (TextBlock& block : table.blocks) {
+    std::vector<TextEntry> entries;
+    for (TextEntry& entry : block.header) {
+      const auto clauses = splitClauses(entry.written);
+      const bool areStatements = std::ranges::all_of(clauses, [](std::string_view clause) {
+        return keyEnd(clause) != std::string_view::npos;
+      });
+      if (clauses.size() < 2 || !areStatements) {
+        entries.push_back(std::move(entry));
+        continue;
+      }
+      for (const std::string_view clause : clauses)
+        entries.push_back(parseEntry({clause, entry.line}, table.dialect));
+    }
+    block.header = std::move(entries);
+  }
+}
+
 /// Reads the table. Where that fails, its numbers may have units in their cells, and dates beside
 /// them.
 TextTable readTable(const SurfaceSource& source) {
@@ -341,6 +363,7 @@ SurfaceDraft readTextSurface(const SurfaceSource& source) {
   const bool isEsri =
       format != "profile" && format != "points" && isEsriGrid(withoutByteOrderMark(source.bytes));
   TextTable table = isEsri ? readEsriGrid(source) : readTable(source);
+  splitEntries(table);
   const HeightTable chosen = chooseHeightTable(table);
   const std::uint32_t lineOfCount = isEsri ? 0 : takeCount(table.blocks[chosen.index]);
   std::size_t parts = 1;

@@ -162,6 +162,10 @@ TEST(UnitsInCells, AreThoseOfTheNumbers) {
           fmt::format("{} um{}{:.3f} nm\n", 2.0 * column, separator, 1e3 * micrometres(0, column));
     expectKnown(read(text), "profile", false, 1e-12, 1e-9, 1);
   }
+  std::string list = "Spacing: 2 um\n";
+  for (int column = 0; column < kColumns; ++column)
+    list += fmt::format("{:.6f} um\n", micrometres(0, column));
+  expectKnown(read(list), "profile", false, 1e-12, 1e-9, 1);
   // A cell in another unit of length counts in that unit.
   const MeasuredFile mixed = read("x,z\n0 um,1 um\n1 um,2000 nm\n2 um,3 um\n3 um,1 um\n");
   EXPECT_NEAR(mixed.topography.at(0, 1), 2e-6, 1e-15);

@@ -100,7 +100,9 @@ TEST(PointDistances, AreNoOtherLengths) {
 /// A line may state the points with their length, the ends of the axis, or how fast a stylus moves.
 TEST(PointDistances, FollowFromOtherStatements) {
   for (const std::string line :
-       {"Total length: 199.5 um, 400 points", "Messl\u00E4nge: 0,1995 mm; 400 Punkte",
+       {"Total length: 199.5 um, 400 points", "Length: 199.5 um; points: 400",
+        "Points: 400, Step: 0.5 um", "Range X: 0..199.5 um",
+        "Speed: 0,5 mm/s; Sampling rate: 1 kHz", "Messl\u00E4nge: 0,1995 mm; 400 Punkte",
         "x from 0 to 199.5 um", "X range: 0 - 199.5 um", "x von 0 bis 199,5 \u00B5m",
         "x-axis (mm): 0.1 ... 0.2995", "X: -10 um to 189.5 um", "x de 0 \u00E0 199,5 \u00B5m",
         "Scan speed: 0.5 mm/s\nSampling rate: 1000 Hz",
@@ -121,7 +123,8 @@ TEST(NamesOfTables, StateAUnit) {
   const std::string spacings = "X-Abstand: 2 um\nY-Abstand: 3 um\n";
   for (const std::string line :
        {"H\u00F6he in \u00B5m", "Hauteur en \u00B5m", "Altura en \u00B5m", "Altezza in \u00B5m",
-        "Height (um)", "z [um]", "Height data (um)", "Altura em \u00B5m"})
+        "Height (um)", "z [um]", "H\u00F6hen in \u00B5m", "Hauteurs (\u00B5m)", "Hoogte in \u00B5m",
+        "Height data (um)", "Altura em \u00B5m"})
     EXPECT_NEAR(read(spacings + line + "\n" + field()).topography.at(4, 7), 1e-6 * heightAt(4, 7),
                 1e-10)
         << line;
@@ -178,8 +181,9 @@ TEST(StatedFactors, AreNoted) {
        {"Scaling factor: 0.01", "Skalierung: 0,01 \u00B5m", "Z scale = 50"})
     EXPECT_TRUE(says(read(spacing + line + "\n" + list()), "which is not applied")) << line;
   EXPECT_FALSE(says(read(spacing + "Scaling factor: 1\n" + list()), "factor"));
-  for (const std::string name : {"z (um) x100", "z (um) * 0.01", "z x 10^-2 (um)", "z*100 [um]",
-                                 "z (\u00D7100) (um)", "Height x0,1 (um)"})
+  for (const std::string name :
+       {"z (um) x100", "z (um) * 0.01", "z x 10^-2 (um)", "z*100 [um]", "z (\u00D7100) (um)",
+        "Height x0,1 (um)", "100*z (um)", "z/100 (um)"})
     EXPECT_TRUE(
         says(read(spacing + replaced(list(), "z (um)", name)), "The header states a factor"))
         << name;
