@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/base/number_text.h"
 #include "core/base/text_number.h"
@@ -284,7 +285,8 @@ struct RepeatedHeight {
 
 /// Replaces the heights at positions that occur several times by their mean.
 void takeMeans(std::vector<RepeatedHeight> repeats, std::vector<double>& heights) {
-  std::ranges::stable_sort(repeats, {}, &RepeatedHeight::at);
+  std::ranges::sort(repeats, {},
+                    [](const RepeatedHeight& one) { return std::pair(one.at, one.row); });
   for (std::size_t i = 0; i < repeats.size();) {
     double& height = heights[repeats[i].at];
     double sum = 0, count = 0;
