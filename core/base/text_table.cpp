@@ -505,14 +505,20 @@ const TextBlock& TextTable::largest() const {
                                    [](const TextBlock& one) { return one.values.size(); });
 }
 
+std::vector<const TextEntry*> TextTable::entriesAbove(const TextBlock& block) const {
+  std::vector<const TextEntry*> entries;
+  for (const TextBlock& one : blocks) {
+    for (const TextEntry& entry : one.header) entries.push_back(&entry);
+    if (&one == &block) break;
+  }
+  return entries;
+}
+
 std::string TextTable::entry(std::string_view key, const TextBlock& block) const {
   const std::string wanted = lowerCase(key);
   std::string found;
-  for (const TextBlock& one : blocks) {
-    for (const TextEntry& entry : one.header)
-      if (lowerCase(entry.key) == wanted) found = entry.value;
-    if (&one == &block) break;
-  }
+  for (const TextEntry* const entry : entriesAbove(block))
+    if (lowerCase(entry->key) == wanted) found = entry->value;
   return found;
 }
 

@@ -74,8 +74,10 @@ struct TextTable {
 
   /// Returns the block with the most numbers; of equal ones the first.
   const TextBlock& largest() const;
-  /// Returns the value of the nearest entry with this key in front of the block, in its header or
-  /// that of an earlier block, in upper or lower case. Empty where there is none.
+  /// Returns the entries in front of the block, in its header or that of an earlier block.
+  std::vector<const TextEntry*> entriesAbove(const TextBlock& block) const;
+  /// Returns the value of the nearest entry with this key in front of the block, in upper or lower
+  /// case. Empty where there is none.
   std::string entry(std::string_view key, const TextBlock& block) const;
 };
 

@@ -321,21 +321,18 @@ std::optional<StatedUnit> unitOfEntries(const TextTable& table, const TextBlock&
 std::optional<StatedUnit> unitOfTableName(const TextTable& table, const TextBlock& block) {
   constexpr WordList kBeside("data values value map image channel daten werte");
   std::optional<StatedUnit> found;
-  for (const TextBlock& one : table.blocks) {
-    for (const TextEntry& entry : one.header) {
-      const TextColumn column =
-          entry.key.empty() ? parseColumnName(entry.value) : TextColumn{entry.key, entry.value};
-      const auto metres = metresPer(column.unit);
-      const auto words = wordsIn(column.name);
-      const bool isName = !words.empty() && isHeightName(words.front()) &&
-                          std::all_of(words.begin() + 1, words.end(), [&](const std::string& word) {
-                            return isOneOf(word, kBeside);
-                          });
-      // "Height: 5 um" states a length.
-      const bool isAlone = column.unit.find_first_of("0123456789") == std::string::npos;
-      if (metres && isName && isAlone) found = StatedUnit{column.unit, *metres};
-    }
-    if (&one == &block) break;
+  for (const TextEntry* const entry : table.entriesAbove(block)) {
+    const TextColumn column =
+        entry->key.empty() ? parseColumnName(entry->value) : TextColumn{entry->key, entry->value};
+    const auto metres = metresPer(column.unit);
+    const auto words = wordsIn(column.name);
+    const bool isName = !words.empty() && isHeightName(words.front()) &&
+                        std::all_of(words.begin() + 1, words.end(), [&](const std::string& word) {
+                          return isOneOf(word, kBeside);
+                        });
+    // "Height: 5 um" states a length.
+    const bool isAlone = column.unit.find_first_of("0123456789") == std::string::npos;
+    if (metres && isName && isAlone) found = StatedUnit{column.unit, *metres};
   }
   return found;
 }

@@ -15,15 +15,6 @@
 namespace asperity {
 namespace {
 
-/// Calls `use` with each line above the block and above earlier ones.
-template <class Use>
-void eachEntryAbove(const TextTable& table, const TextBlock& block, const Use& use) {
-  for (const TextBlock& one : table.blocks) {
-    for (const TextEntry& entry : one.header) use(entry);
-    if (&one == &block) break;
-  }
-}
-
 /// Returns the number of points that a part of a line states: "400 points" in "Total length: 200
 /// um, 400 points".
 std::optional<std::int64_t> countInClause(const TextTable& table, const TextBlock& block) {
@@ -32,12 +23,11 @@ std::optional<std::int64_t> countInClause(const TextTable& table, const TextBloc
       "pontos, points de mesure",
       ',');
   std::optional<std::int64_t> found;
-  eachEntryAbove(table, block, [&](const TextEntry& entry) {
-    for (const std::string_view clause : splitClauses(entry.value))
+  for (const TextEntry* const entry : table.entriesAbove(block))
+    for (const std::string_view clause : splitClauses(entry->value))
       if (const auto quantity = parseQuantity(clause);
           quantity && quantity->number > 0 && isOneOf(lowerCase(quantity->unit), kWords))
         if (const auto count = wholeNumber(quantity->number)) found = count;
-  });
   return found;
 }
 
@@ -56,36 +46,30 @@ bool namesAxis(std::string_view text, char axis) {
 }
 
 /// Returns the length from the first to the last position that a line states: "x from 0 to 199.5
-/// um", "X range: 0 - 199.5 um", "x (mm): 0 ... 0.2".
-std::optional<HeaderLength> extentBetweenEnds(const TextTable& table, const TextBlock& block,
-                                              char axis) {
-  std::optional<HeaderLength> found;
-  eachEntryAbove(table, block, [&](const TextEntry& entry) {
-    std::string line = lowerCase(joinEntry(entry, " "));
-    for (const std::string_view dots : {"...", "..", "\u2026"}) replaceAll(line, dots, " to ");
-    std::size_t number = line.find_first_of("0123456789");
-    while (number != line.npos && number > 0 &&
-           isOneOf(line.substr(number - 1, 1), WordList("+ - .")))
-      --number;
-    if (number == line.npos || number == 0) return;
-    const TextColumn name = parseColumnName(line.substr(0, number));
-    if (!namesAxis(name.name, axis)) return;
-    const auto first = parseQuantity(std::string_view(line).substr(number));
-    if (!first) return;
-    for (const std::string_view between : WordList("to bis hasta ate \u00E0 a \u2013 -")) {
-      const std::size_t at = first->unit.find(between);
-      if (at == std::string::npos) continue;
-      const std::string_view unit = trimmedBlanks(std::string_view(first->unit).substr(0, at));
-      const auto last = parseQuantity(std::string_view(first->unit).substr(at + between.size()));
-      if (!last || !(last->number > first->number)) continue;
-      const std::string_view own = !last->unit.empty() ? last->unit : name.unit;
-      const auto metres = metresPer(own);
-      if (!metres || !(unit.empty() || metresPer(unit) == metres)) continue;
-      found = HeaderLength{last->number - first->number, StatedUnit{std::string(own), *metres}};
-      return;
-    }
-  });
-  return found;
+/// um", "X range: 0 - 199.5 um", "x (mm): 0 ... 0.2"; nothing where it states none.
+std::optional<HeaderLength> lengthBetweenEnds(const TextEntry& entry, char axis) {
+  std::string line = lowerCase(joinEntry(entry, " "));
+  for (const std::string_view dots : {"...", "..", "\u2026"}) replaceAll(line, dots, " to ");
+  std::size_t number = line.find_first_of("0123456789");
+  while (number != line.npos && number > 0 &&
+         isOneOf(line.substr(number - 1, 1), WordList("+ - .")))
+    --number;
+  if (number == line.npos || number == 0) return {};
+  const TextColumn name = parseColumnName(line.substr(0, number));
+  const auto first = parseQuantity(std::string_view(line).substr(number));
+  if (!first || !namesAxis(name.name, axis)) return {};
+  for (const std::string_view between : WordList("to bis hasta ate \u00E0 a \u2013 -")) {
+    const std::size_t at = first->unit.find(between);
+    if (at == std::string::npos) continue;
+    const std::string_view unit = trimmedBlanks(std::string_view(first->unit).substr(0, at));
+    const auto last = parseQuantity(std::string_view(first->unit).substr(at + between.size()));
+    if (!last || !(last->number > first->number)) continue;
+    const std::string& own = last->unit.empty() ? name.unit : last->unit;
+    const auto metres = metresPer(own);
+    if (metres && (unit.empty() || metresPer(unit) == metres))
+      return HeaderLength{last->number - first->number, StatedUnit{own, *metres}};
+  }
+  return {};
 }
 
 /// Returns the first of these entries with a quantity of this SI unit, in that unit.
@@ -143,10 +127,10 @@ std::optional<HeaderLength> countedStep(const TextTable& table, const TextBlock&
       continue;
     return HeaderLength{length->number / (points - 1), StatedUnit{length->unit, *metres}};
   }
-  if (count > 1)
-    if (auto extent = extentBetweenEnds(table, block, axis)) {
-      extent->value /= static_cast<double>(count - 1);
-      return extent;
+  for (const TextEntry* const entry : table.entriesAbove(block))
+    if (auto length = lengthBetweenEnds(*entry, axis); length && count > 1) {
+      length->value /= static_cast<double>(count - 1);
+      return length;
     }
   constexpr WordList kDensities(
       "points per mm, points/mm, data points per mm, samples per mm, samples/mm, pixels per mm, "
