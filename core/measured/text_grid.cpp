@@ -398,17 +398,20 @@ SurfaceDraft readTextPoints(const TextTable& table, const TextBlock& block,
   std::vector<RepeatedHeight> repeats;
   // More points may be those of another surface.
   constexpr std::size_t kMostRepeats = 10;  // one of so many points
-  const auto gridIndex = [](double value, const GridAxis& axis) {
-    return axis.count > 1 ? std::llround((value - axis.first) / axis.spacing) : 0;
+  const auto gridIndex = [&](double value, const GridAxis& axis) -> std::int64_t {
+    if (axis.count == 1) return 0;
+    // A number of few digits may be anywhere as far as its rounding goes.
+    const double index = (value - axis.first) / axis.spacing;
+    if (!(index >= -1 && index <= static_cast<double>(axis.count)))
+      source.fail("the points do not lie on a grid of uniform rows and columns");
+    return std::clamp<std::int64_t>(std::llround(index), 0, axis.count - 1);
   };
   for (std::size_t i = 0; i < block.rows; ++i) {
     const double px = block.at(i, static_cast<std::size_t>(columns.x));
     const double py = block.at(i, static_cast<std::size_t>(columns.y));
     if (std::isnan(px) || std::isnan(py))
       source.fail(message("line {}: the position is missing", block.lines[i]));
-    const auto at = static_cast<std::size_t>(
-        std::clamp<std::int64_t>(gridIndex(py, *y), 0, grid.rows - 1) * grid.columns +
-        std::clamp<std::int64_t>(gridIndex(px, *x), 0, grid.columns - 1));
+    const auto at = static_cast<std::size_t>(gridIndex(py, *y) * grid.columns + gridIndex(px, *x));
     const double height = block.at(i, static_cast<std::size_t>(columns.z));
     if (isTaken[at]) {
       repeats.push_back({at, i, height});

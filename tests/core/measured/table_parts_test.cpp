@@ -139,6 +139,15 @@ TEST(PointsNearAGrid, AreTakenOnIt) {
   EXPECT_FALSE(says(read("x (um),y (um),z (um)\n" + points()), "off an even grid"));
 }
 
+/// It was taken for the last point of its row.
+TEST(PointsFarFromAGrid, AreRefused) {
+  std::string text = "x (um),y (um),z (um)\n";
+  for (int i = 0; i < 11; ++i)
+    text += fmt::format("{},{},{}\n", 2 * (i % 4), 2 * (i / 4), (5 * i) % 7);
+  EXPECT_EQ(errorOf(text + "6,4,1\n"), "no error");
+  EXPECT_THAT(errorOf(text + "1e300,4,1\n"), HasSubstr("the points do not lie on a grid"));
+}
+
 TEST(PointsAtOnePosition, HaveTheMeanOfTheirHeights) {
   const std::string text = "x (um),y (um),z (um)\n" + points();
   const MeasuredFile file =
