@@ -14,6 +14,9 @@
 
 namespace asperity::written {
 
+/// What a table without units needs.
+inline const ReadingChoices kInMicrometres{.positionUnit = "um", .heightUnit = "um"};
+
 inline MeasuredFile read(const std::string& bytes, const ReadingChoices& choices = {}) {
   return readMeasuredBytes(bytes, "surface.dat", choices);
 }

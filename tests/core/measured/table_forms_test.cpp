@@ -13,8 +13,6 @@ namespace {
 
 using testing::HasSubstr;
 
-const ReadingChoices kInMicrometres{.positionUnit = "um", .heightUnit = "um"};
-
 /// Expects the known surface with the same step along both axes.
 void expectSquareGrid(MeasuredFile file, const std::string& format, double step) {
   EXPECT_NEAR(file.topography.columnSpacing, step, 1e-9 * step);

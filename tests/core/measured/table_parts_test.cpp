@@ -13,8 +13,6 @@ namespace {
 
 using testing::HasSubstr;
 
-const ReadingChoices kInMicrometres{.positionUnit = "um", .heightUnit = "um"};
-
 /// The known heights as a matrix, with a number added to each; `unit` stands behind each number.
 std::string matrix(double added = 0, const std::string& separator = ",",
                    const std::string& unit = "") {
