@@ -20,8 +20,8 @@ struct NumberName {
 };
 
 NumberName readName(const TextColumn& column) {
-  constexpr WordList kColumns("col cols column columns spalte spalten colonne");
-  constexpr WordList kRows("row rows line zeile zeilen ligne rang");
+  constexpr WordList kColumnWords("col cols column columns spalte spalten colonne");
+  constexpr WordList kRowWords("row rows line zeile zeilen ligne rang");
   constexpr WordList kAlongX("x ix px jx"), kAlongY("y iy py jy");
   constexpr WordList kPixels("pixel pixels px py ix iy index idx nr no");
   NumberName found;
@@ -37,8 +37,8 @@ NumberName readName(const TextColumn& column) {
       ' ');
   bool isAlongX = false, isAlongY = false;
   for (const std::string_view word : splitText(name, " ")) {
-    found.isOfColumns = found.isOfColumns || isOneOf(word, kColumns);
-    found.isOfRows = found.isOfRows || isOneOf(word, kRows);
+    found.isOfColumns = found.isOfColumns || isOneOf(word, kColumnWords);
+    found.isOfRows = found.isOfRows || isOneOf(word, kRowWords);
     isAlongX = isAlongX || isOneOf(word, kAlongX);
     isAlongY = isAlongY || isOneOf(word, kAlongY);
     found.isNumber = found.isNumber || isOneOf(word, kPixels);

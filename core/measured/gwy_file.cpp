@@ -238,8 +238,7 @@ SurfaceDraft readFile(const SurfaceSource& source, bool masksAreGaps) {
   for (std::size_t i = 0; i < points; ++i) {
     double value = 0;
     std::memcpy(&value, masked.data.data() + i * sizeof value, sizeof value);
-    if (!std::isnan(value) && value > 0.5)
-      grid.height[i] = std::numeric_limits<double>::quiet_NaN();
+    if (!std::isnan(value) && value > 0.5) grid.height[i] = kMissingHeight;
   }
   return draft;
 }

@@ -7,11 +7,10 @@
 #include <numbers>
 
 #include "core/base/statistics.h"
+#include "core/measured/topography.h"
 
 namespace asperity {
 namespace {
-
-constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
 
 /// Returns the number of terms of the polynomial that describes the form along one direction.
 int termCount(FormRemoval form) {
@@ -72,7 +71,7 @@ struct Deviations {
 Deviations deviationsFromForm(std::span<const double> heights, std::span<const double> kept,
                               int terms) {
   const Eigen::Vector3d form = fitForm(kept, terms);
-  Deviations deviations{std::vector<double>(heights.size(), kGap)};
+  Deviations deviations{std::vector<double>(heights.size(), kMissingHeight)};
   std::vector<double> known;
   for (std::size_t i = 0; i < heights.size(); ++i) {
     if (std::isnan(heights[i])) continue;
@@ -116,7 +115,7 @@ std::int64_t markOutliers(std::span<double> heights, double multiples, FormRemov
       if (std::isnan(heights[i])) continue;
       const bool isOutlier = std::abs(deviation[i] - middle) > multiples * spread;
       hasChanged |= isOutlier != std::isnan(kept[i]);
-      kept[i] = isOutlier ? kGap : heights[i];
+      kept[i] = isOutlier ? kMissingHeight : heights[i];
     }
     if (!hasChanged || gapCount(kept) == static_cast<std::int64_t>(kept.size())) break;
   }

@@ -7,17 +7,17 @@
 namespace asperity {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
 
 /// Returns the difference of the highest and the lowest measured height; NaN where there is none.
 double heightRange(std::span<const double> heights) {
-  double lowest = kNone, highest = kNone;
+  double lowest = kUndefined, highest = kUndefined;
   for (const double height : heights) {
     if (std::isnan(height)) continue;
     lowest = std::isnan(lowest) ? height : std::min(lowest, height);
     highest = std::isnan(highest) ? height : std::max(highest, height);
   }
-  return std::isnan(lowest) ? kNone : highest - lowest;
+  return std::isnan(lowest) ? kUndefined : highest - lowest;
 }
 
 double meanRange(std::span<const double> heights, std::size_t section) {
@@ -49,7 +49,7 @@ double sevenPointRmsSlope(std::span<const double> heights, double spacing) {
     sum += step * step;
     ++count;
   }
-  return count > 0 ? std::sqrt(sum / static_cast<double>(count)) / spacing : kNone;
+  return count > 0 ? std::sqrt(sum / static_cast<double>(count)) / spacing : kUndefined;
 }
 
 }  // namespace
@@ -78,8 +78,8 @@ ProfileParameters profileParameters(std::span<const double> heights, double spac
   values.pa = absolute / count;
   values.pq = std::sqrt(square / count);
   const double pq = values.pq;
-  values.psk = pq > 0 ? cube / count / (pq * pq * pq) : kNone;
-  values.pku = pq > 0 ? fourth / count / (pq * pq * pq * pq) : kNone;
+  values.psk = pq > 0 ? cube / count / (pq * pq * pq) : kUndefined;
+  values.pku = pq > 0 ? fourth / count / (pq * pq * pq * pq) : kUndefined;
   values.pt = heightRange(heights);
   const double section = std::floor(sectionLength / spacing * (1 + 1e-9));
   values.pz = section >= 2 && section < static_cast<double>(heights.size())

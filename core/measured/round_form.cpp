@@ -56,10 +56,10 @@ double fitCircle(Circle& circle, const Eigen::VectorXd& x, const Eigen::VectorXd
 }  // namespace
 
 double radiusOfRoundForm(std::span<const double> heights, double spacing) {
-  constexpr std::size_t kMostPoints = 2048;  // a form needs no more
+  constexpr std::size_t kEnoughPoints = 2048;  // a form needs no more
   constexpr Eigen::Index kFewestPoints = 16;
   constexpr double kClear = 0.8;
-  const std::size_t stride = heights.size() / kMostPoints + 1;
+  const std::size_t stride = heights.size() / kEnoughPoints + 1;
   // Lengths are in halves of the profile, so that one step serves all unknowns.
   const double half = 0.5 * static_cast<double>(heights.size()) * spacing;
   std::vector<double> places, values;

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "core/base/number_text.h"
@@ -19,8 +18,6 @@
 
 namespace asperity {
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 // ---- Matrix ------------------------------------------------------------------------------------
 
@@ -58,7 +55,7 @@ void applySpipHeader(const SpipHeader& header, const SurfaceSource& source, Topo
                               header.columns, header.rows, grid.columns, grid.rows));
   const auto points = static_cast<std::size_t>(header.columns * header.rows);
   for (std::size_t i = 0; points + i < grid.height.size(); ++i)
-    if (!(grid.height[points + i] > 0)) grid.height[i] = kNone;
+    if (!(grid.height[points + i] > 0)) grid.height[i] = kMissingHeight;
   grid.height.resize(points);
   grid.rows = header.rows;
 }
@@ -244,7 +241,7 @@ SurfaceDraft readTextMatrix(const TextTable& table, const TextBlock& block,
   const auto none = parseQuantity(table.entry("nodata_value", block));
   if (none)
     for (double& height : grid.height)
-      if (!std::isnan(height) && height == none->number) height = kNone;
+      if (!std::isnan(height) && height == none->number) height = kMissingHeight;
   return draft;
 }
 
@@ -393,7 +390,7 @@ SurfaceDraft readTextPoints(const TextTable& table, const TextBlock& block,
   if (all > 4 * static_cast<double>(block.rows))
     source.fail("the points do not lie on a grid of uniform rows and columns");
   requireSize(source, grid.columns, grid.rows, 0, 0);
-  grid.height.assign(static_cast<std::size_t>(grid.columns * grid.rows), kNone);
+  grid.height.assign(static_cast<std::size_t>(grid.columns * grid.rows), kMissingHeight);
   std::vector<bool> isTaken(grid.height.size());
   std::vector<RepeatedHeight> repeats;
   // More points may be those of another surface.

@@ -94,18 +94,18 @@ std::optional<std::int64_t> statedCount(const TextTable& table, const TextBlock&
       "\uFF83\uFF9E\uFF70\uFF80\u6570, \u00C3\u00DE\u00B0\u00C0\u0090\u201D, "
       "\u70B9\u6570",
       ',');
-  constexpr WordList kColumns(
+  constexpr WordList kColumnWords(
       "columns, number of columns, samps/line, \\samps/line, samples/line, samples per line, "
       "points per line, pixels in x, x pixels, horizontal, spalten, anzahl spalten, nombre de "
       "colonnes, \u6A2A",
       ',');
-  constexpr WordList kRows(
+  constexpr WordList kRowWords(
       "rows, number of rows, lines, \\lines, number of lines, \\number of lines, pixels in y, y "
       "pixels, vertical, zeilen, anzahl zeilen, nombre de lignes, \u7E26",
       ',');
   for (const std::string_view key : counted == Counted::Points    ? kPoints
-                                    : counted == Counted::Columns ? kColumns
-                                                                  : kRows)
+                                    : counted == Counted::Columns ? kColumnWords
+                                                                  : kRowWords)
     if (const auto number = parseQuantity(table.entry(key, block)); number && number->number > 0)
       if (const auto count = wholeNumber(number->number)) return count;
   if (counted == Counted::Points) return countInClause(table, block);

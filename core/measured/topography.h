@@ -5,17 +5,22 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
 namespace asperity {
 
+/// The height where nothing was measured.
+inline constexpr double kMissingHeight = std::numeric_limits<double>::quiet_NaN();
+
 struct Topography {
-  std::int64_t columns = 0;    // points of one profile along x
-  std::int64_t rows = 0;       // profiles; 1: a single profile
-  double columnSpacing = 0;    // m, between neighbours along x
-  double rowSpacing = 0;       // m, between neighbours along y; 0 for a single profile
-  std::vector<double> height;  // m, rows x columns, row by row; NaN where nothing was measured
+  std::int64_t columns = 0;  // points of one profile along x
+  std::int64_t rows = 0;     // profiles; 1: a single profile
+  double columnSpacing = 0;  // m, between neighbours along x
+  double rowSpacing = 0;     // m, between neighbours along y; 0 for a single profile
+  std::vector<double>
+      height;  // m, rows x columns, row by row; kMissingHeight where nothing was measured
 
   bool isProfile() const { return rows == 1; }
   double length() const { return static_cast<double>(columns) * columnSpacing; }  // m, along x

@@ -4,14 +4,11 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <limits>
 
 #include "core/base/statistics.h"
 
 namespace asperity {
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// Deviations from uniform positions up to this part of a step are negligible.
 constexpr double kNegligible = 1e-3;
@@ -152,7 +149,7 @@ bool fillGaps(std::span<const double> positions, std::span<const double> heights
                                  2 * static_cast<std::int64_t>(positions.size()));
   if (!axis || axis->count < 2) return false;
   requireFineDigits(positions, *axis, source);
-  std::vector<double> onGrid(static_cast<std::size_t>(axis->count), kNone);
+  std::vector<double> onGrid(static_cast<std::size_t>(axis->count), kMissingHeight);
   std::vector<bool> isTaken(onGrid.size());
   for (std::size_t i = 0; i < positions.size(); ++i) {
     const auto index = std::llround((positions[i] - axis->first) / axis->spacing);
@@ -205,7 +202,7 @@ void interpolate(std::span<const double> positions, std::span<const double> heig
     else if (part == 1)
       interpolated[i] = after;
     else if (std::isnan(before) || std::isnan(after))
-      interpolated[i] = kNone;
+      interpolated[i] = kMissingHeight;
     else
       interpolated[i] = before + part * (after - before);
   }
@@ -230,7 +227,7 @@ std::size_t meanOfRepeats(std::vector<double>& positions, std::vector<double>& h
         count += 1;
       }
     positions[kept] = positions[i];
-    heights[kept] = count > 0 ? sum / count : kNone;
+    heights[kept] = count > 0 ? sum / count : kMissingHeight;
     ++kept;
     i = end;
   }
@@ -275,7 +272,7 @@ std::optional<GridAxis> axisThrough(std::span<const double> numbers, const Round
   const double count = std::round(range / step);
   if (!(count < static_cast<double>(most))) return {};
   GridAxis axis{positions.front(), range / count, static_cast<std::int64_t>(count) + 1};
-  std::vector<double> lattice(static_cast<std::size_t>(axis.count), kNone);
+  std::vector<double> lattice(static_cast<std::size_t>(axis.count), kMissingHeight);
   for (const double position : positions) {
     const auto at = static_cast<std::size_t>(std::llround((position - axis.first) / axis.spacing));
     if (at >= lattice.size() || !std::isnan(lattice[at])) return {};
@@ -328,7 +325,7 @@ std::optional<GridAxis> findNearGridAxis(std::vector<double> numbers, std::int64
     const double steps = std::round((numbers[i] - numbers[i - 1]) / step);
     if (!(static_cast<double>(lattice.size()) + steps <= static_cast<double>(most))) return {};
     if (steps > 0) {
-      lattice.resize(lattice.size() + static_cast<std::size_t>(steps), kNone);
+      lattice.resize(lattice.size() + static_cast<std::size_t>(steps), kMissingHeight);
       lattice.back() = numbers[i];
     }
     indices.push_back(lattice.size() - 1);

@@ -257,7 +257,7 @@ class Reader {
     if (std::isnan(value)) return value;
     const bool counts = axes_[axis].isIncremental || axes_[axis].isWhole();
     const double metres = counts ? value * axes_[axis].increment : value;
-    return std::isfinite(metres) ? metres : std::numeric_limits<double>::quiet_NaN();
+    return std::isfinite(metres) ? metres : kMissingHeight;
   }
 
   /// Applies the file of valid points: one bit for each point, the lowest bit of a byte first, 0
@@ -277,7 +277,7 @@ class Reader {
                            (count + 7) / 8, 0, bits.size()));
     for (std::size_t i = 0; i < count; ++i)
       if ((static_cast<unsigned char>(bits[i / 8]) >> (i % 8) & 1) == 0)
-        points_.z[i] = std::numeric_limits<double>::quiet_NaN();
+        points_.z[i] = kMissingHeight;
   }
 
   /// Reads <Datum>z</Datum> or <Datum>x;y;z</Datum>; an empty datum was not measured.
