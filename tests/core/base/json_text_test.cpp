@@ -1,0 +1,64 @@
+#include "core/base/json_text.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "tests/core/error_from.h"
+
+namespace asperity {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using testing::HasSubstr;
+
+TEST(JsonText, WhatIsWrittenIsReadBack) {
+  const Json value = {{"b", {1, 2.5, nullptr}}, {"a", "\u00B5 \"x\"\n"}};
+  EXPECT_EQ(jsonLine(value), "{\"b\":[1,2.5,null],\"a\":\"\u00B5 \\\"x\\\"\\n\"}");
+  EXPECT_EQ(jsonValue(jsonLine(value)), value);
+  EXPECT_EQ(jsonValue(jsonFile(value)), value);
+  EXPECT_TRUE(jsonFile(value).ends_with("\n}\n"));
+  // Numbers come back bit for bit.
+  for (const double number : {0.1, 1.0 / 3, 5e-324, std::numeric_limits<double>::max()})
+    EXPECT_EQ(jsonValue(jsonLine(number)).get<double>(), number);
+}
+
+/// A file name may hold any bytes; an answer that names it is UTF-8 all the same.
+TEST(JsonText, BytesThatAreNoTextAreReplaced) {
+  EXPECT_EQ(jsonLine("a\xff"), "\"a\uFFFD\"");
+  EXPECT_EQ(jsonFile("a\xff"), "\"a\uFFFD\"\n");
+}
+
+TEST(JsonText, TextThatIsNoJsonIsDiscarded) {
+  for (const char* text : {"", "{", "{\"a\":1,}", "scene"})
+    EXPECT_TRUE(jsonOrDiscarded(text).is_discarded()) << text;
+  EXPECT_EQ(jsonOrDiscarded("[1]"), Json::array({1}));
+}
+
+TEST(JsonText, KeysThatOccurTwiceAndDeepNestingAreRefused) {
+  constexpr int kDeepest = 3;
+  const auto error = [](const std::string& text) {
+    return errorFrom([&] { parseJson(text, kDeepest); });
+  };
+  EXPECT_EQ(error(R"({"a":{"b":[1]}})"), "no error");
+  EXPECT_THAT(error(R"({"a":1,"a":2})"), HasSubstr("a"));
+  EXPECT_NE(error(R"({"a":1,"a":2})"), "no error");
+  EXPECT_NE(error(R"({"a":{"b":[[1]]}})"), "no error");
+  EXPECT_NE(error("scene"), "no error");
+}
+
+TEST(JsonText, MembersUpToOneAreReadWithoutWhatFollows) {
+  const std::string text = R"({"a":1,"b":{"c":2},"d": no JSON)";
+  EXPECT_EQ(membersUpTo(text, "b", 4), (Json{{"a", 1}, {"b", {{"c", 2}}}}));
+}
+
+TEST(JsonText, NumbersThatAreNotFiniteAreNull) {
+  EXPECT_TRUE(numberOrNull(std::numeric_limits<double>::quiet_NaN()).is_null());
+  EXPECT_EQ(numberOrNull(0.5), 0.5);
+}
+
+}  // namespace
+}  // namespace asperity
