@@ -249,6 +249,24 @@ TEST_F(LayoutTest, ALongDescriptionLeavesTheContactItsHeight) {
   EXPECT_FALSE(more.isVisible());
 }
 
+/// The computations of the contact and of the curve complain about the same scene.
+TEST(MessageBar, AComplaintThatIsRepeatedReplacesNoNewerMessage) {
+  MessageBar bar;
+  const Message force("needs a positive force");
+  bar.showSceneError("load.normal_force", force);
+  const QString complaint = bar.text();
+  bar.showFailure(MessageBar::Failure::Files, "cannot be opened");
+  bar.showSceneError("load.normal_force", force);
+  EXPECT_EQ(bar.text(), "cannot be opened");
+  bar.showSceneError("load.normal_force", Message("is too small"));
+  EXPECT_NE(bar.text(), complaint);
+  EXPECT_NE(bar.text(), "cannot be opened");
+  bar.showFailure(MessageBar::Failure::Files, "cannot be opened");
+  bar.showSceneError("load.normal_force", force);
+  EXPECT_EQ(bar.text(), complaint);
+  EXPECT_FALSE(bar.isHidden());
+}
+
 /// A presentation, which has no panel beside it, widens the description.
 TEST(MessageBar, ATextTakesTheRoomThatAWiderBarHas) {
   QWidget page;

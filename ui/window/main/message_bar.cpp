@@ -96,8 +96,12 @@ void MessageBar::showOffer(Text text, Text button) {
 }
 
 void MessageBar::showSceneError(const QString& key, const Message& english) {
-  sceneError_ = {key, english};
-  updateSceneError();
+  // The contact and the curve complain about the same scene, one after the other: a message that
+  // came between them stays.
+  std::pair error(key, english);
+  const bool isKnown = sceneError_ == error;
+  sceneError_ = std::move(error);
+  if (!isKnown || isHidden() || failure_ == Failure::Scene) updateSceneError();
 }
 
 void MessageBar::updateSceneError() {
