@@ -64,8 +64,7 @@ std::string optionName(const CLI::Option& option) {
 
 InputError beforeCommand(const CLI::App& command, const std::string& word) {
   return {"", shortened(word),
-          fmt::format("stands before '{}'; what belongs to a command comes after it",
-                      command.get_name())};
+          fmt::format("must come after '{}', as all options and files do", command.get_name())};
 }
 
 InputError unexpected(const CLI::App& app) {

@@ -54,8 +54,8 @@ TEST_F(UsageTest, EveryVerbRefusesWhatItCannotTake) {
 TEST_F(UsageTest, WordsBeforeAVerbAreNotPassedOver) {
   for (const char* word : {"--threads 1", "--set load.normal_force=1", "--language de", "--timing",
                            "--quiet", "--json"})
-    expectRefused(std::string(word) + " check s.json", 2, "stands before 'check'");
-  expectRefused("s.json check s.json", 2, "SCENE: stands before 'check'");
+    expectRefused(std::string(word) + " check s.json", 2, "must come after 'check'");
+  expectRefused("s.json check s.json", 2, "SCENE: must come after 'check'");
 }
 
 TEST_F(UsageTest, AWordTooManyOrNoneIsTold) {
