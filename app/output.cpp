@@ -5,13 +5,13 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdio>
 #include <filesystem>
 #include <set>
 
 #include "app/pictures/eps_file.h"
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
+#include "core/base/json_text.h"
 #include "core/base/number_text.h"
 #include "core/base/text.h"
 #include "ui/draw/tiff_file.h"
@@ -133,6 +133,10 @@ std::string wroteLines(const std::vector<std::string>& files) {
   for (const std::string& file : files)
     if (file != "-") text += wroteLine(file);
   return text;
+}
+
+void printJson(const nlohmann::ordered_json& answer) {
+  fmt::print("{}", jsonFile(answer));
 }
 
 }  // namespace asperity

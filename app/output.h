@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <initializer_list>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -77,5 +78,8 @@ std::string wroteLine(const std::string& file);
 
 /// Returns such a line for each file, without standard output.
 std::string wroteLines(const std::vector<std::string>& files);
+
+/// Prints an answer in JSON to stdout.
+void printJson(const nlohmann::ordered_json& answer);
 
 }  // namespace asperity

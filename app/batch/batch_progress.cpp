@@ -1,11 +1,12 @@
 #include "app/batch/batch_progress.h"
-#include "core/base/json_text.h"
 
 #include <array>
 #include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <type_traits>
+
+#include "core/base/json_text.h"
 
 namespace asperity {
 namespace {

@@ -1,6 +1,4 @@
 // asperity batch: runs many scenes and sweeps; writes pictures, data and a page with all of them.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -379,7 +377,7 @@ class BatchRun {
             "\n" + readingText() +
             (missed > 0 ? filledLine(Words::tr("target accuracy missed: %1"), missed) : "") +
             wroteLine(fileIn("index.html")));
-    if (command_.common.json) fmt::print("{}", jsonFile(answer));
+    if (command_.common.json) printJson(answer);
     return bad + missed > 0 ? kRunFailed : kDone;
   }
 

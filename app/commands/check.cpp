@@ -1,13 +1,10 @@
 // asperity check: reads and validates scenes and lessons, and prints a summary of a few lines.
-#include <fmt/format.h>
-
 #include <cstdio>
 #include <vector>
 
 #include "app/command_line.h"
 #include "app/output.h"
 #include "core/base/input_error.h"
-#include "core/base/json_text.h"
 #include "core/base/text.h"
 #include "core/contact/steady_sliding.h"
 #include "core/contact/steady_solver.h"
@@ -153,8 +150,7 @@ int runCheck(const CheckCommand& command) {
       status = kBadInput;
     }
   }
-  if (common.json)
-    fmt::print("{}", jsonFile(isOneOfMany ? nlohmann::ordered_json(answers) : answers.front()));
+  if (common.json) printJson(isOneOfMany ? nlohmann::ordered_json(answers) : answers.front());
   return status;
 }
 

@@ -51,10 +51,11 @@ void checkUsage(const RenderCommand& command) {
 }
 
 Json tableAnswer(const Scene& scene, const RenderCommand& command, const Frame& frame,
-                 const DataTable& table, const ColumnChoice& columns) {
+                 const DataTable& table, const ColumnChoice& columns,
+                 const std::vector<Message>& reading) {
   const ProvenanceOptions given(optionsFor(command.common.given, ".json"));
   Json answer = provenance("render", scene);
-  addReadingFacts(answer, readingFacts(scene));
+  addReadingFacts(answer, reading);
   answer["table"] = tableName(command);
   answer["time"] = frame.time;
   answer["derived"] = derivedNumbers(frame);
@@ -85,19 +86,21 @@ int runContactTable(const RenderCommand& command) {
   });
   const DataTable table = makeTable(frame);
   const bool isCsv = fileExtension(command.output) != ".json";
-  const std::string json = isCsv && !command.common.json
-                               ? std::string()
-                               : jsonFile(tableAnswer(scene, command, frame, table, columns));
+  const std::vector<Message> reading = readingFacts(scene);
+  const std::string json =
+      isCsv && !command.common.json
+          ? std::string()
+          : jsonFile(tableAnswer(scene, command, frame, table, columns, reading));
   if (command.output != "-")
     writeFileAtomically(command.output, isCsv ? csvText(scene, command, table, columns) : json);
   else if (!command.common.json)
     fmt::print("{}", csvText(scene, command, table, columns));
   if (command.common.json) fmt::print("{}", json);
-  const std::string reading = factLines(readingFacts(scene));
+  const std::string facts = factLines(reading);
   const bool isPrinted = command.output == "-";
   printSummary(command.common,
-               isPrinted ? reading
-                         : filledLine(Words::tr("%1 rows"), table.rows.size()) + reading +
+               isPrinted ? facts
+                         : filledLine(Words::tr("%1 rows"), table.rows.size()) + facts +
                                wroteLine(command.output),
                isPrinted);
   return kDone;

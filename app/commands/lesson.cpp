@@ -26,11 +26,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Prints an answer in JSON. The name of a file may be no UTF-8, which JSON is.
-void printJson(const Json& answer) {
-  fmt::print("{}", jsonFile(answer));
-}
-
 std::string summaryText(const Lesson& lesson) {
   return printable(shown(lesson.title)) + "\n  " +
          filled(Words::tr("%1 minutes, %2 steps, %3 predictions"),

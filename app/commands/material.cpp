@@ -9,7 +9,6 @@
 #include "app/output.h"
 #include "app/result_files.h"
 #include "core/base/input_error.h"
-#include "core/base/json_text.h"
 #include "core/base/regular_file.h"
 #include "core/chart/material_sheets.h"
 #include "core/material/material_json.h"
@@ -91,7 +90,7 @@ int showInScene(const MaterialCommand& command, const PictureSettings& style) {
     if (command.common.json) {
       nlohmann::ordered_json answer = provenance("material", scene);
       answer["excitation"] = excitationJson(scene, excitation);
-      fmt::print("{}", jsonFile(answer));
+      printJson(answer);
     }
     return kDone;
   });

@@ -1,6 +1,4 @@
 // asperity render: pictures and films of the contact without a screen.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -392,7 +390,7 @@ int runRender(const RenderCommand& command) {
   Rendering rendering(command);
   rendering.run();
   printSummary(command.common, rendering.summary());
-  if (command.common.json) fmt::print("{}", jsonFile(rendering.json()));
+  if (command.common.json) printJson(rendering.json());
   rendering.requireTargets();
   return kDone;
 }

@@ -124,7 +124,7 @@ int plan(const StudyCommand& command, const ParameterStudy& study, const Shard& 
   const StudyBudget budget =
       studyBudget(study, shardSimulations(study, shard), done, command.common.threads);
   printSummary(command.common, planText(budget));
-  if (command.common.json) fmt::print("{}", jsonFile(planJson(study, budget)));
+  if (command.common.json) printJson(planJson(study, budget));
   return kDone;
 }
 
@@ -233,7 +233,7 @@ int runStudyRun(const StudyCommand& command) {
     answer["added"] = added;
     answer["has_failures"] = store.hasFailures();
     addReadingFacts(answer, reading);
-    fmt::print("{}", jsonFile(answer));
+    printJson(answer);
   }
   return kDone;
 }
@@ -249,7 +249,7 @@ int runStudyMerge(const StudyCommand& command) {
     Json& missing = answer["missing_shards"] = Json::array();
     for (const Shard& shard : merged.missingShards)
       missing.push_back(fmt::format("{}/{}", shard.number, shard.count));
-    fmt::print("{}", jsonFile(answer));
+    printJson(answer);
   }
   if (!merged.isWhole())
     throw TextError(Message::name(missingText(merged, store.study())), {command.output});
@@ -320,7 +320,7 @@ int runStudyShow(const StudyCommand& command) {
     Json& list = answer["failures"] = Json::array();
     for (const auto& [text, count] : failures)
       list.push_back({{"message", text}, {"count", count.count}, {"first", count.first}});
-    fmt::print("{}", jsonFile(answer));
+    printJson(answer);
   }
   std::string text = study.title.empty() ? "" : study.title + "\n";
   if (!store.shard().isWhole())
@@ -381,7 +381,7 @@ int runStudyAnalyse(const StudyCommand& command) {
   if (study.space.sampling() != Sampling::Saltelli)
     text += Words::tr("no Sobol indices: they need sampling saltelli") + "\n";
   printSummary(command.common, text + output.summary());
-  if (command.common.json) fmt::print("{}", jsonFile(answer));
+  if (command.common.json) printJson(answer);
   return kDone;
 }
 

@@ -148,9 +148,9 @@ std::optional<CellQuantity> readCell(std::string_view text, char decimal) {
   } else {
     std::string_view unit = rest;
     if (value->rest.starts_with('(')) {
-      const auto behindError = takeConcise(*value, decimal, cell.rest.error);
-      if (!behindError) return {};
-      unit = *behindError;
+      const auto afterError = takeConcise(*value, decimal, cell.rest.error);
+      if (!afterError) return {};
+      unit = *afterError;
     }
     if (unit.empty() ? std::isnan(cell.rest.error) : !isCellUnit(unit)) return {};
     cell.rest.unit = withoutBrackets(unit);

@@ -49,9 +49,8 @@ struct CellQuantity {
 std::optional<CellQuantity> readCell(std::string_view text, char decimal);
 
 /// Joins what blanks separate within cells: "0.31", "\u00B1", "0.02", "10", "mm/s" and "1.2", "+",
-/// "0.3i". A unit of
-/// one letter may be a label, as in "0.31 C". The fields are parts of one line, separated by
-/// blanks.
+/// "0.3i". A unit of one letter may be a label, as in "0.31 C". The fields are parts of one line,
+/// separated by blanks.
 void joinCells(std::vector<std::string_view>& fields);
 
 /// Expresses the numbers of each column, without their errors, in one unit, that of the column: a

@@ -21,8 +21,8 @@ struct DecodedText {
 
   /// Decodes UTF-8, UTF-16 (with a mark, or without one where every other byte is 0) or, where the
   /// bytes are not UTF-8, Shift-JIS where it has Japanese words of measurements, else Latin-1 in
-  /// Microsoft's variant. The bytes must outlive the object. Throws
-  /// InputError that names the file `name` where the bytes are no text.
+  /// Microsoft's variant. The bytes must outlive the object. Throws InputError that names the file
+  /// `name` where the bytes are no text.
   DecodedText(std::string_view bytes, const std::string& name);
   DecodedText(const DecodedText&) = delete;  // the text may be its own
   DecodedText& operator=(const DecodedText&) = delete;

@@ -301,7 +301,7 @@ TextColumn parseColumnName(std::string_view text) {
 
   if (auto spelled = splitSpelledUnit(text)) return std::move(*spelled);
 
-  // Behind a comma, " in " in one of several languages, a blank or "_".
+  // After a comma, " in " in one of several languages, a blank or "_".
   for (const std::string_view between :
        {", "sv, ","sv, " in "sv, " en "sv, " em "sv, " "sv, "_"sv}) {
     const std::size_t at = text.rfind(between);

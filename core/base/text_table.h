@@ -64,7 +64,7 @@ struct TextBlock {
 };
 
 struct TextTable {
-  std::string_view encoding{};  // "UTF-8", "UTF-16", "Latin-1"
+  std::string_view encoding{};  // as DecodedText names it
   TextDialect dialect{};
   std::vector<TextBlock> blocks{};   // at least one
   std::vector<TextEntry> trailer{};  // lines after the last block

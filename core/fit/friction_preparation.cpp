@@ -217,7 +217,7 @@ std::vector<StateColumns> statesOf(const TextBlock& block,
     const auto meaning = named[i] ? std::nullopt : findMeaning(block.columns[i]);
     const bool isLoad = meaning == Force || meaning == Pressure;
     const bool isSame = meaning == quantity || (isLoad && quantity != Temperature);
-    // The number of a column behind those of friction would be another one.
+    // The number of a column after those of friction would be another one.
     if (meaning == Mu || isSame || (meaning && i > *states.front().mu)) return {};
   }
   return states;

@@ -275,26 +275,22 @@ const MeasuredPair* measuredPair(const SweepColumns& columns) {
 
 void chooseForm(std::vector<DmaColumn>& found) {
   using enum MeasuredForm;
-  const auto isPair = [&found](const auto& isWanted) {
+  using Filter = bool (*)(const DmaColumn&);
+  static constexpr Filter kInOrder[] = {
+      [](const DmaColumn& column) { return column.form == Modulus; },
+      [](const DmaColumn& column) { return column.form != Compliance; },
+      [](const DmaColumn& column) {
+        return column.form == Compliance || !isModulus(column.quantity);
+      }};
+  const auto* const complete = std::ranges::find_if(kInOrder, [&found](Filter isKept) {
     SweepColumns columns;
     for (std::size_t i = 0; i < found.size(); ++i)
-      if (isWanted(found[i])) columns.indices[found[i].quantity] = i;
+      if (isKept(found[i])) columns.indices[found[i].quantity] = i;
     return columns.hasModuli();
-  };
-  const auto isModulusItself = [](const DmaColumn& column) { return column.form == Modulus; };
-  const auto isNoCompliance = [](const DmaColumn& column) { return column.form != Compliance; };
-  const auto isNoOther = [](const DmaColumn& column) {
-    return column.form == Compliance || !isModulus(column.quantity);
-  };
-  const bool isMeasuredItself = isPair(isModulusItself), isOfViscosities = isPair(isNoCompliance),
-             isOfCompliances = !isOfViscosities && isPair(isNoOther);
-  for (DmaColumn& column : found) {
-    const bool isKept = isMeasuredItself  ? isModulusItself(column)
-                        : isOfViscosities ? isNoCompliance(column)
-                        : isOfCompliances ? isNoOther(column)
-                                          : isModulusItself(column);
-    if (!isKept) column.quantity = DmaQuantity::None;
-  }
+  });
+  const Filter isKept = complete == std::end(kInOrder) ? kInOrder[0] : *complete;
+  for (DmaColumn& column : found)
+    if (!isKept(column)) column.quantity = DmaQuantity::None;
 }
 
 DynamicModulus ModulusColumns::at(double hertz, double one, double other) const {

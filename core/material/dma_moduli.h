@@ -22,8 +22,8 @@ struct MeasuredPair {
 /// table has both; null where no pair is complete.
 const MeasuredPair* measuredPair(const SweepColumns& columns);
 
-/// Makes viscosities or compliances columns of none where moduli, or else viscosities, say the
-/// same.
+/// Leaves out viscosities and compliances where moduli are complete, and compliances where
+/// viscosities are: their columns get no quantity. Where nothing is complete, moduli stay.
 void chooseForm(std::vector<DmaColumn>& found);
 
 /// The columns that are read as moduli. The sizes turn their numbers into those of shear in SI

@@ -1,7 +1,6 @@
 // Sweeps during which the temperature drifted, as in a slow ramp that repeats its frequencies: each
 // frequency has its own temperature then, and the sweep is no isotherm. Ramps without steps have no
-// sweeps at all. Pure functions; any thread;
-// equal input gives equal bits.
+// sweeps at all. Pure functions; any thread; equal input gives equal bits.
 #pragma once
 
 #include <vector>

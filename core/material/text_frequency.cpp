@@ -39,12 +39,12 @@ std::optional<TextFrequency> firstFrequency(std::string_view text) {
         digits > 0 && std::isalnum(static_cast<unsigned char>(text[digits - 1])) != 0;
     if (isOfWord || !readTextNumber(number, '.', value)) continue;
     for (const std::string_view name : kUnits) {
-      const std::size_t behind = unit + name.size();
+      const std::size_t after = unit + name.size();
       if (!text.substr(unit).starts_with(name) ||
-          (behind < text.size() && std::isalnum(static_cast<unsigned char>(text[behind])) != 0))
+          (after < text.size() && std::isalnum(static_cast<unsigned char>(text[after])) != 0))
         continue;
       if (const auto size = frequencyUnit(name, false); size && value > 0)
-        return TextFrequency{value * *size, digits, behind};
+        return TextFrequency{value * *size, digits, after};
     }
   }
   return {};
