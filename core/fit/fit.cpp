@@ -1,11 +1,11 @@
 #include "core/fit/fit.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "core/base/input_error.h"
+#include "core/base/linear_algebra.h"
 #include "core/fit/fit_errors.h"
 #include "core/fit/fit_objective.h"
 #include "core/fit/fit_profiles.h"
@@ -104,9 +104,9 @@ class Fitting {
 
   /// Finds the principal axes of the error ellipsoid.
   void setCombinations() {
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(fit_.covariance);
+    const MatrixXd axes = principalAxes(fit_.covariance).axes;
     for (Eigen::Index k = 0; k < fit_.covariance.rows(); ++k) {
-      VectorXd axis = solver.eigenvectors().col(k);
+      VectorXd axis = axes.col(k);
       Eigen::Index largest = 0;
       axis.cwiseAbs().maxCoeff(&largest);
       axis /= axis[largest];

@@ -1,10 +1,10 @@
 #include "core/fit/fit_errors.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "core/base/linear_algebra.h"
 #include "core/base/statistics.h"
 
 namespace asperity {
@@ -55,15 +55,14 @@ double factorOfFewLines(const FrictionWithDerivatives& found) {
 /// directions.
 class Information {
  public:
-  explicit Information(const MatrixXd& matrix) : directions_(matrix) {}
+  explicit Information(const MatrixXd& matrix) : directions_(principalAxes(matrix)) {}
 
   /// Returns the inverse; directions without information get a very large value instead of an
   /// infinite one.
   MatrixXd inverse() const {
     constexpr double kNothing = 1e-15;
-    const VectorXd known = directions_.eigenvalues().cwiseMax(least(kNothing));
-    return directions_.eigenvectors() * known.cwiseInverse().asDiagonal() *
-           directions_.eigenvectors().transpose();
+    const VectorXd known = directions_.values.cwiseMax(least(kNothing));
+    return directions_.axes * known.cwiseInverse().asDiagonal() * directions_.axes.transpose();
   }
 
   /// Returns the covariance of the directions without information, such as force and modulus
@@ -71,10 +70,10 @@ class Information {
   /// but the values may be anything.
   MatrixXd openCovariance() const {
     constexpr double kOpen = 1e-10;
-    const MatrixXd& axes = directions_.eigenvectors();
+    const MatrixXd& axes = directions_.axes;
     MatrixXd open = MatrixXd::Zero(axes.rows(), axes.cols());
     for (Eigen::Index k = 0; k < axes.cols(); ++k)
-      if (directions_.eigenvalues()[k] < least(kOpen))
+      if (directions_.values[k] < least(kOpen))
         open += axes.col(k) * axes.col(k).transpose() / least(kOpen);
     return open;
   }
@@ -83,11 +82,11 @@ class Information {
   /// Returns the information below which a direction counts as unknown: this share of the best
   /// known one, and never 0.
   double least(double share) const {
-    return std::max(share * directions_.eigenvalues().maxCoeff(),
+    return std::max(share * directions_.values.maxCoeff(),
                     std::numeric_limits<double>::min() * 1e10);
   }
 
-  Eigen::SelfAdjointEigenSolver<MatrixXd> directions_;
+  PrincipalAxes directions_;
 };
 
 /// Scales the errors of the points if they do not hold: if chi squared is more than three of its

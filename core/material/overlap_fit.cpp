@@ -1,8 +1,9 @@
 #include "core/material/overlap_fit.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+
+#include "core/base/linear_algebra.h"
 
 namespace asperity {
 namespace {
@@ -88,7 +89,7 @@ class WindowFit {
     double step = 0;
     for (int i = 0; i < kMostIterations; ++i) {
       assemble(shift, i > 0);
-      const auto solver = system_.colPivHouseholderQr();
+      const LeastSquares solver(system_);
       const Eigen::VectorXd solution = solver.solve(data_);
       coefficients_ = solution.head(linearUnknowns());
       if (i == 0) continue;
@@ -153,11 +154,7 @@ class WindowFit {
     FittedShifts found{{shift}, {isVertical_ ? unknowns[system_.cols() - 2] : 0}};
     if (!isVertical_) found.vertical.error = 0;
     if (left < 1) return found;
-    const Eigen::MatrixXd covariance =
-        (system_.transpose() * system_)
-            .ldlt()
-            .solve(Eigen::MatrixXd::Identity(system_.cols(), system_.cols())) *
-        (squares / left);
+    const Eigen::MatrixXd covariance = normalInverse(system_) * (squares / left);
     const auto errorOf = [&](Eigen::Index i) { return std::sqrt(std::max(0.0, covariance(i, i))); };
     found.horizontal.error = errorOf(system_.cols() - 1);
     if (isVertical_) found.vertical.error = errorOf(system_.cols() - 2);
@@ -171,8 +168,8 @@ class WindowFit {
     const auto colder = static_cast<Eigen::Index>(window_.colder.size());
     const Eigen::MatrixXd known = system_.topRows(rows);
     const Eigen::VectorXd data = data_.head(rows);
-    const auto solver = known.colPivHouseholderQr();
-    Eigen::MatrixXd basis = solver.householderQ() * Eigen::MatrixXd::Identity(rows, solver.rank());
+    const LeastSquares solver(known);
+    Eigen::MatrixXd basis = solver.basis();
     const auto rest = [&basis](const Eigen::VectorXd& column) -> Eigen::VectorXd {
       return column - basis * (basis.transpose() * column);
     };
@@ -250,18 +247,16 @@ class WindowFit {
               static_cast<double>(k) * system_(i, m * block + k - 1) / scale_;
       }
     const Eigen::MatrixXd polynomials = unknowns.leftCols(2 * block);
-    const auto solver = unknowns.colPivHouseholderQr();
+    const LeastSquares solver(unknowns);
     const Eigen::MatrixXd slopeVariation =
-        slopes.leftCols(2 * block) - unknowns * solver.solve(slopes.leftCols(2 * block));
-    const Eigen::MatrixXd covariance = (polynomials.transpose() * polynomials)
-                                           .ldlt()
-                                           .solve(Eigen::MatrixXd::Identity(2 * block, 2 * block));
+        slopes.leftCols(2 * block) - unknowns * solver.solveColumns(slopes.leftCols(2 * block));
+    const Eigen::MatrixXd covariance = normalInverse(polynomials);
     const double variance = deviation_ * deviation_;
     const double expected =
         variance * (slopeVariation * covariance * slopeVariation.transpose()).trace();
     const double square = (slopeVariation * coefficients_.head(2 * block)).squaredNorm();
     const Eigen::VectorXd shift = slopes.leftCols(2 * block) * coefficients_.head(2 * block);
-    const auto ofPolynomials = polynomials.colPivHouseholderQr();
+    const LeastSquares ofPolynomials(polynomials);
     const auto rest = [&](const Eigen::VectorXd& column) -> Eigen::VectorXd {
       return column - polynomials * ofPolynomials.solve(column);
     };
@@ -283,7 +278,7 @@ class WindowFit {
     const Eigen::Index column = from < rows_ ? 0 : block;
     const Eigen::MatrixXd own = system_.block(from, column, count, block);
     const Eigen::VectorXd data = data_.segment(from, count);
-    const auto solver = own.colPivHouseholderQr();
+    const LeastSquares solver(own);
     modulus.noiseSquares += (data - own * solver.solve(data)).squaredNorm();
     modulus.noiseFreedom += static_cast<double>(count - block);
   }

@@ -1,12 +1,12 @@
 #include "core/material/prony_fit.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <ranges>
 
 #include "core/base/input_error.h"
+#include "core/base/linear_algebra.h"
 #include "core/base/number_text.h"
 #include "core/base/stop.h"
 
@@ -31,7 +31,7 @@ Eigen::VectorXd nonNegativeLeastSquares(const Eigen::MatrixXd& a, const Eigen::V
     std::vector<Eigen::Index> columns;
     for (Eigen::Index i = 0; i < n; ++i)
       if (isFree[static_cast<std::size_t>(i)]) columns.push_back(i);
-    const Eigen::VectorXd part = a(Eigen::all, columns).colPivHouseholderQr().solve(b);
+    const Eigen::VectorXd part = LeastSquares(a(Eigen::all, columns)).solve(b);
     Eigen::VectorXd whole = Eigen::VectorXd::Zero(n);
     for (std::size_t k = 0; k < columns.size(); ++k)
       whole[columns[k]] = part[static_cast<Eigen::Index>(k)];
@@ -126,9 +126,7 @@ PronySeries fitWith(std::span<const DynamicModulus> points, int terms, double kn
   const Eigen::VectorXd lengths = system.columns.colwise().norm();
   Eigen::MatrixXd joined(system.columns.rows(), system.columns.cols() + 1);
   joined << system.columns * lengths.cwiseInverse().asDiagonal(), system.ones;
-  const Eigen::Index size = std::min(joined.rows(), joined.cols());
-  const Eigen::MatrixXd triangle = Eigen::MatrixXd(
-      joined.householderQr().matrixQR().topRows(size).triangularView<Eigen::Upper>());
+  const Eigen::MatrixXd triangle = triangularFactor(joined);
   const Eigen::VectorXd unknowns = nonNegativeLeastSquares(triangle.leftCols(system.columns.cols()),
                                                            triangle.col(system.columns.cols()))
                                        .cwiseQuotient(lengths);

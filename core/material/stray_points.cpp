@@ -1,10 +1,10 @@
 #include "core/material/stray_points.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "core/base/linear_algebra.h"
 #include "core/base/number_text.h"
 #include "core/base/statistics.h"
 
@@ -47,7 +47,7 @@ Prediction predicted(const Curve& curve, std::size_t at) {
     data[row++] = curve.y[static_cast<std::size_t>(i)];
   }
   // The polynomial has its origin at the point itself.
-  const Eigen::MatrixXd inverse = system.completeOrthogonalDecomposition().pseudoInverse();
+  const Eigen::MatrixXd inverse = pseudoInverse(system);
   const Eigen::VectorXd coefficients = inverse * data;
   const double squares = (data - system * coefficients).squaredNorm();
   return {coefficients[0], std::sqrt(squares / static_cast<double>(neighbours - unknowns)),

@@ -1,11 +1,11 @@
 #include "core/measured/processing.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
+#include "core/base/linear_algebra.h"
 #include "core/base/statistics.h"
 #include "core/measured/topography.h"
 
@@ -26,22 +26,17 @@ double scaledPosition(std::size_t i, std::size_t n) {
   return n > 1 ? 2 * static_cast<double>(i) / static_cast<double>(n - 1) - 1 : 0;
 }
 
-/// Solves normal equations by the solution of least norm: functions that the points cannot
-/// distinguish get no more than they need.
-Eigen::VectorXd solveNormal(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right) {
-  return matrix.completeOrthogonalDecomposition().solve(right);
-}
-
-/// Fits a sum of functions by least squares; points are added one by one.
+/// Fits a sum of functions by least squares; points are added one by one. Functions that the points
+/// cannot distinguish get no more than they need.
 template <int Terms>
-class LeastSquares {
+class NormalEquations {
  public:
   using Vector = Eigen::Matrix<double, Terms, 1>;
   void add(const Vector& functions, double value) {
     matrix_ += functions * functions.transpose();
     right_ += functions * value;
   }
-  Vector solve() const { return solveNormal(matrix_, right_); }
+  Vector solve() const { return leastNormSolution(matrix_, right_); }
 
  private:
   Eigen::Matrix<double, Terms, Terms> matrix_ = Eigen::Matrix<double, Terms, Terms>::Zero();
@@ -54,7 +49,7 @@ Eigen::Vector3d powers(double x, int terms) {
 
 /// Returns the coefficients of the form of a row, fitted to the heights that are not gaps.
 Eigen::Vector3d fitForm(std::span<const double> heights, int terms) {
-  LeastSquares<3> fit;
+  NormalEquations<3> fit;
   for (std::size_t i = 0; i < heights.size(); ++i)
     if (!std::isnan(heights[i]))
       fit.add(powers(scaledPosition(i, heights.size()), terms), heights[i]);
@@ -193,7 +188,7 @@ void removeForm(std::span<double> heights, std::size_t rows, std::size_t columns
     return Eigen::Matrix<double, 6, 1>{
         1, linear * x, linear * y, square * x * x, square * x * y, square * y * y};
   };
-  LeastSquares<6> fit;
+  NormalEquations<6> fit;
   for (std::size_t row = 0; row < rows; ++row)
     for (std::size_t column = 0; column < columns; ++column)
       fit.add(functions(row, column), heights[row * columns + column]);

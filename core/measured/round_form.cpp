@@ -1,10 +1,11 @@
 #include "core/measured/round_form.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <vector>
+
+#include "core/base/linear_algebra.h"
 
 namespace asperity {
 namespace {
@@ -39,7 +40,7 @@ double fitCircle(Circle& circle, const Eigen::VectorXd& x, const Eigen::VectorXd
       if (!heights) return left / std::sqrt(static_cast<double>(x.size()));
       slopes.col(k) = (*heights - now) / kStep;
     }
-    Circle step = slopes.colPivHouseholderQr().solve(z - now);
+    Circle step = LeastSquares(slopes).solve(z - now);
     const double before = left;
     for (int halving = 0; halving < kHalvings; ++halving, step /= 2)
       if (const auto heights = heightsOf(circle + step, x);
@@ -73,7 +74,7 @@ double radiusOfRoundForm(std::span<const double> heights, double spacing) {
   if (x.size() < kFewestPoints) return 0;
   Eigen::MatrixXd powers(x.size(), 3);
   powers << Eigen::VectorXd::Ones(x.size()), x, x.array().square().matrix();
-  const Eigen::Vector3d parabola = powers.colPivHouseholderQr().solve(z);
+  const Eigen::Vector3d parabola = LeastSquares(powers).solve(z);
   const double byParabola =
       (z - powers * parabola).norm() / std::sqrt(static_cast<double>(x.size()));
   constexpr double kRounding = 1e-12;  // of the heights, where a parabola leaves nothing
