@@ -4475,6 +4475,22 @@
         <translation>Ziehen oder Pfeiltasten</translation>
     </message>
     <message>
+        <source>Press harder or less</source>
+        <translation>Stärker oder schwächer drücken</translation>
+    </message>
+    <message>
+        <source>Drag the body or its arrow up or down</source>
+        <translation>Körper oder seinen Pfeil auf oder ab ziehen</translation>
+    </message>
+    <message>
+        <source>Slide faster or slower</source>
+        <translation>Schneller oder langsamer gleiten</translation>
+    </message>
+    <message>
+        <source>Drag the arrow of the velocity</source>
+        <translation>Pfeil der Geschwindigkeit ziehen</translation>
+    </message>
+    <message>
         <source>Move the crosshair</source>
         <translation>Fadenkreuz bewegen</translation>
     </message>
@@ -4764,8 +4780,8 @@
         <translation>Die Linie hat zu viele Elemente, um sich so schnell wie gewünscht zu bewegen. Die Zahl ist das Tempo, das das Bild hat.</translation>
     </message>
     <message>
-        <source>“%1” is beyond what the picture can show, %2 to %3; it is %4 now</source>
-        <translation>„%1“ kann das Bild nicht zeigen, nur %2 bis %3; jetzt ist es %4</translation>
+        <source>“%1” is beyond what the picture can show, %2 to %3; %4 is chosen</source>
+        <translation>„%1“ kann das Bild nicht zeigen, nur %2 bis %3; gewählt ist %4</translation>
     </message>
     <message>
         <source>“%1” is no pace; type 600, 600× slower or 20× faster</source>

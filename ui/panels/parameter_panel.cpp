@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QEvent>
 #include <QFileDialog>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -545,6 +546,12 @@ void ParameterPanel::updateWidth() {
 void ParameterPanel::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   chosenWidth_ = width() > minimumWidth() ? width() : std::min(chosenWidth_, width());
+}
+
+/// Escape that nothing in the panel needs clears the filter, as the panel says.
+void ParameterPanel::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape && bar_ && !bar_->words().isEmpty()) return clearFilter();
+  QWidget::keyPressEvent(event);
 }
 
 bool ParameterPanel::eventFilter(QObject* watched, QEvent* event) {

@@ -157,6 +157,12 @@ TEST_F(PanelViewTest, EscapeLeavesTheFilterWithAndWithoutWords) {
   EXPECT_EQ(left.count(), 2);
 }
 
+TEST_F(PanelViewTest, EscapeInARowClearsTheFilter) {
+  filterBy("force");
+  QTest::keyClick(&slider("load.normal_force"), Qt::Key_Escape);
+  EXPECT_TRUE(filter().text().isEmpty());
+}
+
 /// A search belongs to the scene in which it was typed; a change of this scene leaves it.
 TEST_F(PanelViewTest, AFilterStaysUntilItIsCleared) {
   filterBy("seed");

@@ -359,6 +359,16 @@ TEST_F(MainWindowTest, AMotionThatIsNotSteadyIsShownInTime) {
         waitFor([&] { return frame()->sceneNumber == session().sceneNumber() && samples() > 3; }));
     return strips.sheet().status.text;
   };
+  // A click leads to its moment, also to one that was not reached yet.
+  session().reset();
+  ASSERT_TRUE(waitFor([&] { return frame()->time < 0.4 * moving.sliding.duration; }));
+  const DiagramAxis& y = strips.sheet().diagrams[0].y;
+  const double late = 0.9 * moving.sliding.duration;
+  QTest::mouseClick(&strips, Qt::LeftButton, {},
+                    strips.mapToPosition(late, 0.5 * (y.from + y.to)).toPoint());
+  EXPECT_TRUE(
+      waitFor([&] { return std::abs(frame()->time - late) < 0.02 * moving.sliding.duration; }));
+  EXPECT_FALSE(session().isPlaying());
   EXPECT_TRUE(noteOf(SlidingKind::Start).starts_with("predicted rate"));
   EXPECT_EQ(noteOf(SlidingKind::Oscillation), "");
   window_.document().open(smallScene());

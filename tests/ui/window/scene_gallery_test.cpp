@@ -234,6 +234,21 @@ TEST_F(GalleryTest, BeginsAtThePresentScene) {
   EXPECT_EQ(cards().chosen(), "velocity_step");
 }
 
+/// The list has another width when it was filled than when it is seen.
+TEST_F(GalleryTest, ShowsTheWholeCardOfThePresentScene) {
+  for (const QSize size : {QSize(1024, 700), QSize(1280, 800)}) {
+    window_.resize(size);
+    for (const LibraryScene& entry : libraryScenes()) {
+      if (window_.figures().isShowingScenes()) key(Qt::Key_Escape);
+      action("scene:" + entry.name).trigger();
+      action("gallery").trigger();
+      QCoreApplication::processEvents();
+      EXPECT_TRUE(cards().viewport()->rect().contains(cards().visualRect(cards().currentIndex())))
+          << entry.name.toStdString() << ", width " << size.width();
+    }
+  }
+}
+
 /// Pages follow each other without leaving the parts around them hidden.
 TEST_F(GalleryTest, FiguresAndGalleryTakeTurns) {
   window_.figures().openFigures();

@@ -138,7 +138,7 @@ TEST_F(TimeBarTest, ARefusedPaceIsSaid) {
   type("5");  // a period would take less time than can be seen
   ASSERT_EQ(said.count(), 3);
   EXPECT_DOUBLE_EQ(bar_.slowMotion(), 100);
-  EXPECT_TRUE(said[2][0].toString().contains("it is 100× slower now"))
+  EXPECT_TRUE(said[2][0].toString().contains("100× slower is chosen"))
       << said[2][0].toString().toStdString();
   bar_.show();
   bar_.activateWindow();

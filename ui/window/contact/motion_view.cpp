@@ -4,6 +4,7 @@
 #include <QHBoxLayout>
 #include <QMouseEvent>
 #include <QToolTip>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -106,19 +107,24 @@ void MotionView::setTheme(const Theme& theme) {
   for (DiagramView* files : {stripFiles_, loopFiles_}) files->setTheme(theme);
 }
 
+std::optional<double> MotionView::momentAt(QPointF position) const {
+  if (strips_->sheet().diagrams.empty()) return {};
+  const DiagramAxis& y = strips_->sheet().diagrams.front().y;
+  const double height = 0.5 * (y.from + y.to);
+  const double left = strips_->mapToPosition(0, height).x(),
+               right = strips_->mapToPosition(duration_, height).x();
+  if (!(left < right) || position.x() < left - 1 || position.x() > right + 1) return {};
+  return std::clamp((position.x() - left) / (right - left), 0.0, 1.0) * duration_;
+}
+
 const TransientSample* MotionView::sampleAt(const ChartView& chart, QPointF position) const {
   if (!samples_ || samples_->empty() || chart.sheet().diagrams.empty()) return nullptr;
   const bool isLoop = &chart == loop_;
+  // A sample is found over the strips only, not over their titles.
+  const std::optional<double> moment = isLoop ? std::nullopt : momentAt(position);
+  if (!isLoop && !moment) return nullptr;
   double nearest = isLoop ? kReach : std::numeric_limits<double>::infinity();
   const TransientSample* found = nullptr;
-  const DiagramAxis& y = chart.sheet().diagrams.front().y;
-  const double height = 0.5 * (y.from + y.to);
-  if (!isLoop) {
-    // A sample is found over the strips only, not over their titles.
-    const double left = chart.mapToPosition(0, height).x(),
-                 right = chart.mapToPosition(duration_, height).x();
-    if (position.x() < left - 1 || position.x() > right + 1) return nullptr;
-  }
   for (const TransientSample& sample : *samples_) {
     double away = 0;
     if (isLoop) {
@@ -128,7 +134,7 @@ const TransientSample* MotionView::sampleAt(const ChartView& chart, QPointF posi
           position;
       away = std::hypot(at.x(), at.y());
     } else {
-      away = std::abs(chart.mapToPosition(sample.time, height).x() - position.x());
+      away = std::abs(sample.time - *moment);
     }
     if (!(away < nearest)) continue;
     nearest = away;
@@ -163,8 +169,8 @@ bool MotionView::eventFilter(QObject* watched, QEvent* event) {
     const auto* mouse = static_cast<QMouseEvent*>(event);
     const bool isClick = (mouse->position() - *pressed_).manhattanLength() < 4;
     pressed_.reset();
-    if (const TransientSample* sample = sampleAt(*chart, mouse->position()); isClick && sample)
-      emit seekRequested(sample->time);
+    if (const auto moment = momentAt(mouse->position()); isClick && moment)
+      emit seekRequested(*moment);
   }
   return QWidget::eventFilter(watched, event);
 }

@@ -39,7 +39,7 @@ class MotionView : public QWidget {
   DiagramView& loopFiles() { return *loopFiles_; }
 
  signals:
-  /// Emitted when a moment of the strips is clicked, s.
+  /// Emitted when a moment of the strips is clicked, s; it may be one that was not reached yet.
   void seekRequested(double time);
 
  protected:
@@ -50,6 +50,8 @@ class MotionView : public QWidget {
   void addMenu(ChartView& chart, DiagramView& files);
   void showTexts();
   QString reading(const TransientSample& sample) const;
+  /// Returns the time at a position of the strips, s; nothing beside their frames.
+  std::optional<double> momentAt(QPointF position) const;
 
   ChartView *strips_, *loop_;
   DiagramView *stripFiles_, *loopFiles_;  // never shown: they write what the charts show

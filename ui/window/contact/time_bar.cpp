@@ -308,7 +308,7 @@ void TimeBar::readFactor() {
   if (isNumber && isKnown && std::isfinite(factor) && factor > 0) {
     setSlowMotion(factor);
     if (paceText(factor) != paceText(slowMotion()))
-      say(tr("“%1” is beyond what the picture can show, %2 to %3; it is %4 now")
+      say(tr("“%1” is beyond what the picture can show, %2 to %3; %4 is chosen")
               .arg(text.left(kLongestQuote), paceText(kFastest / simulatedTime()),
                    paceText(kSlowest / simulatedTime()), paceText(slowMotion())));
   } else {

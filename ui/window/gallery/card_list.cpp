@@ -228,6 +228,11 @@ void CardList::resizeEvent(QResizeEvent* event) {
   layOut();
 }
 
+void CardList::doItemsLayout() {
+  QListWidget::doItemsLayout();
+  if (currentItem()) scrollToItem(currentItem());
+}
+
 void CardList::changeEvent(QEvent* event) {
   QListWidget::changeEvent(event);
   if (event->type() == QEvent::FontChange) layOut();

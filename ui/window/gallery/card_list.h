@@ -31,6 +31,9 @@ class CardList : public QListWidget {
   /// Paints the card again, because its picture has changed.
   void showPicture(const QString& name);
 
+  /// Keeps the chosen card in view where a new width moves the cards.
+  void doItemsLayout() override;
+
  signals:
   /// Emitted by Enter or a click.
   void cardActivated(const QString& name);
