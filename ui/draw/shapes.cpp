@@ -137,7 +137,10 @@ void flatten(const DrawList& list, Geometry& geometry) {
 
 namespace {
 
-float loweredSize(float size) {
+/// Returns the size of a piece. A lowered piece is smaller; the sign of infinity, which is low
+/// anyway, would be unreadable then.
+float sizeOf(const TextRun& run, float size) {
+  if (!run.lowered || run.utf8 == "\u221E") return size;
   return std::max(6.0F, std::round(size * 0.72F));
 }
 
@@ -147,7 +150,7 @@ float italicOverhang(const TextRun& run, float size) {
 }
 
 float runWidth(const TextRun& run, float size) {
-  const float text = textWidth(run.utf8, run.lowered ? loweredSize(size) : size, run.bold);
+  const float text = textWidth(run.utf8, sizeOf(run, size), run.bold);
   return text + 2 * italicOverhang(run, size);
 }
 
@@ -276,7 +279,7 @@ float addText(DrawList& list, const TextRuns& runs, DrawPoint baseline, float si
     text.utf8 = run.utf8;
     text.x = baseline.x + italicOverhang(run, size);
     text.y = run.lowered ? baseline.y + std::round(size * 0.22F) : baseline.y;
-    text.size = run.lowered ? loweredSize(size) : size;
+    text.size = sizeOf(run, size);
     text.bold = run.bold;
     text.colour = colour;
     baseline.x += runWidth(run, size);
