@@ -157,6 +157,18 @@ TEST(DmaForms, TheChosenUnitOfModuliIsThatOfViscositiesAndCompliances) {
   }
 }
 
+/// As Mettler names moduli of every kind.
+TEST(DmaForms, MIsAModulusOfAKindStatedElsewhere) {
+  for (const std::string table :
+       {"M' (MPa),M'' (MPa)\n1,20,3,4\n10,20,6,8\n", "|M*| (MPa),M'' (MPa)\n1,20,5,4\n10,20,10,8\n",
+        "Storage modulus M' (MPa),Loss modulus M'' (MPa)\n1,20,3,4\n10,20,6,8\n"}) {
+    expectRow(read("Device: MCR 302e\nf (Hz),T (C)," + table).rows[0], 293.15, 1, 3e6, 4e6);
+    EXPECT_THAT(errorOf("f (Hz),T (C)," + table), HasSubstr("--modulus shear or"));
+  }
+  EXPECT_THAT(errorOf("f (Hz),T (C),G' M (MPa),G'' (MPa)\n1,20,3,4\n10,20,6,8\n"),
+              HasSubstr("G' M: 'm' is not understood beside the name of a modulus"));
+}
+
 TEST(DmaForms, ReducedFrequenciesHaveManySymbols) {
   for (const char* name : {"f_red (Hz)", "aT f (Hz)", "aT\u00D7f (Hz)", "freq_red (Hz)",
                            "fr\u00E9quence r\u00E9duite (Hz)"}) {
