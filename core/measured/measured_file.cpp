@@ -191,7 +191,7 @@ void requireSound(const SurfaceSource& source, const Topography& grid, ReadingFa
   if (grid.columns < kFewest)
     source.fail(message("has {} points along x; at least {} are needed", grid.columns, kFewest));
   const auto isLength = [](double length) { return std::isfinite(length) && length > 0; };
-  if (!isLength(grid.columnSpacing) || (grid.rows > 1 && !isLength(grid.rowSpacing)))
+  if (!isLength(grid.columnSpacing) || (grid.rowSpacing != 0 && !isLength(grid.rowSpacing)))
     source.fail("its points are no length above 0 apart");
   facts.points = grid.columns * grid.rows;
   facts.gaps = std::ranges::count_if(grid.height, [](double height) { return std::isnan(height); });

@@ -317,7 +317,7 @@ bool addProfiles(std::span<const TextBlock> tables, const TextTable& table,
   }
   grid.height = std::move(heights);
   grid.rows = static_cast<std::int64_t>(tables.size());
-  grid.rowSpacing = grid.columnSpacing;
+  grid.rowSpacing = 0;
   draft.facts.format = "matrix";
   return true;
 }
@@ -330,7 +330,7 @@ void noteBlankLines(std::span<const TextBlock> parts, bool areRows, Form form,
   if (areRows)
     notes.push_back(
         message("Blank lines separate {} profiles, which are the rows of the surface: surface.row "
-                "chooses one. How far they are apart is not known.",
+                "chooses one.",
                 parts.size()));
   else if (parts.size() > 1)
     notes.push_back(

@@ -84,6 +84,9 @@ TEST(BlankLines, SeparateProfilesThatAreRows) {
       for (int column = 0; column < kColumns; ++column)
         EXPECT_NEAR(grid.at(row, column), height(row, column), 1e-12);
     EXPECT_NEAR(grid.columnSpacing, 2e-6, 1e-15);
+    EXPECT_EQ(grid.rowSpacing, 0);
+    EXPECT_TRUE(
+        says(file, "points. Points are 2 \u00B5m apart; how far the rows are apart is not known."));
     EXPECT_TRUE(says(file, "Blank lines separate 4 profiles, which are the rows of the surface"));
   }
   // Profiles at other positions are no rows.

@@ -56,6 +56,23 @@ TEST(AxesOfAHeader, HaveTheirOwnLengths) {
   }
 }
 
+/// A length of x alone says nothing about the rows; one without an axis is taken for both, and that
+/// is said.
+TEST(AxesOfAHeader, MayBeOneOfBothOrNone) {
+  const std::string said = "rows are taken to be as far apart as points";
+  const auto rowSpacing = [&](const std::string& line, bool isSaid) {
+    const MeasuredFile file = read(line + "\nZ unit: um\n" + field());
+    EXPECT_NEAR(file.topography.columnSpacing, 2e-6, 1e-15) << line;
+    EXPECT_EQ(says(file, said), isSaid) << line;
+    return file.topography.rowSpacing;
+  };
+  for (const char* line : {"dx: 2 um", "X spacing: 2 um", "Width: 24 um"})
+    EXPECT_EQ(rowSpacing(line, false), 0) << line;
+  EXPECT_NEAR(rowSpacing("Spacing: 2 um", true), 2e-6, 1e-15);
+  EXPECT_NEAR(rowSpacing("XY calibration: 2 um", false), 2e-6, 1e-15);
+  EXPECT_FALSE(says(read("Spacing: 2 um\nZ unit: um\n1 2 3 2 1 4 3 2 1\n"), said));
+}
+
 TEST(AxesOfAHeader, FollowWidthAndLength) {
   expectSpacings("Width: 24 um\nLength: 27 um\nZ unit: um\n", 2e-6, 3e-6);
   expectSpacings("L\u00E4nge: 24 um\nBreite: 27 um\nZ unit: um\n", 2e-6, 3e-6);
