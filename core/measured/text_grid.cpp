@@ -123,6 +123,7 @@ void takeSpacings(const TextTable& table, const TextBlock& block, const SurfaceS
   if (countedX && countedY) {
     x = {countedX, {}};
     y = {countedY, {}};
+    if (countedX->note) draft.facts.notes.push_back(*countedX->note);
   }
   if (!x.step && !x.extent) y.extent.reset();  // a height alone may be any
   const bool isChosen = source.choices.spacing > 0;

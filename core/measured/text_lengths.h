@@ -20,6 +20,7 @@ struct HeaderLength {
   double value = 0;
   std::optional<StatedUnit> unit{};
   bool hasAxis = false;           // its name is that of a length along one axis
+  std::optional<Message> note{};  // what it follows from, where this is not evident
 };
 /// The ways to name an axis, {}.
 inline constexpr WordList kAxisForms(

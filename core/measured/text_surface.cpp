@@ -172,7 +172,7 @@ SurfaceDraft readTextProfile(const TextTable& table, const TextBlock& block,
   SurfaceDraft draft;
   auto spacing = headerLength(table, block, LengthKind::Step, 'x', source);
   if (!spacing) spacing = countedStep(table, block, static_cast<std::int64_t>(block.rows), 'x');
-  const bool isSampled = !spacing && (spacing = sampledStep(table, block));
+  if (!spacing) spacing = sampledStep(table, block);
   const bool isGiven = source.choices.spacing > 0 && source.choices.positionUnit == "auto";
   const bool isInPixelsAlone = roles.x >= 0 &&
                                isInPixels(block.columns[static_cast<std::size_t>(roles.x)]) &&
@@ -221,9 +221,7 @@ SurfaceDraft readTextProfile(const TextTable& table, const TextBlock& block,
   } else {
     grid.height = std::move(heights);
     grid.columns = static_cast<std::int64_t>(grid.height.size());
-    if (isSampled)
-      draft.facts.notes.emplace_back(
-          "The points are as far apart as the speed and the sampling rate of the header say.");
+    if (spacing && spacing->note) draft.facts.notes.push_back(*spacing->note);
     draft.hasPositions = spacing.has_value();
     grid.columnSpacing = spacing ? spacing->value : 1;
     // The entry "Unit" may be the unit of the heights, which tells nothing about a step.

@@ -3979,6 +3979,10 @@
         <translation>Die Punkte sind so weit voneinander entfernt, wie Geschwindigkeit und Abtastrate im Kopf es sagen.</translation>
     </message>
     <message>
+        <source>The points are as far apart as their first and last position in the header say.</source>
+        <translation>Die Punkte sind so weit voneinander entfernt, wie ihre erste und letzte Position im Kopf es sagen.</translation>
+    </message>
+    <message>
         <source>The header states one length without an axis: rows are taken to be as far apart as points.</source>
         <translation>Der Kopf nennt eine Länge ohne Achse: der Abstand der Zeilen wird gleich dem der Punkte angenommen.</translation>
     </message>

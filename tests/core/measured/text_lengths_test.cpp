@@ -127,8 +127,23 @@ TEST(PointDistances, FollowFromOtherStatements) {
     EXPECT_NEAR(read(line + "\n" + list()).topography.columnSpacing, 5e-7, 1e-12) << line;
   EXPECT_TRUE(says(read("Scan speed: 0.5 mm/s\nSampling rate: 1000 Hz\n" + list()),
                    "The points are as far apart as the speed and the sampling rate"));
+  // The length between the ends may stand in two lines.
+  for (const std::string lines :
+       {"Start X = 0 um\nEnd X = 199.5 um", "Start X (mm): 0.1\nStop X (mm): 0.2995",
+        "X first: 10 um\nX last: 209.5 um", "X0 = 0\nX1 = 199.5\nUnit: um",
+        "Start X: 0\nEnd X: 199.5 um", "x_min = -10 um\nx_max = 189.5 um",
+        "Xstart: 0 um\nXend: 199.5 um\nPoints: 400"}) {
+    const MeasuredFile file = read(lines + "\n" + list());
+    EXPECT_NEAR(file.topography.columnSpacing, 5e-7, 1e-12) << lines;
+    EXPECT_TRUE(says(file, "apart as their first and last position in the header say.")) << lines;
+  }
+  expectSpacings("Start X: 0 um\nEnd X: 22 um\nStart Y: 0 um\nEnd Y: 24 um\nZ unit: um\n", 2e-6,
+                 3e-6);
   for (const std::string line :
-       {"Total length: 199.5 um, 800 points", "y from 0 to 199.5 um", "z from 0 to 5 um",
+       {"Start X = 0 um\nEnd X = 199.5 s", "Start X = 0 um", "Start X = 5 um\nEnd X = 0 um",
+        "Start = 0 um\nEnd = 199.5 um", "Start X = 0 mm\nEnd X = 199.5 um",
+        "Start Z = 0 um\nEnd Z = 199.5 um", "Start X = 0 um\nEnd X = 199.5 um\nPoints: 800",
+        "Total length: 199.5 um, 800 points", "y from 0 to 199.5 um", "z from 0 to 5 um",
         "x from 0 to 199.5 s", "x from 5 to 0 um", "Scan speed: 0.5 mm/s",
         "Scan speed: 0.5 mm/s\nScan rate: 1 Hz", "Max. 0 to 3 um"})
     EXPECT_THAT(errorOf(line + "\n" + list()), HasSubstr("does not say how far")) << line;
