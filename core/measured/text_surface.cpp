@@ -320,15 +320,15 @@ bool addProfiles(std::span<const TextBlock> tables, const TextTable& table,
   return true;
 }
 
-/// Adds what there is to say about blank lines between rows. parts: the table that was read and
-/// those that followed it behind blank lines.
-void noteBlankLines(std::span<const TextBlock> parts, bool areRows, Form form,
-                    std::vector<Message>& notes) {
+/// Adds what there is to say about parts of the file. parts: the table that was read and those that
+/// followed it, behind blank lines if they are no rows.
+void noteParts(std::span<const TextBlock> parts, bool areRows, Form form,
+               std::vector<Message>& notes) {
   const TextBlock& read = parts.front();
   if (areRows)
     notes.push_back(
-        message("Blank lines separate {} profiles, which are the rows of the surface: surface.row "
-                "chooses one.",
+        message("The file has {} profiles, which are the rows of the surface: surface.row chooses "
+                "one.",
                 parts.size()));
   else if (parts.size() > 1)
     notes.push_back(
@@ -369,18 +369,20 @@ SurfaceDraft readTextSurface(const SurfaceSource& source) {
   // The second table of SPIP says where heights are missing.
   const bool hasVoids = !table.entry("voidpixels", table.blocks[chosen.index]).empty();
   if (!isEsri && !hasVoids && form != Form::Points) {
-    parts = splitAtBlankLines(table, chosen.index);
+    parts = splitIntoParts(table, chosen.index);
     if (parts > 1) form = detectForm(table, table.blocks[chosen.index], source);
   }
   const TextBlock& block = table.blocks[chosen.index];
+  const std::size_t headed =
+      parts == 1 && form == Form::Profile ? countHeadedProfiles(table, chosen.index) : 1;
   SurfaceDraft draft = form == Form::Profile  ? readTextProfile(table, block, source)
                        : form == Form::Matrix ? readTextMatrix(table, block, source)
                                               : readTextPoints(table, block, source);
-  const std::span<const TextBlock> tables(&block, parts);
+  const std::span<const TextBlock> tables(&block, std::max(parts, headed));
   const bool areRows =
-      parts > 1 && form == Form::Profile && addProfiles(tables, table, source, draft);
-  noteBlankLines(tables, areRows, form, draft.facts.notes);
-  if (chosen.note) draft.facts.notes.push_back(*chosen.note);
+      tables.size() > 1 && form == Form::Profile && addProfiles(tables, table, source, draft);
+  noteParts(areRows ? tables : tables.first(parts), areRows, form, draft.facts.notes);
+  if (chosen.note && !(areRows && headed > 1)) draft.facts.notes.push_back(*chosen.note);
   noteStatements(table, block, source, lineOfCount, draft);
   return draft;
 }

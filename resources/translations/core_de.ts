@@ -3967,8 +3967,8 @@
         <translation>Leerzeilen trennen %1 Tabellen; gelesen wird die erste, bis Zeile %2.</translation>
     </message>
     <message>
-        <source>Blank lines separate %1 profiles, which are the rows of the surface: surface.row chooses one.</source>
-        <translation>Leerzeilen trennen %1 Profile, welche die Zeilen der Oberfläche sind: surface.row wählt eines.</translation>
+        <source>The file has %1 profiles, which are the rows of the surface: surface.row chooses one.</source>
+        <translation>Die Datei hat %1 Profile, welche die Zeilen der Oberfläche sind: surface.row wählt eines.</translation>
     </message>
     <message>
         <source>Blank lines stand between the rows, the first one above line %1: all rows are taken for one table.</source>
