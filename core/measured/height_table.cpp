@@ -11,6 +11,7 @@
 #include "core/base/text_header.h"
 #include "core/base/text_number.h"
 #include "core/base/text_units.h"
+#include "core/measured/text_steps.h"
 
 namespace asperity {
 namespace {
@@ -189,7 +190,7 @@ HeightTable chooseHeightTable(const TextTable& table) {
                         blocks.size(), line)};
 }
 
-std::size_t splitIntoParts(TextTable& table, std::size_t index) {
+std::size_t splitIntoParts(TextTable& table, std::size_t index, const SurfaceSource& source) {
   constexpr std::size_t kFewestRows = 3;
   const TextBlock& whole = table.blocks[index];
   std::vector<std::size_t> begins{0};  // of the parts, and the end of the last one
@@ -205,11 +206,15 @@ std::size_t splitIntoParts(TextTable& table, std::size_t index) {
     if (begins[i + 1] - begins[i] < kFewestRows) return 1;
   }
   if (!areTables(whole, begins, areEqual)) return 1;
+  const auto stated = statedCount(table, whole, Counted::Rows);
+  if (source.choices.format == "matrix" || stated == static_cast<std::int64_t>(whole.rows))
+    return 1;
   std::vector<TextBlock> split;
   for (std::size_t i = 0; i < parts; ++i) {
     TextBlock& part = split.emplace_back();
     part.columns = whole.columns;
     part.rows = begins[i + 1] - begins[i];
+    if (i > 0 && !whole.blanks.empty()) part.blanks = {{0, whole.blanks[i - 1].second}};
     const auto first = static_cast<std::ptrdiff_t>(begins[i]),
                last = static_cast<std::ptrdiff_t>(begins[i + 1]),
                width = static_cast<std::ptrdiff_t>(whole.columns.size());

@@ -320,6 +320,22 @@ bool addProfiles(std::span<const TextBlock> tables, const TextTable& table,
   return true;
 }
 
+/// Throws InputError where blank lines separate parts of a matrix, or several matrices, and nothing
+/// says which: neither a comment between them, nor a first column that begins anew, nor the header.
+void requireOneMatrix(std::span<const TextBlock> parts, const TextTable& table,
+                      const SurfaceSource& source) {
+  const TextBlock &first = parts.front(), &second = parts[1];
+  const bool isCommented = second.blanks.front().second == 0;
+  if (isCommented || hasPositionsOf(second, first, 0) ||
+      statedCount(table, first, Counted::Rows) == static_cast<std::int64_t>(first.rows))
+    return;
+  throw InputError(source.name, "surface.format",
+                   message("is needed: blank lines separate {} parts of {} rows; say matrix where "
+                           "they are one, and leave only one of them in the file where they are "
+                           "several",
+                           parts.size(), first.rows));
+}
+
 /// Adds what there is to say about parts of the file. parts: the table that was read and those that
 /// followed it, behind blank lines if they are no rows.
 void noteParts(std::span<const TextBlock> parts, bool areRows, Form form,
@@ -369,7 +385,7 @@ SurfaceDraft readTextSurface(const SurfaceSource& source) {
   // The second table of SPIP says where heights are missing.
   const bool hasVoids = !table.entry("voidpixels", table.blocks[chosen.index]).empty();
   if (!isEsri && !hasVoids && form != Form::Points) {
-    parts = splitIntoParts(table, chosen.index);
+    parts = splitIntoParts(table, chosen.index, source);
     if (parts > 1) form = detectForm(table, table.blocks[chosen.index], source);
   }
   const TextBlock& block = table.blocks[chosen.index];
@@ -379,6 +395,7 @@ SurfaceDraft readTextSurface(const SurfaceSource& source) {
                        : form == Form::Matrix ? readTextMatrix(table, block, source)
                                               : readTextPoints(table, block, source);
   const std::span<const TextBlock> tables(&block, std::max(parts, headed));
+  if (parts > 1 && form == Form::Matrix) requireOneMatrix(tables, table, source);
   const bool areRows =
       tables.size() > 1 && form == Form::Profile && addProfiles(tables, table, source, draft);
   noteParts(areRows ? tables : tables.first(parts), areRows, form, draft.facts.notes);

@@ -3975,6 +3975,10 @@
         <translation>Zwischen den Zeilen stehen Leerzeilen, die erste über Zeile %1: Alle Zeilen gelten als eine Tabelle.</translation>
     </message>
     <message>
+        <source>is needed: blank lines separate %1 parts of %2 rows; say matrix where they are one, and leave only one of them in the file where they are several</source>
+        <translation>wird gebraucht: Leerzeilen trennen %1 Teile mit je %2 Zeilen; matrix angeben, wenn sie eine sind, und nur einen davon in der Datei lassen, wenn sie mehrere sind</translation>
+    </message>
+    <message>
         <source>The points are as far apart as the speed and the sampling rate of the header say.</source>
         <translation>Die Punkte sind so weit voneinander entfernt, wie Geschwindigkeit und Abtastrate im Kopf es sagen.</translation>
     </message>

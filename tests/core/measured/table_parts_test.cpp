@@ -53,11 +53,23 @@ TEST(BlankLines, SeparateMatrices) {
   const std::string head = "X spacing: 2 um\nY spacing: 5 um\nZ unit: um\n";
   for (const std::string between : {"\n", "\n\n", "\n# intensity\n"})
     for (const double added : {0.0, 1000.0}) {
+      if (added > 0 && between.find('#') == between.npos) continue;  // below
       const MeasuredFile file = read(head + matrix() + between + matrix(added));
       expectKnown(file, "matrix", false, 1e-11);
       EXPECT_TRUE(
           says(file, "Blank lines separate 2 tables; the first one, up to line 7, is read."));
     }
+  // Without a comment, both may be one, unless the header or the user says so.
+  const std::string both = matrix() + "\n" + matrix(1000);
+  EXPECT_THAT(errorOf(head + both),
+              HasSubstr("surface.format: is needed: blank lines separate 2 parts of 4 rows"));
+  ReadingChoices one;
+  one.format = "matrix";
+  for (const MeasuredFile& file : {read(head + both, one), read(head + "Rows: 8\n" + both)}) {
+    EXPECT_EQ(file.topography.rows, 2 * kRows);
+    EXPECT_TRUE(says(file, "all rows are taken for one table."));
+  }
+  EXPECT_EQ(read(head + "Rows: 4\n" + both).topography.rows, kRows);
   // Blank lines between all rows, or between parts of other sizes, mean nothing.
   std::string spaced = matrix();
   for (std::size_t at = spaced.find('\n'); at != std::string::npos; at = spaced.find('\n', at + 2))
