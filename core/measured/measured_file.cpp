@@ -169,7 +169,8 @@ void applyUnits(const SurfaceSource& source, SurfaceDraft& draft) {
   const double spacing = source.choices.spacing;
   const bool isStated = draft.hasPositions && spacing > 0;
   if (!draft.hasPositions && spacing > 0) {
-    grid.columnSpacing = grid.rowSpacing = spacing;
+    grid.columnSpacing = spacing;
+    if (grid.rowSpacing != 0) grid.rowSpacing = spacing;  // known to be that of the points
     facts.positionUnit = {"m", 1, UnitSource::Choice};
     draft.hasPositions = draft.isSpacingChosen = true;
   }

@@ -157,6 +157,14 @@ TEST(Profiles, ThatFollowEachOtherAreRows) {
     EXPECT_TRUE(says(file, "The file has 3 profiles, which are the rows of the surface")) << text;
     EXPECT_FALSE(says(file, "tables of numbers"));
   }
+  // The user's spacing is that of the points.
+  ReadingChoices spacing;
+  spacing.spacing = 2e-6;
+  const Topography spaced =
+      read("z (um)\nProfile 1\n" + list(0) + "Profile 2\n" + list(1), spacing).topography;
+  EXPECT_EQ(spaced.rows, 2);
+  EXPECT_EQ(spaced.columnSpacing, 2e-6);
+  EXPECT_EQ(spaced.rowSpacing, 0);
   // Positions that go back, or begin elsewhere, are an error as before.
   EXPECT_THAT(errorOf(names + profile(0) + profile(1, 3)), HasSubstr("goes back"));
   EXPECT_THAT(errorOf(names + profile(0) + "0 1\n2 1\n"), HasSubstr("goes back"));
