@@ -362,7 +362,9 @@ void CommandTable::addMaterial() {
   add("--strain", "Strain amplitude to read, such as 1%, of a file with several");
   add("--frequency-unit", "Hz or rad/s, instead of the file's");
   add("--temperature-unit", "C, K or F, instead of the file's");
-  add("--modulus-unit", "Pa, kPa, MPa or GPa, instead of the file's");
+  add("--modulus-unit",
+      "Pa, kPa, MPa or GPa, instead of the file's; viscosities are in it times s, compliances in "
+      "1/it");
   add("--name", "Name of the material (default: that of the file)");
   add("--source", "Where the numbers come from, kept in material.json");
   addPictureOptions(*command, material.picture, "1200x800", "print", FigurePart::Chart);

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <type_traits>
 
+#include "core/base/file_digest.h"
 #include "core/base/json_text.h"
 
 namespace asperity {
@@ -20,15 +21,7 @@ constexpr const char* kName = ".asperity_batch_progress";
 static_assert(std::is_trivially_copyable_v<CurvePoint>);
 
 std::string toHex(const CurvePoint& point) {
-  constexpr const char* kDigits = "0123456789abcdef";
-  std::array<unsigned char, sizeof(CurvePoint)> bytes{};
-  std::memcpy(bytes.data(), &point, bytes.size());
-  std::string text;
-  for (const unsigned char byte : bytes) {
-    text += kDigits[byte >> 4];
-    text += kDigits[byte & 15];
-  }
-  return text;
+  return hexadecimal({reinterpret_cast<const std::uint8_t*>(&point), sizeof(CurvePoint)});
 }
 
 /// Throws std::runtime_error where the text is not that of a point.

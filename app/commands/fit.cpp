@@ -13,7 +13,6 @@
 #include "core/scene/data_table.h"
 #include "core/scene/provenance.h"
 #include "core/scene/sweep.h"
-#include "core/surface/measured_summary.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 
@@ -61,7 +60,7 @@ int runFit(const FitCommand& command) {
     for (const NamedSheet& sheet : report.sheets) output.addSheet(sheet.name, sheet.sheet);
     output.write(command.common.given, [&] { return fitProvenance(fitted.start, fitted.fit); });
     printSummary(command.common,
-                 summaryText(fitted.fit) + factLines(readingFacts(scene)) + output.summary());
+                 summaryText(fitted.fit) + factLines(report.reading) + output.summary());
     if (command.common.json) fmt::print("{}", report.texts.front().second);
     return kDone;
   });

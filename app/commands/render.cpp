@@ -85,6 +85,7 @@ class Rendering {
                       command_.view.finest());
       checkView(command_.view, overlay_, frames_->length());
       if (showsCurve()) computeCurves();
+      reading_ = readingFacts(scene_);
     });
     composer_.emplace(settings_, content());
     composer_->fitHeight(scene_);
@@ -107,7 +108,7 @@ class Rendering {
   std::string summary() const {
     std::string text = "mu = " + answerNumber(lineFriction(last_), 6);
     if (std::isfinite(last_.muError)) text += " \u00B1 " + answerNumber(last_.muError, 2);
-    text += "\n" + factLines(readingFacts(scene_));
+    text += "\n" + factLines(reading_);
     if (kind_ == Kind::Picture) return text + wroteLine(command_.output);
     text += framesText() + "\n";
     if (const std::int64_t kept = count() - drawn_; kept > 0)
@@ -125,7 +126,7 @@ class Rendering {
 
   Json json() const {
     Json answer = origin();
-    addReadingFacts(answer, readingFacts(scene_));
+    addReadingFacts(answer, reading_);
     const double mu = lineFriction(last_);
     answer["mu"] = numberOrNull(mu);
     if (std::isfinite(last_.muError)) answer["mu_discretization_error"] = last_.muError;
@@ -374,7 +375,8 @@ class Rendering {
   ComputedCurves curves_;
   std::optional<FrameSource> frames_;
   std::optional<PictureComposer> composer_;
-  Frame last_;  // only the composing thread uses it while it runs
+  std::vector<Message> reading_;  // how the file of the surface was read
+  Frame last_;                    // only the composing thread uses it while it runs
   std::vector<std::string> files_;
   std::int64_t drawn_ = 0, removed_ = 0;
   StageSeconds seconds_;

@@ -114,6 +114,16 @@ std::int64_t shardSimulations(const ParameterStudy& study, const Shard& shard) {
   return shard.has(last) ? (own - 1) * study.chunk + study.sizeOfChunk(last) : own * study.chunk;
 }
 
+/// Returns how the surface of the base scene is read; nothing where only a simulation's own values
+/// make it readable.
+std::vector<Message> readingFactsOfBase(const ParameterStudy& study) {
+  try {
+    return readingFacts(study.base);
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
 int plan(const StudyCommand& command, const ParameterStudy& study, const Shard& shard) {
   std::int64_t done = 0;
   std::error_code ignored;
@@ -123,8 +133,13 @@ int plan(const StudyCommand& command, const ParameterStudy& study, const Shard& 
   }
   const StudyBudget budget =
       studyBudget(study, shardSimulations(study, shard), done, command.common.threads);
-  printSummary(command.common, planText(budget));
-  if (command.common.json) printJson(planJson(study, budget));
+  const std::vector<Message> reading = readingFactsOfBase(study);
+  printSummary(command.common, planText(budget) + factLines(reading));
+  if (command.common.json) {
+    Json answer = planJson(study, budget);
+    addReadingFacts(answer, reading);
+    printJson(answer);
+  }
   return kDone;
 }
 
@@ -133,16 +148,6 @@ int plan(const StudyCommand& command, const ParameterStudy& study, const Shard& 
 void checkReadable(const StudyStore& store) {
   store.check();
   store.eachChunk([](const StudyChunk&) { return true; });
-}
-
-/// Returns how the surface of the base scene is read; nothing where only a simulation's own values
-/// make it readable.
-std::vector<Message> readingFactsOfBase(const ParameterStudy& study) {
-  try {
-    return readingFacts(study.base);
-  } catch (const InputError&) {
-    return {};
-  }
 }
 
 std::string stateText(const StudyStore& store, std::int64_t added, std::int64_t total) {

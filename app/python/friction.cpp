@@ -23,6 +23,7 @@
 #include "core/scene/provenance.h"
 #include "core/scene/range.h"
 #include "core/scene/scene_check.h"
+#include "core/surface/measured_summary.h"
 
 namespace asperity {
 namespace {
@@ -211,7 +212,7 @@ struct FitOfScene {
     Json options = fitOptions(varied, hasProfiles);
     options["file"] = "fit";
     const ProvenanceOptions given(hasFiles ? std::move(options) : Json());
-    return fitAnswer(scene, fit, varied);
+    return fitAnswer(scene, readingFacts(scene), fit, varied);
   }
 };
 

@@ -4,10 +4,8 @@
 #include <nettle/sha2.h>
 
 #include <array>
-#include <cstdint>
 #include <map>
 #include <mutex>
-#include <span>
 
 #include "core/base/regular_file.h"
 
@@ -18,16 +16,6 @@ namespace fs = std::filesystem;
 
 const std::uint8_t* asBytes(std::string_view text) {
   return reinterpret_cast<const std::uint8_t*>(text.data());
-}
-
-std::string hexadecimal(std::span<const std::uint8_t> bytes) {
-  constexpr char kDigits[] = "0123456789abcdef";
-  std::string text;
-  for (const std::uint8_t byte : bytes) {
-    text += kDigits[byte >> 4];
-    text += kDigits[byte & 15];
-  }
-  return text;
 }
 
 class Sha256 {
@@ -51,6 +39,16 @@ struct Known {
 };
 
 }  // namespace
+
+std::string hexadecimal(std::span<const std::uint8_t> bytes) {
+  constexpr char kDigits[] = "0123456789abcdef";
+  std::string text;
+  for (const std::uint8_t byte : bytes) {
+    text += kDigits[byte >> 4];
+    text += kDigits[byte & 15];
+  }
+  return text;
+}
 
 std::string sha256(std::string_view bytes) {
   Sha256 sha;

@@ -84,6 +84,15 @@ std::vector<std::string> wordsIn(std::string_view text) {
   return words;
 }
 
+bool isNextProfile(std::string_view heading, std::string_view next) {
+  constexpr WordList kProfiles("profile profil profilo perfil trace track spur");
+  if (heading == next) return false;
+  std::string one(heading), other(next);
+  std::erase_if(one, isDigit);
+  std::erase_if(other, isDigit);
+  return one == other && hasOneOf(wordsIn(one), kProfiles);
+}
+
 std::string plainWord(std::string_view text) {
   const std::vector<std::string> words = wordsIn(text);
   return std::accumulate(words.begin(), words.end(), std::string());

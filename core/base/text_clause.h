@@ -45,6 +45,10 @@ std::optional<TextStatement> parseStatement(std::string_view clause);
 /// Returns the words of a text in lower case; "T_ref" is one of them.
 std::vector<std::string> wordsIn(std::string_view text);
 
+/// Returns whether a heading is that of the next of several profiles: "Profile 2" after "Profile
+/// 1".
+bool isNextProfile(std::string_view heading, std::string_view next);
+
 /// Returns the letters and digits of a text in lower case, as one word.
 std::string plainWord(std::string_view text);
 

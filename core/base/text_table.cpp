@@ -9,6 +9,7 @@
 
 #include "core/base/input_error.h"
 #include "core/base/text.h"
+#include "core/base/text_clause.h"
 #include "core/base/text_encoding.h"
 #include "core/base/text_header.h"
 #include "core/base/text_number.h"
@@ -99,8 +100,14 @@ class TableReader {
   bool goesOn() const {
     return std::ranges::all_of(above_, [this](const TextLine& line) {
       return (isComment(line.text) || isRemark(line)) &&
-             parseEntry(line, table_.dialect).key.empty();
+             parseEntry(line, table_.dialect).key.empty() && !isNextHeading(line);
     });
+  }
+
+  /// Returns whether a line is the heading of the next profile, as one stands above the open block.
+  bool isNextHeading(const TextLine& line) const {
+    return !block().header.empty() &&
+           isNextProfile(block().header.back().written, parseEntry(line, table_.dialect).written);
   }
 
   /// Returns whether a line begins with a mark of comments that are known as such only between
@@ -283,7 +290,7 @@ class TableReader {
     const std::vector<TextColumn>& columns = block().columns;
     const bool isEntry = keyEnd(line.text) != std::string_view::npos;
     const bool isRow = std::ranges::any_of(fields_, beginsAsNumber);
-    if (!isRow || isEntry || !above_.empty()) return;
+    if (!isRow || isEntry || !above_.empty() || isNextHeading(line)) return;
     const bool isWide = fields_.size() != columns.size();
     const bool goOnBroken = isDirect_ && isLikeNumber(fields_.front()) &&
                             (!isWide || block().rows >= kManyRows) &&

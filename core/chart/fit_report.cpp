@@ -314,9 +314,10 @@ Json fitOptions(const std::vector<std::string>& varied, bool hasProfiles) {
   return options;
 }
 
-std::string fitAnswer(const Scene& start, const Fit& fit, const std::vector<std::string>& varied) {
+std::string fitAnswer(const Scene& start, const std::vector<Message>& reading, const Fit& fit,
+                      const std::vector<std::string>& varied) {
   Json answer = fitProvenance(start, fit);
-  addReadingFacts(answer, readingFacts(start));
+  addReadingFacts(answer, reading);
   answer["vary"] = varied;
   answer["fit"] = fitJson(fit);
   return jsonFile(answer);
@@ -327,8 +328,9 @@ FitReport fitReport(const FittedCurve& fitted, const std::string& folder) {
   std::vector<FrictionData> data;
   for (const MeasuredCurve& measured : fitted.set.measured) data.push_back(measured.data);
   FitReport report;
+  report.reading = readingFacts(fitted.start);
   report.texts = {
-      {"fit.json", fitAnswer(fitted.start, fit, fitted.varied)},
+      {"fit.json", fitAnswer(fitted.start, report.reading, fit, fitted.varied)},
       {"fitted.scene.json", writeScene(seenFrom(folder, fit.scene))},
       {"fit.csv", provenanceComment(fitProvenance(fitted.start, fit)) + fitCsv(fit, data)}};
   report.sheets.push_back({"curve", fitSheet(fit, fitted.set)});

@@ -44,8 +44,10 @@ nlohmann::ordered_json fitProvenance(const Scene& start, const Fit& fit);
 /// varied: as a user wrote them.
 nlohmann::ordered_json fitOptions(const std::vector<std::string>& varied, bool hasProfiles);
 
-/// Returns the text of fit.json. varied: as a user wrote them.
-std::string fitAnswer(const Scene& start, const Fit& fit, const std::vector<std::string>& varied);
+/// Returns the text of fit.json. reading: how the file of the surface was read (readingFacts).
+/// varied: as a user wrote them.
+std::string fitAnswer(const Scene& start, const std::vector<Message>& reading, const Fit& fit,
+                      const std::vector<std::string>& varied);
 
 /// A fit with everything in its report.
 struct FittedCurve {
@@ -65,7 +67,8 @@ FittedCurve fitWithCurve(const Scene& scene, const std::vector<FrictionData>& da
 /// The files of a report in one folder.
 struct FitReport {
   std::vector<std::pair<std::string, std::string>> texts;  // names and bytes, the summary first
-  std::vector<NamedSheet> sheets;                          // each is a picture of several formats
+  std::vector<Message> reading;    // how the file of the surface was read (readingFacts)
+  std::vector<NamedSheet> sheets;  // each is a picture of several formats
 };
 
 /// Makes the report. folder: of its files, from which the fitted scene names its own.

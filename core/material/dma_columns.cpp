@@ -120,14 +120,14 @@ DmaQuantity dmaQuantity(std::string_view word) {
       isOneOf(word, "loss g2 e2 gpp epp lossg losse gimag eimag"))
     return Loss;
   if (containsOneOf(word,
-                    "g' e' storage speicher gprime eprime elasticmod moduledeconservation "
+                    "g' e' m' storage speicher gprime eprime elasticmod moduledeconservation "
                     "moduloconservativo modulodealmacenamiento "
                     "\u8CAF\u8535\u5F3E\u6027\u7387") ||
       isOneOf(word, "g1 e1 gp ep greal ereal"))
     return Storage;
   if (containsOneOf(word, "phase phasen lossangle verlustwinkel") || word == "delta") return Phase;
   if (containsOneOf(word, "g* e* complexmod komplexermod dynamicmod absmod") ||
-      isOneOf(word, "gabs eabs |g| |e| gstar estar gmag emag"))
+      isOneOf(word, "m* |m*| |m| gabs eabs |g| |e| gstar estar gmag emag"))
     return Magnitude;
   if (containsOneOf(word, "strain gamma dehnung deformation")) return Strain;
   return None;
@@ -220,8 +220,11 @@ std::size_t unitPart(std::string_view name) {
 /// Returns the words of a modulus' name that are not understood.
 std::string unknownWords(std::string_view name) {
   std::string unknown;
+  // M is a modulus of which the name does not say whether it is of shear or of tension.
+  const bool mayBeM = modulusKind(compactName(name)) == ModulusKind::Unknown;
   for (const std::string& word : wordsOf(name.substr(0, unitPart(name)))) {
-    if (isOneOf(word,
+    if ((mayBeM && word == "m") ||
+        isOneOf(word,
                 "g e d t s p pp g1 g2 e1 e2 gp gpp ep epp gabs eabs gmag emag tand gprime eprime "
                 "dprime gstar estar greal ereal gimag eimag gstorage estorage gloss eloss lossg "
                 "losse log lg ln log10 de di j") ||

@@ -52,21 +52,6 @@ DmaColumnFact columnFact(const DmaBlock& in, std::size_t column, const std::stri
 // Numbers in this range are temperatures of a test in kelvins.
 constexpr double kLowestKelvins = 200, kHighestKelvins = 500;
 
-/// Reads a column of viscosities or compliances, for which --modulus-unit says nothing.
-SizedColumn otherForm(const DmaBlock& in, std::size_t column, MeasuredForm form) {
-  const bool isViscosity = form == MeasuredForm::Viscosity;
-  SizedColumn found{columnFact(in, column, {})};
-  std::string& unit = found.fact.unit;
-  if (unit.empty()) unit = isViscosity ? "Pa s" : "1/Pa";
-  const auto size = isViscosity ? viscosityUnit(unit) : complianceUnit(unit);
-  if (!size)
-    throw InputError(in.fileName, found.fact.name,
-                     message("has the unit {}, which is not one of {}", shortened(unit),
-                             isViscosity ? unitNames("Pa s") : "1/Pa, 1/kPa, 1/MPa, mm\u00B2/N"));
-  found.size = *size;
-  return found;
-}
-
 std::optional<double> tangentSize(const std::string& unit) {
   if (unit.empty() || unit == "1" || unit == "-") return 1;
   return unitSize(unit == "percent" ? "%" : unit, "");
@@ -88,11 +73,23 @@ SizedColumn frequencyColumn(const DmaBlock& in, std::size_t column) {
 SizedColumn modulusColumn(const DmaBlock& in, std::size_t column) {
   const TextColumn& written = in.block.columns[column];
   const MeasuredForm form = dmaColumn(written.name, written.unit).form;
-  if (form != MeasuredForm::Modulus) return otherForm(in, column, form);
-  SizedColumn found{columnFact(in, column, in.choices.modulusUnit)};
-  if (found.fact.unit.empty()) found.fact.unit = "Pa";
-  const auto size = unitSize(found.fact.unit, "Pa");
-  if (!size) refuseUnit(in, found.fact, unitNames("Pa"), "--modulus-unit");
+  const bool isViscosity = form == MeasuredForm::Viscosity,
+             isCompliance = form == MeasuredForm::Compliance;
+  const auto ofForm = [&](const std::string& modulus) {
+    return isViscosity ? modulus + " s" : isCompliance ? "1/" + modulus : modulus;
+  };
+  const std::string& chosen = in.choices.modulusUnit;
+  SizedColumn found{columnFact(in, column, chosen.empty() ? chosen : ofForm(chosen))};
+  std::string& unit = found.fact.unit;
+  if (unit.empty()) unit = ofForm("Pa");
+  const auto size = isCompliance ? complianceUnit(unit)
+                    : isViscosity && chosen.empty()
+                        ? viscosityUnit(unit)
+                        : unitSize(chosen.empty() ? unit : chosen, "Pa");
+  if (!size)
+    refuseUnit(in, found.fact,
+               isCompliance ? "1/Pa, 1/kPa, 1/MPa, mm\u00B2/N" : unitNames(ofForm("Pa")),
+               "--modulus-unit");
   found.size = *size;
   return found;
 }

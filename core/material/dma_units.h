@@ -31,7 +31,8 @@ struct SizedColumn {
 /// Frequencies are in Hz where neither file nor user states a unit, or in rad/s by their name.
 SizedColumn frequencyColumn(const DmaBlock& in, std::size_t column);
 
-/// Moduli without a unit are in Pa, viscosities in Pa s, and compliances in 1/Pa.
+/// Moduli without a unit are in Pa, viscosities in Pa s, and compliances in 1/Pa; with a chosen
+/// unit of moduli, viscosities are in it times s, and compliances in one over it.
 SizedColumn modulusColumn(const DmaBlock& in, std::size_t column);
 
 /// A loss factor has no unit, or %; the fact has its name alone.

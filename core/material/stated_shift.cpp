@@ -23,28 +23,20 @@ namespace {
 /// The columns of a table of shift factors.
 struct ShiftColumns {
   std::size_t temperature = 0, factor = 0;
-  bool isLogarithm = true;  // otherwise the factor itself
-  double decades = 1;       // of log10 aT for 1 in the column: 0.434 of "ln aT", -1 of "-log aT"
+  ShiftNotation notation{};
 };
 
 std::optional<ShiftColumns> shiftColumns(const TextBlock& block) {
   std::optional<std::size_t> temperature, factor;
   ShiftColumns found;
   for (std::size_t i = 0; i < block.columns.size(); ++i) {
-    const std::string word = plainWord(block.columns[i].name);
     const DmaQuantity quantity = dmaColumn(block.columns[i].name, block.columns[i].unit).quantity;
     if (quantity == DmaQuantity::Frequency || quantity == DmaQuantity::Storage) return {};
     if (quantity == DmaQuantity::Temperature && !temperature) temperature = i;
-    const bool isTen = isOneOf(word,
-                               "logat log10at lgat logshiftfactor log10shift logshift "
-                               "log10shiftfactor logat10");
-    const bool isNatural = isOneOf(word, "lnat lnshiftfactor");
-    if (factor || !(isTen || isNatural || isOneOf(word, "at shiftfactor shiftfactors"))) continue;
+    const auto notation = shiftNotation(block.columns[i].name);
+    if (factor || !notation) continue;
     factor = i;
-    found.isLogarithm = isTen || isNatural;
-    if (isNatural) found.decades = std::numbers::log10e;
-    if (beginsWithOneOf(trimmedBlanks(block.columns[i].name), "- \u2212 \u2013"))
-      found.decades *= -1;
+    found.notation = *notation;
   }
   if (!temperature || !factor) return {};
   found.temperature = *temperature;
@@ -66,9 +58,8 @@ std::vector<ShiftPoint> shiftRows(const TextBlock& block, const ShiftColumns& co
   if (!scale) return {};
   std::vector<ShiftPoint> rows;
   for (std::size_t row = 0; row < block.rows; ++row) {
-    if (!columns.isLogarithm && !(factors[row] > 0)) return {};
-    const double decades =
-        columns.decades * (columns.isLogarithm ? factors[row] : std::log10(factors[row]));
+    if (!columns.notation.isLogarithm && !(factors[row] > 0)) return {};
+    const double decades = columns.notation.log10Shift(factors[row]);
     const double kelvin = scale->toSi(temperatures[row]);
     if (!(kelvin >= kColdestTest && std::abs(decades) <= kMostDecades)) return {};
     rows.push_back({kelvin, decades});
@@ -236,6 +227,24 @@ void readArrhenius(double energy, double temperature, const std::string& name,
 }
 
 }  // namespace
+
+double ShiftNotation::log10Shift(double number) const {
+  return decades * (isLogarithm ? number : std::log10(number));
+}
+
+std::optional<ShiftNotation> shiftNotation(std::string_view column) {
+  const std::string word = plainWord(column);
+  const bool isTen = isOneOf(word,
+                             "logat log10at lgat logshiftfactor log10shift logshift "
+                             "log10shiftfactor logat10");
+  const bool isNatural = isOneOf(word, "lnat lnshiftfactor");
+  if (!isTen && !isNatural &&
+      !isOneOf(word, "at shiftfactor shiftfactors shiftfactorat horizontalshiftfactor"))
+    return {};
+  ShiftNotation notation{isTen || isNatural, isNatural ? std::numbers::log10e : 1};
+  if (beginsWithOneOf(trimmedBlanks(column), "- \u2212 \u2013")) notation.decades *= -1;
+  return notation;
+}
 
 bool isShiftTable(const TextBlock& block) {
   return shiftColumns(block).has_value();

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/message.h"
@@ -65,6 +66,18 @@ struct StatedShift {
 /// Throws InputError for constants that no scene accepts.
 StatedShift statedShift(const TextTable& table, double temperature, const std::string& name,
                         const std::string& unit);
+
+/// How the numbers of a column state shift factors.
+struct ShiftNotation {
+  bool isLogarithm = true;  // otherwise the factor itself
+  double decades = 1;       // of log10 aT for 1 in the column: 0.434 of "ln aT", -1 of "-log aT"
+
+  double log10Shift(double number) const;
+};
+
+/// Returns the notation of a column with this name: "log aT", "-lg a_T", "ln(aT)", "shift factor";
+/// nothing where it has no shift factors.
+std::optional<ShiftNotation> shiftNotation(std::string_view column);
 
 /// Returns whether a text states a shift that statedShift would read.
 bool statesShift(const TextTable& table);

@@ -7,8 +7,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "core/measured/surface_draft.h"
@@ -16,6 +18,22 @@
 namespace asperity {
 
 static_assert(std::endian::native == std::endian::little, "binary files are read as they are");
+
+/// Returns the number with which the bytes begin. A NaN is quiet, because arithmetic on one that
+/// signals is an invalid operation.
+template <class Number>
+Number storedNumber(std::string_view bytes) {
+  Number number{};
+  std::memcpy(&number, bytes.data(), sizeof(Number));
+  if constexpr (std::is_floating_point_v<Number>) {
+    using Bits = std::conditional_t<sizeof(Number) == 4, std::uint32_t, std::uint64_t>;
+    constexpr Number kQuiet = std::numeric_limits<Number>::quiet_NaN();
+    constexpr auto kInfinity = std::bit_cast<Bits>(std::numeric_limits<Number>::infinity());
+    // Compares bits, and not numbers, beside the sign.
+    if (std::bit_cast<Bits>(number) << 1 > kInfinity << 1) return kQuiet;
+  }
+  return number;
+}
 
 /// Reads one number after another. Throws InputError where the file ends too early.
 class ByteReader {
@@ -39,9 +57,7 @@ class ByteReader {
 
   template <class Number>
   Number read() {
-    Number number{};
-    std::memcpy(&number, take(sizeof(Number)).data(), sizeof(Number));
-    return number;
+    return storedNumber<Number>(take(sizeof(Number)));
   }
 
  private:
@@ -61,10 +77,8 @@ void appendHeights(const SurfaceSource& source, std::string_view bytes, double s
   heights.resize(before + count);
   for (std::size_t i = 0; i < count; ++i) {
     source.reportPoint(i, count);
-    Number number{};
-    std::memcpy(&number, bytes.data() + i * sizeof(Number), sizeof(Number));
-    bool isNone = isGap(number);
-    if constexpr (std::is_floating_point_v<Number>) isNone = isNone || !std::isfinite(number);
+    const auto number = storedNumber<Number>(bytes.substr(i * sizeof(Number)));
+    const bool isNone = !std::isfinite(static_cast<double>(number)) || isGap(number);
     const double height = isNone ? std::nan("") : static_cast<double>(number) * scale;
     heights[before + i] = std::isfinite(height) ? height : std::nan("");
   }

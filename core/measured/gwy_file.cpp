@@ -110,13 +110,6 @@ const Component* find(const std::vector<Component>& components, std::string_view
   return found == components.end() ? nullptr : &*found;
 }
 
-template <class Number>
-Number readStored(const Component& component) {
-  Number number{};
-  std::memcpy(&number, component.value.data(), sizeof number);
-  return number;
-}
-
 struct Field {
   std::int64_t columns = 0, rows = 0;
   double width = 1, height = 1;
@@ -144,12 +137,12 @@ Field readDataField(const SurfaceSource& source, const Component& channel) {
     return *found;
   };
   Field field;
-  field.columns = readStored<std::int32_t>(need("xres", 'i'));
-  field.rows = readStored<std::int32_t>(need("yres", 'i'));
+  field.columns = storedNumber<std::int32_t>(need("xres", 'i').value);
+  field.rows = storedNumber<std::int32_t>(need("yres", 'i').value);
   if (const Component* size = find(components, "xreal", 'd'))
-    field.width = readStored<double>(*size);
+    field.width = storedNumber<double>(size->value);
   if (const Component* size = find(components, "yreal", 'd'))
-    field.height = readStored<double>(*size);
+    field.height = storedNumber<double>(size->value);
   field.positionUnit = readUnit(source, components, "si_unit_xy");
   field.heightUnit = readUnit(source, components, "si_unit_z");
   field.data = need("data", 'D').value;
@@ -236,8 +229,7 @@ SurfaceDraft readFile(const SurfaceSource& source, bool masksAreGaps) {
   const Field masked = readDataField(source, *mask);
   if (masked.columns != field.columns || masked.rows != field.rows) return draft;
   for (std::size_t i = 0; i < points; ++i) {
-    double value = 0;
-    std::memcpy(&value, masked.data.data() + i * sizeof value, sizeof value);
+    const auto value = storedNumber<double>(masked.data.substr(i * sizeof(double)));
     if (!std::isnan(value) && value > 0.5) grid.height[i] = kMissingHeight;
   }
   return draft;

@@ -11,6 +11,7 @@
 #include "core/base/text_header.h"
 #include "core/base/text_number.h"
 #include "core/base/text_units.h"
+#include "core/measured/text_steps.h"
 
 namespace asperity {
 namespace {
@@ -122,6 +123,21 @@ Course courseOf(const TextBlock& block, std::size_t column,
   return Course::Other;
 }
 
+/// Returns after how many rows the positions of a profile in two columns begin anew and are the
+/// same again, up to the last row; 0: they do not.
+std::size_t rowsOfProfile(const TextBlock& block) {
+  if (block.columns.size() != 2) return 0;
+  for (const std::size_t column : {0, 1}) {
+    std::size_t rows = 1;
+    while (rows < block.rows && block.at(rows, column) != block.at(0, column)) ++rows;
+    bool isAgain = rows < block.rows && block.rows % rows == 0;
+    for (std::size_t row = rows; isAgain && row < block.rows; ++row)
+      isAgain = block.at(row, column) == block.at(row - rows, column);
+    if (isAgain) return rows;
+  }
+  return 0;
+}
+
 /// Returns whether blank lines separate tables, and no parts of one: those of profiles, whose
 /// positions begin anew, or of equally many rows.
 bool areTables(const TextBlock& block, const std::vector<std::size_t>& begins, bool areEqual) {
@@ -174,12 +190,14 @@ HeightTable chooseHeightTable(const TextTable& table) {
                         blocks.size(), line)};
 }
 
-std::size_t splitAtBlankLines(TextTable& table, std::size_t index) {
+std::size_t splitIntoParts(TextTable& table, std::size_t index, const SurfaceSource& source) {
   constexpr std::size_t kFewestRows = 3;
   const TextBlock& whole = table.blocks[index];
-  if (whole.blanks.empty() || whole.columns.size() < 2) return 1;
   std::vector<std::size_t> begins{0};  // of the parts, and the end of the last one
   for (const auto& [row, count] : whole.blanks) begins.push_back(row);
+  if (const std::size_t rows = whole.blanks.empty() ? rowsOfProfile(whole) : 0; rows > 0)
+    for (std::size_t row = rows; row < whole.rows; row += rows) begins.push_back(row);
+  if (begins.size() == 1 || whole.columns.size() < 2) return 1;
   begins.push_back(whole.rows);
   const std::size_t parts = begins.size() - 1, rows = begins[1];
   bool areEqual = true;
@@ -188,11 +206,15 @@ std::size_t splitAtBlankLines(TextTable& table, std::size_t index) {
     if (begins[i + 1] - begins[i] < kFewestRows) return 1;
   }
   if (!areTables(whole, begins, areEqual)) return 1;
+  const auto stated = statedCount(table, whole, Counted::Rows);
+  if (source.choices.format == "matrix" || stated == static_cast<std::int64_t>(whole.rows))
+    return 1;
   std::vector<TextBlock> split;
   for (std::size_t i = 0; i < parts; ++i) {
     TextBlock& part = split.emplace_back();
     part.columns = whole.columns;
     part.rows = begins[i + 1] - begins[i];
+    if (i > 0 && !whole.blanks.empty()) part.blanks = {{0, whole.blanks[i - 1].second}};
     const auto first = static_cast<std::ptrdiff_t>(begins[i]),
                last = static_cast<std::ptrdiff_t>(begins[i + 1]),
                width = static_cast<std::ptrdiff_t>(whole.columns.size());
@@ -206,6 +228,26 @@ std::size_t splitAtBlankLines(TextTable& table, std::size_t index) {
   table.blocks.insert(place, std::make_move_iterator(split.begin()),
                       std::make_move_iterator(split.end()));
   return parts;
+}
+
+std::size_t countHeadedProfiles(const TextTable& table, std::size_t index) {
+  const auto& blocks = table.blocks;
+  const std::vector<TextEntry>& first = blocks[index].header;
+  const auto isNext = [&first](const std::vector<TextEntry>& header) {
+    if (header.empty() || header.size() > first.size()) return false;
+    auto above = first.end() - std::ssize(header);
+    bool isHeaded = false;
+    for (const TextEntry& entry : header) {
+      const bool isHeading = isNextProfile(above->written, entry.written);
+      if (!isHeading && entry.written != above->written) return false;
+      isHeaded = isHeaded || isHeading;
+      ++above;
+    }
+    return isHeaded;
+  };
+  std::size_t end = index + 1;
+  while (end < blocks.size() && isNext(blocks[end].header)) ++end;
+  return end - index;
 }
 
 void requireHeightName(const TextBlock& block, int column, const SurfaceSource& source,

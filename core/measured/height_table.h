@@ -22,9 +22,15 @@ struct HeightTable {
 HeightTable chooseHeightTable(const TextTable& table);
 
 /// Replaces a table by several where blank lines separate it into parts of equally many rows, or
-/// into profiles, and returns their number; 1: there are no such parts. The lines of points of one
-/// grid stay together.
-std::size_t splitAtBlankLines(TextTable& table, std::size_t index);
+/// into profiles, or where the positions of a profile begin anew, and returns their number; 1:
+/// there are no such parts. The lines of points of one grid stay together,
+/// and so do the rows of a matrix where the header states their number, or the user that they are
+/// one.
+std::size_t splitIntoParts(TextTable& table, std::size_t index, const SurfaceSource& source);
+
+/// Returns the number of tables from this one on whose headings are those of profiles: "Profile 1",
+/// "Profile 2" (isNextProfile).
+std::size_t countHeadedProfiles(const TextTable& table, std::size_t index);
 
 /// Throws InputError where the heights have the name of another quantity, such as "Intensity",
 /// without a unit of length; adds a note where the user states the unit. column: of the heights;

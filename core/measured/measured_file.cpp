@@ -169,7 +169,8 @@ void applyUnits(const SurfaceSource& source, SurfaceDraft& draft) {
   const double spacing = source.choices.spacing;
   const bool isStated = draft.hasPositions && spacing > 0;
   if (!draft.hasPositions && spacing > 0) {
-    grid.columnSpacing = grid.rowSpacing = spacing;
+    grid.columnSpacing = spacing;
+    if (grid.rowSpacing != 0) grid.rowSpacing = spacing;  // known to be that of the points
     facts.positionUnit = {"m", 1, UnitSource::Choice};
     draft.hasPositions = draft.isSpacingChosen = true;
   }
@@ -191,7 +192,7 @@ void requireSound(const SurfaceSource& source, const Topography& grid, ReadingFa
   if (grid.columns < kFewest)
     source.fail(message("has {} points along x; at least {} are needed", grid.columns, kFewest));
   const auto isLength = [](double length) { return std::isfinite(length) && length > 0; };
-  if (!isLength(grid.columnSpacing) || (grid.rows > 1 && !isLength(grid.rowSpacing)))
+  if (!isLength(grid.columnSpacing) || (grid.rowSpacing != 0 && !isLength(grid.rowSpacing)))
     source.fail("its points are no length above 0 apart");
   facts.points = grid.columns * grid.rows;
   facts.gaps = std::ranges::count_if(grid.height, [](double height) { return std::isnan(height); });

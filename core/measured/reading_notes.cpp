@@ -120,6 +120,11 @@ void addReadingNotes(SurfaceDraft& draft) {
   if (grid.isProfile())
     notes.push_back(
         message("Read as {}: {} points, {} apart.", formText(facts), grid.columns, spacing));
+  else if (grid.rowSpacing == 0)
+    notes.push_back(message(
+        "Read as {}: {} x {} points. Points are {} apart; how far the rows are apart is not "
+        "known.",
+        formText(facts), grid.columns, grid.rows, spacing));
   else
     notes.push_back(message("Read as {}: {} x {} points, {} and {} apart.", formText(facts),
                             grid.columns, grid.rows, spacing,

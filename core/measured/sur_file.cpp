@@ -137,10 +137,6 @@ SurfaceDraft makeDraft(const SurfaceSource& source, Header& header) {
   if (header.rows > 1)
     grid.rowSpacing = std::abs(header.axes[1].spacing) * (rowUnit ? rowUnit->metres : 1) /
                       (draft.positionUnit ? draft.positionUnit->metres : 1);
-  // The profiles of a series follow each other by number, not along y.
-  const bool isSeries = header.type == 4 || header.type == 7;
-  if (isSeries && (!std::isfinite(grid.rowSpacing) || !(grid.rowSpacing > 0)))
-    grid.rowSpacing = grid.columnSpacing;
   if (header.objects > 1)
     draft.facts.notes.push_back(
         message("The first of {} objects in the file is read.", header.objects));

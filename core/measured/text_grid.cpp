@@ -123,6 +123,7 @@ void takeSpacings(const TextTable& table, const TextBlock& block, const SurfaceS
   if (countedX && countedY) {
     x = {countedX, {}};
     y = {countedY, {}};
+    if (countedX->note) draft.facts.notes.push_back(*countedX->note);
   }
   if (!x.step && !x.extent) y.extent.reset();  // a height alone may be any
   const bool isChosen = source.choices.spacing > 0;
@@ -141,7 +142,14 @@ void takeSpacings(const TextTable& table, const TextBlock& block, const SurfaceS
   };
   const bool hasX = set(x, grid.columns, grid.columnSpacing);
   const bool hasY = set(y, grid.rows, grid.rowSpacing);
-  if (hasX && !hasY) grid.rowSpacing = grid.columnSpacing;
+  if (hasX && !hasY) {
+    const bool isOfX = (x.step ? x.step : x.extent)->hasAxis;
+    grid.rowSpacing = isOfX ? 0 : grid.columnSpacing;
+    if (!isOfX && !isChosen && grid.rows > 1)
+      draft.facts.notes.emplace_back(
+          "The header states one length without an axis: rows are taken to be as far apart as "
+          "points.");
+  }
   if (hasY && !hasX) grid.columnSpacing = grid.rowSpacing;
   draft.hasPositions = (hasX || hasY) && !isChosen;
   if ((hasX || hasY) && isChosen)

@@ -215,10 +215,12 @@ std::optional<HeaderLength> headerLength(const TextTable& table, const TextBlock
       const bool isClear =
           isPair && lengths->first.unit && line.value.find(" x ") != line.value.npos;
       if (entry.key.empty() && !isClear) continue;
-      if (!place->hasAxis && axis == 'y' && !isPair) continue;
+      const bool isOfBoth = isPair || lowerCase(name.name).starts_with("xy");
+      if (!place->hasAxis && axis == 'y' && !isOfBoth) continue;
       // "Size: 60" below the name of an axis counts its points.
       if (section != 0 && kind == LengthKind::Extent && !lengths->first.unit) continue;
-      const HeaderLength length = axis == 'y' && isPair ? *lengths->second : lengths->first;
+      HeaderLength length = axis == 'y' && isPair ? *lengths->second : lengths->first;
+      length.hasAxis = place->hasAxis;
       const bool isAgain = found && lineOfFound > 0 && place->place == first;
       if (isAgain && !entry.key.empty() && !isSame(*found, length)) {
         isContradicted = true;

@@ -19,6 +19,8 @@ namespace asperity {
 struct HeaderLength {
   double value = 0;
   std::optional<StatedUnit> unit{};
+  bool hasAxis = false;           // its name is that of a length along one axis
+  std::optional<Message> note{};  // what it follows from, where this is not evident
 };
 /// The ways to name an axis, {}.
 inline constexpr WordList kAxisForms(
@@ -33,8 +35,9 @@ enum class LengthKind { Step, Extent };
 /// Returns the length that the lines above the numbers state along an axis, 'x' or 'y', by its
 /// usual names: "X increment: 0.5 um", "Breite: 10 um". Below a line that names an axis alone, as
 /// "Y-axis:", lengths are of this axis. Another length without an axis counts for x alone, and two
-/// lengths in a line, as "Scan size: 10 um x 20 um", for x and y. Where two lines contradict each
-/// other, it throws InputError, or returns nothing if the user states the spacing.
+/// lengths in a line, as "Scan size: 10 um x 20 um", or one named "XY", for x and y. Where two
+/// lines contradict each other, it throws InputError, or returns nothing if the user states the
+/// spacing.
 std::optional<HeaderLength> headerLength(const TextTable& table, const TextBlock& block,
                                          LengthKind kind, char axis, const SurfaceSource& source);
 

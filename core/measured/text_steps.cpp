@@ -72,6 +72,43 @@ std::optional<HeaderLength> lengthBetweenEnds(const TextEntry& entry, char axis)
   return {};
 }
 
+/// Returns the length between two positions of an axis that two lines state: "Start X = 0 um" and
+/// "End X = 199.5 um"; nothing where they are not clear.
+std::optional<HeaderLength> lengthBetweenLines(const TextTable& table, const TextBlock& block,
+                                               char axis) {
+  constexpr WordList kFirst("start first begin min anfang debut inizio inicio 0"),
+      kLast("end stop last max ende fin fine final 1");
+  struct Position {
+    double number = 0;
+    std::string unit{};
+  };
+  std::optional<Position> first, last;
+  for (const TextEntry* const entry : table.entriesAbove(block)) {
+    const TextColumn name = parseColumnName(entry->key);
+    const std::string word = plainWord(lowerCase(name.name));
+    const auto quantity = parseQuantity(entry->value);
+    if (word.size() < 2 || !quantity) continue;
+    for (const std::string_view end :
+         {word.starts_with(axis) ? std::string_view(word).substr(1) : "",
+          word.ends_with(axis) ? std::string_view(word).substr(0, word.size() - 1) : ""}) {
+      const Position position{quantity->number,
+                              quantity->unit.empty() ? name.unit : quantity->unit};
+      if (isOneOf(end, kFirst)) first = position;
+      if (isOneOf(end, kLast)) last = position;
+    }
+  }
+  if (!first || !last || !(last->number > first->number)) return {};
+  HeaderLength length{last->number - first->number};
+  length.note = "The points are as far apart as their first and last position in the header say.";
+  if (first->unit.empty()) first->unit = last->unit;
+  if (last->unit.empty()) last->unit = first->unit;
+  if (last->unit.empty()) return length;
+  const auto metres = metresPer(last->unit);
+  if (!metres || metresPer(first->unit) != metres) return {};
+  length.unit = StatedUnit{last->unit, *metres};
+  return length;
+}
+
 /// Returns the first of these entries with a quantity of this SI unit, in that unit.
 std::optional<double> quantityAbove(const TextTable& table, const TextBlock& block,
                                     const WordList& keys, std::string_view si) {
@@ -127,11 +164,15 @@ std::optional<HeaderLength> countedStep(const TextTable& table, const TextBlock&
       continue;
     return HeaderLength{length->number / (points - 1), StatedUnit{length->unit, *metres}};
   }
+  std::optional<HeaderLength> between;
   for (const TextEntry* const entry : table.entriesAbove(block))
-    if (auto length = lengthBetweenEnds(*entry, axis); length && count > 1) {
-      length->value /= static_cast<double>(count - 1);
-      return length;
-    }
+    if (!between) between = lengthBetweenEnds(*entry, axis);
+  if (!between && statedCount(table, block, Counted::Points).value_or(count) == count)
+    between = lengthBetweenLines(table, block, axis);
+  if (between && count > 1) {
+    between->value /= static_cast<double>(count - 1);
+    return between;
+  }
   constexpr WordList kDensities(
       "points per mm, points/mm, data points per mm, samples per mm, samples/mm, pixels per mm, "
       "punkte pro mm, punkte/mm, messpunkte pro mm, points par mm",
@@ -175,7 +216,9 @@ std::optional<HeaderLength> sampledStep(const TextTable& table, const TextBlock&
   const auto rate = quantityAbove(table, block, kRates, "Hz");
   if (!speed || !rate) return {};
   constexpr double kMicrometre = 1e-6;
-  return HeaderLength{*speed / *rate / kMicrometre, StatedUnit{"\u00B5m", kMicrometre}};
+  HeaderLength step{*speed / *rate / kMicrometre, StatedUnit{"\u00B5m", kMicrometre}};
+  step.note = "The points are as far apart as the speed and the sampling rate of the header say.";
+  return step;
 }
 
 }  // namespace asperity

@@ -22,7 +22,7 @@ std::optional<std::int64_t> statedCount(const TextTable& table, const TextBlock&
 /// Returns the step between `count` points where the header states their number and the length from
 /// the first to the last one: "Axis X", 60, "59.00 um", as MountainsMap writes it, or "Points: 60"
 /// and "Traverse length: 59 um". It is also stated by "Points per mm: 1000", and by the first and
-/// the last position, "x from 0 to 59 um".
+/// the last position, "x from 0 to 59 um" or, in two lines, "Start X = 0 um" and "End X = 59 um".
 std::optional<HeaderLength> countedStep(const TextTable& table, const TextBlock& block,
                                         std::int64_t count, char axis);
 

@@ -172,7 +172,7 @@ SurfaceDraft readTextProfile(const TextTable& table, const TextBlock& block,
   SurfaceDraft draft;
   auto spacing = headerLength(table, block, LengthKind::Step, 'x', source);
   if (!spacing) spacing = countedStep(table, block, static_cast<std::int64_t>(block.rows), 'x');
-  const bool isSampled = !spacing && (spacing = sampledStep(table, block));
+  if (!spacing) spacing = sampledStep(table, block);
   const bool isGiven = source.choices.spacing > 0 && source.choices.positionUnit == "auto";
   const bool isInPixelsAlone = roles.x >= 0 &&
                                isInPixels(block.columns[static_cast<std::size_t>(roles.x)]) &&
@@ -221,9 +221,7 @@ SurfaceDraft readTextProfile(const TextTable& table, const TextBlock& block,
   } else {
     grid.height = std::move(heights);
     grid.columns = static_cast<std::int64_t>(grid.height.size());
-    if (isSampled)
-      draft.facts.notes.emplace_back(
-          "The points are as far apart as the speed and the sampling rate of the header say.");
+    if (spacing && spacing->note) draft.facts.notes.push_back(*spacing->note);
     draft.hasPositions = spacing.has_value();
     grid.columnSpacing = spacing ? spacing->value : 1;
     // The entry "Unit" may be the unit of the heights, which tells nothing about a step.
@@ -317,20 +315,36 @@ bool addProfiles(std::span<const TextBlock> tables, const TextTable& table,
   }
   grid.height = std::move(heights);
   grid.rows = static_cast<std::int64_t>(tables.size());
-  grid.rowSpacing = grid.columnSpacing;
+  grid.rowSpacing = 0;
   draft.facts.format = "matrix";
   return true;
 }
 
-/// Adds what there is to say about blank lines between rows. parts: the table that was read and
-/// those that followed it behind blank lines.
-void noteBlankLines(std::span<const TextBlock> parts, bool areRows, Form form,
-                    std::vector<Message>& notes) {
+/// Throws InputError where blank lines separate parts of a matrix, or several matrices, and nothing
+/// says which: neither a comment between them, nor a first column that begins anew, nor the header.
+void requireOneMatrix(std::span<const TextBlock> parts, const TextTable& table,
+                      const SurfaceSource& source) {
+  const TextBlock &first = parts.front(), &second = parts[1];
+  const bool isCommented = second.blanks.front().second == 0;
+  if (isCommented || hasPositionsOf(second, first, 0) ||
+      statedCount(table, first, Counted::Rows) == static_cast<std::int64_t>(first.rows))
+    return;
+  throw InputError(source.name, "surface.format",
+                   message("is needed: blank lines separate {} parts of {} rows; say matrix where "
+                           "they are one, and leave only one of them in the file where they are "
+                           "several",
+                           parts.size(), first.rows));
+}
+
+/// Adds what there is to say about parts of the file. parts: the table that was read and those that
+/// followed it, behind blank lines if they are no rows.
+void noteParts(std::span<const TextBlock> parts, bool areRows, Form form,
+               std::vector<Message>& notes) {
   const TextBlock& read = parts.front();
   if (areRows)
     notes.push_back(
-        message("Blank lines separate {} profiles, which are the rows of the surface: surface.row "
-                "chooses one. How far they are apart is not known.",
+        message("The file has {} profiles, which are the rows of the surface: surface.row chooses "
+                "one.",
                 parts.size()));
   else if (parts.size() > 1)
     notes.push_back(
@@ -371,18 +385,21 @@ SurfaceDraft readTextSurface(const SurfaceSource& source) {
   // The second table of SPIP says where heights are missing.
   const bool hasVoids = !table.entry("voidpixels", table.blocks[chosen.index]).empty();
   if (!isEsri && !hasVoids && form != Form::Points) {
-    parts = splitAtBlankLines(table, chosen.index);
+    parts = splitIntoParts(table, chosen.index, source);
     if (parts > 1) form = detectForm(table, table.blocks[chosen.index], source);
   }
   const TextBlock& block = table.blocks[chosen.index];
+  const std::size_t headed =
+      parts == 1 && form == Form::Profile ? countHeadedProfiles(table, chosen.index) : 1;
   SurfaceDraft draft = form == Form::Profile  ? readTextProfile(table, block, source)
                        : form == Form::Matrix ? readTextMatrix(table, block, source)
                                               : readTextPoints(table, block, source);
-  const std::span<const TextBlock> tables(&block, parts);
+  const std::span<const TextBlock> tables(&block, std::max(parts, headed));
+  if (parts > 1 && form == Form::Matrix) requireOneMatrix(tables, table, source);
   const bool areRows =
-      parts > 1 && form == Form::Profile && addProfiles(tables, table, source, draft);
-  noteBlankLines(tables, areRows, form, draft.facts.notes);
-  if (chosen.note) draft.facts.notes.push_back(*chosen.note);
+      tables.size() > 1 && form == Form::Profile && addProfiles(tables, table, source, draft);
+  noteParts(areRows ? tables : tables.first(parts), areRows, form, draft.facts.notes);
+  if (chosen.note && !(areRows && headed > 1)) draft.facts.notes.push_back(*chosen.note);
   noteStatements(table, block, source, lineOfCount, draft);
   return draft;
 }

@@ -18,7 +18,7 @@ struct Topography {
   std::int64_t columns = 0;  // points of one profile along x
   std::int64_t rows = 0;     // profiles; 1: a single profile
   double columnSpacing = 0;  // m, between neighbours along x
-  double rowSpacing = 0;     // m, between neighbours along y; 0 for a single profile
+  double rowSpacing = 0;     // m, between neighbours along y; 0: a single profile, or not known
   std::vector<double>
       height;  // m, rows x columns, row by row; kMissingHeight where nothing was measured
 

@@ -348,7 +348,7 @@ class Reader {
       for (std::size_t i = 0; i < points_.y.size(); i += width) y.push_back(points_.y[i]);
       grid.rowSpacing = requireUniform(y, "CY");
     } else if (!axes_[1].hasIncrement) {
-      grid.rowSpacing = grid.columnSpacing;
+      grid.rowSpacing = made.hasPositions ? 0 : grid.columnSpacing;
     }
     return made;
   }

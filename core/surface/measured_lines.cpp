@@ -82,6 +82,9 @@ MeasuredFile readFile(const Scene& scene, const std::stop_token& stop,
     if (file.topography.isProfile())
       fail("surface.direction",
            "across the rows (along_y) needs a topography; the file has a single profile");
+    if (file.topography.rowSpacing == 0)
+      fail("surface.direction",
+           "across the rows (along_y) needs their distance, which the file does not state");
     file.topography = transposed(file.topography);
   }
   return file;
@@ -152,7 +155,8 @@ MeasuredLines::MeasuredLines(const Scene& scene, std::shared_ptr<const MeasuredF
   if (processing.longWaveCut > 0) longWaves_.emplace(usedPoints_, spacing, processing.longWaveCut);
   transform_.emplace(periodPoints_);
   // Only the form is removed here: the filters act equally on a row and on its equivalent line.
-  if (surface_.line == LineKind::IsotropicEquivalent && file_->topography.rows >= kFewestPoints)
+  if (surface_.line == LineKind::IsotropicEquivalent && file_->topography.rowSpacing > 0 &&
+      file_->topography.rows >= kFewestPoints)
     equivalent_ = equivalentSpectra(stretches(stop), processing.form, stop, progress);
   throwIfStopped(stop);
   if (processing.seam == Seam::RandomPhases) setDensity(stop);

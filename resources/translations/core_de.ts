@@ -3699,6 +3699,10 @@
         <translation>Gelesen als %1: %2 x %3 Punkte im Abstand von %4 und %5.</translation>
     </message>
     <message>
+        <source>Read as %1: %2 x %3 points. Points are %4 apart; how far the rows are apart is not known.</source>
+        <translation>Gelesen als %1: %2 x %3 Punkte. Die Punkte haben einen Abstand von %4; der Abstand der Zeilen ist nicht bekannt.</translation>
+    </message>
+    <message>
         <source>Positions are %1, heights %2.</source>
         <translation>Orte sind %1, Höhen %2.</translation>
     </message>
@@ -3963,16 +3967,28 @@
         <translation>Leerzeilen trennen %1 Tabellen; gelesen wird die erste, bis Zeile %2.</translation>
     </message>
     <message>
-        <source>Blank lines separate %1 profiles, which are the rows of the surface: surface.row chooses one. How far they are apart is not known.</source>
-        <translation>Leerzeilen trennen %1 Profile, welche die Zeilen der Oberfläche sind: surface.row wählt eines. Ihr Abstand ist nicht bekannt.</translation>
+        <source>The file has %1 profiles, which are the rows of the surface: surface.row chooses one.</source>
+        <translation>Die Datei hat %1 Profile, welche die Zeilen der Oberfläche sind: surface.row wählt eines.</translation>
     </message>
     <message>
         <source>Blank lines stand between the rows, the first one above line %1: all rows are taken for one table.</source>
         <translation>Zwischen den Zeilen stehen Leerzeilen, die erste über Zeile %1: Alle Zeilen gelten als eine Tabelle.</translation>
     </message>
     <message>
+        <source>is needed: blank lines separate %1 parts of %2 rows; say matrix where they are one, and leave only one of them in the file where they are several</source>
+        <translation>wird gebraucht: Leerzeilen trennen %1 Teile mit je %2 Zeilen; matrix angeben, wenn sie eine sind, und nur einen davon in der Datei lassen, wenn sie mehrere sind</translation>
+    </message>
+    <message>
         <source>The points are as far apart as the speed and the sampling rate of the header say.</source>
         <translation>Die Punkte sind so weit voneinander entfernt, wie Geschwindigkeit und Abtastrate im Kopf es sagen.</translation>
+    </message>
+    <message>
+        <source>The points are as far apart as their first and last position in the header say.</source>
+        <translation>Die Punkte sind so weit voneinander entfernt, wie ihre erste und letzte Position im Kopf es sagen.</translation>
+    </message>
+    <message>
+        <source>The header states one length without an axis: rows are taken to be as far apart as points.</source>
+        <translation>Der Kopf nennt eine Länge ohne Achse: der Abstand der Zeilen wird gleich dem der Punkte angenommen.</translation>
     </message>
     <message>
         <source>is needed (%1): the numbers are named &apos;%2&apos;, which are no heights</source>
@@ -6785,6 +6801,10 @@
     <message>
         <source>across the rows (along_y) needs a topography; the file has a single profile</source>
         <translation>quer zu den Zeilen (along_y) braucht eine Topographie; die Datei hat ein einziges Profil</translation>
+    </message>
+    <message>
+        <source>across the rows (along_y) needs their distance, which the file does not state</source>
+        <translation>quer zu den Zeilen (along_y) braucht deren Abstand, den die Datei nicht nennt</translation>
     </message>
     <message>
         <source>row %1 alone is the line</source>

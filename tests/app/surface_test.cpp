@@ -186,12 +186,14 @@ TEST_F(SurfaceCommandTest, EveryVerbSaysHowTheFileWasRead) {
   program.folder.write("batch.json", R"({"schema":"asperity-batch/1","size":"400x400",
       "entries":[{"name":"a","scene":"t.json"},{"name":"b","scene":"t.json"}]})");
   for (const std::string arguments :
-       {"study run study.json -o store", "batch batch.json -o sheets"})
+       {"study run study.json --plan", "study run study.json -o store",
+        "batch batch.json -o sheets"})
     EXPECT_THAT(run(arguments), AllOf(HasSubstr(column), HasSubstr(repeated))) << arguments;
   const auto answer = [&](const std::string& arguments) {
     return nlohmann::json::parse(program.run(arguments + " --json").out);
   };
-  EXPECT_THAT(answer("study run study.json -o store")["reading"].dump(), HasSubstr(repeated));
+  for (const char* run : {"study run study.json --plan", "study run study.json -o store"})
+    EXPECT_THAT(answer(run)["reading"].dump(), HasSubstr(repeated)) << run;
   for (const auto& scene : answer("batch batch.json -o sheets")["scenes"])
     EXPECT_THAT(scene["reading"].dump(), HasSubstr(repeated));
 }

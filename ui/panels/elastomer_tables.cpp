@@ -7,6 +7,7 @@
 #include "core/base/text_table.h"
 #include "core/material/dma_columns.h"
 #include "core/material/prony_file.h"
+#include "core/material/stated_temperature.h"
 #include "core/scene/list_text.h"
 #include "core/scene/parameters.h"
 
@@ -137,13 +138,6 @@ PairEditor::Pairs asPairs(const std::vector<ShiftPoint>& table) {
   return PairEditor::toPairs(table, &ShiftPoint::temperature, &ShiftPoint::log10Shift);
 }
 
-/// Returns whether the column holds a_T, not its logarithm: "aT", "a_T", "shift factor".
-bool isFactor(const std::string& name) {
-  const QString word = fromUtf8(name).toLower().remove(' ').remove('_');
-  return !word.contains(QStringLiteral("log")) && !word.contains(QStringLiteral("lg")) &&
-         (word == QStringLiteral("at") || word.contains(QStringLiteral("factor")));
-}
-
 Unit columnUnit(const TextBlock& block, std::size_t column, const std::string& name) {
   std::string stated = block.columns[column].unit;
   // A unit that no table knows stays in the name.
@@ -171,16 +165,16 @@ std::vector<ShiftPoint> shiftsFromTable(std::string_view text) {
   if (columns.size() < 2)
     throw InputError(name, "", "needs two columns: temperature and log10 of the shift");
   const Unit unit = columnUnit(block, columns[0], name);
-  const bool holdsFactors = isFactor(block.columns[columns[1]].name);
+  const ShiftNotation notation =
+      shiftNotation(block.columns[columns[1]].name).value_or(ShiftNotation{});
   std::vector<ShiftPoint> table;
   for (std::size_t row = 0; row < block.rows; ++row) {
     const double temperature = block.at(row, columns[0]);
-    double shift = block.at(row, columns[1]);
+    const double shift = block.at(row, columns[1]);
     if (std::isnan(temperature) || std::isnan(shift)) continue;
-    if (holdsFactors && shift <= 0)
+    if (!notation.isLogarithm && shift <= 0)
       throw InputError(name, "", "holds a shift factor that is not above 0");
-    if (holdsFactors) shift = std::log10(shift);
-    table.push_back({unit.toSi(temperature), shift});
+    table.push_back({unit.toSi(temperature), notation.log10Shift(shift)});
   }
   std::ranges::sort(table, {}, &ShiftPoint::temperature);
   if (table.empty() || table.size() > kMostShiftPoints)

@@ -138,6 +138,37 @@ TEST(DmaForms, CompliancesGiveModuli) {
               HasSubstr("has the unit 1/furlong, which is not one of 1/Pa"));
 }
 
+/// Viscosities are in the chosen unit times s, and compliances in one over it, whatever the file
+/// states.
+TEST(DmaForms, TheChosenUnitOfModuliIsThatOfViscositiesAndCompliances) {
+  DmaChoices choices;
+  choices.modulusUnit = "kN/m2";
+  for (const std::string unit : {"", " (Pa s)", " (furlong)"}) {
+    const DmaFile file = read(
+        "w (rad/s),T (C),eta'" + unit + ",eta''" + unit + "\n10,20,20,200\n100,20,4,30\n", choices);
+    expectRow(file.rows[1], 293.15, 50 / std::numbers::pi, 3e6, 4e5);
+    EXPECT_EQ(file.facts.storage.unit, "kN/m2 s");
+  }
+  for (const std::string unit : {"", " (1/Pa)", " (1/furlong)"}) {
+    const DmaFile file = read(
+        "f (Hz),T (C),J'" + unit + ",J''" + unit + "\n1,20,4e-3,3e-3\n10,20,8e-3,6e-3\n", choices);
+    expectRow(file.rows[0], 293.15, 1, 0.16e6, 0.12e6);
+    EXPECT_EQ(file.facts.storage.unit, "1/kN/m2");
+  }
+}
+
+/// As Mettler names moduli of every kind.
+TEST(DmaForms, MIsAModulusOfAKindStatedElsewhere) {
+  for (const std::string table :
+       {"M' (MPa),M'' (MPa)\n1,20,3,4\n10,20,6,8\n", "|M*| (MPa),M'' (MPa)\n1,20,5,4\n10,20,10,8\n",
+        "Storage modulus M' (MPa),Loss modulus M'' (MPa)\n1,20,3,4\n10,20,6,8\n"}) {
+    expectRow(read("Device: MCR 302e\nf (Hz),T (C)," + table).rows[0], 293.15, 1, 3e6, 4e6);
+    EXPECT_THAT(errorOf("f (Hz),T (C)," + table), HasSubstr("--modulus shear or"));
+  }
+  EXPECT_THAT(errorOf("f (Hz),T (C),G' M (MPa),G'' (MPa)\n1,20,3,4\n10,20,6,8\n"),
+              HasSubstr("G' M: 'm' is not understood beside the name of a modulus"));
+}
+
 TEST(DmaForms, ReducedFrequenciesHaveManySymbols) {
   for (const char* name : {"f_red (Hz)", "aT f (Hz)", "aT\u00D7f (Hz)", "freq_red (Hz)",
                            "fr\u00E9quence r\u00E9duite (Hz)"}) {

@@ -142,6 +142,11 @@ TEST(GsfFile, ReadsAField) {
       expectKnown(read(gsf(gsfHeader() + "Comment = " + title + "\n", gap)), "gsf", gap, 1e-12);
   }
   EXPECT_EQ(read(gsf(gsfHeader(), false)).facts.heightColumn, "Height");
+  // Arithmetic on a NaN that signals is an invalid operation.
+  std::string signalling = gsf(gsfHeader(), true);
+  ASSERT_EQ(signalling.find("\xC0\x7F"), signalling.rfind("\xC0\x7F"));
+  signalling[signalling.find("\xC0\x7F")] = '\xA0';
+  expectKnown(read(signalling), "gsf", true, 1e-12);
 }
 
 TEST(GsfFile, NamesWhatIsWrong) {

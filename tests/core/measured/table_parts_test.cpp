@@ -53,11 +53,23 @@ TEST(BlankLines, SeparateMatrices) {
   const std::string head = "X spacing: 2 um\nY spacing: 5 um\nZ unit: um\n";
   for (const std::string between : {"\n", "\n\n", "\n# intensity\n"})
     for (const double added : {0.0, 1000.0}) {
+      if (added > 0 && between.find('#') == between.npos) continue;  // below
       const MeasuredFile file = read(head + matrix() + between + matrix(added));
       expectKnown(file, "matrix", false, 1e-11);
       EXPECT_TRUE(
           says(file, "Blank lines separate 2 tables; the first one, up to line 7, is read."));
     }
+  // Without a comment, both may be one, unless the header or the user says so.
+  const std::string both = matrix() + "\n" + matrix(1000);
+  EXPECT_THAT(errorOf(head + both),
+              HasSubstr("surface.format: is needed: blank lines separate 2 parts of 4 rows"));
+  ReadingChoices one;
+  one.format = "matrix";
+  for (const MeasuredFile& file : {read(head + both, one), read(head + "Rows: 8\n" + both)}) {
+    EXPECT_EQ(file.topography.rows, 2 * kRows);
+    EXPECT_TRUE(says(file, "all rows are taken for one table."));
+  }
+  EXPECT_EQ(read(head + "Rows: 4\n" + both).topography.rows, kRows);
   // Blank lines between all rows, or between parts of other sizes, mean nothing.
   std::string spaced = matrix();
   for (std::size_t at = spaced.find('\n'); at != std::string::npos; at = spaced.find('\n', at + 2))
@@ -84,7 +96,10 @@ TEST(BlankLines, SeparateProfilesThatAreRows) {
       for (int column = 0; column < kColumns; ++column)
         EXPECT_NEAR(grid.at(row, column), height(row, column), 1e-12);
     EXPECT_NEAR(grid.columnSpacing, 2e-6, 1e-15);
-    EXPECT_TRUE(says(file, "Blank lines separate 4 profiles, which are the rows of the surface"));
+    EXPECT_EQ(grid.rowSpacing, 0);
+    EXPECT_TRUE(
+        says(file, "points. Points are 2 \u00B5m apart; how far the rows are apart is not known."));
+    EXPECT_TRUE(says(file, "The file has 4 profiles, which are the rows of the surface"));
   }
   // Profiles at other positions are no rows.
   const MeasuredFile first = read("x (um) z (um)\n" + profile(0) + "\n" + profile(1, 3));
@@ -109,6 +124,57 @@ TEST(BlankLines, SeparateProfilesThatAreRows) {
   EXPECT_EQ(read("x (um) z (um)\n" + profile(0) + "\n14 1\n16 2\n18 1\n20 3\n22 1\n24 2\n26 1\n")
                 .topography.columns,
             14);
+}
+
+/// The heights of a row, one below the other.
+std::string list(int row) {
+  std::string text;
+  for (int column = 0; column < kColumns; ++column)
+    text += fmt::format("{:.6f}\n", micrometres(row, column));
+  return text;
+}
+
+/// A list below "Profile 2" was no number, and a position that begins anew went back.
+TEST(Profiles, ThatFollowEachOtherAreRows) {
+  const std::string step = "Step: 2 um\nUnit: um\n", names = "x (um) z (um)\n";
+  for (const std::string& text : std::vector<std::string>{
+           names + profile(0) + profile(1) + profile(2),
+           "z (um) x (um)\n8 0\n7 2\n6 4\n8 6\n5 0\n4 2\n5 4\n6 6\n8 0\n7 2\n6 4\n8 6\n",
+           step + "Profile 1\n" + list(0) + "Profile 2\n" + list(1) + "Profile 3\n" + list(2),
+           step + "# Profile 1\n" + list(0) + "\n# Profile 2\n" + list(1) + "# Profile 3\n" +
+               list(2),
+           "Profil 1\n" + names + profile(0) + "Profil 2\n" + names + profile(1) + "\nProfil 3\n" +
+               names + profile(2)}) {
+    const MeasuredFile file = read(text);
+    const Topography& grid = file.topography;
+    ASSERT_EQ(grid.rows, 3) << text;
+    EXPECT_NEAR(grid.columnSpacing, 2e-6, 1e-15);
+    if (grid.columns == kColumns) {
+      EXPECT_NEAR(grid.at(2, 4), height(2, 4), 1e-12) << text;
+    } else {
+      EXPECT_NEAR(grid.at(1, 3), 6e-6, 1e-15);
+    }
+    EXPECT_TRUE(says(file, "The file has 3 profiles, which are the rows of the surface")) << text;
+    EXPECT_FALSE(says(file, "tables of numbers"));
+  }
+  // The user's spacing is that of the points.
+  ReadingChoices spacing;
+  spacing.spacing = 2e-6;
+  const Topography spaced =
+      read("z (um)\nProfile 1\n" + list(0) + "Profile 2\n" + list(1), spacing).topography;
+  EXPECT_EQ(spaced.rows, 2);
+  EXPECT_EQ(spaced.columnSpacing, 2e-6);
+  EXPECT_EQ(spaced.rowSpacing, 0);
+  // Positions that go back, or begin elsewhere, are an error as before.
+  EXPECT_THAT(errorOf(names + profile(0) + profile(1, 3)), HasSubstr("goes back"));
+  EXPECT_THAT(errorOf(names + profile(0) + "0 1\n2 1\n"), HasSubstr("goes back"));
+  // A profile of another length is no row.
+  const MeasuredFile longer =
+      read(step + "Profile 1\n" + list(0) + "Profile 2\n" + list(1) + "1\n");
+  EXPECT_EQ(longer.topography.rows, 1);
+  EXPECT_TRUE(says(longer, "The file has 2 tables of numbers; the largest one"));
+  EXPECT_THAT(errorOf(step + "Profile 1\n" + list(0) + "Force 2\n" + list(1)),
+              HasSubstr("'Force' in column 1 is not a number"));
 }
 
 TEST(BlankLines, BetweenLinesOfPointsMeanNothing) {

@@ -56,6 +56,23 @@ TEST(AxesOfAHeader, HaveTheirOwnLengths) {
   }
 }
 
+/// A length of x alone says nothing about the rows; one without an axis is taken for both, and that
+/// is said.
+TEST(AxesOfAHeader, MayBeOneOfBothOrNone) {
+  const std::string said = "rows are taken to be as far apart as points";
+  const auto rowSpacing = [&](const std::string& line, bool isSaid) {
+    const MeasuredFile file = read(line + "\nZ unit: um\n" + field());
+    EXPECT_NEAR(file.topography.columnSpacing, 2e-6, 1e-15) << line;
+    EXPECT_EQ(says(file, said), isSaid) << line;
+    return file.topography.rowSpacing;
+  };
+  for (const char* line : {"dx: 2 um", "X spacing: 2 um", "Width: 24 um"})
+    EXPECT_EQ(rowSpacing(line, false), 0) << line;
+  EXPECT_NEAR(rowSpacing("Spacing: 2 um", true), 2e-6, 1e-15);
+  EXPECT_NEAR(rowSpacing("XY calibration: 2 um", false), 2e-6, 1e-15);
+  EXPECT_FALSE(says(read("Spacing: 2 um\nZ unit: um\n1 2 3 2 1 4 3 2 1\n"), said));
+}
+
 TEST(AxesOfAHeader, FollowWidthAndLength) {
   expectSpacings("Width: 24 um\nLength: 27 um\nZ unit: um\n", 2e-6, 3e-6);
   expectSpacings("L\u00E4nge: 24 um\nBreite: 27 um\nZ unit: um\n", 2e-6, 3e-6);
@@ -110,8 +127,23 @@ TEST(PointDistances, FollowFromOtherStatements) {
     EXPECT_NEAR(read(line + "\n" + list()).topography.columnSpacing, 5e-7, 1e-12) << line;
   EXPECT_TRUE(says(read("Scan speed: 0.5 mm/s\nSampling rate: 1000 Hz\n" + list()),
                    "The points are as far apart as the speed and the sampling rate"));
+  // The length between the ends may stand in two lines.
+  for (const std::string lines :
+       {"Start X = 0 um\nEnd X = 199.5 um", "Start X (mm): 0.1\nStop X (mm): 0.2995",
+        "X first: 10 um\nX last: 209.5 um", "X0 = 0\nX1 = 199.5\nUnit: um",
+        "Start X: 0\nEnd X: 199.5 um", "x_min = -10 um\nx_max = 189.5 um",
+        "Xstart: 0 um\nXend: 199.5 um\nPoints: 400"}) {
+    const MeasuredFile file = read(lines + "\n" + list());
+    EXPECT_NEAR(file.topography.columnSpacing, 5e-7, 1e-12) << lines;
+    EXPECT_TRUE(says(file, "apart as their first and last position in the header say.")) << lines;
+  }
+  expectSpacings("Start X: 0 um\nEnd X: 22 um\nStart Y: 0 um\nEnd Y: 24 um\nZ unit: um\n", 2e-6,
+                 3e-6);
   for (const std::string line :
-       {"Total length: 199.5 um, 800 points", "y from 0 to 199.5 um", "z from 0 to 5 um",
+       {"Start X = 0 um\nEnd X = 199.5 s", "Start X = 0 um", "Start X = 5 um\nEnd X = 0 um",
+        "Start = 0 um\nEnd = 199.5 um", "Start X = 0 mm\nEnd X = 199.5 um",
+        "Start Z = 0 um\nEnd Z = 199.5 um", "Start X = 0 um\nEnd X = 199.5 um\nPoints: 800",
+        "Total length: 199.5 um, 800 points", "y from 0 to 199.5 um", "z from 0 to 5 um",
         "x from 0 to 199.5 s", "x from 5 to 0 um", "Scan speed: 0.5 mm/s",
         "Scan speed: 0.5 mm/s\nScan rate: 1 Hz", "Max. 0 to 3 um"})
     EXPECT_THAT(errorOf(line + "\n" + list()), HasSubstr("does not say how far")) << line;

@@ -46,6 +46,25 @@ TEST(X3pFile, ReadsStoredPositions) {
     }
 }
 
+TEST(X3pFile, MayNotStateHowFarItsRowsAreApart) {
+  const X3pOptions options;
+  X3pParts parts = x3pParts(options);
+  const auto eraseIncrement = [&parts](const char* axis) {
+    const std::size_t begin = parts.main.find("<Increment>", parts.main.find(axis));
+    const std::string end = "</Increment>";
+    parts.main.erase(begin, parts.main.find(end, begin) + end.size() - begin);
+  };
+  eraseIncrement("<CY>");
+  const Topography rows = read(x3pArchive(options, parts)).topography;
+  EXPECT_NEAR(rows.columnSpacing, kColumnSpacing, 1e-15);
+  EXPECT_EQ(rows.rowSpacing, 0);
+  // The user's spacing is that of both where the file states neither.
+  eraseIncrement("<CX>");
+  ReadingChoices spacing;
+  spacing.spacing = 2e-6;
+  EXPECT_EQ(read(x3pArchive(options, parts), spacing).topography.rowSpacing, 2e-6);
+}
+
 TEST(X3pFile, ReadsProfiles) {
   for (const bool absolute : {false, true})
     for (const bool listed : {false, true}) {

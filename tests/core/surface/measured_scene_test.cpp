@@ -158,6 +158,17 @@ TEST_F(MeasuredScene, HasItsRowsAsRealizations) {
   EXPECT_THROW(one.requireLines(2, "--lines"), InputError);
   EXPECT_NO_THROW(LineSource(Scene{}, 1).requireRealization(1000000, "--realization"));
   EXPECT_THAT(errorOf({"surface.direction=along_y"}), HasSubstr("needs a topography"));
+  // Where the distance of the rows is not known, each is a profile of its own.
+  std::string text = matrixText(12, 64);
+  const std::size_t ofRows = text.find("# Height"), values = text.find("# Value units");
+  folder_.write("rows.txt", text.erase(ofRows, values - ofRows));
+  const std::size_t first = text.find('\n', ofRows) + 1;
+  folder_.write("less.txt", text.erase(first, text.find('\n', first) + 1 - first));
+  EXPECT_THAT(errorOf({"surface.direction=along_y"}, "rows.txt"),
+              HasSubstr("needs their distance"));
+  const std::string equivalent = "surface.line=isotropic_equivalent";
+  EXPECT_EQ(LineSource(scene({equivalent, "surface.row=3"}, "rows.txt"), 1).make(0).height,
+            LineSource(scene({equivalent, "surface.row=2"}, "less.txt"), 1).make(0).height);
   EXPECT_EQ(LineSource(scene({"surface.direction=along_y"}, "m.txt"), 1).measured()->rows(), 64);
   const Line row = LineSource(scene({"surface.row=3"}, "m.txt"), 1).make(0);
   EXPECT_EQ(row.height, LineSource(all, 1).make(2).height);

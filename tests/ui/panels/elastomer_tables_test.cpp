@@ -11,6 +11,7 @@
 #include <QTest>
 #include <QToolButton>
 #include <cmath>
+#include <numbers>
 
 #include "core/base/input_error.h"
 #include "tests/ui/window/qt_application.h"
@@ -314,6 +315,10 @@ TEST(ShiftsFromTable, UnitsNamesAndFactors) {
   const auto factors = shiftsFromTable("temperature (K);a_T\n290;100\n300;1\n");
   EXPECT_NEAR(factors[0].log10Shift, 2, 1e-12);
   EXPECT_NEAR(shiftsFromTable("T (°F);log10 a_T\n68;0\n104;-1\n")[0].temperature, 293.15, 1e-9);
+  EXPECT_NEAR(shiftsFromTable("T (K);ln aT\n290;1\n300;0\n")[0].log10Shift, std::numbers::log10e,
+              1e-12);
+  EXPECT_EQ(shiftsFromTable("T (K);-log aT\n290;-1\n300;0\n")[0].log10Shift, 1);
+  EXPECT_EQ(shiftsFromTable("T (K);horizontal shift factor\n290;10\n300;1\n")[0].log10Shift, 1);
   EXPECT_THROW(shiftsFromTable("290 0\n290 1\n"), InputError);
   EXPECT_THROW(shiftsFromTable("T (kg);log aT\n1;0\n2;1\n"), InputError);
   EXPECT_THROW(shiftsFromTable("temperature (K);a_T\n290;-3\n300;1\n"), InputError);
