@@ -1891,8 +1891,8 @@
         <translation>Eine Änderung von Kraft, Systemgröße oder Relaxationszeit verschiebt die Kurven in der doppeltlogarithmischen Darstellung nur</translation>
     </message>
     <message>
-        <source>Contact of a rough surface and a viscoelastic elastomer</source>
-        <translation>Kontakt einer rauen Oberfläche mit einem viskoelastischen Elastomer</translation>
+        <source>Contact of a rough line and a viscoelastic elastomer</source>
+        <translation>Kontakt einer rauen Linie mit einem viskoelastischen Elastomer</translation>
     </message>
     <message>
         <source>Curves are shifted by changes of temperature, which influences the relaxation time (the master curve procedure)</source>
