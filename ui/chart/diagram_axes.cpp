@@ -292,13 +292,15 @@ float DiagramAxes::py(double y) const {
 }
 
 DrawPoint DiagramAxes::mapToPosition(double x, double y) const {
+  constexpr float kUnder = 10;  // pixels
   const double right = axisPosition(xAxis.scale, x), above = axisPosition(yAxis.scale, y);
-  if (!std::isfinite(right) || !std::isfinite(above))
+  const bool isUnder = isBelow(yAxis.scale, y);
+  if (!std::isfinite(right) || !(std::isfinite(above) || isUnder))
     return {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::quiet_NaN()};
   const auto held = [](float pixels) {
     return std::clamp(pixels, static_cast<float>(-kFarthest), static_cast<float>(kFarthest));
   };
-  return {held(px(right)), held(py(above))};
+  return {held(px(right)), isUnder ? box.bottom() + kUnder : held(py(above))};
 }
 
 float leftOfAxes(const DiagramAxes& axes, const DiagramSizes& sizes) {
