@@ -465,7 +465,7 @@ TEST(DiagramTexts, TheSymbolOfAnErrorIsNotThatOfTheQuantity) {
   EXPECT_EQ(trailingSymbol("coefficient of friction \u03BC"), "\u03BC");
   EXPECT_EQ(trailingSymbol("relative error of \u03BC"), "");
   EXPECT_EQ(trailingSymbol("relativer Fehler von \u03BC"), "");
-  EXPECT_EQ(trailingSymbol("modulus G', G''"), "");
+  EXPECT_EQ(trailingSymbol("modulus G\u2032, G\u2033"), "");
   EXPECT_EQ(trailingSymbol("exponent d ln \u03BC / d ln x"), "");
 }
 
