@@ -1,9 +1,11 @@
 // asperity check: reads and validates scenes and lessons, and prints a summary of a few lines.
 #include <cstdio>
+#include <optional>
 #include <vector>
 
 #include "app/command_line.h"
 #include "app/output.h"
+#include "core/accuracy/prediction.h"
 #include "core/base/input_error.h"
 #include "core/base/text.h"
 #include "core/contact/steady_sliding.h"
@@ -85,6 +87,13 @@ nlohmann::ordered_json derivedJson(const Scene& scene, const LineSource& source,
   return json;
 }
 
+/// Returns a warning where the target accuracy needs very many lines. Only a scene with a target is
+/// predicted, which takes a part of a second.
+std::optional<Message> costWarning(const Scene& scene, int threads) {
+  if (scene.sliding.kind != SlidingKind::Steady || !choosesAccuracy(scene)) return {};
+  return warningOfTarget(scene, predictCurve(scene, threads));
+}
+
 /// Checks one scene; adds its answer to `answers`.
 void checkScene(const CommonOptions& command, bool isOneOfMany,
                 std::vector<nlohmann::ordered_json>& answers) {
@@ -95,13 +104,16 @@ void checkScene(const CommonOptions& command, bool isOneOfMany,
     const LineSource source(scene, pointsPerElement(scene));
     const LawInput in = makeLawInput(scene, source);
     const std::vector<Message> reading = readingFacts(scene);
+    const std::optional<Message> warning = costWarning(scene, command.threads);
     const std::string name = isOneOfMany ? command.scene + ": " : "";
-    printSummary(command, name + summaryText(scene, source, in, reading));
+    printSummary(command, name + summaryText(scene, source, in, reading) +
+                              (warning ? "  " + translated(*warning) + "\n" : ""));
     answers.push_back(provenance("check", scene));
     if (isOneOfMany) answers.back()["file"] = command.scene;
     answers.back()["valid"] = true;
     answers.back()["derived"] = derivedJson(scene, source, in);
     addReadingFacts(answers.back(), reading);
+    if (warning) answers.back()["warning"] = warning->english();
   });
 }
 

@@ -33,6 +33,11 @@ inline double axisPosition(AxisScale scale, double value) {
   if (!isShown) return std::numeric_limits<double>::quiet_NaN();
   return scale == AxisScale::Linear ? value : std::log10(value);
 }
+/// Returns whether a value lies below every position of a logarithmic axis. A line through its
+/// point runs to the lower end of the axis.
+inline bool isBelow(AxisScale scale, double value) {
+  return scale == AxisScale::Logarithmic && std::isfinite(value) && value <= 0;
+}
 /// Returns the value at a position on the axis.
 inline double axisValue(AxisScale scale, double position) {
   return scale == AxisScale::Logarithmic ? std::pow(10, position) : position;
@@ -46,7 +51,7 @@ struct DiagramAxis {
 };
 
 /// A point. One without a position on the axes (not finite, or not positive on a logarithmic axis)
-/// is not drawn and interrupts the line.
+/// is not drawn and interrupts the line, unless its y is below the axis.
 struct DiagramPoint {
   double x = 0, y = 0;
   double low = std::numeric_limits<double>::quiet_NaN();   // of the error bar or band; NaN: none

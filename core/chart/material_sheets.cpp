@@ -121,21 +121,22 @@ NamedSheet isothermsSheet(const Material& material) {
   DiagramSheet sheet{
       .title = message("{}: isotherms", material.name),
       .subtitle = material.source.empty() ? Message() : Message::name(material.source),
-      .diagrams = {isothermDiagram(material, "storage modulus G'", "Pa", readStorage),
-                   isothermDiagram(material, "loss modulus G''", "Pa", readLoss)}};
+      .diagrams = {isothermDiagram(material, "storage modulus G\u2032", "Pa", readStorage),
+                   isothermDiagram(material, "loss modulus G\u2033", "Pa", readLoss)}};
   return {"isotherms", std::move(sheet)};
 }
 
 Diagram masterDiagram(const Material& material) {
   const FrequencyRange range = fittedRange(material);
-  Diagram diagram{
-      .x = frequencyAxis(reducedFrequency(material)), .y = {"modulus G', G''", "Pa"}, .height = 2};
+  Diagram diagram{.x = frequencyAxis(reducedFrequency(material)),
+                  .y = {"modulus G\u2032, G\u2033", "Pa"},
+                  .height = 2};
   addMasterPoints(material, diagram, readStorage, SeriesMark::Circle);
   addMasterPoints(material, diagram, readLoss, SeriesMark::Triangle);
   diagram.series.push_back(fittedSeries(material, range.from, range.to, readStorage,
-                                        "G' (\u25CF measured)", SeriesStroke::Solid));
+                                        "G\u2032 (\u25CF measured)", SeriesStroke::Solid));
   diagram.series.push_back(fittedSeries(material, range.from, range.to, readLoss,
-                                        "G'' (\u25B2 measured)", SeriesStroke::Dashed));
+                                        "G\u2033 (\u25B2 measured)", SeriesStroke::Dashed));
   diagram.ramp = temperatureRamp(material);
   return diagram;
 }
@@ -144,7 +145,7 @@ Diagram residualDiagram(const Material& material, const DiagramAxis& along) {
   Diagram diagram{.x = along, .y = {"residual", "%", AxisScale::Linear}};
   double largest = 0;
   for (const bool isLoss : {false, true}) {
-    DiagramSeries series{.name = isLoss ? "G''" : "G'",
+    DiagramSeries series{.name = isLoss ? "G\u2033" : "G\u2032",
                          .mark = isLoss ? SeriesMark::Triangle : SeriesMark::Circle,
                          .stroke = SeriesStroke::None};
     for (const MasterPoint& point : material.curve.points) {
@@ -175,7 +176,7 @@ NamedSheet masterSheet(const Material& material) {
   if (material.isMeasured()) {
     const FrequencyRange range = fittedRange(material);
     sheet.subtitle =
-        message("{}, G\u221E = {}, rms residual {} % of G' and {} % of G''",
+        message("{}, G\u221E = {}, rms residual {} % of G\u2032 and {} % of G\u2033",
                 describeArms(material.series.arms.size()),
                 PrintedNumber{printedQuantity(material.series.equilibriumModulus, "Pa")},
                 PrintedNumber{printedNumber(100 * material.series.rmsStorage, 2)},
@@ -247,9 +248,9 @@ NamedSheet shiftsSheet(const Material& material) {
                   .y = {"shift log\u2081\u2080 a\u1D1B", "", AxisScale::Linear}};
   DiagramSeries both{.name = "from both moduli", .mark = SeriesMark::Circle};
   DiagramSeries storage{
-      .name = "from G' alone", .mark = SeriesMark::Square, .stroke = SeriesStroke::Dotted};
+      .name = "from G\u2032 alone", .mark = SeriesMark::Square, .stroke = SeriesStroke::Dotted};
   DiagramSeries loss{
-      .name = "from G'' alone", .mark = SeriesMark::Triangle, .stroke = SeriesStroke::Dotted};
+      .name = "from G\u2033 alone", .mark = SeriesMark::Triangle, .stroke = SeriesStroke::Dotted};
   for (const IsothermShift& shift : material.curve.shifts) {
     const double temperature = shift.temperature - kZeroCelsius;
     DiagramPoint point{temperature, shift.log10Shift};
@@ -335,9 +336,9 @@ DiagramSheet excitationSheet(const Scene& scene, const Excitation& excitation) {
   tangent.x = weights.x = moduli.x;
   moduli.height = 2;
   // A hard blank keeps both symbols together where the title is shortened.
-  moduli.y = {"moduli G',\u00A0G''", "Pa"};
-  moduli.series = {lawSeries(law, range, readStorage, "storage modulus G'"),
-                   lawSeries(law, range, readLoss, "loss modulus G''")};
+  moduli.y = {"moduli G\u2032,\u00A0G\u2033", "Pa"};
+  moduli.series = {lawSeries(law, range, readStorage, "storage modulus G\u2032"),
+                   lawSeries(law, range, readLoss, "loss modulus G\u2033")};
   tangent.y = {"tan \u03B4", ""};
   tangent.series = {lawSeries(law, range, readTangent, {})};
   weights.y = {"loss per decade / largest", "", AxisScale::Linear, 0, 1.05};
@@ -363,8 +364,9 @@ DiagramSheet excitationSheet(const Scene& scene, const Excitation& excitation) {
   sheet.columns = 1;
   sheet.sharesAxis = true;
   sheet.note =
-      "Tinted: from 5 to 95 % of the loss in complete contact, q C\u2081(q) G''(q v). The share is "
-      "per decade of frequency, q\u00B2 C\u2081 G'', over its largest value.";
+      "Tinted: from 5 to 95 % of the loss in complete contact, q C\u2081(q) G\u2033(q v). The "
+      "share is "
+      "per decade of frequency, q\u00B2 C\u2081 G\u2033, over its largest value.";
   return sheet;
 }
 

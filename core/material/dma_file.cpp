@@ -84,10 +84,11 @@ class Reader {
         hasAnswer = hasAnswer || name.find(word) != std::string::npos;
     }
     if (hasTime && hasAnswer)
-      throw InputError(name_, "",
-                       "holds a test over time: relaxation tests, G(t), and creep tests, J(t), are "
-                       "not read; what is read are G' and G'' over frequency at one or several "
-                       "temperatures, and Prony series");
+      throw InputError(
+          name_, "",
+          "holds a test over time: relaxation tests, G(t), and creep tests, J(t), are "
+          "not read; what is read are G\u2032 and G\u2033 over frequency at one or several "
+          "temperatures, and Prony series");
   }
 
   /// Refuses moduli of another kind than that which the user wants.

@@ -89,7 +89,7 @@ std::vector<Message> materialSummary(const Material& material) {
   }
   lines.push_back(message(
       "Prony series: {} from {} relaxation times, G\u221E = {}; "
-      "rms residual {} % of G', {} % of G''",
+      "rms residual {} % of G\u2032, {} % of G\u2033",
       describeArms(series.arms.size()), series.terms, quantity(series.equilibriumModulus, "Pa"),
       percent(series.rmsStorage), percent(series.rmsLoss)));
   if (material.wlf.isDefined)
@@ -133,11 +133,12 @@ std::vector<Message> materialSummary(const Material& material) {
                 ofModulus(vertical.largestShift), ofModulus(vertical.residual),
                 ofModulus(vertical.residualWith), decades(vertical.largestChange)));
   else if (!curve.isThermorheologicallySimple && curve.largestStep > 0)
-    lines.push_back(message(
-        "not thermorheologically simple: shifts from G' alone and from G'' alone differ by up to "
-        "{} decades between neighbours, {} in all; predictions at other temperatures are "
-        "approximate",
-        decades(curve.largestStep), decades(curve.largestDifference)));
+    lines.push_back(
+        message("not thermorheologically simple: shifts from G\u2032 alone and from G\u2033 alone "
+                "differ by up to "
+                "{} decades between neighbours, {} in all; predictions at other temperatures are "
+                "approximate",
+                decades(curve.largestStep), decades(curve.largestDifference)));
   else if (!curve.isThermorheologicallySimple)
     lines.push_back(message(
         "not thermorheologically simple: beyond their noise, neighbours differ by {} % (rms) where "

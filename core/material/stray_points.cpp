@@ -177,7 +177,7 @@ Message describe(const StrayPoint& stray, std::span<const Isotherm> isotherms) {
     return PrintedNumber{printedQuantity(value, unit, 3)};
   };
   return message("{} at {} and {} is {}, where the points beside it suggest {}",
-                 stray.isLoss ? "G''" : "G'", celsius(isotherm.temperature),
+                 stray.isLoss ? "G\u2033" : "G\u2032", celsius(isotherm.temperature),
                  quantity(isotherm.points[stray.point].frequency, "Hz"),
                  quantity(stray.value(isotherms), "Pa"), quantity(stray.suggested, "Pa"));
 }

@@ -94,7 +94,8 @@ Claim unilateralClaim(const Contact& contact) {
   if (lowest < 0) claim.holds = Verdict::No;
   claim.note =
       "The paper's own condition for leaving the contact is f > 0, not u < z - d alone. With the "
-      "detachment condition d - z + \u03B7 v z' = 0 a factor G is missing: G (d - z) + \u03B7 v z' "
+      "detachment condition d - z + \u03B7 v z\u2032 = 0 a factor G is missing: G (d - z) + \u03B7 "
+      "v z\u2032 "
       "= 0.";
   return claim;
 }

@@ -13,7 +13,7 @@ namespace asperity {
 namespace {
 
 constexpr std::array<FigureEntry, 8> kEntries{{
-    {FigureName::Contact, "1", "Contact of a rough surface and a viscoelastic elastomer",
+    {FigureName::Contact, "1", "Contact of a rough line and a viscoelastic elastomer",
      R"({"title": "Fig. 1", "surface": {"elements": 1000, "seed": 7},
          "load": {"normal_force": 0.2}})",
      "sweep.velocity_from sweep.velocity_to sweep.points ensemble.realizations", addContactFigure},

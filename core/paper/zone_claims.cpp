@@ -191,7 +191,7 @@ Claim oneSidedClaim(const GroupedMeans& means, FigureWork& work) {
     each.push_back(message("F\u2099 / G h L = {:g}: {:.2g}", kForces[j], velocities[j].value));
   claim.note = message(
       "{}. In complete contact it grows as the force. The detachment condition of the paper lacks "
-      "a factor G: G (d - z) + \u03B7 v z' = 0.",
+      "a factor G: G (d - z) + \u03B7 v z\u2032 = 0.",
       listed(each));
   return claim;
 }

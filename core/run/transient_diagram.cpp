@@ -196,7 +196,7 @@ bool isBentBetween(double a, double b) {
 /// The path of a motion over the magnitude of its velocity. Between two samples, a smooth motion
 /// has velocity and friction on straight lines in time, which logarithmic axes bend: most near
 /// rest, and where friction changes its direction. The path has further points there, down to a
-/// least velocity and a least friction; it is interrupted below, where it leaves the axes.
+/// least velocity, below which it is interrupted, and a least friction, below which it goes to 0.
 class MotionTrace {
  public:
   MotionTrace(std::span<const TransientSample> samples, double slowest, const AxesFactors& factors)
@@ -231,13 +231,16 @@ class MotionTrace {
         isBentBetween(from.velocity, to.velocity) || isBentBetween(from.friction, to.friction);
     if (!isBent) return;
     if (halvings == 0) {
-      if (from.velocity * to.velocity < 0 || from.friction * to.friction < 0) interrupt();
+      if (from.velocity * to.velocity < 0)
+        interrupt();
+      else if (from.friction * to.friction <= 0)
+        push({middle.velocity, 0});
       return;
     }
     addWay(from, middle, halvings - 1);
-    if (std::abs(middle.velocity) < slowest_ || std::abs(middle.friction) < lowest_)
+    if (std::abs(middle.velocity) < slowest_)
       interrupt();
-    else
+    else if (std::abs(middle.friction) >= lowest_)
       push(middle);
     addWay(middle, to, halvings - 1);
   }

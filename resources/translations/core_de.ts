@@ -771,8 +771,8 @@
         <translation>%1; %2</translation>
     </message>
     <message>
-        <source>%1. In complete contact it grows as the force. The detachment condition of the paper lacks a factor G: G (d - z) + η v z&apos; = 0.</source>
-        <translation>%1. Im Vollkontakt wächst sie wie die Kraft. Der Ablösebedingung der Arbeit fehlt ein Faktor G: G (d - z) + η v z&apos; = 0.</translation>
+        <source>%1. In complete contact it grows as the force. The detachment condition of the paper lacks a factor G: G (d - z) + η v z′ = 0.</source>
+        <translation>%1. Im Vollkontakt wächst sie wie die Kraft. Der Ablösebedingung der Arbeit fehlt ein Faktor G: G (d - z) + η v z′ = 0.</translation>
     </message>
     <message>
         <source>%1. It depends on the window: with Fₙ / G h L up to 1 the largest deviation is %2.</source>
@@ -911,8 +911,8 @@
         <translation>Die Arbeit sagt nicht, wo sie die Grenzen abliest. Von 90 % der Geraden bis 90 % des Maximums sind es %1 Dekaden.</translation>
     </message>
     <message>
-        <source>The paper&apos;s own condition for leaving the contact is f &gt; 0, not u &lt; z - d alone. With the detachment condition d - z + η v z&apos; = 0 a factor G is missing: G (d - z) + η v z&apos; = 0.</source>
-        <translation>Die Bedingung der Arbeit selbst für das Verlassen des Kontakts ist f &gt; 0, nicht u &lt; z - d allein. In der Ablösebedingung d - z + η v z&apos; = 0 fehlt ein Faktor G: G (d - z) + η v z&apos; = 0.</translation>
+        <source>The paper&apos;s own condition for leaving the contact is f &gt; 0, not u &lt; z - d alone. With the detachment condition d - z + η v z′ = 0 a factor G is missing: G (d - z) + η v z′ = 0.</source>
+        <translation>Die Bedingung der Arbeit selbst für das Verlassen des Kontakts ist f &gt; 0, nicht u &lt; z - d allein. In der Ablösebedingung d - z + η v z′ = 0 fehlt ein Faktor G: G (d - z) + η v z′ = 0.</translation>
     </message>
     <message>
         <source>The third curve from the left is that of Fig. 2. In zone 1 curves shift as Fₙ to the power H/(1 + H), in zone 2 as Fₙ.</source>
@@ -1891,8 +1891,8 @@
         <translation>Eine Änderung von Kraft, Systemgröße oder Relaxationszeit verschiebt die Kurven in der doppeltlogarithmischen Darstellung nur</translation>
     </message>
     <message>
-        <source>Contact of a rough surface and a viscoelastic elastomer</source>
-        <translation>Kontakt einer rauen Oberfläche mit einem viskoelastischen Elastomer</translation>
+        <source>Contact of a rough line and a viscoelastic elastomer</source>
+        <translation>Kontakt einer rauen Linie mit einem viskoelastischen Elastomer</translation>
     </message>
     <message>
         <source>Curves are shifted by changes of temperature, which influences the relaxation time (the master curve procedure)</source>
@@ -4743,8 +4743,8 @@
         <translation>Überlappungen: Nachbarn stimmen auf %1 bis %2 Dekaden überein (Effektivwert)</translation>
     </message>
     <message>
-        <source>Prony series: %1 from %2 relaxation times, G∞ = %3; rms residual %4 % of G', %5 % of G''</source>
-        <translation>Prony-Reihe: %1 aus %2 Relaxationszeiten, G∞ = %3; Restabweichung %4 % von G', %5 % von G'' (Effektivwert)</translation>
+        <source>Prony series: %1 from %2 relaxation times, G∞ = %3; rms residual %4 % of G′, %5 % of G″</source>
+        <translation>Prony-Reihe: %1 aus %2 Relaxationszeiten, G∞ = %3; Restabweichung %4 % von G′, %5 % von G″ (Effektivwert)</translation>
     </message>
     <message>
         <source>Williams, Landel and Ferry: C1 = %1, C2 = %2 K, %3 decades rms</source>
@@ -4819,8 +4819,8 @@
         <translation>bei %1 von %2 Überlappungen unterscheiden die Moduln eine vertikale Verschiebung nicht von einer horizontalen, wie bei Potenzgesetzen mit einem Exponenten: dort gelten die Verschiebungen für b_T = 1</translation>
     </message>
     <message>
-        <source>holds a test over time: relaxation tests, G(t), and creep tests, J(t), are not read; what is read are G' and G'' over frequency at one or several temperatures, and Prony series</source>
-        <translation>enthält einen Versuch über der Zeit: Relaxationsversuche, G(t), und Kriechversuche, J(t), werden nicht gelesen; gelesen werden G' und G'' über der Frequenz bei einer oder mehreren Temperaturen und Prony-Reihen</translation>
+        <source>holds a test over time: relaxation tests, G(t), and creep tests, J(t), are not read; what is read are G′ and G″ over frequency at one or several temperatures, and Prony series</source>
+        <translation>enthält einen Versuch über der Zeit: Relaxationsversuche, G(t), und Kriechversuche, J(t), werden nicht gelesen; gelesen werden G′ und G″ über der Frequenz bei einer oder mehreren Temperaturen und Prony-Reihen</translation>
     </message>
     <message>
         <source>one temperature alone: there is no shift, and scenes need elastomer.temperature=%1</source>
@@ -5047,8 +5047,8 @@
         <translation>die Verschiebung ist die von Arrhenius</translation>
     </message>
     <message>
-        <source>not thermorheologically simple: shifts from G' alone and from G'' alone differ by up to %1 decades between neighbours, %2 in all; predictions at other temperatures are approximate</source>
-        <translation>nicht thermorheologisch einfach: Verschiebungen aus G' allein und aus G'' allein unterscheiden sich um bis zu %1 Dekaden zwischen Nachbarn, %2 insgesamt; Vorhersagen bei anderen Temperaturen sind Näherungen</translation>
+        <source>not thermorheologically simple: shifts from G′ alone and from G″ alone differ by up to %1 decades between neighbours, %2 in all; predictions at other temperatures are approximate</source>
+        <translation>nicht thermorheologisch einfach: Verschiebungen aus G′ allein und aus G″ allein unterscheiden sich um bis zu %1 Dekaden zwischen Nachbarn, %2 insgesamt; Vorhersagen bei anderen Temperaturen sind Näherungen</translation>
     </message>
     <message>
         <source>there is no file of this name, and %1</source>
@@ -5115,12 +5115,12 @@
         <translation>%1: Isothermen</translation>
     </message>
     <message>
-        <source>storage modulus G'</source>
-        <translation>Speichermodul G'</translation>
+        <source>storage modulus G′</source>
+        <translation>Speichermodul G′</translation>
     </message>
     <message>
-        <source>loss modulus G''</source>
-        <translation>Verlustmodul G''</translation>
+        <source>loss modulus G″</source>
+        <translation>Verlustmodul G″</translation>
     </message>
     <message>
         <source>log</source>
@@ -5139,8 +5139,8 @@
         <translation>eine Anpassung</translation>
     </message>
     <message>
-        <source>moduli G', G''</source>
-        <translation>Moduln G', G''</translation>
+        <source>moduli G′, G″</source>
+        <translation>Moduln G′, G″</translation>
     </message>
     <message>
         <source>'%1' is no unit of temperature</source>
@@ -5171,8 +5171,8 @@
         <translation>enthält einen Verschiebungsfaktor, der nicht über 0 ist</translation>
     </message>
     <message>
-        <source>modulus G', G''</source>
-        <translation>Modul G', G''</translation>
+        <source>modulus G′, G″</source>
+        <translation>Modul G′, G″</translation>
     </message>
     <message>
         <source>residual</source>
@@ -5183,8 +5183,8 @@
         <translation>%1: Masterkurve</translation>
     </message>
     <message>
-        <source>%1, G∞ = %2, rms residual %3 % of G' and %4 % of G''</source>
-        <translation>%1, G∞ = %2, Restabweichung %3 % von G' und %4 % von G'' (Effektivwert)</translation>
+        <source>%1, G∞ = %2, rms residual %3 % of G′ and %4 % of G″</source>
+        <translation>%1, G∞ = %2, Restabweichung %3 % von G′ und %4 % von G″ (Effektivwert)</translation>
     </message>
     <message>
         <source>Not thermorheologically simple: shifts of the frequency alone do not bring the points of all temperatures onto one curve.</source>
@@ -5223,12 +5223,12 @@
         <translation>aus beiden Moduln</translation>
     </message>
     <message>
-        <source>from G' alone</source>
-        <translation>aus G' allein</translation>
+        <source>from G′ alone</source>
+        <translation>aus G′ allein</translation>
     </message>
     <message>
-        <source>from G'' alone</source>
-        <translation>aus G'' allein</translation>
+        <source>from G″ alone</source>
+        <translation>aus G″ allein</translation>
     </message>
     <message>
         <source>WLF, %1 decades rms</source>
@@ -6811,12 +6811,12 @@
         <translation>Zeile %1 allein ist die Linie</translation>
     </message>
     <message>
-        <source>G' (● measured)</source>
-        <translation>G' (● gemessen)</translation>
+        <source>G′ (● measured)</source>
+        <translation>G′ (● gemessen)</translation>
     </message>
     <message>
-        <source>G'' (▲ measured)</source>
-        <translation>G'' (▲ gemessen)</translation>
+        <source>G″ (▲ measured)</source>
+        <translation>G″ (▲ gemessen)</translation>
     </message>
     <message>
         <source>modulus</source>
@@ -6867,8 +6867,8 @@
         <translation>Zeile %1 hat %2 gemessene Punkte; „interpolieren“ (interpolate) lässt solche Zeilen weg und füllt die Lücken der übrigen</translation>
     </message>
     <message>
-        <source>Tinted: from 5 to 95 % of the loss in complete contact, q C₁(q) G''(q v). The share is per decade of frequency, q² C₁ G'', over its largest value.</source>
-        <translation>Getönt: von 5 bis 95 % des Verlusts bei Vollkontakt, q C₁(q) G''(q v). Der Anteil gilt je Dekade der Frequenz, q² C₁ G'', bezogen auf den größten Wert.</translation>
+        <source>Tinted: from 5 to 95 % of the loss in complete contact, q C₁(q) G″(q v). The share is per decade of frequency, q² C₁ G″, over its largest value.</source>
+        <translation>Getönt: von 5 bis 95 % des Verlusts bei Vollkontakt, q C₁(q) G″(q v). Der Anteil gilt je Dekade der Frequenz, q² C₁ G″, bezogen auf den größten Wert.</translation>
     </message>
     <message>
         <source>columns of deviations and set values, not read: %1</source>

@@ -11,6 +11,7 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 using testing::UnorderedElementsAre;
 using Json = nlohmann::json;
@@ -218,6 +219,17 @@ TEST_F(AccuracyCommandTest, AnElasticSceneHasNothingToReach) {
   EXPECT_EQ(explained.status, 0) << explained.err;
   EXPECT_LE(Json::parse(explained.out)["predicted"]["lines"], 32);
   EXPECT_LT(Json::parse(explained.out)["predicted"]["seconds"], 100);
+}
+
+/// A target that starts hundreds of thousands of lines is a valid one, but rarely meant.
+TEST_F(AccuracyCommandTest, CheckWarnsOfATargetThatNeedsVeryManyLines) {
+  const std::string check = "check s.json --set accuracy.target_relative_error=";
+  EXPECT_THAT(run(check + "1e-5"),
+              AllOf(HasSubstr("\n  accuracy.target_relative_error needs about "),
+                    HasSubstr("may miss the target\n")));
+  EXPECT_THAT(Json::parse(run(check + "1e-5 --json"))["warning"].get<std::string>(),
+              HasSubstr("may miss the target"));
+  EXPECT_THAT(run(check + "0.05"), Not(HasSubstr("target_relative_error")));
 }
 
 TEST_F(AccuracyCommandTest, TargetOrScheme) {

@@ -271,10 +271,8 @@ void OverItem::show(const Diagram& diagram, const ChartGeometry& map, const Char
     Bars bars{style.curve(series), series.isFaded ? kFadedOpacity : 1, {}};
     for (const DiagramPoint& point : series.points) {
       if (!hasPosition(diagram, point) || !(point.high > point.low)) continue;
-      // The low end may be outside the axis; the bar then reaches the end of the axis.
-      const double low = map.mapY(point.low);
-      bars.lines += QLineF(map.columnAt(point.x), map.mapY(point.high), map.columnAt(point.x),
-                           std::isfinite(low) ? low : map.area.bottom() + kCap * map.scale + 1);
+      const double x = map.columnAt(point.x);
+      bars.lines += QLineF(x, map.mapY(point.high), x, map.mapY(point.low));
     }
     if (!bars.lines.isEmpty()) bars_.push_back(std::move(bars));
   }

@@ -164,6 +164,10 @@ void ChartPanel::showSeries(const Diagram& diagram, const ChartGeometry& map,
           marks += chartPosition(diagram, map.xAt(map.columnAt(point.x)), point.y);
           continue;
         }
+        if (const QPointF at = map.at(point.x, point.y); isFinite(at)) {  // below the axis
+          run += QPointF(map.positionX(at.x()), map.positionY(at.y()));
+          continue;
+        }
         showRun(series, run, style);
         run.clear();
       }

@@ -204,15 +204,17 @@ void addTickLabels(DrawList& list, const DiagramAxes& axes, const Rgba& colour, 
 }  // namespace
 
 std::string trailingSymbol(const std::string& name) {
-  constexpr std::size_t kLongest = 3;  // bytes, a Greek letter with a mark
+  constexpr std::ptrdiff_t kLongest = 2;  // characters: a letter with a mark, an index or a prime
   const std::size_t space = name.rfind(' ');
   // "relative error of mu" is not mu, in neither language.
   const std::string_view before = std::string_view(name).substr(0, std::min(space, name.size()));
   if (before.ends_with(" of") || before.ends_with(" von")) return {};
-  // Nor is "modulus G', G''" G'' alone, nor "exponent d ln mu / d ln x" x.
+  // Nor is "modulus G′, G″" G″ alone, nor "exponent d ln mu / d ln x" x.
   if (before.ends_with(',') || name.find(" / ") != name.npos) return {};
   if (name.find("\u00B0", std::min(space, name.size())) != name.npos) return {};  // a temperature
-  return space != name.npos && name.size() - space - 1 <= kLongest ? name.substr(space + 1) : "";
+  if (space == name.npos) return {};
+  const std::string last = name.substr(space + 1);
+  return std::ranges::count_if(last, beginsCharacter) <= kLongest ? last : "";
 }
 
 FittedTitle fittedTitle(const std::string& title, float size, float pixels) {
@@ -292,13 +294,15 @@ float DiagramAxes::py(double y) const {
 }
 
 DrawPoint DiagramAxes::mapToPosition(double x, double y) const {
+  constexpr float kUnder = 10;  // pixels
   const double right = axisPosition(xAxis.scale, x), above = axisPosition(yAxis.scale, y);
-  if (!std::isfinite(right) || !std::isfinite(above))
+  const bool isUnder = isBelow(yAxis.scale, y);
+  if (!std::isfinite(right) || !(std::isfinite(above) || isUnder))
     return {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::quiet_NaN()};
   const auto held = [](float pixels) {
     return std::clamp(pixels, static_cast<float>(-kFarthest), static_cast<float>(kFarthest));
   };
-  return {held(px(right)), held(py(above))};
+  return {held(px(right)), isUnder ? box.bottom() + kUnder : held(py(above))};
 }
 
 float leftOfAxes(const DiagramAxes& axes, const DiagramSizes& sizes) {

@@ -33,7 +33,7 @@ TickedAxis tickedXAxis(const DiagramAxis& axis, const AxisRange& range, float pi
 TickedAxis tickedYAxis(const DiagramAxis& axis, const AxisRange& range, float pixels,
                        const DiagramSizes& sizes);
 
-/// Returns the symbol at the end of a name: "G'" of "storage modulus G'"; empty where there is
+/// Returns the symbol at the end of a name: "G′" of "storage modulus G′"; empty where there is
 /// none.
 std::string trailingSymbol(const std::string& name);
 

@@ -39,6 +39,11 @@ void DiagramPanel::alignTo(float left, float right) {
   arrange();
 }
 
+void DiagramPanel::lowerTo(float top) {
+  headroom_ = top - top_;
+  arrange();
+}
+
 ChartGeometry DiagramPanel::geometry() const {
   const Box& box = axes_.box;
   return {QRectF(box.x, box.y, box.width, box.height), axes_.xAxis.range, axes_.yAxis.range,
@@ -203,15 +208,16 @@ void DiagramPanel::arrangeLegend() {
   const bool fitsBeside =
       !isAligned_ && !beside.empty() && frame.width - beside.width - gap > least * cell_.width;
   const Legend over = legendOver(diagram_, styles_, legendSize_, frame.width);
-  const float rest = frame.height - over.height;
+  const float rest = frame.height - std::max(0.0F, over.height - headroom_);
   const bool fitsAbove =
       over.isWhole && rest > std::max(kMinHeight * frame.height, 5 * sizes_.tick);
   const bool hidesCurve = hidden_ > kLittleHidden;
-  if (fitsAbove && !(fitsBeside && beside.isWhole)) {
+  const bool isRoomAbove = over.height <= headroom_;
+  if (fitsAbove && (isRoomAbove || !(fitsBeside && beside.isWhole))) {
     place(0, over.height);
     legend_ = over;
     const float above = aboveFrame(diagram_, sizes_) + aboveAxes(axes_, sizes_);
-    legendBox_ = {axes_.box.x, top_ - above, over.width, over.height};
+    legendBox_ = {axes_.box.x, axes_.box.y - over.height - above, over.width, over.height};
     hidden_ = 0;
     return;
   }
@@ -270,7 +276,7 @@ void DiagramPanel::placeBelow(Legend below) {
 /// Lays out everything, with this many pixels free at the right and above the frame.
 void DiagramPanel::place(float right, float above) {
   Box& box = axes_.box;
-  box.y = top_ + above;
+  box.y = top_ + std::max(above, headroom_);
   box.height = std::max(1.0F, bottom_ - below_ - box.y);
   axes_.yAxis = diagram_.bars.empty()
                     ? tickedYAxis(diagram_.y, yRange(diagram_, xRange_), box.height, sizes_)

@@ -31,6 +31,9 @@ class DiagramPanel {
   /// it.
   void alignTo(float left, float right);
 
+  /// Lowers the top of the frame to one beside it. The legend may then go into the space above.
+  void lowerTo(float top);
+
   const Box& frame() const { return axes_.box; }
   ChartGeometry geometry() const;
 
@@ -78,6 +81,7 @@ class DiagramPanel {
   Legend legend_;
   bool isAligned_;              // with the frames of other diagrams or of a picture above
   float top_ = 0, bottom_ = 1;  // of the frame if no legend is above it
+  float headroom_ = 0;          // minimum space above the frame
   float left_ = 0;              // minimum left edge of the frame
   float right_ = 0;             // right edge of the frame; 0: automatic
   bool showsLegend_ = true;

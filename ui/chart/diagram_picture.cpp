@@ -32,6 +32,27 @@ DrawList emptyList(const DiagramOptions& options) {
   return list;
 }
 
+/// Lowers the frames of each row to the lowest of them, beside a legend above it. A frame that
+/// would lose much of its height, or names of its legend, stays.
+std::vector<DiagramPanel> withCommonTops(const std::vector<DiagramPanel>& panels,
+                                         std::size_t columns) {
+  constexpr float kLeast = 0.6F;  // of the height
+  std::vector<DiagramPanel> aligned;
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    float top = 0;
+    const std::size_t first = i - i % columns;
+    for (std::size_t k = first; k < std::min(first + columns, panels.size()); ++k)
+      top = std::max(top, panels[k].frame().y);
+    DiagramPanel lowered = panels[i];
+    if (lowered.frame().y < top) lowered.lowerTo(top);
+    const bool isAsGood = lowered.frame().y == top &&
+                          lowered.frame().height >= kLeast * panels[i].frame().height &&
+                          (lowered.hasWholeLegend() || !panels[i].hasWholeLegend());
+    aligned.push_back(isAsGood ? lowered : panels[i]);
+  }
+  return aligned;
+}
+
 std::vector<DiagramPanel> panelsBetween(float top, float bottom, const DiagramSheet& sheet,
                                         const DiagramOptions& options, bool titlesAbove) {
   constexpr float kBetweenRows = 14, kLittle = 6;  // units
@@ -63,7 +84,7 @@ std::vector<DiagramPanel> panelsBetween(float top, float bottom, const DiagramSh
     if (options.above && options.above->right > 0) right = options.above->right;
     for (DiagramPanel& panel : panels) panel.alignTo(left, right);
   }
-  return panels;
+  return withCommonTops(panels, static_cast<std::size_t>(gridFor(sheet).columns));
 }
 
 /// Leaves the legend to the first diagram where the legends of all others have nothing more: in

@@ -48,20 +48,15 @@ std::vector<Polyline> curveRuns(const std::vector<DrawPoint>& points, const Box&
 
 struct Bar {
   float x, low, high;  // pixels; low is the lower end, so the larger row
-  bool lowShown, highShown;
 };
 
-/// Returns the error bar of a point; an end that a logarithmic axis cannot show is at its bottom.
 Bar errorBar(const DiagramPoint& point, const DiagramAxes& axes) {
-  const DrawPoint low = axes.mapToPosition(point.x, point.low),
-                  high = axes.mapToPosition(point.x, point.high);
-  const bool toZero = !isFinite(low) && std::isfinite(point.low);
-  const float bottom = axes.box.bottom() + 10;
-  return {high.x, toZero ? bottom : low.y, high.y, isFinite(low), isFinite(high)};
+  const DrawPoint high = axes.mapToPosition(point.x, point.high);
+  return {high.x, axes.mapToPosition(point.x, point.low).y, high.y};
 }
 
 bool isDrawable(const Bar& bar) {
-  return bar.highShown && std::isfinite(bar.low) && std::isfinite(bar.x);
+  return std::isfinite(bar.x) && std::isfinite(bar.low);
 }
 
 /// Returns one bar for each pixel column that encloses all bars there, where points are dense.
@@ -103,10 +98,9 @@ void addBars(DrawLayer& layer, const DiagramSeries& series, const SeriesStyle& s
     if (!isDrawable(bar)) continue;
     for (const Polyline& part : clippedTo(box, {{bar.x, bar.low}, {bar.x, bar.high}}))
       addLine(layer, part, width, style.colour);
-    for (const auto& [y, shown] : {std::pair{bar.low, bar.lowShown}, {bar.high, bar.highShown}})
-      if (shown)
-        for (const Polyline& part : clippedTo(box, {{bar.x - cap, y}, {bar.x + cap, y}}))
-          addLine(layer, part, width, style.colour);
+    for (const float y : {bar.low, bar.high})
+      for (const Polyline& part : clippedTo(box, {{bar.x - cap, y}, {bar.x + cap, y}}))
+        addLine(layer, part, width, style.colour);
   }
 }
 

@@ -231,10 +231,9 @@ TitleLine titleLine(const Frame& frame, const ContactPictureOptions& options) {
   line.progressAt = std::floor(width - line.side - textWidth(line.progress, s.small));
   const float alone = width - 2 * line.side, beside = alone - progress - 2 * line.side;
   const float smallest = std::max(kSmallestFont, std::round(0.8F * s.title));
-  // A whole title is worth more than the time beside it.
-  const bool fitsAlone = textWidth(line.whole, smallest, true) <= alone;
-  const bool fitsBeside = textWidth(line.whole, s.title, true) <= beside;
-  if (!(progress < 0.4F * width) || (fitsAlone && !fitsBeside)) line.progress.clear();
+  // The title is worth more than the time beside it.
+  const bool fitsBeside = textWidth(line.whole, smallest, true) <= beside;
+  if (!(progress < 0.4F * width) || !fitsBeside) line.progress.clear();
   line.width = line.progress.empty() ? alone : beside;
   line.size = fittingSize(line.whole, s.title, smallest, true, line.width);
   line.shown = elided(line.whole, line.size, true, line.width);

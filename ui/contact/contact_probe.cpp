@@ -27,10 +27,13 @@ std::optional<double> surfaceRate(const Frame& frame, std::size_t point) {
   return (spring - frame.pressure[point]) / (4 * law.viscosity);
 }
 
-/// A free surface relaxes for ever; what is left of it far below an atom is shown as 0.
-std::string heightText(double height) {
+/// A free surface relaxes for ever; what is left of it far below an atom is shown as 0, in the unit
+/// of the height beside it.
+std::string heightText(double height, double beside) {
   constexpr double kMin = 1e-12;  // m
-  return quantity(std::abs(height) < kMin ? 0 : height, "m", 3, Zeros::Keep);
+  const bool isZero = std::abs(height) < kMin;
+  const std::string text = quantity(isZero ? beside : height, "m", 3, Zeros::Keep);
+  return isZero ? "0" + text.substr(text.rfind(' ')) : text;
 }
 
 }  // namespace
@@ -60,8 +63,8 @@ std::optional<ProbeReading> probeReading(const Frame& frame, double x) {
 std::vector<ProbeLine> probeLines(const ProbeReading& reading) {
   std::vector<ProbeLine> lines{
       {Words::tr("position x"), quantity(reading.position, "m", 4, Zeros::Keep)},
-      {Words::tr("rigid line z"), heightText(reading.line)},
-      {Words::tr("elastomer u"), heightText(reading.surface)}};
+      {Words::tr("rigid line z"), heightText(reading.line, reading.surface)},
+      {Words::tr("elastomer u"), heightText(reading.surface, reading.line)}};
   if (reading.pressure > 0)
     lines.push_back({Words::tr("pressure p"), quantity(reading.pressure, "N/m", 3, Zeros::Keep)});
   else

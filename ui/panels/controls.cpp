@@ -295,6 +295,10 @@ QColor faultColour(const QPalette& palette) {
   return isDark(palette) ? QColor(0xff, 0x7b, 0x72) : QColor(0xc6, 0x28, 0x28);
 }
 
+QColor warningColour(const QPalette& palette) {
+  return isDark(palette) ? QColor(0xe3, 0xb3, 0x41) : QColor(0x8a, 0x5a, 0x00);
+}
+
 QString panelStyleSheet(const QPalette& palette) {
   const auto name = [&](QPalette::ColorRole role) { return palette.color(role).name(); };
   return QStringLiteral(R"(
@@ -344,7 +348,7 @@ QString messageStyleSheet(const QPalette& palette) {
     QLabel[role="warning"] { color: %3; padding-bottom: 3px; }
   )")
       .arg(faultColour(palette).name(), palette.color(QPalette::Highlight).name(),
-           isDark(palette) ? QStringLiteral("#e3b341") : QStringLiteral("#8a5a00"));
+           warningColour(palette).name());
 }
 
 void setStyleProperty(QWidget& widget, const char* name, const QVariant& value) {

@@ -172,6 +172,8 @@ bool isDark(const QPalette& palette);
 
 /// Returns the colour of error messages, legible on the palette's background.
 QColor faultColour(const QPalette& palette);
+/// Returns that of warnings.
+QColor warningColour(const QPalette& palette);
 
 QString panelStyleSheet(const QPalette& palette);
 /// Returns its rules for labels that are an error, a warning or a note. The style sheet of a window

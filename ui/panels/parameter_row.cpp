@@ -47,8 +47,7 @@ int longestWord(QString html, const QFont& font) {
   static const QRegularExpression tag(QStringLiteral("<[^>]*>")), gap(QStringLiteral("\\s|(?<=-)"));
   const QFontMetrics metrics(font);
   int longest = 0;
-  for (const QString& word :
-       html.remove(tag).replace("&nbsp;&nbsp;", "__").replace("&nbsp;", " ").split(gap))
+  for (const QString& word : html.remove(tag).replace("&nbsp;", "_").split(gap))
     longest = std::max(longest, metrics.horizontalAdvance(word));
   return longest + 1;
 }

@@ -75,8 +75,7 @@ QString labelWithSymbol(const Parameter& parameter) {
   const QString plain = fromUtf8(parameter.symbol).remove('_');
   if (label.endsWith(' ' + plain)) label.chop(plain.size() + 1);
   // A line break never separates the symbol from its name.
-  const bool hasWords = label.contains(' ');
-  return label + (hasWords ? "&nbsp;&nbsp;" : "&nbsp; ") + symbolHtml(parameter.symbol);
+  return label + "&nbsp;&nbsp;" + symbolHtml(parameter.symbol);
 }
 
 QString errorWithLabel(const InputError& error) {

@@ -300,7 +300,7 @@ TEST(MasterCurve, WhatCannotBeShiftedIsSaidInOneLine) {
   slipped[1].points[8].loss *= 0.01;
   EXPECT_THAT(errorFrom([&] { masterCurve(slipped, 278.15); }),
               AllOf(HasSubstr("overlap only without a point"),
-                    HasSubstr("G'' at 5.0 \u00B0C and 6.33 Hz is"), HasSubstr("take it out")));
+                    HasSubstr("G\u2033 at 5.0 \u00B0C and 6.33 Hz is"), HasSubstr("take it out")));
   std::vector<Isotherm> swapped = rubber.sweeps(15);
   std::swap(swapped[3].points, swapped[4].points);
   EXPECT_THAT(errorFrom([&] { masterCurve(swapped, 298.15); }), HasSubstr("out of order"));

@@ -40,7 +40,7 @@ TEST(MaterialSummary, ASlipIsNamedAndNothingIsConcludedFromIt) {
   EXPECT_THAT(linesOf(fitMaterial(isotherms, {})), Each(Not(HasSubstr("beside it"))));
   isotherms[4].points[6].storage *= 10;
   const Material material = fitMaterial(isotherms, {});
-  EXPECT_THAT(linesOf(material), Contains(HasSubstr("G' at 35.0 \u00B0C and 1.23 Hz is")));
+  EXPECT_THAT(linesOf(material), Contains(HasSubstr("G\u2032 at 35.0 \u00B0C and 1.23 Hz is")));
   EXPECT_TRUE(material.curve.isThermorheologicallySimple);
 }
 
@@ -88,7 +88,7 @@ TEST(MaterialSummary, SaysWhatVerticalShiftsExplain) {
                                         "factor of up to 2.8")));
   choices.isVertical = true;
   EXPECT_THAT(linesOf(fitMaterial(isotherms, choices)),
-              Each(Not(HasSubstr("shifts from G' alone"))));
+              Each(Not(HasSubstr("shifts from G\u2032 alone"))));
 }
 
 /// Moduli that are power laws of one exponent: whoever reads the shifts must know what decided.

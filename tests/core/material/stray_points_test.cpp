@@ -52,7 +52,7 @@ TEST(StrayPoints, TheWorstComesFirst) {
   const std::vector<StrayPoint> strays = strayPoints(isotherms);
   ASSERT_EQ(strays.size(), 2U);
   EXPECT_TRUE(strays[0].isLoss);
-  EXPECT_EQ(describe(strays[1], isotherms).english().find("G' at \u22125.0 \u00B0C and"), 0U);
+  EXPECT_EQ(describe(strays[1], isotherms).english().find("G\u2032 at \u22125.0 \u00B0C and"), 0U);
   EXPECT_EQ(withoutStrays(isotherms[5], 5, strays).points.size(), 11U);
   EXPECT_EQ(withoutStrays(isotherms[4], 4, strays).points.size(), 12U);
 }

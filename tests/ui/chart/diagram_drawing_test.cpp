@@ -110,9 +110,11 @@ TEST(DiagramDrawing, WhatHasNoPlaceBreaksTheLine) {
   EXPECT_EQ(linesOf(composeDiagrams(sheet, {}), colour).size(), 2U);  // broken at NaN alone
   sheet.diagrams[0].y.scale = AxisScale::Logarithmic;
   const std::vector<DrawLine> lines = linesOf(composeDiagrams(sheet, {}), colour);
-  ASSERT_EQ(lines.size(), 2U);  // and at zero; the point between them is alone
-  EXPECT_EQ(lines[0].vertices.size(), 2U);
-  EXPECT_EQ(lines[1].vertices.size(), 2U);
+  ASSERT_EQ(lines.size(), 3U);  // zero is below the axis: the line leaves the frame and comes back
+  const float bottom = lines[0].vertices.back().y;
+  EXPECT_EQ(lines[0].vertices.size(), 3U);
+  EXPECT_NEAR(lines[1].vertices.front().y, bottom, 0.01);
+  EXPECT_GT(bottom, lines[2].vertices.back().y) << "below the least value";
 }
 
 /// Whatever leaves the range ends at the frame.

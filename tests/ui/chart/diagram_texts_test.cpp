@@ -208,6 +208,28 @@ TEST(DiagramTexts, TheLabelOfAMarkerIsBesideItsLine) {
   }
 }
 
+/// A legend above one frame lowers the frame beside it, too.
+TEST(DiagramTexts, FramesOfARowLineUp) {
+  Diagram full{.x = {"position", "m", AxisScale::Linear}, .y = {"share", "%", AxisScale::Linear}};
+  for (const char* name : {"in contact", "mean, force / length"}) {
+    DiagramSeries series{.name = name};
+    for (int i = 0; i < 200; ++i)  // leaves no room inside the frame
+      series.points.push_back({static_cast<double>(i / 2), i % 2 == 0 ? 0.0 : 1.0});
+    full.series.push_back(series);
+  }
+  Diagram plain = full;
+  plain.series.resize(1);
+  plain.series[0].name = {};
+  DiagramSheet sheet;
+  sheet.diagrams = {full, plain};
+  const std::vector<ChartGeometry> frames = diagramFrames(sheet, {620, 300});
+  ASSERT_EQ(frames.size(), 2U);
+  EXPECT_EQ(frames[0].area.top(), frames[1].area.top());
+  EXPECT_EQ(frames[0].area.bottom(), frames[1].area.bottom());
+  sheet.diagrams = {plain, plain};
+  EXPECT_GT(frames[1].area.top(), diagramFrames(sheet, {620, 300})[1].area.top());
+}
+
 /// What is nowhere on the axes is not in the legend.
 TEST(DiagramTexts, CurvesOffTheAxesAreNotInTheLegend) {
   DiagramSheet sheet = sheetOf({{1, 1}, {2, 3}});
@@ -465,7 +487,7 @@ TEST(DiagramTexts, TheSymbolOfAnErrorIsNotThatOfTheQuantity) {
   EXPECT_EQ(trailingSymbol("coefficient of friction \u03BC"), "\u03BC");
   EXPECT_EQ(trailingSymbol("relative error of \u03BC"), "");
   EXPECT_EQ(trailingSymbol("relativer Fehler von \u03BC"), "");
-  EXPECT_EQ(trailingSymbol("modulus G', G''"), "");
+  EXPECT_EQ(trailingSymbol("modulus G\u2032, G\u2033"), "");
   EXPECT_EQ(trailingSymbol("exponent d ln \u03BC / d ln x"), "");
 }
 

@@ -358,7 +358,8 @@ TEST(ContactTexts, EveryReadingHasItsSentence) {
   EXPECT_TRUE(contactReadings(frame, plain).empty());
 }
 
-/// Whatever the digits of the time are, the title is the same; it is whole where it fits alone.
+/// Whatever the digits of the time are, the title is the same; it is whole where it fits alone, and
+/// never cut for the time beside it.
 TEST(ContactTexts, TheTitleDoesNotChangeWithTheTime) {
   SampleOptions sample;
   sample.points = 300;
@@ -377,6 +378,10 @@ TEST(ContactTexts, TheTitleDoesNotChangeWithTheTime) {
     };
     const std::string first = titleAt(1.11e-3);
     for (const double time : {88.8e-6, 444e-6, 11.1e-3, 0.7}) EXPECT_EQ(titleAt(time), first);
+    const bool hasTime =
+        std::ranges::any_of(composeContact(frame, options).texts,
+                            [](const DrawText& text) { return text.utf8.starts_with("t = "); });
+    EXPECT_FALSE(hasTime && !first.starts_with(scene.title)) << options.width << ": " << first;
     if (options.width > 640) {
       EXPECT_TRUE(first.starts_with(scene.title)) << options.width;
     }

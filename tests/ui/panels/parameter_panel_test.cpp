@@ -223,7 +223,7 @@ TEST_F(ParameterPanelTest, NamesAndSymbolsAreAsPeopleWriteThem) {
   };
   EXPECT_EQ(label("elastomer.equilibrium_modulus"),
             QStringLiteral("equilibrium modulus&nbsp;&nbsp;<i>G</i><sub>∞</sub>"));
-  EXPECT_EQ(label("elastomer.shift.c1"), "shift&nbsp; <i>C</i><sub>1</sub>");
+  EXPECT_EQ(label("elastomer.shift.c1"), "shift&nbsp;&nbsp;<i>C</i><sub>1</sub>");
   auto* rheology = control<QComboBox>("choice:elastomer.rheology");
   EXPECT_EQ(rheology->itemText(rheology->findData("kelvin")), "Kelvin");
   EXPECT_EQ(rheology->itemText(rheology->findData("standard_solid")), "standard solid");

@@ -104,8 +104,8 @@ TEST(DiagramView, SymbolsOfLowDiagramsStandInTheLegend) {
   for (int i = 0; i < 3; ++i) {
     Diagram diagram;
     diagram.x = {"frequency f", "Hz"};
-    diagram.y = {"moduli G', G''", "Pa"};
-    for (const char* name : {"storage modulus G'", "loss modulus G''"}) {
+    diagram.y = {"moduli G\u2032, G\u2033", "Pa"};
+    for (const char* name : {"storage modulus G\u2032", "loss modulus G\u2033"}) {
       DiagramSeries series;
       series.name = name;
       series.points = {{1, 1e6}, {1e3, 1e7}};
@@ -118,8 +118,8 @@ TEST(DiagramView, SymbolsOfLowDiagramsStandInTheLegend) {
   for (const Diagram& diagram : shown.diagrams) {
     EXPECT_TRUE(diagram.labels.empty());
     ASSERT_EQ(diagram.series.size(), 2);
-    EXPECT_EQ(diagram.series[0].name.text, "G'");
-    EXPECT_EQ(diagram.series[1].name.text, "G''");
+    EXPECT_EQ(diagram.series[0].name.text, "G\u2032");
+    EXPECT_EQ(diagram.series[1].name.text, "G\u2033");
   }
 }
 

@@ -29,6 +29,7 @@
 #include "ui/language/language.h"
 #include "ui/window/curve/comparison_commands.h"
 #include "ui/window/figures/diagram_view.h"
+#include "ui/window/fit/fit_results.h"
 #include "ui/window/import/import_commands.h"
 
 namespace asperity {
@@ -115,6 +116,16 @@ TEST_F(FitPageTest, FindsTheValuesAndTheSceneTakesThemInOneStep) {
   window_.document().history().undo();
   EXPECT_DOUBLE_EQ(scene().surface.rmsHeight, before.surface.rmsHeight);
   EXPECT_DOUBLE_EQ(scene().elastomer.relaxationTime, before.elastomer.relaxationTime);
+}
+
+TEST(FitTable, WarnsInTheColourOfWarnings) {
+  Fit fit;
+  fit.hasFoundPoints = true;
+  fit.parameters = {{.key = "surface.rms_height", .value = 1e-6, .isDetermined = false}};
+  const QString warning = QStringLiteral("<span style='color:#8a5a00'>⚠ ");
+  EXPECT_TRUE(fittedTable(fit, QColor("#8a5a00")).contains(warning));
+  fit.parameters[0].isDetermined = true;
+  EXPECT_FALSE(fittedTable(fit, QColor("#8a5a00")).contains("color:"));
 }
 
 /// Before a fit there is nothing to show but how to begin; tables are shown by their file names.

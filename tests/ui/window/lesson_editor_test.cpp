@@ -4,6 +4,7 @@
 
 #include <QComboBox>
 #include <QDir>
+#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -349,6 +350,24 @@ TEST_F(LessonEditorTest, TheDeleteKeyEmptiesTheCellsOfTheChoices) {
   QTest::keyClick(&table, Qt::Key_Delete);
   EXPECT_EQ(table.item(2, 0)->text(), "");
   EXPECT_EQ(prediction(0).choices.size(), 2U);
+}
+
+TEST_F(LessonEditorTest, ALongChoiceIsShownAsAWhole) {
+  edit(sampleLesson(), 1);
+  const auto& table = field<QTableWidget>("editorChoices");
+  const auto showsAll = [&] {
+    return table.verticalHeader()->length() <= table.viewport()->height();
+  };
+  ASSERT_TRUE(waitFor([&] { return table.isVisible() && showsAll(); }));
+  const int height = table.rowHeight(0);
+  setCell(0, 0,
+          QStringLiteral("It grows by half or more: it doubles, as Amontons says. ").repeated(3));
+  EXPECT_TRUE(waitFor([&] { return table.rowHeight(0) > height; })) << table.columnWidth(0);
+  EXPECT_TRUE(waitFor(showsAll)) << table.verticalHeader()->length() << " in "
+                                 << table.viewport()->height();
+  EXPECT_EQ(table.rowHeight(1), height);
+  setCell(0, 0, "short");
+  EXPECT_TRUE(waitFor([&] { return table.rowHeight(0) == height; }));
 }
 
 TEST_F(LessonEditorTest, EmptyingManyCellsIsOneEdit) {

@@ -125,6 +125,20 @@ TEST_F(MapPanelTest, NamesAreWholeWhereThereIsRoom) {
   }
 }
 
+TEST_F(MapPanelTest, ALabelIsNearerToItsListThanToTheOneBefore) {
+  int before = 0, labels = 0;  // right end of the list before; number of labels with one
+  for (const auto* label : panel_.findChildren<QLabel*>()) {
+    const QWidget* list = label->buddy();
+    if (!list) continue;
+    if (before > 0) {
+      EXPECT_GT(label->x() - before, list->x() - label->geometry().right());
+    }
+    before = list->geometry().right();
+    ++labels;
+  }
+  EXPECT_EQ(labels, 3);
+}
+
 TEST_F(MapPanelTest, AHiddenMapIsNotComputedOn) {
   ASSERT_TRUE(waitForMap());
   const auto before = panel_.map();

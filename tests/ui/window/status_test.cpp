@@ -439,7 +439,8 @@ TEST(StatusLine, AMessageHasThePlaceOfLesserReadings) {
   EXPECT_TRUE(line.findChild<QLabel*>("factMu")->isVisible());
 }
 
-/// The space that is kept for the progress of the curve does not hide them.
+/// The space that is kept for the progress of the curve does not hide them, and they return after a
+/// message.
 TEST(StatusLine, ASmallWindowHasBothDimensionlessNumbers) {
   CurveReading reading;
   reading.mu = 0.01166;
@@ -455,6 +456,9 @@ TEST(StatusLine, ASmallWindowHasBothDimensionlessNumbers) {
     for (const Work::State state : {Work::State::Idle, Work::State::Running}) {
       line.showFrame(movingFrame(1), reading);
       line.showWork({state, 0.5, 16000});
+      line.showMessage(
+          "Drag down to press harder, up to press less; sideways moves a zoomed view.");
+      line.showMessage({});
       QTest::qWait(1);  // the layout is made with the first events
       for (const char* name : {"factForce", "factVelocity"}) {
         const auto& fact = *line.findChild<QLabel*>(name);

@@ -56,6 +56,7 @@ TEST_F(TimeBarTest, SlowMotionIsThePaceOverTheSimulatedTime) {
   show();
   EXPECT_EQ(bar_.slowMotion(), 0);
   EXPECT_FALSE(part<QLineEdit>("slowMotion").isEnabled());
+  EXPECT_FALSE(part<QSlider>("paceSlider").isEnabled()) << "nothing moves at any pace";
 }
 
 TEST_F(TimeBarTest, ThePaceStaysWhileTheVelocityChangesOrTheSlowMotionDoes) {

@@ -266,7 +266,7 @@ void TimeBar::showPace() {
   const double requested = slowMotion();
   const double factor = reachedScale_ > 0 ? 1 / reachedScale_ : requested;
   behindText_->setVisible(reachedScale_ > 0);
-  factor_->setEnabled(requested > 0);
+  for (QWidget* part : Widgets{slider_, factor_}) part->setEnabled(requested > 0);
   shown_ = requested > 0 ? paceText(factor) : QStringLiteral("–");
   setWidths();
   if (factor_->hasFocus() && factor_->isModified()) return;  // the user is typing

@@ -227,7 +227,7 @@ void FitPage::showProgress(int evaluations, double chiSquared) {
 
 void FitPage::take(std::shared_ptr<const FittedCurve> fitted) {
   fitted_ = std::move(fitted);
-  table_->setText(fittedTable(fitted_->fit));
+  table_->setText(fittedTable(fitted_->fit, warningColour(palette())));
   table_->show();
   showWarnings(*warnings_, fitWarnings(fitted_->fit));
   notes_->setText(keptTogether(fittedNotes(fitted_->fit)));

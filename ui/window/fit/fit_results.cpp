@@ -19,6 +19,7 @@
 #include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/parameter_row.h"
+#include "ui/panels/parameter_text.h"
 #include "ui/window/fit/fit_page.h"
 #include "ui/window/main/picture_files.h"
 
@@ -34,11 +35,14 @@ QString rangeText(const FittedParameter& parameter) {
   return readingText(rangeOf(parameter)).toHtmlEscaped();
 }
 
-QString stateText(const FittedParameter& parameter, const Fit& fit) {
-  if (!fit.hasFoundPoints) return QStringLiteral("⚠ ") + FitPage::tr("curve misses the points");
-  if (!parameter.isDetermined) return QStringLiteral("⚠ ") + FitPage::tr("not determined");
-  if (parameter.isAtLimit) return QStringLiteral("⚠ ") + FitPage::tr("at its limit");
-  if (fit.missesPoints) return QStringLiteral("⚠ ") + FitPage::tr("curve misses the points");
+QString stateText(const FittedParameter& parameter, const Fit& fit, const QColor& warning) {
+  const auto warn = [&](const QString& text) {
+    return QStringLiteral("<span style='color:%1'>⚠ %2</span>").arg(warning.name(), text);
+  };
+  if (!fit.hasFoundPoints) return warn(FitPage::tr("curve misses the points"));
+  if (!parameter.isDetermined) return warn(FitPage::tr("not determined"));
+  if (parameter.isAtLimit) return warn(FitPage::tr("at its limit"));
+  if (fit.missesPoints) return warn(FitPage::tr("curve misses the points"));
   return FitPage::tr("determined");
 }
 
@@ -94,7 +98,7 @@ QString correlationsText(const Fit& fit) {
 
 }  // namespace
 
-QString fittedTable(const Fit& fit) {
+QString fittedTable(const Fit& fit, const QColor& warning) {
   const auto cell = [](const QString& text, const char* align) {
     return QStringLiteral("<td align=%1 style='padding-right:8px'>%2</td>").arg(align, text);
   };
@@ -103,12 +107,11 @@ QString fittedTable(const Fit& fit) {
                  cell(FitPage::tr("± standard error"), "right") + cell(QString(), "left") + "</tr>";
   for (const FittedParameter& parameter : fit.parameters) {
     const Parameter& row = *findParameter(parameter.key);
-    QString name = ParameterRow::labelText(row).toHtmlEscaped();
-    if (!row.symbol.empty()) name += "&nbsp; " + symbolHtml(row.symbol);
     rows +=
-        "<tr>" + cell(name, "left") +
+        "<tr>" + cell(labelWithSymbol(row), "left") +
         cell("<b>" + quantityLabel(parameter.value, row.unit).toHtmlEscaped() + "</b>", "right") +
-        cell(rangeText(parameter), "right") + cell(stateText(parameter, fit), "left") + "</tr>";
+        cell(rangeText(parameter), "right") + cell(stateText(parameter, fit, warning), "left") +
+        "</tr>";
   }
   return "<table cellspacing=0 cellpadding=1>" + rows + "</table>";
 }

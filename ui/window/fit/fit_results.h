@@ -2,6 +2,7 @@
 // the notes with the correlations, a diagram of the progress, and the report as files.
 #pragma once
 
+#include <QColor>
 #include <QString>
 #include <QStringList>
 #include <span>
@@ -13,9 +14,10 @@
 
 namespace asperity {
 
-/// Returns one row for each parameter: best value, its range, and whether the data determine it.
-/// This and the next two functions: GUI thread, whose language they have.
-QString fittedTable(const Fit& fit);
+/// Returns one row for each parameter: best value, its range, and whether the data determine it,
+/// in the colour of warnings where they do not. This and the next two functions: GUI thread, whose
+/// language they have.
+QString fittedTable(const Fit& fit, const QColor& warning);
 
 /// Returns the sum of squares, the correlations, the products that are determined where a single
 /// parameter is not, and the notes of the fit with the names of the panel instead of keys; one line

@@ -103,10 +103,15 @@ void PredictionFields::addChoices() {
   for (const auto& [column, digits] : {std::pair(1, 7), {2, 8}, {3, 8}})
     choices_->setColumnWidth(column, digits * digit);
   choices_->verticalHeader()->hide();
-  const int row = choices_->fontMetrics().lineSpacing() + 10;
-  choices_->verticalHeader()->setDefaultSectionSize(row);
-  choices_->setFixedHeight(choices_->horizontalHeader()->sizeHint().height() + kMaxChoices * row +
-                           2 * choices_->frameWidth());
+  // Long choices are wrapped: rows are as high as their texts, and the table as high as its rows.
+  choices_->verticalHeader()->setMinimumSectionSize(choices_->fontMetrics().lineSpacing() + 10);
+  const auto fitHeights = [this] {
+    choices_->resizeRowsToContents();
+    choices_->setFixedHeight(choices_->horizontalHeader()->sizeHint().height() +
+                             choices_->verticalHeader()->length() + 2 * choices_->frameWidth());
+  };
+  connect(choices_->model(), &QAbstractItemModel::dataChanged, choices_, fitHeights);
+  connect(choices_->horizontalHeader(), &QHeaderView::sectionResized, choices_, fitHeights);
   choices_->setTabKeyNavigation(false);
   choices_->setItemDelegateForColumn(0, new PlaceholderDelegate(choices_));
   for (const Qt::Key key : {Qt::Key_Delete, Qt::Key_Backspace}) {

@@ -434,6 +434,7 @@ void StatusLine::showMessage(const QString& text) {
     messageTimer_->stop();
   else
     messageTimer_->start(kMessageTime);
+  leftOut_.clear();  // readings return after a message, which is not the digits of the others
   fitReadings();
 }
 

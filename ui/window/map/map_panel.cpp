@@ -34,6 +34,7 @@ constexpr double kSectionHeight = 0.42;  // height of the cut over that of the m
 constexpr int kDigits = 3;               // of a value that the cross sets
 constexpr int kErrorShare = 3;           // of the row; each list has 1
 constexpr int kWidestList = 360;         // pixels
+constexpr int kBeforeLabel = 8;          // pixels between a list and the next label
 
 /// Returns whether two scenes are the same except for these two parameters.
 bool differOnlyIn(const Scene& a, const Scene& b, const Parameter& x, const Parameter& y) {
@@ -114,6 +115,7 @@ MapPanel::MapPanel(QWidget* parent)
   row->setContentsMargins(8, 4, 8, 0);
   for (const auto& [label, box] :
        {std::pair{xLabel_, x_}, {yLabel_, y_}, {quantityLabel_, quantity_}}) {
+    if (row->count() > 0) row->addSpacing(kBeforeLabel);
     label->setBuddy(box);
     // Each list is as wide as its present name; only where that is too much are names shortened.
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
