@@ -88,6 +88,10 @@
         <translation>viskoelastisch, G = %1, τ = %2</translation>
     </message>
     <message>
+        <source>viscoelastic, G = %1, τ = %2 at %3</source>
+        <translation>viskoelastisch, G = %1, τ = %2 bei %3</translation>
+    </message>
+    <message>
         <source>viscoelastic, G∞ = %1, %2 arm</source>
         <translation>viskoelastisch, G∞ = %1, %2 Arm</translation>
     </message>

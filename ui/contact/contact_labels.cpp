@@ -199,13 +199,19 @@ std::vector<Tag> forceTags(const Frame& frame, const ForceArrows& arrows, bool b
 /// Returns "viscoelastic, G = 10 MPa, τ = 1 ms" or "G∞ = 1 MPa, 13 arms"; empty without a scene.
 std::string elastomerWords(const Frame& frame) {
   if (!frame.scene) return {};
-  const ElementLaw law = elementLaw(frame.scene->elastomer);
+  const Elastomer& elastomer = frame.scene->elastomer;
+  const ElementLaw law = elementLaw(elastomer);
   const ElementKind kind = law.kind();
   const std::string modulus = quantity(law.equilibriumModulus, "Pa");
   if (kind == ElementKind::Elastic) return filled(Words::tr("elastic, G = %1"), {modulus});
-  if (kind == ElementKind::Kelvin)
-    return filled(Words::tr("viscoelastic, G = %1, \u03C4 = %2"),
-                  {modulus, quantity(law.relaxationTime, "s")});
+  if (kind == ElementKind::Kelvin) {
+    const std::string time = quantity(law.relaxationTime, "s");
+    // The panel has the relaxation time at the reference temperature.
+    return law.relaxationTime == elastomer.relaxationTime
+               ? filled(Words::tr("viscoelastic, G = %1, \u03C4 = %2"), {modulus, time})
+               : filled(Words::tr("viscoelastic, G = %1, \u03C4 = %2 at %3"),
+                        {modulus, time, quantity(elastomer.temperature, "K")});
+  }
   return filled(law.arms.size() == 1 ? Words::tr("viscoelastic, G\u221E = %1, %2 arm")
                                      : Words::tr("viscoelastic, G\u221E = %1, %2 arms"),
                 {modulus, std::to_string(law.arms.size())});

@@ -109,6 +109,18 @@ TEST(ContactTexts, SayWhatIsShown) {
   EXPECT_EQ(words.find("slow motion"), std::string::npos);
 }
 
+/// The panel has the time at the reference temperature, and the picture that of the temperature.
+TEST(ContactTexts, AShiftedRelaxationTimeHasItsTemperature) {
+  SampleOptions options;
+  options.points = 300;
+  Frame frame = *sampleFrame(options);
+  EXPECT_EQ(allTexts(frame).find("298 K"), std::string::npos);
+  Scene warm = *frame.scene;
+  warm.elastomer.temperature = 348;
+  frame.scene = std::make_shared<const Scene>(warm);
+  EXPECT_NE(allTexts(frame).find("s at 348 K"), std::string::npos) << allTexts(frame);
+}
+
 /// The facts are of the picture, and what they come to has a name of its own.
 TEST(ContactTexts, WhileItSettlesWhatIsDrawnIsTold) {
   SampleOptions options;

@@ -66,9 +66,13 @@ TEST(TextMetrics, TheEquilibriumModulusHasALoweredSign) {
   DrawList list;
   addLabel(list, "H = 0.7, G\u221E = 1 MPa, F\u2099 = \u221E", {20, 100}, 12, TextAnchor::Left, {});
   std::vector<std::string> lowered, usual;
-  for (const DrawText& text : list.texts) (text.size < 12 ? lowered : usual).push_back(text.utf8);
+  for (const DrawText& text : list.texts)
+    (text.y > list.texts[0].y ? lowered : usual).push_back(text.utf8);
   EXPECT_EQ(lowered, (std::vector<std::string>{"\u221E", "N"}));
   EXPECT_EQ(usual, (std::vector<std::string>{"H = 0.7, G", " = 1 MPa, F", " = \u221E"}));
+  // The letter is smaller, too; the sign would not be readable then.
+  EXPECT_EQ(list.texts[1].size, 12);
+  EXPECT_LT(list.texts[3].size, 12);
 }
 
 /// As the title of an axis: read from below, its pieces lie above each other.

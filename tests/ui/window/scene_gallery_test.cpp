@@ -238,13 +238,13 @@ TEST_F(GalleryTest, BeginsAtThePresentScene) {
 TEST_F(GalleryTest, ShowsTheWholeCardOfThePresentScene) {
   for (const QSize size : {QSize(1024, 700), QSize(1280, 800)}) {
     window_.resize(size);
-    for (const LibraryScene& entry : libraryScenes()) {
+    for (const char* scene : {"reversal", "wedge", "tyre_on_asphalt", "figure_2"}) {
       if (window_.figures().isShowingScenes()) key(Qt::Key_Escape);
-      action("scene:" + entry.name).trigger();
+      action(QStringLiteral("scene:") + scene).trigger();
       action("gallery").trigger();
       QCoreApplication::processEvents();
       EXPECT_TRUE(cards().viewport()->rect().contains(cards().visualRect(cards().currentIndex())))
-          << entry.name.toStdString() << ", width " << size.width();
+          << scene << ", width " << size.width();
     }
   }
 }
