@@ -2875,6 +2875,14 @@
         <source>The step begins with the scene of the main window, as it is now</source>
         <translation>Der Schritt beginnt mit der Szene des Hauptfensters, wie sie jetzt ist</translation>
     </message>
+    <message>
+        <source>all</source>
+        <translation>alle</translation>
+    </message>
+    <message>
+        <source>all except: %1</source>
+        <translation>alle außer: %1</translation>
+    </message>
 </context>
 <context>
     <name>asperity::LessonValueFields</name>

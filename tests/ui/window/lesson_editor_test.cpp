@@ -310,6 +310,24 @@ TEST_F(LessonEditorTest, APointHasAFactorAsItsUsualToleranceAndItsAnswerIsShown)
   EXPECT_TRUE(said.text().contains(" at "));
 }
 
+/// What was locked among free controls would stay locked in sight among hidden ones.
+TEST_F(LessonEditorTest, NoControlStaysLockedWhereTheOthersAreHidden) {
+  edit(sampleLesson(), 1);
+  choose("editorOthers", 2);  // free, too
+  auto& controls = field<QToolButton>("editorControls");
+  EXPECT_EQ(controls.text(), "all except: normal force") << controls.text().toStdString();
+  emit controls.menu()->aboutToShow();
+  controls.menu()->findChild<QAction*>("free:sliding.kind")->trigger();
+  const LessonControls& chosen = editor_->lesson().steps[0].controls;
+  EXPECT_THAT(chosen.locked, testing::ElementsAre("load.normal_force", "sliding.kind"));
+  choose("editorOthers", 0);  // hidden
+  EXPECT_THAT(chosen.locked, testing::IsEmpty());
+  EXPECT_THAT(chosen.free, testing::ElementsAre("sliding.velocity"));
+  EXPECT_FALSE(controls.text().contains("except")) << controls.text().toStdString();
+  choose("editorOthers", 2);
+  EXPECT_EQ(controls.text(), "all");
+}
+
 /// Else everything below would move when the number comes.
 TEST_F(LessonEditorTest, ThePlaceOfTheComputedAnswerIsKept) {
   edit(sampleLesson(), 2);
