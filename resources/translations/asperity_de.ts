@@ -5537,5 +5537,13 @@
         <source>You said %1.</source>
         <translation>Deine Antwort war %1.</translation>
     </message>
+    <message>
+        <source>An answer within %1 of the right one counts.</source>
+        <translation>Eine Antwort zählt, wenn sie höchstens %1 von der richtigen abweicht.</translation>
+    </message>
+    <message>
+        <source>An answer from %1 to %2 times the right one counts.</source>
+        <translation>Eine Antwort vom %1- bis zum %2-Fachen der richtigen zählt.</translation>
+    </message>
 </context>
 </TS>

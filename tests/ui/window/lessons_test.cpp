@@ -185,6 +185,8 @@ TEST_F(LessonsTest, TheTabKeyGoesFromTheQuestionToTheAnswerAndOn) {
   control<QLabel>("lessonQuestion").setFocus();
   const auto tab = [&] { QTest::keyClick(window_.windowHandle(), Qt::Key_Tab); };
   tab();
+  EXPECT_TRUE(control<QLabel>("lessonTolerance").hasFocus());
+  tab();
   EXPECT_TRUE(control<QLineEdit>("lessonNumber").hasFocus());
   tab();
   EXPECT_TRUE(button("lessonBack").hasFocus());
@@ -477,8 +479,21 @@ TEST_F(LessonsTest, APointSaysHowCloselyItCounts) {
             "The height counts to a factor of 1.5, the place to a factor of 2.");
   lessons().start(sampleWithPoint(true), 1);
   EXPECT_EQ(said("lessonTolerance"), "The height counts to a factor of 1.5.");
-  lessons().start(lessonOf(sampleLesson()), 1);
+  lessons().start(lessonOf(sampleLesson()), 0);  // a choice
   EXPECT_FALSE(control<QLabel>("lessonTolerance").isVisible());
+}
+
+/// Many per cent are said as what they mean.
+TEST_F(LessonsTest, ANumberSaysHowNearItHasToBe) {
+  Json json = sampleLesson();
+  for (const auto& [tolerance, text] :
+       {std::pair(0.2, "An answer within 20\u00A0% of the right one counts."),
+        {0.5, "An answer from 0.5 to 1.5 times the right one counts."},
+        {1, "An answer from 0 to 2 times the right one counts."}}) {
+    json["steps"][1]["prediction"]["tolerance"] = tolerance;
+    lessons().start(lessonOf(json), 1);
+    EXPECT_EQ(said("lessonTolerance"), QString::fromUtf8(text));
+  }
 }
 
 TEST_F(LessonsTest, APointIsDraggedOrMovedByKeysOverTheHiddenCurve) {

@@ -292,6 +292,8 @@ QString LessonCheck::computedText(const LessonStep& step) const {
                : error_.isEmpty()
                    ? tr("The program computes the answer…")
                    : tr("The program computes the answer when the lesson is complete.");
+  const QString tolerance = toleranceText(*step.prediction);
+  if (!tolerance.isEmpty()) sentences += tolerance;
   if (step.scene.ensemble.realizations > 1)
     sentences += tr("Computed answers are means over the scene's %1 lines; the picture shows one.")
                      .arg(step.scene.ensemble.realizations);

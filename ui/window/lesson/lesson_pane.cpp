@@ -131,7 +131,7 @@ void LessonPane::showStep(const LessonPage& page) {
   if (step.prediction) kind_ = step.prediction->kind;
   fill(*question_,
        step.prediction ? lineText(step.prediction->question).toHtmlEscaped() : QString());
-  fill(*tolerance_, step.prediction ? pointTolerance(*step.prediction).toHtmlEscaped() : QString());
+  fill(*tolerance_, step.prediction ? toleranceText(*step.prediction).toHtmlEscaped() : QString());
   AnswerInput* input = nullptr;
   if (kind_ == PredictionKind::Choice)
     input = new ChoiceInput(*step.prediction, page.answer, page.given);
@@ -195,7 +195,7 @@ void LessonPane::setInput(AnswerInput* input) {
   // The focus moves to the first one, beyond the question.
   if (!controls.isEmpty())
     controls.constFirst()->setAccessibleDescription(spoken(question_->text()));
-  QWidget* before = question_;
+  QWidget* before = tolerance_;  // below the question
   for (QWidget* control : controls) {
     setTabOrder(before, control);
     before = control;

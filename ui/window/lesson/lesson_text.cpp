@@ -39,6 +39,10 @@ QString shortFactor(double value) {
   return fromUtf8(numberInWords({roundedToDigits(value, 3), {}}));
 }
 
+QString perCent(double part) {
+  return shortFactor(100 * part) + "\u00A0%";
+}
+
 /// Returns how far a right answer may be from the computed one, in words; empty for a choice.
 QString toleranceInWords(const LessonPrediction& prediction) {
   const auto factor = [](double tolerance) {
@@ -46,7 +50,7 @@ QString toleranceInWords(const LessonPrediction& prediction) {
   };
   QString within;
   if (prediction.kind == PredictionKind::Number)
-    within = QStringLiteral("±") + shortFactor(100 * prediction.tolerance) + "\u00A0%";
+    within = QStringLiteral("±") + perCent(prediction.tolerance);
   else if (prediction.kind == PredictionKind::Point && prediction.x)
     within = factor(prediction.tolerance);
   else if (prediction.kind == PredictionKind::Point)
@@ -138,8 +142,17 @@ QString answerInWords(const LessonPrediction& prediction, const LessonAnswer& an
   return valueInWords(prediction, answer.number, answer.x) + toleranceInWords(prediction);
 }
 
-QString pointTolerance(const LessonPrediction& prediction) {
-  if (prediction.kind != PredictionKind::Point) return {};
+QString toleranceText(const LessonPrediction& prediction) {
+  if (prediction.kind == PredictionKind::Choice) return {};
+  if (prediction.kind == PredictionKind::Number) {
+    // Per cent mislead where they are many: an answer within 100 % may be 0.
+    constexpr double kManyPerCent = 0.5;
+    if (prediction.tolerance < kManyPerCent)
+      return fromUtf8(Words::tr("An answer within %1 of the right one counts."))
+          .arg(perCent(prediction.tolerance));
+    return fromUtf8(Words::tr("An answer from %1 to %2 times the right one counts."))
+        .arg(shortFactor(1 - prediction.tolerance), shortFactor(1 + prediction.tolerance));
+  }
   const QString height = shortFactor(1 + prediction.tolerance);
   if (prediction.x) return fromUtf8(Words::tr("The height counts to a factor of %1.")).arg(height);
   return fromUtf8(Words::tr("The height counts to a factor of %1, the place to a factor of %2."))

@@ -28,9 +28,10 @@ QString pointInWords(const LessonNumber& height, const LessonNumber& place);
 /// choice.
 QString answerInWords(const LessonPrediction& prediction, const LessonAnswer& answer);
 
-/// Returns how closely a point has to be placed to be right: "The height counts to a factor of 1.5,
-/// the place to a factor of 2."; empty for other questions.
-QString pointTolerance(const LessonPrediction& prediction);
+/// Returns how near an answer has to be to be right: "An answer within 20 % of the right one
+/// counts."; of a point "The height counts to a factor of 1.5, the place to a factor of 2."; empty
+/// for a choice.
+QString toleranceText(const LessonPrediction& prediction);
 
 /// Returns a text shown after the answer, as rich text with the values in it.
 QString richText(const LessonText& text, const LessonPrediction& prediction,
