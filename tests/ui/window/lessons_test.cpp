@@ -873,14 +873,14 @@ TEST_F(LessonsTest, AGuessStaysOnTheAxis) {
   ASSERT_TRUE(waitFor([&] { return chart().y.to < 1; }));
 }
 
-TEST_F(LessonsTest, AWrongNumberStaysInSightAndTheScoreComesLast) {
+TEST_F(LessonsTest, AWrongNumberStaysInSightAndTheScoreIsAboveTheButtons) {
   lessons().start(lessonOf(sampleLesson()), 1);
-  EXPECT_FALSE(said("lessonText").contains("You were right"));
+  EXPECT_FALSE(control<QLabel>("lessonScore").isVisible());
   QTest::keyClicks(&control<QLineEdit>("lessonNumber"), "7 um");
   click("lessonNext");
   ASSERT_TRUE(waitForAnswer());
   EXPECT_TRUE(said("lessonVerdict").contains("You said 7")) << said("lessonVerdict").toStdString();
-  EXPECT_TRUE(said("lessonReveal").contains("You were right in 0 of 2 predictions."));
+  EXPECT_TRUE(said("lessonScore").contains("You were right in 0 of 2 predictions."));
 }
 
 TEST_F(LessonsTest, AWrongPointIsNamedWithWhatIsWrongOfIt) {
@@ -915,7 +915,7 @@ TEST_F(LessonsTest, WhatIsShownIsSaidMarkedAndNoWrongAnswer) {
     click("lessonShow");
     ASSERT_TRUE(waitForAnswer());
     EXPECT_TRUE(said("lessonVerdict").contains("The program finds"));
-    EXPECT_TRUE(said("lessonReveal").contains("; 1 was shown to you."));
+    EXPECT_TRUE(said("lessonScore").contains("; 1 was shown to you."));
     PredictionPoint& point = lessons().point();
     EXPECT_TRUE(point.isVisible());
     EXPECT_EQ(point.point()->y(), lessons().results().find(1)->expected.number.value);
@@ -1113,7 +1113,7 @@ TEST_F(LessonsTest, ATrialCountsOnlyWhatWasTried) {
   emit editor.trialRequested(lessonOf(sampleLesson()), 1);
   click("lessonShow");
   ASSERT_TRUE(waitForAnswer());
-  EXPECT_TRUE(said("lessonReveal").contains("You were right in 0 of 1 predictions"))
+  EXPECT_TRUE(said("lessonScore").contains("You were right in 0 of 1 predictions"))
       << said("lessonReveal").toStdString();
 }
 
