@@ -19,6 +19,7 @@
 #include <QSettings>
 #include <QTableWidget>
 #include <QTextBrowser>
+#include <QTextDocumentFragment>
 #include <QThread>
 #include <QToolButton>
 #include <array>
@@ -907,6 +908,35 @@ TEST_F(LessonsTest, AWrongPointIsNamedWithWhatIsWrongOfIt) {
   EXPECT_THAT(verdict(false, 0.1, 0.5), Not(HasSubstr("place")));
   EXPECT_THAT(verdict(true, 0.1, 9), HasSubstr("You said 9."));
   EXPECT_THAT(verdict(true, 0.1, 9), HasSubstr("The program finds 0.5."));
+}
+
+/// A person who was right, or nearly, wants to know how near.
+TEST_F(LessonsTest, AReplySaysWhatTheProgramFindsUnlessItsTextDoes) {
+  LessonPrediction point;
+  point.kind = PredictionKind::Point;
+  point.right = {"That is the place.", ""};
+  point.wrong = {"It is {answer}.", ""};
+  const LessonAnswer answer{{0.0018, ""}, {0.0981, "m/s"}, 1, {}};
+  const GivenAnswer near{-1, 0.00137, 0.0917};
+  const auto says = [&](const LessonPrediction& prediction, const GivenAnswer& given,
+                        bool isRight) {
+    return QTextDocumentFragment::fromHtml(verdictText(prediction, answer, given, isRight))
+        .toPlainText()
+        .replace(QChar::Nbsp, ' ')
+        .toStdString();
+  };
+  EXPECT_EQ(says(point, near, true),
+            "✓ Right\nYou said 0.00137 at 91.7 mm/s. The program finds 0.0018 at 98.1 mm/s.\n"
+            "That is the place.");
+  EXPECT_THAT(says(point, near, false), testing::Not(testing::HasSubstr("The program finds")));
+  LessonPrediction choice;
+  choice.choices.resize(2);
+  choice.answer.emplace();
+  EXPECT_EQ(says(choice, {0}, false), "✗ No\nThe program finds 0.0018.");
+  choice.wrong = {"It stays the same.", ""};
+  EXPECT_EQ(says(choice, {0}, false), "✗ No\nIt stays the same.");
+  choice.answer.reset();
+  EXPECT_EQ(says(choice, {1}, true), "✓ Right");
 }
 
 TEST_F(LessonsTest, WhatIsShownIsSaidMarkedAndNoWrongAnswer) {

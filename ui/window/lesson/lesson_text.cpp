@@ -78,7 +78,7 @@ QString mistakeText(const LessonPrediction& prediction, const LessonAnswer& answ
 }
 
 QString paragraph(const QString& text) {
-  return "<p>" + text.toHtmlEscaped() + "</p>";
+  return text.isEmpty() ? QString() : "<p>" + text.toHtmlEscaped() + "</p>";
 }
 
 }  // namespace
@@ -168,18 +168,18 @@ QString richText(const LessonText& text, const LessonPrediction& prediction,
 QString verdictText(const LessonPrediction& prediction, const LessonAnswer& answer,
                     const GivenAnswer& given, bool isRight) {
   const bool isChoice = prediction.kind == PredictionKind::Choice;
-  const QString found =
-      isChoice && !prediction.answer
-          ? QString()
-          : paragraph(fromUtf8(Words::tr("The program finds %1."))
-                          .arg(valueInWords(prediction, answer.number, answer.x)));
+  const QString found = isChoice && !prediction.answer
+                            ? QString()
+                            : fromUtf8(Words::tr("The program finds %1."))
+                                  .arg(valueInWords(prediction, answer.number, answer.x));
   const auto tells = [](const LessonText& text, const char* place) {
     return shown(text).find(place) != std::string::npos;
   };
   if (!given.isGiven()) {
     const bool tellsAnswerAlone =
         tells(prediction.wrong, "{") && !tells(prediction.wrong, "{given");
-    return tellsAnswerAlone ? richText(prediction.wrong, prediction, answer, given) : found;
+    return tellsAnswerAlone ? richText(prediction.wrong, prediction, answer, given)
+                            : paragraph(found);
   }
   const LessonText& said = isRight ? prediction.right : prediction.wrong;
   const bool isPoint = prediction.kind == PredictionKind::Point && !prediction.x;
@@ -187,15 +187,15 @@ QString verdictText(const LessonPrediction& prediction, const LessonAnswer& answ
                     (isRight ? QStringLiteral("✓ ") + fromUtf8(Words::tr("Right"))
                              : QStringLiteral("✗ ") + fromUtf8(Words::tr("No"))) +
                     "</b></p>";
-  if (isPoint || (!isChoice && !tells(said, "{given"))) {
-    QString own = fromUtf8(Words::tr("You said %1."))
-                      .arg(valueInWords(prediction, {given.number, answer.number.unit},
-                                        {given.x, answer.x.unit}));
-    if (isPoint && !isRight) own += ' ' + mistakeText(prediction, answer, given);
-    verdict += paragraph(own);
-  }
-  if (!said.empty()) return verdict + richText(said, prediction, answer, given);
-  return isChoice ? verdict : verdict + found;
+  QStringList sentences;
+  if (isPoint || (!isChoice && !tells(said, "{given")))
+    sentences += fromUtf8(Words::tr("You said %1."))
+                     .arg(valueInWords(prediction, {given.number, answer.number.unit},
+                                       {given.x, answer.x.unit}));
+  if (isPoint && !isRight) sentences += mistakeText(prediction, answer, given);
+  // A text to a choice may say in words what was computed.
+  if (isChoice ? said.empty() : !tells(said, "{answer")) sentences += found;
+  return verdict + paragraph(sentences.join(' ')) + richText(said, prediction, answer, given);
 }
 
 }  // namespace asperity
