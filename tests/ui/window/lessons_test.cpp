@@ -383,8 +383,8 @@ TEST_F(LessonsTest, ALessonGoesOnWhereItWasLeft) {
   ASSERT_EQ(lessons().step(), 1);
   lessons().end();
   for (const auto& [button, goesOn, asked] : {std::tuple(QMessageBox::Yes, true, 1),
-                                              {QMessageBox::No, false, 1},
-                                              {QMessageBox::No, false, 0}}) {
+                                              {QMessageBox::Discard, false, 1},
+                                              {QMessageBox::Discard, false, 0}}) {
     int questions = 0;
     QTimer clicker;
     QObject::connect(&clicker, &QTimer::timeout, [&, button] {
@@ -403,6 +403,36 @@ TEST_F(LessonsTest, ALessonGoesOnWhereItWasLeft) {
     ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
     EXPECT_EQ(window_.focusWidget()->objectName(), goesOn ? "lessonNumber" : "lessonChoice:0");
     lessons().end();
+  }
+}
+
+/// In both questions, that after a crash and that about a file, the key loses nothing.
+TEST_F(LessonsTest, EscapeGoesOnWithAnswersOfAnEarlierSession) {
+  TemporaryFolder folder;
+  folder.write("mine.json", writeLesson(lessonOf(sampleLesson())));
+  const QString file = QString::fromStdString((folder / "mine.json").string());
+  ASSERT_TRUE(lessons().open(file));
+  control<QRadioButton>("lessonChoice:0").click();
+  click("lessonNext");
+  ASSERT_TRUE(waitForAnswer());
+  for (const char* name : {"answersQuestion", "savedAnswersQuestion"}) {
+    MainWindow next(smallScene());
+    next.show();
+    QString asked;
+    QTimer presser;
+    QObject::connect(&presser, &QTimer::timeout, [&] {
+      auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+      if (!box || !box->isVisible()) return;
+      asked = box->objectName();
+      QTest::keyClick(box, Qt::Key_Escape);
+    });
+    presser.start(10);
+    ASSERT_TRUE(next.lessons().open(file));
+    presser.stop();
+    EXPECT_EQ(asked, name);
+    EXPECT_EQ(next.lessons().results().results.size(), 1U);
+    ASSERT_TRUE(next.lessons().keepResults(QString::fromStdString((folder / "ada.json").string())));
+    next.lessons().end();
   }
 }
 
