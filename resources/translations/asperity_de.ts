@@ -5545,5 +5545,9 @@
         <source>An answer from %1 to %2 times the right one counts.</source>
         <translation>Eine Antwort vom %1- bis zum %2-Fachen der richtigen zählt.</translation>
     </message>
+    <message>
+        <source>a chart of friction, to draw into, with the curve for %1</source>
+        <translation>ein Diagramm der Reibung zum Hineinzeichnen, mit der Kurve für %1</translation>
+    </message>
 </context>
 </TS>

@@ -1701,11 +1701,32 @@ TEST(Handouts, AnEmptyChartStandsWhereAPointIsDrawn) {
   Json json = sampleLesson();
   json["steps"][0]["show"]["curve"] = "hidden";
   json["steps"][1]["prediction"] = {{"kind", "point"}, {"question", "Where?"}, {"x", 0.1}};
+  const QByteArray beside = handoutHtml(lessonOf(json), {});
+  EXPECT_EQ(beside.count("alt=\"a chart of friction, to draw into, with the curve for "), 1);
+  json["steps"][1]["show"].erase("beside");
   const QByteArray html = handoutHtml(lessonOf(json), {});
   EXPECT_EQ(html.count("an empty chart of friction"), 1);
   EXPECT_GT(html.indexOf("an empty chart of friction"), html.indexOf("Second"));
   EXPECT_LT(html.indexOf("an empty chart of friction"), html.indexOf("Where?"));
   EXPECT_FALSE(html.contains("alt=\"the friction curve"));
+}
+
+/// As on the screen, where the state of the step is marked in the empty chart.
+TEST(Handouts, AnEmptyChartHasTheStateFromWhichAGuessBegins) {
+  Json json = sampleLesson();
+  json["steps"][1]["prediction"] = {{"kind", "point"}, {"question", "Where?"}, {"x", 0.1}};
+  json["steps"][1]["show"].erase("beside");
+  for (const HandoutBlock& block : handoutBlocks(lessonOf(json), {})) {
+    if (!block.picture || !block.picture->name.startsWith("an empty chart")) continue;
+    const QImage& image = block.picture->image;
+    int coloured = 0;  // lines and letters of the axes are grey
+    for (int y = 0; y < image.height(); ++y)
+      for (int x = 0; x < image.width(); ++x)
+        coloured += image.pixelColor(x, y).saturation() > 100 ? 1 : 0;
+    EXPECT_GT(coloured, 100);
+    return;
+  }
+  FAIL() << "there is no empty chart";
 }
 
 /// The same curve on another axis is another picture.
