@@ -2772,10 +2772,6 @@
         <translation>Text</translation>
     </message>
     <message>
-        <source>An empty line begins a paragraph; *word* and **word** emphasize; a line that begins with “- ” is an item</source>
-        <translation>Eine leere Zeile beginnt einen Absatz; *Wort* und **Wort** heben hervor; eine Zeile, die mit „- “ beginnt, ist ein Punkt einer Liste</translation>
-    </message>
-    <message>
         <source>Vertical axis</source>
         <translation>Senkrechte Achse</translation>
     </message>
@@ -2882,6 +2878,10 @@
     <message>
         <source>all except: %1</source>
         <translation>alle außer: %1</translation>
+    </message>
+    <message>
+        <source>*italic*, **bold**; an empty line begins a paragraph; a line that begins with “- ” is an item</source>
+        <translation>*kursiv*, **fett**; eine leere Zeile beginnt einen Absatz; eine Zeile, die mit „- “ beginnt, ist ein Punkt einer Liste</translation>
     </message>
 </context>
 <context>
@@ -3988,10 +3988,6 @@
         <translation>Mit der Antwort gesagt</translation>
     </message>
     <message>
-        <source>Write {answer} where the computed answer or the right choice belongs, and {given} where the student&apos;s does</source>
-        <translation>Schreiben Sie {answer}, wo die berechnete oder die richtige Antwort stehen soll, und {given}, wo die der Lernenden stehen soll</translation>
-    </message>
-    <message>
         <source>{answer}: the right answer; {given}: that of the student</source>
         <translation>{answer}: die richtige Antwort; {given}: die der Lernenden</translation>
     </message>
@@ -4010,6 +4006,10 @@
     <message>
         <source>Choice %1, %2: “%3” is not a number</source>
         <translation>Antwort %1, %2: „%3“ ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>Write {answer} where the computed answer or the right choice belongs, and {given} where the student&apos;s does; *italic*, **bold**</source>
+        <translation>Schreiben Sie {answer}, wo die berechnete oder die richtige Antwort stehen soll, und {given}, wo die der Lernenden stehen soll; *kursiv*, **fett**</translation>
     </message>
 </context>
 <context>

@@ -64,8 +64,8 @@ LessonStepPage::LessonStepPage(QWidget* parent) : LessonForm(parent) {
   title_ = addLine(tr("Title"), "editorStepTitle");
   text_ = addText(tr("Text"), "editorText", 6);
   text_->setToolTip(
-      tr("An empty line begins a paragraph; *word* and **word** emphasize; a line "
-         "that begins with “- ” is an item"));
+      tr("*italic*, **bold**; an empty line begins a paragraph; a line that begins with “- ” is an "
+         "item"));
   addScene();
   set_ = addAssignments(tr("Changed in the scene"), "editorSet");
   set_->setToolTip(tr("What this step changes in the scene that the step before leaves"));

@@ -95,6 +95,12 @@ QString lineText(const LessonText& text) {
   return inReadableLines(plainText(text));
 }
 
+QString fileNamePart(const LessonText& title) {
+  constexpr int kLongest = 60;  // letters
+  static const QRegularExpression forbidden(QStringLiteral(R"([/\\:*?"<>|\x00-\x1f])"));
+  return plainText(title).remove(forbidden).simplified().left(kLongest);
+}
+
 QString richText(const std::string& text) {
   QString html;
   const QStringList paragraphs = QString::fromStdString(text).split(QStringLiteral("\n\n"));

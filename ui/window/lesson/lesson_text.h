@@ -14,6 +14,9 @@ QString plainText(const LessonText& text);
 /// Returns the same with its quantities and formulas kept on one line each.
 QString lineText(const LessonText& text);
 
+/// Returns a title as part of the name of a file; empty where it has no letter for it.
+QString fileNamePart(const LessonText& title);
+
 /// Returns HTML of paragraphs and lists: "*word*" in italics, "**word**" in bold, "- " items.
 /// Everything else is plain text.
 QString richText(const std::string& text);

@@ -5,7 +5,6 @@
 #include <QMainWindow>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QRegularExpression>
 #include <QSettings>
 #include <QWindow>
 #include <algorithm>
@@ -37,8 +36,6 @@
 namespace asperity {
 
 namespace {
-
-constexpr int kLongestTitle = 60;  // letters, in the name of a file
 
 /// Shows a window before all others of the program.
 void bringToFront(QWidget& window) {
@@ -443,11 +440,8 @@ void Lessons::leave() {
 /// Returns the name that is proposed for the results: with the title in the language of the window
 /// and with the time, so that the files of a class can be collected in one folder.
 QString Lessons::resultsName() const {
-  QString title = plainText(lesson()->title);
-  static const QRegularExpression forbidden(QStringLiteral(R"([/\\:*?"<>|\x00-\x1f])"));
-  title = title.remove(forbidden).simplified().left(kLongestTitle);
   const QString now = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd HH.mm.ss"));
-  return tr("%1, results %2.json").arg(title, now);
+  return tr("%1, results %2.json").arg(fileNamePart(lesson()->title), now);
 }
 
 void Lessons::askResultsFile() {
