@@ -2654,10 +2654,6 @@
         <translation>Bewahrt deine Antworten in einer Datei deiner Wahl auf</translation>
     </message>
     <message>
-        <source>Results…</source>
-        <translation>Ergebnisse…</translation>
-    </message>
-    <message>
         <source>Ends the lesson; your own scene comes back</source>
         <translation>Beendet die Lektion; deine eigene Szene kommt zurück</translation>
     </message>
@@ -2700,6 +2696,10 @@
     <message>
         <source>First make your guess; then you can try it.</source>
         <translation>Erst rate; dann kannst du es probieren.</translation>
+    </message>
+    <message>
+        <source>Save results…</source>
+        <translation>Ergebnisse speichern…</translation>
     </message>
 </context>
 <context>
@@ -5539,11 +5539,11 @@
     </message>
     <message>
         <source>An answer within %1 of the right one counts.</source>
-        <translation>Eine Antwort zählt, wenn sie höchstens %1 von der richtigen abweicht.</translation>
+        <translation>Es zählt, was höchstens %1 abweicht.</translation>
     </message>
     <message>
         <source>An answer from %1 to %2 times the right one counts.</source>
-        <translation>Eine Antwort vom %1- bis zum %2-Fachen der richtigen zählt.</translation>
+        <translation>Es zählt das %1- bis %2-Fache des richtigen Werts.</translation>
     </message>
     <message>
         <source>a chart of friction, to draw into, with the curve for %1</source>
