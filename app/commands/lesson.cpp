@@ -121,6 +121,7 @@ std::string classesText(const std::vector<std::vector<StudentResults>>& classes)
   return text;
 }
 
+/// Prints the table of the files that can be read, and the reasons of the others to stderr.
 int showClass(const LessonCommand& command) {
   const CommonOptions& common = command.common;
   checkResultsExist(command.lessons);
@@ -128,13 +129,14 @@ int showClass(const LessonCommand& command) {
   if (command.forTeacher) throw InputError("", "--teacher", "is of a handout, not of results");
   for (const std::string& output : command.outputs)
     checkNoInput(output, {command.lessons.begin(), command.lessons.end()});
-  if (command.outputs.empty() && !common.json) {
-    printSummary(common, classesText(readClasses(command.lessons)));
-    return kDone;
-  }
-  const std::vector<StudentResults> students = readClass(command.lessons);
+  std::vector<InputError> refused;
+  const std::vector<std::vector<StudentResults>> classes = readClasses(command.lessons, refused);
+  if (!command.outputs.empty() || common.json) onlyClass(classes);
+  for (const InputError& error : refused)
+    std::fputs(("asperity: " + printable(error.what()) + "\n").c_str(), stderr);
+  const std::vector<StudentResults>& students = classes.front();
   const LessonResults& first = students.front().results;
-  std::string summary = classesText({students});
+  std::string summary = classesText(classes);
   for (const std::string& output : command.outputs) {
     writeTable(output, classCsv(students));
     summary += wroteLine(output);
@@ -157,7 +159,7 @@ int showClass(const LessonCommand& command) {
     }
     printJson(answer);
   }
-  return kDone;
+  return refused.empty() ? kDone : kRunFailed;
 }
 
 }  // namespace

@@ -16,13 +16,12 @@ namespace {
 
 using Row = std::vector<std::string>;
 
-/// Returns the files of results in a folder, by name.
-std::vector<std::filesystem::path> resultsIn(const std::filesystem::path& folder) {
+/// Returns the JSON files in a folder, by name.
+std::vector<std::filesystem::path> jsonFilesIn(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
   std::error_code ignored;
   for (const auto& entry : std::filesystem::directory_iterator(folder, ignored))
-    if (entry.path().extension() == ".json" && isResultsFile(entry.path()))
-      files.push_back(entry.path());
+    if (entry.path().extension() == ".json") files.push_back(entry.path());
   if (files.empty()) throw InputError(folder.string(), "", "has no results of a lesson");
   std::ranges::sort(files);
   return files;
@@ -47,61 +46,49 @@ Row summaryCells(const LessonResults& results) {
           std::to_string(results.shown())};
 }
 
-/// Returns the files, and those of results in the folders.
-std::vector<std::filesystem::path> filesOf(const std::vector<std::string>& filesAndFolders) {
-  std::vector<std::filesystem::path> files;
-  std::error_code ignored;
-  for (const std::string& one : filesAndFolders) {
-    if (!std::filesystem::is_directory(one, ignored)) {
-      files.emplace_back(one);
-      continue;
-    }
-    const std::vector<std::filesystem::path> found = resultsIn(one);
-    files.insert(files.end(), found.begin(), found.end());
-  }
-  return files;
-}
-
 }  // namespace
 
-std::vector<StudentResults> readClass(const std::vector<std::string>& filesAndFolders) {
-  std::vector<StudentResults> students;
-  for (const std::filesystem::path& file : filesOf(filesAndFolders)) {
-    students.push_back({file.filename().string(), readResultsFile(file)});
-    const StudentResults& first = students.front();
-    const LessonResults& results = students.back().results;
-    if (results.digest == first.results.digest) continue;
-    throw InputError(
-        file.string(), "",
-        results.title == first.results.title
-            ? message("has results of another version of '{}' than {}; a table is of one version",
-                      results.title, first.file)
-            : message("has results of '{}', but {} has those of '{}'; a table is of one lesson",
-                      results.title, first.file, first.results.title));
-  }
-  return students;
-}
-
 std::vector<std::vector<StudentResults>> readClasses(
-    const std::vector<std::string>& filesAndFolders, std::vector<InputError>* refused) {
+    const std::vector<std::string>& filesAndFolders, std::vector<InputError>& refused) {
   std::vector<std::vector<StudentResults>> classes;
-  for (const std::filesystem::path& file : filesOf(filesAndFolders)) {
-    LessonResults results;
-    try {
-      results = readResultsFile(file);
-    } catch (const InputError& error) {
-      if (!refused) throw;
-      refused->push_back(error);
-      continue;
-    }
+  const auto read = [&](const std::filesystem::path& file) {
+    LessonResults results = readResultsFile(file);
     auto known = std::ranges::find_if(classes, [&](const std::vector<StudentResults>& one) {
       return one.front().results.digest == results.digest;
     });
     if (known == classes.end())
       known = classes.insert(classes.end(), std::vector<StudentResults>());
     known->push_back({file.filename().string(), std::move(results)});
-  }
+  };
+  const auto tryTo = [&](const auto& work) {
+    try {
+      work();
+    } catch (const InputError& error) {
+      refused.push_back(error);
+    }
+  };
+  std::error_code ignored;
+  for (const std::string& one : filesAndFolders)
+    tryTo([&] {
+      if (!std::filesystem::is_directory(one, ignored)) return read(one);
+      for (const std::filesystem::path& file : jsonFilesIn(one)) tryTo([&] { read(file); });
+    });
+  if (classes.empty() && !refused.empty()) throw InputError(refused.front());
   return classes;
+}
+
+const std::vector<StudentResults>& onlyClass(
+    const std::vector<std::vector<StudentResults>>& classes) {
+  const StudentResults& first = classes.front().front();
+  if (classes.size() == 1) return classes.front();
+  const StudentResults& other = classes[1].front();
+  throw InputError(
+      other.file, "",
+      other.results.title == first.results.title
+          ? message("has results of another version of '{}' than {}; a table is of one version",
+                    other.results.title, first.file)
+          : message("has results of '{}', but {} has those of '{}'; a table is of one lesson",
+                    other.results.title, first.file, first.results.title));
 }
 
 std::string givenText(const LessonResult& result) {

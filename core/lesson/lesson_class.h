@@ -1,6 +1,6 @@
 // The results of a class: the files of several students in one lesson, side by side.
-// Pure except for reading the files. Failure: InputError with the file that cannot be read, or that
-// is of another lesson where one is asked for.
+// Pure except for reading the files. Failure: InputError with the file that cannot be read where
+// none can, or with one of another lesson where one lesson is asked for.
 #pragma once
 
 #include <string>
@@ -16,15 +16,16 @@ struct StudentResults {
   LessonResults results;
 };
 
-/// Reads files of results, and those in folders, where other files are left out. All are of one
-/// version of one lesson.
-std::vector<StudentResults> readClass(const std::vector<std::string>& filesAndFolders);
-
-/// Reads the same files, of any lessons. Returns the students of each version of each lesson, in
-/// the order of the files; there is at least one. refused: where it is given, it gets the errors of
-/// the files that cannot be read, and the others are returned, if there are any.
+/// Reads files of results, and all JSON files in folders, of any lessons. Returns the students of
+/// each version of each lesson, in the order of the files; there is at least one. refused: gets the
+/// errors of the files that cannot be read. Throws the first of them where no file has results.
 std::vector<std::vector<StudentResults>> readClasses(
-    const std::vector<std::string>& filesAndFolders, std::vector<InputError>* refused = nullptr);
+    const std::vector<std::string>& filesAndFolders, std::vector<InputError>& refused);
+
+/// Returns the class where there is one. Throws InputError with a file that is of another lesson,
+/// or of another version of it.
+const std::vector<StudentResults>& onlyClass(
+    const std::vector<std::vector<StudentResults>>& classes);
 
 /// Returns the given answer as a cell of a table: the number of the choice from 1, or the number in
 /// SI with all its digits, of a point with its place; empty where none was given.

@@ -2658,10 +2658,6 @@
         <translation>Bewahrt deine Antworten in einer Datei deiner Wahl auf</translation>
     </message>
     <message>
-        <source>Results…</source>
-        <translation>Ergebnisse…</translation>
-    </message>
-    <message>
         <source>Ends the lesson; your own scene comes back</source>
         <translation>Beendet die Lektion; deine eigene Szene kommt zurück</translation>
     </message>
@@ -2704,6 +2700,10 @@
     <message>
         <source>First make your guess; then you can try it.</source>
         <translation>Erst rate; dann kannst du es probieren.</translation>
+    </message>
+    <message>
+        <source>Save results…</source>
+        <translation>Ergebnisse speichern…</translation>
     </message>
 </context>
 <context>
@@ -2774,10 +2774,6 @@
     <message>
         <source>Text</source>
         <translation>Text</translation>
-    </message>
-    <message>
-        <source>An empty line begins a paragraph; *word* and **word** emphasize; a line that begins with “- ” is an item</source>
-        <translation>Eine leere Zeile beginnt einen Absatz; *Wort* und **Wort** heben hervor; eine Zeile, die mit „- “ beginnt, ist ein Punkt einer Liste</translation>
     </message>
     <message>
         <source>Vertical axis</source>
@@ -2878,6 +2874,18 @@
     <message>
         <source>The step begins with the scene of the main window, as it is now</source>
         <translation>Der Schritt beginnt mit der Szene des Hauptfensters, wie sie jetzt ist</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>alle</translation>
+    </message>
+    <message>
+        <source>all except: %1</source>
+        <translation>alle außer: %1</translation>
+    </message>
+    <message>
+        <source>*italic*, **bold**; an empty line begins a paragraph; a line that begins with “- ” is an item</source>
+        <translation>*kursiv*, **fett**; eine leere Zeile beginnt einen Absatz; eine Zeile, die mit „- “ beginnt, ist ein Punkt einer Liste</translation>
     </message>
 </context>
 <context>
@@ -3984,10 +3992,6 @@
         <translation>Mit der Antwort gesagt</translation>
     </message>
     <message>
-        <source>Write {answer} where the computed answer or the right choice belongs, and {given} where the student&apos;s does</source>
-        <translation>Schreiben Sie {answer}, wo die berechnete oder die richtige Antwort stehen soll, und {given}, wo die der Lernenden stehen soll</translation>
-    </message>
-    <message>
         <source>{answer}: the right answer; {given}: that of the student</source>
         <translation>{answer}: die richtige Antwort; {given}: die der Lernenden</translation>
     </message>
@@ -4006,6 +4010,10 @@
     <message>
         <source>Choice %1, %2: “%3” is not a number</source>
         <translation>Antwort %1, %2: „%3“ ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>Write {answer} where the computed answer or the right choice belongs, and {given} where the student&apos;s does; *italic*, **bold**</source>
+        <translation>Schreiben Sie {answer}, wo die berechnete oder die richtige Antwort stehen soll, und {given}, wo die der Lernenden stehen soll; *kursiv*, **fett**</translation>
     </message>
 </context>
 <context>
@@ -5548,6 +5556,18 @@
     <message>
         <source>You said %1.</source>
         <translation>Deine Antwort war %1.</translation>
+    </message>
+    <message>
+        <source>An answer within %1 of the right one counts.</source>
+        <translation>Es zählt, was höchstens %1 abweicht.</translation>
+    </message>
+    <message>
+        <source>An answer from %1 to %2 times the right one counts.</source>
+        <translation>Es zählt das %1- bis %2-Fache des richtigen Werts.</translation>
+    </message>
+    <message>
+        <source>a chart of friction, to draw into, with the curve for %1</source>
+        <translation>ein Diagramm der Reibung zum Hineinzeichnen, mit der Kurve für %1</translation>
     </message>
 </context>
 </TS>

@@ -104,7 +104,6 @@ TEST_F(LessonProgramTest, PrintsTheResultsOfAClass) {
   const auto json = nlohmann::json::parse(program.run("lesson bo.json --json").out);
   EXPECT_EQ(json["schema"], "asperity-lesson-class/1");
   EXPECT_EQ(json["students"][0]["shown"], 1);
-  expectRefused("lesson ada.json lesson.json", 2, "lesson.json: ");
   expectRefused("lesson ada.json -o class.pdf", 2, ".csv");
   expectRefused("lesson ada.json -o ada.json", 2, ".csv");
   expectRefused("lesson ada.json --teacher -o class.csv", 2, "--teacher");
@@ -127,6 +126,28 @@ TEST_F(LessonProgramTest, PrintsATableForEachLesson) {
   expectRefused("lesson ada.json bo.json -o class.csv", 2,
                 "bo.json: has results of 'Speeds', but ada.json has those of 'Loads'");
   EXPECT_THAT(program.run("lesson ada.json bo.json --json").err, Not(HasSubstr("sha256")));
+}
+
+/// One damaged file does not hide the others, and none is left out in silence.
+TEST_F(LessonProgramTest, NamesTheFilesWithoutResultsBesideTheTable) {
+  const std::string head =
+      R"({"schema": "asperity-lesson-results/1", "lesson": "x", "title": "Loads", "sha256": "1", )"
+      R"("steps": [{"step": 2, "kind": "choice", "expected": 1)";
+  std::filesystem::create_directory(program.folder / "class");
+  program.folder.write("class/ada.json", head + R"(, "given": 1, "right": true}]})");
+  program.folder.write("class/bo.json", head + "}]}");
+  program.folder.write("class/cy.json", "{");
+  program.folder.write("class/di.json", "{}");
+  for (const char* rest : {"", " -o class.csv"}) {
+    const Said said = program.run(std::string("lesson class") + rest);
+    EXPECT_EQ(said.status, 1);
+    EXPECT_THAT(said.out, HasSubstr("ada.json  1 "));
+    for (const char* reason : {"bo.json: steps[0].given: is missing\n",
+                               "cy.json: ", "di.json: has no results of a lesson\n"})
+      EXPECT_THAT(said.err, HasSubstr(reason));
+  }
+  EXPECT_THAT(read("class.csv"), HasSubstr("\nada.json,,1,0,0,right,1\n"));
+  expectRefused("lesson class/bo.json class/di.json", 2, "bo.json: steps[0].given: is missing");
 }
 
 /// A name in Latin-1, as from an old disk.

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cstdio>
 
 #include "tests/core/lesson/lesson_samples.h"
@@ -14,18 +15,25 @@ namespace {
 using testing::HasSubstr;
 using Json = nlohmann::ordered_json;
 
-/// Returns the texts of the pages of a PDF.
-QStringList pagesOf(const Lesson& lesson, const HandoutOptions& options = {}) {
+/// Returns what a program prints of the PDF. output: its word for standard output.
+QString saidOfPdf(const std::string& program, const std::string& output, const Lesson& lesson,
+                  const HandoutOptions& options) {
   TemporaryFolder folder;
   writeHandout(folder / "page.pdf", lesson, options);
-  const std::string command = "pdftotext '" + (folder / "page.pdf").string() + "' - 2>&1";
+  const std::string command =
+      program + " '" + (folder / "page.pdf").string() + "' " + output + " 2>&1";
   std::FILE* const pipe = popen(command.c_str(), "r");
   QByteArray text;
   char block[4096];
   while (const std::size_t size = std::fread(block, 1, sizeof(block), pipe))
     text.append(block, static_cast<qsizetype>(size));
   EXPECT_EQ(pclose(pipe), 0) << text.toStdString();
-  QStringList pages = QString::fromUtf8(text).split('\f');
+  return QString::fromUtf8(text);
+}
+
+/// Returns the texts of the pages of a PDF.
+QStringList pagesOf(const Lesson& lesson, const HandoutOptions& options = {}) {
+  QStringList pages = saidOfPdf("pdftotext", "-", lesson, options).split('\f');
   pages.removeLast();  // each page ends with a form feed
   return pages;
 }
@@ -73,6 +81,33 @@ TEST(HandoutPages, AQuestionIsOnOnePageWithItsChoices) {
     EXPECT_EQ(questions, 12);
   }
   EXPECT_EQ(handoutHtml(longLesson()).count("<div class=\"question\">"), 12);
+}
+
+/// A picture that is slightly too high for the rest of a page becomes smaller: else it would stand
+/// alone on the next page, and much of this one would be empty.
+TEST(HandoutPages, PicturesBecomeSlightlySmallerToFitOnTheirPage) {
+  HandoutOptions teacher;
+  teacher.forTeacher = true;
+  Json json = sampleLesson();
+  const auto pictureWidths = [&](int lines) {
+    json["notes"]["en"] = Json::array();
+    for (int i = 0; i < lines; ++i) json["notes"]["en"].push_back("Note.");
+    std::vector<double> widths;  // inches
+    const QStringList rows = saidOfPdf("pdfimages -list", "", lessonOf(json), teacher).split('\n');
+    for (const QString& row : rows)
+      if (const QStringList cells = row.simplified().split(' '); cells.value(2) == "image")
+        widths.push_back(cells.value(3).toDouble() / cells.value(12).toDouble());
+    return widths;
+  };
+  bool isAnySmaller = false;
+  for (int lines = 1; lines < 20; ++lines) {
+    const std::vector<double> widths = pictureWidths(lines);
+    ASSERT_GT(widths.size(), 1U);
+    const auto [least, most] = std::ranges::minmax(widths);
+    EXPECT_GT(least, 0.84 * most);
+    isAnySmaller = isAnySmaller || least < 0.98 * most;
+  }
+  EXPECT_TRUE(isAnySmaller);
 }
 
 /// Notes may have more lines than a page.

@@ -4,6 +4,7 @@
 
 #include <QComboBox>
 #include <QDir>
+#include <QFileDialog>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
@@ -11,6 +12,8 @@
 #include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSet>
 #include <QSpinBox>
 #include <QStandardItemModel>
@@ -309,6 +312,71 @@ TEST_F(LessonEditorTest, APointHasAFactorAsItsUsualToleranceAndItsAnswerIsShown)
   auto& said = field<QLabel>("editorComputed");
   EXPECT_TRUE(waitFor([&] { return said.text().contains("The program finds"); }));
   EXPECT_TRUE(said.text().contains(" at "));
+}
+
+/// What is said above a field that cannot be read is not of the value before.
+TEST_F(LessonEditorTest, AnAnswerToAnotherPlaceIsNotShown) {
+  edit(sampleWithPeak(), 2);
+  auto& said = field<QLabel>("editorComputed");
+  ASSERT_TRUE(waitFor([&] { return said.text().contains("The program finds"); }));
+  EXPECT_TRUE(said.text().contains("to a factor of 1.5")) << said.text().toStdString();
+  type("editorX", "abc");
+  EXPECT_TRUE(errorText().find("not a number") != std::string::npos) << errorText();
+  EXPECT_FALSE(said.text().contains("The program finds")) << said.text().toStdString();
+  EXPECT_FALSE(said.text().contains("1.5"));
+  EXPECT_TRUE(said.isVisibleTo(editor_));  // what is below does not move
+}
+
+TEST_F(LessonEditorTest, AnotherStepBeginsAtItsTop) {
+  edit(sampleLesson(), 1);
+  auto* bar = field<QLabel>("editorScene").parentWidget()->parentWidget();
+  while (bar && !qobject_cast<QScrollArea*>(bar)) bar = bar->parentWidget();
+  ASSERT_NE(bar, nullptr);
+  QScrollBar& scroll = *qobject_cast<QScrollArea*>(bar)->verticalScrollBar();
+  ASSERT_TRUE(waitFor([&] { return scroll.maximum() > 100; }));
+  scroll.setValue(100);
+  type("editorStepTitle", "x");  // scrolls to nothing, and is one step to be undone
+  scroll.setValue(100);
+  editor_->undo();
+  EXPECT_EQ(scroll.value(), 100);
+  field<QListWidget>("editorSteps").setCurrentRow(2);
+  EXPECT_EQ(scroll.value(), 0);
+}
+
+/// The window asks for the file of a new lesson with a name that says what it is.
+TEST_F(LessonEditorTest, ANewLessonIsSavedUnderItsTitle) {
+  Json json = sampleLesson();
+  json["title"] = "What / is: friction?";
+  edit(json, 0);
+  QString proposed;
+  QTimer closer;
+  QObject::connect(&closer, &QTimer::timeout, [&] {
+    auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+    if (!dialog || !dialog->isVisible()) return;
+    proposed = QFileInfo(dialog->selectedFiles().value(0)).fileName();
+    dialog->reject();
+  });
+  closer.start(10);
+  EXPECT_FALSE(editor_->save());
+  EXPECT_EQ(proposed, "What is friction.json");
+}
+
+/// What was locked among free controls would stay locked in sight among hidden ones.
+TEST_F(LessonEditorTest, NoControlStaysLockedWhereTheOthersAreHidden) {
+  edit(sampleLesson(), 1);
+  choose("editorOthers", 2);  // free, too
+  auto& controls = field<QToolButton>("editorControls");
+  EXPECT_EQ(controls.text(), "all except: normal force") << controls.text().toStdString();
+  emit controls.menu()->aboutToShow();
+  controls.menu()->findChild<QAction*>("free:sliding.kind")->trigger();
+  const LessonControls& chosen = editor_->lesson().steps[0].controls;
+  EXPECT_THAT(chosen.locked, testing::ElementsAre("load.normal_force", "sliding.kind"));
+  choose("editorOthers", 0);  // hidden
+  EXPECT_THAT(chosen.locked, testing::IsEmpty());
+  EXPECT_THAT(chosen.free, testing::ElementsAre("sliding.velocity"));
+  EXPECT_FALSE(controls.text().contains("except")) << controls.text().toStdString();
+  choose("editorOthers", 2);
+  EXPECT_EQ(controls.text(), "all");
 }
 
 /// Else everything below would move when the number comes.

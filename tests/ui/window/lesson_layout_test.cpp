@@ -79,7 +79,8 @@ void findOverlaps(const QWidget& parent, Faults& faults) {
 
 void findWhatIsOutOfSight(MainWindow& window, Faults& faults) {
   QWidget& pane = window.lessons().pane();
-  for (const char* name : {"lessonBack", "lessonShow", "lessonNext", "lessonProgress"}) {
+  for (const char* name :
+       {"lessonBack", "lessonShow", "lessonNext", "lessonProgress", "lessonScore"}) {
     const auto* widget = window.findChild<QWidget*>(name);
     const QRect place(widget->mapTo(&window, QPoint()), widget->size());
     if (widget->isVisible() && (!window.rect().contains(place) ||

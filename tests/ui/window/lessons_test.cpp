@@ -19,6 +19,7 @@
 #include <QSettings>
 #include <QTableWidget>
 #include <QTextBrowser>
+#include <QTextDocumentFragment>
 #include <QThread>
 #include <QToolButton>
 #include <array>
@@ -184,6 +185,8 @@ TEST_F(LessonsTest, TheTabKeyGoesFromTheQuestionToTheAnswerAndOn) {
   ASSERT_TRUE(waitFor([&] { return control<QLineEdit>("lessonNumber").isVisible(); }));
   control<QLabel>("lessonQuestion").setFocus();
   const auto tab = [&] { QTest::keyClick(window_.windowHandle(), Qt::Key_Tab); };
+  tab();
+  EXPECT_TRUE(control<QLabel>("lessonTolerance").hasFocus());
   tab();
   EXPECT_TRUE(control<QLineEdit>("lessonNumber").hasFocus());
   tab();
@@ -380,8 +383,8 @@ TEST_F(LessonsTest, ALessonGoesOnWhereItWasLeft) {
   ASSERT_EQ(lessons().step(), 1);
   lessons().end();
   for (const auto& [button, goesOn, asked] : {std::tuple(QMessageBox::Yes, true, 1),
-                                              {QMessageBox::No, false, 1},
-                                              {QMessageBox::No, false, 0}}) {
+                                              {QMessageBox::Discard, false, 1},
+                                              {QMessageBox::Discard, false, 0}}) {
     int questions = 0;
     QTimer clicker;
     QObject::connect(&clicker, &QTimer::timeout, [&, button] {
@@ -400,6 +403,36 @@ TEST_F(LessonsTest, ALessonGoesOnWhereItWasLeft) {
     ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
     EXPECT_EQ(window_.focusWidget()->objectName(), goesOn ? "lessonNumber" : "lessonChoice:0");
     lessons().end();
+  }
+}
+
+/// In both questions, that after a crash and that about a file, the key loses nothing.
+TEST_F(LessonsTest, EscapeGoesOnWithAnswersOfAnEarlierSession) {
+  TemporaryFolder folder;
+  folder.write("mine.json", writeLesson(lessonOf(sampleLesson())));
+  const QString file = QString::fromStdString((folder / "mine.json").string());
+  ASSERT_TRUE(lessons().open(file));
+  control<QRadioButton>("lessonChoice:0").click();
+  click("lessonNext");
+  ASSERT_TRUE(waitForAnswer());
+  for (const char* name : {"answersQuestion", "savedAnswersQuestion"}) {
+    MainWindow next(smallScene());
+    next.show();
+    QString asked;
+    QTimer presser;
+    QObject::connect(&presser, &QTimer::timeout, [&] {
+      auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+      if (!box || !box->isVisible()) return;
+      asked = box->objectName();
+      QTest::keyClick(box, Qt::Key_Escape);
+    });
+    presser.start(10);
+    ASSERT_TRUE(next.lessons().open(file));
+    presser.stop();
+    EXPECT_EQ(asked, name);
+    EXPECT_EQ(next.lessons().results().results.size(), 1U);
+    ASSERT_TRUE(next.lessons().keepResults(QString::fromStdString((folder / "ada.json").string())));
+    next.lessons().end();
   }
 }
 
@@ -477,8 +510,21 @@ TEST_F(LessonsTest, APointSaysHowCloselyItCounts) {
             "The height counts to a factor of 1.5, the place to a factor of 2.");
   lessons().start(sampleWithPoint(true), 1);
   EXPECT_EQ(said("lessonTolerance"), "The height counts to a factor of 1.5.");
-  lessons().start(lessonOf(sampleLesson()), 1);
+  lessons().start(lessonOf(sampleLesson()), 0);  // a choice
   EXPECT_FALSE(control<QLabel>("lessonTolerance").isVisible());
+}
+
+/// Many per cent are said as what they mean.
+TEST_F(LessonsTest, ANumberSaysHowNearItHasToBe) {
+  Json json = sampleLesson();
+  for (const auto& [tolerance, text] :
+       {std::pair(0.2, "An answer within 20\u00A0% of the right one counts."),
+        {0.5, "An answer from 0.5 to 1.5 times the right one counts."},
+        {1, "An answer from 0 to 2 times the right one counts."}}) {
+    json["steps"][1]["prediction"]["tolerance"] = tolerance;
+    lessons().start(lessonOf(json), 1);
+    EXPECT_EQ(said("lessonTolerance"), QString::fromUtf8(text));
+  }
 }
 
 TEST_F(LessonsTest, APointIsDraggedOrMovedByKeysOverTheHiddenCurve) {
@@ -539,6 +585,7 @@ TEST_F(LessonsTest, ResultsAreKeptInAFileOfTheStudentsChoice) {
   const Lesson lesson = lessonOf(sampleLesson());
   const std::filesystem::path file = folder / "mine.json";
   lessons().start(lesson);
+  EXPECT_EQ(control<QToolButton>("lessonKeep").text(), "Save results…");  // as the guide has it
   ASSERT_TRUE(lessons().keepResults(QString::fromStdString(file.string())));
   control<QRadioButton>("lessonChoice:0").click();
   click("lessonNext");
@@ -858,14 +905,14 @@ TEST_F(LessonsTest, AGuessStaysOnTheAxis) {
   ASSERT_TRUE(waitFor([&] { return chart().y.to < 1; }));
 }
 
-TEST_F(LessonsTest, AWrongNumberStaysInSightAndTheScoreComesLast) {
+TEST_F(LessonsTest, AWrongNumberStaysInSightAndTheScoreIsAboveTheButtons) {
   lessons().start(lessonOf(sampleLesson()), 1);
-  EXPECT_FALSE(said("lessonText").contains("You were right"));
+  EXPECT_FALSE(control<QLabel>("lessonScore").isVisible());
   QTest::keyClicks(&control<QLineEdit>("lessonNumber"), "7 um");
   click("lessonNext");
   ASSERT_TRUE(waitForAnswer());
   EXPECT_TRUE(said("lessonVerdict").contains("You said 7")) << said("lessonVerdict").toStdString();
-  EXPECT_TRUE(said("lessonReveal").contains("You were right in 0 of 2 predictions."));
+  EXPECT_TRUE(said("lessonScore").contains("You were right in 0 of 2 predictions."));
 }
 
 TEST_F(LessonsTest, AWrongPointIsNamedWithWhatIsWrongOfIt) {
@@ -894,13 +941,42 @@ TEST_F(LessonsTest, AWrongPointIsNamedWithWhatIsWrongOfIt) {
   EXPECT_THAT(verdict(true, 0.1, 9), HasSubstr("The program finds 0.5."));
 }
 
+/// A person who was right, or nearly, wants to know how near.
+TEST_F(LessonsTest, AReplySaysWhatTheProgramFindsUnlessItsTextDoes) {
+  LessonPrediction point;
+  point.kind = PredictionKind::Point;
+  point.right = {"That is the place.", ""};
+  point.wrong = {"It is {answer}.", ""};
+  const LessonAnswer answer{{0.0018, ""}, {0.0981, "m/s"}, 1, {}};
+  const GivenAnswer near{-1, 0.00137, 0.0917};
+  const auto says = [&](const LessonPrediction& prediction, const GivenAnswer& given,
+                        bool isRight) {
+    return QTextDocumentFragment::fromHtml(verdictText(prediction, answer, given, isRight))
+        .toPlainText()
+        .replace(QChar::Nbsp, ' ')
+        .toStdString();
+  };
+  EXPECT_EQ(says(point, near, true),
+            "✓ Right\nYou said 0.00137 at 91.7 mm/s. The program finds 0.0018 at 98.1 mm/s.\n"
+            "That is the place.");
+  EXPECT_THAT(says(point, near, false), testing::Not(testing::HasSubstr("The program finds")));
+  LessonPrediction choice;
+  choice.choices.resize(2);
+  choice.answer.emplace();
+  EXPECT_EQ(says(choice, {0}, false), "✗ No\nThe program finds 0.0018.");
+  choice.wrong = {"It stays the same.", ""};
+  EXPECT_EQ(says(choice, {0}, false), "✗ No\nIt stays the same.");
+  choice.answer.reset();
+  EXPECT_EQ(says(choice, {1}, true), "✓ Right");
+}
+
 TEST_F(LessonsTest, WhatIsShownIsSaidMarkedAndNoWrongAnswer) {
   for (const bool hasPlace : {true, false}) {
     lessons().start(sampleWithPoint(hasPlace), 1);
     click("lessonShow");
     ASSERT_TRUE(waitForAnswer());
     EXPECT_TRUE(said("lessonVerdict").contains("The program finds"));
-    EXPECT_TRUE(said("lessonReveal").contains("; 1 was shown to you."));
+    EXPECT_TRUE(said("lessonScore").contains("; 1 was shown to you."));
     PredictionPoint& point = lessons().point();
     EXPECT_TRUE(point.isVisible());
     EXPECT_EQ(point.point()->y(), lessons().results().find(1)->expected.number.value);
@@ -1098,7 +1174,7 @@ TEST_F(LessonsTest, ATrialCountsOnlyWhatWasTried) {
   emit editor.trialRequested(lessonOf(sampleLesson()), 1);
   click("lessonShow");
   ASSERT_TRUE(waitForAnswer());
-  EXPECT_TRUE(said("lessonReveal").contains("You were right in 0 of 1 predictions"))
+  EXPECT_TRUE(said("lessonScore").contains("You were right in 0 of 1 predictions"))
       << said("lessonReveal").toStdString();
 }
 
@@ -1626,11 +1702,32 @@ TEST(Handouts, AnEmptyChartStandsWhereAPointIsDrawn) {
   Json json = sampleLesson();
   json["steps"][0]["show"]["curve"] = "hidden";
   json["steps"][1]["prediction"] = {{"kind", "point"}, {"question", "Where?"}, {"x", 0.1}};
+  const QByteArray beside = handoutHtml(lessonOf(json), {});
+  EXPECT_EQ(beside.count("alt=\"a chart of friction, to draw into, with the curve for "), 1);
+  json["steps"][1]["show"].erase("beside");
   const QByteArray html = handoutHtml(lessonOf(json), {});
   EXPECT_EQ(html.count("an empty chart of friction"), 1);
   EXPECT_GT(html.indexOf("an empty chart of friction"), html.indexOf("Second"));
   EXPECT_LT(html.indexOf("an empty chart of friction"), html.indexOf("Where?"));
   EXPECT_FALSE(html.contains("alt=\"the friction curve"));
+}
+
+/// As on the screen, where the state of the step is marked in the empty chart.
+TEST(Handouts, AnEmptyChartHasTheStateFromWhichAGuessBegins) {
+  Json json = sampleLesson();
+  json["steps"][1]["prediction"] = {{"kind", "point"}, {"question", "Where?"}, {"x", 0.1}};
+  json["steps"][1]["show"].erase("beside");
+  for (const HandoutBlock& block : handoutBlocks(lessonOf(json), {})) {
+    if (!block.picture || !block.picture->name.startsWith("an empty chart")) continue;
+    const QImage& image = block.picture->image;
+    int coloured = 0;  // lines and letters of the axes are grey
+    for (int y = 0; y < image.height(); ++y)
+      for (int x = 0; x < image.width(); ++x)
+        coloured += image.pixelColor(x, y).saturation() > 100 ? 1 : 0;
+    EXPECT_GT(coloured, 100);
+    return;
+  }
+  FAIL() << "there is no empty chart";
 }
 
 /// The same curve on another axis is another picture.

@@ -31,8 +31,10 @@ namespace {
 // On paper, in millimetres.
 constexpr double kMargin = 22, kShownWidth = 150, kGap = 2.5, kTextGap = 1.3, kHeadingGap = 4,
                  kFootHeight = 8;
-constexpr double kShort = 0.72;   // part of a page; what is shorter stays together
-constexpr int kResolution = 300;  // per inch
+constexpr double kShort = 0.72;       // part of a page; what is shorter stays together
+constexpr double kLessHeight = 0.15;  // part of a picture by which it may be smaller to fit
+constexpr int kResolution = 300;      // per inch
+constexpr double kRounding = 0.01;    // dots
 
 constexpr const char* kStyle =
     "body{font-family:'DejaVu Sans',sans-serif;line-height:1.45;color:#222;max-width:46em;"
@@ -43,7 +45,8 @@ constexpr const char* kStyle =
     "body{margin:0}}";
 
 /// The pages on paper. What stays together goes to the next page as a whole, unless it is larger
-/// than one; a text that is larger than a page goes on over the next pages.
+/// than one or fits with slightly smaller pictures; a text that is larger than a page goes on over
+/// the next pages.
 class HandoutPages {
  public:
   HandoutPages(QPdfWriter& writer, const QString& title, const std::vector<HandoutBlock>& blocks)
@@ -126,7 +129,19 @@ class HandoutPages {
     return height;
   }
 
-  std::vector<Page> makePages() const {
+  /// Makes the pictures of a group smaller where it then fits on a page on which it lacks some
+  /// height, and returns the height of the group.
+  double fitPictures(std::size_t first, std::size_t end, double lacking) {
+    double pictures = 0;
+    for (std::size_t i = first; i < end; ++i)
+      if (blocks_[i].picture) pictures += parts_[i].height;
+    if (lacking > 0 && lacking <= kLessHeight * pictures)
+      for (std::size_t i = first; i < end; ++i)
+        if (blocks_[i].picture) parts_[i].height *= 1 - lacking / pictures;
+    return groupHeight(first, end);
+  }
+
+  std::vector<Page> makePages() {
     std::vector<Page> pages(1);
     double used = 0;
     for (std::size_t first = 0; first < parts_.size();) {
@@ -134,7 +149,9 @@ class HandoutPages {
       while (end < parts_.size() && blocks_[end - 1].withNext == KeepWithNext::IfShort &&
              groupHeight(first, groupEnd(end)) <= kShort * available_)
         end = groupEnd(end);
-      const double height = groupHeight(first, end);
+      double height = groupHeight(first, end);
+      if (!blocks_[first].beginsPage)
+        height = fitPictures(first, end, used + height + kRounding - available_);
       if (used > 0 && (blocks_[first].beginsPage || used + height > available_)) {
         pages.emplace_back();
         used = 0;
@@ -152,7 +169,9 @@ class HandoutPages {
 
   void drawPart(std::size_t place, double from, double y) {
     if (const HandoutBlock& block = blocks_[place]; block.picture) {
-      const QSizeF size(dots(kShownWidth), parts_[place].height - dots(kGap));
+      const QSizeF image = block.picture->image.size();
+      const double height = parts_[place].height - dots(kGap);
+      const QSizeF size(height * image.width() / image.height(), height);
       painter_.drawImage(QRectF(QPointF(0, y), size), block.picture->image);
       return;
     }

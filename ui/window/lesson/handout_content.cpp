@@ -14,6 +14,7 @@
 #include "core/run/line_diagrams.h"
 #include "core/run/simulation.h"
 #include "core/run/steady_frames.h"
+#include "core/run/transient_diagram.h"
 #include "core/scene/sweep.h"
 #include "ui/chart/diagram_picture.h"
 #include "ui/contact/contact_picture.h"
@@ -194,6 +195,8 @@ class HandoutMaker {
       diagram.shades.clear();
       diagram.y.from = step.show.hiddenFrom;
       diagram.y.to = step.show.hiddenTo;
+      diagram.marker =
+          frameMarker(makeFrame(scene), CurveAxes::Physical, set.y);  // a guess begins there
       if (diagram.x.from == diagram.x.to) {
         diagram.x.from = set.present.points.front().velocity;
         diagram.x.to = set.present.points.back().velocity;
@@ -203,8 +206,14 @@ class HandoutMaker {
         }
       }
     }
-    addSheet(sheet, isHidden ? fromUtf8(Words::tr("an empty chart of friction, to draw into"))
-                             : fromUtf8(Words::tr("the friction curve")));
+    QStringList beside;
+    for (const auto& curve : set.pinned) beside += translatedText(curve.name);
+    addSheet(sheet,
+             !isHidden ? fromUtf8(Words::tr("the friction curve"))
+             : beside.isEmpty()
+                 ? fromUtf8(Words::tr("an empty chart of friction, to draw into"))
+                 : fromUtf8(Words::tr("a chart of friction, to draw into, with the curve for %1"))
+                       .arg(beside.join(QStringLiteral("; "))));
   }
 
   void addSheet(DiagramSheet sheet, const QString& name) {

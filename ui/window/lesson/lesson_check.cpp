@@ -190,6 +190,7 @@ bool keepsPicture(const LessonStep& step) {
 
 void LessonCheck::check(LessonDocument& document, int present, const QString& unreadable) {
   isComputing_ = false;
+  isReadable_ = unreadable.isEmpty();
   error_ = unreadable.isEmpty() ? findMistake(document.lesson)
                                 : tr("Step %1: %2").arg(present + 1).arg(unreadable);
   try {
@@ -282,7 +283,7 @@ QString LessonCheck::computedText(const LessonStep& step) const {
   if (!asksForNumber(step)) return {};
   QStringList sentences;
   // There is always a first sentence: what is below would move when it comes.
-  const Computed* known = computed(step);
+  const Computed* known = isReadable_ ? computed(step) : nullptr;
   const bool isComputed = known && known->failure.isEmpty();
   QString found = isComputed ? fromUtf8(numberInWords(known->answer.number)) : QString();
   if (isComputed && step.prediction->kind == PredictionKind::Point)
@@ -292,6 +293,8 @@ QString LessonCheck::computedText(const LessonStep& step) const {
                : error_.isEmpty()
                    ? tr("The program computes the answer…")
                    : tr("The program computes the answer when the lesson is complete.");
+  const QString tolerance = isReadable_ ? toleranceText(*step.prediction) : QString();
+  if (!tolerance.isEmpty()) sentences += tolerance;
   if (step.scene.ensemble.realizations > 1)
     sentences += tr("Computed answers are means over the scene's %1 lines; the picture shows one.")
                      .arg(step.scene.ensemble.realizations);

@@ -37,7 +37,7 @@ class LessonCheck : public QObject {
   bool hasWork() const { return pending_.has_value(); }
   /// Returns why the lesson cannot be played, or not yet; empty where it can.
   QString whyNotPlayed() const;
-  /// Returns the text about the computed answer of a step.
+  /// Returns the text about the computed answer of the present step.
   QString computedText(const LessonStep& step) const;
   /// Forgets all answers: another lesson is checked from now on.
   void forget();
@@ -61,7 +61,7 @@ class LessonCheck : public QObject {
   void stop();
 
   QString error_;
-  bool isComputing_ = false;
+  bool isComputing_ = false, isReadable_ = true;  // the page of the present step can be read
   std::vector<Computed> computed_;
   std::optional<Computed> pending_;  // the number that is being computed
   BackgroundWork computing_;         // last: its thread ends before other members are destroyed

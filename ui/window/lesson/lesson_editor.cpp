@@ -13,6 +13,7 @@
 #include <QPushButton>
 #include <QScreen>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QShortcut>
 #include <QStackedWidget>
 #include <QTabBar>
@@ -28,6 +29,7 @@
 #include "ui/window/lesson/handout.h"
 #include "ui/window/lesson/lesson_check.h"
 #include "ui/window/lesson/lesson_pages.h"
+#include "ui/window/lesson/lesson_text.h"
 #include "ui/window/lesson/prediction_fields.h"
 #include "ui/window/main/document_commands.h"
 #include "ui/window/main/picture_files.h"
@@ -67,9 +69,9 @@ LessonEditor::LessonEditor(LessonDocument document, ShownNow shownNow, QWidget* 
   step_ = new LessonStepPage;
   pages_ = new QStackedWidget;
   pages_->addWidget(head_);
-  auto* scroll = scrolled(step_);
-  scroll->setFocusPolicy(Qt::NoFocus);  // its fields take the focus
-  pages_->addWidget(scroll);
+  scroll_ = scrolled(step_);
+  scroll_->setFocusPolicy(Qt::NoFocus);  // its fields take the focus
+  pages_->addWidget(scroll_);
   for (const LessonForm* page : std::initializer_list<const LessonForm*>{head_, step_})
     connect(page, &LessonForm::edited, this, &LessonEditor::take);
   auto* right = new QVBoxLayout;
@@ -151,10 +153,8 @@ QLayout* LessonEditor::buildFoot() {
   });
   auto* open = makeButton("editorOpen", tr("&Open…"), &LessonEditor::openOther);
   handout_ = makeButton("editorHandout", tr("&Handout…"), [this] {
-    const QString name = QFileInfo(document_.file()).completeBaseName();
-    useRead([&](const Lesson& read) {
-      saver_->ask(read, name.isEmpty() ? QStringLiteral("lesson") : name);
-    });
+    const QString name = QFileInfo(proposedFile()).completeBaseName();
+    useRead([&](const Lesson& read) { saver_->ask(read, name); });
   });
   handout_->setToolTip(tr("Pages to print, as PDF or as a web page"));
   undo_ = makeButton("editorUndo", tr("U&ndo"), &LessonEditor::undo);
@@ -231,6 +231,7 @@ void LessonEditor::showStep() {
   head_->showLesson(lesson());
   if (step) step_->showStep(*step, sceneText(static_cast<std::size_t>(row)));
   pages_->setCurrentIndex(step ? 1 : 0);
+  if (std::exchange(shownRow_, row) != row) scroll_->verticalScrollBar()->setValue(0);
   typedIn_.clear();
   check();
 }
@@ -437,11 +438,16 @@ bool LessonEditor::save() {
   return document_.file().isEmpty() ? askAndSave() : saveTo(document_.file());
 }
 
+/// Returns the file of the lesson, or a name that its title gives where it has none.
+QString LessonEditor::proposedFile() const {
+  if (!document_.file().isEmpty()) return document_.file();
+  const QString title = fileNamePart(lesson().title);
+  return (title.isEmpty() ? QStringLiteral("lesson") : title) + ".json";
+}
+
 bool LessonEditor::askAndSave() {
-  const QString name =
-      document_.file().isEmpty() ? QStringLiteral("lesson.json") : document_.file();
   const QString file =
-      askSaveFile(questionParent(), tr("Save lesson"), name, tr("Lessons (*.json)"));
+      askSaveFile(questionParent(), tr("Save lesson"), proposedFile(), tr("Lessons (*.json)"));
   return !file.isEmpty() && saveTo(file);
 }
 

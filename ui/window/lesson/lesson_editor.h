@@ -16,6 +16,7 @@
 class QLabel;
 class QListWidget;
 class QPushButton;
+class QScrollArea;
 class QStackedWidget;
 class QTabBar;
 class QTimer;
@@ -101,17 +102,20 @@ class LessonEditor : public QDialog {
   void forgetUnsaved();
   std::optional<LessonStep> takenStep();
   void openOther();
+  QString proposedFile() const;
   bool askAndSave();
   QWidget* questionParent();
 
   LessonDocument document_;
   ShownNow shownNow_;
   bool isShowing_ = false;  // the list is being filled
+  int shownRow_ = -1;       // the step that is shown; -1: the lesson
   QString typedIn_;         // name of the field in which the user types; empty: none
 
   QListWidget* steps_;
   QTabBar* language_;
   QStackedWidget* pages_;
+  QScrollArea* scroll_;  // of the page of a step
   LessonHeadPage* head_;
   LessonStepPage* step_;
   QLabel* messageLabel_;

@@ -64,8 +64,8 @@ LessonStepPage::LessonStepPage(QWidget* parent) : LessonForm(parent) {
   title_ = addLine(tr("Title"), "editorStepTitle");
   text_ = addText(tr("Text"), "editorText", 6);
   text_->setToolTip(
-      tr("An empty line begins a paragraph; *word* and **word** emphasize; a line "
-         "that begins with “- ” is an item"));
+      tr("*italic*, **bold**; an empty line begins a paragraph; a line that begins with “- ” is an "
+         "item"));
   addScene();
   set_ = addAssignments(tr("Changed in the scene"), "editorSet");
   set_->setToolTip(tr("What this step changes in the scene that the step before leaves"));
@@ -147,15 +147,19 @@ void LessonStepPage::beginText() {
   text_->selectAll();
 }
 
-/// Shows which controls the student may use.
+/// Shows which controls the student may use; where the others are free, too, which ones are not.
 void LessonStepPage::showControls() {
+  const bool areOthersFree = chosen_.others == ControlState::Free;
+  std::vector<std::string> keys = areOthersFree ? chosen_.locked : chosen_.free;
+  if (areOthersFree) keys.insert(keys.end(), chosen_.hidden.begin(), chosen_.hidden.end());
   QStringList names;
-  for (const std::string& key : chosen_.free)
+  for (const std::string& key : keys)
     if (const Parameter* parameter = findParameter(key))
       names += ParameterRow::labelText(*parameter);
-  controls_->setText(names.isEmpty()    ? tr("Choose…")
-                     : names.size() > 3 ? tr("%1 controls").arg(names.size())
-                                        : names.join(", "));
+  const QString named = names.size() > 3 ? tr("%1 controls").arg(names.size()) : names.join(", ");
+  controls_->setText(!areOthersFree    ? (names.isEmpty() ? tr("Choose…") : named)
+                     : names.isEmpty() ? tr("all")
+                                       : tr("all except: %1").arg(named));
   others_->setCurrentIndex(others_->findData(static_cast<int>(chosen_.others)));
   controls_->setAccessibleName(tr("free controls: %1").arg(controls_->text()));
 }
@@ -173,7 +177,10 @@ void LessonStepPage::fillControls() {
 }
 
 void LessonStepPage::chooseOthers() {
-  chosen_.others = static_cast<ControlState>(others_->currentData().toInt());
+  const auto others = static_cast<ControlState>(others_->currentData().toInt());
+  // The rows do not show which controls are locked among hidden ones.
+  if (others == ControlState::Hidden && others != chosen_.others) chosen_.locked.clear();
+  chosen_.others = others;
   showControls();
   notifyEdited();
 }

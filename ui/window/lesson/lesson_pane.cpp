@@ -77,6 +77,8 @@ LessonPane::LessonPane(QWidget* parent) : QWidget(parent) {
   show_->setSizePolicy(kept);
   auto* all = marginless<QVBoxLayout>(this, 0);
   all->addWidget(scroll_, 1);
+  score_ = addText(*all, "lessonScore");  // in sight, however long the texts are
+  score_->setContentsMargins(14, 6, 14, 0);
   all->addLayout(foot);
 
   // Texts get their heights one after the other, and others with the width of the window.
@@ -124,14 +126,15 @@ void LessonPane::showStep(const LessonPage& page) {
   isPointPlaced_ = false;
   progress_->setText(tr("%1 of %2").arg(page.step + 1).arg(count));
   fill(*title_, lineText(step.title).toHtmlEscaped());
-  fill(*text_, richText(shown(step.text)) + (step.prediction ? QString() : page.remark));
+  fill(*text_, richText(shown(step.text)));
+  fill(*score_, page.score);
   fill(*note_, {});
   isAsking_ = step.prediction && !page.answer;
   kind_.reset();
   if (step.prediction) kind_ = step.prediction->kind;
   fill(*question_,
        step.prediction ? lineText(step.prediction->question).toHtmlEscaped() : QString());
-  fill(*tolerance_, step.prediction ? pointTolerance(*step.prediction).toHtmlEscaped() : QString());
+  fill(*tolerance_, step.prediction ? toleranceText(*step.prediction).toHtmlEscaped() : QString());
   AnswerInput* input = nullptr;
   if (kind_ == PredictionKind::Choice)
     input = new ChoiceInput(*step.prediction, page.answer, page.given);
@@ -141,12 +144,13 @@ void LessonPane::showStep(const LessonPage& page) {
   QString verdict, reveal;
   if (step.prediction && page.answer) {
     verdict = verdictText(*step.prediction, *page.answer, *page.given, page.isRight);
-    reveal = richText(step.reveal, *step.prediction, *page.answer, *page.given) + page.remark;
+    reveal = richText(step.reveal, *step.prediction, *page.answer, *page.given);
   }
   fill(*verdict_, verdict);
   // The focus moves to the button; its description gives the right answer to screen readers, or the
   // text of a step that asks nothing.
-  next_->setAccessibleDescription(spoken(step.prediction ? verdict + reveal : text_->text()));
+  next_->setAccessibleDescription(
+      spoken((step.prediction ? verdict + reveal : text_->text()) + page.score));
   fill(*reveal_, reveal);
   showButtons();
   isRevealed_ = page.answer != nullptr;
@@ -195,7 +199,7 @@ void LessonPane::setInput(AnswerInput* input) {
   // The focus moves to the first one, beyond the question.
   if (!controls.isEmpty())
     controls.constFirst()->setAccessibleDescription(spoken(question_->text()));
-  QWidget* before = question_;
+  QWidget* before = tolerance_;  // below the question
   for (QWidget* control : controls) {
     setTabOrder(before, control);
     before = control;

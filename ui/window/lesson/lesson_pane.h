@@ -25,7 +25,7 @@ struct LessonPage {
   const LessonAnswer* answer = nullptr;  // where it is revealed
   const GivenAnswer* given = nullptr;    // the same
   bool isRight = false;
-  QString remark{};  // the score: below the text, or below the answer of the step
+  QString score{};  // HTML, above the buttons
 };
 
 class LessonPane : public QWidget {
@@ -74,7 +74,7 @@ class LessonPane : public QWidget {
   QScrollArea* scroll_;
   AnswerInput* input_ = nullptr;  // of the question of the step; null: it has none here
   QVBoxLayout* inputLayout_;
-  QLabel *title_, *text_, *question_, *tolerance_, *verdict_, *reveal_, *note_, *progress_;
+  QLabel *title_, *text_, *question_, *tolerance_, *verdict_, *reveal_, *note_, *score_, *progress_;
   QPushButton *back_ = nullptr, *show_ = nullptr, *next_ = nullptr;
   bool isAsking_ = false, isWaiting_ = false, isLast_ = false, isFirst_ = true;
   std::optional<PredictionKind> kind_;

@@ -110,7 +110,7 @@ void LessonPlayer::buildDock() {
   keepTranslated(*dock_, [this] {
     dock_->setWindowTitle(tr("Lesson"));
     keep_->setToolTip(tr("Keeps your answers in a file of your choice"));
-    keep_->setText(tr("Results…"));
+    keep_->setText(tr("Save results…"));
     keep_->setAccessibleName(keep_->toolTip());
     close_->setToolTip(tr("Ends the lesson; your own scene comes back"));
     close_->setAccessibleName(tr("end the lesson"));
@@ -218,7 +218,7 @@ void LessonPlayer::showPage() {
     page.given = &result->given;
     page.isRight = result->isRight;
   }
-  if (step_ + 1 == static_cast<int>(lesson_->steps.size()) && isRevealed()) page.remark = summary();
+  if (step_ + 1 == static_cast<int>(lesson_->steps.size()) && isRevealed()) page.score = summary();
   pane_->showStep(page);
   if (point_->point() && !result) pane_->setPointPlaced(true);
   commands_->get("lessonNextStep")->setEnabled(isRevealed());
@@ -237,7 +237,7 @@ QString LessonPlayer::summary() const {
                       : tr("You were right in %1 of %2 predictions; %3 were shown to you.");
   score = score.arg(results_.right()).arg(asked);
   if (shown > 1) score = score.arg(shown);
-  return "<p><b>" + score + "</b></p>";
+  return "<b>" + score + "</b>";
 }
 
 void LessonPlayer::showTitle() {

@@ -179,8 +179,7 @@ QString LessonResultsPage::classHtml(const QStringList& files) {
   std::vector<std::string> paths;
   for (const QString& file : files) paths.push_back(file.toStdString());
   std::vector<InputError> refused;
-  const std::vector<std::vector<StudentResults>> classes = readClasses(paths, &refused);
-  if (classes.empty() && !refused.empty()) throw InputError(refused.front());
+  const std::vector<std::vector<StudentResults>> classes = readClasses(paths, refused);
   QString html;
   for (const std::vector<StudentResults>& students : classes)
     html += "<h3>" + resultsTitle(students.front().results).toHtmlEscaped() + "</h3>" +

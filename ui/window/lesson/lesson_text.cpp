@@ -39,6 +39,10 @@ QString shortFactor(double value) {
   return fromUtf8(numberInWords({roundedToDigits(value, 3), {}}));
 }
 
+QString perCent(double part) {
+  return shortFactor(100 * part) + "\u00A0%";
+}
+
 /// Returns how far a right answer may be from the computed one, in words; empty for a choice.
 QString toleranceInWords(const LessonPrediction& prediction) {
   const auto factor = [](double tolerance) {
@@ -46,7 +50,7 @@ QString toleranceInWords(const LessonPrediction& prediction) {
   };
   QString within;
   if (prediction.kind == PredictionKind::Number)
-    within = QStringLiteral("±") + shortFactor(100 * prediction.tolerance) + "\u00A0%";
+    within = QStringLiteral("±") + perCent(prediction.tolerance);
   else if (prediction.kind == PredictionKind::Point && prediction.x)
     within = factor(prediction.tolerance);
   else if (prediction.kind == PredictionKind::Point)
@@ -74,7 +78,7 @@ QString mistakeText(const LessonPrediction& prediction, const LessonAnswer& answ
 }
 
 QString paragraph(const QString& text) {
-  return "<p>" + text.toHtmlEscaped() + "</p>";
+  return text.isEmpty() ? QString() : "<p>" + text.toHtmlEscaped() + "</p>";
 }
 
 }  // namespace
@@ -89,6 +93,12 @@ QString plainText(const LessonText& text) {
 
 QString lineText(const LessonText& text) {
   return inReadableLines(plainText(text));
+}
+
+QString fileNamePart(const LessonText& title) {
+  constexpr int kLongest = 60;  // letters
+  static const QRegularExpression forbidden(QStringLiteral(R"([/\\:*?"<>|\x00-\x1f])"));
+  return plainText(title).remove(forbidden).simplified().left(kLongest);
 }
 
 QString richText(const std::string& text) {
@@ -138,8 +148,17 @@ QString answerInWords(const LessonPrediction& prediction, const LessonAnswer& an
   return valueInWords(prediction, answer.number, answer.x) + toleranceInWords(prediction);
 }
 
-QString pointTolerance(const LessonPrediction& prediction) {
-  if (prediction.kind != PredictionKind::Point) return {};
+QString toleranceText(const LessonPrediction& prediction) {
+  if (prediction.kind == PredictionKind::Choice) return {};
+  if (prediction.kind == PredictionKind::Number) {
+    // Per cent mislead where they are many: an answer within 100 % may be 0.
+    constexpr double kManyPerCent = 0.5;
+    if (prediction.tolerance < kManyPerCent)
+      return fromUtf8(Words::tr("An answer within %1 of the right one counts."))
+          .arg(perCent(prediction.tolerance));
+    return fromUtf8(Words::tr("An answer from %1 to %2 times the right one counts."))
+        .arg(shortFactor(1 - prediction.tolerance), shortFactor(1 + prediction.tolerance));
+  }
   const QString height = shortFactor(1 + prediction.tolerance);
   if (prediction.x) return fromUtf8(Words::tr("The height counts to a factor of %1.")).arg(height);
   return fromUtf8(Words::tr("The height counts to a factor of %1, the place to a factor of %2."))
@@ -155,18 +174,18 @@ QString richText(const LessonText& text, const LessonPrediction& prediction,
 QString verdictText(const LessonPrediction& prediction, const LessonAnswer& answer,
                     const GivenAnswer& given, bool isRight) {
   const bool isChoice = prediction.kind == PredictionKind::Choice;
-  const QString found =
-      isChoice && !prediction.answer
-          ? QString()
-          : paragraph(fromUtf8(Words::tr("The program finds %1."))
-                          .arg(valueInWords(prediction, answer.number, answer.x)));
+  const QString found = isChoice && !prediction.answer
+                            ? QString()
+                            : fromUtf8(Words::tr("The program finds %1."))
+                                  .arg(valueInWords(prediction, answer.number, answer.x));
   const auto tells = [](const LessonText& text, const char* place) {
     return shown(text).find(place) != std::string::npos;
   };
   if (!given.isGiven()) {
     const bool tellsAnswerAlone =
         tells(prediction.wrong, "{") && !tells(prediction.wrong, "{given");
-    return tellsAnswerAlone ? richText(prediction.wrong, prediction, answer, given) : found;
+    return tellsAnswerAlone ? richText(prediction.wrong, prediction, answer, given)
+                            : paragraph(found);
   }
   const LessonText& said = isRight ? prediction.right : prediction.wrong;
   const bool isPoint = prediction.kind == PredictionKind::Point && !prediction.x;
@@ -174,15 +193,15 @@ QString verdictText(const LessonPrediction& prediction, const LessonAnswer& answ
                     (isRight ? QStringLiteral("✓ ") + fromUtf8(Words::tr("Right"))
                              : QStringLiteral("✗ ") + fromUtf8(Words::tr("No"))) +
                     "</b></p>";
-  if (isPoint || (!isChoice && !tells(said, "{given"))) {
-    QString own = fromUtf8(Words::tr("You said %1."))
-                      .arg(valueInWords(prediction, {given.number, answer.number.unit},
-                                        {given.x, answer.x.unit}));
-    if (isPoint && !isRight) own += ' ' + mistakeText(prediction, answer, given);
-    verdict += paragraph(own);
-  }
-  if (!said.empty()) return verdict + richText(said, prediction, answer, given);
-  return isChoice ? verdict : verdict + found;
+  QStringList sentences;
+  if (isPoint || (!isChoice && !tells(said, "{given")))
+    sentences += fromUtf8(Words::tr("You said %1."))
+                     .arg(valueInWords(prediction, {given.number, answer.number.unit},
+                                       {given.x, answer.x.unit}));
+  if (isPoint && !isRight) sentences += mistakeText(prediction, answer, given);
+  // A text to a choice may say in words what was computed.
+  if (isChoice ? said.empty() : !tells(said, "{answer")) sentences += found;
+  return verdict + paragraph(sentences.join(' ')) + richText(said, prediction, answer, given);
 }
 
 }  // namespace asperity

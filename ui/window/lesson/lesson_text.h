@@ -14,6 +14,9 @@ QString plainText(const LessonText& text);
 /// Returns the same with its quantities and formulas kept on one line each.
 QString lineText(const LessonText& text);
 
+/// Returns a title as part of the name of a file; empty where it has no letter for it.
+QString fileNamePart(const LessonText& title);
+
 /// Returns HTML of paragraphs and lists: "*word*" in italics, "**word**" in bold, "- " items.
 /// Everything else is plain text.
 QString richText(const std::string& text);
@@ -28,9 +31,10 @@ QString pointInWords(const LessonNumber& height, const LessonNumber& place);
 /// choice.
 QString answerInWords(const LessonPrediction& prediction, const LessonAnswer& answer);
 
-/// Returns how closely a point has to be placed to be right: "The height counts to a factor of 1.5,
-/// the place to a factor of 2."; empty for other questions.
-QString pointTolerance(const LessonPrediction& prediction);
+/// Returns how near an answer has to be to be right: "An answer within 20 % of the right one
+/// counts."; of a point "The height counts to a factor of 1.5, the place to a factor of 2."; empty
+/// for a choice.
+QString toleranceText(const LessonPrediction& prediction);
 
 /// Returns a text shown after the answer, as rich text with the values in it.
 QString richText(const LessonText& text, const LessonPrediction& prediction,

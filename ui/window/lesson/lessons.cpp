@@ -5,7 +5,6 @@
 #include <QMainWindow>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QRegularExpression>
 #include <QSettings>
 #include <QWindow>
 #include <algorithm>
@@ -37,8 +36,6 @@
 namespace asperity {
 
 namespace {
-
-constexpr int kLongestTitle = 60;  // letters, in the name of a file
 
 /// Shows a window before all others of the program.
 void bringToFront(QWidget& window) {
@@ -222,7 +219,8 @@ LessonEditor& Lessons::openEditor(const Lesson& lesson, const QString& file) {
   if (!wantsToGoOn("draftQuestion",
                    tr("The lesson “%1” was changed in the editor and not saved before the program "
                       "ended. Go on with it?")
-                       .arg(title))) {
+                       .arg(title),
+                   discards())) {
     forgetDraft();
     return showEditor(lesson, file);
   }
@@ -231,18 +229,24 @@ LessonEditor& Lessons::openEditor(const Lesson& lesson, const QString& file) {
   return made;
 }
 
-/// Asks whether work of an earlier session is to be continued; else it is lost.
-bool Lessons::wantsToGoOn(const QString& name, const QString& question) const {
+/// The answer to wantsToGoOn() by which work is lost that is in no file.
+Lessons::Otherwise Lessons::discards() {
+  return {tr("What you discard is lost."), tr("&Discard")};
+}
+
+/// Asks whether work of an earlier session is to be continued. The Escape key continues it.
+bool Lessons::wantsToGoOn(const QString& name, const QString& question,
+                          const Otherwise& otherwise) const {
   QMessageBox box(QMessageBox::Question, tr("Asperity"), {},
                   QMessageBox::Yes | QMessageBox::Discard, &parts_.window);
   box.setObjectName(name);
   box.setTextFormat(Qt::PlainText);  // titles are not markup
   box.setText(question);
-  box.setInformativeText(tr("What you discard is lost."));
+  box.setInformativeText(otherwise.means);
   box.setDefaultButton(QMessageBox::Yes);
   box.setEscapeButton(QMessageBox::Yes);
   box.button(QMessageBox::Yes)->setText(tr("&Go on"));
-  box.button(QMessageBox::Discard)->setText(tr("&Discard"));
+  box.button(QMessageBox::Discard)->setText(otherwise.button);
   return box.exec() != QMessageBox::Discard;
 }
 
@@ -345,9 +349,11 @@ QString Lessons::offerAnswers(const Lesson& lesson) {
   const std::optional<LessonResults> kept = keptAnswers(lesson);
   if (!kept) return offerSavedAnswers(lesson);
   const QString date = QString::fromStdString(kept->date).replace('T', ' ');
-  if (wantsToGoOn("answersQuestion", tr("This lesson was begun before (%1), and its answers are in "
-                                        "no file. Go on with these answers?")
-                                         .arg(date)))
+  if (wantsToGoOn("answersQuestion",
+                  tr("This lesson was begun before (%1), and its answers are in "
+                     "no file. Go on with these answers?")
+                      .arg(date),
+                  discards()))
     left_[lesson.digest] = *kept;
   else
     keepAnswers(lesson.digest, nullptr);
@@ -359,13 +365,10 @@ QString Lessons::offerSavedAnswers(const Lesson& lesson) {
   const std::optional<LessonResults> saved = savedAnswers(lesson);
   if (!saved) return {};
   const QString file = QSettings().value(resultsFileKey(lesson.digest)).toString();
-  const Question question{"savedAnswersQuestion", tr("Asperity"),
-                          tr("Your answers to this lesson are in %1. Go on with these answers?")
-                              .arg(QFileInfo(file).fileName()),
-                          tr("The file stays if you begin anew."), QMessageBox::Question};
-  if (ask(&parts_.window, question,
-          {{QMessageBox::Yes, tr("&Go on")}, {QMessageBox::No, tr("&Begin anew")}},
-          QMessageBox::Yes) == QMessageBox::Yes) {
+  if (wantsToGoOn("savedAnswersQuestion",
+                  tr("Your answers to this lesson are in %1. Go on with these answers?")
+                      .arg(QFileInfo(file).fileName()),
+                  {tr("The file stays if you begin anew."), tr("&Begin anew")})) {
     left_[lesson.digest] = *saved;
     return file;
   }
@@ -437,11 +440,8 @@ void Lessons::leave() {
 /// Returns the name that is proposed for the results: with the title in the language of the window
 /// and with the time, so that the files of a class can be collected in one folder.
 QString Lessons::resultsName() const {
-  QString title = plainText(lesson()->title);
-  static const QRegularExpression forbidden(QStringLiteral(R"([/\\:*?"<>|\x00-\x1f])"));
-  title = title.remove(forbidden).simplified().left(kLongestTitle);
   const QString now = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd HH.mm.ss"));
-  return tr("%1, results %2.json").arg(title, now);
+  return tr("%1, results %2.json").arg(fileNamePart(lesson()->title), now);
 }
 
 void Lessons::askResultsFile() {

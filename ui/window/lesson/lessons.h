@@ -85,7 +85,11 @@ class Lessons : public QObject {
  private:
   LessonEditor& makeEditor(const LessonDocument& document);
   void hideDuringLesson(LessonEditor& editor);
-  bool wantsToGoOn(const QString& name, const QString& question) const;
+  struct Otherwise {
+    QString means, button;
+  };
+  bool wantsToGoOn(const QString& name, const QString& question, const Otherwise& otherwise) const;
+  static Otherwise discards();
   QString failureText(const QString& file, const std::exception& error) const;
   QString offerAnswers(const Lesson& lesson);
   QString offerSavedAnswers(const Lesson& lesson);

@@ -87,7 +87,7 @@ PredictionFields::PredictionFields(LessonForm& page) : QObject(&page), page_(pag
   for (QWidget* text : Widgets{right_, wrong_, reveal_})
     text->setToolTip(tr(
         "Write {answer} where the computed answer or the right choice belongs, and {given} where "
-        "the student's does"));
+        "the student's does; *italic*, **bold**"));
 }
 
 void PredictionFields::addChoices() {
