@@ -112,22 +112,11 @@ ParameterPanel::ParameterPanel(const Scene& scene, const std::vector<ParameterGr
       bar_(bar),
       noMatch_(named<QLabel>("noParameterFound")),
       scroll_(new QScrollArea) {
-  // The style sheet is set before there are rows, because Qt evaluates it again for all existing
-  // widgets and for all that get another parent. For the same reason the rows are added to the
-  // panel last, all at once.
+  // Qt evaluates the style of a widget again for each parent that it gets, with all its children.
+  // So the style sheet comes first, and everything is made in its final parent.
   applyStyle();
   auto* content = named<QWidget>("parameterRows");
   content->setFocusPolicy(Qt::ClickFocus);
-  auto* column = new QVBoxLayout(content);
-  column->setContentsMargins(14, 5, 8, 5);
-  column->setSpacing(3);
-  for (const ParameterGroup& group : groups) addGroup(*column, group);
-  noMatch_->setProperty("role", "unit");
-  noMatch_->setWordWrap(true);
-  noMatch_->hide();
-  column->addWidget(noMatch_);
-  column->addStretch(1);
-
   scroll_->setWidgetResizable(true);
   scroll_->setFocusPolicy(Qt::NoFocus);  // its rows take the focus
   scroll_->setFrameShape(QFrame::NoFrame);
@@ -150,6 +139,16 @@ ParameterPanel::ParameterPanel(const Scene& scene, const std::vector<ParameterGr
   }
   layout->addWidget(scroll_, 1);
   scroll_->setWidget(content);
+  auto* column = new QVBoxLayout(content);
+  column->setContentsMargins(14, 5, 8, 5);
+  column->setSpacing(3);
+  for (const ParameterGroup& group : groups) addGroup(*column, group);
+  noMatch_->setProperty("role", "unit");
+  noMatch_->setWordWrap(true);
+  noMatch_->hide();
+  column->addWidget(noMatch_);
+  column->addStretch(1);
+
   setMinimumWidth(kMinWidth);
   content->installEventFilter(this);
   if (bar_) bar_->installEventFilter(this);
@@ -203,7 +202,7 @@ QSize ParameterPanel::sizeHint() const {
 void ParameterPanel::addGroup(QVBoxLayout& column, const ParameterGroup& group) {
   Section section{group};
   if (!group.name.isEmpty()) {
-    section.header = new SectionHeader;
+    section.header = new SectionHeader(column.parentWidget());
     section.header->setObjectName("section:" + group.name);
     column.addWidget(section.header);
     connect(section.header, &SectionHeader::toggled, this, [this] {
@@ -212,7 +211,7 @@ void ParameterPanel::addGroup(QVBoxLayout& column, const ParameterGroup& group) 
     });
   } else if (group.title) {
     if (column.count() > 0) column.addSpacing(3);
-    section.label = new QLabel;
+    section.label = new QLabel(column.parentWidget());
     section.label->setProperty("role", "heading");
     column.addWidget(section.label);
   }
@@ -222,7 +221,7 @@ void ParameterPanel::addGroup(QVBoxLayout& column, const ParameterGroup& group) 
 }
 
 ParameterRow& ParameterPanel::addRow(QVBoxLayout& column, const Parameter& parameter) {
-  auto* row = new ParameterRow(parameter);
+  auto* row = new ParameterRow(parameter, column.parentWidget());
   rows_.insert(fromUtf8(parameter.key), row);
   column.addWidget(row);
   connect(row, &ParameterRow::valueGiven, this, [this, row](const ParameterValue& value) {

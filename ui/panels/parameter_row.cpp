@@ -94,9 +94,9 @@ ParameterRow::ParameterRow(const Parameter& parameter, QWidget* parent)
   else if (isMaterial(parameter))
     addMaterials(*line);
   else if (std::holds_alternative<ArmsField>(parameter.field))
-    addTable(*line, *column, *new ArmsEditor, "arms");
+    addTable(*line, *column, *new ArmsEditor(this), "arms");
   else if (std::holds_alternative<ShiftTableField>(parameter.field))
-    addTable(*line, *column, *new ShiftEditor, "shifts");
+    addTable(*line, *column, *new ShiftEditor(this), "shifts");
   else if (isList(parameter))
     addListBox(*line);
   else if (std::holds_alternative<TextField>(parameter.field))
@@ -293,7 +293,7 @@ bool ParameterRow::isChanged() const {
 
 void ParameterRow::addRemarks(QVBoxLayout& column) {
   const auto remark = [&](const char* role) {
-    auto* label = named<QLabel>(nameFor(role));
+    auto* label = named<QLabel>(nameFor(role), this);
     label->setProperty("role", role);
     label->setWordWrap(true);
     label->setIndent(0);  // a padding of the style sheet would indent it
@@ -331,14 +331,14 @@ void ParameterRow::changeEvent(QEvent* event) {
 }
 
 void ParameterRow::addLabel(QHBoxLayout& line) {
-  label_ = new QLabel;
+  label_ = new QLabel(this);
   label_->setTextFormat(Qt::RichText);
   label_->setWordWrap(true);
   line.addWidget(label_);
 }
 
 void ParameterRow::addEntry() {
-  entry_ = named<ValueEntry>(nameFor("entry"));
+  entry_ = named<ValueEntry>(nameFor("entry"), this);
   connect(entry_, &ValueEntry::entryRestored, this, [this] { showRefusal({}); });
 }
 
@@ -351,13 +351,13 @@ void ParameterRow::addNumber(QHBoxLayout& line, QVBoxLayout& column) {
   });
   line.addWidget(entry_);
 
-  unit_ = named<QLabel>(nameFor("unit"));
+  unit_ = named<QLabel>(nameFor("unit"), this);
   unit_->setProperty("role", "unit");
   connect(entry_, &ValueEntry::unitShown, unit_, &QLabel::setText);
   line.addWidget(unit_);
 
   // The slider follows the entry in the order of the tab key, too.
-  slider_ = named<ValueSlider>(nameFor("slider"), SliderScale(parameter_));
+  slider_ = named<ValueSlider>(nameFor("slider"), SliderScale(parameter_), this);
   connect(slider_, &ValueSlider::valuePicked, this,
           [this](double value) { emit valueGiven(sliderValue(parameter_, value)); });
   connect(slider_, &QSlider::sliderReleased, this, &ParameterRow::released);
@@ -371,7 +371,7 @@ void ParameterRow::addNumber(QHBoxLayout& line, QVBoxLayout& column) {
 }
 
 void ParameterRow::addChoice(QHBoxLayout& line, const ChoiceField& field) {
-  choice_ = named<ChoiceBox>(nameFor("choice"));
+  choice_ = named<ChoiceBox>(nameFor("choice"), this);
   for (const std::string_view word : field.choices) choice_->addItem(QString(), fromUtf8(word));
   choice_->setEnabled(field.choices.size() > 1);
   connect(choice_, &QComboBox::activated, this, [this](int index) {
@@ -389,7 +389,7 @@ void ParameterRow::addText(QHBoxLayout& line) {
 }
 
 void ParameterRow::addLongText(QHBoxLayout& line) {
-  text_ = named<TextBox>(nameFor("text"));
+  text_ = named<TextBox>(nameFor("text"), this);
   connect(text_, &TextBox::textCommitted, this, &ParameterRow::textGiven);
   line.addWidget(text_, 1);
   line.setAlignment(label_, Qt::AlignTop);
@@ -406,7 +406,7 @@ void ParameterRow::addTable(QHBoxLayout& line, QVBoxLayout& column, PairEditor& 
 }
 
 void ParameterRow::addMaterials(QHBoxLayout& line) {
-  material_ = named<MaterialBox>(nameFor("material"));
+  material_ = named<MaterialBox>(nameFor("material"), this);
   connect(material_, &MaterialBox::nameGiven, this,
           [this](const QString& given) { emit valueGiven(given.toStdString()); });
   connect(material_, &MaterialBox::fileRequested, this, &ParameterRow::fileRequested);
@@ -414,7 +414,7 @@ void ParameterRow::addMaterials(QHBoxLayout& line) {
 }
 
 void ParameterRow::addListBox(QHBoxLayout& line) {
-  list_ = named<ListBox>(nameFor("list"), std::string(parameter_.key));
+  list_ = named<ListBox>(nameFor("list"), std::string(parameter_.key), this);
   connect(list_, &ListBox::listGiven, this, &ParameterRow::valueGiven);
   connect(list_, &ListBox::fileRequested, this, &ParameterRow::fileRequested);
   line.addWidget(list_, 1);
@@ -423,7 +423,7 @@ void ParameterRow::addListBox(QHBoxLayout& line) {
 /// Adds the button for files. The entry shows the end of a path, which is more informative.
 void ParameterRow::addBrowse(QHBoxLayout& line) {
   entry_->setShownEnd(Qt::RightEdge);
-  browse_ = named<QToolButton>(nameFor("browse"));
+  browse_ = named<QToolButton>(nameFor("browse"), this);
   browse_->setProperty("role", "browse");
   browse_->setFocusPolicy(Qt::TabFocus);
   connect(browse_, &QToolButton::clicked, this, &ParameterRow::fileRequested);
@@ -431,7 +431,7 @@ void ParameterRow::addBrowse(QHBoxLayout& line) {
 }
 
 void ParameterRow::addReset(QHBoxLayout& line) {
-  reset_ = named<QToolButton>(nameFor("reset"));
+  reset_ = named<QToolButton>(nameFor("reset"), this);
   reset_->setText(QStringLiteral("↺"));
   reset_->setProperty("role", "reset");
   reset_->setFocusPolicy(Qt::NoFocus);
