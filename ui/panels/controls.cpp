@@ -258,9 +258,12 @@ void TextBox::fitToText() {
   updateGeometry();
 }
 
+/// The fit waits until Qt has placed the scroll bar and broken the lines: a scroll bar that came or
+/// went meanwhile would leave the lines as they were.
 void TextBox::resizeEvent(QResizeEvent* event) {
   QPlainTextEdit::resizeEvent(event);
-  if (event->oldSize().width() != event->size().width()) fitToText();
+  if (event->oldSize().width() != event->size().width())
+    QMetaObject::invokeMethod(this, &TextBox::fitToText, Qt::QueuedConnection);
 }
 
 void TextBox::changeEvent(QEvent* event) {

@@ -17,6 +17,7 @@
 #include <QRadioButton>
 #include <QRegularExpression>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSet>
 #include <QSizeGrip>
 #include <QSplitterHandle>
@@ -161,6 +162,13 @@ void checkEntry(const QLineEdit& entry, QStringList& faults) {
   if (qobject_cast<const QAbstractSpinBox*>(entry.parentWidget())) check(entry.text());
 }
 
+/// Sentences that do not fit into their box have a scroll bar.
+void checkSentences(const QPlainTextEdit& box, QStringList& faults) {
+  const QScrollBar& bar = *box.verticalScrollBar();
+  if (bar.maximum() > 0 && !bar.isVisible())
+    faults += nameOf(box) + " hides lines, but has no scroll bar";
+}
+
 void checkProgress(const QProgressBar& bar, QStringList& faults) {
   const int needed = QFontMetrics(bar.font()).horizontalAdvance(bar.text());
   if (bar.isTextVisible() && needed > bar.width())
@@ -221,6 +229,8 @@ void checkText(const QWidget& widget, QStringList& faults) {
     checkTabs(*tabs, faults);
   else if (const auto* entry = qobject_cast<const QLineEdit*>(&widget))
     checkEntry(*entry, faults);
+  else if (const auto* sentences = qobject_cast<const QPlainTextEdit*>(&widget))
+    checkSentences(*sentences, faults);
   else if (const auto* bar = qobject_cast<const QProgressBar*>(&widget))
     checkProgress(*bar, faults);
   else if (const auto* header = qobject_cast<const QHeaderView*>(&widget))
