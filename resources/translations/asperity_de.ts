@@ -1096,11 +1096,11 @@
     </message>
     <message>
         <source>Back to the scene as opened</source>
-        <translation>Zurück zur Szene wie geöffnet</translation>
+        <translation>Zurück zur geöffneten Fassung</translation>
     </message>
     <message>
         <source>All parameters to their defaults</source>
-        <translation>Alle Parameter auf ihre Vorgaben</translation>
+        <translation>Alle Parameter auf ihre Vorgaben setzen</translation>
     </message>
     <message>
         <source>Open scene</source>
@@ -4198,7 +4198,7 @@
     </message>
     <message>
         <source>Back to the scene as opened</source>
-        <translation>Zurück zur Szene wie geöffnet</translation>
+        <translation>Zurück zur geöffneten Fassung</translation>
     </message>
     <message>
         <source>%1 parameters</source>
@@ -4583,7 +4583,7 @@
     </message>
     <message>
         <source>Coefficient of friction of this line, of a motion at this moment; then the mean of all lines at this velocity with its standard error. After ≈ it is interpolated between two points of the curve.</source>
-        <translation>Reibungszahl dieser Linie, bei einer Bewegung in diesem Augenblick; danach das Mittel aller Linien bei dieser Geschwindigkeit mit seinem Standardfehler. Nach ≈ ist es zwischen zwei Punkten der Kurve interpoliert.</translation>
+        <translation>Reibungszahl dieser Linie, bei einer Bewegung in diesem Augenblick; dahinter das Mittel aller Linien bei dieser Geschwindigkeit mit seinem Standardfehler. Nach ≈ ist es zwischen zwei Punkten der Kurve interpoliert.</translation>
     </message>
     <message>
         <source>Eq. (14) of the paper: normal force / (shear modulus × rms height × length)</source>
@@ -4773,7 +4773,7 @@
     </message>
     <message>
         <source>How many times slower or faster than in reality the picture moves; to the right faster. A number alone, such as 600, means slower.</source>
-        <translation>Wievielmal langsamer oder schneller als in Wirklichkeit sich das Bild bewegt; nach rechts schneller. Eine Zahl allein, etwa 600, heißt langsamer.</translation>
+        <translation>Um welchen Faktor sich das Bild langsamer oder schneller bewegt als die Wirklichkeit; nach rechts schneller. Eine Zahl allein, etwa 600, heißt langsamer.</translation>
     </message>
     <message>
         <source>pace of the picture, times slower or faster than in reality</source>
@@ -5198,8 +5198,8 @@
         <translation>starrer Körper</translation>
     </message>
     <message>
-        <source>dot: the deepest contact</source>
-        <translation>Punkt: der tiefste Kontakt</translation>
+        <source>dot: the greatest pressure</source>
+        <translation>Punkt: der größte Druck</translation>
     </message>
     <message>
         <source>dot: a contact too small to be drawn</source>

@@ -1728,7 +1728,7 @@
     </message>
     <message>
         <source>steady sliding is stationary in the line's frame</source>
-        <translation>stationäres Gleiten ruht im System der Linie</translation>
+        <translation>stationäres Gleiten ändert sich im Bezugssystem der Linie nicht</translation>
     </message>
     <message>
         <source>stored shape</source>
@@ -1784,7 +1784,7 @@
     </message>
     <message>
         <source>the motion does not begin from rest</source>
-        <translation>die Bewegung beginnt nicht aus der Ruhe</translation>
+        <translation>die Bewegung beginnt nicht in Ruhe</translation>
     </message>
     <message>
         <source>the profile is read and taken as one period of a band-limited line</source>
@@ -5264,7 +5264,7 @@
     </message>
     <message>
         <source>at %1 the line excites %2 to %3, half of the loss below %4</source>
-        <translation>bei %1 regt die Linie %2 bis %3 an, die Hälfte des Verlusts unter %4</translation>
+        <translation>bei %1 regt die Linie Frequenzen von %2 bis %3 an; die Hälfte des Verlusts liegt unter %4</translation>
     </message>
     <message>
         <source>%1; measured were %2 to %3, %4 % of the loss is extrapolated</source>
@@ -7667,7 +7667,7 @@
     </message>
     <message>
         <source>How many times slower or faster than in reality the picture moves; below the contact it can be chosen.</source>
-        <translation>Wievielmal langsamer oder schneller als in Wirklichkeit sich das Bild bewegt; unter dem Kontakt ist es wählbar.</translation>
+        <translation>Um welchen Faktor sich das Bild langsamer oder schneller bewegt als die Wirklichkeit; unter dem Kontakt ist er wählbar.</translation>
     </message>
     <message>
         <source>Line load: the force with which the bodies press on each other, per length of the line.</source>

@@ -371,7 +371,7 @@ Notes notesFor(const Frame& frame, const ContactLayout& layout) {
   Notes notes{{exaggerationText(layout), "vertical exaggeration"}};
   const bool pressed = greatestPressure(frame) > 0;
   if (layout.marked && !layout.theme.isPaper)
-    notes.push_back({pressed ? Words::tr("dot: the deepest contact")
+    notes.push_back({pressed ? Words::tr("dot: the greatest pressure")
                              : Words::tr("dot: a contact too small to be drawn"),
                      "dot at a contact"});
   if (layout.scale.overlay == ContactOverlay::Power && layout.scale.isShown())

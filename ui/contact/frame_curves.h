@@ -53,11 +53,10 @@ std::vector<std::vector<CurveVertex>> stretchesAbove(const Frame& frame, PointRa
                                                      const std::vector<double>& values,
                                                      double least);
 
-/// Returns the point of the deepest contact, where the two bodies touch but no stretch of points in
-/// contact is `metres` wide (stretches less than a quarter of it apart count as one). It is the
-/// point of the greatest pressure or, where contact lies between points and none carries pressure,
-/// of the smallest gap lineHeight - surfaceHeight. None where there is a wider contact or no
-/// contact.
+/// Returns the point to mark where the two bodies touch but no stretch of points in contact is
+/// `metres` wide (stretches less than a quarter of it apart count as one): that of the greatest
+/// pressure or, where contact lies between points and none carries pressure, of the smallest gap
+/// lineHeight - surfaceHeight. None where there is a wider contact or no contact.
 std::optional<std::size_t> narrowContact(const Frame& frame, double metres);
 
 /// Returns whether the pressures of the points are those of the contact: not where a narrow contact
