@@ -169,8 +169,13 @@ std::vector<double> contourLevels(double from, double to, bool isLogarithmic, in
   double step = 10 * power;
   for (const double factor : {5.0, 2.0, 1.0})
     if (factor * power >= raw) step = factor * power;
-  for (double k = std::floor(from / step); k * step < to; ++k)
-    if (k * step > from) levels.push_back(k * step);
+  // A range of a few roundings has multiples that are as large as the next ones: the number of
+  // steps ends the loop, which would else never reach the end of the range.
+  const double first = std::floor(from / step);
+  for (int i = 0; i <= count + 1; ++i) {
+    const double level = (first + i) * step;
+    if (level > (levels.empty() ? from : levels.back()) && level < to) levels.push_back(level);
+  }
   return levels;
 }
 

@@ -108,5 +108,22 @@ TEST(Contours, LevelsAreRound) {
   EXPECT_TRUE(contourLevels(0, 1, true, 5).empty());
 }
 
+/// As on a plateau whose values differ by their rounding alone.
+TEST(Contours, LevelsOfARangeOfRoundingsEnd) {
+  const double from = 1.2628984148934633e-05;
+  double to = from;
+  for (int roundings = 1; roundings < 40; ++roundings) {
+    to = std::nextafter(to, 1);
+    for (const bool isLogarithmic : {false, true}) {
+      const std::vector<double> levels = contourLevels(from, to, isLogarithmic, 4);
+      EXPECT_LE(levels.size(), 6U);
+      for (std::size_t i = 0; i < levels.size(); ++i) {
+        EXPECT_GT(levels[i], i > 0 ? levels[i - 1] : from);
+        EXPECT_LT(levels[i], to);
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace asperity
