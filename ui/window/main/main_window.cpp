@@ -146,9 +146,11 @@ MainWindow::MainWindow(const Scene& scene, RunnerOptions options, QWidget* paren
   poll_->start(kPollInterval);
 }
 
-/// The layout restores the font of other windows while all parts of this one still exist.
+/// The layout restores the font of other windows while all parts of this one still exist. Parts
+/// that send a signal while they end must not reach a window that is half gone.
 MainWindow::~MainWindow() {
   delete windowLayout_;
+  for (const QObject* part : findChildren<QObject*>()) part->disconnect(this);
 }
 
 ChartView& MainWindow::plotView() {
