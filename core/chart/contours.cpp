@@ -169,8 +169,8 @@ std::vector<double> contourLevels(double from, double to, bool isLogarithmic, in
   double step = 10 * power;
   for (const double factor : {5.0, 2.0, 1.0})
     if (factor * power >= raw) step = factor * power;
-  // A range of a few roundings has multiples that are as large as the next ones: the number of
-  // steps ends the loop, which would else never reach the end of the range.
+  // Where the range is a few roundings wide, a multiple of the step may equal the next one. A loop
+  // up to the end of the range would then never end, so the number of steps ends it.
   const double first = std::floor(from / step);
   for (int i = 0; i <= count + 1; ++i) {
     const double level = (first + i) * step;

@@ -135,9 +135,8 @@ std::vector<Message> materialSummary(const Material& material) {
   else if (!curve.isThermorheologicallySimple && curve.largestStep > 0)
     lines.push_back(
         message("not thermorheologically simple: shifts from G\u2032 alone and from G\u2033 alone "
-                "differ by up to "
-                "{} decades between neighbours, {} in all; predictions at other temperatures are "
-                "approximate",
+                "differ by up to {} decades between neighbours, {} in all; predictions at other "
+                "temperatures are approximate",
                 decades(curve.largestStep), decades(curve.largestDifference)));
   else if (!curve.isThermorheologicallySimple)
     lines.push_back(message(
