@@ -62,9 +62,9 @@ void checkSchema(const Json& schema) {
 }
 
 bool isSection(const std::string& name) {
-  const auto rows = parameters();
-  return std::any_of(rows.begin(), rows.end(),
-                     [&name](const Parameter& row) { return row.key.starts_with(name + "."); });
+  const std::string start = name + ".";
+  return std::ranges::any_of(parameters(),
+                             [&](const Parameter& row) { return row.key.starts_with(start); });
 }
 
 void flattenSection(const std::string& section, const Json& members,

@@ -25,6 +25,22 @@
 
 namespace asperity {
 
+QWidget& orderTabs(QWidget& before, const QLayout& layout) {
+  QWidget* last = &before;
+  for (int i = 0; i < layout.count(); ++i) {
+    const QLayout* inner = layout.itemAt(i)->layout();
+    if (QWidget* widget = layout.itemAt(i)->widget()) {
+      inner = widget->layout();
+      if (widget->focusPolicy() & Qt::TabFocus) {
+        QWidget::setTabOrder(last, widget);
+        last = widget;
+      }
+    }
+    if (inner) last = &orderTabs(*last, *inner);
+  }
+  return *last;
+}
+
 QScrollArea* scrolled(QWidget* content, Qt::ScrollBarPolicy sideways) {
   auto* area = new QScrollArea;
   area->setWidget(content);

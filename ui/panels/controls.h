@@ -44,6 +44,10 @@ Layout* marginless(QWidget* parent = nullptr, int spacing = -1) {
   return layout;
 }
 
+/// Gives the Tab key the order of a layout, beginning after `before`: Qt puts controls last that
+/// were made last. Returns the last control.
+QWidget& orderTabs(QWidget& before, const QLayout& layout);
+
 /// Makes an area without a frame in which the content scrolls, as wide as the area.
 QScrollArea* scrolled(QWidget* content, Qt::ScrollBarPolicy sideways = Qt::ScrollBarAsNeeded);
 

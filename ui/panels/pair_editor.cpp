@@ -300,7 +300,9 @@ void PairEditor::makeRows(std::size_t count) {
     rows_.back()->dispose();
     delete rows_.back();
   }
+  if (rows_.size() == count) return;
   while (rows_.size() < count) rows_.push_back(new PairRow(*this, *grid_, rows_.size()));
+  orderTabs(*fold_, *layout());
 }
 
 std::vector<std::size_t> columnsOfNumbers(const TextBlock& block) {

@@ -156,7 +156,7 @@ ParameterPanel::ParameterPanel(const Scene& scene, const std::vector<ParameterGr
   remarkDelay_->setSingleShot(true);
   remarkDelay_->setInterval(kRemarkDelay);
   connect(remarkDelay_, &QTimer::timeout, this, &ParameterPanel::showWaitingRemarks);
-  updateAxisRow();
+  updateUnits();
   showTexts();
 }
 
@@ -166,7 +166,8 @@ void ParameterPanel::setScene(const Scene& scene) {
   passedOn_ = scene;
   sizes_ = RememberedSizes(scene.surface);
   runErrors_.clear();
-  updateAxisRow();
+  addMissingRows();
+  updateUnits();
   for (ParameterRow* row : std::as_const(rows_)) row->showScene(scene_, line_, true);
   showRemarks();
   showMissing();
@@ -215,15 +216,42 @@ void ParameterPanel::addGroup(QVBoxLayout& column, const ParameterGroup& group) 
     section.label->setProperty("role", "heading");
     column.addWidget(section.label);
   }
-  for (const std::string_view key : group.keys)
-    section.rows.push_back(&addRow(column, *findParameter(key)));
   sections_.push_back(std::move(section));
+  addMissingRows();
 }
 
-ParameterRow& ParameterPanel::addRow(QVBoxLayout& column, const Parameter& parameter) {
-  auto* row = new ParameterRow(parameter, column.parentWidget());
+/// Makes the rows that the scene needs and that do not exist yet. Most of the table has no meaning
+/// for a given scene, and making rows is a large part of the time in which a window is made.
+void ParameterPanel::addMissingRows() {
+  QWidget& content = *scroll_->widget();
+  auto& column = static_cast<QVBoxLayout&>(*content.layout());
+  QWidget* before = nullptr;
+  bool isOrdered = true;
+  for (Section& section : sections_) {
+    if (section.header) before = section.header;
+    if (section.label) before = section.label;
+    auto place = section.rows.begin();
+    for (const std::string_view key : section.group.keys) {
+      const bool exists = place != section.rows.end() && (*place)->parameter().key == key;
+      const Parameter& parameter = *findParameter(key);
+      if (!exists && !isApplicable(parameter, scene_)) continue;
+      if (!exists) {
+        place = section.rows.insert(place, &addRow(parameterIn(parameter, scene_)));
+        const int below = column.indexOf(before) + 1;
+        isOrdered = isOrdered && below == column.count();
+        column.insertWidget(below, *place);
+      }
+      before = *place++;
+    }
+  }
+  if (!isOrdered) orderTabs(content, column);
+}
+
+ParameterRow& ParameterPanel::addRow(const Parameter& parameter) {
+  auto* row = new ParameterRow(parameter, scroll_->widget());
   rows_.insert(fromUtf8(parameter.key), row);
-  column.addWidget(row);
+  row->showTexts();
+  row->setLocked(rowAccess(parameter.key) == RowAccess::Locked);
   connect(row, &ParameterRow::valueGiven, this, [this, row](const ParameterValue& value) {
     edit(*row, [&](Scene& scene) { assignValue(row->parameter(), scene, value); });
   });
@@ -237,13 +265,13 @@ ParameterRow& ParameterPanel::addRow(QVBoxLayout& column, const Parameter& param
   return *row;
 }
 
-/// Sets all texts. Unfinished input stays. A refused entry is refused again, in the new language.
+/// Sets all texts but those of the rows. Unfinished input stays. A refused entry is refused again,
+/// in the new language.
 void ParameterPanel::showTexts() {
   scroll_->widget()->setAccessibleName(tr("parameters"));
   if (bar_) bar_->showTexts();
   for (const Section& section : sections_)
     if (section.label) section.label->setText(section.group.title());
-  for (ParameterRow* row : std::as_const(rows_)) row->showTexts();
   showRows(nullptr);
   showRemarks();
   showMissing();
@@ -483,7 +511,8 @@ void ParameterPanel::edit(ParameterRow& row, Change&& change, const QString& ref
   if (!haveSameFile(scene_, next)) line_ = {};
   scene_ = std::move(next);
   keepInPlace([&] {
-    updateAxisRow();
+    addMissingRows();
+    updateUnits();
     showRows(&row);
     showMissing();
   });
@@ -499,7 +528,7 @@ void ParameterPanel::showRows(const ParameterRow* edited) {
 
 /// Gives the ends of the curve's axis the unit and the slider of its key, and the velocity the name
 /// that it has in the scene's motion.
-void ParameterPanel::updateAxisRow() {
+void ParameterPanel::updateUnits() {
   const bool isOtherAxis = std::exchange(axis_, scene_.sweep.key) != scene_.sweep.key;
   for (ParameterRow* row : std::as_const(rows_)) {
     const Parameter shown = parameterIn(*findParameter(row->parameter().key), scene_);
@@ -519,7 +548,9 @@ void ParameterPanel::showMissing() {
 void ParameterPanel::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
   if (event->type() == QEvent::PaletteChange) applyStyle();
-  if (event->type() == QEvent::LanguageChange) showTexts();
+  if (event->type() != QEvent::LanguageChange) return;
+  for (ParameterRow* row : std::as_const(rows_)) row->showTexts();
+  showTexts();
 }
 
 /// Keeps the panel wide enough that rows are never cut at the side, also with a large font. The

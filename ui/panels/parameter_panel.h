@@ -1,10 +1,11 @@
-// The panel of parameters, generated from the table: one ParameterRow for each row, grouped in
-// sections that fold, in a scroll area, below a bar that chooses between the essential rows and all
-// and filters them. It owns the scene that its controls show; every accepted change makes a new
-// scene. A refused text changes nothing, and the reason is shown where it was typed; an incomplete
-// scene is kept with a note, but not passed on. A row with something to read below it is visible in
-// any case. Such remarks come and go below other rows, too: while a slider is held they wait, and
-// otherwise the row that the user works with keeps its place on the screen. GUI thread.
+// The panel of parameters, generated from the table: one ParameterRow for each row that a scene
+// needed so far, grouped in sections that fold, in a scroll area, below a bar that chooses between
+// the essential rows and all and filters them. It owns the scene that its controls show; every
+// accepted change makes a new scene. A refused text changes nothing, and the reason is shown where
+// it was typed; an incomplete scene is kept with a note, but not passed on. A row with something to
+// read below it is visible in any case. Such remarks come and go below other rows, too: while a
+// slider is held they wait, and otherwise the row that the user works with keeps its place on the
+// screen. GUI thread.
 #pragma once
 
 #include <QMap>
@@ -137,20 +138,21 @@ class ParameterPanel : public QWidget {
  private:
   struct Section {
     ParameterGroup group;
-    QLabel* label = nullptr;          // of a group that does not fold
-    SectionHeader* header = nullptr;  // of one that does
-    std::vector<ParameterRow*> rows{};
+    QLabel* label = nullptr;            // of a group that does not fold
+    SectionHeader* header = nullptr;    // of one that does
+    std::vector<ParameterRow*> rows{};  // as far as they exist
   };
 
   ParameterPanel(const Scene& scene, const std::vector<ParameterGroup>& groups, PanelBar* bar,
                  QWidget* parent);
   void addGroup(QVBoxLayout& column, const ParameterGroup& group);
-  ParameterRow& addRow(QVBoxLayout& column, const Parameter& parameter);
+  void addMissingRows();
+  ParameterRow& addRow(const Parameter& parameter);
   template <class Change>
   void edit(ParameterRow& row, Change&& change, const QString& refusal = {});
   void takeText(ParameterRow& row, const QString& text);
   void showRows(const ParameterRow* edited);
-  void updateAxisRow();
+  void updateUnits();
   template <class Change>
   void keepInPlace(Change&& change);
   void arrange();

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <QApplication>
 #include <QClipboard>
-#include <QGuiApplication>
 #include <QLabel>
 #include <QSignalSpy>
 #include <QTest>
@@ -125,6 +125,24 @@ TEST_F(ArmsEditorTest, ArmsAreAddedAndRemovedByKeys) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return arms().size() == 2; }));
   EXPECT_EQ(arms()[0], (Arm{2e6, 0.1}));
   ASSERT_TRUE(QTest::qWaitFor([&] { return !panel_.findChild<QWidget*>("armRemove:2"); }));
+}
+
+TEST_F(ArmsEditorTest, TabGoesThroughTheTableAsItStands) {
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&panel_));
+  for (const int count : {2, 3}) {
+    if (count == 3) QTest::mouseClick(&control<QToolButton>("armsAdd"), Qt::LeftButton);
+    control<QToolButton>("armsFold").setFocus();
+    QStringList expected, reached;
+    for (int i = 0; i < count; ++i)
+      for (const char* name : {"armModulus:%1", "armTime:%1", "armRemove:%1"})
+        expected += QString(name).arg(i);
+    expected += {"armsAdd", "armsPaste", "entry:elastomer.temperature"};
+    while (reached.size() < expected.size()) {
+      QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+      reached += QApplication::focusWidget()->objectName();
+    }
+    EXPECT_EQ(reached.join(' ').toStdString(), expected.join(' ').toStdString());
+  }
 }
 
 /// The focus goes into a field after an arm was added or removed.

@@ -10,7 +10,9 @@
 #include <QTest>
 #include <QToolButton>
 #include <QWheelEvent>
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "core/scene/parameters.h"
 #include "tests/ui/panels/parameter_panel_fixture.h"
@@ -33,23 +35,29 @@ QString controlOf(const Parameter& parameter) {
   return parameter.key == "description" ? "text:" : "entry:";
 }
 
-TEST_F(ParameterPanelTest, EveryApplicableRowHasItsControlsForEveryKind) {
+/// One scene for each word of each choice of the table.
+std::vector<Scene> scenesOfEveryKind() {
+  std::vector<Scene> scenes;
   for (const Parameter& kind : parameters()) {
     const auto* field = std::get_if<ChoiceField>(&kind.field);
     if (!field) continue;
-    for (const std::string_view word : field->choices) {
-      Scene scene;
-      setValue(kind, scene, std::string(word));
-      panel_.setScene(scene);
-      for (const Parameter& row : parameters()) {
-        if (row.key == "sweep.key") continue;  // is chosen at the chart
-        const QString key = fromUtf8(row.key);
-        const bool applies = isApplicable(row, scene);
-        EXPECT_EQ(isShown(controlOf(row) + key), applies) << row.key;
-        if (isNumber(row)) {
-          const bool hasSlider = zeroText(row).isEmpty();
-          EXPECT_EQ(isShown("slider:" + key), applies && hasSlider) << row.key;
-        }
+    for (const std::string_view word : field->choices)
+      setValue(kind, scenes.emplace_back(), std::string(word));
+  }
+  return scenes;
+}
+
+TEST_F(ParameterPanelTest, EveryApplicableRowHasItsControlsForEveryKind) {
+  for (const Scene& scene : scenesOfEveryKind()) {
+    panel_.setScene(scene);
+    for (const Parameter& row : parameters()) {
+      if (row.key == "sweep.key") continue;  // is chosen at the chart
+      const QString key = fromUtf8(row.key);
+      const bool applies = isApplicable(row, scene);
+      EXPECT_EQ(isShown(controlOf(row) + key), applies) << row.key;
+      if (isNumber(row)) {
+        const bool hasSlider = zeroText(row).isEmpty();
+        EXPECT_EQ(isShown("slider:" + key), applies && hasSlider) << row.key;
       }
     }
   }
@@ -57,6 +65,8 @@ TEST_F(ParameterPanelTest, EveryApplicableRowHasItsControlsForEveryKind) {
 }
 
 TEST_F(ParameterPanelTest, ControlsSayWhatTheyAre) {
+  for (const Scene& scene : scenesOfEveryKind()) panel_.setScene(scene);
+  panel_.setScene(Scene{});  // the words of its motion and the formulas of its elements
   for (const Parameter& row : parameters()) {
     const QString key = fromUtf8(row.key);
     for (QWidget* widget : panel_.findChildren<QWidget*>(QRegularExpression(
@@ -70,6 +80,43 @@ TEST_F(ParameterPanelTest, ControlsSayWhatTheyAre) {
       EXPECT_TRUE(widget->toolTip().contains(fromUtf8(row.sentence).toHtmlEscaped())) << row.key;
     }
   }
+}
+
+/// Returns the names of the visible controls in the order of the Tab key, or of their place on the
+/// screen.
+std::string controlsInOrder(ParameterPanel& panel, bool byTab) {
+  std::vector<std::pair<int, QString>> controls;
+  int number = 0;
+  for (QWidget* each = panel.nextInFocusChain(); each != &panel; each = each->nextInFocusChain())
+    if (each->focusPolicy() & Qt::TabFocus && each->isVisibleTo(&panel))
+      controls.emplace_back(byTab ? number++ : each->mapTo(&panel, QPoint()).y(),
+                            each->objectName());
+  std::ranges::sort(controls);
+  QStringList names;
+  for (const auto& [place, name] : controls) names += name;
+  return names.join(' ').toStdString();
+}
+
+/// Rows are made when a scene needs them, which must not be seen: they stand where they would be in
+/// a panel that was made for this scene.
+TEST_F(ParameterPanelTest, RowsThatComeLaterHaveTheirPlace) {
+  static const QRegularExpression row("^row:");
+  EXPECT_EQ(control<QWidget>("row:surface.amplitude"), nullptr);
+  const auto before = panel_.findChildren<QWidget*>(row).size();
+  auto count = before;
+  for (const Scene& scene : scenesOfEveryKind()) {
+    panel_.setScene(scene);
+    if (count == panel_.findChildren<QWidget*>(row).size()) continue;
+    count = panel_.findChildren<QWidget*>(row).size();
+    ParameterPanel fresh(scene);
+    fresh.setView(panel_.view());
+    fresh.resize(panel_.size());
+    fresh.show();
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+    for (const bool byTab : {false, true})
+      EXPECT_EQ(controlsInOrder(panel_, byTab), controlsInOrder(fresh, byTab));
+  }
+  EXPECT_GT(count, before);
 }
 
 TEST_F(ParameterPanelTest, KeysOnASliderChangeTheScene) {
@@ -221,6 +268,9 @@ TEST_F(ParameterPanelTest, NamesAndSymbolsAreAsPeopleWriteThem) {
       if (found->textFormat() == Qt::RichText) return found->text();
     return QString();
   };
+  Scene solid;
+  solid.elastomer.rheology = Rheology::StandardSolid;
+  panel_.setScene(solid);
   EXPECT_EQ(label("elastomer.equilibrium_modulus"),
             QStringLiteral("equilibrium modulus&nbsp;&nbsp;<i>G</i><sub>∞</sub>"));
   EXPECT_EQ(label("elastomer.shift.c1"), "shift&nbsp;&nbsp;<i>C</i><sub>1</sub>");

@@ -109,13 +109,7 @@ void AssignmentList::showRows() {
   for (QLabel* name : names) name->setMinimumWidth(widest);
   column_->insertWidget(0, rows_);
   rows_->setVisible(!assignments_.empty());
-  if (previous->window() != window()) return;
-  for (QWidget* field : rows_->findChildren<QWidget*>()) {
-    // The popup list of a combo box, which a style sheet creates at once, is a window of its own.
-    if (!(field->focusPolicy() & Qt::TabFocus) || field->window() != window()) continue;
-    setTabOrder(previous, field);
-    previous = field;
-  }
+  if (previous->window() == window()) orderTabs(*previous, *rows);
 }
 
 QWidget* AssignmentList::makeRow(std::size_t index) {
