@@ -314,8 +314,8 @@ void ParameterRow::setWidths() {
   };
   if (unit_) {
     label_->setMinimumWidth(longestWord(label_->text(), font()));
-    // A number without a unit is a count with many digits: it also uses the unit's width.
-    const bool isCount = parameter_.unit.empty();
+    // A count may have many digits: it also uses the width of the unit that it has not.
+    const bool isCount = std::holds_alternative<IntegerField>(parameter_.field);
     unit_->setHidden(isCount);
     unit_->setFixedWidth(digits(kUnitWidth));
     entry_->setFixedWidth(digits(kEntryWidth) + (isCount ? kGap + unit_->width() : 0));

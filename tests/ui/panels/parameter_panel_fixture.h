@@ -7,6 +7,9 @@
 #include <QLabel>
 #include <QSignalSpy>
 #include <QTest>
+#include <string>
+#include <variant>
+#include <vector>
 
 #include "core/scene/parameters.h"
 #include "ui/panels/number_text.h"
@@ -15,6 +18,18 @@
 #include "ui/panels/value_slider.h"
 
 namespace asperity {
+
+/// One scene for each word of each choice of the table: each row has a meaning for one of them.
+inline std::vector<Scene> scenesOfEveryKind() {
+  std::vector<Scene> scenes;
+  for (const Parameter& kind : parameters()) {
+    const auto* field = std::get_if<ChoiceField>(&kind.field);
+    if (!field) continue;
+    for (const std::string_view word : field->choices)
+      setValue(kind, scenes.emplace_back(), std::string(word));
+  }
+  return scenes;
+}
 
 class ParameterPanelTest : public testing::Test {
  protected:

@@ -35,18 +35,6 @@ QString controlOf(const Parameter& parameter) {
   return parameter.key == "description" ? "text:" : "entry:";
 }
 
-/// One scene for each word of each choice of the table.
-std::vector<Scene> scenesOfEveryKind() {
-  std::vector<Scene> scenes;
-  for (const Parameter& kind : parameters()) {
-    const auto* field = std::get_if<ChoiceField>(&kind.field);
-    if (!field) continue;
-    for (const std::string_view word : field->choices)
-      setValue(kind, scenes.emplace_back(), std::string(word));
-  }
-  return scenes;
-}
-
 TEST_F(ParameterPanelTest, EveryApplicableRowHasItsControlsForEveryKind) {
   for (const Scene& scene : scenesOfEveryKind()) {
     panel_.setScene(scene);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/scene/parameters.h"
+#include "tests/ui/panels/parameter_panel_fixture.h"
 #include "tests/ui/window/qt_application.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/parameter_panel.h"
@@ -19,6 +20,7 @@ TEST(UnitRoom, IsEnoughForEveryUnitThatIsShown) {
   panel.setView({true, {}});
   panel.resize(380, 700);
   panel.show();
+  for (const Scene& scene : scenesOfEveryKind()) panel.setScene(scene);  // makes all rows
   int shown = 0;
   for (const Parameter& parameter : parameters()) {
     const auto* field = std::get_if<RealField>(&parameter.field);
