@@ -124,12 +124,7 @@ ParameterPanel::ParameterPanel(const Scene& scene, const std::vector<ParameterGr
   auto* layout = marginless<QVBoxLayout>(this, 0);
   if (bar_) {
     layout->addWidget(bar_);
-    connect(bar_, &PanelBar::changed, this, [this] {
-      scroll_->verticalScrollBar()->setValue(0);
-      revealed_.clear();
-      arrange();
-      emit viewChanged();
-    });
+    connect(bar_, &PanelBar::changed, this, &ParameterPanel::showOtherRows);
     connect(&bar_->filter(), &FilterLine::escaped, this, &ParameterPanel::filterLeft);
     connect(&bar_->filter(), &FilterLine::left, this, [this] {
       for (const Section& section : sections_)
@@ -292,9 +287,24 @@ PanelView ParameterPanel::view() const {
 }
 
 void ParameterPanel::setView(const PanelView& view) {
+  if (view == this->view()) return;
+  // All parts change first; then the rows follow once.
+  const QSignalBlocker quietBar(bar_);
   if (bar_) bar_->setShowsAll(view.showsAll);
-  for (const Section& section : sections_)
-    if (section.header) section.header->setOpen(!view.folded.contains(section.group.name));
+  for (const Section& section : sections_) {
+    if (!section.header) continue;
+    const QSignalBlocker quietHeader(section.header);
+    section.header->setOpen(!view.folded.contains(section.group.name));
+  }
+  showOtherRows();
+}
+
+/// Shows the rows that another view or filter selects, from the first one on.
+void ParameterPanel::showOtherRows() {
+  scroll_->verticalScrollBar()->setValue(0);
+  revealed_.clear();
+  arrange();
+  emit viewChanged();
 }
 
 bool ParameterPanel::showsAll() const {
@@ -560,7 +570,8 @@ void ParameterPanel::updateWidth() {
   int row = 0;
   for (const ParameterRow* each : std::as_const(rows_))
     if (isApplicable(each->parameter(), scene_))
-      row = std::max(row, each->minimumSizeHint().width());
+      // minimumSizeHint() would also lay out all texts to know the height at this width.
+      row = std::max(row, each->layout()->minimumSize().width());
   const int least = std::max(
       {kMinWidth,
        row + margins.left() + margins.right() + scroll_->verticalScrollBar()->sizeHint().width(),

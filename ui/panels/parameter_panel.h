@@ -155,6 +155,7 @@ class ParameterPanel : public QWidget {
   void updateUnits();
   template <class Change>
   void keepInPlace(Change&& change);
+  void showOtherRows();
   void arrange();
   bool isHeld() const;
   void updateRemarks();
