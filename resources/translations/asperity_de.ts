@@ -3664,38 +3664,6 @@
         <translation>Profildatei wählen</translation>
     </message>
     <message>
-        <source>Rigid line</source>
-        <translation>Starre Linie</translation>
-    </message>
-    <message>
-        <source>Elastomer</source>
-        <translation>Elastomer</translation>
-    </message>
-    <message>
-        <source>Load</source>
-        <translation>Last</translation>
-    </message>
-    <message>
-        <source>Sliding</source>
-        <translation>Gleiten</translation>
-    </message>
-    <message>
-        <source>Interface</source>
-        <translation>Grenzfläche</translation>
-    </message>
-    <message>
-        <source>Friction curve</source>
-        <translation>Reibungskurve</translation>
-    </message>
-    <message>
-        <source>Accuracy</source>
-        <translation>Genauigkeit</translation>
-    </message>
-    <message>
-        <source>parameters</source>
-        <translation>Parameter</translation>
-    </message>
-    <message>
         <source>every row</source>
         <translation>jede Zeile</translation>
     </message>
@@ -3716,18 +3684,6 @@
         <translation>Tabellen (*.csv *.txt);;Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>Comparison</source>
-        <translation>Vergleich</translation>
-    </message>
-    <message>
-        <source>Texts of the scene</source>
-        <translation>Texte der Szene</translation>
-    </message>
-    <message>
-        <source>No parameter of this scene has “%1”. Escape clears the filter.</source>
-        <translation>Kein Parameter dieser Szene hat „%1“. Escape löscht den Filter.</translation>
-    </message>
-    <message>
         <source>automatic</source>
         <translation>automatisch</translation>
     </message>
@@ -3738,10 +3694,6 @@
     <message>
         <source>none</source>
         <translation>keine</translation>
-    </message>
-    <message>
-        <source>Nothing is changed here in this step.</source>
-        <translation>In diesem Schritt wird hier nichts verändert.</translation>
     </message>
     <message>
         <source>%1 (curve: %2)</source>
@@ -4037,6 +3989,57 @@
     <message>
         <source>drag me</source>
         <translation>zieh mich</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::RowList</name>
+    <message>
+        <source>Rigid line</source>
+        <translation>Starre Linie</translation>
+    </message>
+    <message>
+        <source>Elastomer</source>
+        <translation>Elastomer</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>Last</translation>
+    </message>
+    <message>
+        <source>Sliding</source>
+        <translation>Gleiten</translation>
+    </message>
+    <message>
+        <source>Interface</source>
+        <translation>Grenzfläche</translation>
+    </message>
+    <message>
+        <source>Friction curve</source>
+        <translation>Reibungskurve</translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation>Genauigkeit</translation>
+    </message>
+    <message>
+        <source>parameters</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Comparison</source>
+        <translation>Vergleich</translation>
+    </message>
+    <message>
+        <source>Texts of the scene</source>
+        <translation>Texte der Szene</translation>
+    </message>
+    <message>
+        <source>No parameter of this scene has “%1”. Escape clears the filter.</source>
+        <translation>Kein Parameter dieser Szene hat „%1“. Escape löscht den Filter.</translation>
+    </message>
+    <message>
+        <source>Nothing is changed here in this step.</source>
+        <translation>In diesem Schritt wird hier nichts verändert.</translation>
     </message>
 </context>
 <context>

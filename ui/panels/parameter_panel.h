@@ -1,55 +1,33 @@
-// The panel of parameters, generated from the table: one ParameterRow for each row that a scene
-// needed so far, grouped in sections that fold, in a scroll area, below a bar that chooses between
-// the essential rows and all and filters them. It owns the scene that its controls show; every
-// accepted change makes a new scene. A refused text changes nothing, and the reason is shown where
-// it was typed; an incomplete scene is kept with a note, but not passed on. A row with something to
-// read below it is visible in any case. Such remarks come and go below other rows, too: while a
-// slider is held they wait, and otherwise the row that the user works with keeps its place on the
-// screen. GUI thread.
+// The panel of parameters, generated from the table: the rows that the scene needs, in sections
+// that fold, in a scroll area, below a bar that chooses between the essential rows and all and
+// filters them. It owns the scene that its controls show; every accepted change makes a new scene.
+// A refused text changes nothing, and the reason is shown where it was typed; an incomplete scene
+// is kept with a note, but not passed on. Remarks come and go below rows: while a slider is held
+// they wait, and otherwise the row that the user works with keeps its place on the screen. GUI
+// thread.
 #pragma once
 
 #include <QMap>
 #include <QStringList>
 #include <QWidget>
-#include <functional>
 #include <map>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "core/scene/notes.h"
 #include "core/scene/scene.h"
 #include "ui/panels/controls.h"
 #include "ui/panels/profile_defaults.h"
+#include "ui/panels/row_list.h"
 #include "ui/panels/value_entry.h"
 
-class QLabel;
 class QScrollArea;
 class QTimer;
-class QVBoxLayout;
 
 namespace asperity {
 
 class PanelBar;
 class ParameterRow;
-class SectionHeader;
-struct Parameter;
-
-/// Rows under one heading, in this order. `title` is asked again for another language; without it
-/// the rows have no heading. A group with a name can be folded, and the name outlives versions of
-/// the program in the settings.
-struct ParameterGroup {
-  std::function<QString()> title;
-  std::vector<std::string_view> keys;
-  QString name{};
-};
-
-/// Returns all rows of the table under their headings: frequently used ones first; unknown ones
-/// follow in the order of the table.
-std::vector<ParameterGroup> parameterSections();
-
-/// The access of the user to a row.
-enum class RowAccess { Free, Locked, Hidden };
 
 /// The state of the panel that is kept from one start to the next.
 struct PanelView {
@@ -136,23 +114,13 @@ class ParameterPanel : public QWidget {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  struct Section {
-    ParameterGroup group;
-    QLabel* label = nullptr;            // of a group that does not fold
-    SectionHeader* header = nullptr;    // of one that does
-    std::vector<ParameterRow*> rows{};  // as far as they exist
-  };
-
   ParameterPanel(const Scene& scene, const std::vector<ParameterGroup>& groups, PanelBar* bar,
                  QWidget* parent);
-  void addGroup(QVBoxLayout& column, const ParameterGroup& group);
-  void addMissingRows();
-  ParameterRow& addRow(const Parameter& parameter);
+  void takeRow(ParameterRow* row);
   template <class Change>
   void edit(ParameterRow& row, Change&& change, const QString& refusal = {});
   void takeText(ParameterRow& row, const QString& text);
   void showRows(const ParameterRow* edited);
-  void updateUnits();
   template <class Change>
   void keepInPlace(Change&& change);
   void showOtherRows();
@@ -164,16 +132,13 @@ class ParameterPanel : public QWidget {
   ParameterRow* rowInUse() const;
   void updateWidth();
   bool showsAll() const;
-  RowAccess rowAccess(std::string_view key) const;
-  bool isNamed(std::string_view key) const;
   void showMissing();
   void chooseFile(ParameterRow& row);
   void showTexts();
   void applyStyle();
 
   Scene scene_;
-  std::string axis_;  // the swept key, in whose unit the ends of the axis are shown
-  Scene passedOn_;    // the newest scene that was set or passed on
+  Scene passedOn_;  // the newest scene that was set or passed on
   RememberedSizes sizes_;
   LineSize line_;  // of the present line, if it belongs to the scene
   FileChooser chooser_;
@@ -181,14 +146,11 @@ class ParameterPanel : public QWidget {
   int chosenWidth_ = QWIDGETSIZE_MAX;  // by the user; rows may need more
   bool areRemarksWaiting_ = false;     // until the rows may move
   QTimer* remarkDelay_;                // from the last change of a waiting warning
-  QMap<QString, ParameterRow*> rows_;  // by key
-  std::vector<Section> sections_;
-  std::map<std::string, RowAccess> access_;
   NoteSet notes_;
   QString revealed_;  // key of a row that reveal() made visible, until other rows are chosen
   PanelBar* bar_;     // may be null
-  QLabel* noMatch_;   // shown where no row passes the filter
   QScrollArea* scroll_;
+  RowList* rows_;
 };
 
 }  // namespace asperity
