@@ -18,8 +18,8 @@ namespace asperity {
 
 namespace {
 
-/// Returns the text as far as it fits into so many lines of this width, with an ellipsis where that
-/// is not all.
+/// Returns the text as far as it fits into so many lines of this width, with an ellipsis after a
+/// word where that is not all.
 QString inLines(const QString& text, int lines, int width, const QFont& font) {
   QTextLayout layout(text, font);
   layout.beginLayout();
@@ -35,8 +35,9 @@ QString inLines(const QString& text, int lines, int width, const QFont& font) {
   }
   layout.endLayout();
   if (isWhole) return text;
-  return text.left(lastBegin) +
-         QFontMetrics(font).elidedText(text.mid(lastBegin), Qt::ElideRight, width);
+  const QString rest = text.mid(lastBegin);
+  const QString fitting = QFontMetrics(font).elidedText(rest, Qt::ElideRight, width);
+  return text.left(lastBegin) + shortened(rest, fitting.size());
 }
 
 }  // namespace
