@@ -2723,8 +2723,8 @@
         <translation>Hurst-Exponent H = %1</translation>
     </message>
     <message>
-        <source>predicted rate 1/τ + v/ℓ = %1 s⁻¹</source>
-        <translation>vorhergesagte Rate 1/τ + v/ℓ = %1 s⁻¹</translation>
+        <source>dashed: relaxation at the predicted rate 1/τ + v/ℓ = %1 s⁻¹</source>
+        <translation>gestrichelt: Relaxation mit der vorhergesagten Rate 1/τ + v/ℓ = %1 s⁻¹</translation>
     </message>
     <message>
         <source>dashed: relaxation at the predicted rate 1/τ + v/ℓ, exact for one contact, a guide on rough lines</source>

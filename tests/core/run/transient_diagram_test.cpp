@@ -99,6 +99,23 @@ TEST(StripRange, SheetsHoldItToo) {
   EXPECT_LT(ripple.high - ripple.low, 0.4 * (friction.to - friction.from));
 }
 
+/// Its magnitude has a corner there, which no sample meets.
+TEST(Strips, FrictionThatChangesItsDirectionGoesThroughZero) {
+  std::vector<TransientSample> samples(4);
+  const double forces[] = {3, 1, -3, -5};
+  for (int i = 0; i < 4; ++i) {
+    samples[i].time = 0.001 * i;
+    samples[i].tangentialForce = forces[i];
+    samples[i].mu = std::abs(forces[i]) / 100;
+  }
+  const DiagramSheet sheet = transientSheet(slowParabola(), samples);
+  const std::vector<DiagramPoint>& points = sheet.diagrams[1].series.front().points;
+  ASSERT_EQ(points.size(), 5U);
+  EXPECT_NEAR(points[2].x, 0.00125, 1e-15) << "on the straight line between the two samples";
+  EXPECT_EQ(points[2].y, 0);
+  EXPECT_EQ(sheet.diagrams[2].series.front().points.size(), 4U);
+}
+
 constexpr double kRate = 900;  // 1/s
 
 /// Friction that relaxes from the jump on exactly as predicted; level before it.
