@@ -2688,7 +2688,7 @@
     </message>
     <message>
         <source>a dashed line will show relaxation at the predicted rate 1/τ + v/ℓ</source>
-        <translation>Eine gestrichelte Linie wird die Relaxation mit der vorhergesagten Rate 1/τ + v/ℓ zeigen</translation>
+        <translation>gestrichelt folgt die Relaxation mit der vorhergesagten Rate 1/τ + v/ℓ</translation>
     </message>
     <message>
         <source>rigid body</source>

@@ -6,6 +6,7 @@
 
 #include <QCheckBox>
 #include <QLabel>
+#include <QLayout>
 #include <QLineEdit>
 #include <QSignalSpy>
 #include <QSlider>
@@ -201,6 +202,25 @@ TEST_F(TimeBarTest, AMomentCanBeChosenHoweverNarrowTheBar) {
   bar_.resize(1, bar_.sizeHint().height());
   bar_.show();
   EXPECT_GE(part<QSlider>("moment").width(), 80);
+}
+
+/// Beside the slider of the moment, that of the pace needs its name all the more.
+TEST_F(TimeBarTest, ThePaceHasItsNameWhereThereIsSpace) {
+  scene_.sliding.kind = SlidingKind::Oscillation;
+  show();
+  bar_.layout()->setSizeConstraint(QLayout::SetNoConstraint);  // as within a window
+  bar_.show();
+  const auto& pace = part<QLabel>("paceName");
+  const auto isSeenAt = [&](int width) {
+    bar_.resize(width, bar_.sizeHint().height());
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+    EXPECT_TRUE(pace.isHidden() || pace.width() >= pace.sizeHint().width()) << width;
+    EXPECT_GE(part<QSlider>("moment").width(), 80) << width;
+    return pace.isVisible();
+  };
+  EXPECT_TRUE(isSeenAt(720)) << "of a window of 1024 pixels";
+  EXPECT_FALSE(isSeenAt(bar_.minimumSizeHint().width()));
+  EXPECT_TRUE(isSeenAt(720));
 }
 
 TEST_F(TimeBarTest, ALongPaceIsNotCut) {
