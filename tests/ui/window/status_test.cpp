@@ -691,7 +691,7 @@ TEST_F(StatusTest, ALinearAxisLeavesTheReadingsAsTheyWere) {
   window_.document().open(scene);
   const auto isRead = [&] {
     return session().averaging() == Session::Averaging::Done &&
-           haveSameCurve(*session().curve()->scene, session().scene()) &&
+           haveSameCurve(*session().curve()->scene, session().scene()) && frame() &&
            frame()->sceneNumber == session().sceneNumber() && !fact("factRegime").isEmpty();
   };
   ASSERT_TRUE(waitFor(isRead));
