@@ -68,6 +68,23 @@ Diagram strip(const Scene& scene, std::vector<DiagramPoint> points, DiagramAxis 
   return diagram;
 }
 
+std::vector<TransientSample> joined(std::span<const TransientSample> samples,
+                                    std::span<const TransientSample> later) {
+  std::vector<TransientSample> all(samples.begin(), samples.end());
+  all.insert(all.end(), later.begin(), later.end());
+  return all;
+}
+
+/// Cuts the line of a strip at a time, s, after which it is faded.
+void fadeAfter(double time, Diagram& diagram) {
+  DiagramSeries& now = diagram.series.front();
+  DiagramSeries faded = now;
+  faded.isFaded = true;
+  std::erase_if(now.points, [&](const DiagramPoint& point) { return point.x > time; });
+  std::erase_if(faded.points, [&](const DiagramPoint& point) { return point.x < time; });
+  diagram.series.push_back(std::move(faded));
+}
+
 /// Adds the known error as a band around the values, under their line; the axis includes it where
 /// it reaches 0, as for a body without friction.
 void addErrorBand(Diagram& diagram, std::span<const TransientSample> samples) {
@@ -109,21 +126,26 @@ bool isKnown(const TransientSample& sample) {
 }  // namespace
 
 DiagramSheet transientSheet(const Scene& scene, std::span<const TransientSample> samples,
-                            double spacing, double period) {
-  const MinimumSpan floors = minimumSpan(samples, spacing, period);
+                            double spacing, double period, std::span<const TransientSample> later) {
+  // Axes and band are those of all samples, so that they stay where the motion goes back.
+  const std::vector<TransientSample> all = joined(samples, later);
+  const MinimumSpan floors = minimumSpan(all, spacing, period);
   DiagramSheet sheet{.columns = 1, .sharesAxis = true};
   sheet.diagrams = {
-      strip(scene, inTime(samples, &TransientSample::velocity),
+      strip(scene, inTime(all, &TransientSample::velocity),
             {"velocity v", "m/s", AxisScale::Linear}, 0),
-      strip(scene, frictionInTime(samples),
+      strip(scene, frictionInTime(all),
             {hasLocalFriction(scene) ? "friction \u03BC, deformation alone" : "friction \u03BC", "",
              AxisScale::Linear},
             floors.friction),
-      strip(scene, inTime(samples, &TransientSample::indentation),
+      strip(scene, inTime(all, &TransientSample::indentation),
             {"indentation d", "m", AxisScale::Linear}, floors.indentation),
-      strip(scene, inTime(samples, &TransientSample::contactLength),
+      strip(scene, inTime(all, &TransientSample::contactLength),
             {"length per contact \u2113", "m", AxisScale::Linear}, floors.contactLength)};
-  addErrorBand(sheet.diagrams[1], samples);
+  if (!later.empty())
+    for (Diagram& diagram : sheet.diagrams)
+      fadeAfter(samples.empty() ? -1 : samples.back().time, diagram);
+  addErrorBand(sheet.diagrams[1], all);
   if (willRelax(scene))
     sheet.note =
         "dashed: relaxation at the predicted rate 1/\u03C4 + v/\u2113, exact for one contact, a "
@@ -140,21 +162,25 @@ DiagramSheet transientSheet(const Scene& scene, std::span<const TransientSample>
   return sheet;
 }
 
-DiagramSheet frictionLoopSheet(std::span<const TransientSample> samples) {
+DiagramSheet frictionLoopSheet(std::span<const TransientSample> samples,
+                               std::span<const TransientSample> later) {
   Diagram diagram{.x = {"velocity v", "m/s", AxisScale::Linear},
                   .y = {"\u03BC with its sign", "", AxisScale::Linear}};
-  DiagramSeries loop{.colour = 0};
+  DiagramSeries loop{.colour = 0}, faded{.colour = 0, .isFaded = true};
   double slowest = 0, fastest = 0, low = 0, high = 0;
-  for (const TransientSample& sample : samples) {
+  const auto add = [&](const TransientSample& sample, DiagramSeries& series) {
     const double friction =
         sample.normalForce > 0 ? sample.tangentialForce / sample.normalForce : kNotApplicable;
-    loop.points.push_back({sample.velocity, friction});
-    if (!std::isfinite(friction)) continue;
+    series.points.push_back({sample.velocity, friction});
+    if (!std::isfinite(friction)) return;
     slowest = std::min(slowest, sample.velocity);
     fastest = std::max(fastest, sample.velocity);
     low = std::min(low, friction);
     high = std::max(high, friction);
-  }
+  };
+  for (const TransientSample& sample : samples) add(sample, loop);
+  if (!later.empty() && !loop.points.empty()) faded.points = {loop.points.back()};
+  for (const TransientSample& sample : later) add(sample, faded);
   // Both axes include 0, where friction changes its direction.
   const AxisEnds x = axisEnds(slowest, fastest, 0), y = axisEnds(low, high, 0);
   diagram.x.from = x.from;
@@ -164,6 +190,7 @@ DiagramSheet frictionLoopSheet(std::span<const TransientSample> samples) {
   DiagramSeries now{.mark = SeriesMark::Ring, .stroke = SeriesStroke::None, .colour = 1};
   if (!loop.points.empty()) now.points = {loop.points.back()};
   diagram.series = {std::move(loop), std::move(now)};
+  if (!faded.points.empty()) diagram.series.push_back(std::move(faded));
   DiagramSheet sheet;
   sheet.diagrams = {std::move(diagram)};
   return sheet;

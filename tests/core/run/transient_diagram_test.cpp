@@ -116,6 +116,30 @@ TEST(Strips, FrictionThatChangesItsDirectionGoesThroughZero) {
   EXPECT_EQ(sheet.diagrams[2].series.front().points.size(), 4U);
 }
 
+/// Nothing moves where a user looks at an earlier moment.
+TEST(Strips, LaterSamplesAreFadedInTheSameAxes) {
+  const Scene scene = slowParabola();
+  const auto samples = transientSamples(scene, 200);
+  const DiagramSheet whole = transientSheet(scene, samples, 1e-5, 0.04);
+  for (const std::size_t now : {0U, 1U, 50U, 199U}) {
+    const auto all = std::span(samples);
+    const DiagramSheet sheet = transientSheet(scene, all.first(now), 1e-5, 0.04, all.subspan(now));
+    for (std::size_t i = 0; i < whole.diagrams.size(); ++i) {
+      EXPECT_EQ(sheet.diagrams[i].y.from, whole.diagrams[i].y.from) << i;
+      EXPECT_EQ(sheet.diagrams[i].y.to, whole.diagrams[i].y.to) << i;
+      std::size_t points = 0;
+      for (const DiagramSeries& series : sheet.diagrams[i].series) {
+        if (series.isBand || series.isTheory) continue;
+        points += series.points.size();
+        const double present = now == 0 ? -1 : samples[now - 1].time;
+        for (const DiagramPoint& point : series.points)
+          EXPECT_TRUE(series.isFaded ? point.x >= present : point.x <= present);
+      }
+      EXPECT_EQ(points, samples.size() + (now > 0 ? 1 : 0)) << "the lines meet";
+    }
+  }
+}
+
 constexpr double kRate = 900;  // 1/s
 
 /// Friction that relaxes from the jump on exactly as predicted; level before it.
