@@ -42,15 +42,20 @@ std::vector<double> times(const std::vector<TransientSample>& samples) {
   return all;
 }
 
+/// Plays so many of fifty parts of the motion.
+void play(PlayedMotion& motion, int parts) {
+  for (int i = 1; i <= parts; ++i) {
+    motion.marchTo(motion.motion().duration() * i / 50);
+    motion.keepState();
+  }
+}
+
 /// What follows a state that was kept is what followed it before.
 TEST(PlayedMotion, GoesBackToAKeptState) {
   PlayedMotion motion = someMotion();
   const Transient beginning = motion.transient();
   const double duration = motion.motion().duration();
-  for (int i = 1; i <= 50; ++i) {
-    motion.marchTo(duration * i / 50);
-    motion.keepState();
-  }
+  play(motion, 50);
   const std::vector<double> first = frictions(motion);
   ASSERT_TRUE(motion.goTo(duration / 2, beginning));
   EXPECT_LE(motion.transient().time(), duration / 2);
@@ -70,10 +75,7 @@ TEST(PlayedMotion, GoingBackLosesNoSamples) {
   PlayedMotion motion = someMotion();
   const Transient beginning = motion.transient();
   const double duration = motion.motion().duration();
-  for (int i = 1; i <= 40; ++i) {
-    motion.marchTo(duration * i / 50);
-    motion.keepState();
-  }
+  play(motion, 40);
   EXPECT_TRUE(motion.later().empty());
   const std::vector<double> all = times(motion.samples());
   const std::uint64_t steps = motion.transient().steps();
