@@ -115,6 +115,8 @@ struct Frame {
 
   /// The history since the motion began; null in steady sliding.
   std::shared_ptr<const std::vector<TransientSample>> transient;
+  /// Samples of the same motion after this time, made before the user went back; null: none.
+  std::shared_ptr<const std::vector<TransientSample>> later;
 };
 
 /// Returns dz/dx of the rigid line at a point; of a frame without slopes the central difference of

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace asperity {
 namespace {
@@ -19,11 +20,18 @@ void PlayedMotion::marchTo(double time) {
     const TransientSample first = transient_.singleStep();
     samples_.push_back(first);
     samples_.front().time = samples_.front().distance = 0;
-    samples_.push_back(first);
+    add(first);
   } else {
-    samples_.push_back(sampleUpTo(time));
+    add(sampleUpTo(time));
   }
-  while (transient_.canReach(time)) samples_.push_back(sampleUpTo(time));
+  while (transient_.canReach(time)) add(sampleUpTo(time));
+}
+
+/// Adds a sample, which replaces those that were made of the same time before.
+void PlayedMotion::add(const TransientSample& sample) {
+  samples_.push_back(sample);
+  const auto isOver = [&](const TransientSample& other) { return other.time <= sample.time; };
+  later_.erase(later_.begin(), std::ranges::partition_point(later_, isOver));
 }
 
 /// Marches to this time, or to the next multiple of the longest distance of samples. The present
@@ -41,15 +49,23 @@ void PlayedMotion::keepState() {
   const double bytes = 2.5 * sizeof(double) * numbers * static_cast<double>(march.depth().size());
   const double most = std::clamp(std::floor(kKeptBytes / bytes), 1.0, kMostKept);
   const double between = motion().duration() / (most + 1);
-  const double last = kept_.empty() ? 0 : kept_.back().transient.time();
-  if (transient_.time() >= last + between) kept_.push_back({transient_, samples_.size()});
+  const double last = kept_.empty() ? 0 : kept_.back().time();
+  if (transient_.time() >= last + between) kept_.push_back(transient_);
 }
 
-bool PlayedMotion::goBackTo(double time) {
-  while (!kept_.empty() && kept_.back().transient.time() > time) kept_.pop_back();
-  if (kept_.empty()) return false;
-  transient_ = kept_.back().transient;
-  samples_.resize(kept_.back().samples);
+bool PlayedMotion::goTo(double time, const Transient& beginning) {
+  const auto isReached = [&](const Transient& state) { return state.time() <= time; };
+  const auto after = std::ranges::partition_point(kept_, isReached);
+  const Transient& nearest = after == kept_.begin() ? beginning : *std::prev(after);
+  if (isReached(transient_) && nearest.time() <= transient_.time()) return false;
+  transient_ = nearest;
+  samples_.insert(samples_.end(), later_.begin(), later_.end());
+  const bool isBeginning = transient_.steps() == 0;
+  const auto next = std::ranges::find_if(samples_, [&](const TransientSample& sample) {
+    return isBeginning || sample.time > transient_.time();
+  });
+  later_.assign(next, samples_.end());
+  samples_.erase(next, samples_.end());
   return true;
 }
 

@@ -18,6 +18,8 @@ class PlayedMotion {
   const Transient& transient() const { return transient_; }
   const Motion& motion() const { return transient_.motion(); }
   const std::vector<TransientSample>& samples() const { return samples_; }  // since the beginning
+  /// Returns the samples after the present time, which were made before the motion went back.
+  const std::vector<TransientSample>& later() const { return later_; }
 
   void record(const MarchRecords& wanted) { transient_.record(wanted); }
 
@@ -28,19 +30,18 @@ class PlayedMotion {
   /// Keeps the present state where the last one is long ago.
   void keepState();
 
-  /// Returns to the last kept state at or before a time (s). Returns whether there is one.
-  bool goBackTo(double time);
+  /// Goes to the nearest state at or before a time (s), to march on from it: a kept one, earlier or
+  /// later than the present one, or the beginning. All samples stay, before or after it. Returns
+  /// whether it is another state than the present one.
+  bool goTo(double time, const Transient& beginning);
 
  private:
   TransientSample sampleUpTo(double time);
+  void add(const TransientSample& sample);
 
   Transient transient_;
-  std::vector<TransientSample> samples_;
-  struct Kept {
-    Transient transient;
-    std::size_t samples;  // before it
-  };
-  std::vector<Kept> kept_;  // at rising times
+  std::vector<TransientSample> samples_, later_;
+  std::vector<Transient> kept_;  // at rising times
 };
 
 }  // namespace asperity

@@ -298,9 +298,9 @@ void Simulation::advanceMotion(double part, double wallSeconds, double end) {
   motion_->keepState();
 }
 
-/// Returns to the last kept state at or before a time, or to the beginning.
-void Simulation::goBackTo(double time) {
-  if (!motion_->goBackTo(time)) return reset();
+/// Goes to the nearest known state at or before a time.
+void Simulation::goTo(double time) {
+  if (!motion_->goTo(time, *ready_->transient)) return;
   takeTime();
   recordFields();  // what is wanted may have changed since
   clearReading();
@@ -309,7 +309,7 @@ void Simulation::goBackTo(double time) {
 bool Simulation::seek(double time, double part, double wallSeconds) {
   if (!motion_) return true;
   const double end = std::clamp(time, 0.0, motion_->motion().duration());
-  if (end < time_) goBackTo(end);
+  goTo(end);
   if (!motion_->transient().canReach(end)) return true;
   clearReading();
   advanceMotion(part, wallSeconds, end);
@@ -480,6 +480,8 @@ void Simulation::addMotion(Frame& frame) const {
   frame.nextStep = motion_->transient().nextStep();
   frame.indentation = march().indentation();
   frame.transient = std::make_shared<const std::vector<TransientSample>>(samples);
+  if (const auto& later = motion_->later(); !later.empty())
+    frame.later = std::make_shared<const std::vector<TransientSample>>(later);
   if (samples.empty()) {  // the force is balanced from the beginning
     const Pressed pressed = pressedIn(frame);
     frame.normalForce = pressed.force;

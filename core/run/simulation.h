@@ -49,9 +49,8 @@ class Simulation {
   /// make; the last one is shorter.
   void advanceTo(double time, double part, double wallSeconds);
 
-  /// Makes one frame on the way to a moment of a motion (s). A moment in the past is reached from
-  /// the last state before it that is kept, or from the beginning. Returns whether it is reached;
-  /// steady sliding has no moments.
+  /// Makes one frame on the way to a moment of a motion (s), which begins at the nearest known
+  /// state before it. Returns whether it is reached; steady sliding has no moments.
   bool seek(double time, double part, double wallSeconds);
 
   /// Makes one time step, or as many as move the line by this part of its period. A steady state
@@ -86,7 +85,7 @@ class Simulation {
   ContactState drawnState(const Frame& frame) const;
   void stepMotion(double distance);
   bool beginsAnew();
-  void goBackTo(double time);
+  void goTo(double time);
   double naturalStep() const;
   double restingStep() const;
   bool resolvesContacts() const;

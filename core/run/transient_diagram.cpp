@@ -24,19 +24,41 @@ constexpr double kContactFloor = 0.2;        // part of a contact fraction
 constexpr std::size_t kLongestTrace = 2000;  // samples of a motion
 constexpr double kAnySpeed = std::numeric_limits<double>::infinity();
 
-Diagram strip(const Scene& scene, std::span<const TransientSample> samples, DiagramAxis yAxis,
-              double TransientSample::*member, double least) {
+std::vector<DiagramPoint> inTime(std::span<const TransientSample> samples,
+                                 double TransientSample::*member) {
+  std::vector<DiagramPoint> points;
+  for (const TransientSample& sample : samples) points.push_back({sample.time, sample.*member});
+  return points;
+}
+
+/// Returns the magnitude of friction in time. It goes through 0 where friction changes its
+/// direction between two samples.
+std::vector<DiagramPoint> frictionInTime(std::span<const TransientSample> samples) {
+  std::vector<DiagramPoint> points;
+  const TransientSample* last = nullptr;
+  for (const TransientSample& sample : samples) {
+    if (last && std::signbit(last->tangentialForce) != std::signbit(sample.tangentialForce) &&
+        last->mu > 0 && sample.mu > 0)
+      points.push_back({std::lerp(last->time, sample.time, last->mu / (last->mu + sample.mu)), 0});
+    points.push_back({sample.time, sample.mu});
+    last = &sample;
+  }
+  return points;
+}
+
+Diagram strip(const Scene& scene, std::vector<DiagramPoint> points, DiagramAxis yAxis,
+              double least) {
   Diagram diagram{.x = {"time t", "s", AxisScale::Linear, 0, scene.sliding.duration},
                   .y = std::move(yAxis)};
   DiagramSeries series;
   series.colour = 0;
   double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const TransientSample& sample : samples) {
-    series.points.push_back({sample.time, sample.*member});
-    if (!std::isfinite(sample.*member)) continue;
-    low = std::min(low, sample.*member);
-    high = std::max(high, sample.*member);
+  for (const DiagramPoint& point : points) {
+    if (!std::isfinite(point.y)) continue;
+    low = std::min(low, point.y);
+    high = std::max(high, point.y);
   }
+  series.points = std::move(points);
   if (least > 0 && low <= high) {
     const AxisEnds ends = axisEnds(low, high, least);
     diagram.y.from = ends.from;
@@ -44,6 +66,23 @@ Diagram strip(const Scene& scene, std::span<const TransientSample> samples, Diag
   }
   diagram.series = {std::move(series)};
   return diagram;
+}
+
+std::vector<TransientSample> joined(std::span<const TransientSample> samples,
+                                    std::span<const TransientSample> later) {
+  std::vector<TransientSample> all(samples.begin(), samples.end());
+  all.insert(all.end(), later.begin(), later.end());
+  return all;
+}
+
+/// Cuts the line of a strip at a time, s, after which it is faded.
+void fadeAfter(double time, Diagram& diagram) {
+  DiagramSeries& now = diagram.series.front();
+  DiagramSeries faded = now;
+  faded.isFaded = true;
+  std::erase_if(now.points, [&](const DiagramPoint& point) { return point.x > time; });
+  std::erase_if(faded.points, [&](const DiagramPoint& point) { return point.x < time; });
+  diagram.series.push_back(std::move(faded));
 }
 
 /// Adds the known error as a band around the values, under their line; the axis includes it where
@@ -87,21 +126,26 @@ bool isKnown(const TransientSample& sample) {
 }  // namespace
 
 DiagramSheet transientSheet(const Scene& scene, std::span<const TransientSample> samples,
-                            double spacing, double period) {
-  const MinimumSpan floors = minimumSpan(samples, spacing, period);
+                            double spacing, double period, std::span<const TransientSample> later) {
+  // Axes and band are those of all samples, so that they stay where the motion goes back.
+  const std::vector<TransientSample> all = joined(samples, later);
+  const MinimumSpan floors = minimumSpan(all, spacing, period);
   DiagramSheet sheet{.columns = 1, .sharesAxis = true};
   sheet.diagrams = {
-      strip(scene, samples, {"velocity v", "m/s", AxisScale::Linear}, &TransientSample::velocity,
-            0),
-      strip(scene, samples,
+      strip(scene, inTime(all, &TransientSample::velocity),
+            {"velocity v", "m/s", AxisScale::Linear}, 0),
+      strip(scene, frictionInTime(all),
             {hasLocalFriction(scene) ? "friction \u03BC, deformation alone" : "friction \u03BC", "",
              AxisScale::Linear},
-            &TransientSample::mu, floors.friction),
-      strip(scene, samples, {"indentation d", "m", AxisScale::Linear},
-            &TransientSample::indentation, floors.indentation),
-      strip(scene, samples, {"length per contact \u2113", "m", AxisScale::Linear},
-            &TransientSample::contactLength, floors.contactLength)};
-  addErrorBand(sheet.diagrams[1], samples);
+            floors.friction),
+      strip(scene, inTime(all, &TransientSample::indentation),
+            {"indentation d", "m", AxisScale::Linear}, floors.indentation),
+      strip(scene, inTime(all, &TransientSample::contactLength),
+            {"length per contact \u2113", "m", AxisScale::Linear}, floors.contactLength)};
+  if (!later.empty())
+    for (Diagram& diagram : sheet.diagrams)
+      fadeAfter(samples.empty() ? -1 : samples.back().time, diagram);
+  addErrorBand(sheet.diagrams[1], all);
   if (willRelax(scene))
     sheet.note =
         "dashed: relaxation at the predicted rate 1/\u03C4 + v/\u2113, exact for one contact, a "
@@ -111,27 +155,32 @@ DiagramSheet transientSheet(const Scene& scene, std::span<const TransientSample>
   if (willRelax(scene))
     sheet.status = "a dashed line will show relaxation at the predicted rate 1/\u03C4 + v/\u2113";
   if (guide.points.size() < 2) return sheet;
-  sheet.status = message("predicted rate 1/\u03C4 + v/\u2113 = {} s\u207B\u00B9",
-                         PrintedNumber{printedNumber(samples.back().predictedRate, 3)});
+  sheet.status =
+      message("dashed: relaxation at the predicted rate 1/\u03C4 + v/\u2113 = {} s\u207B\u00B9",
+              PrintedNumber{printedNumber(samples.back().predictedRate, 3)});
   sheet.diagrams[1].series.push_back(std::move(guide));
   return sheet;
 }
 
-DiagramSheet frictionLoopSheet(std::span<const TransientSample> samples) {
+DiagramSheet frictionLoopSheet(std::span<const TransientSample> samples,
+                               std::span<const TransientSample> later) {
   Diagram diagram{.x = {"velocity v", "m/s", AxisScale::Linear},
                   .y = {"\u03BC with its sign", "", AxisScale::Linear}};
-  DiagramSeries loop{.colour = 0};
+  DiagramSeries loop{.colour = 0}, faded{.colour = 0, .isFaded = true};
   double slowest = 0, fastest = 0, low = 0, high = 0;
-  for (const TransientSample& sample : samples) {
+  const auto add = [&](const TransientSample& sample, DiagramSeries& series) {
     const double friction =
         sample.normalForce > 0 ? sample.tangentialForce / sample.normalForce : kNotApplicable;
-    loop.points.push_back({sample.velocity, friction});
-    if (!std::isfinite(friction)) continue;
+    series.points.push_back({sample.velocity, friction});
+    if (!std::isfinite(friction)) return;
     slowest = std::min(slowest, sample.velocity);
     fastest = std::max(fastest, sample.velocity);
     low = std::min(low, friction);
     high = std::max(high, friction);
-  }
+  };
+  for (const TransientSample& sample : samples) add(sample, loop);
+  if (!later.empty() && !loop.points.empty()) faded.points = {loop.points.back()};
+  for (const TransientSample& sample : later) add(sample, faded);
   // Both axes include 0, where friction changes its direction.
   const AxisEnds x = axisEnds(slowest, fastest, 0), y = axisEnds(low, high, 0);
   diagram.x.from = x.from;
@@ -141,14 +190,15 @@ DiagramSheet frictionLoopSheet(std::span<const TransientSample> samples) {
   DiagramSeries now{.mark = SeriesMark::Ring, .stroke = SeriesStroke::None, .colour = 1};
   if (!loop.points.empty()) now.points = {loop.points.back()};
   diagram.series = {std::move(loop), std::move(now)};
+  if (!faded.points.empty()) diagram.series.push_back(std::move(faded));
   DiagramSheet sheet;
   sheet.diagrams = {std::move(diagram)};
   return sheet;
 }
 
 Diagram contactStrip(const Scene& scene, std::span<const TransientSample> samples) {
-  return strip(scene, samples, {"in contact", "", AxisScale::Linear},
-               &TransientSample::contactFraction, kContactFloor);
+  return strip(scene, inTime(samples, &TransientSample::contactFraction),
+               {"in contact", "", AxisScale::Linear}, kContactFloor);
 }
 
 AxesFactors axesFactors(const Frame& frame, CurveAxes axes) {
@@ -195,16 +245,14 @@ bool isBentBetween(double a, double b) {
 
 /// The path of a motion over the magnitude of its velocity. Between two samples, a smooth motion
 /// has velocity and friction on straight lines in time, which logarithmic axes bend: most near
-/// rest, and where friction changes its direction. The path has further points there, down to a
-/// least velocity, below which it is interrupted, and a least friction, below which it goes to 0.
+/// rest, and where friction changes its direction. The path has further points there: down to a
+/// least velocity, below which it is interrupted, and to friction of 0.
 class MotionTrace {
  public:
   MotionTrace(std::span<const TransientSample> samples, double slowest, const AxesFactors& factors)
       : factors_(factors), slowest_(slowest) {
-    for (const TransientSample& sample : samples) {
+    for (const TransientSample& sample : samples)
       if (sample.velocity != 0) slowest_ = std::min(slowest_, std::abs(sample.velocity));
-      if (std::isfinite(sample.mu) && sample.mu > 0) lowest_ = std::min(lowest_, sample.mu);
-    }
   }
 
   /// Adds a sample, and before it the way from the previous one, if it is known.
@@ -240,7 +288,7 @@ class MotionTrace {
     addWay(from, middle, halvings - 1);
     if (std::abs(middle.velocity) < slowest_)
       interrupt();
-    else if (std::abs(middle.friction) >= lowest_)
+    else
       push(middle);
     addWay(middle, to, halvings - 1);
   }
@@ -256,7 +304,7 @@ class MotionTrace {
   }
 
   AxesFactors factors_;
-  double slowest_, lowest_ = std::numeric_limits<double>::infinity();
+  double slowest_;
   TracePoint last_{0, kNotApplicable};
 };
 

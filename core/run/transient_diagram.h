@@ -15,13 +15,15 @@ namespace asperity {
 /// Returns velocity, friction with the predicted relaxation, indentation and mean length per
 /// contact over the scene's whole duration, as far as there are samples, with the estimated error
 /// of friction as a band. The status shows the predicted rate. spacing, period: of the line, m, so
-/// that its ripple is not magnified; 0: unknown.
+/// that its ripple is not magnified; 0: unknown. later: samples after the present moment, faded.
 DiagramSheet transientSheet(const Scene& scene, std::span<const TransientSample> samples,
-                            double spacing = 0, double period = 0);
+                            double spacing = 0, double period = 0,
+                            std::span<const TransientSample> later = {});
 
 /// Returns the friction of an oscillation over its velocity, a loop. Friction F_x/F_N has the sign
-/// of the velocity where it resists. A ring is at the newest sample.
-DiagramSheet frictionLoopSheet(std::span<const TransientSample> samples);
+/// of the velocity where it resists. A ring is at the newest of `samples`; `later` ones are faded.
+DiagramSheet frictionLoopSheet(std::span<const TransientSample> samples,
+                               std::span<const TransientSample> later = {});
 
 /// Returns the contact fraction as one more strip.
 Diagram contactStrip(const Scene& scene, std::span<const TransientSample> samples);

@@ -3548,6 +3548,10 @@
         <translation>Meldung schließen</translation>
     </message>
     <message>
+        <source>not possible; the message above says why</source>
+        <translation>nicht möglich; den Grund nennt die Meldung oben</translation>
+    </message>
+    <message>
         <source>accept</source>
         <translation>annehmen</translation>
     </message>

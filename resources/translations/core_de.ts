@@ -2688,7 +2688,7 @@
     </message>
     <message>
         <source>a dashed line will show relaxation at the predicted rate 1/τ + v/ℓ</source>
-        <translation>Eine gestrichelte Linie wird die Relaxation mit der vorhergesagten Rate 1/τ + v/ℓ zeigen</translation>
+        <translation>gestrichelt folgt die Relaxation mit der vorhergesagten Rate 1/τ + v/ℓ</translation>
     </message>
     <message>
         <source>rigid body</source>
@@ -2723,8 +2723,8 @@
         <translation>Hurst-Exponent H = %1</translation>
     </message>
     <message>
-        <source>predicted rate 1/τ + v/ℓ = %1 s⁻¹</source>
-        <translation>vorhergesagte Rate 1/τ + v/ℓ = %1 s⁻¹</translation>
+        <source>dashed: relaxation at the predicted rate 1/τ + v/ℓ = %1 s⁻¹</source>
+        <translation>gestrichelt: Relaxation mit der vorhergesagten Rate 1/τ + v/ℓ = %1 s⁻¹</translation>
     </message>
     <message>
         <source>dashed: relaxation at the predicted rate 1/τ + v/ℓ, exact for one contact, a guide on rough lines</source>

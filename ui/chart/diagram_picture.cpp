@@ -111,8 +111,21 @@ void shareLegend(DiagramSheet& sheet) {
   }
 }
 
+/// Gives the y-axis the range of the present points, if there are any.
+void holdYAxis(Diagram& diagram) {
+  const bool hasPoints = std::ranges::any_of(diagram.series, [&](const DiagramSeries& series) {
+    return std::ranges::any_of(
+        series.points, [&](const DiagramPoint& point) { return hasPosition(diagram, point); });
+  });
+  if (!hasPoints) return;
+  const AxisRange range = yRange(diagram, xRange(diagram));
+  diagram.y.from = axisValue(diagram.y.scale, range.from);
+  diagram.y.to = axisValue(diagram.y.scale, range.to);
+}
+
 /// Returns the sheet in the current language, with markers as series: the trace of a marker, and a
-/// ring around its dot, which may lie in the middle of the trace.
+/// ring around its dot, which may lie in the middle of the trace. The trace does not widen a
+/// logarithmic axis, because it goes to 0 where friction changes its direction.
 DiagramSheet prepared(const DiagramSheet& english, const DiagramOptions& options) {
   DiagramSheet sheet = translated(english);
   // Letters of a given size need panels of a width that holds their legends.
@@ -143,9 +156,13 @@ DiagramSheet prepared(const DiagramSheet& english, const DiagramOptions& options
     const bool hasDot = hasPosition(diagram, dot.points.front());
     if (!hasDot && hasLine) dot.points.clear();
     if (!hasDot && !hasLine && !trace.points.empty()) trace.name = marker.name;
-    for (DiagramSeries* series : {&trace, &ring, &dot})
+    const auto under = static_cast<std::ptrdiff_t>(diagram.series.size());
+    for (DiagramSeries* series : {&ring, &dot})
       if (!series->points.empty() || !series->name.empty())
         diagram.series.push_back(std::move(*series));
+    if (trace.points.empty()) continue;
+    if (diagram.y.scale == AxisScale::Logarithmic) holdYAxis(diagram);
+    diagram.series.insert(diagram.series.begin() + under, std::move(trace));
   }
   return sheet;
 }

@@ -101,6 +101,15 @@ QString keptTogether(QString text) {
   return text.replace(equation, QStringLiteral("\\1\u00A0("));
 }
 
+QString shortened(const QString& text, qsizetype letters) {
+  if (text.size() <= letters) return text;
+  const QString between = QStringLiteral(" .,;:–");
+  qsizetype end = text.lastIndexOf(' ', letters - 1);
+  while (end > 0 && between.contains(text[end - 1])) --end;
+  if (end <= 0) end = letters - 1;
+  return text.left(end) + QChar(0x2026);
+}
+
 QString translatedError(const std::exception& error) {
   return translatedText(errorMessage(error));
 }

@@ -35,6 +35,10 @@ QString capitalized(const QString& text);
 /// and its number.
 QString keptTogether(QString text);
 
+/// Returns a text of at most so many letters: a longer one ends with a whole word, as far as it has
+/// several, and an ellipsis.
+QString shortened(const QString& text, qsizetype letters);
+
 /// Returns an error's message after the names of its subject.
 QString translatedError(const std::exception& error);
 

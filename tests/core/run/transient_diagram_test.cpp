@@ -99,6 +99,47 @@ TEST(StripRange, SheetsHoldItToo) {
   EXPECT_LT(ripple.high - ripple.low, 0.4 * (friction.to - friction.from));
 }
 
+/// Its magnitude has a corner there, which no sample meets.
+TEST(Strips, FrictionThatChangesItsDirectionGoesThroughZero) {
+  std::vector<TransientSample> samples(4);
+  const double forces[] = {3, 1, -3, -5};
+  for (int i = 0; i < 4; ++i) {
+    samples[i].time = 0.001 * i;
+    samples[i].tangentialForce = forces[i];
+    samples[i].mu = std::abs(forces[i]) / 100;
+  }
+  const DiagramSheet sheet = transientSheet(slowParabola(), samples);
+  const std::vector<DiagramPoint>& points = sheet.diagrams[1].series.front().points;
+  ASSERT_EQ(points.size(), 5U);
+  EXPECT_NEAR(points[2].x, 0.00125, 1e-15) << "on the straight line between the two samples";
+  EXPECT_EQ(points[2].y, 0);
+  EXPECT_EQ(sheet.diagrams[2].series.front().points.size(), 4U);
+}
+
+/// Nothing moves where a user looks at an earlier moment.
+TEST(Strips, LaterSamplesAreFadedInTheSameAxes) {
+  const Scene scene = slowParabola();
+  const auto samples = transientSamples(scene, 200);
+  const DiagramSheet whole = transientSheet(scene, samples, 1e-5, 0.04);
+  for (const std::size_t now : {0U, 1U, 50U, 199U}) {
+    const auto all = std::span(samples);
+    const DiagramSheet sheet = transientSheet(scene, all.first(now), 1e-5, 0.04, all.subspan(now));
+    for (std::size_t i = 0; i < whole.diagrams.size(); ++i) {
+      EXPECT_EQ(sheet.diagrams[i].y.from, whole.diagrams[i].y.from) << i;
+      EXPECT_EQ(sheet.diagrams[i].y.to, whole.diagrams[i].y.to) << i;
+      std::size_t points = 0;
+      for (const DiagramSeries& series : sheet.diagrams[i].series) {
+        if (series.isBand || series.isTheory) continue;
+        points += series.points.size();
+        const double present = now == 0 ? -1 : samples[now - 1].time;
+        for (const DiagramPoint& point : series.points)
+          EXPECT_TRUE(series.isFaded ? point.x >= present : point.x <= present);
+      }
+      EXPECT_EQ(points, samples.size() + (now > 0 ? 1 : 0)) << "the lines meet";
+    }
+  }
+}
+
 constexpr double kRate = 900;  // 1/s
 
 /// Friction that relaxes from the jump on exactly as predicted; level before it.

@@ -328,7 +328,7 @@ TEST_F(ChartViewTest, TheMarkerAloneCanBeMoved) {
 /// grows, whose names change, the chart keeps its place.
 TEST_F(ChartViewTest, AShorterLegendLeavesItsSpaceToTheChart) {
   DiagramSheet few = sampleSheet();
-  few.status = "predicted rate 1/τ + v/ℓ = 12.5 s⁻¹";
+  few.status = "dashed: relaxation at the predicted rate 1/τ + v/ℓ = 12.5 s⁻¹";
   const auto top = [&](const DiagramSheet& sheet) {
     view_->setSheet(sheet);
     QTest::qWait(1);

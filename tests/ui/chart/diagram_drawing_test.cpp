@@ -311,6 +311,23 @@ TEST(DiagramDrawing, AnIntervalBeyondTheAxisEndsInAnArrow) {
   EXPECT_EQ(heads, 2U);
 }
 
+/// A trace whose friction changes its direction comes as close to 0 as one looks.
+TEST(DiagramDrawing, TheTraceOfAMarkerLeavesTheAxisAlone) {
+  DiagramSheet sheet = unnamed(sheetOf({{0.1, 1e-3}, {10, 1e-2}}));
+  Diagram& diagram = sheet.diagrams[0];
+  diagram.x.scale = diagram.y.scale = AxisScale::Logarithmic;
+  diagram.marker = DiagramMarker{{}, "v", 1, 2e-3};
+  const auto points = [&] {
+    return dotsOf(composeDiagrams(sheet, {}), seriesColour(0, lightTheme()));
+  };
+  const std::vector<DrawVertex> before = points();
+  diagram.marker->trace = {{1, 2e-3}, {1.1, 1e-9}, {1.2, 0}, {1.3, 1e-4}};
+  const std::vector<DrawVertex> after = points();
+  ASSERT_EQ(before.size(), 2U);
+  ASSERT_EQ(after.size(), 2U);
+  for (int i = 0; i < 2; ++i) EXPECT_NEAR(after[i].y, before[i].y, 0.01);
+}
+
 TEST(DiagramDrawing, TheLineOfTheMarkerDoesNotCrossTheSentence) {
   DiagramSheet sheet;
   Diagram diagram;

@@ -172,6 +172,16 @@ TEST_F(Translated, LinesDoNotEndWithinAQuantity) {
     EXPECT_EQ(keptTogether(name), name);
 }
 
+TEST(Shortened, EndsWithAWholeWord) {
+  EXPECT_EQ(shortened("Slow the oscillation down", 25), "Slow the oscillation down");
+  EXPECT_EQ(shortened("Slow the oscillation down", 24), "Slow the oscillation…");
+  EXPECT_EQ(shortened("Slow the oscillation down", 21), "Slow the oscillation…");
+  EXPECT_EQ(shortened("Slow the oscillation down", 20), "Slow the…");
+  EXPECT_EQ(shortened("It falls. Then it grows", 12), "It falls…");
+  EXPECT_EQ(shortened("a_name_without_spaces.json", 7), "a_name…");
+  EXPECT_EQ(shortened(" first", 4), " fi…") << "no word is whole";
+}
+
 TEST(Words, ValuesGoToTheirPlaces) {
   EXPECT_EQ(filled("%2 of %1 %", {"a", "b"}), "b of a %");
   EXPECT_EQ(filled("100 %", {}), "100 %");

@@ -70,6 +70,26 @@ TEST_F(ContactCanvasTest, PlotAreaIsInsideTheWidget) {
   EXPECT_GT(canvas_.plotArea().width(), 600);
 }
 
+/// What changes with the frame is then painted together with its picture.
+TEST_F(ContactCanvasTest, AFrameIsShownWhenItsPictureIsReady) {
+  std::vector<std::shared_ptr<const Frame>> shown;
+  QObject::connect(&canvas_, &ContactCanvas::frameShown, &canvas_,
+                   [&](const std::shared_ptr<const Frame>& frame) { shown.push_back(frame); });
+  ASSERT_TRUE(QTest::qWaitFor([&] { return canvas_.framesPerSecond() > 0; }));
+  shown.clear();
+  const QImage before = canvas_.grab().toImage();
+  const std::shared_ptr<const Frame> next = frameOf(5);
+  canvas_.setFrame(next);
+  if (shown.empty()) {  // it is drawn in the background
+    EXPECT_EQ(canvas_.grab().toImage(), before);
+  }
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !shown.empty(); }));
+  EXPECT_NE(canvas_.grab().toImage(), before);
+  canvas_.zoom(1);
+  QTest::qWait(100);
+  EXPECT_EQ(shown, std::vector{next}) << "another picture of the same frame";
+}
+
 /// Lines of the picture shine through the veil, but not through the plate of its text.
 TEST_F(ContactCanvasTest, TheTextOfTheVeilStandsOnAPlate) {
   auto& veil = *canvas_.findChild<QLabel*>("contactVeil");

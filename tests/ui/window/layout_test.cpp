@@ -237,6 +237,15 @@ TEST_F(LayoutTest, ALongDescriptionLeavesTheContactItsHeight) {
   EXPECT_TRUE(waitFor([&] { return lines() <= 2 && text.text().endsWith(u'…'); }));
   EXPECT_TRUE(text.text().endsWith(u'…'));
   EXPECT_TRUE(text.toolTip().contains("long description"));
+  for (int width = 1024; width < 1100; width += 4) {
+    window_.resize(width, 700);
+    QTest::qWait(1);
+    const QString shown = text.text().chopped(1), whole = bar.text() + ' ';
+    ASSERT_TRUE(text.text().endsWith(u'…')) << width;
+    EXPECT_TRUE(whole.startsWith(shown + ' ') || whole.startsWith(shown + ". "))
+        << "cut within a word: " << shown.toStdString();
+  }
+  window_.resize(1024, 700);
   ASSERT_TRUE(more.isVisible());
   more.click();
   EXPECT_TRUE(waitFor([&] { return lines() > 4; }));
@@ -265,6 +274,27 @@ TEST(MessageBar, AComplaintThatIsRepeatedReplacesNoNewerMessage) {
   bar.showSceneError("load.normal_force", force);
   EXPECT_EQ(bar.text(), complaint);
   EXPECT_FALSE(bar.isHidden());
+}
+
+/// The parameter has the complaint itself only where the bar does not show it.
+TEST(MessageBar, AComplaintAboutAParameterIsSaidOnce) {
+  MessageBar bar;
+  QStringList marks;
+  QObject::connect(&bar, &MessageBar::sceneErrorShown, &bar,
+                   [&](const QString&, const QString& text) { marks += text; });
+  const QString complaint = QStringLiteral("needs a positive force");
+  bar.showSceneError("load.normal_force", Message(complaint.toStdString()));
+  ASSERT_TRUE(bar.text().contains(complaint));
+  ASSERT_FALSE(marks.empty());
+  EXPECT_FALSE(marks.back().isEmpty()) << "the parameter is marked";
+  EXPECT_FALSE(marks.join(' ').contains(complaint));
+  bar.showFailure(MessageBar::Failure::Files, "cannot be opened");
+  EXPECT_EQ(marks.back(), complaint);
+  bar.end(MessageBar::Failure::Files);
+  EXPECT_TRUE(bar.text().contains(complaint));
+  EXPECT_NE(marks.back(), complaint);
+  bar.findChild<QToolButton*>("closeMessage")->click();
+  EXPECT_EQ(marks.back(), complaint);
 }
 
 /// A presentation, which has no panel beside it, widens the description.

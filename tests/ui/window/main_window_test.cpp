@@ -369,7 +369,7 @@ TEST_F(MainWindowTest, AMotionThatIsNotSteadyIsShownInTime) {
   EXPECT_TRUE(
       waitFor([&] { return std::abs(frame()->time - late) < 0.02 * moving.sliding.duration; }));
   EXPECT_FALSE(session().isPlaying());
-  EXPECT_TRUE(noteOf(SlidingKind::Start).starts_with("predicted rate"));
+  EXPECT_TRUE(noteOf(SlidingKind::Start).starts_with("dashed: relaxation at the predicted rate"));
   EXPECT_EQ(noteOf(SlidingKind::Oscillation), "");
   window_.document().open(smallScene());
   EXPECT_FALSE(tabs.isTabVisible(1));

@@ -9,6 +9,7 @@
 #include <QToolTip>
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "core/accuracy/compute_curve.h"
 #include "tests/core/elastomers.h"
@@ -289,6 +290,39 @@ TEST(StatusLine, ASignMovesNothingAndIsNotCut) {
   EXPECT_GE(width, velocity.fontMetrics().horizontalAdvance(velocity.text()));
 }
 
+/// A motion passes through rest, where its numbers are long and the notes are others.
+TEST(StatusLine, NothingMovesWhileAMotionPlays) {
+  for (const Language& language : languages()) {
+    useLanguage(language.code);
+    StatusLine line;
+    line.setFixedWidth(1024);
+    line.show();
+    std::map<QString, std::vector<QRect>> places;
+    for (int i = 0; i < 60; ++i) {
+      const double velocity = (i < 30 ? 1 : -1) * std::pow(10, -8 + 0.3 * (i % 30));
+      Frame frame = movingFrame(velocity);
+      frame.normalForce = 0.02;
+      frame.tangentialForce = 0.001 * velocity * frame.normalForce;
+      CurveReading reading;
+      if (i % 3 == 0) reading.notes.add(Note::FasterThanTested);
+      line.showFrame(frame, reading);
+      line.showWork(
+          {i % 2 == 0 ? Work::State::Running : Work::State::Idle, 0.5, 16000.0 * (i % 5)});
+      line.showDrawing(i % 7, "software");
+      QTest::qWait(1);  // the layout is made with the first events
+      for (const char* name : {"factMu", "factForce", "factVelocity"}) {
+        const auto& fact = *line.findChild<QLabel*>(name);
+        EXPECT_TRUE(fact.isVisible()) << name << ' ' << velocity << ' ' << language.code;
+        EXPECT_GE(fact.width(), fact.fontMetrics().horizontalAdvance(fact.text())) << name;
+        places[name].push_back(fact.geometry());
+      }
+    }
+    for (const auto& [name, each] : places)
+      EXPECT_EQ(std::ranges::count(each, each.front()), std::ssize(each)) << name.toStdString();
+  }
+  useLanguage("en");
+}
+
 /// There is no work on a scene that cannot be computed, and the contact is still the previous one.
 TEST_F(StatusTest, ARefusedSceneIsNoWorkAndItsContactIsDimmed) {
   ASSERT_TRUE(waitFor([this] { return session().friction().progress() >= 1; }));
@@ -453,8 +487,10 @@ TEST(StatusLine, ASmallWindowHasBothDimensionlessNumbers) {
     StatusLine line;
     line.setFixedWidth(1024);
     line.show();
+    Frame steady = movingFrame(1);
+    steady.transient.reset();
     for (const Work::State state : {Work::State::Idle, Work::State::Running}) {
-      line.showFrame(movingFrame(1), reading);
+      line.showFrame(steady, reading);
       line.showWork({state, 0.5, 16000});
       line.showMessage(
           "Drag down to press harder, up to press less; sideways moves a zoomed view.");
@@ -655,7 +691,7 @@ TEST_F(StatusTest, ALinearAxisLeavesTheReadingsAsTheyWere) {
   window_.document().open(scene);
   const auto isRead = [&] {
     return session().averaging() == Session::Averaging::Done &&
-           haveSameCurve(*session().curve()->scene, session().scene()) &&
+           haveSameCurve(*session().curve()->scene, session().scene()) && frame() &&
            frame()->sceneNumber == session().sceneNumber() && !fact("factRegime").isEmpty();
   };
   ASSERT_TRUE(waitFor(isRead));

@@ -6,6 +6,7 @@
 
 #include <QCheckBox>
 #include <QLabel>
+#include <QLayout>
 #include <QLineEdit>
 #include <QSignalSpy>
 #include <QSlider>
@@ -15,11 +16,17 @@
 #include <fstream>
 #include <sstream>
 
+#include "core/base/number_text.h"
 #include "main_window_fixture.h"
 #include "qt_application.h"
+#include "ui/chart/friction_chart_model.h"
+#include "ui/draw/ticks.h"
+#include "ui/panels/number_text.h"
+#include "ui/window/contact/contact_canvas.h"
 #include "ui/window/contact/motion_view.h"
 #include "ui/window/figures/diagram_view.h"
 #include "ui/window/main/scene_tabs.h"
+#include "ui/window/main/status_line.h"
 
 namespace asperity {
 namespace {
@@ -203,6 +210,25 @@ TEST_F(TimeBarTest, AMomentCanBeChosenHoweverNarrowTheBar) {
   EXPECT_GE(part<QSlider>("moment").width(), 80);
 }
 
+/// Beside the slider of the moment, that of the pace needs its name all the more.
+TEST_F(TimeBarTest, ThePaceHasItsNameWhereThereIsSpace) {
+  scene_.sliding.kind = SlidingKind::Oscillation;
+  show();
+  bar_.layout()->setSizeConstraint(QLayout::SetNoConstraint);  // as within a window
+  bar_.show();
+  const auto& pace = part<QLabel>("paceName");
+  const auto isSeenAt = [&](int width) {
+    bar_.resize(width, bar_.sizeHint().height());
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+    EXPECT_TRUE(pace.isHidden() || pace.width() >= pace.sizeHint().width()) << width;
+    EXPECT_GE(part<QSlider>("moment").width(), 80) << width;
+    return pace.isVisible();
+  };
+  EXPECT_TRUE(isSeenAt(720)) << "of a window of 1024 pixels";
+  EXPECT_FALSE(isSeenAt(bar_.minimumSizeHint().width()));
+  EXPECT_TRUE(isSeenAt(720));
+}
+
 TEST_F(TimeBarTest, ALongPaceIsNotCut) {
   auto& box = part<QLineEdit>("slowMotion");
   scene_.sliding.velocity = 1;
@@ -337,7 +363,7 @@ TEST_F(TimeInTheWindow, AClickOnAStripGoesToItsMoment) {
   session().setPlaying(false);
   ASSERT_TRUE(waitForRest());
   ChartView& strips = window_.tabs().motion().strips();
-  const TransientSample wanted = (*frame()->transient)[20];
+  const TransientSample wanted = (*frame()->transient)[20], last = frame()->transient->back();
   const DiagramAxis& y = strips.sheet().diagrams[0].y;
   const QPoint at = strips.mapToPosition(wanted.time, (y.from + y.to) / 2).toPoint();
   QTest::mouseClick(&strips, Qt::LeftButton, {}, at);
@@ -345,6 +371,40 @@ TEST_F(TimeInTheWindow, AClickOnAStripGoesToItsMoment) {
     return std::abs(frame()->time - wanted.time) <
            0.02 * window_.document().scene().sliding.duration;
   }));
+  // What was drawn after it stays, and is read there.
+  EXPECT_LT(frame()->transient->back().time, last.time);
+  ASSERT_TRUE(frame()->later);
+  EXPECT_EQ(frame()->later->back().time, last.time);
+  EXPECT_TRUE(strips.sheet().diagrams[0].series.back().isFaded);
+  EXPECT_EQ(strips.sheet().diagrams[0].series.back().points.back().x, last.time);
+  const QPoint late = strips.mapToPosition(last.time, (y.from + y.to) / 2).toPoint();
+  ASSERT_TRUE(window_.tabs().motion().sampleAt(strips, late));
+  EXPECT_NEAR(window_.tabs().motion().sampleAt(strips, late)->time, last.time, 0.1 * last.time);
+  QTest::mouseClick(&strips, Qt::LeftButton, {}, late);
+  EXPECT_TRUE(waitFor([&] { return frame()->time > 0.9 * last.time; }));
+}
+
+/// The picture, the bar, the status line and the charts tell the same moment, also while it plays.
+TEST_F(TimeInTheWindow, EverythingTellsTheSameMoment) {
+  std::shared_ptr<const Frame> drawn;
+  QObject::connect(&window_.canvas(), &ContactCanvas::frameShown, &window_,
+                   [&](const std::shared_ptr<const Frame>& shown) { drawn = shown; });
+  openMotion(SlidingKind::Oscillation);
+  const auto& strips = window_.tabs().motion().strips();
+  int pictures = 0;
+  QObject::connect(&window_.canvas(), &ContactCanvas::painted, &window_, [&] {
+    if (!drawn || !drawn->transient || drawn->transient->empty()) return;
+    ++pictures;
+    EXPECT_EQ(session().frame(), drawn);
+    EXPECT_TRUE(control<QLabel>("momentText").text().startsWith(quantityLabel(drawn->time, "s")));
+    EXPECT_TRUE(control<QLabel>("factVelocity")
+                    .text()
+                    .endsWith(readingLabel(dimensionlessVelocity(*drawn))));
+    EXPECT_EQ(strips.sheet().diagrams[0].series.front().points.size(), drawn->transient->size());
+    EXPECT_EQ(window_.session().friction().sheet().diagrams.front().marker->label.english(),
+              "|v| = " + printedQuantity(std::abs(drawn->velocity), "m/s"));
+  });
+  EXPECT_TRUE(waitFor([&] { return pictures > 20; }));
 }
 
 /// Shift makes a step fine.

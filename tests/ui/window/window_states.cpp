@@ -235,7 +235,7 @@ Scene StateScenes::scene(const std::string& name) const {
                        .toUtf8());
     }
     scene.folder = folder_.path().toStdString();
-    scene.title = "measured line";
+    scene.title = "ground_steel";  // as the import of the file names it
     scene.surface.kind = SurfaceKind::Measured;
     scene.surface.file = "ground_steel.csv";
     scene.surface.length = 0;

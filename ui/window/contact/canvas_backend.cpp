@@ -76,6 +76,7 @@ class GlCanvas : public QOpenGLWidget, public CanvasBackend {
   void show(const PictureRequest& request) override {
     request_ = request;
     update();
+    if (events_.ready) events_.ready(request_.frame);
   }
 
  protected:
@@ -168,10 +169,11 @@ class SoftwareCanvas : public QWidget, public CanvasBackend {
           image.setDevicePixelRatio(request.scale);
           return std::pair{image, sequence_.labels()};
         },
-        [this](const std::pair<QImage, std::vector<LabelPlace>>& made) {
+        [this, frame = request_.frame](const std::pair<QImage, std::vector<LabelPlace>>& made) {
           std::tie(image_, labels_) = made;
           isNew_ = true;
           update();
+          if (events_.ready) events_.ready(frame);
         },
         [this](const QString& reason) { fail(reason); });
   }

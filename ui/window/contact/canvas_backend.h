@@ -31,6 +31,9 @@ struct PictureRequest {
 ContactPictureOptions sizedOptions(const PictureRequest& request);
 
 struct CanvasEvents {
+  /// Called when the picture of this frame is ready: it is painted together with all that changes
+  /// now.
+  std::function<void(const std::shared_ptr<const Frame>&)> ready;
   /// Called when another picture is on the screen, with the places of its labels.
   std::function<void(const std::vector<LabelPlace>&)> painted;
   /// Called with one sentence when no more pictures will come.

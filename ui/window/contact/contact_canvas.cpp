@@ -97,6 +97,7 @@ void ContactCanvas::setFrame(std::shared_ptr<const Frame> frame) {
   viewer_.setFrame(std::move(frame));
   giveLabelsSpace();
   refresh();
+  if (!backend_) takeReady(viewer_.frame());
 }
 
 /// Keeps the place of the labels free in a low picture, too.
@@ -148,16 +149,21 @@ int ContactCanvas::framesPerSecond() const {
   return static_cast<int>(pictures_.size());
 }
 
-void ContactCanvas::useOpenGl() {
+CanvasEvents ContactCanvas::eventsOfPictures() {
   CanvasEvents events;
+  events.ready = [this](const std::shared_ptr<const Frame>& frame) { takeReady(frame); };
   events.painted = [this](const std::vector<LabelPlace>& labels) { takePainted(labels); };
+  return events;
+}
+
+void ContactCanvas::useOpenGl() {
+  CanvasEvents events = eventsOfPictures();
   events.failed = [this](const QString&) { useSoftware(); };
   setBackend(makeOpenGlCanvas(std::move(events), this));
 }
 
 void ContactCanvas::useSoftware() {
-  CanvasEvents events;
-  events.painted = [this](const std::vector<LabelPlace>& labels) { takePainted(labels); };
+  CanvasEvents events = eventsOfPictures();
   events.failed = [this](const QString& reason) { fallBack(reason); };
   setBackend(makeSoftwareCanvas(std::move(events), this));
 }
@@ -183,6 +189,11 @@ void ContactCanvas::fallBack(const QString& reason) {
   label->setWordWrap(true);
   layout_->addWidget(label);
   emit failed(reason);
+  takeReady(viewer_.frame());
+}
+
+void ContactCanvas::takeReady(const std::shared_ptr<const Frame>& frame) {
+  if (std::exchange(shown_, frame) != frame && frame) emit frameShown(frame);
 }
 
 void ContactCanvas::takePainted(const std::vector<LabelPlace>& labels) {

@@ -38,6 +38,7 @@ class ContactCanvas : public QWidget {
  public:
   explicit ContactCanvas(QWidget* parent = nullptr);
 
+  /// Draws the frame; frameShown() follows when its picture is ready.
   void setFrame(std::shared_ptr<const Frame> frame);
   void setTheme(const Theme& theme);
 
@@ -85,6 +86,9 @@ class ContactCanvas : public QWidget {
   void readAbout();
 
  signals:
+  /// Emitted once for each frame whose picture is ready, and at once where nothing can draw: what
+  /// changes now is painted together with it. Frames that come too fast are left out.
+  void frameShown(std::shared_ptr<const asperity::Frame> frame);
   void painted();
   void failed(const QString& reason);
   void viewChanged();
@@ -109,8 +113,10 @@ class ContactCanvas : public QWidget {
  private:
   void useOpenGl();
   void useSoftware();
+  CanvasEvents eventsOfPictures();
   void setBackend(CanvasBackend* backend);
   void fallBack(const QString& reason);
+  void takeReady(const std::shared_ptr<const Frame>& frame);
   void takePainted(const std::vector<LabelPlace>& labels);
   void refresh();
   void paintVeil();
@@ -157,6 +163,7 @@ class ContactCanvas : public QWidget {
   QString guideAnchor_;   // of the object that was under the pointer when the menu was opened
   QElapsedTimer clock_;
   mutable std::deque<qint64> pictures_;  // the times when they were shown, ms
+  std::shared_ptr<const Frame> shown_;   // the last one whose picture was ready
 };
 
 /// Adds the commands of the canvas to it, for its context menu and their keys, and to a menu: zoom,

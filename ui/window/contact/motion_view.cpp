@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "core/run/motion_table.h"
 #include "core/run/transient_diagram.h"
@@ -24,6 +25,11 @@ namespace asperity {
 namespace {
 
 constexpr double kReach = 24;  // pixels from a point of the loop
+
+std::span<const TransientSample> samplesOf(
+    const std::shared_ptr<const std::vector<TransientSample>>& samples) {
+  return samples ? std::span(*samples) : std::span<const TransientSample>();
+}
 
 /// Returns "t = 0.2 s".
 QString equation(const QString& name, double value, const char* unit) {
@@ -74,6 +80,7 @@ void MotionView::showTexts() {
 void MotionView::showScene(const Scene& scene) {
   duration_ = scene.sliding.kind == SlidingKind::Steady ? 0 : scene.sliding.duration;
   samples_.reset();
+  later_.reset();
   loop_->setVisible(scene.sliding.kind == SlidingKind::Oscillation);
   if (!(duration_ > 0)) return;
   strips_->setSheet(transientSheet(scene, {}));
@@ -83,23 +90,28 @@ void MotionView::showScene(const Scene& scene) {
 void MotionView::showFrame(const Frame& frame) {
   if (!frame.transient) return;
   samples_ = frame.transient;
-  const double spacing = frame.spacing, length = frame.length;
-  strips_->setSheet(transientSheet(*frame.scene, *samples_, spacing, length));
-  if (!loop_->isHidden()) loop_->setSheet(frictionLoopSheet(*samples_));
+  later_ = frame.later;
+  const auto strips = [scene = frame.scene, samples = samples_, later = later_,
+                       spacing = frame.spacing, length = frame.length] {
+    return transientSheet(*scene, *samples, spacing, length, samplesOf(later));
+  };
+  const auto loop = [samples = samples_, later = later_] {
+    return frictionLoopSheet(*samples, samplesOf(later));
+  };
+  strips_->setSheet(strips());
+  if (!loop_->isHidden()) loop_->setSheet(loop());
   // The rows are means over parts of the motion, and those of `asperity motion` single steps: a
   // file that is saved here names the command, but no options, and so cannot be remade.
   const auto origin = [scene = frame.scene] { return pictureOrigin("motion", *scene); };
-  const auto table = [scene = frame.scene, samples = samples_] {
+  const auto table = [scene = frame.scene, samples = samples_, later = later_] {
     MotionTable rows;
     rows.lines = {*samples};
+    if (later) rows.lines[0].insert(rows.lines[0].end(), later->begin(), later->end());
     rows.hasInterface = hasLocalFriction(*scene);
     return provenanceComment("motion", *scene) + motionCsv(rows);
   };
-  stripFiles_->show([scene = frame.scene, samples = samples_, spacing,
-                     length] { return transientSheet(*scene, *samples, spacing, length); },
-                    {"motion", origin, table, {}});
-  loopFiles_->show([samples = samples_] { return frictionLoopSheet(*samples); },
-                   {"friction_loop", origin, table, {}});
+  stripFiles_->show(strips, {"motion", origin, table, {}});
+  loopFiles_->show(loop, {"friction_loop", origin, table, {}});
 }
 
 void MotionView::setTheme(const Theme& theme) {
@@ -118,17 +130,17 @@ std::optional<double> MotionView::momentAt(QPointF position) const {
 }
 
 const TransientSample* MotionView::sampleAt(const ChartView& chart, QPointF position) const {
-  if (!samples_ || samples_->empty() || chart.sheet().diagrams.empty()) return nullptr;
+  if (chart.sheet().diagrams.empty()) return nullptr;
   const bool isLoop = &chart == loop_;
   // A sample is found over the strips only, not over their titles.
   const std::optional<double> moment = isLoop ? std::nullopt : momentAt(position);
   if (!isLoop && !moment) return nullptr;
   double nearest = isLoop ? kReach : std::numeric_limits<double>::infinity();
   const TransientSample* found = nullptr;
-  for (const TransientSample& sample : *samples_) {
+  const auto consider = [&](const TransientSample& sample) {
     double away = 0;
     if (isLoop) {
-      if (!(sample.normalForce > 0)) continue;
+      if (!(sample.normalForce > 0)) return;
       const QPointF at =
           chart.mapToPosition(sample.velocity, sample.tangentialForce / sample.normalForce) -
           position;
@@ -136,10 +148,12 @@ const TransientSample* MotionView::sampleAt(const ChartView& chart, QPointF posi
     } else {
       away = std::abs(sample.time - *moment);
     }
-    if (!(away < nearest)) continue;
+    if (!(away < nearest)) return;
     nearest = away;
     found = &sample;
-  }
+  };
+  for (const Samples& part : {samples_, later_})
+    for (const TransientSample& sample : samplesOf(part)) consider(sample);
   return found;
 }
 

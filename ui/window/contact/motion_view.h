@@ -1,7 +1,7 @@
 // A motion in time: velocity, friction, indentation and length per contact as strips below each
-// other and, for an oscillation, the loop of friction over velocity beside them. The pointer reads
-// the nearest moment; a click on a strip goes there; a menu copies or saves either of them. GUI
-// thread; owned by its parent.
+// other and, for an oscillation, the loop of friction over velocity beside them. After the present
+// moment the lines are faded. The pointer reads the nearest moment; a click on a strip goes there;
+// a menu copies or saves either of them. GUI thread; owned by its parent.
 #pragma once
 
 #include <QWidget>
@@ -55,7 +55,7 @@ class MotionView : public QWidget {
 
   ChartView *strips_, *loop_;
   DiagramView *stripFiles_, *loopFiles_;  // never shown: they write what the charts show
-  Samples samples_;
+  Samples samples_, later_;         // up to the present moment, and those that are known after it
   double duration_ = 0;             // s
   std::optional<QPointF> pressed_;  // on the strips
 };

@@ -77,7 +77,7 @@ TimeBar::TimeBar(QWidget* parent)
       slider_(named<QSlider>("paceSlider", Qt::Horizontal)),
       momentText_(named<QLabel>("momentText")),
       behindText_(named<QLabel>("behindText")),
-      name_(new QLabel),
+      name_(named<QLabel>("paceName")),
       factor_(named<QLineEdit>("slowMotion")),
       keep_(named<QCheckBox>("keepPace")) {
   setObjectName("timeBar");
@@ -168,6 +168,28 @@ void TimeBar::setWidths() {
                          kEntryMargin);
   momentText_->setMinimumWidth(
       widestText(*this, {momentText(QStringLiteral("000.0 ms"), quantityLabel(duration_, "s"))}));
+  fitName();
+}
+
+/// Returns the width without the name of the pace, which gives way to the moment.
+QSize TimeBar::minimumSizeHint() const {
+  QSize size = QWidget::minimumSizeHint();
+  if (!name_->isHidden()) size.rwidth() -= nameWidth();
+  return size;
+}
+
+int TimeBar::nameWidth() const {
+  return name_->sizeHint().width() + layout()->spacing();
+}
+
+/// Shows the name of the pace where there is space for it: the number says it, too.
+void TimeBar::fitName() {
+  name_->setVisible(width() >= minimumSizeHint().width() + nameWidth());
+}
+
+void TimeBar::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  fitName();
 }
 
 void TimeBar::changeEvent(QEvent* event) {
@@ -195,7 +217,6 @@ void TimeBar::takeScene(const Scene& scene) {
   scene_ = scene;
   duration_ = scene.sliding.kind == SlidingKind::Steady ? 0 : scene.sliding.duration;
   for (QWidget* part : Widgets{moment_, momentText_}) part->setVisible(duration_ > 0);
-  name_->setVisible(!(duration_ > 0));  // the number says it, too, and the moment needs its space
   setWidths();
 }
 

@@ -39,6 +39,8 @@ class TimeBar : public QWidget {
   void setSlowMotion(double factor);
   bool keepsPace() const;
 
+  QSize minimumSizeHint() const override;
+
  signals:
   void paceChanged(double secondsPerPeriod);
   /// Emitted while the moment is dragged, and for its keys: s, of a motion.
@@ -52,11 +54,14 @@ class TimeBar : public QWidget {
  protected:
   /// Moves the handle of the slider of time to a press anywhere on it, and grips it there.
   bool eventFilter(QObject* watched, QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   void changeEvent(QEvent* event) override;
 
  private:
   void showTexts();
   void setWidths();
+  int nameWidth() const;
+  void fitName();
   void takeScene(const Scene& scene);
   void setLimitedPace(double pace);
   void choosePace(double pace);

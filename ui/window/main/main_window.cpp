@@ -361,6 +361,9 @@ void MainWindow::showTitle() {
 // ---- Signals of the session
 
 void MainWindow::connectFrames() {
+  session_->drawFirst(
+      [this](const std::shared_ptr<const Frame>& frame) { canvas_->setFrame(frame); });
+  connect(canvas_, &ContactCanvas::frameShown, session_, &Session::show);
   connect(session_, &Session::frameArrived, this, &MainWindow::showFrame);
   connect(session_, &Session::frameLost, this, [this] {
     canvas_->setFrame(nullptr);
@@ -397,9 +400,7 @@ void MainWindow::connectFrames() {
     for (QAction* action : commands_->get({"play", "step", "stepFinely", "reset", "describe"}))
       action->setEnabled(!areShown);
     updateVisibility();
-    if (areShown) return;
-    if (session_->frame()) canvas_->setFrame(session_->frame());
-    canvas_->setFocus();
+    if (!areShown) canvas_->setFocus();
   });
   connect(status_, &StatusLine::stopRequested, session_, &Session::stopCurve);
   connect(status_, &StatusLine::restartRequested, this, [this] {
@@ -430,7 +431,6 @@ void MainWindow::showVeil() {
 
 void MainWindow::showFrame() {
   const std::shared_ptr<const Frame> frame = session_->frame();
-  if (figures_->isShowingViews()) canvas_->setFrame(frame);
   showVeil();
   tabs_->showFrame(*frame);
   if (frame->sceneNumber == session_->sceneNumber()) {

@@ -18,8 +18,8 @@ namespace asperity {
 
 namespace {
 
-/// Returns the text as far as it fits into so many lines of this width, with an ellipsis where that
-/// is not all.
+/// Returns the text as far as it fits into so many lines of this width, with an ellipsis after a
+/// word where that is not all.
 QString inLines(const QString& text, int lines, int width, const QFont& font) {
   QTextLayout layout(text, font);
   layout.beginLayout();
@@ -35,8 +35,9 @@ QString inLines(const QString& text, int lines, int width, const QFont& font) {
   }
   layout.endLayout();
   if (isWhole) return text;
-  return text.left(lastBegin) +
-         QFontMetrics(font).elidedText(text.mid(lastBegin), Qt::ElideRight, width);
+  const QString rest = text.mid(lastBegin);
+  const QString fitting = QFontMetrics(font).elidedText(rest, Qt::ElideRight, width);
+  return text.left(lastBegin) + shortened(rest, fitting.size());
 }
 
 }  // namespace
@@ -62,6 +63,7 @@ MessageBar::MessageBar(QWidget* parent)
   close_->setFocusPolicy(Qt::TabFocus);
   connect(close_, &QToolButton::clicked, this, [this] {
     hide();
+    markParameter();
     emit closed();
   });
 
@@ -83,7 +85,10 @@ void MessageBar::showTexts() {
     accept_->setText(offerButton_());
   }
   fitText();
-  if (sceneError_ && !isHidden() && failure_ == Failure::Scene) updateSceneError();
+  if (sceneError_ && !isHidden() && failure_ == Failure::Scene)
+    updateSceneError();
+  else
+    markParameter();
 }
 
 void MessageBar::showOffer(Text text, Text button) {
@@ -112,7 +117,14 @@ void MessageBar::updateSceneError() {
   if (const QString row = key.section('[', 1).section(']', 0, 0); parameter && !row.isEmpty())
     subject = tr("%1, row %2").arg(subject).arg(row.toInt() + 1);
   showFailure(Failure::Scene, subject.isEmpty() ? text : subject + ": " + text);
-  emit sceneErrorShown(key, text);
+}
+
+void MessageBar::markParameter() {
+  if (!sceneError_) return;
+  const bool isSaidHere = !isHidden() && failure_ == Failure::Scene;
+  emit sceneErrorShown(sceneError_->first, isSaidHere
+                                               ? tr("not possible; the message above says why")
+                                               : withLabels(translatedText(sceneError_->second)));
 }
 
 void MessageBar::sceneRuns() {
@@ -126,8 +138,13 @@ void MessageBar::forget() {
 }
 
 void MessageBar::showFailure(Failure source, const QString& text) {
-  showMessage(text);
+  offer_ = offerButton_ = nullptr;
+  accept_->hide();
   failure_ = source;
+  setNote(false);
+  showText(text);
+  show();
+  markParameter();
 }
 
 bool MessageBar::end(Failure source) {
@@ -138,12 +155,7 @@ bool MessageBar::end(Failure source) {
 }
 
 void MessageBar::showMessage(const QString& text) {
-  offer_ = offerButton_ = nullptr;
-  accept_->hide();
-  failure_ = Failure::None;
-  setNote(false);
-  showText(text);
-  show();
+  showFailure(Failure::None, text);
 }
 
 void MessageBar::showNote(const QString& text) {

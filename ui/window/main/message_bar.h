@@ -52,7 +52,8 @@ class MessageBar : public QFrame {
  signals:
   void accepted();
   void closed();  // the user pressed the button that closes it
-  /// Emitted with the translated message about the scene when it appears or changes.
+  /// Emitted for the parameter that a message about the scene names, with the text beside it: while
+  /// the bar shows the message that refers to it, otherwise the message itself.
   void sceneErrorShown(const QString& key, const QString& text);
 
  protected:
@@ -61,6 +62,7 @@ class MessageBar : public QFrame {
 
  private:
   void updateSceneError();
+  void markParameter();
   void showTexts();
   void showText(const QString& text);
   void setNote(bool isNote);

@@ -115,8 +115,7 @@ class SceneStep : public QUndoCommand {
     QString name = sceneText(state.scene.title);
     if (name.isEmpty()) name = QFileInfo(state.origin.file).fileName();
     if (name.isEmpty()) return SceneDocument::tr("Other scene");
-    if (name.size() > kMaxLength) name = name.left(kMaxLength - 1).trimmed() + QChar(0x2026);
-    return SceneDocument::tr("Scene “%1”").arg(name);
+    return SceneDocument::tr("Scene “%1”").arg(shortened(name, kMaxLength));
   }
 
   SceneDocument& document_;

@@ -220,12 +220,20 @@ void Session::takeCurves() {
 
 void Session::takeFrame() {
   std::shared_ptr<const Frame> newest = runner_.newestFrame();
-  if (!newest || newest == frame_) return;
+  if (!newest || newest == taken_) return;
   // The runner goes on with the scene before one that cannot be computed.
   if (!frame_ && newest->sceneNumber < openedNumber_) return;
   activityTime_.start();
-  const bool marked = haveSameMark(frame_.get(), *newest);
-  frame_ = std::move(newest);
+  taken_ = std::move(newest);
+  if (draw_)
+    draw_(taken_);
+  else
+    show(taken_);
+}
+
+void Session::show(std::shared_ptr<const Frame> frame) {
+  const bool marked = haveSameMark(frame_.get(), *frame);
+  frame_ = std::move(frame);
   if (!marked) {
     if (friction_.mark(*frame_))
       emit markChanged();

@@ -11,6 +11,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "core/run/runner.h"
 #include "ui/chart/friction_chart_model.h"
@@ -72,8 +73,14 @@ class Session : public QObject {
   /// Takes what the runner has made since the last call.
   void poll();
 
-  /// Returns the newest frame; null before the first, and while a scene that was opened cannot be
-  /// computed: the frame of an unrelated scene would pass for its own.
+  /// Gives each new frame to `draw`, which calls show() when the picture of it is ready. So
+  /// everything that shows frame() changes together with the picture.
+  using Draw = std::function<void(const std::shared_ptr<const Frame>& frame)>;
+  void drawFirst(Draw draw) { draw_ = std::move(draw); }
+  void show(std::shared_ptr<const Frame> frame);
+
+  /// Returns the frame that is shown; null before the first, and while a scene that was opened
+  /// cannot be computed: the frame of an unrelated scene would pass for its own.
   std::shared_ptr<const Frame> frame() const { return frame_; }
   const FrictionChartModel& friction() const { return friction_; }
   /// Changes what the diagram shows beside the present curve: pins, axes, a difference.
@@ -130,7 +137,9 @@ class Session : public QObject {
   bool isStopped_ = false;
   bool wasWaiting_ = false;
   bool isVisible_ = true;
-  double rate_ = 0;  // 1/s
+  double rate_ = 0;                     // 1/s
+  std::shared_ptr<const Frame> taken_;  // the runner's newest frame, which may not be drawn yet
+  Draw draw_;
 };
 
 /// Returns the error of an untrustworthy frame in one sentence; empty without an error.

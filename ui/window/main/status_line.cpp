@@ -216,22 +216,30 @@ void StatusLine::showTips() {
 }
 
 /// Reserves the width of readings that appear only during work, so that the others do not move when
-/// work begins or ends. The velocity of a motion may be below zero.
+/// work begins or ends. In a motion, velocity and friction pass through 0, friction has no mean,
+/// and notes come and go.
 void StatusLine::reserveWidths() {
-  const QString number = QStringLiteral("0.00888"), friction = QStringLiteral("0.000888");
-  const QString velocity = isOfMotion_ ? QStringLiteral("−") + number : number;
+  const QString power = readingLabel(-8.88e-88);
+  const QString number = isOfMotion_ ? power : QStringLiteral("0.00888");
+  const QString friction = isOfMotion_ ? power : QStringLiteral("0.000888");
   const QString mean =
-      tr(", mean of %1 ≈ %2 ± %3 %").arg(888).arg(QStringLiteral("0.0008888"), "0.08");
+      isOfMotion_
+          ? QString()
+          : tr(", mean of %1 ≈ %2 ± %3 %").arg(888).arg(QStringLiteral("0.0008888"), "0.08");
   QStringList regions;
   for (const char* name : {"I", "II", "III", "IV"}) regions += regionText(name);
   for (const auto& [reading, texts] : std::initializer_list<std::pair<StatusReading*, QStringList>>{
            {mu_, {tr("this line μ = %1").arg(friction) + mean}},
            {regime_, regions},
            {force_, {tr("force F̄ = %1").arg(number)}},
-           {velocity_, {tr("velocity v̄ = %1").arg(velocity)}},
+           {velocity_, {tr("velocity v̄ = %1").arg(number)}},
            {simulations_, {tr("%1 simulations/s").arg(rateText(8800000))}},
            {rate_, {tr("%1 frames/s").arg(888)}}})
     reading->reserve(widestText(*this, texts));
+  const QString notes = notes_->text();
+  notes_->setText(tr("⚠ %1 notes").arg(8));
+  notesWidth_ = isOfMotion_ ? notes_->sizeHint().width() : 0;
+  notes_->setText(notes);
   for (StatusReading* reading : {simulations_, rate_})
     reading->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   for (QWidget* widget : Widgets{progress_, stop_}) {
@@ -380,7 +388,8 @@ void StatusLine::fitReadings() {
     available -= fontMetrics().horizontalAdvance(message_->text()) + 2 * layout()->spacing();
   // Friction and the notes stay even in the narrowest window.
   notes_->setVisible(!shownNotes_.empty());
-  if (!shownNotes_.empty()) available -= notes_->sizeHint().width() + layout()->spacing();
+  const int notes = std::max(notesWidth_, shownNotes_.empty() ? 0 : notes_->sizeHint().width());
+  if (notes > 0) available -= notes + layout()->spacing();
   bool fits = true;
   std::vector<StatusReading*> shown;
   const std::vector<StatusReading*> before = std::exchange(leftOut_, {});

@@ -81,6 +81,7 @@ class StatusLine : public QWidget {
   StatusReading* mu_;
   QToolButton* notes_;                   // opens a menu of all notes
   std::vector<Message> shownNotes_;      // their sentences
+  int notesWidth_ = 0;                   // pixels that are kept for them
   std::vector<StatusReading*> leftOut_;  // for lack of room, at the present width
   StatusReading* force_;
   StatusReading* velocity_;
