@@ -10,7 +10,6 @@ namespace asperity {
 namespace {
 
 constexpr double kNarrowest = 0.1, kWidest = 60;  // decades, of a zoomed axis
-constexpr double kBeyond = 10;                    // pixels below an axis of what it cannot show
 
 double fraction(double position, const AxisRange& range) {
   return (position - range.from) / (range.isEmpty() ? 1 : range.size());
@@ -88,7 +87,7 @@ double ChartGeometry::columnAt(double value) const {
 }
 
 double ChartGeometry::mapY(double value) const {
-  return isBelow(yScale, value) ? area.bottom() + kBeyond * scale
+  return isBelow(yScale, value) ? area.bottom() + kBelowAxis * scale
                                 : pixelY(axisPosition(yScale, value));
 }
 

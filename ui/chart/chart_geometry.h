@@ -32,6 +32,10 @@ struct VisibleRange {
 /// x-axis, so that marks there are complete.
 inline constexpr double kFrameEdge = 6;
 
+/// Distance in pixels, times the scale, below the axis of a value that a logarithmic axis cannot
+/// show: a curve through 0 leaves the frame there.
+inline constexpr double kBelowAxis = 10;
+
 /// Maps the values of one diagram to positions inside its frame, on the screen or in a picture.
 struct ChartGeometry {
   QRectF area;

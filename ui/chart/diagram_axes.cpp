@@ -294,7 +294,6 @@ float DiagramAxes::py(double y) const {
 }
 
 DrawPoint DiagramAxes::mapToPosition(double x, double y) const {
-  constexpr float kUnder = 10;  // pixels
   const double right = axisPosition(xAxis.scale, x), above = axisPosition(yAxis.scale, y);
   const bool isUnder = isBelow(yAxis.scale, y);
   if (!std::isfinite(right) || !(std::isfinite(above) || isUnder))
@@ -302,7 +301,8 @@ DrawPoint DiagramAxes::mapToPosition(double x, double y) const {
   const auto held = [](float pixels) {
     return std::clamp(pixels, static_cast<float>(-kFarthest), static_cast<float>(kFarthest));
   };
-  return {held(px(right)), isUnder ? box.bottom() + kUnder : held(py(above))};
+  return {held(px(right)),
+          isUnder ? box.bottom() + static_cast<float>(kBelowAxis) : held(py(above))};
 }
 
 float leftOfAxes(const DiagramAxes& axes, const DiagramSizes& sizes) {
