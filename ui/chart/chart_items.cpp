@@ -17,6 +17,7 @@ constexpr double kCap = 3.5;      // half the width of an error bar's caps, time
 constexpr float kCell = 4;        // pixels, resolution of what curves cover
 constexpr double kAside = 4;      // pixels between a shade's edges and its name
 constexpr double kNumberGap = 7;  // from the numbers of the y-axis to the frame
+constexpr double kTickMark = 4;   // length of a tick mark outside of the frame
 constexpr double kLeft = 6;       // from the edge to a title on the left
 constexpr double kBelow = 8;      // from the frame to the title below it, including the labels
 constexpr double kBeside = 8;     // from the frame to a title on its right
@@ -65,6 +66,7 @@ void UnderItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidge
   painter->setFont(style_.font);
   // Tints over the grid leave it equally strong in all regions.
   paintGrid(*painter);
+  paintFrame(*painter);
   paintSpans(*painter);
   for (const DiagramSpan& shade : shades_) {
     painter->setOpacity(shade.isFaded ? kFadedOpacity : 1);
@@ -180,32 +182,55 @@ QRectF UnderItem::labelBox(const QRectF& area, int alignment, const DiagramSpan&
   return area.contains(box) ? box : QRectF();
 }
 
+QLineF UnderItem::upright(double position, double from, double to) const {
+  const double x = std::floor(map_.pixelX(position)) + 0.5;
+  return {x, from, x, to};
+}
+
+QLineF UnderItem::level(double position, double from, double to) const {
+  const double y = std::floor(map_.pixelY(position)) + 0.5;
+  return {from, y, to, y};
+}
+
 /// Paints lines on whole pixels: smoothed lines between pixels would be faint, and take most of
 /// the time that painting a diagram takes.
 void UnderItem::paintGrid(QPainter& painter) const {
-  const auto upright = [this](double position) {
-    const double x = std::floor(map_.pixelX(position)) + 0.5;
-    return QLineF(x, frame_.top(), x, frame_.bottom());
+  const auto addX = [this](QList<QLineF>& lines, double position) {
+    lines += upright(position, frame_.top(), frame_.bottom());
   };
-  const auto level = [this](double position) {
-    const double y = std::floor(map_.pixelY(position)) + 0.5;
-    return QLineF(frame_.left(), y, frame_.right(), y);
+  const auto addY = [this](QList<QLineF>& lines, double position) {
+    lines += level(position, frame_.left(), frame_.right());
   };
   QList<QLineF> fine, whole;
-  for (const double position : xAxis_.minor) fine += upright(position);
+  for (const double position : xAxis_.minor) addX(fine, position);
   if (yAxis_.scale == AxisScale::Logarithmic)
-    for (const double position : yAxis_.minor) fine += level(position);
-  for (const Tick& tick : xAxis_.ticks) whole += upright(tick.value);
-  for (const Tick& tick : yAxis_.ticks) whole += level(tick.value);
+    for (const double position : yAxis_.minor) addY(fine, position);
+  for (const Tick& tick : xAxis_.ticks) addX(whole, tick.value);
+  for (const Tick& tick : yAxis_.ticks) addY(whole, tick.value);
   const bool wasSmooth = painter.testRenderHint(QPainter::Antialiasing);
   painter.setRenderHint(QPainter::Antialiasing, false);
   painter.setPen(QPen(style_.fineGrid(), 1));
   painter.drawLines(fine);
   painter.setPen(QPen(style_.grid(), 1));
   painter.drawLines(whole);
-  painter.setPen(QPen(style_.axis(), 1));
+  painter.setRenderHint(QPainter::Antialiasing, wasSmooth);
+}
+
+/// Paints the frame with its tick marks, all lines alike.
+void UnderItem::paintFrame(QPainter& painter) const {
+  const QRect frame = frame_.toRect();
+  QList<QLineF> marks;
+  for (const Tick& tick : xAxis_.ticks)
+    marks += upright(tick.value, frame.bottom() + 1, frame.bottom() + 1 + kTickMark);
+  for (const Tick& tick : yAxis_.ticks)
+    marks += level(tick.value, frame.left(), frame.left() - kTickMark);
+  const bool wasSmooth = painter.testRenderHint(QPainter::Antialiasing);
+  painter.setRenderHint(QPainter::Antialiasing, false);
+  painter.setPen(style_.showsFocus ? QPen(toQColor(seriesColour(0, style_.theme)), 2)
+                                   : QPen(style_.axis(), 1));
   painter.setBrush(Qt::NoBrush);
-  painter.drawRect(frame_.toRect());
+  painter.drawRect(frame);
+  painter.drawLines(marks);
   painter.setRenderHint(QPainter::Antialiasing, wasSmooth);
 }
 

@@ -29,7 +29,7 @@ struct AxisTitles {
   bool isAbove = false;  // level above the frame
 };
 
-/// Paints regions with their names, shades, the grid and the titles of the axes.
+/// Paints regions with their names, shades, the grid, the frame and the titles of the axes.
 class UnderItem : public QGraphicsItem {
  public:
   using QGraphicsItem::QGraphicsItem;
@@ -63,7 +63,11 @@ class UnderItem : public QGraphicsItem {
   void paintNumbers(QPainter& painter) const;
   void paintSpans(QPainter& painter) const;
   void paintShadeNames(QPainter& painter) const;
+  /// These functions return a line across the x-axis, or across the y-axis, on whole pixels.
+  QLineF upright(double position, double from, double to) const;
+  QLineF level(double position, double from, double to) const;
   void paintGrid(QPainter& painter) const;
+  void paintFrame(QPainter& painter) const;
   void paintTitles(QPainter& painter) const;
 
   std::vector<DiagramSpan> spans_, shades_;

@@ -12,8 +12,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/chart/diagram_style.h"
-
 namespace asperity {
 
 namespace {
@@ -70,6 +68,7 @@ ChartPanel::ChartPanel(QGraphicsScene& scene)
     axis->setLabelsPosition(QCategoryAxis::AxisLabelsPositionOnValue);
     axis->setTruncateLabels(false);
     axis->setGridLineVisible(false);
+    axis->setLineVisible(false);
   }
   // The library leaves out numbers of a low axis that are not far apart; `under_` paints them.
   y_->setLabelsVisible(false);
@@ -128,9 +127,6 @@ void ChartPanel::show(const Diagram& diagram, const ChartGeometry& map, const Ch
 void ChartPanel::applyStyle(QCategoryAxis& axis, const ChartStyle& style) {
   if (axis.labelsFont() != style.font) axis.setLabelsFont(style.font);
   if (axis.labelsColor() != style.text()) axis.setLabelsColor(style.text());
-  const QColor focus = toQColor(seriesColour(0, style.theme));
-  const QPen pen = style.showsFocus ? QPen(focus, 2) : QPen(style.axis(), 1);
-  if (axis.linePen() != pen) axis.setLinePen(pen);
 }
 
 /// Updates only what has changed: the layout of an axis takes much time.

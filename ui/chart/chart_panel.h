@@ -4,7 +4,8 @@
 // series (chart_items.h), for these reasons:
 // - ticks: its logarithmic axis has none between decades, and cannot have our labels. Therefore the
 //   axes hold decimal logarithms (or plain values) under the labels that every picture has.
-// - the grid: a QCategoryAxis has no lines between its labels, and lines between pixels are faint.
+// - the grid, the frame and its tick marks: a QCategoryAxis has no lines between its labels, and
+//   lines between pixels are faint, and look thick beside those of the frame.
 // - regions: it shades whole intervals between labels, and does not name them.
 // - error bars: its lines do not break, so that each bar would need a series of its own.
 // - titles: they are cut even where there is enough space.

@@ -126,6 +126,34 @@ TEST_F(ChartViewTest, GridLinesAreWholePixelsOfTheirColour) {
   for (const double y : {3e-3, 4e-2}) EXPECT_EQ(colour(1.4e-2, y), look().fineGrid()) << y;
 }
 
+/// All four sides of the frame are one pixel wide, and so are the marks of its ticks.
+TEST_F(ChartViewTest, TheSidesOfTheFrameAreAlike) {
+  const QImage picture = image();
+  const auto pixelsOfAxis = [&](QPoint from, QPoint step) {
+    int pixels = 0;
+    for (int i = 0; i < 16; ++i) {
+      const QColor found = picture.pixelColor(from + i * step);
+      if (found == look().axis())
+        ++pixels;
+      else
+        EXPECT_GT(found.lightness(), look().grid().lightness() - 1) << i;  // no pale edge
+    }
+    return pixels;
+  };
+  const QPoint low = at(1.05e-3, 3.3e-4), high = at(950, 0.6);
+  EXPECT_EQ(pixelsOfAxis(low, {-1, 0}), 1) << "left";
+  EXPECT_EQ(pixelsOfAxis({low.x(), at(1, 1.2e-4).y()}, {0, 1}), 1) << "below";
+  EXPECT_EQ(pixelsOfAxis(high, {1, 0}), 1) << "right";
+  EXPECT_EQ(pixelsOfAxis({high.x(), at(1, 0.9).y()}, {0, -1}), 1) << "above";
+  const auto floored = [&](double x, double y) {
+    const QPointF place = view_->mapToPosition(x, y);
+    return QPoint(static_cast<int>(place.x()), static_cast<int>(place.y()));
+  };
+  EXPECT_EQ(picture.pixelColor(floored(1, 1e-4) + QPoint(0, 3)), look().axis());
+  const int left = at(1e-3, 1e-2).x() - static_cast<int>(kFrameEdge);
+  EXPECT_EQ(picture.pixelColor(left - 3, floored(1, 1e-2).y()), look().axis());
+}
+
 TEST_F(ChartViewTest, PaintsErrorBarsUpAndDown) {
   EXPECT_TRUE(has(toQColor(0), at(0.03, 0.035)));
   EXPECT_TRUE(has(toQColor(0), at(0.03, 0.005)));
