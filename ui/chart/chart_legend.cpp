@@ -18,13 +18,25 @@ namespace asperity {
 
 namespace {
 
-constexpr double kSide = 16;
-constexpr double kSample = 22;    // width of a sample of a mark, pixels
-constexpr double kSampleGap = 6;  // between a sample and its name
-constexpr double kCross = 16;     // of the button that unpins a curve
-constexpr double kGap = 18;       // between entries
+constexpr double kSide = 16, kMargin = 4;  // beside the entries, and above and below them
+constexpr double kSample = 22;             // width of a sample of a mark, pixels
+constexpr double kSampleGap = 6;           // between a sample and its name
+constexpr double kCross = 16;              // of the button that unpins a curve
+constexpr double kGap = 18;                // between entries
 constexpr int kMaxRows = 3;
 constexpr int kMaxLines = 2;  // of one entry
+
+/// Shortens a name to its first parts: "mean of 200 lines" instead of "mean of 200 lines ± standard
+/// error". Only a part that is itself too long is cut within a word.
+QString firstParts(const QString& name, double available, const QFontMetricsF& metrics) {
+  if (metrics.horizontalAdvance(name) <= available) return name;
+  for (qsizetype at = name.size(); at > 0; --at) {
+    const QStringView rest = QStringView(name).mid(at);
+    if (!rest.startsWith(QStringLiteral(", ")) && !rest.startsWith(QStringLiteral(" ± "))) continue;
+    if (metrics.horizontalAdvance(name.left(at)) <= available) return name.left(at);
+  }
+  return metrics.elidedText(name, Qt::ElideRight, available);
+}
 
 /// Breaks a text that is too long for its space into lines, after commas.
 QStringList brokenInto(const QString& text, double available, const QFontMetricsF& metrics) {
@@ -54,16 +66,18 @@ ChartLegend::ChartLegend(QWidget* parent) : QWidget(parent) {
 }
 
 void ChartLegend::show(const DiagramSheet& sheet, const DiagramSheet& english,
-                       const ChartStyle& style) {
+                       const ChartStyle& style, double available) {
   sheet_ = sheet;
   english_ = english;
   style_ = style;
+  available_ = available;
   arrange();
   update();
 }
 
-/// Returns the entries: the present curve, theory, the marker, the curves of other diagrams, and
-/// the pinned curves in their order.
+/// Returns the entries: the present curve, the marker, theory, the curves of other diagrams, and
+/// the pinned curves in their order. The marker has a short name, for which the first row has
+/// space.
 std::vector<ChartLegend::Entry> ChartLegend::makeEntries() const {
   std::vector<Entry> first, theory, marker, others, pinned;
   for (std::size_t i = 0; i < sheet_.diagrams.size(); ++i) {
@@ -97,7 +111,7 @@ std::vector<ChartLegend::Entry> ChartLegend::makeEntries() const {
     if (english.marker) entry.explanation = findExplanation(english.marker->name);
     marker.push_back(std::move(entry));
   }
-  for (auto* group : {&theory, &marker, &others, &pinned})
+  for (auto* group : {&marker, &theory, &others, &pinned})
     std::move(group->begin(), group->end(), std::back_inserter(first));
   return first;
 }
@@ -114,6 +128,10 @@ QStringList ChartLegend::entryLines(int id) const {
   return {};
 }
 
+double ChartLegend::rowHeight() const {
+  return QFontMetricsF(font()).height() + 6;
+}
+
 double ChartLegend::sampleWidth() const {
   return (kSample + kSampleGap) * markScale(font());
 }
@@ -128,62 +146,77 @@ double ChartLegend::statusWidth() const {
   return QFontMetricsF(font()).horizontalAdvance(text.replace(number, longest));
 }
 
+/// Places the entries in as few rows as the chart leaves, with shorter names where that is enough:
+/// the tooltip has the whole ones. Where it is not, there are more rows, up to a limit. Returns how
+/// many entries did not fit.
+int ChartLegend::fit() {
+  constexpr std::array kNarrower{0.45, 0.3, 0.2};  // widest name, part of the legend's width
+  const auto few = static_cast<int>((available_ - 2 * kMargin) / rowHeight());
+  int missing = 0;
+  for (int rows = std::clamp(few, 1, kMaxRows); rows <= kMaxRows; ++rows) {
+    if ((missing = place(rows, std::nullopt)) == 0) return 0;
+    for (const double part : kNarrower)
+      if ((missing = place(rows, part * width())) == 0) return 0;
+  }
+  return missing;
+}
+
 /// Arranges the entries in rows; the first row ends at the status. The last entry shows how many
 /// did not fit. The legend keeps its height while a curve is computed: the first result, of one
 /// line, has a shorter name, and the chart would move for a moment.
 void ChartLegend::arrange() {
-  // Names are cut, which are whole in the tooltip, before entries are left out.
-  constexpr std::array kNarrower{0.45, 0.3, 0.2};  // widest name, part of the legend's width
-  int missing = place(std::nullopt);
-  for (std::size_t i = 0; missing > 0 && i < kNarrower.size(); ++i)
-    missing = place(kNarrower[i] * width());
-  const double height = QFontMetricsF(font()).height() + 6;
+  const int missing = fit();
+  const double height = rowHeight();
   if (missing > 0) {
     Entry rest;
     rest.text = tr("and %n more", nullptr, missing);
     rest.lines = {rest.text};
     rest.hasSample = false;
-    const QRectF last = entries_.empty() ? QRectF(0, 4, 0, height) : entries_.back().box;
+    const QRectF last = entries_.empty() ? QRectF(0, kMargin, 0, height) : entries_.back().box;
     rest.box = QRectF(last.right() + kGap * markScale(font()), last.bottom() - height, 120, height);
     entries_.push_back(std::move(rest));
   }
   const bool isEmpty = entries_.empty() && sheet_.status.empty();
-  const double bottom = entries_.empty() ? 4 + height : entries_.back().box.bottom();
-  int all = isEmpty ? 0 : static_cast<int>(bottom + 4);
+  const double bottom = entries_.empty() ? kMargin + height : entries_.back().box.bottom();
+  int all = isEmpty ? 0 : static_cast<int>(bottom + kMargin);
   if (sheet_.isGrowing) all = std::max(all, minimumHeight());
   if (minimumHeight() != all || maximumHeight() != all) setFixedHeight(all);
 }
 
-/// Places the entries, names in one line of at most this width, or in up to two lines where none is
-/// given. Returns how many entries did not fit.
-int ChartLegend::place(std::optional<double> widestName) {
+/// Places the entries in this many rows, names in one line of at most this width, or in up to two
+/// lines where none is given. Returns how many entries did not fit.
+int ChartLegend::place(int rows, std::optional<double> widestName) {
   const QFontMetricsF metrics(font());
-  const double height = metrics.height() + 6;
+  const double height = rowHeight();
   entries_.clear();
-  double x = kSide, y = 4;
+  double x = kSide, y = kMargin;
   int row = 0, missing = 0;
   const auto end = [&] { return width() - kSide - (row == 0 ? statusWidth() + kGap : 0); };
   const auto add = [&](Entry entry, double extra) {
     const double available = std::max(40.0, width() - 2 * kSide - sampleWidth() - extra);
-    if (widestName)
-      entry.lines = {
-          metrics.elidedText(entry.text, Qt::ElideRight, std::min(available, *widestName))};
-    else
+    // Curves that were pinned may differ in what their names say last.
+    const double narrow = std::min(available, widestName.value_or(available));
+    if (!widestName)
       entry.lines = brokenInto(entry.text, available, metrics);
+    else if (entry.isPinned())
+      entry.lines = {metrics.elidedText(entry.text, Qt::ElideRight, narrow)};
+    else
+      entry.lines = {firstParts(entry.text, narrow, metrics)};
     double widest = 0;
     for (const QString& part : entry.lines)
       widest = std::max(widest, metrics.horizontalAdvance(part));
     const double wide = sampleWidth() + widest + extra;
-    if (x + wide > end() && (x > kSide || row == 0)) {
-      if (row + 1 >= kMaxRows || missing > 0) {
-        ++missing;
-        return;
-      }
+    const auto more = static_cast<int>(entry.lines.size()) - 1;
+    const bool isNewRow = x + wide > end() && (x > kSide || row == 0);
+    if (missing > 0 || row + (isNewRow ? 1 : 0) + more >= rows) {
+      ++missing;
+      return;
+    }
+    if (isNewRow) {
       ++row;
       x = kSide;
       y += height;
     }
-    const auto more = static_cast<int>(entry.lines.size()) - 1;
     entry.box = QRectF(x, y, wide, height * (more + 1));
     row += more;
     y += more * height;
@@ -265,9 +298,8 @@ void ChartLegend::paintEvent(QPaintEvent*) {
 
 /// Paints the status at the right end of the first row.
 void ChartLegend::paintStatus(QPainter& painter) const {
-  const QFontMetricsF metrics(font());
   painter.setPen(style_.faintText());
-  painter.drawText(QRectF(0, 4, width() - kSide, metrics.height() + 6),
+  painter.drawText(QRectF(0, kMargin, width() - kSide, rowHeight()),
                    Qt::AlignRight | Qt::AlignVCenter, QString::fromStdString(sheet_.status.text));
 }
 

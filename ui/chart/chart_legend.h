@@ -21,8 +21,9 @@ class ChartLegend : public QWidget {
   explicit ChartLegend(QWidget* parent = nullptr);
 
   /// Shows the entries of the sheet. `english`: the same sheet with English texts, by which
-  /// explanations are found.
-  void show(const DiagramSheet& sheet, const DiagramSheet& english, const ChartStyle& style);
+  /// explanations are found. `available`: pixels; a higher legend has shorter names first.
+  void show(const DiagramSheet& sheet, const DiagramSheet& english, const ChartStyle& style,
+            double available);
 
   /// Returns the rectangle of a pinned curve's entry; empty where it is not shown.
   QRectF entryRect(int id) const;
@@ -57,8 +58,10 @@ class ChartLegend : public QWidget {
   };
 
   void arrange();
-  int place(std::optional<double> widestName);
+  int fit();
+  int place(int rows, std::optional<double> widestName);
   std::vector<Entry> makeEntries() const;
+  double rowHeight() const;    // pixels
   double sampleWidth() const;  // width of a sample with its gap, pixels
   double statusWidth() const;
   QString tipAt(QPointF position) const;
@@ -70,6 +73,7 @@ class ChartLegend : public QWidget {
 
   DiagramSheet sheet_, english_;
   ChartStyle style_;
+  double available_ = 0;  // pixels for the legend, if shorter names are enough
   std::vector<Entry> entries_;
   int under_ = 0;  // pinned curve under the pointer; 0: none
 };

@@ -32,6 +32,7 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kOverlayDepth = 100;  // above everything in the charts
+constexpr double kLegend = 0.25;       // part of the height, at which names are shortened
 constexpr double kWheel = 1.25;        // factor of one step of the wheel
 constexpr double kKeyZoom = 1.5;
 constexpr double kKeyStep = 0.05;  // decades per key press
@@ -146,7 +147,7 @@ void ChartView::setMarker(const std::optional<DiagramMarker>& english) {
   if (english) marker = translated(*english);
   if (markerX() != before && gesture_ != Gesture::Marker) targetX_ = kNaN;
   updateMarker();
-  if (name != (marker ? marker->name.text : "")) legend_->show(sheet_, english_, style_);
+  if (name != (marker ? marker->name.text : "")) showLegend();
 }
 
 void ChartView::setTheme(const Theme& theme) {
@@ -250,12 +251,16 @@ void ChartView::showFocus(bool shows) {
   if (std::exchange(style_.showsFocus, shows) != shows) showAll();
 }
 
+void ChartView::showLegend() {
+  legend_->show(sheet_, english_, style_, kLegend * height());
+}
+
 /// Updates everything. A hidden view waits until it is visible again.
 void ChartView::showAll() {
   isDue_ = !isVisible();
   if (isDue_) return;
   style_.font = font();
-  legend_->show(sheet_, english_, style_);
+  showLegend();
   layout()->activate();  // the charts must not cover the legend
   view_->scene()->setSceneRect(0, 0, view_->width(), view_->height());
   layout_ = layOutChart(sheet_, visibleRange(), view_->size(), style_, hasChoosers_);

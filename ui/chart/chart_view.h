@@ -118,6 +118,7 @@ class ChartView : public QWidget {
   VisibleRange whole() const;
   void showAll();
   void showFocus(bool shows);
+  void showLegend();
   void updateMarker();
   QPointF corner() const;
 

@@ -450,5 +450,36 @@ TEST_F(ChartGestures, LongNamesLeaveNoEntryOut) {
   EXPECT_TRUE(legend->toolTip().contains(parts.join(", ")));
 }
 
+/// In a low view the chart keeps most of the height: the legend has the first parts of long names,
+/// and the whole ones in tooltips. A high view has the whole names.
+TEST_F(ChartGestures, TheLegendOfALowChartHasShorterNames) {
+  DiagramSheet sheet = sampleSheet();
+  Diagram& diagram = sheet.diagrams[0];
+  diagram.series[0].id = kPresentCurve;
+  diagram.series[0].name = "mean of 200 lines ± standard error";
+  for (const char* name :
+       {"Gaussian foundation, low velocity", "half-space, long-range elasticity"}) {
+    diagram.series.push_back(diagram.series[0]);
+    diagram.series.back().id = kLawCurve;
+    diagram.series.back().isTheory = true;
+    diagram.series.back().name = name;
+  }
+  view_->setSheet(sheet);
+  auto* legend = view_->findChild<ChartLegend*>();
+  ASSERT_TRUE(legend);
+  const auto linesAt = [&](int height) {
+    view_->resize(420, height);
+    QTest::qWait(1);
+    return legend->entryLines(kPresentCurve).join(' ');
+  };
+  const QString whole = QString::fromStdString(diagram.series[0].name.text);
+  EXPECT_EQ(linesAt(600), whole);
+  EXPECT_EQ(linesAt(240), QStringLiteral("mean of 200 lines"));
+  EXPECT_LT(legend->height(), 0.25 * view_->height());
+  QTest::mouseMove(legend, legend->entryRect(kPresentCurve).center().toPoint());
+  EXPECT_TRUE(legend->toolTip().contains(whole)) << legend->toolTip().toStdString();
+  EXPECT_EQ(linesAt(600), whole);
+}
+
 }  // namespace
 }  // namespace asperity
