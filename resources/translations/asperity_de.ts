@@ -5245,8 +5245,8 @@
         <translation>Leistung, log</translation>
     </message>
     <message>
-        <source>pressure</source>
-        <translation>Druck</translation>
+        <source>line load</source>
+        <translation>Linienlast</translation>
     </message>
     <message>
         <source>position x</source>

@@ -108,7 +108,7 @@ std::string ColourScale::shortTitle() const {
     case ContactOverlay::Power:
       return withUnit(Words::tr("power, log"), *this);
     default:
-      return withUnit(Words::tr("pressure"), *this);
+      return withUnit(Words::tr("line load"), *this);
   }
 }
 

@@ -60,7 +60,7 @@ TEST(Overlay, LegendSpansTheBar) {
   }
   EXPECT_EQ((ColourScale{ContactOverlay::Relaxation, 4e-3}).ticks(6, true).back().label, "4 ms");
   EXPECT_EQ((ColourScale{ContactOverlay::Relaxation, 4e-3}).ticks(6, false).back().label, "4");
-  EXPECT_EQ((ColourScale{ContactOverlay::Pressure, 200e3}).shortTitle(), "pressure (kN/m)");
+  EXPECT_EQ((ColourScale{ContactOverlay::Pressure, 200e3}).shortTitle(), "line load (kN/m)");
 }
 
 /// Numbers in one unit, which the last one says: short enough for a label at every decade.
