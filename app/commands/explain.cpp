@@ -108,7 +108,7 @@ std::string explanationText(const Explanation& explanation) {
           stageLines(explanation.stages, false);
   if (std::isfinite(explanation.fewSummitsVelocity))
     text += filledLine(
-        Words::tr("above %1 few summits carry the load (region IV): F\u2099 / (4 eta v), the "
+        Words::tr("above %1 few contacts carry the load (region IV): F\u2099 / (4 eta v), the "
                   "height that the contacts of one period climb together, is below 0.1 "
                   "h; the border belongs to the finite period and moves with it"),
         answerQuantity(explanation.fewSummitsVelocity, "m/s"));

@@ -26,7 +26,7 @@ struct Explanation {
   Scene scene;
   std::string verb;  // the command that it explains: "curve" or "render"
   std::vector<PlanStage> stages;
-  /// Velocity in m/s above which few summits carry the load (core/chart/curve_regions.h); NaN:
+  /// Velocity in m/s above which few contacts carry the load (core/chart/curve_regions.h); NaN:
   /// none.
   double fewSummitsVelocity = kNotApplicable;
   double length = 0;                    // m, of the line

@@ -25,7 +25,7 @@ constexpr std::array<RegionText, 4> kTexts{
       "Contacts carry on their leading sides only, Eq. (9). Ends where friction falls below 95 % "
       "of the maximum."},
      {"decrease",
-      "Few summits of the finite period carry the load, and the slope in contact falls, "
+      "Few contacts of the finite period carry the load, and the slope in contact falls, "
       "Eq. (15). Begins below 95 % of the maximum."}}};
 
 const RegionText* findRegionText(std::string_view name) {
@@ -164,7 +164,7 @@ std::optional<VelocityRange> fewSummitsRange(const Scene& scene,
 void addFewSummits(Diagram& diagram, const std::optional<VelocityRange>& range, double factor) {
   if (range)
     diagram.shades.push_back(
-        {range->from * factor, range->to * factor, "few summits carry the load"});
+        {range->from * factor, range->to * factor, "few contacts carry the load"});
 }
 
 }  // namespace asperity

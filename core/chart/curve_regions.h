@@ -1,6 +1,6 @@
 // Regions I to IV of a computed friction curve, found from the curve itself by the rule of
 // core/friction/curve_features.h where the curve shows them; and the range of velocities in which
-// few summits carry the load, which is region IV. Pure; any thread.
+// few contacts carry the load, which is region IV. Pure; any thread.
 //
 // In fast sliding of Kelvin elements every contact is viscous and one-sided, p = 4 eta v |z'|, so
 // that F_N / (4 eta v) is the height which the contacts of one period climb together. Below about
@@ -39,7 +39,7 @@ struct VelocityRange {
   double from = 0, to = 0;  // m/s
 };
 
-/// Few summits carry the load where F_N / (4 eta v) is below this part of the rms height.
+/// Few contacts carry the load where F_N / (4 eta v) is below this part of the rms height.
 inline constexpr double kFewSummits = 0.1;
 
 /// The sentence for the shade in a diagram.
@@ -59,8 +59,8 @@ double fewSummitsVelocity(const Scene& scene, double rmsHeight);
 /// lines.
 double fewSummitsVelocity(const Scene& scene, std::span<const CurvePoint> points);
 
-/// Returns the part of a velocity range in which few summits carry the load; nothing where there is
-/// none.
+/// Returns the part of a velocity range in which few contacts carry the load; nothing where there
+/// is none.
 std::optional<VelocityRange> fewSummitsWithin(double velocity, double first, double last);
 
 /// Returns the same for all velocities of a curve.

@@ -104,7 +104,7 @@ constexpr std::array kTable{
     HoverExplanation{"region III", "μ ≈ √2 ∇z_cont", "", "region-3"},
     HoverExplanation{"region IV", "F_N/(4 η v) < h/10", "", "regions"},
     HoverExplanation{
-        "few summits carry the load", "F_N/(4 η v) < h/10",
+        "few contacts carry the load", "F_N/(4 η v) < h/10",
         "The contacts of one period climb together less than a tenth of the rms height: "
         "results depend on single summits and on the period.",
         "regions"},
@@ -229,7 +229,7 @@ constexpr std::array kTable{
     HoverExplanation{"Eq. (14)", "F̄ = F_N/(G h L)",
                      "Force without a dimension: at 1 contact becomes complete.", "eq-14"},
     HoverExplanation{"Eq. (15)", "∇z_cont = (2 ∫ C q² dq)^(1/2), 2π/L_c ≈ q_cont ≤ q ≤ q_max",
-                     "The slope in contact when few summits are left.", "eq-15"},
+                     "The slope in contact when few contacts are left.", "eq-15"},
     HoverExplanation{"Eq. (16)", "μ = ∇z_cont(F̄) g[v̄/f(F̄)]",
                      "All curves fall on one, when they are shifted along velocity and friction.",
                      "eq-16"},

@@ -140,7 +140,7 @@ Claim borderClaim(const std::vector<GroupedMeans>& forces,
       "The plateau decreases where the contact becomes extremely small, at extremely high "
       "sliding velocities or extremely low normal forces",
       "F\u2099 / (4 \u03B7 v) over h where region IV begins, geometric mean over four forces and "
-      "three lengths"};
+      "three periods"};
   const auto mean = [&](int out) {
     double sum = 0;
     for (const std::vector<GroupedMeans>* allMeans : {&forces, &lengths})

@@ -18,7 +18,7 @@ constexpr std::array<NoteText, kNotes> kTexts{{
      "its friction is an estimate"},
     {"few_contacts",
      "few contacts carry the load: results depend on the single summits of this line and on its "
-     "length"},
+     "period"},
     {"extrapolated_material",
      "sliding excites frequencies outside of those that the elastomer was measured at"},
     {"extrapolated_temperature",

@@ -14,7 +14,7 @@ namespace asperity {
 /// The notes in the order in which they are shown.
 enum class Note : std::uint8_t {
   SlopeAbove,               // rms slope of the line above kSmallSlope
-  FewContacts,              // few summits carry the load (region IV)
+  FewContacts,              // few contacts carry the load (region IV)
   ExtrapolatedMaterial,     // frequencies outside of what was measured of the elastomer
   ExtrapolatedTemperature,  // temperature outside of it
   StrainBeyondMeasured,     // larger strains than those the elastomer was measured at

@@ -83,7 +83,7 @@ const std::array kTable{
 
     Parameter{"surface.kind", "kind of line", "", "", "The shape of the rigid line.", kRebuild, {},
               ASPERITY_CHOICE(surface, kind, kSurfaceKinds)},
-    Parameter{"surface.length", "length", "L", "m", "The period of the line; where the line has a file it may be left out and is as long as the file says.", kRebuild, {},
+    Parameter{"surface.length", "period", "L", "m", "The length after which the line repeats; where the line has a file it may be left out and is as long as the file says.", kRebuild, {},
               RealField{ASPERITY_MEMBER(surface, length), 1e-9, 1e3, 1e-4, 1, kLog}},
     Parameter{"surface.elements", "elements", "N", "", "Elements per period: the shortest wave of a random line is two of them long; where the line has a file they may be left out and are as many as the file has.", kRebuild, {},
               IntegerField{ASPERITY_MEMBER(surface, elements), 3, std::int64_t{1} << 24, 50, 200000, kLog}},
@@ -91,7 +91,7 @@ const std::array kTable{
               RealField{ASPERITY_MEMBER(surface, hurst), 0, 1, 0, 1, kLin}},
     Parameter{"surface.rms_height", "rms height", "h", "m", "How rough the line is: root mean square of the height (ISO Rq), set by the long waves.", kRebuild, {"surface.kind", "self_affine"},
               RealField{ASPERITY_MEMBER(surface, rmsHeight), 0, 1, 1e-9, 1e-4, kLog}},
-    Parameter{"surface.roll_off_wavelength", "roll-off", "lambda_r", "m", "Waves longer than this are all equally strong; 0: the roughness is self-affine up to its whole length.", kRebuild, {"surface.kind", "self_affine"},
+    Parameter{"surface.roll_off_wavelength", "roll-off", "lambda_r", "m", "Waves longer than this are all equally strong; 0: the roughness is self-affine up to the whole period.", kRebuild, {"surface.kind", "self_affine"},
               RealField{ASPERITY_MEMBER(surface, rollOffWavelength), 0, 1e3, 2e-5, 0.05, kNoneOrLog}},
     Parameter{"surface.summit_correlation", "summit correlation", "kappa", "", "Short waves stronger on the summits, which touch first (above 0), or in the valleys (below 0); 0: everywhere alike.", kRebuild, {"surface.kind", "self_affine"},
               RealField{ASPERITY_MEMBER(surface, summitCorrelation), -10, 10, -1, 1, kLin}},

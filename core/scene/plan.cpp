@@ -86,7 +86,7 @@ Message whyRollOff(const Scene& scene, bool runs) {
                    PrintedNumber{printedQuantity(scene.surface.rollOffWavelength, "m")});
   if (!isSelfAffine(scene)) return "the line has no spectrum of its own";
   return scene.surface.rollOffWavelength > 0 ? "no wave of the line is longer than the roll-off"
-                                             : "the spectrum is self-affine up to the whole length";
+                                             : "the spectrum is self-affine up to the whole period";
 }
 
 Message whySummits(const Scene& scene, bool runs) {

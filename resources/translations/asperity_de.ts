@@ -412,8 +412,8 @@
         <translation>und lässt aus</translation>
     </message>
     <message>
-        <source>above %1 few summits carry the load (region IV): Fₙ / (4 eta v), the height that the contacts of one period climb together, is below 0.1 h; the border belongs to the finite period and moves with it</source>
-        <translation>über %1 tragen wenige Gipfel die Last (Bereich IV): Fₙ / (4 eta v), die Höhe, die alle Kontakte einer Periode zusammen erklimmen, liegt unter 0,1 h; die Grenze gehört zur endlichen Periode und wandert mit ihr</translation>
+        <source>above %1 few contacts carry the load (region IV): Fₙ / (4 eta v), the height that the contacts of one period climb together, is below 0.1 h; the border belongs to the finite period and moves with it</source>
+        <translation>über %1 tragen wenige Kontakte die Last (Bereich IV): Fₙ / (4 eta v), die Höhe, die alle Kontakte einer Periode zusammen erklimmen, liegt unter 0,1 h; die Grenze gehört zur endlichen Periode und wandert mit ihr</translation>
     </message>
     <message>
         <source>predicted</source>
@@ -4593,8 +4593,8 @@
         <translation>Reibungszahl dieser Linie, bei einer Bewegung in diesem Augenblick; dahinter das Mittel aller Linien bei dieser Geschwindigkeit mit seinem Standardfehler. Nach ≈ ist es zwischen zwei Punkten der Kurve interpoliert.</translation>
     </message>
     <message>
-        <source>Eq. (14) of the paper: normal force / (shear modulus × rms height × length)</source>
-        <translation>Gl. (14) der Arbeit: Normalkraft / (Schubmodul × RMS-Höhe × Länge)</translation>
+        <source>Eq. (14) of the paper: normal force / (shear modulus × rms height × period)</source>
+        <translation>Gl. (14) der Arbeit: Normalkraft / (Schubmodul × RMS-Höhe × Periode)</translation>
     </message>
     <message>
         <source>No velocity v̄ here: an elastic body has no relaxation time.</source>

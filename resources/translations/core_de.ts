@@ -1367,8 +1367,8 @@
         <translation>Viskosität durch Schubmodul: wie lange die freie Oberfläche zur Rückkehr braucht.</translation>
     </message>
     <message>
-        <source>Waves longer than this are all equally strong; 0: the roughness is self-affine up to its whole length.</source>
-        <translation>Längere Wellen als diese sind alle gleich stark; 0: Die Rauheit ist bis zur ganzen Länge selbstaffin.</translation>
+        <source>Waves longer than this are all equally strong; 0: the roughness is self-affine up to the whole period.</source>
+        <translation>Längere Wellen als diese sind alle gleich stark; 0: Die Rauheit ist bis zur ganzen Periode selbstaffin.</translation>
     </message>
     <message>
         <source>What to look for in the scene.</source>
@@ -1439,8 +1439,8 @@
         <translation>Art der Linie</translation>
     </message>
     <message>
-        <source>length</source>
-        <translation>Länge</translation>
+        <source>period</source>
+        <translation>Periode</translation>
     </message>
     <message>
         <source>linear</source>
@@ -1791,8 +1791,8 @@
         <translation>das Profil wird gelesen und gilt als eine Periode einer bandbegrenzten Linie</translation>
     </message>
     <message>
-        <source>the spectrum is self-affine up to the whole length</source>
-        <translation>das Spektrum ist bis zur ganzen Länge selbstaffin</translation>
+        <source>the spectrum is self-affine up to the whole period</source>
+        <translation>das Spektrum ist bis zur ganzen Periode selbstaffin</translation>
     </message>
     <message>
         <source>the steady state at the first velocity is where the motion begins</source>
@@ -1971,12 +1971,12 @@
         <translation>Auf dem Plateau hängt die Reibungszahl nur schwach vom Hurst-Exponenten ab</translation>
     </message>
     <message>
-        <source>few summits carry the load</source>
-        <translation>wenige Gipfel tragen die Last</translation>
+        <source>few contacts carry the load</source>
+        <translation>wenige Kontakte tragen die Last</translation>
     </message>
     <message>
-        <source>Few summits of the finite period carry the load, and the slope in contact falls, Eq. (15). Begins below 95 % of the maximum.</source>
-        <translation>Wenige Gipfel der endlichen Periode tragen die Last, und die Steigung im Kontakt fällt, Gl. (15). Beginnt unter 95 % des Maximums.</translation>
+        <source>Few contacts of the finite period carry the load, and the slope in contact falls, Eq. (15). Begins below 95 % of the maximum.</source>
+        <translation>Wenige Kontakte der endlichen Periode tragen die Last, und die Steigung im Kontakt fällt, Gl. (15). Beginnt unter 95 % des Maximums.</translation>
     </message>
     <message>
         <source>Tinted: Fₙ/(4ηv), the height that the contacts of one period climb together, is below 0.1 h; the border moves with the period L.</source>
@@ -2031,8 +2031,8 @@
         <translation>Das Plateau nimmt ab, wo der Kontakt äußerst klein wird: bei äußerst hohen Geschwindigkeiten oder äußerst kleinen Normalkräften</translation>
     </message>
     <message>
-        <source>Fₙ / (4 η v) over h where region IV begins, geometric mean over four forces and three lengths</source>
-        <translation>Fₙ / (4 η v), bezogen auf h, wo Bereich IV beginnt; geometrisches Mittel über vier Kräfte und drei Längen</translation>
+        <source>Fₙ / (4 η v) over h where region IV begins, geometric mean over four forces and three periods</source>
+        <translation>Fₙ / (4 η v), bezogen auf h, wo Bereich IV beginnt; geometrisches Mittel über vier Kräfte und drei Perioden</translation>
     </message>
     <message>
         <source>0.03 to 0.3: the height that the contacts of one period climb together is about a tenth of h</source>
@@ -3079,8 +3079,8 @@
         <translation>die RMS-Steigung der Linie liegt über 0,3: Das Modell nimmt Steigungen als klein an, darüber ist seine Reibung eine Schätzung</translation>
     </message>
     <message>
-        <source>few contacts carry the load: results depend on the single summits of this line and on its length</source>
-        <translation>wenige Kontakte tragen die Last: Ergebnisse hängen von den einzelnen Gipfeln dieser Linie und von ihrer Länge ab</translation>
+        <source>few contacts carry the load: results depend on the single summits of this line and on its period</source>
+        <translation>wenige Kontakte tragen die Last: Ergebnisse hängen von den einzelnen Gipfeln dieser Linie und von ihrer Periode ab</translation>
     </message>
     <message>
         <source>sliding excites frequencies outside of those that the elastomer was measured at</source>
@@ -3127,8 +3127,8 @@
         <translation>die Geschwindigkeit liegt über 1000 m/s: so schnell gleitet kein wirkliches Elastomer, und dem Modell fehlt die Trägheit, die dann zählte</translation>
     </message>
     <message>
-        <source>The period of the line; where the line has a file it may be left out and is as long as the file says.</source>
-        <translation>Periode der Linie; hat die Linie eine Datei, kann sie fehlen und ist so lang, wie die Datei sagt.</translation>
+        <source>The length after which the line repeats; where the line has a file it may be left out and is as long as the file says.</source>
+        <translation>Länge, nach der sich die Linie wiederholt; hat die Linie eine Datei, kann sie fehlen und ist so lang, wie die Datei sagt.</translation>
     </message>
     <message>
         <source>Elements per period: the shortest wave of a random line is two of them long; where the line has a file they may be left out and are as many as the file has.</source>
@@ -5643,8 +5643,8 @@
         <translation>Gestrichelt: Grenzen der Bereiche I bis IV, jeweils aus der Reibungskurve bei einem Wert des anderen Parameters abgelesen.</translation>
     </message>
     <message>
-        <source>Dashed: Fₙ/(4ηv) = 0.1 h; beyond it few summits carry the load (region IV).</source>
-        <translation>Gestrichelt: Fₙ/(4ηv) = 0,1 h; jenseits davon tragen wenige Gipfel die Last (Bereich IV).</translation>
+        <source>Dashed: Fₙ/(4ηv) = 0.1 h; beyond it few contacts carry the load (region IV).</source>
+        <translation>Gestrichelt: Fₙ/(4ηv) = 0,1 h; jenseits davon tragen wenige Kontakte die Last (Bereich IV).</translation>
     </message>
     <message>
         <source>Cross: the scene's own state.</source>
@@ -7646,8 +7646,8 @@
         <translation>Das Gesetz ohne Dimensionen.</translation>
     </message>
     <message>
-        <source>The slope in contact when few summits are left.</source>
-        <translation>Die Steigung im Kontakt, wenn wenige Gipfel übrig sind.</translation>
+        <source>The slope in contact when few contacts are left.</source>
+        <translation>Die Steigung im Kontakt, wenn wenige Kontakte übrig sind.</translation>
     </message>
     <message>
         <source>All curves fall on one, when they are shifted along velocity and friction.</source>

@@ -70,13 +70,13 @@ TEST_F(AccuracyCommandTest, ExplainsWhereFewSummitsCarryTheLoad) {
   const std::string kelvin = paper + "1e-3";
   const Said said = program.run(kelvin);
   EXPECT_EQ(said.status, 0) << said.err;
-  EXPECT_THAT(said.out, HasSubstr("above 1.7 m/s few summits carry the load (region IV)"));
+  EXPECT_THAT(said.out, HasSubstr("above 1.7 m/s few contacts carry the load (region IV)"));
   EXPECT_THAT(said.out, HasSubstr("the finite period"));
   EXPECT_NEAR(Json::parse(program.run(kelvin + " --json").out)["few_summits_above"], 1.7, 1e-9);
   // Such a velocity is typed back, and 17,000 is no number to a command.
-  EXPECT_THAT(program.run(paper + "1e-7").out, HasSubstr("above 17000 m/s few summits"));
+  EXPECT_THAT(program.run(paper + "1e-7").out, HasSubstr("above 17000 m/s few contacts"));
   const std::string solid = "explain s.json --set elastomer.rheology=standard_solid";
-  EXPECT_EQ(program.run(solid).out.find("few summits"), std::string::npos);
+  EXPECT_EQ(program.run(solid).out.find("few contacts"), std::string::npos);
   EXPECT_TRUE(Json::parse(program.run(solid + " --json").out)["few_summits_above"].is_null());
 }
 

@@ -175,7 +175,7 @@ TEST(FewSummits, AreTintedInCurvesOfEitherAxes) {
   };
   const DiagramSheet sheet = shadesOf(scene);
   ASSERT_EQ(sheet.diagrams.front().shades.size(), 1U);
-  EXPECT_EQ(sheet.diagrams.front().shades.front().label.english(), "few summits carry the load");
+  EXPECT_EQ(sheet.diagrams.front().shades.front().label.english(), "few contacts carry the load");
   EXPECT_NEAR(sheet.diagrams.front().shades.front().from, 1.7, 1e-9);
   EXPECT_THAT(sheet.note.english(), testing::HasSubstr("Tinted"));
   const CurvePoint last = frictionCurve(scene).points.back();

@@ -102,11 +102,11 @@ TEST(CurveWords, AValueLeftToTheFileIsNoNumber) {
   const std::string words = describeDifferences(other, scene).english();
   EXPECT_NE(words.find("measured"), words.npos) << words;
   EXPECT_NE(words.find("file rough.csv"), words.npos) << words;
-  for (const char* said : {"length", "elements", "realizations"})
+  for (const char* said : {"period", "elements", "realizations"})
     EXPECT_EQ(words.find(said), words.npos) << words;
   scene = other;
   scene.surface.length = 0.01;
-  EXPECT_EQ(describeDifferences(other, scene).english(), "length as in the file");
+  EXPECT_EQ(describeDifferences(other, scene).english(), "period as in the file");
 }
 
 }  // namespace

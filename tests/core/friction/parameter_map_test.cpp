@@ -354,7 +354,7 @@ TEST(ParameterMap, TheSheetHasTheRegionsOfItsCurves) {
     EXPECT_GT(first.x, before);  // in the order of regions
     before = first.x;
   }
-  // Without the velocity, few summits are found from each cell's own state.
+  // Without the velocity, few contacts are found from each cell's own state.
   const DiagramSheet other =
       mapSheet(mapOf(scene, "elastomer.relaxation_time=1e-5:1e3:17", "load.normal_force=1e-3:1:5"),
                "contact_fraction");

@@ -251,7 +251,7 @@ class NamesOfShades : public ChartGestures {
     Diagram& diagram = sheet.diagrams[0];
     diagram.marker.reset();
     diagram.spans.clear();
-    diagram.shades = {{1, 1e3, "few summits carry the load"}};
+    diagram.shades = {{1, 1e3, "few contacts carry the load"}};
     diagram.series = {DiagramSeries{.points = std::move(points)}};
     view_->setSheet(sheet);
     QTest::qWait(1);

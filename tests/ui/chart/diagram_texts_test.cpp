@@ -91,12 +91,12 @@ TEST(DiagramTexts, ShadesAreNamedWhereTheyHaveRoom) {
   DiagramSheet sheet = sheetOf({{1e-5, 1e-3}, {1e-2, 1}, {1e3, 1}});
   sheet.diagrams[0].x = {"v", "m/s", AxisScale::Logarithmic, 1e-5, 1e3};
   const auto shown = [&](double from) {
-    sheet.diagrams[0].shades = {{from, 1e3, "few summits carry the load"}};
+    sheet.diagrams[0].shades = {{from, 1e3, "few contacts carry the load"}};
     return composeDiagrams(sheet, {900, 600, 1, lightTheme()});
   };
-  EXPECT_TRUE(says(shown(1e-4), "few summits carry the load"));
+  EXPECT_TRUE(says(shown(1e-4), "few contacts carry the load"));
   const DrawList narrow = shown(30);
-  EXPECT_FALSE(says(narrow, "few summits carry the load"));
+  EXPECT_FALSE(says(narrow, "few contacts carry the load"));
   EXPECT_NE(allTexts(narrow).find("few"), std::string::npos) << "in lines";
   EXPECT_EQ(allTexts(shown(900)).find("few"), std::string::npos);
 }

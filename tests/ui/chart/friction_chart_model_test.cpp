@@ -267,7 +267,7 @@ TEST(FrictionChartModelTest, TintsWhereFewSummitsCarryTheLoad) {
   diagram.take(update(scene, {whole(0.01, 1e-3), whole(1, 2e-3), whole(100, 1e-3)}));
   std::vector<DiagramSpan> shades = diagramOf(diagram).shades;
   ASSERT_EQ(shades.size(), 1U);
-  EXPECT_EQ(shades[0].label.english(), "few summits carry the load");
+  EXPECT_EQ(shades[0].label.english(), "few contacts carry the load");
   EXPECT_NEAR(shades[0].from, 1.7, 1e-9);
   EXPECT_EQ(shades[0].to, 100);
   diagram.setAxes(CurveAxes::Dimensionless);

@@ -43,7 +43,7 @@ DiagramSheet figure2() {
                               .stroke = SeriesStroke::Dotted,
                               .points = curve(0.01 * k, 0.6, 9, 0.1)});
   diagram.spans = {{1e-5, 1e-3, "I"}, {1e-3, 1e-2, "II"}, {1e-2, 10, "III"}, {10, 1e3, "IV"}};
-  diagram.shades = {{30, 1e3, "few summits carry the load"}};
+  diagram.shades = {{30, 1e3, "few contacts carry the load"}};
   diagram.labels = {{"plateau √2/2", 0.3, 0.4, 1, 0.68}, {"μ ∝ v", 1e-4, 0.2}};
   return {"Fig. 2: a typical dependence of the coefficient of friction on the velocity",
           "F = 3.4 mN, G = 10 MPa, h = 0.5 µm, H = 0.7, L = 20 mm, τ = 1 ms, 200 realizations",

@@ -102,7 +102,7 @@ QString velocityTip() {
 
 QString forceTip() {
   return StatusLine::tr(
-      "Eq. (14) of the paper: normal force / (shear modulus × rms height × length)");
+      "Eq. (14) of the paper: normal force / (shear modulus × rms height × period)");
 }
 
 /// Returns why there is no dimensionless velocity; empty where there is one.
