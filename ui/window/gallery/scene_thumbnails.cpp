@@ -45,6 +45,19 @@ QImage cropped(DrawList list, const QRectF& part) {
       .scaled(kScenePicture, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
 }
 
+/// Sets the size of a picture so that the part inside of its axes has this size: what is cropped to
+/// that part is not stretched. `inside`: returns that part for the present options.
+template <class Options, class Inside>
+void sizeAround(Options& options, const QSize& part, const Inside& inside) {
+  options.width = part.width();
+  options.height = part.height();
+  for (int i = 0; i < 3; ++i) {  // wider axes have other numbers beside them
+    const Box box = inside();
+    options.width += static_cast<int>(std::lround(static_cast<float>(part.width()) - box.width));
+    options.height += static_cast<int>(std::lround(static_cast<float>(part.height()) - box.height));
+  }
+}
+
 /// Returns the view of the contact under the greatest pressure, as wide as shows its summit.
 ContactView closeUp(const Frame& frame) {
   constexpr double kWidth = 0.26;  // of the period
@@ -79,18 +92,7 @@ QImage contactImage(const Scene& scene, const Theme& theme, bool isClose) {
   options.title = options.names = false;
   options.lineWidth = 2.5F;
   options.view = isClose ? closeUp(frame) : fittedView(frame);
-  // The axes around the plot take a part of the picture, which grows until the plot is as large as
-  // the result.
-  const QSizeF wanted = kScenePicture;
-  options.width = static_cast<int>(wanted.width());
-  options.height = static_cast<int>(wanted.height());
-  for (int i = 0; i < 3; ++i) {
-    const Box plot = contactPlotArea(frame, options);
-    options.width +=
-        static_cast<int>(std::lround(wanted.width() - static_cast<double>(plot.width)));
-    options.height +=
-        static_cast<int>(std::lround(wanted.height() - static_cast<double>(plot.height)));
-  }
+  sizeAround(options, kScenePicture, [&] { return contactPlotArea(frame, options); });
   const Box plot = contactPlotArea(frame, options);
   return cropped(composeContact(frame, options), {plot.x, plot.y, plot.width, plot.height});
 }
@@ -101,15 +103,17 @@ QImage diagramImage(DiagramSheet sheet, const Theme& theme) {
   sheet.note = {};
   sheet.diagrams.resize(1);
   DiagramOptions options;
-  options.width = 2 * kScenePicture.width();
-  options.height = 2 * kScenePicture.height();
   options.scale = 2;
   options.theme = theme;
-  options.format.lineWidth = 6;
+  options.format.lineWidth = 7;
   options.format.legend = LegendMode::None;
-  const std::vector<ChartGeometry> frames = diagramFrames(sheet, options);
-  if (frames.empty()) return cropped(composeDiagrams(sheet, options), QRectF(0, 0, 1e6, 1e6));
-  return cropped(composeDiagrams(sheet, options), frames.front().area);
+  const QSize finer = 2 * kScenePicture;
+  const auto frame = [&] {
+    const std::vector<ChartGeometry> frames = diagramFrames(sheet, options);
+    return frames.empty() ? QRectF(QPointF(), QSizeF(finer)) : frames.front().area;
+  };
+  sizeAround(options, finer, [&] { return toBox(frame()); });
+  return cropped(composeDiagrams(sheet, options), frame());
 }
 
 QImage curveImage(Scene scene, const Theme& theme, const std::stop_token& stop) {
