@@ -364,8 +364,8 @@ DiagramSheet excitationSheet(const Scene& scene, const Excitation& excitation) {
   sheet.columns = 1;
   sheet.sharesAxis = true;
   sheet.note =
-      "Tinted: from 5 to 95 % of the loss in complete contact, q C\u2081(q) G\u2033(q v). The "
-      "share is per decade of frequency, q\u00B2 C\u2081 G\u2033, over its largest value.";
+      "Tinted: from 5 to 95 % of the loss in complete contact, q C(q) G\u2033(q v). The "
+      "share is per decade of frequency, q\u00B2 C G\u2033, over its largest value.";
   return sheet;
 }
 

@@ -1,6 +1,6 @@
 // The frequencies at which a sliding line excites the elastomer: its wave of wave number q deforms
-// the elastomer at w = q v. In complete contact mu F_N = 2 L integral q C1(q) 4 G''(q v) dq, so a
-// decade of frequencies has the weight q^2 C1(q) G''(q v); the same weights are used for partial
+// the elastomer at w = q v. In complete contact mu F_N = 2 L integral q C(q) 4 G''(q v) dq, so a
+// decade of frequencies has the weight q^2 C(q) G''(q v); the same weights are used for partial
 // contact. From them follow the band on which friction rests, and whether it was measured. Pure
 // after construction; any thread.
 #pragma once

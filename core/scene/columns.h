@@ -98,7 +98,7 @@ inline constexpr auto kColumns = std::to_array<Column>({
     {"extrapolated", "",
      "1 where more than a tenth of the friction rests on frequencies at which the elastomer was "
      "not measured, else 0; only where the measured ones are known.",
-     "share of q C1(q) G''(q v) dq", kCurveTables},
+     "share of q C(q) G''(q v) dq", kCurveTables},
     {"notes", "",
      "What to know before the row is used, separated by blanks; only where there is something. "
      "unresolved_friction: the elements are too few in contact for the tangential force; "
@@ -312,7 +312,7 @@ inline constexpr auto kColumns = std::to_array<Column>({
     {"overlap_decades", "", "Decades of frequency in which the two overlap.", "", "material"},
     {"excitation_weight", "",
      "Loss in complete contact per decade of frequency, over its largest value.",
-     "q^2 C1(q) G''(q v)", "material"},
+     "q^2 C(q) G''(q v)", "material"},
     {"relaxation_time", "s", "Relaxation time of an arm; empty for the equilibrium modulus.",
      "tau_i", "material"},
     {"modulus", "Pa", "Shear modulus of the arm.", "G_i", "material"},

@@ -6867,8 +6867,8 @@
         <translation>Zeile %1 hat %2 gemessene Punkte; „interpolieren“ (interpolate) lässt solche Zeilen weg und füllt die Lücken der übrigen</translation>
     </message>
     <message>
-        <source>Tinted: from 5 to 95 % of the loss in complete contact, q C₁(q) G″(q v). The share is per decade of frequency, q² C₁ G″, over its largest value.</source>
-        <translation>Getönt: von 5 bis 95 % des Verlusts bei Vollkontakt, q C₁(q) G″(q v). Der Anteil gilt je Dekade der Frequenz, q² C₁ G″, bezogen auf den größten Wert.</translation>
+        <source>Tinted: from 5 to 95 % of the loss in complete contact, q C(q) G″(q v). The share is per decade of frequency, q² C G″, over its largest value.</source>
+        <translation>Getönt: von 5 bis 95 % des Verlusts bei Vollkontakt, q C(q) G″(q v). Der Anteil gilt je Dekade der Frequenz, q² C G″, bezogen auf den größten Wert.</translation>
     </message>
     <message>
         <source>columns of deviations and set values, not read: %1</source>

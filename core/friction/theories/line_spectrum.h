@@ -2,7 +2,7 @@
 // the friction that it alone determines: that of complete contact, for any linear rheology. There
 // the surface of the elastomer is the line itself, each wave of it is a harmonic deformation at the
 // angular frequency q v, and the losses of all waves add up:
-//   mu F_N = 2 L integral_0^inf q C1(q) 4 G''(q v) dq.
+//   mu F_N = 2 L integral_0^inf q C(q) 4 G''(q v) dq.
 // The pressure is p = F_N / L + 4 sum |G*(q v)| times the waves; contact is complete where it is
 // above 0 everywhere. Plain values; pure functions; any thread.
 #pragma once
@@ -17,7 +17,7 @@ namespace asperity {
 /// One wave of the line z = sum a_k cos(q_k x + phase_k).
 struct SpectralWave {
   double waveNumber = 0;        // 1/m, q_k
-  double meanSquareHeight = 0;  // m^2, a_k^2 / 2 = 2 C1(q_k) dq
+  double meanSquareHeight = 0;  // m^2, a_k^2 / 2 = 2 C(q_k) dq
 };
 
 struct WaveSpectrum {

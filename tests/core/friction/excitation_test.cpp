@@ -34,7 +34,7 @@ TEST(Excitation, ASineExcitesItsOneFrequency) {
   EXPECT_FALSE(excitation.band(0).has_value());
 }
 
-/// Shares of q C1(q) G''(q v) dq against the sum over all modes.
+/// Shares of q C(q) G''(q v) dq against the sum over all modes.
 TEST(Excitation, SharesAreThoseOfTheModes) {
   Scene scene = sceneOfSize(2000, 3, 1);
   scene.elastomer = prony(1e6, {{3e6, 1e-2}, {2e6, 1e-5}});
