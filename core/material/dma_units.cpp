@@ -57,6 +57,42 @@ std::optional<double> tangentSize(const std::string& unit) {
   return unitSize(unit == "percent" ? "%" : unit, "");
 }
 
+/// Returns the unit of a viscosity or a compliance beside a unit of moduli: "MPa s", "1/MPa".
+std::string unitInForm(MeasuredForm form, const std::string& ofModuli) {
+  switch (form) {
+    case MeasuredForm::Viscosity:
+      return ofModuli + " s";
+    case MeasuredForm::Compliance:
+      return "1/" + ofModuli;
+    default:
+      return ofModuli;
+  }
+}
+
+/// Returns the size of a unit that a file states, in Pa s, 1/Pa or Pa.
+std::optional<double> sizeInForm(MeasuredForm form, const std::string& unit) {
+  switch (form) {
+    case MeasuredForm::Viscosity:
+      return viscosityUnit(unit);
+    case MeasuredForm::Compliance:
+      return complianceUnit(unit);
+    default:
+      return unitSize(unit, "Pa");
+  }
+}
+
+/// Returns the same for the unit beside a unit of moduli that a user chose. It is computed from the
+/// latter: "N/mm2 s" is no unit that could be read.
+std::optional<double> chosenSize(MeasuredForm form, const std::string& ofModuli) {
+  const auto size = unitSize(ofModuli, "Pa");
+  return size && form == MeasuredForm::Compliance ? 1 / *size : size;
+}
+
+std::string allowedUnits(MeasuredForm form) {
+  return form == MeasuredForm::Compliance ? "1/Pa, 1/kPa, 1/MPa, mm\u00B2/N"
+                                          : unitNames(unitInForm(form, "Pa"));
+}
+
 }  // namespace
 
 SizedColumn frequencyColumn(const DmaBlock& in, std::size_t column) {
@@ -73,23 +109,12 @@ SizedColumn frequencyColumn(const DmaBlock& in, std::size_t column) {
 SizedColumn modulusColumn(const DmaBlock& in, std::size_t column) {
   const TextColumn& written = in.block.columns[column];
   const MeasuredForm form = dmaColumn(written.name, written.unit).form;
-  const bool isViscosity = form == MeasuredForm::Viscosity,
-             isCompliance = form == MeasuredForm::Compliance;
-  const auto ofForm = [&](const std::string& modulus) {
-    return isViscosity ? modulus + " s" : isCompliance ? "1/" + modulus : modulus;
-  };
   const std::string& chosen = in.choices.modulusUnit;
-  SizedColumn found{columnFact(in, column, chosen.empty() ? chosen : ofForm(chosen))};
+  SizedColumn found{columnFact(in, column, chosen.empty() ? chosen : unitInForm(form, chosen))};
   std::string& unit = found.fact.unit;
-  if (unit.empty()) unit = ofForm("Pa");
-  const auto size = isCompliance ? complianceUnit(unit)
-                    : isViscosity && chosen.empty()
-                        ? viscosityUnit(unit)
-                        : unitSize(chosen.empty() ? unit : chosen, "Pa");
-  if (!size)
-    refuseUnit(in, found.fact,
-               isCompliance ? "1/Pa, 1/kPa, 1/MPa, mm\u00B2/N" : unitNames(ofForm("Pa")),
-               "--modulus-unit");
+  if (unit.empty()) unit = unitInForm(form, "Pa");
+  const auto size = chosen.empty() ? sizeInForm(form, unit) : chosenSize(form, chosen);
+  if (!size) refuseUnit(in, found.fact, allowedUnits(form), "--modulus-unit");
   found.size = *size;
   return found;
 }

@@ -675,6 +675,18 @@ TEST(DmaFile, TheFactsNameColumnsUnitsAndKind) {
       testing::Contains("these are the columns of the last of 2 sweeps"));
 }
 
+/// Beside a unit of moduli that a user chose, viscosities and compliances have units of their own.
+TEST(DmaFile, AChosenUnitOfModuliIsThatOfOtherFormsToo) {
+  DmaChoices newtons;
+  newtons.modulusUnit = "N/mm2";
+  const std::string viscosities = "omega (rad/s),T (C),eta',eta''\n10,20,0.2,2\n20,20,0.4,3\n";
+  expectRow(read(viscosities, newtons).rows[0], 293.15, 10 / (2 * std::numbers::pi), 20e6, 2e6);
+  EXPECT_THAT(factsIn(viscosities, newtons), testing::Contains(HasSubstr("eta' in N/mm2 s")));
+  const std::string compliances = "f (Hz),T (C),J',J''\n1,20,0.4,0.2\n2,20,0.3,0.2\n";
+  expectRow(read(compliances, newtons).rows[0], 293.15, 1, 2e6, 1e6);  // J'/|J|^2, J''/|J|^2
+  EXPECT_THAT(factsIn(compliances, newtons), testing::Contains(HasSubstr("J' in 1/N/mm2")));
+}
+
 TEST(DmaFile, ColumnsThatContradictEachOtherAreSaid) {
   const auto tangent = [](const std::string& first, const std::string& second) {
     return factsIn("f (Hz),T (C),G' (MPa),G'' (MPa),tan d\n1,20,2,0.2," + first + "\n10,20,3,0.6," +
