@@ -237,6 +237,22 @@ constexpr std::array kTable{
                      "The same with the slope in contact in the velocity.", "eq-17"},
 };
 
+constexpr std::array kSymbols{
+    FormulaSymbol{"η", "viscosity, in Kelvin elements G τ"},
+    FormulaSymbol{"u", "displacement of the surface"},
+    FormulaSymbol{"z", "height of the line"},
+    FormulaSymbol{"Δx", "distance between elements"},
+    FormulaSymbol{"G_i", "modulus of an arm"},
+    FormulaSymbol{"τ_i", "relaxation time of an arm"},
+    FormulaSymbol{"s_i", "stretch of the spring of an arm"},
+    FormulaSymbol{"∇z", "rms slope"},
+    FormulaSymbol{"∇z_cont", "rms slope in contact"},
+    FormulaSymbol{"L_c", "length in contact"},
+    FormulaSymbol{"q", "wave number"},
+    FormulaSymbol{"C", "spectral density of the line"},
+    FormulaSymbol{"a_T", "factor of the relaxation times"},
+};
+
 /// Where the guide speaks of the keys of a section that have no formula.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 10> kSections{{
     {"surface.kind", "rough-line"},
@@ -269,6 +285,10 @@ std::string_view sentenceElsewhere(std::string_view id) {
 
 std::span<const HoverExplanation> explanations() {
   return kTable;
+}
+
+std::span<const FormulaSymbol> formulaSymbols() {
+  return kSymbols;
 }
 
 std::optional<HoverExplanation> findExplanation(std::string_view id) {

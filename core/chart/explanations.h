@@ -32,6 +32,13 @@ std::optional<HoverExplanation> findExplanation(const Message& text);
 /// a dashpot, or that of arms.
 HoverExplanation withFormulaFor(HoverExplanation explanation, Rheology rheology);
 
+/// A symbol of formulas that no row and no number of the window has beside its name.
+struct FormulaSymbol {
+  std::string_view symbol;   // as in formulas: "L_c"
+  std::string_view meaning;  // English; its German is in core_de.ts
+};
+std::span<const FormulaSymbol> formulaSymbols();
+
 /// Returns all explanations of the table itself, for tests and the guide.
 std::span<const HoverExplanation> explanations();
 

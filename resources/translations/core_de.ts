@@ -1979,8 +1979,8 @@
         <translation>Wenige Kontakte der endlichen Periode tragen die Last, und die Steigung im Kontakt fällt, Gl. (15). Beginnt unter 95 % des Maximums.</translation>
     </message>
     <message>
-        <source>Tinted: Fₙ/(4ηv), the height that the contacts of one period climb together, is below 0.1 h; the border moves with the period L.</source>
-        <translation>Getönt: Fₙ/(4ηv), die Höhe, die alle Kontakte einer Periode zusammen erklimmen, liegt unter 0,1 h; die Grenze wandert mit der Periode L.</translation>
+        <source>Tinted: Fₙ/(4ηv), the height that the contacts of one period climb together, is below 0.1 h, with the viscosity η; the border moves with the period L.</source>
+        <translation>Getönt: Fₙ/(4ηv), die Höhe, die alle Kontakte einer Periode zusammen erklimmen, liegt unter 0,1 h, mit der Viskosität η; die Grenze wandert mit der Periode L.</translation>
     </message>
     <message>
         <source>p. 3, after Eq. (9)</source>
@@ -5643,8 +5643,8 @@
         <translation>Gestrichelt: Grenzen der Bereiche I bis IV, jeweils aus der Reibungskurve bei einem Wert des anderen Parameters abgelesen.</translation>
     </message>
     <message>
-        <source>Dashed: Fₙ/(4ηv) = 0.1 h; beyond it few contacts carry the load (region IV).</source>
-        <translation>Gestrichelt: Fₙ/(4ηv) = 0,1 h; jenseits davon tragen wenige Kontakte die Last (Bereich IV).</translation>
+        <source>Dashed: Fₙ/(4ηv) = 0.1 h, with the viscosity η; beyond it few contacts carry the load (region IV).</source>
+        <translation>Gestrichelt: Fₙ/(4ηv) = 0,1 h, mit der Viskosität η; jenseits davon tragen wenige Kontakte die Last (Bereich IV).</translation>
     </message>
     <message>
         <source>Cross: the scene's own state.</source>
@@ -7386,8 +7386,8 @@
         <translation>Gipfel der Linie drücken sich in das Gummi, das hinter ihnen zurückkehrt; die Farbe zeigt den Druck. Die Geschwindigkeit erhöhen: Der Kontakt zieht sich auf die Vorderseiten zurück.</translation>
     </message>
     <message>
-        <source>The load is so high that the rubber fills every valley, and friction is 4 L η v times the squared rms slope over the force, exactly. Raise the velocity until the first valleys open and the straight line ends.</source>
-        <translation>Die Last ist so hoch, dass das Gummi jedes Tal füllt, und die Reibungszahl ist exakt 4 L η v mal das Quadrat der RMS-Steigung, geteilt durch die Kraft. Die Geschwindigkeit erhöhen, bis sich die ersten Täler öffnen und die Gerade endet.</translation>
+        <source>The load is so high that the rubber fills every valley, and friction is 4 L η v times the squared rms slope over the force, exactly, with the viscosity η = G τ. Raise the velocity until the first valleys open and the straight line ends.</source>
+        <translation>Die Last ist so hoch, dass das Gummi jedes Tal füllt, und die Reibungszahl ist exakt 4 L η v mal das Quadrat der RMS-Steigung, geteilt durch die Kraft, mit der Viskosität η = G τ. Die Geschwindigkeit erhöhen, bis sich die ersten Täler öffnen und die Gerade endet.</translation>
     </message>
     <message>
         <source>The rubber no longer quite keeps up, and contact begins to leave the trailing sides of the summits. Within a decade of velocity the straight line bends into the plateau.</source>
@@ -7644,6 +7644,54 @@
     <message>
         <source>The law without dimensions.</source>
         <translation>Das Gesetz ohne Dimensionen.</translation>
+    </message>
+    <message>
+        <source>viscosity, in Kelvin elements G τ</source>
+        <translation>Viskosität, in Kelvin-Elementen G τ</translation>
+    </message>
+    <message>
+        <source>displacement of the surface</source>
+        <translation>Verschiebung der Oberfläche</translation>
+    </message>
+    <message>
+        <source>height of the line</source>
+        <translation>Höhe der Linie</translation>
+    </message>
+    <message>
+        <source>distance between elements</source>
+        <translation>Abstand der Elemente</translation>
+    </message>
+    <message>
+        <source>modulus of an arm</source>
+        <translation>Modul eines Arms</translation>
+    </message>
+    <message>
+        <source>relaxation time of an arm</source>
+        <translation>Relaxationszeit eines Arms</translation>
+    </message>
+    <message>
+        <source>stretch of the spring of an arm</source>
+        <translation>Dehnung der Feder eines Arms</translation>
+    </message>
+    <message>
+        <source>rms slope</source>
+        <translation>RMS-Steigung</translation>
+    </message>
+    <message>
+        <source>length in contact</source>
+        <translation>Länge im Kontakt</translation>
+    </message>
+    <message>
+        <source>wave number</source>
+        <translation>Wellenzahl</translation>
+    </message>
+    <message>
+        <source>spectral density of the line</source>
+        <translation>Spektraldichte der Linie</translation>
+    </message>
+    <message>
+        <source>factor of the relaxation times</source>
+        <translation>Faktor der Relaxationszeiten</translation>
     </message>
     <message>
         <source>The slope in contact when few contacts are left.</source>

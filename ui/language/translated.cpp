@@ -195,6 +195,24 @@ QString withLoweredInfinity(const QString& text) {
   return text.toHtmlEscaped().replace(QStringLiteral("G∞"), QStringLiteral("G<sub>∞</sub>"));
 }
 
+/// Returns whether a symbol occurs in a formula: z in "z′" and "η v z′", but not in "∇z", and C not
+/// in "C₁".
+bool hasSymbol(const QString& formula, const QString& symbol) {
+  const bool isLatin = symbol.size() == 1 && symbol[0].unicode() < 128;
+  const QString pattern =
+      isLatin ? QStringLiteral("(?<![\\p{L}∇_])%1(?![\\p{L}\\p{N}_])") : QStringLiteral("%1(?!_)");
+  return formula.contains(QRegularExpression(pattern.arg(QRegularExpression::escape(symbol))));
+}
+
+/// Returns "η: viscosity; z: height of the line" for the symbols of a formula; empty without any.
+QString symbolsHtml(std::string_view formula) {
+  QStringList texts;
+  for (const FormulaSymbol& one : formulaSymbols())
+    if (hasSymbol(fromUtf8(formula), fromUtf8(one.symbol)))
+      texts += formulaHtml(one.symbol) + ": " + richText(translatedText(Message(one.meaning)));
+  return texts.join(QStringLiteral("; "));
+}
+
 }  // namespace
 
 QString formulaHtml(std::string_view formula) {
@@ -236,6 +254,8 @@ QString explanationHtml(const HoverExplanation& explanation, const QString& titl
       sentence.isEmpty() ? translatedText(Message(explanation.sentence)) : sentence;
   text += "<p>" + richText(body) + "</p>";
   if (!explanation.formula.empty()) text += "<p>" + formulaHtml(explanation.formula) + "</p>";
+  if (const QString symbols = symbolsHtml(explanation.formula); !symbols.isEmpty())
+    text += "<p>" + symbols + "</p>";
   return text;
 }
 

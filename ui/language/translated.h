@@ -61,7 +61,8 @@ QString formulaText(std::string_view formula);
 /// the modulus "G∞" a lowered sign.
 QString richText(const QString& text);
 
-/// Returns title, sentence and formula as rich text for a tooltip; an empty title is left out.
+/// Returns title, sentence and formula as rich text for a tooltip, with the meaning of the
+/// formula's symbols (formulaSymbols); an empty title is left out.
 /// sentence: replaces the sentence of the explanation; may be empty.
 QString explanationHtml(const HoverExplanation& explanation, const QString& title = {},
                         const QString& sentence = {});

@@ -159,6 +159,7 @@ Texts explanationTexts() {
   Texts texts;
   for (const HoverExplanation& one : explanations())
     if (!one.sentence.empty()) texts.insert(Message(one.sentence));
+  for (const FormulaSymbol& one : formulaSymbols()) texts.insert(Message(one.meaning));
   for (std::size_t i = 0; i < kNotes; ++i) texts.insert(noteSentence(static_cast<Note>(i)));
   for (const TheoryEntry& entry : theoryEntries()) texts.insert(Message(entry.range));
   return texts;

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "ui/language/language.h"
+
 namespace asperity {
 namespace {
 
@@ -22,6 +24,33 @@ TEST(Explained, TheEquilibriumModulusHasALoweredSign) {
             QStringLiteral("G<sub>∞</sub> = 1 MPa, ×÷ ∞"));
   EXPECT_EQ(formulaHtml("G(t) = G∞ + Σ G_i"),
             QStringLiteral("G(t) = G<sub>∞</sub> + Σ G<sub>i</sub>"));
+}
+
+TEST(Explained, ATipSaysWhatTheSymbolsOfItsFormulaMean) {
+  const QString velocity = explanationHtml(*findExplanation(std::string_view("sliding.velocity")));
+  for (const char* text : {"η: viscosity, in Kelvin elements G τ", "z: height of the line",
+                           "Δx: distance between elements"})
+    EXPECT_TRUE(velocity.contains(QString::fromUtf8(text))) << velocity.toStdString();
+  EXPECT_FALSE(velocity.contains("displacement")) << velocity.toStdString();
+  const QString shift = explanationHtml(*findExplanation(std::string_view("elastomer.shift.c1")));
+  EXPECT_TRUE(shift.contains("a<sub>T</sub>: factor")) << shift.toStdString();
+  EXPECT_FALSE(shift.contains("spectral")) << "C₁ is no C: " << shift.toStdString();
+  const QString slope = explanationHtml({"", "μ/∇z", "a ratio", ""});
+  EXPECT_TRUE(slope.contains("∇z: rms slope")) << slope.toStdString();
+  EXPECT_FALSE(slope.contains("height of the line")) << slope.toStdString();
+  EXPECT_FALSE(explanationHtml({"", "∇z_cont", "a slope", ""}).contains("∇z: rms slope"));
+  EXPECT_TRUE(explanationHtml({"", "4ηv", "a product", ""}).contains("η: viscosity"));
+}
+
+/// A symbol of the list that is in no formula has been left behind.
+TEST(Explained, EverySymbolIsOfAFormula) {
+  QString tips;
+  for (const HoverExplanation& explanation : explanations())
+    for (const Rheology rheology : {Rheology::Kelvin, Rheology::Prony})
+      tips += explanationHtml(withFormulaFor(explanation, rheology));
+  for (const FormulaSymbol& one : formulaSymbols())
+    EXPECT_TRUE(tips.contains(formulaHtml(one.symbol) + ": " + richText(fromUtf8(one.meaning))))
+        << one.symbol;
 }
 
 }  // namespace
