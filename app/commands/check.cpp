@@ -50,7 +50,7 @@ std::string summaryText(const Scene& scene, const LineSource& source, const LawI
              {meters(source.length()), std::to_string(source.elements()), meters(spacing),
               meters(in.rmsHeight), number(in.rmsSlope)}));
   if (in.rmsHeight > 0 && scene.load.kind != LoadKind::Indentation)
-    add(filled(Words::tr("dimensionless force F\u2099 / G h L = %1 (Eq. 14)"),
+    add(filled(Words::tr("dimensionless force F_N / G h L = %1 (Eq. 14)"),
                {number(dimensionlessForce(in))}));
   if (scene.load.kind == LoadKind::Pressure) {
     CurvePoint point;

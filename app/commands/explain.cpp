@@ -108,7 +108,7 @@ std::string explanationText(const Explanation& explanation) {
           stageLines(explanation.stages, false);
   if (std::isfinite(explanation.fewSummitsVelocity))
     text += filledLine(
-        Words::tr("above %1 few contacts carry the load (region IV): F\u2099 / (4 eta v), the "
+        Words::tr("above %1 few contacts carry the load (region IV): F_N / (4 eta v), the "
                   "height that the contacts of one period climb together, is below 0.1 "
                   "h; the border belongs to the finite period and moves with it"),
         answerQuantity(explanation.fewSummitsVelocity, "m/s"));
@@ -118,9 +118,9 @@ std::string explanationText(const Explanation& explanation) {
   if (std::isfinite(explanation.normalForce) &&
       (isMirrored || scene.load.kind == LoadKind::Pressure))
     text += filledLine(
-        isMirrored ? Words::tr("F\u2099 = %1 on one period of %2, which is twice the file's; "
-                               "F\u2099 / L = %3")
-                   : Words::tr("F\u2099 = %1 on one period of %2; F\u2099 / L = %3"),
+        isMirrored ? Words::tr("F_N = %1 on one period of %2, which is twice the file's; "
+                               "F_N / L = %3")
+                   : Words::tr("F_N = %1 on one period of %2; F_N / L = %3"),
         answerQuantity(explanation.normalForce, "N"), answerQuantity(explanation.length, "m"),
         answerQuantity(explanation.normalForce / explanation.length, "N/m"));
   for (const Theory theory : theoriesBeside(scene))

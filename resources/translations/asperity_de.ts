@@ -248,8 +248,8 @@
         <translation>Linie: L = %1; %2 Elemente zu %3; RMS-Höhe %4; RMS-Steigung %5</translation>
     </message>
     <message>
-        <source>dimensionless force Fₙ / G h L = %1 (Eq. 14)</source>
-        <translation>dimensionslose Kraft Fₙ / G h L = %1 (Gl. 14)</translation>
+        <source>dimensionless force F_N / G h L = %1 (Eq. 14)</source>
+        <translation>dimensionslose Kraft F_N / G h L = %1 (Gl. 14)</translation>
     </message>
     <message>
         <source>dimensionless velocity τ v ∇z / (√2 h) = %1 (Eq. 13)</source>
@@ -412,8 +412,8 @@
         <translation>und lässt aus</translation>
     </message>
     <message>
-        <source>above %1 few contacts carry the load (region IV): Fₙ / (4 eta v), the height that the contacts of one period climb together, is below 0.1 h; the border belongs to the finite period and moves with it</source>
-        <translation>über %1 tragen wenige Kontakte die Last (Bereich IV): Fₙ / (4 eta v), die Höhe, die alle Kontakte einer Periode zusammen erklimmen, liegt unter 0,1 h; die Grenze gehört zur endlichen Periode und wandert mit ihr</translation>
+        <source>above %1 few contacts carry the load (region IV): F_N / (4 eta v), the height that the contacts of one period climb together, is below 0.1 h; the border belongs to the finite period and moves with it</source>
+        <translation>über %1 tragen wenige Kontakte die Last (Bereich IV): F_N / (4 eta v), die Höhe, die alle Kontakte einer Periode zusammen erklimmen, liegt unter 0,1 h; die Grenze gehört zur endlichen Periode und wandert mit ihr</translation>
     </message>
     <message>
         <source>predicted</source>
@@ -444,12 +444,12 @@
         <translation>verwendet</translation>
     </message>
     <message>
-        <source>Fₙ = %1 on one period of %2, which is twice the file&apos;s; Fₙ / L = %3</source>
-        <translation>Fₙ = %1 auf eine Periode von %2, die zweimal die der Datei ist; Fₙ / L = %3</translation>
+        <source>F_N = %1 on one period of %2, which is twice the file&apos;s; F_N / L = %3</source>
+        <translation>F_N = %1 auf eine Periode von %2, die zweimal die der Datei ist; F_N / L = %3</translation>
     </message>
     <message>
-        <source>Fₙ = %1 on one period of %2; Fₙ / L = %3</source>
-        <translation>Fₙ = %1 auf eine Periode von %2; Fₙ / L = %3</translation>
+        <source>F_N = %1 on one period of %2; F_N / L = %3</source>
+        <translation>F_N = %1 auf eine Periode von %2; F_N / L = %3</translation>
     </message>
     <message>
         <source>%1 times %2 states, %3 of them different</source>
@@ -4740,8 +4740,8 @@
         <translation>Die gleitende Linie</translation>
     </message>
     <message>
-        <source>Normal force %1 on one period of %2, Fₙ/L = %3.</source>
-        <translation>Normalkraft %1 auf eine Periode von %2; Fₙ/L = %3.</translation>
+        <source>Normal force %1 on one period of %2, which is %3 per length.</source>
+        <translation>Normalkraft %1 auf eine Periode von %2, das sind %3 je Länge.</translation>
     </message>
 </context>
 <context>

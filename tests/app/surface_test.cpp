@@ -117,7 +117,7 @@ TEST_F(SurfaceCommandTest, WorksWithEveryVerb) {
     const Said said = program.run(arguments);
     EXPECT_EQ(said.status, 0) << arguments << "\n" << said.err;
   }
-  EXPECT_THAT(program.run("explain m.json").out, HasSubstr("Fₙ / L = 10 N/m"));
+  EXPECT_THAT(program.run("explain m.json").out, HasSubstr("F_N / L = 10 N/m"));
   EXPECT_THAT(program.run("explain m.json --set surface.seam=periodic --set surface.form=none").out,
               HasSubstr("seam_jump"));
 }

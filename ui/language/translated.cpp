@@ -246,6 +246,10 @@ QString richText(const QString& text) {
   return withLoweredInfinity(text).replace(QStringLiteral("\u2099"), QLatin1String("<sub>N</sub>"));
 }
 
+QString plainTitle(QString title) {
+  return title.remove(QStringLiteral(" F\u2099"));
+}
+
 QString explanationHtml(const HoverExplanation& explanation, const QString& title,
                         const QString& sentence) {
   QString text;

@@ -61,6 +61,10 @@ QString formulaText(std::string_view formula);
 /// the modulus "G∞" a lowered sign.
 QString richText(const QString& text);
 
+/// Returns a title for a menu or a list, which have plain text: "normal force (N)" for "normal
+/// force Fₙ (N)". Charts lower a capital N there, which Unicode does not have.
+QString plainTitle(QString title);
+
 /// Returns title, sentence and formula as rich text for a tooltip, with the meaning of the
 /// formula's symbols (formulaSymbols); an empty title is left out.
 /// sentence: replaces the sentence of the explanation; may be empty.

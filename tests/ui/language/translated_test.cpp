@@ -165,6 +165,12 @@ TEST_F(Translated, FormulasInPlainTextHaveLoweredLettersWhereThereAreSome) {
   EXPECT_EQ(formulaText("μ_total = s L_c"), QStringLiteral("μₜₒₜₐₗ = s L_c"));
 }
 
+/// No letter of Unicode is a lowered capital N.
+TEST_F(Translated, TitlesInPlainTextHaveWordsForTheNormalForce) {
+  EXPECT_EQ(plainTitle(QStringLiteral("normal force F\u2099 (N)")), "normal force (N)");
+  EXPECT_EQ(plainTitle(QStringLiteral("shear modulus G (Pa)")), "shear modulus G (Pa)");
+}
+
 TEST_F(Translated, LinesDoNotEndWithinAQuantity) {
   EXPECT_EQ(keptTogether("at 3 mm/s and 20 °C"), "at 3\u00A0mm/s and 20\u00A0°C");
   EXPECT_EQ(keptTogether("5.7 % of Eq. (11)"), "5.7\u00A0% of Eq.\u00A0(11)");

@@ -185,7 +185,9 @@ TEST_F(CurveCommandsTest, TheListsAtTheAxesChooseThem) {
   choose(keys, "load.normal_force");
   EXPECT_EQ(session().scene().sweep.key, "load.normal_force");
   ASSERT_TRUE(waitForCurve());
-  ASSERT_TRUE(waitFor([&] { return keys.shownText().contains("(N)"); }));
+  ASSERT_TRUE(waitFor([&] { return keys.shownText() == "normal force (N)"; }))
+      << keys.shownText().toStdString();
+  EXPECT_EQ(keys.itemText(keys.findData("load.normal_force")), "Normal force (N)");
   choose(quantities, static_cast<int>(CurveQuantity::Indentation));
   ASSERT_TRUE(waitFor([&] { return quantities.shownText().contains("indentation"); }));
   action("undo").trigger();  // the axis; what is shown stays
@@ -218,6 +220,8 @@ TEST_F(CurveCommandsTest, AFamilyHasAsManyCurvesAsAreWanted) {
   ASSERT_TRUE(waitForCurve());
   QMenu& family = *window_.findChild<QMenu*>("familyMenu");
   emit family.aboutToShow();
+  EXPECT_EQ(family.findChild<QAction*>("key:load.normal_force")->text().remove('&'),
+            "Normal force");
   window_.findChild<QAction*>("familySize:3")->trigger();
   family.findChild<QAction*>("key:elastomer.shear_modulus")->trigger();
   ASSERT_TRUE(waitFor([&] { return session().friction().pinned().size() == 3; }));

@@ -202,8 +202,9 @@ void CurveCommands::fillKeys(QMenu& menu, std::function<void(const Parameter&)> 
   menu.clear();
   const Scene& scene = session_.scene();
   const auto addKey = [&](const Parameter& row) {
-    QAction* action = menu.addAction(capitalized(translatedText(parameterTitle(row.key))), this,
-                                     [choose, &row] { choose(row); });
+    QAction* action =
+        menu.addAction(capitalized(plainTitle(translatedText(parameterTitle(row.key)))), this,
+                       [choose, &row] { choose(row); });
     action->setObjectName("key:" + QString::fromStdString(std::string(row.key)));
     action->setCheckable(&menu == keys_);
     action->setChecked(row.key == scene.sweep.key);

@@ -174,7 +174,7 @@ namespace {
 const QString kDimensionless = QStringLiteral("dimensionless");
 
 QString entryText(const Message& title, std::string_view unit) {
-  const QString text = capitalized(translatedText(title));
+  const QString text = capitalized(plainTitle(translatedText(title)));
   return unit.empty() ? text : QStringLiteral("%1 (%2)").arg(text, fromUtf8(unit));
 }
 
@@ -257,8 +257,8 @@ void AxisChoosers::showTexts() {
 
 /// Shows the titles as they fit the visible range, with the unit of the ticks.
 void AxisChoosers::showTitles(const QString& x, const QString& y) {
-  x_->setShownText(x);
-  y_->setShownText(y);
+  x_->setShownText(plainTitle(x));
+  y_->setShownText(plainTitle(y));
   update();
 }
 
