@@ -103,9 +103,9 @@ QImage diagramImage(DiagramSheet sheet, const Theme& theme) {
   sheet.note = {};
   sheet.diagrams.resize(1);
   DiagramOptions options;
-  options.scale = 2;
+  options.scale = 3;
   options.theme = theme;
-  options.format.lineWidth = 7;
+  options.format.lineWidth = 9;
   options.format.legend = LegendMode::None;
   const QSize finer = 2 * kScenePicture;
   const auto frame = [&] {
