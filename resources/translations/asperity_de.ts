@@ -864,6 +864,10 @@
         <source>Remove measured friction</source>
         <translation>Gemessene Reibung entfernen</translation>
     </message>
+    <message>
+        <source>The scene has no measured friction</source>
+        <translation>Die Szene hat keine gemessene Reibung</translation>
+    </message>
 </context>
 <context>
     <name>asperity::ContactCanvas</name>
@@ -1021,6 +1025,10 @@
         <source>Curves in a family: %1</source>
         <translation>Kurven einer Schar: %1</translation>
     </message>
+    <message>
+        <source>No curve is pinned</source>
+        <translation>Keine Kurve ist angeheftet</translation>
+    </message>
 </context>
 <context>
     <name>asperity::CurveReadingText</name>
@@ -1169,6 +1177,10 @@
     <message>
         <source>Clear this list</source>
         <translation>Liste leeren</translation>
+    </message>
+    <message>
+        <source>No scene was opened or saved yet</source>
+        <translation>Noch keine Szene geöffnet oder gespeichert</translation>
     </message>
 </context>
 <context>
@@ -5073,6 +5085,14 @@
     <message>
         <source>Opens the guide at what is under the pointer: a reading, a label, the colours</source>
         <translation>Öffnet das Handbuch bei dem, was unter dem Zeiger ist: Messwert, Beschriftung, Farben</translation>
+    </message>
+    <message>
+        <source>Zoom and exaggeration</source>
+        <translation>Vergrößern und überhöhen</translation>
+    </message>
+    <message>
+        <source>Press and slide</source>
+        <translation>Drücken und gleiten</translation>
     </message>
 </context>
 <context>

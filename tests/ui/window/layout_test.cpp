@@ -529,6 +529,17 @@ TEST_F(LayoutTest, TheNextWindowIsAsTheLastWas) {
   second->appearance().setColours(Colours::Light);
 }
 
+TEST_F(LayoutTest, ChosenColoursAreKeptAlsoWhenTheProgramIsKilled) {
+  const auto kept = [] { return QSettings().value("window/colours").toInt(); };
+  action("light").trigger();
+  EXPECT_EQ(kept(), 0) << "of a window that remembers nothing";
+  window_.windowLayout().remember();
+  action("colours:2").trigger();
+  EXPECT_EQ(kept(), 2);
+  action("light").trigger();
+  EXPECT_EQ(kept(), 1);
+}
+
 /// The window with what a window manager draws around it.
 void expectOnScreen(const QWidget& window, const QScreen& screen) {
   const QRect with = window.geometry().marginsAdded(QMargins(4, 30, 4, 4));

@@ -215,6 +215,7 @@ void Appearance::setColours(Colours colours) {
   if (!choices_.isEmpty()) choices_.at(static_cast<int>(colours))->setChecked(true);
   const bool dark = colours == Colours::System ? isSystemDark_ : colours == Colours::Dark;
   if (dark != isDark_) setDark(dark);
+  emit coloursSet();
 }
 
 void Appearance::setDark(bool dark) {

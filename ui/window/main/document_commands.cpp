@@ -264,8 +264,7 @@ void DocumentCommands::fillRecent() {
                                          [this, file] { openFile(file); });
     action->setToolTip(file);
   }
-  recent_->setEnabled(!files.isEmpty());
-  if (files.isEmpty()) return;
+  if (files.isEmpty()) return explainEmpty(*recent_, tr("No scene was opened or saved yet"));
   recent_->addSeparator();
   recent_->addAction(tr("Clear this list"), this, [this] {
     clearRecentFiles();
