@@ -158,13 +158,13 @@ CanvasEvents ContactCanvas::eventsOfPictures() {
 
 void ContactCanvas::useOpenGl() {
   CanvasEvents events = eventsOfPictures();
-  events.failed = [this](const QString&) { useSoftware(); };
+  events.failed = [this](const LiveText&) { useSoftware(); };
   setBackend(makeOpenGlCanvas(std::move(events), this));
 }
 
 void ContactCanvas::useSoftware() {
   CanvasEvents events = eventsOfPictures();
-  events.failed = [this](const QString& reason) { fallBack(reason); };
+  events.failed = [this](const LiveText& reason) { fallBack(reason); };
   setBackend(makeSoftwareCanvas(std::move(events), this));
 }
 
@@ -180,11 +180,14 @@ void ContactCanvas::setBackend(CanvasBackend* backend) {
   refresh();
 }
 
-void ContactCanvas::fallBack(const QString& reason) {
+void ContactCanvas::fallBack(const LiveText& reason) {
   backend_->widget()->hide();
   backend_->widget()->deleteLater();
   backend_ = nullptr;
-  auto* label = new QLabel(tr("The contact cannot be drawn here: %1").arg(reason));
+  auto* label = new QLabel;
+  keepTranslated(*label, [label, reason] {
+    label->setText(tr("The contact cannot be drawn here: %1").arg(QString(reason)));
+  });
   label->setAlignment(Qt::AlignCenter);
   label->setWordWrap(true);
   layout_->addWidget(label);

@@ -308,7 +308,7 @@ void CurveCommands::pinFamily(const Parameter& parameter) {
           for (const auto& curve : family) plot.pin(curve);
         });
       },
-      [this](const QString& reason) { emit failed(reason); });
+      [this](const LiveText& reason) { emit failed(reason); });
 }
 
 // ---- Files and pictures

@@ -131,7 +131,7 @@ void CurveComparison::update() {
         };
         curveDifference(scene, setting, options);
       },
-      [] {}, [this](const QString& reason) { emit failed(reason); });
+      [] {}, [this](const LiveText& reason) { emit failed(reason); });
 }
 
 SceneComparisons::SceneComparisons(Session& session, QObject* parent)
@@ -163,7 +163,7 @@ void SceneComparisons::update() {
         emit shown();
         session_.editCurve([&](FrictionChartModel& plot) { plot.showComparisons(scene, *set); });
       },
-      [this](const QString& reason) { emit failed(reason); });
+      [this](const LiveText& reason) { emit failed(reason); });
 }
 
 // ---- The lists at the axes

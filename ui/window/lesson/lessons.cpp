@@ -159,7 +159,7 @@ LessonList& Lessons::showList() {
       openEditor(readNamedLesson(name.toStdString(), readNamedScene),
                  QFileInfo::exists(name) ? name : QString());
     } catch (const std::exception& error) {
-      messages_.showFailure(MessageBar::Failure::Files, translatedError(error));
+      messages_.showFailure(MessageBar::Failure::Files, liveError(error));
     }
   });
   list->open();
@@ -274,16 +274,18 @@ std::function<void()> Lessons::closeEditorForReopening() {
 }
 
 /// Returns why a lesson cannot be opened, and for a draft how it can be completed.
-QString Lessons::failureText(const QString& file, const std::exception& error) const {
-  const QString reason = translatedError(error);
+LiveText Lessons::failureText(const QString& file, const std::exception& error) const {
+  const LiveText reason = liveError(error);
   if (!isLessonFile(file.toStdString())) return reason;
   try {
     readDraftFile(file.toStdString(), readNamedScene);
   } catch (const std::exception&) {
     return reason;
   }
-  return tr("This lesson cannot be played yet; Help > Lesson editor > Open completes it. %1")
-      .arg(reason);
+  return [reason] {
+    return tr("This lesson cannot be played yet; Help > Lesson editor > Open completes it. %1")
+        .arg(QString(reason));
+  };
 }
 
 bool Lessons::open(const QString& nameOrFile) {
@@ -321,7 +323,7 @@ bool Lessons::openResults(const QStringList& files) {
     messages_.end(MessageBar::Failure::Files);
     return true;
   } catch (const std::exception& error) {
-    messages_.showFailure(MessageBar::Failure::Files, translatedError(error));
+    messages_.showFailure(MessageBar::Failure::Files, liveError(error));
     return false;
   }
 }
@@ -474,7 +476,7 @@ bool Lessons::saveAnswers(const QString& file) {
     writeResults(file.toStdString(), all, *lesson());
     player_->setResults(std::move(all));
   } catch (const std::exception& error) {
-    messages_.showFailure(MessageBar::Failure::Export, translatedError(error));
+    messages_.showFailure(MessageBar::Failure::Export, liveError(error));
     return false;
   }
   messages_.end(MessageBar::Failure::Export);

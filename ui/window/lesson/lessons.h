@@ -13,6 +13,7 @@
 #include <map>
 #include <optional>
 
+#include "ui/language/language.h"
 #include "ui/window/lesson/lesson_player.h"
 
 namespace asperity {
@@ -90,7 +91,7 @@ class Lessons : public QObject {
   };
   bool wantsToGoOn(const QString& name, const QString& question, const Otherwise& otherwise) const;
   static Otherwise discards();
-  QString failureText(const QString& file, const std::exception& error) const;
+  LiveText failureText(const QString& file, const std::exception& error) const;
   QString offerAnswers(const Lesson& lesson);
   QString offerSavedAnswers(const Lesson& lesson);
   void goOn(const Lesson& lesson, const LessonResults& results, const QString& file);

@@ -269,20 +269,24 @@ QString guideFile(const QString& programFolder) {
   return {};
 }
 
-QString openGuideFile(const QString& programFolder, const QString& anchor) {
+LiveText openGuideFile(const QString& programFolder, const QString& anchor) {
   const QString file = guideFile(programFolder);
   if (file.isEmpty())
-    return MessageBar::tr("The guide is not part of this build. Its text is in resources/guide.");
+    return [] {
+      return MessageBar::tr("The guide is not part of this build. Its text is in resources/guide.");
+    };
   QUrl path = QUrl::fromLocalFile(file);
   if (!anchor.isEmpty()) path.setFragment(anchor);
   if (!QDesktopServices::openUrl(path))
-    return MessageBar::tr("No browser opens the guide; it is the file %1.")
-        .arg(QDir::toNativeSeparators(file));
+    return [file] {
+      return MessageBar::tr("No browser opens the guide; it is the file %1.")
+          .arg(QDir::toNativeSeparators(file));
+    };
   return {};
 }
 
 void MainWindow::openGuide(const QString& anchor) {
-  const QString reason = openGuideFile(QCoreApplication::applicationDirPath(), anchor);
+  const LiveText reason = openGuideFile(QCoreApplication::applicationDirPath(), anchor);
   if (reason.isEmpty())
     messages_->end(MessageBar::Failure::Files);
   else

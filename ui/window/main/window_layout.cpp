@@ -42,6 +42,10 @@ const QList<int>& defaultSplit() {
   return sizes;
 }
 
+QString panelNote() {
+  return WindowLayout::tr("F9 shows the parameters; Esc ends the presentation.");
+}
+
 }  // namespace
 
 WindowLayout::WindowLayout(const LayoutParts& parts) : QObject(&parts.window), parts_(parts) {
@@ -190,14 +194,14 @@ void WindowLayout::beginPresentation() {
 void WindowLayout::showPanelNote() {
   constexpr int kShown = 8000;              // milliseconds
   if (!parts_.messages.isHidden()) return;  // an error says more
-  panelNote_ = tr("F9 shows the parameters; Esc ends the presentation.");
-  parts_.messages.showNote(panelNote_);
+  hasPanelNote_ = true;
+  parts_.messages.showNote(panelNote);
   QTimer::singleShot(kShown, this, &WindowLayout::endPanelNote);
 }
 
 void WindowLayout::endPanelNote() {
-  const QString note = std::exchange(panelNote_, QString());
-  if (!note.isEmpty() && parts_.messages.text() == note) parts_.messages.hide();
+  const bool hadNote = std::exchange(hasPanelNote_, false);
+  if (hadNote && parts_.messages.text() == panelNote()) parts_.messages.hide();
 }
 
 void WindowLayout::endPresentation() {

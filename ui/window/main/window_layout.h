@@ -113,7 +113,7 @@ class WindowLayout : public QObject {
     bool hasStatus;
   };
   std::optional<Presentation> presentation_;
-  QString panelNote_;              // that the message bar shows; empty: none
+  bool hasPanelNote_ = false;      // the message bar shows how the parameters come back
   std::optional<QSize> dockSize_;  // the size that the dock gets back when the layouts allow it
 };
 

@@ -66,7 +66,7 @@ void BackgroundWork::carryOut(const Request& request, const std::stop_token& sto
     return;
   } catch (const std::exception& error) {
     if (request.failed)
-      run.post([failed = request.failed, reason = translatedError(error)] { failed(reason); });
+      run.post([failed = request.failed, reason = liveError(error)] { failed(reason); });
   }
 }
 
