@@ -2776,6 +2776,26 @@
         <source>&amp;Go on with these answers</source>
         <translation>Mit diesen Antworten &amp;weitermachen</translation>
     </message>
+    <message>
+        <source>&amp;Save table…</source>
+        <translation>&amp;Tabelle speichern…</translation>
+    </message>
+    <message>
+        <source>Save the table of a class</source>
+        <translation>Tabelle einer Klasse speichern</translation>
+    </message>
+    <message>
+        <source>class.csv</source>
+        <translation>Klasse.csv</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabelle (*.csv)</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 gespeichert</translation>
+    </message>
 </context>
 <context>
     <name>asperity::LessonStepPage</name>
@@ -3084,6 +3104,18 @@
     <message>
         <source>&amp;Begin anew</source>
         <translation>&amp;Neu beginnen</translation>
+    </message>
+    <message>
+        <source>Table of a class…</source>
+        <translation>Tabelle einer Klasse…</translation>
+    </message>
+    <message>
+        <source>Results of a class</source>
+        <translation>Ergebnisse einer Klasse</translation>
+    </message>
+    <message>
+        <source>Results (*.json);;All files (*)</source>
+        <translation>Ergebnisse (*.json);;Alle Dateien (*)</translation>
     </message>
 </context>
 <context>

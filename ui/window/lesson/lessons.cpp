@@ -1,6 +1,7 @@
 #include "ui/window/lesson/lessons.h"
 
 #include <QDateTime>
+#include <QFileDialog>
 #include <QFileInfo>
 #include <QMainWindow>
 #include <QMessageBox>
@@ -145,6 +146,16 @@ void Lessons::addTo(Commands& commands) {
                   else
                     openEditor(isRunning() ? written_ : Lesson{}, isRunning() ? file_ : QString());
                 }});
+  commands.add({"classTable", [] { return tr("Table of a class…"); }, [this] { askResults(); }});
+}
+
+/// Asks for the files of a class, which may be of several lessons.
+void Lessons::askResults() {
+  const QStringList files =
+      QFileDialog::getOpenFileNames(&parts_.window, tr("Results of a class"), proposedFolder(),
+                                    tr("Results (*.json);;All files (*)"));
+  rememberFolder(files.value(0));
+  if (!files.isEmpty()) openResults(files);
 }
 
 LessonList& Lessons::showList() {

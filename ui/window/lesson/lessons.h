@@ -98,6 +98,7 @@ class Lessons : public QObject {
   bool hasUnsavedAnswers() const;
   void keepUnsavedAnswers() const;
   void leave();
+  void askResults();
   void askResultsFile();
   QString resultsName() const;
   bool saveAnswers(const QString& file);

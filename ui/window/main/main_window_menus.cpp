@@ -138,7 +138,8 @@ void MainWindow::buildMenus() {
   QMenu& help = *addMenu([] { return tr("&Help"); });
   add(help, {"tour", "tourStepBack", "tourStepNext"});
   help.addSeparator();
-  add(help, {"lessons", "lessonBackStep", "lessonNextStep", "lessonEnd", "lessonEditor"});
+  add(help,
+      {"lessons", "lessonBackStep", "lessonNextStep", "lessonEnd", "lessonEditor", "classTable"});
   help.addSeparator();
   add(help, {"guide", "shortcuts"});
   help.addSeparator();
