@@ -466,14 +466,26 @@ void ContactCanvas::keyPressEvent(QKeyEvent* event) {
 ContactTip ContactCanvas::tipAt(const QPointF& position) const {
   if (!viewer_.frame()) return {};
   const PictureRequest shown = request();
-  return contactTipAt(*shown.frame, sizedOptions(shown), position * shown.scale, scene_);
+  ContactTip tip = contactTipAt(*shown.frame, sizedOptions(shown), position * shown.scale, scene_);
+  tip.explained = {tip.explained.topLeft() / shown.scale, tip.explained.size() / shown.scale};
+  return tip;
+}
+
+/// Returns where to show a tip so that it does not cover what it explains: below a line of text; to
+/// the right of a vertical axis and its numbers, in the plot.
+QPoint ContactCanvas::tipPlace(const QRectF& explained, const QPoint& pointer) const {
+  constexpr double kBelow = 16;  // pixels from a place to its tip, at least; from QTipLabel
+  if (explained.height() > explained.width())
+    return {static_cast<int>(std::max(explained.right(), plotArea().left())), pointer.y()};
+  return {pointer.x(),
+          std::max(pointer.y(), static_cast<int>(std::ceil(explained.bottom() - kBelow)))};
 }
 
 /// Shows one box at a time. Over the body the readout stays and the hint goes to the status line;
 /// a tooltip hides the readout until the pointer moves on, which hides the tooltip.
-void ContactCanvas::explain(const QPoint& position, const QPoint& onScreen) {
+void ContactCanvas::explain(const QPoint& position) {
   constexpr int kReach = 4;  // pixels
-  const auto [html, anchor] = tipAt(position);
+  const auto [html, anchor, explained] = tipAt(position);
   if (viewer_.pointer() && anchor.isEmpty() && handleUnder(position) == ContactHandle::Body) {
     QToolTip::hideText();
     emit statusMessage(dragHint(ContactHandle::Body, *scene_));
@@ -482,7 +494,8 @@ void ContactCanvas::explain(const QPoint& position, const QPoint& onScreen) {
   }
   if (!html.isEmpty() && viewer_.pointer()) hideCrosshair();
   const QRect around(position - QPoint(kReach, kReach), QSize(2 * kReach, 2 * kReach));
-  QToolTip::showText(onScreen, html, this, around);  // an empty one hides it
+  const QPoint place = explained.isEmpty() ? position : tipPlace(explained, position);
+  QToolTip::showText(mapToGlobal(place), html, this, around);  // an empty one hides it
 }
 
 void ContactCanvas::readAbout() {
@@ -496,8 +509,7 @@ void ContactCanvas::pinch(const QPointF& position, double factor) {
 
 bool ContactCanvas::event(QEvent* event) {
   if (event->type() == QEvent::ToolTip) {
-    const auto* help = static_cast<QHelpEvent*>(event);
-    explain(help->pos(), help->globalPos());
+    explain(static_cast<QHelpEvent*>(event)->pos());
     return true;
   }
   // The menu, which Qt shows, has an entry that leads to what is under the pointer.

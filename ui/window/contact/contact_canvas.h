@@ -137,7 +137,8 @@ class ContactCanvas : public QWidget {
   void endDrag();
   void pinch(const QPointF& position, double factor);
   void changed();
-  void explain(const QPoint& position, const QPoint& onScreen);
+  QPoint tipPlace(const QRectF& explained, const QPoint& pointer) const;
+  void explain(const QPoint& position);
 
   QVBoxLayout* layout_;
   CanvasBackend* backend_ = nullptr;  // a child widget

@@ -3,6 +3,7 @@
 #include <QAbstractItemView>
 #include <QFocusEvent>
 #include <QSignalBlocker>
+#include <QToolTip>
 #include <functional>
 #include <memory>
 
@@ -200,6 +201,13 @@ class AxisBox : public ChoiceBox {
   }
 
  protected:
+  /// Shows the tooltip to the right, not over the numbers of the axis.
+  bool event(QEvent* event) override {
+    if (event->type() != QEvent::ToolTip) return ChoiceBox::event(event);
+    QToolTip::showText(mapToGlobal(QPoint(width(), 0)), toolTip(), this);
+    return true;
+  }
+
   void focusInEvent(QFocusEvent* event) override {
     if (event->reason() != Qt::PopupFocusReason) fill_();
     ChoiceBox::focusInEvent(event);
