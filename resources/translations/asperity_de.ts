@@ -864,6 +864,10 @@
         <source>Remove measured friction</source>
         <translation>Gemessene Reibung entfernen</translation>
     </message>
+    <message>
+        <source>The scene has no measured friction</source>
+        <translation>Die Szene hat keine gemessene Reibung</translation>
+    </message>
 </context>
 <context>
     <name>asperity::ContactCanvas</name>
@@ -1021,6 +1025,10 @@
         <source>Curves in a family: %1</source>
         <translation>Kurven einer Schar: %1</translation>
     </message>
+    <message>
+        <source>No curve is pinned</source>
+        <translation>Keine Kurve ist angeheftet</translation>
+    </message>
 </context>
 <context>
     <name>asperity::CurveReadingText</name>
@@ -1169,6 +1177,10 @@
     <message>
         <source>Clear this list</source>
         <translation>Liste leeren</translation>
+    </message>
+    <message>
+        <source>No scene was opened or saved yet</source>
+        <translation>Noch keine Szene geöffnet oder gespeichert</translation>
     </message>
 </context>
 <context>
@@ -2764,6 +2776,26 @@
         <source>&amp;Go on with these answers</source>
         <translation>Mit diesen Antworten &amp;weitermachen</translation>
     </message>
+    <message>
+        <source>&amp;Save table…</source>
+        <translation>&amp;Tabelle speichern…</translation>
+    </message>
+    <message>
+        <source>Save the table of a class</source>
+        <translation>Tabelle einer Klasse speichern</translation>
+    </message>
+    <message>
+        <source>class.csv</source>
+        <translation>Klasse.csv</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabelle (*.csv)</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 gespeichert</translation>
+    </message>
 </context>
 <context>
     <name>asperity::LessonStepPage</name>
@@ -3072,6 +3104,18 @@
     <message>
         <source>&amp;Begin anew</source>
         <translation>&amp;Neu beginnen</translation>
+    </message>
+    <message>
+        <source>Table of a class…</source>
+        <translation>Tabelle einer Klasse…</translation>
+    </message>
+    <message>
+        <source>Results of a class</source>
+        <translation>Ergebnisse einer Klasse</translation>
+    </message>
+    <message>
+        <source>Results (*.json);;All files (*)</source>
+        <translation>Ergebnisse (*.json);;Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
@@ -5073,6 +5117,14 @@
     <message>
         <source>Opens the guide at what is under the pointer: a reading, a label, the colours</source>
         <translation>Öffnet das Handbuch bei dem, was unter dem Zeiger ist: Messwert, Beschriftung, Farben</translation>
+    </message>
+    <message>
+        <source>Zoom and exaggeration</source>
+        <translation>Vergrößern und überhöhen</translation>
+    </message>
+    <message>
+        <source>Press and slide</source>
+        <translation>Drücken und gleiten</translation>
     </message>
 </context>
 <context>

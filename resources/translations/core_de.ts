@@ -7274,8 +7274,8 @@
         <translation>Mit wachsender Geschwindigkeit wandert der Kontakt zur Vorderseite, und die Eindringung nimmt ab. Die Reibung hat ein Maximum, wo der Gleitweg in einer Relaxationszeit das 1,4-Fache der halben Kontaktbreite in Ruhe beträgt, und fällt dann wieder.</translation>
     </message>
     <message>
-        <source>Each arm adds a shoulder to the curve, and the dashpot a last climb to the plateau of a Kelvin body. Set the viscosity to 0, and friction falls instead of reaching a plateau.</source>
-        <translation>Jeder Arm gibt der Kurve eine Schulter und der Dämpfer einen letzten Anstieg zum Plateau eines Kelvin-Körpers. Mit der Viskosität 0 fällt die Reibung, statt ein Plateau zu erreichen.</translation>
+        <source>Each arm adds a shoulder to the curve, and the dashpot a last climb to the plateau of a Kelvin body. Set the viscosity (under “All”) to 0, and friction falls instead of reaching a plateau.</source>
+        <translation>Jeder Arm gibt der Kurve eine Schulter und der Dämpfer einen letzten Anstieg zum Plateau eines Kelvin-Körpers. Mit der Viskosität 0 (unter „Alle“) fällt die Reibung, statt ein Plateau zu erreichen.</translation>
     </message>
     <message>
         <source>Elastic rubber has no friction</source>
@@ -7306,16 +7306,16 @@
         <translation>Lokale Reibung neben der Verformung</translation>
     </message>
     <message>
-        <source>One Maxwell arm beside a spring: friction has one broad peak instead of a plateau, because at high velocity the rubber is a stiff elastic body. Make the arm weaker and the peak sinks.</source>
-        <translation>Ein Maxwell-Arm neben einer Feder: Die Reibung hat ein breites Maximum statt eines Plateaus, denn bei hoher Geschwindigkeit ist das Gummi ein steifer elastischer Körper. Mit schwächerem Arm sinkt das Maximum.</translation>
+        <source>One Maxwell arm beside a spring: friction has one broad peak instead of a plateau, because at high velocity the rubber is a stiff elastic body. Make the arm (under “All”) weaker and the peak sinks.</source>
+        <translation>Ein Maxwell-Arm neben einer Feder: Die Reibung hat ein breites Maximum statt eines Plateaus, denn bei hoher Geschwindigkeit ist das Gummi ein steifer elastischer Körper. Mit schwächerem Arm (unter „Alle“) sinkt das Maximum.</translation>
     </message>
     <message>
         <source>Only leading sides of summits are in contact: the rubber acts like a viscous fluid, and friction is the slope of the line there, times about 1.4. Change the modulus or the force: little happens.</source>
         <translation>Nur die Vorderseiten der Gipfel sind in Kontakt: Das Gummi wirkt wie eine viskose Flüssigkeit, und die Reibungszahl ist dort die Steigung der Linie mal etwa 1,4. Modul oder Kraft ändern: Es geschieht wenig.</translation>
     </message>
     <message>
-        <source>Only the highest summits still touch, with tips that are smooth on the scale of the shortest wave. Raise the number of elements: finer tips move the decrease to higher velocities.</source>
-        <translation>Nur die höchsten Gipfel haben noch Kontakt, mit Kuppen, die auf der Skala der kürzesten Welle glatt sind. Die Zahl der Elemente erhöhen: Feinere Kuppen verschieben die Abnahme zu höheren Geschwindigkeiten.</translation>
+        <source>Only the highest summits still touch, with tips that are smooth on the scale of the shortest wave. Raise the number of elements (under “All”): finer tips move the decrease to higher velocities.</source>
+        <translation>Nur die höchsten Gipfel haben noch Kontakt, mit Kuppen, die auf der Skala der kürzesten Welle glatt sind. Die Zahl der Elemente (unter „Alle“) erhöhen: Feinere Kuppen verschieben die Abnahme zu höheren Geschwindigkeiten.</translation>
     </message>
     <message>
         <source>Oscillation through rest</source>

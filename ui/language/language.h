@@ -9,6 +9,8 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 
 class QObject;
 
@@ -46,6 +48,21 @@ std::string_view presentLanguage();
 /// Returns the translation of a source text in one of the contexts of resources/translations;
 /// nothing in English, or where there is none.
 std::optional<QString> translationIn(const char* context, const char* english);
+
+/// A text that follows the language: it is made each time that it is asked for. For texts that may
+/// be on the screen when the language changes.
+class LiveText {
+ public:
+  LiveText() = default;
+  template <class Make>
+  requires std::is_invocable_r_v<QString, Make> LiveText(Make make) : make_(std::move(make)) {}
+
+  bool isEmpty() const { return !make_; }
+  operator QString() const { return make_ ? make_() : QString(); }
+
+ private:
+  std::function<QString()> make_;
+};
 
 /// The texts of pictures and commands.
 class Words {

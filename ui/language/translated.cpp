@@ -114,6 +114,10 @@ QString translatedError(const std::exception& error) {
   return translatedText(errorMessage(error));
 }
 
+LiveText liveError(const std::exception& error) {
+  return [message = errorMessage(error)] { return translatedText(message); };
+}
+
 bool isTranslatedScene(std::string_view text) {
   return !text.empty() && translationIn(kScenes, std::string(text).c_str());
 }

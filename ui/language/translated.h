@@ -41,6 +41,7 @@ QString shortened(const QString& text, qsizetype letters);
 
 /// Returns an error's message after the names of its subject.
 QString translatedError(const std::exception& error);
+LiveText liveError(const std::exception& error);
 
 /// Returns a scene's title, description or chapter: texts of shipped scenes in the current
 /// language, others unchanged.

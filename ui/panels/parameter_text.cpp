@@ -79,7 +79,8 @@ QString labelWithSymbol(const Parameter& parameter) {
 }
 
 QString errorWithLabel(const InputError& error) {
-  const QString text = translatedText(error.message());
+  if (!error.file().empty()) return translatedError(error);
+  const QString text = withLabels(translatedText(error.message()));
   const Parameter* parameter = findParameter(error.key());
   if (parameter) return ParameterRow::labelText(*parameter) + ": " + text;
   return error.key().starts_with("--") ? text : translatedError(error);

@@ -15,8 +15,8 @@ namespace asperity {
 /// Returns "shear modulus G" as HTML; a label that ends with its symbol, "shift C1", has it once.
 QString labelWithSymbol(const Parameter& parameter);
 
-/// Returns an error with the label of its parameter instead of the key, and without the name of an
-/// option.
+/// Returns an error with the labels of parameters instead of their keys, and without the name of an
+/// option. An error in a file names the key that is written there.
 QString errorWithLabel(const InputError& error);
 
 /// Returns whether all words are found in the parameter's label, its key, its symbol or its unit.

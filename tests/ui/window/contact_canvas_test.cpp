@@ -228,6 +228,28 @@ TEST_F(ContactCanvasTest, ReadingsExplainThemselves) {
   EXPECT_TRUE(QTest::qWaitFor([] { return !QToolTip::isVisible(); }));
 }
 
+/// A tip covers neither the text that it explains nor, at the vertical axis, the numbers.
+TEST_F(ContactCanvasTest, TipsStandBesideWhatTheyExplain) {
+  int count = 0;
+  for (const ContactSign& sign : contactSigns(*canvas_.frame(), shownOptions(canvas_))) {
+    const QRect box = QRectF(sign.box.x, sign.box.y, sign.box.width, sign.box.height).toRect();
+    const QPoint at = box.topLeft() + QPoint(1, 1);
+    QHelpEvent help(QEvent::ToolTip, at, canvas_.mapToGlobal(at));
+    QApplication::sendEvent(&canvas_, &help);
+    const QWidgetList windows = QApplication::topLevelWidgets();
+    const auto tip = std::ranges::find_if(windows, [](const QWidget* window) {
+      return window->inherits("QTipLabel") && window->isVisible();
+    });
+    ASSERT_NE(tip, windows.end()) << sign.name;
+    const QRect shown(canvas_.mapFromGlobal((*tip)->pos()), (*tip)->size());
+    EXPECT_FALSE(shown.intersects(box)) << sign.name;
+    if (sign.id == "height above the surface")
+      EXPECT_GE(shown.left(), std::floor(canvas_.plotArea().left()));
+    ++count;
+  }
+  EXPECT_GE(count, 8);
+}
+
 /// The legend of the colours and the labels have formula and sentence; the menu leads to the guide.
 TEST_F(ContactCanvasTest, SignsExplainThemselvesAndLeadToTheGuide) {
   const ContactPictureOptions options = shownOptions(canvas_);

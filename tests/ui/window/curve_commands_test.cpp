@@ -263,6 +263,10 @@ TEST_F(CurveCommandsTest, PinsAreKeptComparedAndLetGo) {
   action("unpinAll").trigger();
   EXPECT_TRUE(session().friction().pinned().empty());
   EXPECT_FALSE(action("unpinAll").isEnabled());
+  emit menu->aboutToShow();
+  ASSERT_EQ(menu->actions().size(), 1);
+  EXPECT_EQ(menu->actions()[0]->text().remove(u'&'), "No curve is pinned");
+  EXPECT_FALSE(menu->actions()[0]->isEnabled());
 }
 
 TEST_F(CurveCommandsTest, DimensionlessAxesStayWhileScenesChange) {

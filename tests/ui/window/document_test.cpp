@@ -500,7 +500,9 @@ TEST_F(DocumentTest, RecentFilesAreOfferedWhileTheyAreThere) {
   EXPECT_TRUE(waitFor([&] { return window_.document().file().endsWith("8.json"); }));
   menu.actions().last()->trigger();
   EXPECT_TRUE(recentFiles().isEmpty());
-  EXPECT_FALSE(menu.isEnabled());
+  ASSERT_EQ(menu.actions().size(), 1);
+  EXPECT_EQ(menu.actions().first()->text().remove('&'), "No scene was opened or saved yet");
+  EXPECT_FALSE(menu.actions().first()->isEnabled());
 }
 
 TEST_F(DocumentTest, AnOpenedFileIsSavedWhereItCameFrom) {

@@ -352,6 +352,10 @@ TEST_F(FitPageTest, MeasuredTablesAreRemovedFromTheMenu) {
   action("measured:0").trigger();
   EXPECT_TRUE(scene().comparison.data.empty());
   EXPECT_FALSE(control<QToolButton>("fitButton").isVisible());
+  emit menu.aboutToShow();
+  ASSERT_EQ(menu.actions().size(), 1);
+  EXPECT_EQ(menu.actions()[0]->text().remove('&'), "The scene has no measured friction");
+  EXPECT_FALSE(menu.actions()[0]->isEnabled());
   EXPECT_TRUE(waitFor([&] { return sheet().diagrams.size() == 1; }));
 }
 

@@ -49,10 +49,10 @@ TEST(Guide, OpensInTheBrowser) {
   ASSERT_TRUE(root.mkpath("bin"));
   write(root.filePath("share/asperity/guide.html"));
   Browser browser;
-  EXPECT_EQ(openGuideFile(root.filePath("bin")), QString());
+  EXPECT_TRUE(openGuideFile(root.filePath("bin")).isEmpty());
   ASSERT_EQ(browser.shown.size(), 1);
   EXPECT_EQ(browser.shown.front().toLocalFile(), root.filePath("share/asperity/guide.html"));
-  EXPECT_EQ(openGuideFile(root.filePath("bin"), "eq-11"), QString());
+  EXPECT_TRUE(openGuideFile(root.filePath("bin"), "eq-11").isEmpty());
   EXPECT_EQ(browser.shown.back().fragment(), "eq-11");
 }
 

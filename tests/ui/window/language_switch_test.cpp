@@ -10,6 +10,7 @@
 #include <QSettings>
 #include <QSpinBox>
 #include <QTabWidget>
+#include <QTemporaryDir>
 #include <QToolButton>
 #include <QUndoStack>
 #include <vector>
@@ -221,13 +222,21 @@ TEST(LanguageSwitch, KeepsComplaintsComparisonsAndFigures) {
   EXPECT_TRUE(window->findChild<ValueEntry*>("entry:elastomer.equilibrium_modulus")->hasError());
 }
 
-TEST(LanguageSwitch, KeepsAMessageThatIsNotAboutTheScene) {
+TEST(LanguageSwitch, TranslatesAMessageThatIsNotAboutTheScene) {
   WindowIn window("en");
   ASSERT_TRUE(window.waitForCurve());
-  window->messages().showMessage("cannot be read");
+  const QTemporaryDir folder;
+  const QString file = folder.filePath("scene.json");
+  ASSERT_FALSE(openIn(*window, file));
+  const QString english = window->messages().text();
   window->setLanguage("de");
   EXPECT_TRUE(window->messages().isVisible());
-  EXPECT_EQ(window->messages().text(), "cannot be read");
+  EXPECT_NE(window->messages().text(), english);
+  const QString label = window->messages().findChild<QLabel*>("messageText")->text();
+  EXPECT_EQ(label, window->messages().text());
+  window->messages().hide();
+  EXPECT_FALSE(openIn(*window, file));
+  EXPECT_EQ(window->messages().text(), label) << "as in a window that was always German";
   window->messages().end(MessageBar::Failure::Scene);
   EXPECT_TRUE(window->messages().isVisible());
   window->messages().hide();

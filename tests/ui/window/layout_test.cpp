@@ -176,7 +176,7 @@ TEST_F(LayoutTest, APageThatIsAddedLaterIsOneOfThem) {
   action("go:laterPage").trigger();
   EXPECT_EQ(tabs().currentIndex(), index);
   QSignalSpy failures(&window_.tabs(), &SceneTabs::failed);
-  emit view->failed("The disk is full");
+  emit view->failed([] { return QStringLiteral("The disk is full"); });
   EXPECT_EQ(failures.size(), 1);
   EXPECT_TRUE(control<QMenu>("tabsMenu").actions().contains(&action("tab:laterPage")));
   action("tab:laterPage").setChecked(false);
@@ -264,13 +264,14 @@ TEST(MessageBar, AComplaintThatIsRepeatedReplacesNoNewerMessage) {
   const Message force("needs a positive force");
   bar.showSceneError("load.normal_force", force);
   const QString complaint = bar.text();
-  bar.showFailure(MessageBar::Failure::Files, "cannot be opened");
+  const auto cannotBeOpened = [] { return QStringLiteral("cannot be opened"); };
+  bar.showFailure(MessageBar::Failure::Files, cannotBeOpened);
   bar.showSceneError("load.normal_force", force);
   EXPECT_EQ(bar.text(), "cannot be opened");
   bar.showSceneError("load.normal_force", Message("is too small"));
   EXPECT_NE(bar.text(), complaint);
   EXPECT_NE(bar.text(), "cannot be opened");
-  bar.showFailure(MessageBar::Failure::Files, "cannot be opened");
+  bar.showFailure(MessageBar::Failure::Files, cannotBeOpened);
   bar.showSceneError("load.normal_force", force);
   EXPECT_EQ(bar.text(), complaint);
   EXPECT_FALSE(bar.isHidden());
@@ -303,7 +304,9 @@ TEST(MessageBar, ATextTakesTheRoomThatAWiderBarHas) {
   auto* bar = new MessageBar;
   (new QVBoxLayout(&page))->addWidget(bar);
   bar->setLineLimit(1);
-  bar->showNote("This note has more words than a narrow bar has room for, and is whole.");
+  bar->showNote([] {
+    return QStringLiteral("This note has more words than a narrow bar has room for, and is whole.");
+  });
   const auto* text = bar->findChild<QLabel*>("messageText");
   const auto* more = bar->findChild<QToolButton*>("moreOfMessage");
   page.resize(250, 100);
@@ -527,6 +530,17 @@ TEST_F(LayoutTest, TheNextWindowIsAsTheLastWas) {
   EXPECT_EQ(second->panel().view(), ParameterPanel::defaultView());
   EXPECT_TRUE(second->findChild<QDockWidget*>("parameterDock")->isVisible());
   second->appearance().setColours(Colours::Light);
+}
+
+TEST_F(LayoutTest, ChosenColoursAreKeptAlsoWhenTheProgramIsKilled) {
+  const auto kept = [] { return QSettings().value("window/colours").toInt(); };
+  action("light").trigger();
+  EXPECT_EQ(kept(), 0) << "of a window that remembers nothing";
+  window_.windowLayout().remember();
+  action("colours:2").trigger();
+  EXPECT_EQ(kept(), 2);
+  action("light").trigger();
+  EXPECT_EQ(kept(), 1);
 }
 
 /// The window with what a window manager draws around it.

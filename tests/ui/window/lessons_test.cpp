@@ -7,6 +7,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QFileDialog>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
@@ -70,6 +71,13 @@ class LessonsTest : public MainWindowTest {
   QString said(const char* name) { return control<QLabel>(name).text(); }
   bool waitForAnswer() {
     return waitFor([&] { return lessons().isRevealed(); });
+  }
+  /// Answers the next question for files, of which several stand in quotation marks.
+  void chooseFiles(const QString& files) {
+    whenAsked<QFileDialog>([files](QFileDialog& dialog) {
+      dialog.findChild<QLineEdit*>("fileNameEdit")->setText(files);
+      static_cast<QDialog&>(dialog).accept();
+    });
   }
   /// Whether the friction curve itself is on the chart.
   bool showsCurve() {
@@ -1376,7 +1384,8 @@ TEST_F(LessonsTest, AClassIsATable) {
     writeResults(folder / student, results, lesson);
     files += QString::fromStdString((folder / student).string());
   }
-  ASSERT_TRUE(lessons().openResults(files));
+  chooseFiles("\"" + files.join("\" \"") + "\"");
+  action("classTable").trigger();
   const auto* dialog = window_.findChild<QDialog*>("classResults");
   ASSERT_NE(dialog, nullptr);
   const QString text = dialog->findChild<QTextBrowser*>("classResultsTable")->toPlainText();
@@ -1385,6 +1394,35 @@ TEST_F(LessonsTest, AClassIsATable) {
         QStringLiteral("Step 2"), QStringLiteral("wrong (choice 1)"),
         QStringLiteral("right (choice 2)")})
     EXPECT_TRUE(text.contains(part)) << part.toStdString() << text.toStdString();
+
+  // The file is that of the command line.
+  const std::filesystem::path table = folder / "class.csv";
+  chooseFiles(QString::fromStdString(table.string()));
+  click("saveClassTable");
+  std::vector<InputError> refused;
+  const auto classes = readClasses({files[0].toStdString(), files[1].toStdString()}, refused);
+  EXPECT_EQ(TemporaryFolder::read(table), classCsv(onlyClass(classes)));
+  EXPECT_EQ(said("classResultsStatus"), "Saved class.csv");
+  chooseFiles(QString::fromStdString((folder / "class.txt").string()));
+  click("saveClassTable");
+  EXPECT_TRUE(said("classResultsStatus").contains(".csv"))
+      << said("classResultsStatus").toStdString();
+  EXPECT_FALSE(std::filesystem::exists(folder / "class.txt"));
+}
+
+TEST_F(LessonsTest, ATableIsOfOneLesson) {
+  TemporaryFolder folder;
+  QStringList files;
+  for (const char* name : {"load_and_friction", "what_the_mesh_does"}) {
+    const Lesson lesson = readNamedLesson(name, readNamedScene);
+    const std::filesystem::path file = folder / (std::string(name) + ".json");
+    writeResults(file, emptyResults(lesson), lesson);
+    files += QString::fromStdString(file.string());
+  }
+  ASSERT_TRUE(lessons().openResults(files));
+  click("saveClassTable");
+  EXPECT_TRUE(said("classResultsStatus").contains("what_the_mesh_does.json"))
+      << said("classResultsStatus").toStdString();
 }
 
 /// The others are shown, and the table says which file it lacks and why.

@@ -33,7 +33,7 @@ namespace {
 
 TEST_F(MainWindowTest, WhatIsSaidOfAFileStaysWhileTheSceneRuns) {
   QSignalSpy runs(&session(), &Session::sceneRuns);
-  window_.messages().showMessage("said of a file");
+  window_.messages().showMessage([] { return QStringLiteral("said of a file"); });
   press("elastomer.shear_modulus");
   ASSERT_TRUE(waitForFrame());
   EXPECT_TRUE(waitFor([&] { return !runs.isEmpty(); }));

@@ -1,4 +1,5 @@
-// Letters of menu entries: of lists of texts, and of every menu of the window in each language.
+// Letters of menu entries: of lists of texts, and of every menu of the window in each language. No
+// menu of the window is empty, or too long for a small screen.
 #include "ui/window/main/window_keys.h"
 
 #include <gtest/gtest.h>
@@ -58,6 +59,19 @@ TEST_P(MenusInEachLanguage, EveryEntryOfEveryMenuHasALetterOfItsOwn) {
   for (QMenu* menu : menus) {
     emit menu->aboutToShow();
     expectOwnLetters(menu->actions());
+  }
+}
+
+TEST_P(MenusInEachLanguage, EveryMenuHasAnEntryAndFitsBelowItsTitle) {
+  constexpr int kLowScreen = 700;  // pixels
+  WindowIn window(GetParam());
+  const int below = kLowScreen - window->menuBar()->height();
+  for (QMenu* menu : window->menuBar()->findChildren<QMenu*>()) {
+    const std::string title = menu->title().toStdString();
+    emit menu->aboutToShow();
+    EXPECT_FALSE(menu->isEmpty()) << title;
+    EXPECT_TRUE(menu->isEnabled()) << title;
+    EXPECT_LE(menu->sizeHint().height(), below) << title;
   }
 }
 

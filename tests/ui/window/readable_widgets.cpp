@@ -1,6 +1,7 @@
 #include "tests/ui/window/readable_widgets.h"
 
 #include <QAbstractButton>
+#include <QAbstractItemModel>
 #include <QAbstractItemView>
 #include <QAbstractScrollArea>
 #include <QAbstractSpinBox>
@@ -32,7 +33,9 @@
 #include <QTreeView>
 #include <algorithm>
 
+#include "core/scene/parameters.h"
 #include "ui/panels/controls.h"
+#include "ui/panels/parameter_panel.h"
 
 namespace asperity {
 
@@ -239,6 +242,38 @@ void checkText(const QWidget& widget, QStringList& faults) {
     checkCells(*view, faults);
 }
 
+// ---- Words
+
+/// Returns all texts of a widget and its tooltips. Tooltips of the panel of parameters are left
+/// out: they name the keys for people who write scene files.
+QStringList textsOf(const QWidget& widget) {
+  QStringList texts;
+  const QWidget* parent = &widget;
+  while (parent && !qobject_cast<const ParameterPanel*>(parent)) parent = parent->parentWidget();
+  if (!parent) texts += widget.toolTip();
+  if (const auto* label = qobject_cast<const QLabel*>(&widget)) texts += label->text();
+  if (const auto* button = qobject_cast<const QAbstractButton*>(&widget)) texts += button->text();
+  const auto* box = qobject_cast<const QComboBox*>(&widget);
+  const auto* view = qobject_cast<const QAbstractItemView*>(&widget);
+  const QAbstractItemModel* model = box ? box->model() : view ? view->model() : nullptr;
+  for (int row = 0; model && row < model->rowCount(); ++row)
+    for (int column = 0; column < model->columnCount(); ++column)
+      for (const int role : {Qt::DisplayRole, Qt::ToolTipRole})
+        texts += model->index(row, column).data(role).toString();
+  return texts;
+}
+
+/// The key of a scene file is no word for a person, who knows the control by its label.
+void checkKeys(const QWidget& widget, QStringList& faults) {
+  static const QRegularExpression word(QStringLiteral(R"([a-z_]+(\.[a-z0-9_]+)+)"));
+  for (const QString& text : textsOf(widget))
+    for (auto words = word.globalMatch(text); words.hasNext();) {
+      const QString key = words.next().captured();
+      if (findParameter(key.toStdString()))
+        faults += QStringLiteral("%1: names the key %2 in “%3”").arg(nameOf(widget), key, text);
+    }
+}
+
 // ---- Places
 // --------------------------------------------------------------------------------------
 
@@ -300,6 +335,7 @@ QStringList faultsNow(QWidget& window) {
     if (widget->isVisible() && widget->window() == window.window()) widgets += widget;
   for (const QWidget* widget : widgets) {
     checkText(*widget, faults);
+    checkKeys(*widget, faults);
     checkPosition(*widget, faults);
     if (!isPart(*widget) || widget == &window) checkOverlaps(*widget, faults);
     // The rows of a scrolled form are children of what a viewport shows.

@@ -1,6 +1,7 @@
-// Faults that keep a person from reading or reaching what a window shows: texts that are cut off,
-// widgets that lie over each other or beyond their window, windows that are larger than the screen,
-// and controls that the Tab key does not reach. For tests on the GUI thread.
+// Faults that keep a person from reading or reaching what a window shows: texts that are cut off or
+// name the key of a scene file, widgets that lie over each other or beyond their window, windows
+// that are larger than the screen, and controls that the Tab key does not reach. For tests on the
+// GUI thread.
 #pragma once
 
 #include <QSize>

@@ -4,10 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <QAccessible>
+#include <QDialog>
 #include <QDir>
 #include <QLineEdit>
 #include <QSettings>
 #include <QTemporaryDir>
+#include <QToolButton>
 #include <algorithm>
 #include <map>
 #include <set>
@@ -337,6 +340,17 @@ TEST_F(GalleryTest, ALargeScreenIsFilled) {
   const int columns =
       std::ranges::max_element(rows, {}, &std::pair<const int, int>::second)->second;
   EXPECT_GE(cards().cardCount(), 0.75 * columns * static_cast<double>(rows.size()));
+}
+
+/// Lessons are what else a first start can begin with.
+TEST_F(GalleryTest, LeadsToTheLessons) {
+  auto& button = control<QToolButton>("gallery:lessons");
+  EXPECT_TRUE(button.isVisible());
+  EXPECT_EQ(button.text(), "Lessons");
+  EXPECT_EQ(QAccessible::queryAccessibleInterface(&button)->text(QAccessible::Name), "Lessons");
+  button.setFocus();
+  QTest::keyClick(&button, Qt::Key_Return);
+  EXPECT_NE(window_.findChild<QDialog*>("lessonList"), nullptr);
 }
 
 }  // namespace

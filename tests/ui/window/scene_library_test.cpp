@@ -8,12 +8,16 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <set>
+#include <utility>
 
 #include "core/base/input_error.h"
 #include "core/lesson/lesson_file.h"
+#include "core/scene/essentials.h"
+#include "core/scene/parameters.h"
 #include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
 #include "ui/window/main/message_bar.h"
@@ -39,6 +43,22 @@ TEST(SceneLibrary, EveryFileOfTheFolderIsInTheProgram) {
     if (file.path().extension() == ".json") files.insert(file.path().stem().string());
   for (const LibraryScene& entry : libraryScenes()) shipped.insert(entry.name.toStdString());
   EXPECT_EQ(shipped, files);
+}
+
+/// A description that asks for a parameter which the panel does not show at first says where it is.
+TEST(SceneLibrary, DescriptionsSayWhereHiddenParametersAre) {
+  constexpr std::array<std::pair<const char*, const char*>, 4> kNamed{
+      {{"region_3", "elastomer.shear_modulus"},
+       {"region_4", "surface.elements"},
+       {"prony_dashpot", "elastomer.viscosity"},
+       {"standard_solid", "elastomer.arms"}}};
+  for (const auto& [name, key] : kNamed) {
+    const Scene& scene = findLibraryScene(name)->scene;
+    ASSERT_TRUE(isApplicable(knownParameter(key), scene)) << name;
+    const std::vector<std::string_view> shown = essentialKeys(scene);
+    const bool isHidden = std::ranges::find(shown, key) == shown.end();
+    EXPECT_EQ(scene.description.find("“All”") != std::string::npos, isHidden) << name;
+  }
 }
 
 // A user's file wins among scenes that are named on the command line, but not in a shipped lesson.

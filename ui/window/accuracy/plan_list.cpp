@@ -8,6 +8,8 @@
 #include "core/scene/plan.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
+#include "ui/panels/parameter_row.h"
+#include "ui/panels/parameter_text.h"
 
 namespace asperity {
 
@@ -34,7 +36,7 @@ void PlanList::fill() {
   clear();
   try {
     for (const PlanStage& stage : planStages(scene_, Purpose::Window)) {
-      const QString reason = translatedText(stage.reason);
+      const QString reason = withLabels(translatedText(stage.reason));
       auto* item = new QTreeWidgetItem(
           {translatedText(stage.name), stage.runs ? tr("yes") : tr("no"), reason});
       item->setToolTip(2, reason);
@@ -42,7 +44,7 @@ void PlanList::fill() {
       addTopLevelItem(item);
     }
   } catch (const InputError& error) {
-    addTopLevelItem(new QTreeWidgetItem({{}, {}, translatedError(error)}));
+    addTopLevelItem(new QTreeWidgetItem({{}, {}, errorWithLabel(error)}));
   }
   fitColumns();
 }

@@ -86,7 +86,7 @@ class GlCanvas : public QOpenGLWidget, public CanvasBackend {
         return reinterpret_cast<void*>(QOpenGLContext::currentContext()->getProcAddress(name));
       });
     } catch (const std::exception& error) {
-      fail(QString::fromUtf8(error.what()));
+      fail(liveError(error));
     }
   }
 
@@ -105,7 +105,7 @@ class GlCanvas : public QOpenGLWidget, public CanvasBackend {
   }
 
  private:
-  void fail(const QString& reason) {
+  void fail(const LiveText& reason) {
     // The failure is reported after initializeGL, because the owner will replace this widget.
     QTimer::singleShot(0, this, [this, reason] {
       if (events_.failed) events_.failed(reason);
@@ -175,10 +175,10 @@ class SoftwareCanvas : public QWidget, public CanvasBackend {
           update();
           if (events_.ready) events_.ready(frame);
         },
-        [this](const QString& reason) { fail(reason); });
+        [this](const LiveText& reason) { fail(reason); });
   }
 
-  void fail(const QString& reason) {
+  void fail(const LiveText& reason) {
     if (std::exchange(hasFailed_, true)) return;
     if (events_.failed) events_.failed(reason);
   }

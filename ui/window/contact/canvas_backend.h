@@ -12,6 +12,7 @@
 
 #include "core/run/frame.h"
 #include "ui/contact/contact_picture.h"
+#include "ui/language/language.h"
 
 class QWidget;
 
@@ -37,7 +38,7 @@ struct CanvasEvents {
   /// Called when another picture is on the screen, with the places of its labels.
   std::function<void(const std::vector<LabelPlace>&)> painted;
   /// Called with one sentence when no more pictures will come.
-  std::function<void(const QString&)> failed;
+  std::function<void(const LiveText&)> failed;
 };
 
 class CanvasBackend {

@@ -158,13 +158,13 @@ CanvasEvents ContactCanvas::eventsOfPictures() {
 
 void ContactCanvas::useOpenGl() {
   CanvasEvents events = eventsOfPictures();
-  events.failed = [this](const QString&) { useSoftware(); };
+  events.failed = [this](const LiveText&) { useSoftware(); };
   setBackend(makeOpenGlCanvas(std::move(events), this));
 }
 
 void ContactCanvas::useSoftware() {
   CanvasEvents events = eventsOfPictures();
-  events.failed = [this](const QString& reason) { fallBack(reason); };
+  events.failed = [this](const LiveText& reason) { fallBack(reason); };
   setBackend(makeSoftwareCanvas(std::move(events), this));
 }
 
@@ -180,11 +180,14 @@ void ContactCanvas::setBackend(CanvasBackend* backend) {
   refresh();
 }
 
-void ContactCanvas::fallBack(const QString& reason) {
+void ContactCanvas::fallBack(const LiveText& reason) {
   backend_->widget()->hide();
   backend_->widget()->deleteLater();
   backend_ = nullptr;
-  auto* label = new QLabel(tr("The contact cannot be drawn here: %1").arg(reason));
+  auto* label = new QLabel;
+  keepTranslated(*label, [label, reason] {
+    label->setText(tr("The contact cannot be drawn here: %1").arg(QString(reason)));
+  });
   label->setAlignment(Qt::AlignCenter);
   label->setWordWrap(true);
   layout_->addWidget(label);
@@ -463,14 +466,26 @@ void ContactCanvas::keyPressEvent(QKeyEvent* event) {
 ContactTip ContactCanvas::tipAt(const QPointF& position) const {
   if (!viewer_.frame()) return {};
   const PictureRequest shown = request();
-  return contactTipAt(*shown.frame, sizedOptions(shown), position * shown.scale, scene_);
+  ContactTip tip = contactTipAt(*shown.frame, sizedOptions(shown), position * shown.scale, scene_);
+  tip.explained = {tip.explained.topLeft() / shown.scale, tip.explained.size() / shown.scale};
+  return tip;
+}
+
+/// Returns where to show a tip so that it does not cover what it explains: below a line of text; to
+/// the right of a vertical axis and its numbers, in the plot.
+QPoint ContactCanvas::tipPlace(const QRectF& explained, const QPoint& pointer) const {
+  constexpr double kBelow = 16;  // pixels from a place to its tip, at least; from QTipLabel
+  if (explained.height() > explained.width())
+    return {static_cast<int>(std::max(explained.right(), plotArea().left())), pointer.y()};
+  return {pointer.x(),
+          std::max(pointer.y(), static_cast<int>(std::ceil(explained.bottom() - kBelow)))};
 }
 
 /// Shows one box at a time. Over the body the readout stays and the hint goes to the status line;
 /// a tooltip hides the readout until the pointer moves on, which hides the tooltip.
-void ContactCanvas::explain(const QPoint& position, const QPoint& onScreen) {
+void ContactCanvas::explain(const QPoint& position) {
   constexpr int kReach = 4;  // pixels
-  const auto [html, anchor] = tipAt(position);
+  const auto [html, anchor, explained] = tipAt(position);
   if (viewer_.pointer() && anchor.isEmpty() && handleUnder(position) == ContactHandle::Body) {
     QToolTip::hideText();
     emit statusMessage(dragHint(ContactHandle::Body, *scene_));
@@ -479,7 +494,8 @@ void ContactCanvas::explain(const QPoint& position, const QPoint& onScreen) {
   }
   if (!html.isEmpty() && viewer_.pointer()) hideCrosshair();
   const QRect around(position - QPoint(kReach, kReach), QSize(2 * kReach, 2 * kReach));
-  QToolTip::showText(onScreen, html, this, around);  // an empty one hides it
+  const QPoint place = explained.isEmpty() ? position : tipPlace(explained, position);
+  QToolTip::showText(mapToGlobal(place), html, this, around);  // an empty one hides it
 }
 
 void ContactCanvas::readAbout() {
@@ -493,8 +509,7 @@ void ContactCanvas::pinch(const QPointF& position, double factor) {
 
 bool ContactCanvas::event(QEvent* event) {
   if (event->type() == QEvent::ToolTip) {
-    const auto* help = static_cast<QHelpEvent*>(event);
-    explain(help->pos(), help->globalPos());
+    explain(static_cast<QHelpEvent*>(event)->pos());
     return true;
   }
   // The menu, which Qt shows, has an entry that leads to what is under the pointer.

@@ -22,6 +22,7 @@
 #include "ui/contact/contact_picture.h"
 #include "ui/contact/contact_signs.h"
 #include "ui/contact/contact_viewer.h"
+#include "ui/language/language.h"
 #include "ui/window/contact/canvas_backend.h"
 
 class QLabel;
@@ -90,7 +91,7 @@ class ContactCanvas : public QWidget {
   /// changes now is painted together with it. Frames that come too fast are left out.
   void frameShown(std::shared_ptr<const asperity::Frame> frame);
   void painted();
-  void failed(const QString& reason);
+  void failed(const asperity::LiveText& reason);
   void viewChanged();
   void fieldsChanged(const asperity::FrameFields& fields);
   /// Emitted at each step of a drag that changes the scene.
@@ -115,7 +116,7 @@ class ContactCanvas : public QWidget {
   void useSoftware();
   CanvasEvents eventsOfPictures();
   void setBackend(CanvasBackend* backend);
-  void fallBack(const QString& reason);
+  void fallBack(const LiveText& reason);
   void takeReady(const std::shared_ptr<const Frame>& frame);
   void takePainted(const std::vector<LabelPlace>& labels);
   void refresh();
@@ -136,7 +137,8 @@ class ContactCanvas : public QWidget {
   void endDrag();
   void pinch(const QPointF& position, double factor);
   void changed();
-  void explain(const QPoint& position, const QPoint& onScreen);
+  QPoint tipPlace(const QRectF& explained, const QPoint& pointer) const;
+  void explain(const QPoint& position);
 
   QVBoxLayout* layout_;
   CanvasBackend* backend_ = nullptr;  // a child widget

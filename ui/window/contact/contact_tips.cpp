@@ -62,8 +62,10 @@ ContactTip contactTipAt(const Frame& frame, const ContactPictureOptions& options
                         const QPointF& pixel, const std::optional<Scene>& scene) {
   ContactTip tip;
   if (const auto sign = contactSignAt(frame, options, static_cast<float>(pixel.x()),
-                                      static_cast<float>(pixel.y())))
+                                      static_cast<float>(pixel.y()))) {
     tip = signTip(*sign, frame.scene->elastomer.rheology);
+    tip.explained = {sign->box.x, sign->box.y, sign->box.width, sign->box.height};
+  }
   if (const ContactHandle handle = contactHandleAt(frame, options, pixel, scene);
       handle != ContactHandle::None)
     tip.html += wrappedTip(dragHint(handle, *scene)) + wrappedTip(draggedText(handle, *scene));

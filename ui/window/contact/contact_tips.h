@@ -4,6 +4,7 @@
 #pragma once
 
 #include <QPointF>
+#include <QRectF>
 #include <QString>
 #include <optional>
 
@@ -15,6 +16,7 @@ namespace asperity {
 struct ContactTip {
   QString html;         // rich text; empty: no tip here
   QString guideAnchor;  // empty: nothing is explained here
+  QRectF explained{};   // the text or symbol, in pixels of the picture; empty: none
 };
 
 /// Returns the tip at a pixel of the picture. scene: what drags change; none: they move the view.

@@ -13,55 +13,25 @@ namespace asperity {
 
 namespace {
 
-/// Adds the commands one after the other to the canvas, whose context menu has them too, and to the
-/// menu.
+/// Adds the commands one after the other to the menus that show them.
 class ViewActions {
   Q_DECLARE_TR_FUNCTIONS(asperity::ViewActionText)
 
  public:
-  ViewActions(ContactCanvas& canvas, QMenu& menu) : canvas_(canvas), menu_(menu) {}
+  /// menus: the widgets to which the commands are added; of the canvas it is the context menu.
+  ViewActions(ContactCanvas& canvas, const QList<QWidget*>& menus)
+      : canvas_(canvas), menus_(menus) {}
 
   void addZoom() {
-    add("zoomIn", QT_TR_NOOP("Zoom in"),
-        QT_TR_NOOP("At the crosshair or in the middle; also with the wheel"),
-        {Qt::Key_Plus, Qt::Key_Equal, QKeySequence(QKeySequence::ZoomIn)},
-        [&canvas = canvas_](bool) { canvas.zoom(1); });
-    add("zoomOut", QT_TR_NOOP("Zoom out"), QT_TR_NOOP("Also with the wheel"),
-        {Qt::Key_Minus, QKeySequence(QKeySequence::ZoomOut)},
-        [&canvas = canvas_](bool) { canvas.zoom(-1); });
-    add("zoomFit", QT_TR_NOOP("Show all"),
-        QT_TR_NOOP("The whole period, heights fitted; also a double click"),
-        {Qt::Key_0, Qt::Key_F, Qt::Key_Home}, [&canvas = canvas_](bool) { canvas.fit(); });
-    addSeparator();
-    add("steeper", QT_TR_NOOP("More vertical exaggeration"),
-        QT_TR_NOOP("Also with Ctrl and the wheel"), {Qt::SHIFT | Qt::Key_Up},
-        [&canvas = canvas_](bool) { canvas.exaggerate(1); });
-    add("flatter", QT_TR_NOOP("Less vertical exaggeration"),
-        QT_TR_NOOP("Also with Ctrl and the wheel"), {Qt::SHIFT | Qt::Key_Down},
-        [&canvas = canvas_](bool) { canvas.exaggerate(-1); });
-    add("fitHeights", QT_TR_NOOP("Fit heights"),
-        QT_TR_NOOP("The exaggeration that shows all heights"), {Qt::Key_H},
-        [&canvas = canvas_](bool) { canvas.fitHeights(); });
-    addSeparator();
+    ViewActions zoom = addMenu("zoomMenu", QT_TR_NOOP("Zoom and exaggeration"));
+    zoom.addScales();
+    zoom.addSeparator();
+    zoom.addExaggeration();
   }
 
   /// Adds what drags in the picture do, for the keyboard.
   void addNudges() {
-    const auto nudge = [&canvas = canvas_](ContactHandle handle, double steps) {
-      return [&canvas, handle, steps](bool) { canvas.nudge(handle, steps); };
-    };
-    add("pressHarder", QT_TR_NOOP("Press harder"),
-        QT_TR_NOOP("More load; also by dragging the rigid body or the force's arrow down"),
-        {Qt::CTRL | Qt::Key_Down}, nudge(ContactHandle::Body, 1));
-    add("pressLess", QT_TR_NOOP("Press less"),
-        QT_TR_NOOP("Less load; also by dragging the rigid body or the force's arrow up"),
-        {Qt::CTRL | Qt::Key_Up}, nudge(ContactHandle::Body, -1));
-    add("slideFaster", QT_TR_NOOP("Slide faster"),
-        QT_TR_NOOP("More velocity; also by dragging its arrow to the right"), {Qt::Key_V},
-        nudge(ContactHandle::Velocity, 1));
-    add("slideSlower", QT_TR_NOOP("Slide slower"),
-        QT_TR_NOOP("Less velocity; also by dragging its arrow to the left"),
-        {Qt::SHIFT | Qt::Key_V}, nudge(ContactHandle::Velocity, -1));
+    addMenu("nudgeMenu", QT_TR_NOOP("Press and slide")).addDrags();
     addSeparator();
   }
 
@@ -99,9 +69,7 @@ class ViewActions {
          QT_TR_NOOP("Where friction turns into heat: in contact and where the surface recovers")},
         {ContactOverlay::None, QT_TR_NOOP("Nothing"), nullptr},
     };
-    auto* colours = named<QMenu>("overlayMenu", &menu_);
-    colours->setToolTipsVisible(true);
-    keepTranslated(*colours, [colours] { colours->setTitle(tr("Colour by")); });
+    ViewActions colours = addMenu("overlayMenu", QT_TR_NOOP("Colour by"));
     auto* group = new QActionGroup(&canvas_);
     for (const auto& [overlay, text, tip] : kChoices) {
       const std::string_view word = choiceWord(kContactOverlays, overlay);
@@ -115,41 +83,93 @@ class ViewActions {
                        [&canvas = canvas_, action, o = overlay] {
                          if (canvas.viewer().overlay() == o) action->setChecked(true);
                        });
-      colours->addAction(action);
+      colours.addToMenus(*action);
     }
-    menu_.addMenu(colours);
-    canvas_.addAction(colours->menuAction());
-    colours->addSeparator();
-    ViewActions(canvas_, *colours)
-        .add("nextOverlay", QT_TR_NOOP("Next colouring"),
-             QT_TR_NOOP("Switches to the next colouring"), {Qt::Key_C}, [group](bool) {
-               const QList<QAction*> all = group->actions();
-               const auto now = all.indexOf(group->checkedAction());
-               all[(now + 1) % all.size()]->trigger();
-             });
+    colours.addSeparator();
+    colours.add("nextOverlay", QT_TR_NOOP("Next colouring"),
+                QT_TR_NOOP("Switches to the next colouring"), {Qt::Key_C}, [group](bool) {
+                  const QList<QAction*> all = group->actions();
+                  const auto now = all.indexOf(group->checkedAction());
+                  all[(now + 1) % all.size()]->trigger();
+                });
   }
 
   /// Adds the entry of the context menu that opens the guide at the object under the pointer.
   void addGuide() {
-    canvas_.addAction(makeSeparator());
+    addSeparator();
     auto* action = named<QAction>("aboutContact", &canvas_);
     keepTexts(*action, QT_TR_NOOP("Read about it in the guide"),
               QT_TR_NOOP("Opens the guide at what is under the pointer: a reading, a label, the "
                          "colours"));
     QObject::connect(action, &QAction::triggered, &canvas_, &ContactCanvas::readAbout);
-    canvas_.addAction(action);
+    addToMenus(*action);
   }
 
  private:
+  void addScales() {
+    add("zoomIn", QT_TR_NOOP("Zoom in"),
+        QT_TR_NOOP("At the crosshair or in the middle; also with the wheel"),
+        {Qt::Key_Plus, Qt::Key_Equal, QKeySequence(QKeySequence::ZoomIn)},
+        [&canvas = canvas_](bool) { canvas.zoom(1); });
+    add("zoomOut", QT_TR_NOOP("Zoom out"), QT_TR_NOOP("Also with the wheel"),
+        {Qt::Key_Minus, QKeySequence(QKeySequence::ZoomOut)},
+        [&canvas = canvas_](bool) { canvas.zoom(-1); });
+    add("zoomFit", QT_TR_NOOP("Show all"),
+        QT_TR_NOOP("The whole period, heights fitted; also a double click"),
+        {Qt::Key_0, Qt::Key_F, Qt::Key_Home}, [&canvas = canvas_](bool) { canvas.fit(); });
+  }
+
+  void addExaggeration() {
+    add("steeper", QT_TR_NOOP("More vertical exaggeration"),
+        QT_TR_NOOP("Also with Ctrl and the wheel"), {Qt::SHIFT | Qt::Key_Up},
+        [&canvas = canvas_](bool) { canvas.exaggerate(1); });
+    add("flatter", QT_TR_NOOP("Less vertical exaggeration"),
+        QT_TR_NOOP("Also with Ctrl and the wheel"), {Qt::SHIFT | Qt::Key_Down},
+        [&canvas = canvas_](bool) { canvas.exaggerate(-1); });
+    add("fitHeights", QT_TR_NOOP("Fit heights"),
+        QT_TR_NOOP("The exaggeration that shows all heights"), {Qt::Key_H},
+        [&canvas = canvas_](bool) { canvas.fitHeights(); });
+  }
+
+  void addDrags() {
+    const auto nudge = [&canvas = canvas_](ContactHandle handle, double steps) {
+      return [&canvas, handle, steps](bool) { canvas.nudge(handle, steps); };
+    };
+    add("pressHarder", QT_TR_NOOP("Press harder"),
+        QT_TR_NOOP("More load; also by dragging the rigid body or the force's arrow down"),
+        {Qt::CTRL | Qt::Key_Down}, nudge(ContactHandle::Body, 1));
+    add("pressLess", QT_TR_NOOP("Press less"),
+        QT_TR_NOOP("Less load; also by dragging the rigid body or the force's arrow up"),
+        {Qt::CTRL | Qt::Key_Up}, nudge(ContactHandle::Body, -1));
+    add("slideFaster", QT_TR_NOOP("Slide faster"),
+        QT_TR_NOOP("More velocity; also by dragging its arrow to the right"), {Qt::Key_V},
+        nudge(ContactHandle::Velocity, 1));
+    add("slideSlower", QT_TR_NOOP("Slide slower"),
+        QT_TR_NOOP("Less velocity; also by dragging its arrow to the left"),
+        {Qt::SHIFT | Qt::Key_V}, nudge(ContactHandle::Velocity, -1));
+  }
+
   QAction* add(const char* name, const char* text, const char* tip, const QList<QKeySequence>& keys,
                std::function<void(bool)> run) {
     auto* action = named<QAction>(name, &canvas_);
     action->setShortcuts(keys);
     keepTexts(*action, text, tip);
     QObject::connect(action, &QAction::triggered, &canvas_, std::move(run));
-    canvas_.addAction(action);
-    menu_.addAction(action);
+    addToMenus(*action);
     return action;
+  }
+
+  /// Adds a submenu, and returns what adds commands to it.
+  ViewActions addMenu(const char* name, const char* title) {
+    auto* menu = named<QMenu>(name, menus_.back());
+    menu->setToolTipsVisible(true);
+    keepTranslated(*menu, [menu, title] { menu->setTitle(tr(title)); });
+    addToMenus(*menu->menuAction());
+    return {canvas_, {menu}};
+  }
+
+  void addToMenus(QAction& action) {
+    for (QWidget* menu : menus_) menu->addAction(&action);
   }
 
   void keepTexts(QAction& action, const char* text, const char* tip) {
@@ -159,31 +179,25 @@ class ViewActions {
     });
   }
 
-  QAction* makeSeparator() {
+  void addSeparator() {
     auto* separator = new QAction(&canvas_);
     separator->setSeparator(true);
-    return separator;
-  }
-
-  void addSeparator() {
-    QAction* separator = makeSeparator();
-    canvas_.addAction(separator);
-    menu_.addAction(separator);
+    addToMenus(*separator);
   }
 
   ContactCanvas& canvas_;
-  QMenu& menu_;
+  QList<QWidget*> menus_;
 };
 
 }  // namespace
 
 void addContactViewActions(ContactCanvas& canvas, QMenu& menu) {
-  ViewActions actions(canvas, menu);
+  ViewActions actions(canvas, {&canvas, &menu});
   actions.addZoom();
   actions.addNudges();
   actions.addSwitches();
   actions.addColours();
-  actions.addGuide();
+  ViewActions(canvas, {&canvas}).addGuide();
 }
 
 }  // namespace asperity

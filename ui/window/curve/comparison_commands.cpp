@@ -102,9 +102,7 @@ void ComparisonCommands::showScene(const Scene& scene) {
   for (const TheoryEntry& entry : theoryEntries())
     if (auto* action = theories_->findChild<QAction*>("theory:" + theoryWord(entry.theory)))
       action->setChecked(isShown(scene, entry.theory));
-  const bool hasTables = !scene.comparison.data.empty();
-  tables_->setEnabled(hasTables);
-  parts_.tabs.showInCorner(*button_, hasTables);
+  parts_.tabs.showInCorner(*button_, !scene.comparison.data.empty());
 }
 
 void ComparisonCommands::takeTheory(Theory theory, bool isSelected) {
@@ -123,6 +121,7 @@ void ComparisonCommands::fillTables() {
     action->setObjectName(QStringLiteral("measured:%1").arg(i));
     action->setToolTip(fromUtf8((scene.folder / table.file).string()));
   }
+  explainEmpty(*tables_, tr("The scene has no measured friction"));
 }
 
 void ComparisonCommands::removeTable(std::size_t index) {

@@ -25,6 +25,7 @@
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/controls.h"
+#include "ui/window/main/commands.h"
 #include "ui/window/main/picture_files.h"
 #include "ui/window/main/session.h"
 
@@ -167,6 +168,7 @@ void CurveCommands::fillUnpin() {
         });
     action->setObjectName(QStringLiteral("unpin:%1").arg(pinned.id));
   }
+  explainEmpty(*unpin_, tr("No curve is pinned"));
 }
 
 void CurveCommands::showState() {
@@ -177,7 +179,6 @@ void CurveCommands::showState() {
   pin_->setEnabled(hasCurve && !isConcealed);
   family_->setEnabled(!isConcealed);
   unpinAll_->setEnabled(hasPins);
-  unpin_->setEnabled(hasPins);
   const Sweep& sweep = session_.scene().sweep;
   dimensionless_->setEnabled(sweep.isOfVelocity());
   if (!sweep.isOfVelocity() && dimensionless_->isChecked()) dimensionless_->setChecked(false);
@@ -308,7 +309,7 @@ void CurveCommands::pinFamily(const Parameter& parameter) {
           for (const auto& curve : family) plot.pin(curve);
         });
       },
-      [this](const QString& reason) { emit failed(reason); });
+      [this](const LiveText& reason) { emit failed(reason); });
 }
 
 // ---- Files and pictures

@@ -11,6 +11,7 @@
 #include "core/chart/curve_set.h"
 #include "core/run/runner.h"
 #include "core/scene/parameters.h"
+#include "ui/language/language.h"
 #include "ui/window/tasks/background_work.h"
 
 class QAction;
@@ -60,7 +61,7 @@ class CurveCommands : public QObject {
   /// Emitted when the user requests the guide about the object under the pointer.
   void guideRequested(const QString& anchor);
   /// Emitted when a family could not be computed.
-  void failed(const QString& reason);
+  void failed(const asperity::LiveText& reason);
 
  private:
   QAction* add(const char* name, std::function<void()> run);

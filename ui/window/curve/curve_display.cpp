@@ -3,6 +3,7 @@
 #include <QAbstractItemView>
 #include <QFocusEvent>
 #include <QSignalBlocker>
+#include <QToolTip>
 #include <functional>
 #include <memory>
 
@@ -131,7 +132,7 @@ void CurveComparison::update() {
         };
         curveDifference(scene, setting, options);
       },
-      [] {}, [this](const QString& reason) { emit failed(reason); });
+      [] {}, [this](const LiveText& reason) { emit failed(reason); });
 }
 
 SceneComparisons::SceneComparisons(Session& session, QObject* parent)
@@ -163,7 +164,7 @@ void SceneComparisons::update() {
         emit shown();
         session_.editCurve([&](FrictionChartModel& plot) { plot.showComparisons(scene, *set); });
       },
-      [this](const QString& reason) { emit failed(reason); });
+      [this](const LiveText& reason) { emit failed(reason); });
 }
 
 // ---- The lists at the axes
@@ -200,6 +201,13 @@ class AxisBox : public ChoiceBox {
   }
 
  protected:
+  /// Shows the tooltip to the right, not over the numbers of the axis.
+  bool event(QEvent* event) override {
+    if (event->type() != QEvent::ToolTip) return ChoiceBox::event(event);
+    QToolTip::showText(mapToGlobal(QPoint(width(), 0)), toolTip(), this);
+    return true;
+  }
+
   void focusInEvent(QFocusEvent* event) override {
     if (event->reason() != Qt::PopupFocusReason) fill_();
     ChoiceBox::focusInEvent(event);

@@ -18,6 +18,7 @@
 #include "core/friction/curve_quantity.h"
 #include "core/scene/scene.h"
 #include "ui/chart/chart_view.h"
+#include "ui/language/language.h"
 #include "ui/window/tasks/background_work.h"
 
 namespace asperity {
@@ -75,7 +76,7 @@ class CurveComparison : public QObject {
   void setSetting(const std::optional<CurveSetting>& setting);
 
  signals:
-  void failed(const QString& reason);
+  void failed(const asperity::LiveText& reason);
   /// Emitted when part of a difference is available, so that an earlier failure is over.
   void shown();
 
@@ -96,7 +97,7 @@ class SceneComparisons : public QObject {
   SceneComparisons(Session& session, QObject* parent);
 
  signals:
-  void failed(const QString& reason);
+  void failed(const asperity::LiveText& reason);
   /// Emitted when comparisons are shown: an earlier failure is over.
   void shown();
 

@@ -154,14 +154,15 @@ void InfluencePage::compute() {
          [scene, verb, table = result.table] { return provenanceComment(verb, scene) + table; },
          [sheet = result.sheet] { return sheet; }});
   };
-  const auto fail = [this](const QString& reason) {
+  const auto fail = [this](const LiveText& reason) {
     isComputing_ = false;
     shown_.reset();
     note_ = {};
     view_->setPlaceholder({});
     view_->setToolTip({});
     view_->setMinimumHeight(0);
-    view_->show([reason]() -> DiagramSheet { throw std::runtime_error(reason.toStdString()); });
+    view_->show(
+        [reason]() -> DiagramSheet { throw std::runtime_error(QString(reason).toStdString()); });
   };
   // The diagram of another question would pass for the answer to this one.
   if (shownWaves_ != hasWaves) {

@@ -135,7 +135,7 @@ void DiagramView::request() {
         update();
         emit painted();
       },
-      [this](const QString& reason) { emit failed(reason); });
+      [this](const LiveText& reason) { emit failed(reason); });
 }
 
 void DiagramView::showEvent(QShowEvent* event) {
@@ -187,7 +187,7 @@ void DiagramView::save(const QString& file) {
                      {translated(sheet.title), saved.origin ? saved.origin() : std::string(),
                       options.scale});
       },
-      [this, file] { emit saved(file); }, [this](const QString& reason) { emit failed(reason); });
+      [this, file] { emit saved(file); }, [this](const LiveText& reason) { emit failed(reason); });
 }
 
 void DiagramView::copy() {
@@ -200,7 +200,7 @@ void DiagramView::copy() {
         QGuiApplication::clipboard()->setImage(image);
         emit saved({});
       },
-      [this](const QString& reason) { emit failed(reason); });
+      [this](const LiveText& reason) { emit failed(reason); });
 }
 
 bool DiagramView::hasFrame() const {

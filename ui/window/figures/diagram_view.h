@@ -12,6 +12,7 @@
 #include "core/chart/diagram.h"
 #include "ui/chart/diagram_picture.h"
 #include "ui/contact/contact_picture.h"
+#include "ui/language/language.h"
 #include "ui/window/tasks/background_work.h"
 
 class QTimer;
@@ -71,7 +72,7 @@ class DiagramView : public QWidget {
 
  signals:
   void painted();
-  void failed(const QString& reason);
+  void failed(const asperity::LiveText& reason);
   void saved(const QString& file);
   /// Emitted when the view appears or disappears: only a visible diagram needs data.
   void visibilityChanged(bool isVisible);

@@ -128,7 +128,7 @@ void FigureGallery::startNext() {
   FigureStatus& status = of(job.name);
   status.work = FigureStage::Computing;
   status.part = 0;
-  status.error.clear();
+  status.error = {};
   const auto progressed = [this, name = job.name](double part) {
     of(name).part = part;
     emit changed(name);
@@ -141,7 +141,7 @@ void FigureGallery::startNext() {
         of(name).made = std::move(made);
         end(name);
       },
-      [this, name = job.name](const QString& reason) {
+      [this, name = job.name](const LiveText& reason) {
         of(name).error = reason;
         end(name);
       });

@@ -23,6 +23,7 @@
 #include "core/paper/claim.h"
 #include "core/paper/figure.h"
 #include "core/run/frame.h"
+#include "ui/language/language.h"
 #include "ui/window/tasks/background_work.h"
 
 namespace asperity {
@@ -68,7 +69,7 @@ struct FigureStatus {
   FigureStage work = FigureStage::None;
   double part = 0;                             // finished part of the computation, 0 to 1
   std::shared_ptr<const ComputedFigure> made;  // the newest; null: none yet
-  QString error;  // why the newest computation failed; empty: it succeeded
+  LiveText error;  // why the newest computation failed; empty: it succeeded
 };
 
 /// The figures of this session and their computation.

@@ -91,6 +91,7 @@ GalleryPage& FigurePages::gallery() {
 SceneGallery& FigurePages::scenes() {
   if (scenes_) return *scenes_;
   scenes_ = new SceneGallery;
+  scenes_->addCommand(*commands_->get("lessons"));
   scenes_->setTheme(theme_);
   scenes_->setSizePolicy(kNoSize, kNoSize);
   addWidget(scenes_);

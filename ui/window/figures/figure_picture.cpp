@@ -77,7 +77,7 @@ void FigurePicture::requestPicture() {
         return image;
       },
       [this, number = asked_](const QImage& image) { take(number, image); },
-      [this](const QString& reason) { emit failed(reason); });
+      [this](const LiveText& reason) { emit failed(reason); });
 }
 
 void FigurePicture::take(std::uint64_t number, const QImage& image) {

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "ui/contact/contact_picture.h"
+#include "ui/language/language.h"
 #include "ui/window/figures/figure_gallery.h"
 #include "ui/window/tasks/background_work.h"
 
@@ -41,7 +42,7 @@ class FigurePicture : public QWidget {
 
  signals:
   void painted();
-  void failed(const QString& reason);
+  void failed(const asperity::LiveText& reason);
 
  protected:
   void changeEvent(QEvent* event) override;

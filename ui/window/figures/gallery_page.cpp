@@ -89,7 +89,7 @@ GalleryPage::GalleryPage(FigureMaker maker, QWidget* parent)
   connect(list_, &FigureList::chosenChanged, this, &GalleryPage::showChosen);
   connect(list_, &FigureList::computeRequested, this, &GalleryPage::compute);
   connect(gallery_, &FigureGallery::changed, this, &GalleryPage::take);
-  connect(picture_, &FigurePicture::failed, this, [this](const QString& reason) {
+  connect(picture_, &FigurePicture::failed, this, [this](const LiveText& reason) {
     messages_->showFailure(MessageBar::Failure::Scene, reason);
   });
   auto* escape =
@@ -376,7 +376,7 @@ void GalleryPage::save(const QString& file,
         if (messages_->end(MessageBar::Failure::Export)) showChosen();
         emit saved(file);
       },
-      [this](const QString& reason) {
+      [this](const LiveText& reason) {
         showNote({});
         messages_->showFailure(MessageBar::Failure::Export, reason);
       });

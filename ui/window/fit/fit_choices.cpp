@@ -15,6 +15,7 @@
 
 #include "core/base/number_text.h"
 #include "ui/language/language.h"
+#include "ui/language/translated.h"
 #include "ui/panels/controls.h"
 #include "ui/panels/list_box.h"
 #include "ui/panels/number_text.h"
@@ -143,11 +144,10 @@ void FitChoices::fillKeys() {
   keys_->setTabKeyNavigation(false);
   for (int row = 0; row < keys_->rowCount(); ++row) {
     const VariedParameter& parameter = parameters_[static_cast<std::size_t>(row)];
-    const QString label = ParameterRow::labelText(parameter.row());
-    auto* name = new QTableWidgetItem(label);
+    auto* name = new QTableWidgetItem(ParameterRow::labelText(parameter.row()));
     name->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable | Qt::ItemIsSelectable);
     name->setCheckState(Qt::Unchecked);
-    name->setToolTip(label + ", " + fromUtf8(parameter.key()));
+    name->setToolTip(wrappedTip(translatedText(parameter.row().sentence)));
     auto* now = new QTableWidgetItem(shortQuantity(parameter.valueIn(scene_), parameter.row()));
     now->setToolTip(quantity(parameter.valueIn(scene_), parameter.row()));
     now->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);

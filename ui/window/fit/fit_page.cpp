@@ -12,7 +12,6 @@
 #include <QTabBar>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <stdexcept>
 
 #include "core/base/input_error.h"
 #include "core/chart/curve_set.h"
@@ -183,20 +182,16 @@ void FitPage::begin() {
   work_.request(
       [this, scene, varied, texts = variedTexts(selection),
        hasProfiles = choices_->needsProfiles()](const BackgroundWork::Run& run) {
-        try {
-          FitOptions options;
-          options.stop = run.stop();
-          options.hasProfiles = hasProfiles;
-          options.progress = [this, &run](int evaluations, double chiSquared) {
-            run.post([this, evaluations, chiSquared] { showProgress(evaluations, chiSquared); });
-          };
-          auto fitted = std::make_shared<FittedCurve>(
-              fitWithCurve(scene, readComparisonData(scene), varied, options));
-          fitted->varied = texts;
-          return fitted;
-        } catch (const InputError& error) {
-          throw std::runtime_error(errorWithLabel(error).toStdString());
-        }
+        FitOptions options;
+        options.stop = run.stop();
+        options.hasProfiles = hasProfiles;
+        options.progress = [this, &run](int evaluations, double chiSquared) {
+          run.post([this, evaluations, chiSquared] { showProgress(evaluations, chiSquared); });
+        };
+        auto fitted = std::make_shared<FittedCurve>(
+            fitWithCurve(scene, readComparisonData(scene), varied, options));
+        fitted->varied = texts;
+        return fitted;
       },
       [this](const std::shared_ptr<FittedCurve>& fitted) {
         isFitting_ = false;

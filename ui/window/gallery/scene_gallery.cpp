@@ -1,5 +1,6 @@
 #include "ui/window/gallery/scene_gallery.h"
 
+#include <QAction>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
@@ -41,14 +42,17 @@ bool matches(const LibraryScene& entry, const Card& card, const QString& filter)
 }  // namespace
 
 SceneGallery::SceneGallery(QWidget* parent)
-    : QWidget(parent), thumbnails_(new SceneThumbnails(drawScenePicture, {}, this)) {
+    : QWidget(parent),
+      thumbnails_(new SceneThumbnails(drawScenePicture, {}, this)),
+      heading_(new TitleBar("closeScenes")) {
   setObjectName("sceneGallery");
   cards_ = new CardList([this](const QString& name) { return thumbnails_->picture(name); });
   none_ = named<QLabel>("noScene");
   none_->setAlignment(Qt::AlignCenter);
   none_->setWordWrap(true);
   auto* column = marginless<QVBoxLayout>(this, 0);
-  column->addWidget(makeHeading());
+  fillHeading();
+  column->addWidget(heading_);
   column->addWidget(cards_, 1);
   column->addWidget(none_, 1);
 
@@ -69,25 +73,30 @@ SceneGallery::SceneGallery(QWidget* parent)
   keepTranslated(*this, [this] { showTexts(); });
 }
 
-QWidget* SceneGallery::makeHeading() {
-  auto* heading = new TitleBar("closeScenes");
-  title_ = &heading->title();
+void SceneGallery::fillHeading() {
   filter_ = named<QLineEdit>("sceneFilter");
   filter_->setClearButtonEnabled(true);
   filter_->setMinimumWidth(200);
   filter_->setTextMargins(4, 0, 0, 0);
-  heading->insert(*filter_);
-  QToolButton& close = heading->closeButton();
+  heading_->insert(*filter_);
+  QToolButton& close = heading_->closeButton();
   connect(&close, &QToolButton::clicked, this, &SceneGallery::closed);
-  keepTranslated(*heading, [&close] {
+  keepTranslated(*heading_, [&close] {
     close.setToolTip(tr("Back to the contact (Esc)"));
     close.setAccessibleName(tr("back to the contact"));
   });
-  return heading;
+}
+
+void SceneGallery::addCommand(QAction& command) {
+  auto* button = named<QToolButton>("gallery:" + command.objectName());
+  button->setProperty("role", "framed");
+  button->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  button->setDefaultAction(&command);
+  heading_->insert(*button);
 }
 
 void SceneGallery::showTexts() {
-  title_->setText(tr("Choose a scene to begin with; everything in it can be changed"));
+  heading_->title().setText(tr("Choose a scene to begin with; everything in it can be changed"));
   filter_->setPlaceholderText(tr("Search ( / )"));
   filter_->setAccessibleName(tr("filter of the scenes"));
   cards_->setAccessibleName(tr("scenes"));

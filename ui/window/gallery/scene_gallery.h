@@ -7,6 +7,7 @@
 
 #include "ui/draw/theme.h"
 
+class QAction;
 class QLabel;
 class QLineEdit;
 
@@ -14,6 +15,7 @@ namespace asperity {
 
 class CardList;
 class SceneThumbnails;
+class TitleBar;
 
 class SceneGallery : public QWidget {
   Q_OBJECT
@@ -25,6 +27,8 @@ class SceneGallery : public QWidget {
   void choose(const QString& scene);
   void setTheme(const Theme& theme);
   void focusFilter();
+  /// Adds a button for a command to the heading, such as what else there is to begin with.
+  void addCommand(QAction& command);
 
   CardList& cards() { return *cards_; }
   SceneThumbnails& thumbnails() { return *thumbnails_; }
@@ -39,13 +43,14 @@ class SceneGallery : public QWidget {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  QWidget* makeHeading();
+  void fillHeading();
   void showCards();
   void showTexts();
   void leave();
 
   SceneThumbnails* thumbnails_;
-  QLabel *title_ = nullptr, *none_ = nullptr;
+  TitleBar* heading_;
+  QLabel* none_ = nullptr;
   QLineEdit* filter_ = nullptr;
   CardList* cards_ = nullptr;
 };

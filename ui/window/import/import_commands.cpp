@@ -234,7 +234,7 @@ void ImportCommands::takeMaterial(const QString& file) {
   try {
     useMaterial(scene, nameInScene(scene, QFileInfo(file).absoluteFilePath().toStdString()));
   } catch (const std::exception& error) {
-    return parts_.messages.showFailure(MessageBar::Failure::Files, translatedError(error));
+    return parts_.messages.showFailure(MessageBar::Failure::Files, liveError(error));
   }
   parts_.messages.end(MessageBar::Failure::Files);
   parts_.document.edit(scene, QT_TRANSLATE_NOOP("asperity::SceneDocument", "Open material"));
@@ -254,13 +254,14 @@ bool ImportCommands::askFriction() {
 bool ImportCommands::takeFriction(const QString& file) {
   Scene scene = parts_.document.scene();
   const std::string path = QFileInfo(file).absoluteFilePath().toStdString();
-  QStringList remarks;  // on what is not used; the first note is how the columns were understood
+  std::vector<Message> remarks;  // on what is not used
   try {
     const FrictionData data = readFrictionData(path);
+    // The first note says how the columns were understood.
     for (std::size_t i = 1; i < data.notes.size(); ++i)
-      remarks += QString::fromStdString(data.name) + ": " + translatedText(data.notes[i]);
+      remarks.push_back(message("{}: {}", data.name, data.notes[i]));
   } catch (const std::exception& error) {
-    parts_.messages.showFailure(MessageBar::Failure::Files, translatedError(error));
+    parts_.messages.showFailure(MessageBar::Failure::Files, liveError(error));
     return false;
   }
   const std::string name = nameInScene(scene, path);
@@ -270,7 +271,12 @@ bool ImportCommands::takeFriction(const QString& file) {
   parts_.messages.end(MessageBar::Failure::Files);
   parts_.document.edit(scene,
                        QT_TRANSLATE_NOOP("asperity::SceneDocument", "Add measured friction"));
-  if (!remarks.isEmpty()) parts_.messages.showMessage(remarks.join('\n'));
+  if (!remarks.empty())
+    parts_.messages.showMessage([remarks] {
+      QStringList lines;
+      for (const Message& remark : remarks) lines += translatedText(remark);
+      return lines.join('\n');
+    });
   emit imported();
   return true;
 }
@@ -294,7 +300,7 @@ void ImportCommands::openDropped(const QString& file) {
                       return;
                   }
                 },
-                [this](const QString& reason) {
+                [this](const LiveText& reason) {
                   parts_.messages.showFailure(MessageBar::Failure::Files, reason);
                 });
 }

@@ -30,6 +30,7 @@
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
+#include "ui/panels/parameter_row.h"
 #include "ui/window/figures/diagram_view.h"
 #include "ui/window/main/picture_files.h"
 
@@ -367,7 +368,8 @@ void MaterialImport::take(const Preview& preview) {
   }
   showSheet();
   QStringList lines, warnings;
-  for (const Message& line : materialSummary(*material_)) lines += sentence(translatedText(line));
+  for (const Message& line : materialSummary(*material_))
+    lines += sentence(withLabels(translatedText(line)));
   // Warnings come first, where they are visible without scrolling.
   if (material_->isMeasured() && !material_->curve.isThermorheologicallySimple)
     warnings += lines.takeLast();

@@ -300,7 +300,7 @@ void HandoutSaver::ask(const Lesson& lesson, const QString& name) {
 
 void HandoutSaver::save(const Lesson& lesson, const QString& file, bool forTeacher) {
   if (isSaving_) return;
-  setSaving(true, tr("The program draws the pictures and computes the answers…"));
+  setSaving(true, [] { return tr("The program draws the pictures and computes the answers…"); });
   work_.request(
       [lesson, file, forTeacher](const BackgroundWork::Run& run) {
         HandoutOptions options;
@@ -308,11 +308,13 @@ void HandoutSaver::save(const Lesson& lesson, const QString& file, bool forTeach
         options.stop = run.stop();
         writeHandout(file.toStdString(), lesson, options);
       },
-      [this, file] { setSaving(false, tr("Saved %1").arg(QFileInfo(file).fileName())); },
-      [this](const QString& reason) { setSaving(false, reason); });
+      [this, file] {
+        setSaving(false, [file] { return tr("Saved %1").arg(QFileInfo(file).fileName()); });
+      },
+      [this](const LiveText& reason) { setSaving(false, reason); });
 }
 
-void HandoutSaver::setSaving(bool isSaving, const QString& status) {
+void HandoutSaver::setSaving(bool isSaving, const LiveText& status) {
   isSaving_ = isSaving;
   emit statusChanged(status);
   if (page_) return;

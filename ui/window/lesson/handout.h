@@ -14,6 +14,7 @@
 #include <QWidget>
 #include <filesystem>
 
+#include "ui/language/language.h"
 #include "ui/window/lesson/handout_content.h"
 #include "ui/window/tasks/background_work.h"
 
@@ -46,12 +47,12 @@ class HandoutSaver : public QObject {
 
  signals:
   /// Emitted when saving begins and ends: the handout is being made, is saved, or cannot be saved.
-  void statusChanged(const QString& text);
+  void statusChanged(const asperity::LiveText& text);
   /// Emitted when saving ends after the page was closed.
-  void endedWithoutPage(const QString& text);
+  void endedWithoutPage(const asperity::LiveText& text);
 
  private:
-  void setSaving(bool isSaving, const QString& status);
+  void setSaving(bool isSaving, const LiveText& status);
 
   QPointer<QWidget> page_;
   bool isSaving_ = false;

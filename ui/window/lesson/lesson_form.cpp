@@ -119,7 +119,7 @@ QWidget* AssignmentList::makeRow(std::size_t index) {
   auto* line = marginless<QHBoxLayout>(all);
   const QString label = row ? ParameterRow::labelText(*row) : QString::fromStdString(key);
   auto* name = new QLabel(label);
-  if (row) name->setToolTip(translatedText(row->sentence) + '\n' + QString::fromStdString(key));
+  if (row) name->setToolTip(wrappedTip(translatedText(row->sentence)));
   line->addWidget(name);
   QWidget* value = nullptr;
   if (row) {

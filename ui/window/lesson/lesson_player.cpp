@@ -95,6 +95,7 @@ void LessonPlayer::buildDock() {
   keepHeading(*title_, *bar, kTitleScale);
   title_->installEventFilter(this);
   keep_->setObjectName("lessonKeep");
+  keep_->setProperty("role", "framed");
   close_->setObjectName("lessonEnd");
   close_->setText(QStringLiteral("✕"));
   line->addWidget(title_, 1);

@@ -4,23 +4,24 @@
 #include <QDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QLocale>
 #include <QPushButton>
 #include <QTextBrowser>
 #include <QVBoxLayout>
 #include <cmath>
-#include <functional>
+#include <exception>
+#include <filesystem>
 #include <map>
-#include <optional>
 
-#include "core/base/input_error.h"
-#include "core/lesson/lesson_class.h"
+#include "core/base/atomic_file.h"
 #include "core/lesson/lesson_file.h"
 #include "core/scene/sweep.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/controls.h"
 #include "ui/window/lesson/lesson_text.h"
+#include "ui/window/main/picture_files.h"
 #include "ui/window/main/scene_library.h"
 #include "ui/window/main/window_layout.h"
 
@@ -175,17 +176,13 @@ QString LessonResultsPage::html(const QString& file) {
   return html + tableHtml(rows);
 }
 
-QString LessonResultsPage::classHtml(const QStringList& files) {
-  std::vector<std::string> paths;
-  for (const QString& file : files) paths.push_back(file.toStdString());
-  std::vector<InputError> refused;
-  const std::vector<std::vector<StudentResults>> classes = readClasses(paths, refused);
+QString LessonResultsPage::classHtml(const ClassResults& results) {
   QString html;
-  for (const std::vector<StudentResults>& students : classes)
+  for (const std::vector<StudentResults>& students : results.classes)
     html += "<h3>" + resultsTitle(students.front().results).toHtmlEscaped() + "</h3>" +
             classTable(students);
-  if (!refused.empty()) html += "<h3>" + tr("Files without results") + "</h3>";
-  for (const InputError& error : refused) {
+  if (!results.refused.empty()) html += "<h3>" + tr("Files without results") + "</h3>";
+  for (const InputError& error : results.refused) {
     const QString name = QFileInfo(QString::fromStdString(error.file())).fileName();
     const QString reason = translatedError(InputError("", error.key(), error.message()));
     html += "<p>" + (name + ": " + reason).toHtmlEscaped() + "</p>";
@@ -195,36 +192,65 @@ QString LessonResultsPage::classHtml(const QStringList& files) {
 
 namespace {
 
-/// Shows a page in a dialog, in which what does not fit is scrolled to. Where there is a way to go
-/// on, a button closes the dialog and calls it.
-void showPage(QWidget& window, const QString& name, const QString& title, const QString& html,
-              const std::function<void()>& goOn = {}) {
-  auto* page = named<QTextBrowser>(name + "Table");
-  page->setAccessibleName(title);
-  page->setHtml(html);
-  auto* dialog = named<QDialog>(name, &window);
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setWindowTitle(title);
-  auto* close = new QPushButton(LessonResultsPage::tr("&Close"));
-  QObject::connect(close, &QPushButton::clicked, dialog, &QDialog::reject);
-  auto* column = new QVBoxLayout(dialog);
-  column->addWidget(page, 1);
-  auto* foot = new QHBoxLayout;
-  foot->addStretch(1);
-  if (goOn) {
-    auto* button = named<QPushButton>("resultsGoOn");
-    button->setText(LessonResultsPage::tr("&Go on with these answers"));
-    QObject::connect(button, &QPushButton::clicked, &window, [dialog, goOn] {
-      dialog->reject();
-      goOn();
-    });
-    foot->addWidget(button);
+/// A page in a dialog, in which what does not fit is scrolled to.
+class ResultsDialog : public QDialog {
+ public:
+  ResultsDialog(QWidget& window, const QString& name, const QString& title, const QString& html)
+      : QDialog(&window), status_(textLabel(name + "Status")), foot_(new QHBoxLayout) {
+    setObjectName(name);
+    setAttribute(Qt::WA_DeleteOnClose);
+    setWindowTitle(title);
+    auto* page = named<QTextBrowser>(name + "Table");
+    page->setAccessibleName(title);
+    page->setHtml(html);
+    status_->hide();
+    foot_->addStretch(1);
+    connect(&addButton(name + "Close", LessonResultsPage::tr("&Close")), &QPushButton::clicked,
+            this, &QDialog::reject);
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(page, 1);
+    column->addWidget(status_);
+    column->addLayout(foot_);
+    constexpr QSize kSize(820, 460);  // pixels
+    resizePage(*this, kSize);
   }
-  foot->addWidget(close);
-  column->addLayout(foot);
-  constexpr QSize kSize(820, 460);  // pixels
-  resizePage(*dialog, kSize);
-  dialog->open();
+
+  /// Adds a button to the left of the others.
+  QPushButton& addButton(const QString& name, const QString& text) {
+    auto* button = named<QPushButton>(name);
+    button->setText(text);
+    foot_->insertWidget(1, button);
+    return *button;
+  }
+
+  /// Shows a line below the page.
+  void showStatus(const QString& text, MessageKind kind) {
+    setMessage(*status_, text, kind);
+    status_->show();
+  }
+
+ private:
+  QLabel* status_;
+  QHBoxLayout* foot_;
+};
+
+/// Asks for a file and saves the table of the class in it.
+void saveTable(ResultsDialog& page, const ClassResults& results) {
+  try {
+    const std::string table = classCsv(onlyClass(results.classes));
+    const QString file =
+        askSaveFile(&page, LessonResultsPage::tr("Save the table of a class"),
+                    LessonResultsPage::tr("class.csv"), LessonResultsPage::tr("Table (*.csv)"));
+    if (file.isEmpty()) return;
+    const std::filesystem::path path = file.toStdString();
+    if (path.extension() != ".csv")
+      throw unknownExtension(path.string(), path.extension().string(), {".csv"});
+    writeFileAtomically(path, table);
+    page.showStatus(LessonResultsPage::tr("Saved %1").arg(QFileInfo(file).fileName()),
+                    MessageKind::Note);
+  } catch (const std::exception& error) {
+    page.showStatus(translatedError(error), MessageKind::Error);
+  }
 }
 
 }  // namespace
@@ -232,16 +258,30 @@ void showPage(QWidget& window, const QString& name, const QString& title, const 
 void showLessonResults(QWidget& window, const QString& file,
                        const std::function<void(const Lesson&, const LessonResults&)>& goOn) {
   const LessonResults results = readResultsFile(file.toStdString());
-  std::function<void()> goOnHere;
+  auto* page =
+      new ResultsDialog(window, "lessonResults", LessonResultsPage::tr("Results of a lesson"),
+                        LessonResultsPage::html(file));
   if (const std::optional<Lesson> lesson = shippedLesson(results); goOn && lesson)
-    goOnHere = [goOn, lesson = *lesson, results] { goOn(lesson, results); };
-  showPage(window, "lessonResults", LessonResultsPage::tr("Results of a lesson"),
-           LessonResultsPage::html(file), goOnHere);
+    QObject::connect(
+        &page->addButton("resultsGoOn", LessonResultsPage::tr("&Go on with these answers")),
+        &QPushButton::clicked, &window, [page, goOn, lesson = *lesson, results] {
+          page->reject();
+          goOn(lesson, results);
+        });
+  page->open();
 }
 
 void showClassResults(QWidget& window, const QStringList& files) {
-  showPage(window, "classResults", LessonResultsPage::tr("Results of a class"),
-           LessonResultsPage::classHtml(files));
+  std::vector<std::string> paths;
+  for (const QString& file : files) paths.push_back(file.toStdString());
+  ClassResults results;
+  results.classes = readClasses(paths, results.refused);
+  auto* page =
+      new ResultsDialog(window, "classResults", LessonResultsPage::tr("Results of a class"),
+                        LessonResultsPage::classHtml(results));
+  QObject::connect(&page->addButton("saveClassTable", LessonResultsPage::tr("&Save table…")),
+                   &QPushButton::clicked, page, [page, results] { saveTable(*page, results); });
+  page->open();
 }
 
 }  // namespace asperity

@@ -8,12 +8,21 @@
 #include <QStringList>
 #include <functional>
 #include <optional>
+#include <vector>
 
+#include "core/base/input_error.h"
+#include "core/lesson/lesson_class.h"
 #include "core/lesson/lesson_results.h"
 
 class QWidget;
 
 namespace asperity {
+
+/// The files of a class that could be read, by lesson, and the errors of the others.
+struct ClassResults {
+  std::vector<std::vector<StudentResults>> classes;
+  std::vector<InputError> refused;
+};
 
 class LessonResultsPage {
   Q_DECLARE_TR_FUNCTIONS(asperity::LessonResultsPage)
@@ -24,8 +33,8 @@ class LessonResultsPage {
 
   /// Returns the results of a class as HTML: a table for each lesson, with a row for each student
   /// and a column for each step that somebody answered. Files without results are listed below with
-  /// their reasons. Throws InputError where no file has results.
-  static QString classHtml(const QStringList& files);
+  /// their reasons.
+  static QString classHtml(const ClassResults& results);
 };
 
 /// Returns the shipped lesson to which results belong, as it was written; nothing for another
@@ -37,7 +46,8 @@ std::optional<Lesson> shippedLesson(const LessonResults& results);
 void showLessonResults(QWidget& window, const QString& file,
                        const std::function<void(const Lesson&, const LessonResults&)>& goOn = {});
 
-/// Shows the results of a class in a dialog, which may stay open.
+/// Shows the results of a class in a dialog, which may stay open. A button of it saves them as the
+/// table that `asperity lesson` writes.
 void showClassResults(QWidget& window, const QStringList& files);
 
 }  // namespace asperity

@@ -1,6 +1,7 @@
 #include "ui/window/lesson/lessons.h"
 
 #include <QDateTime>
+#include <QFileDialog>
 #include <QFileInfo>
 #include <QMainWindow>
 #include <QMessageBox>
@@ -145,6 +146,16 @@ void Lessons::addTo(Commands& commands) {
                   else
                     openEditor(isRunning() ? written_ : Lesson{}, isRunning() ? file_ : QString());
                 }});
+  commands.add({"classTable", [] { return tr("Table of a class…"); }, [this] { askResults(); }});
+}
+
+/// Asks for the files of a class, which may be of several lessons.
+void Lessons::askResults() {
+  const QStringList files =
+      QFileDialog::getOpenFileNames(&parts_.window, tr("Results of a class"), proposedFolder(),
+                                    tr("Results (*.json);;All files (*)"));
+  rememberFolder(files.value(0));
+  if (!files.isEmpty()) openResults(files);
 }
 
 LessonList& Lessons::showList() {
@@ -159,7 +170,7 @@ LessonList& Lessons::showList() {
       openEditor(readNamedLesson(name.toStdString(), readNamedScene),
                  QFileInfo::exists(name) ? name : QString());
     } catch (const std::exception& error) {
-      messages_.showFailure(MessageBar::Failure::Files, translatedError(error));
+      messages_.showFailure(MessageBar::Failure::Files, liveError(error));
     }
   });
   list->open();
@@ -274,16 +285,18 @@ std::function<void()> Lessons::closeEditorForReopening() {
 }
 
 /// Returns why a lesson cannot be opened, and for a draft how it can be completed.
-QString Lessons::failureText(const QString& file, const std::exception& error) const {
-  const QString reason = translatedError(error);
+LiveText Lessons::failureText(const QString& file, const std::exception& error) const {
+  const LiveText reason = liveError(error);
   if (!isLessonFile(file.toStdString())) return reason;
   try {
     readDraftFile(file.toStdString(), readNamedScene);
   } catch (const std::exception&) {
     return reason;
   }
-  return tr("This lesson cannot be played yet; Help > Lesson editor > Open completes it. %1")
-      .arg(reason);
+  return [reason] {
+    return tr("This lesson cannot be played yet; Help > Lesson editor > Open completes it. %1")
+        .arg(QString(reason));
+  };
 }
 
 bool Lessons::open(const QString& nameOrFile) {
@@ -321,7 +334,7 @@ bool Lessons::openResults(const QStringList& files) {
     messages_.end(MessageBar::Failure::Files);
     return true;
   } catch (const std::exception& error) {
-    messages_.showFailure(MessageBar::Failure::Files, translatedError(error));
+    messages_.showFailure(MessageBar::Failure::Files, liveError(error));
     return false;
   }
 }
@@ -474,7 +487,7 @@ bool Lessons::saveAnswers(const QString& file) {
     writeResults(file.toStdString(), all, *lesson());
     player_->setResults(std::move(all));
   } catch (const std::exception& error) {
-    messages_.showFailure(MessageBar::Failure::Export, translatedError(error));
+    messages_.showFailure(MessageBar::Failure::Export, liveError(error));
     return false;
   }
   messages_.end(MessageBar::Failure::Export);

@@ -13,6 +13,7 @@
 #include <map>
 #include <optional>
 
+#include "ui/language/language.h"
 #include "ui/window/lesson/lesson_player.h"
 
 namespace asperity {
@@ -90,13 +91,14 @@ class Lessons : public QObject {
   };
   bool wantsToGoOn(const QString& name, const QString& question, const Otherwise& otherwise) const;
   static Otherwise discards();
-  QString failureText(const QString& file, const std::exception& error) const;
+  LiveText failureText(const QString& file, const std::exception& error) const;
   QString offerAnswers(const Lesson& lesson);
   QString offerSavedAnswers(const Lesson& lesson);
   void goOn(const Lesson& lesson, const LessonResults& results, const QString& file);
   bool hasUnsavedAnswers() const;
   void keepUnsavedAnswers() const;
   void leave();
+  void askResults();
   void askResultsFile();
   QString resultsName() const;
   bool saveAnswers(const QString& file);

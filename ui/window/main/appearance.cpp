@@ -149,7 +149,8 @@ QString windowStyleSheet(const Theme& theme) {
     #dockTitle #lessonTitle { color: %2; }
     #dockTitle QToolButton { border: none; border-radius: 4px; color: %6; padding: 2px 6px; }
     #dockTitle QToolButton:hover { background: %4; color: %2; }
-    #dockTitle #lessonKeep { border: 1px solid %3; color: %2; }
+    #dockTitle QToolButton[role="framed"] { border: 1px solid %3; color: %2; }
+    #dockTitle QToolButton[role="framed"]:focus { border-color: %5; }
     QToolTip { background: %1; color: %2; border: 1px solid %3; padding: 3px; }
     QScrollBar:vertical { background: transparent; width: 9px; margin: 0; }
     QScrollBar::handle:vertical { background: %3; border-radius: 4px; min-height: 30px; }
@@ -215,6 +216,7 @@ void Appearance::setColours(Colours colours) {
   if (!choices_.isEmpty()) choices_.at(static_cast<int>(colours))->setChecked(true);
   const bool dark = colours == Colours::System ? isSystemDark_ : colours == Colours::Dark;
   if (dark != isDark_) setDark(dark);
+  emit coloursSet();
 }
 
 void Appearance::setDark(bool dark) {

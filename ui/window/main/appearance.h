@@ -49,6 +49,8 @@ class Appearance : public QObject {
 
  signals:
   void themeChanged(const asperity::Theme& theme);
+  /// Emitted by setColours(), also where the theme stays.
+  void coloursSet();
 
  private:
   void applyTheme();

@@ -1,6 +1,7 @@
 #include "ui/window/main/commands.h"
 
 #include <QMainWindow>
+#include <QMenu>
 #include <QPainter>
 #include <QPainterPath>
 #include <QPixmap>
@@ -10,6 +11,10 @@
 #include "ui/panels/controls.h"
 
 namespace asperity {
+
+void explainEmpty(QMenu& menu, const QString& reason) {
+  if (menu.isEmpty()) menu.addAction(reason)->setEnabled(false);
+}
 
 QString buttonText(QString text) {
   return text.remove(u'…').trimmed();

@@ -16,6 +16,7 @@
 #include <string>
 
 class QMainWindow;
+class QMenu;
 
 namespace asperity {
 
@@ -81,6 +82,9 @@ class Commands : public QObject {
   std::map<std::string, Entry> entries_;
   QColor colour_;
 };
+
+/// Adds to a menu that has no entries one that says why, and cannot be chosen.
+void explainEmpty(QMenu& menu, const QString& reason);
 
 /// Returns a text for a button: without dots.
 QString buttonText(QString text);

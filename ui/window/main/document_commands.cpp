@@ -21,6 +21,7 @@
 #include "ui/language/translated.h"
 #include "ui/panels/controls.h"
 #include "ui/panels/parameter_panel.h"
+#include "ui/panels/parameter_row.h"
 #include "ui/panels/scene_files.h"
 #include "ui/window/main/commands.h"
 #include "ui/window/main/message_bar.h"
@@ -116,7 +117,7 @@ void DocumentCommands::openFile(const QString& file) {
   }
   reading_.request([file](const BackgroundWork::Run&) { return findScene(file.toStdString()); },
                    [this, file](const FoundScene& found) { showFound(file, found); },
-                   [this, file](const QString& reason) {
+                   [this, file](const LiveText& reason) {
                      messages_.showFailure(MessageBar::Failure::Files, reason);
                      emit sceneRead(file, false);
                    });
@@ -162,9 +163,11 @@ bool DocumentCommands::confirmOpen(const QString& file, const FoundScene& found)
 // ---- Saving
 
 bool DocumentCommands::saveTo(const QString& file) {
-  if (const Missing missing = missingValue(panel_.scene()); !missing.text.isEmpty()) {
-    const InputError error("", std::string(missing.key), missing.text.toStdString());
-    messages_.showFailure(MessageBar::Failure::Files, translatedError(error));
+  if (!missingValue(panel_.scene()).text.isEmpty()) {
+    messages_.showFailure(MessageBar::Failure::Files, [scene = panel_.scene()] {
+      const Missing missing = missingValue(scene);
+      return ParameterRow::labelText(*findParameter(missing.key)) + ": " + missing.text;
+    });
     return false;
   }
   if (!write(file, document_.scene())) return false;
@@ -181,7 +184,7 @@ bool DocumentCommands::write(const QString& file, const Scene& scene) {
     checkWritable(path);
     writeFileAtomically(path, writeScene(withFilesRelativeTo(path.parent_path(), scene)));
   } catch (const std::exception& error) {
-    messages_.showFailure(MessageBar::Failure::Files, translatedError(error));
+    messages_.showFailure(MessageBar::Failure::Files, liveError(error));
     return false;
   }
   messages_.end(MessageBar::Failure::Files);
@@ -264,8 +267,7 @@ void DocumentCommands::fillRecent() {
                                          [this, file] { openFile(file); });
     action->setToolTip(file);
   }
-  recent_->setEnabled(!files.isEmpty());
-  if (files.isEmpty()) return;
+  if (files.isEmpty()) return explainEmpty(*recent_, tr("No scene was opened or saved yet"));
   recent_->addSeparator();
   recent_->addAction(tr("Clear this list"), this, [this] {
     clearRecentFiles();

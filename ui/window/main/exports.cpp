@@ -126,9 +126,9 @@ std::optional<ContactShot> Exports::shot() const {
 /// Returns whether there is a contact to draw; otherwise the message bar says why there is none.
 bool Exports::hasPicture() const {
   if (parts_.canvas.frame()) return true;
-  parts_.messages.showFailure(
-      MessageBar::Failure::Export,
-      tr("There is no picture of the contact: this scene has not been computed."));
+  parts_.messages.showFailure(MessageBar::Failure::Export, [] {
+    return tr("There is no picture of the contact: this scene has not been computed.");
+  });
   return false;
 }
 
@@ -139,7 +139,7 @@ void Exports::run(std::function<void()> work, std::function<void()> done) {
                   parts_.messages.end(MessageBar::Failure::Export);
                   done();
                 },
-                [this](const QString& reason) {
+                [this](const LiveText& reason) {
                   parts_.messages.showFailure(MessageBar::Failure::Export, reason);
                 });
 }

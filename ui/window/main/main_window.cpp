@@ -312,9 +312,6 @@ void MainWindow::connectScene() {
   keepTranslated(*this, [this] {
     for (const QDockWidget* dock : findChildren<QDockWidget*>()) translateButtons(*dock);
     showTitle();
-    const bool isDescribed = !description_->isHidden();
-    description_->showMessage(sceneText(document_->scene().description));
-    description_->setVisible(isDescribed);
     if (session_->frame()) showFrame();
   });
 }
@@ -349,7 +346,7 @@ void MainWindow::showDescription() {
   if (description.empty() || tour_->isRunning())
     description_->hide();
   else
-    description_->showMessage(sceneText(description));
+    description_->showMessage([description] { return sceneText(description); });
 }
 
 void MainWindow::showTitle() {
@@ -515,7 +512,7 @@ void MainWindow::step(bool finely) {
 void MainWindow::connectCurve() {
   // Error messages stay in the bar until their source succeeds again.
   const auto fails = [this](MessageBar::Failure source) {
-    return [this, source](const QString& reason) { messages_->showFailure(source, reason); };
+    return [this, source](const LiveText& reason) { messages_->showFailure(source, reason); };
   };
   const auto succeeds = [this](MessageBar::Failure source) {
     return [this, source] { messages_->end(source); };

@@ -14,6 +14,7 @@
 #include "core/run/runner.h"
 #include "core/scene/notes.h"
 #include "core/scene/scene.h"
+#include "ui/language/language.h"
 
 class QDockWidget;
 class QSplitter;
@@ -149,6 +150,6 @@ QString guideFile(const QString& programFolder);
 
 /// Opens the guide in the reader's own browser, at an anchor ("eq-11") or at its beginning. Returns
 /// the error message; empty on success.
-QString openGuideFile(const QString& programFolder, const QString& anchor = {});
+LiveText openGuideFile(const QString& programFolder, const QString& anchor = {});
 
 }  // namespace asperity

@@ -138,7 +138,8 @@ void MainWindow::buildMenus() {
   QMenu& help = *addMenu([] { return tr("&Help"); });
   add(help, {"tour", "tourStepBack", "tourStepNext"});
   help.addSeparator();
-  add(help, {"lessons", "lessonBackStep", "lessonNextStep", "lessonEnd", "lessonEditor"});
+  add(help,
+      {"lessons", "lessonBackStep", "lessonNextStep", "lessonEnd", "lessonEditor", "classTable"});
   help.addSeparator();
   add(help, {"guide", "shortcuts"});
   help.addSeparator();
@@ -269,20 +270,24 @@ QString guideFile(const QString& programFolder) {
   return {};
 }
 
-QString openGuideFile(const QString& programFolder, const QString& anchor) {
+LiveText openGuideFile(const QString& programFolder, const QString& anchor) {
   const QString file = guideFile(programFolder);
   if (file.isEmpty())
-    return MessageBar::tr("The guide is not part of this build. Its text is in resources/guide.");
+    return [] {
+      return MessageBar::tr("The guide is not part of this build. Its text is in resources/guide.");
+    };
   QUrl path = QUrl::fromLocalFile(file);
   if (!anchor.isEmpty()) path.setFragment(anchor);
   if (!QDesktopServices::openUrl(path))
-    return MessageBar::tr("No browser opens the guide; it is the file %1.")
-        .arg(QDir::toNativeSeparators(file));
+    return [file] {
+      return MessageBar::tr("No browser opens the guide; it is the file %1.")
+          .arg(QDir::toNativeSeparators(file));
+    };
   return {};
 }
 
 void MainWindow::openGuide(const QString& anchor) {
-  const QString reason = openGuideFile(QCoreApplication::applicationDirPath(), anchor);
+  const LiveText reason = openGuideFile(QCoreApplication::applicationDirPath(), anchor);
   if (reason.isEmpty())
     messages_->end(MessageBar::Failure::Files);
   else

@@ -40,6 +40,19 @@ QString inLines(const QString& text, int lines, int width, const QFont& font) {
   return text.left(lastBegin) + shortened(rest, fitting.size());
 }
 
+/// Returns the label of a key of the scene, of a list with the number of its row.
+QString subjectText(const QString& key) {
+  const Parameter* parameter = findParameter(key.section('[', 0, 0).toStdString());
+  if (!parameter) return key;
+  const QString label = ParameterRow::labelText(*parameter);
+  const QString row = key.section('[', 1).section(']', 0, 0);
+  return row.isEmpty() ? label : MessageBar::tr("%1, row %2").arg(label).arg(row.toInt() + 1);
+}
+
+QString sceneErrorText(const Message& english) {
+  return withLabels(translatedText(english));
+}
+
 }  // namespace
 
 MessageBar::MessageBar(QWidget* parent)
@@ -79,11 +92,9 @@ MessageBar::MessageBar(QWidget* parent)
 
 void MessageBar::showTexts() {
   close_->setAccessibleName(tr("close message"));
-  accept_->setAccessibleName(offerButton_ ? offerButton_() : tr("accept"));
-  if (offer_) {
-    showText(offer_());
-    accept_->setText(offerButton_());
-  }
+  accept_->setAccessibleName(offerButton_.isEmpty() ? tr("accept") : offerButton_);
+  accept_->setText(offerButton_);
+  text_ = source_;
   fitText();
   if (sceneError_ && !isHidden() && failure_ == Failure::Scene)
     updateSceneError();
@@ -91,10 +102,10 @@ void MessageBar::showTexts() {
     markParameter();
 }
 
-void MessageBar::showOffer(Text text, Text button) {
+void MessageBar::showOffer(const LiveText& text, const LiveText& button) {
   failure_ = Failure::None;
-  offer_ = std::move(text);
-  offerButton_ = std::move(button);
+  source_ = text;
+  offerButton_ = button;
   showTexts();
   accept_->show();
   show();
@@ -110,13 +121,12 @@ void MessageBar::showSceneError(const QString& key, const Message& english) {
 }
 
 void MessageBar::updateSceneError() {
-  const auto& [key, english] = *sceneError_;
-  const QString text = withLabels(translatedText(english));
-  const Parameter* parameter = findParameter(key.section('[', 0, 0).toStdString());
-  QString subject = parameter ? ParameterRow::labelText(*parameter) : key;
-  if (const QString row = key.section('[', 1).section(']', 0, 0); parameter && !row.isEmpty())
-    subject = tr("%1, row %2").arg(subject).arg(row.toInt() + 1);
-  showFailure(Failure::Scene, subject.isEmpty() ? text : subject + ": " + text);
+  const auto error = *sceneError_;  // key and text
+  showFailure(Failure::Scene, [error] {
+    const QString subject = subjectText(error.first);
+    const QString text = sceneErrorText(error.second);
+    return subject.isEmpty() ? text : subject + ": " + text;
+  });
 }
 
 void MessageBar::markParameter() {
@@ -124,7 +134,7 @@ void MessageBar::markParameter() {
   const bool isSaidHere = !isHidden() && failure_ == Failure::Scene;
   emit sceneErrorShown(sceneError_->first, isSaidHere
                                                ? tr("not possible; the message above says why")
-                                               : withLabels(translatedText(sceneError_->second)));
+                                               : sceneErrorText(sceneError_->second));
 }
 
 void MessageBar::sceneRuns() {
@@ -137,8 +147,8 @@ void MessageBar::forget() {
   hide();
 }
 
-void MessageBar::showFailure(Failure source, const QString& text) {
-  offer_ = offerButton_ = nullptr;
+void MessageBar::showFailure(Failure source, const LiveText& text) {
+  offerButton_ = {};
   accept_->hide();
   failure_ = source;
   setNote(false);
@@ -154,11 +164,11 @@ bool MessageBar::end(Failure source) {
   return true;
 }
 
-void MessageBar::showMessage(const QString& text) {
+void MessageBar::showMessage(const LiveText& text) {
   showFailure(Failure::None, text);
 }
 
-void MessageBar::showNote(const QString& text) {
+void MessageBar::showNote(const LiveText& text) {
   showMessage(text);
   setNote(true);
 }
@@ -173,9 +183,10 @@ void MessageBar::setNote(bool isNote) {
   }
 }
 
-void MessageBar::showText(const QString& text) {
-  if (text != text_) showsAll_ = false;
-  text_ = text;
+void MessageBar::showText(const LiveText& text) {
+  source_ = text;
+  const QString before = std::exchange(text_, source_);
+  if (text_ != before) showsAll_ = false;
   fitText();
 }
 

@@ -5,11 +5,11 @@
 #pragma once
 
 #include <QFrame>
-#include <functional>
 #include <optional>
 #include <utility>
 
 #include "core/base/message.h"
+#include "ui/language/language.h"
 
 class QLabel;
 class QPushButton;
@@ -23,9 +23,10 @@ class MessageBar : public QFrame {
  public:
   explicit MessageBar(QWidget* parent = nullptr);
 
-  void showMessage(const QString& text);
+  /// Shows a text, which follows the language like all texts of the bar.
+  void showMessage(const LiveText& text);
   /// Shows what is no error.
-  void showNote(const QString& text);
+  void showNote(const LiveText& text);
 
   /// Shows at most this many lines of a text until the user asks for more; 0: all.
   void setLineLimit(int lines);
@@ -33,7 +34,7 @@ class MessageBar : public QFrame {
   /// The sources of errors. end() removes a message once its source succeeds again; end() returns
   /// whether the message was visible.
   enum class Failure { None, Scene, Files, Export, Comparison };
-  void showFailure(Failure source, const QString& text);
+  void showFailure(Failure source, const LiveText& text);
   bool end(Failure source);
 
   /// Shows an error of the scene until sceneRuns(): a key, which may be empty, and core's English
@@ -43,10 +44,8 @@ class MessageBar : public QFrame {
   /// Hides every message, because another scene was opened.
   void forget();
 
-  /// Shows an offer and a button that accepts it. Both texts are requested again in another
-  /// language.
-  using Text = std::function<QString()>;
-  void showOffer(Text text, Text button);
+  /// Shows an offer and a button that accepts it.
+  void showOffer(const LiveText& text, const LiveText& button);
   const QString& text() const { return text_; }
 
  signals:
@@ -64,7 +63,7 @@ class MessageBar : public QFrame {
   void updateSceneError();
   void markParameter();
   void showTexts();
-  void showText(const QString& text);
+  void showText(const LiveText& text);
   void setNote(bool isNote);
   void fitText();
 
@@ -72,8 +71,9 @@ class MessageBar : public QFrame {
   QToolButton* more_;
   QPushButton* accept_;
   QToolButton* close_;
+  LiveText source_;  // of the text
   QString text_;
-  Text offer_, offerButton_;
+  LiveText offerButton_;
   Failure failure_ = Failure::None;
   int lineLimit_ = 0;                                      // 0: none
   bool showsAll_ = false;                                  // because the user asked for it

@@ -14,6 +14,7 @@
 #include "core/run/frame.h"
 #include "core/scene/scene.h"
 #include "ui/contact/contact_picture.h"
+#include "ui/language/language.h"
 #include "ui/window/accuracy/accuracy_panel.h"
 
 class QAction;
@@ -91,7 +92,7 @@ class SceneTabs : public QTabWidget {
   void fieldsChanged();
   /// Emitted when a diagram was saved, or put on the clipboard (no file), or could not be.
   void saved(const QString& file);
-  void failed(const QString& reason);
+  void failed(const asperity::LiveText& reason);
 
  protected:
   /// Paints nothing: Qt would paint the base of a tab bar beside the tabs, which have none.

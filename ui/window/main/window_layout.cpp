@@ -35,9 +35,15 @@ constexpr int kLayoutVersion = 1;     // version of the layout of docks and tool
 /// the window is shown.
 constexpr QMargins kFrame{8, 40, 8, 8};
 
+const QString kColours = QStringLiteral("window/colours");
+
 const QList<int>& defaultSplit() {
   static const QList<int> sizes{600, 400};
   return sizes;
+}
+
+QString panelNote() {
+  return WindowLayout::tr("F9 shows the parameters; Esc ends the presentation.");
 }
 
 }  // namespace
@@ -49,6 +55,7 @@ WindowLayout::WindowLayout(const LayoutParts& parts) : QObject(&parts.window), p
   connect(&parts_.dock, &QDockWidget::visibilityChanged, this, [this](bool isVisible) {
     if (isVisible) endPanelNote();
   });
+  connect(&parts_.appearance, &Appearance::coloursSet, this, &WindowLayout::saveColours);
 }
 
 WindowLayout::~WindowLayout() {
@@ -187,14 +194,14 @@ void WindowLayout::beginPresentation() {
 void WindowLayout::showPanelNote() {
   constexpr int kShown = 8000;              // milliseconds
   if (!parts_.messages.isHidden()) return;  // an error says more
-  panelNote_ = tr("F9 shows the parameters; Esc ends the presentation.");
-  parts_.messages.showNote(panelNote_);
+  hasPanelNote_ = true;
+  parts_.messages.showNote(panelNote);
   QTimer::singleShot(kShown, this, &WindowLayout::endPanelNote);
 }
 
 void WindowLayout::endPanelNote() {
-  const QString note = std::exchange(panelNote_, QString());
-  if (!note.isEmpty() && parts_.messages.text() == note) parts_.messages.hide();
+  const bool hadNote = std::exchange(hasPanelNote_, false);
+  if (hadNote && parts_.messages.text() == panelNote()) parts_.messages.hide();
 }
 
 void WindowLayout::endPresentation() {
@@ -248,7 +255,6 @@ void WindowLayout::restoreDefault() {
 }
 
 void WindowLayout::remember() {
-  remembers_ = true;
   QSettings settings;
   settings.beginGroup("window");
   parts_.window.restoreGeometry(settings.value("geometry").toByteArray());
@@ -259,8 +265,9 @@ void WindowLayout::remember() {
   const PanelView usual = ParameterPanel::defaultView();
   parts_.panel.setView({settings.value("showsAllParameters", usual.showsAll).toBool(),
                         settings.value("foldedSections", usual.folded).toStringList()});
-  const int colours = std::clamp(settings.value("colours", 0).toInt(), 0, 2);
+  const int colours = std::clamp(QSettings().value(kColours, 0).toInt(), 0, 2);
   parts_.appearance.setColours(static_cast<Colours>(colours));
+  remembers_ = true;
   showScreenMode();
 }
 
@@ -287,7 +294,12 @@ void WindowLayout::save() {
   const PanelView panel = parts_.panel.view();
   settings.setValue("showsAllParameters", panel.showsAll);
   settings.setValue("foldedSections", panel.folded);
-  settings.setValue("colours", static_cast<int>(parts_.appearance.colours()));
+}
+
+/// Saves the colours as soon as they are chosen: the program may end in another way than by closing
+/// the window.
+void WindowLayout::saveColours() {
+  if (remembers_) QSettings().setValue(kColours, static_cast<int>(parts_.appearance.colours()));
 }
 
 /// Fits the window, including its frame, to the screen.

@@ -64,7 +64,8 @@ class WindowLayout : public QObject {
   void fillMenu(QMenu& menu);
 
   /// Restores size, docks, tabs and colours from the settings, as far as they fit on the screen.
-  /// From then on closing the window saves its layout. Call before the window is shown.
+  /// From then on closing the window saves its layout, and colours are saved when the user chooses
+  /// them. Call before the window is shown.
   void remember();
   bool remembers() const { return remembers_; }
   /// Saves the layout to the settings when the window closes, if remember() was called.
@@ -95,6 +96,7 @@ class WindowLayout : public QObject {
   void showScreenMode();
   void hideDocksForFigures(bool areShown);
   void fitDockToScreen();
+  void saveColours();
   bool restoreDocks(const QByteArray& state, int version = 0);
 
   LayoutParts parts_;
@@ -111,7 +113,7 @@ class WindowLayout : public QObject {
     bool hasStatus;
   };
   std::optional<Presentation> presentation_;
-  QString panelNote_;              // that the message bar shows; empty: none
+  bool hasPanelNote_ = false;      // the message bar shows how the parameters come back
   std::optional<QSize> dockSize_;  // the size that the dock gets back when the layouts allow it
 };
 

@@ -166,6 +166,7 @@ void MapPanel::showTexts() {
       if (const Parameter* row = findParameter(box->itemData(i).toString().toStdString()))
         box->setItemText(i, translatedText(row->label));
   if (map_) showCross();
+  updateMessage();
   showTips();
   showProgress();
 }
@@ -260,7 +261,7 @@ void MapPanel::compute() {
     work_.cancel();
     requested_.reset();
     showProgress();
-    showMessage(errorWithLabel(error));
+    showMessage([error] { return errorWithLabel(error); });
     return;
   }
   lines_ = 0;
@@ -291,7 +292,7 @@ void MapPanel::compute() {
         return map;
       },
       [this](ParameterMap map) { take(std::move(map)); },
-      [this](const QString& reason) {
+      [this](const LiveText& reason) {
         requested_.reset();
         showProgress();
         showMessage(reason);
@@ -345,18 +346,27 @@ void MapPanel::moveTo(double x, double y) {
 /// Says that a map has no target accuracy where its scene has one.
 void MapPanel::showTarget() {
   const bool isLeftOut = target_ > 0 && scene_.accuracy.scheme == Scheme::Cubic;
-  showMessage(isLeftOut ? tr("without the target error") : QString());
-  if (isLeftOut)
-    message_->setToolTip(
-        tr("All cells of a map have the same lines, those that the scene states."));
+  if (!isLeftOut) return showMessage({});
+  showMessage([] { return tr("without the target error"); },
+              [] {
+                return tr(
+                    "All cells of a map have the same lines, those that the scene "
+                    "states.");
+              });
 }
 
-/// Shows a text beside the lists, as why there is no map. The tooltip has all of it where the label
-/// is too narrow.
-void MapPanel::showMessage(const QString& text) {
-  message_->setText(text);
-  message_->setToolTip(text);
-  message_->setVisible(!text.isEmpty());
+/// Shows a text beside the lists, as why there is no map. Without a tip of its own the tooltip has
+/// all of the text, for which the label may be too narrow.
+void MapPanel::showMessage(const LiveText& text, const LiveText& tip) {
+  said_ = text;
+  saidTip_ = tip.isEmpty() ? text : tip;
+  updateMessage();
+}
+
+void MapPanel::updateMessage() {
+  message_->setText(said_);
+  message_->setToolTip(saidTip_);
+  message_->setVisible(!said_.isEmpty());
 }
 
 /// Says of how many lines the shown values are the mean and how much of the map over all lines is

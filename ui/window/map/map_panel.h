@@ -12,6 +12,7 @@
 
 #include "core/friction/parameter_map.h"
 #include "ui/draw/theme.h"
+#include "ui/language/language.h"
 #include "ui/window/tasks/background_work.h"
 
 class QLabel;
@@ -56,7 +57,8 @@ class MapPanel : public QWidget {
   void moveTo(double x, double y);
   QString readingAt(double x, double y) const;
   void showTarget();
-  void showMessage(const QString& text);
+  void showMessage(const LiveText& text, const LiveText& tip = {});
+  void updateMessage();
   void showProgress();
   void showTips();
   QString quantity() const;
@@ -67,6 +69,7 @@ class MapPanel : public QWidget {
   ChoiceBox *x_, *y_, *quantity_;
   QLabel *xLabel_, *yLabel_, *quantityLabel_;
   QLabel *message_, *progressLabel_;
+  LiveText said_, saidTip_;  // of the message
   QPushButton* save_;
   QStackedWidget* end_;  // of the row: the button or, while it computes, the progress
   MapView* view_;

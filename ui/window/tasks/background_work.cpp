@@ -2,10 +2,22 @@
 
 #include <exception>
 
+#include "core/base/input_error.h"
 #include "core/base/stop.h"
 #include "ui/language/translated.h"
+#include "ui/panels/parameter_text.h"
 
 namespace asperity {
+
+namespace {
+
+LiveText reasonOf(const std::exception& error) {
+  const auto* input = dynamic_cast<const InputError*>(&error);
+  if (!input) return liveError(error);
+  return [error = *input] { return errorWithLabel(error); };
+}
+
+}  // namespace
 
 BackgroundWork::BackgroundWork(RequestPolicy policy) : policy_(policy) {}
 
@@ -66,7 +78,7 @@ void BackgroundWork::carryOut(const Request& request, const std::stop_token& sto
     return;
   } catch (const std::exception& error) {
     if (request.failed)
-      run.post([failed = request.failed, reason = translatedError(error)] { failed(reason); });
+      run.post([failed = request.failed, reason = reasonOf(error)] { failed(reason); });
   }
 }
 

@@ -9,9 +9,10 @@
 // that a newer request has replaced (see RequestPolicy). Cancelling: the work's stop token is set;
 // work should check it at least every few milliseconds. The destructor waits for the work to stop.
 // Where work cannot be stopped, the end of the program does not wait for it (runUntilClosed in
-// ui/window/main/run_window.h). Failure: an exception of the work becomes one translated sentence
-// for `failed`. Stopped work throws StopRequested and reports nothing. Ownership: it is the last
-// member of its owner, so that its thread ends before other members are destroyed.
+// ui/window/main/run_window.h). Failure: an exception of the work becomes one sentence, in the
+// language of the window, for `failed`. Stopped work throws StopRequested and reports nothing.
+// Ownership: it is the last member of its owner, so that its thread ends before other members are
+// destroyed.
 #pragma once
 
 #include <QObject>
@@ -26,6 +27,8 @@
 #include <thread>
 #include <type_traits>
 #include <utility>
+
+#include "ui/language/language.h"
 
 namespace asperity {
 
@@ -58,7 +61,7 @@ class BackgroundWork : public QObject {
     std::stop_token stop_;
   };
 
-  using Failed = std::function<void(const QString& reason)>;
+  using Failed = std::function<void(const LiveText& reason)>;
 
   explicit BackgroundWork(RequestPolicy policy = RequestPolicy::CancelRunning);
   ~BackgroundWork() override;
