@@ -344,7 +344,7 @@ class Visitor {
     auto& keys = in<QTableWidget>(page, "fitKeys");
     const auto rowOf = [&](const QString& key) {
       for (int row = 0; row < keys.rowCount(); ++row)
-        if (keys.item(row, 0)->toolTip().endsWith(key)) return row;
+        if (keys.item(row, 0)->data(Qt::UserRole).toString() == key) return row;
       return 0;
     };
     keys.item(rowOf("surface.rms_height"), 2)->setText("high");

@@ -72,7 +72,7 @@ class FitPageTest : public MainWindowTest {
   }
   static int rowOf(QTableWidget& keys, const QString& key) {
     for (int row = 0; row < keys.rowCount(); ++row)
-      if (keys.item(row, 0)->toolTip().endsWith(key)) return row;
+      if (keys.item(row, 0)->data(Qt::UserRole).toString() == key) return row;
     return -1;
   }
   static QTableWidget& keysOf(FitPage& page) { return *page.findChild<QTableWidget*>("fitKeys"); }

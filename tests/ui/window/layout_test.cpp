@@ -289,7 +289,7 @@ TEST(MessageBar, AComplaintAboutAParameterIsSaidOnce) {
   ASSERT_FALSE(marks.empty());
   EXPECT_FALSE(marks.back().isEmpty()) << "the parameter is marked";
   EXPECT_FALSE(marks.join(' ').contains(complaint));
-  bar.showFailure(MessageBar::Failure::Files, "cannot be opened");
+  bar.showFailure(MessageBar::Failure::Files, [] { return QStringLiteral("cannot be opened"); });
   EXPECT_EQ(marks.back(), complaint);
   bar.end(MessageBar::Failure::Files);
   EXPECT_TRUE(bar.text().contains(complaint));

@@ -148,6 +148,7 @@ void FitChoices::fillKeys() {
     name->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable | Qt::ItemIsSelectable);
     name->setCheckState(Qt::Unchecked);
     name->setToolTip(wrappedTip(translatedText(parameter.row().sentence)));
+    name->setData(Qt::UserRole, fromUtf8(parameter.key()));
     auto* now = new QTableWidgetItem(shortQuantity(parameter.valueIn(scene_), parameter.row()));
     now->setToolTip(quantity(parameter.valueIn(scene_), parameter.row()));
     now->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
