@@ -229,6 +229,29 @@ TEST_F(TimeBarTest, ThePaceHasItsNameWhereThereIsSpace) {
   EXPECT_TRUE(isSeenAt(720));
 }
 
+/// At its least width the bar shows the moment without the duration, and nothing is cut.
+TEST_F(TimeBarTest, TheDurationGivesWayInANarrowBar) {
+  scene_.sliding.kind = SlidingKind::Oscillation;
+  show();
+  frame_.time = scene_.sliding.duration / 2;
+  frame_.transient = std::make_shared<const std::vector<TransientSample>>();
+  bar_.showFrame(frame_);
+  bar_.layout()->setSizeConstraint(QLayout::SetNoConstraint);  // as within a window
+  bar_.show();
+  const auto& moment = part<QLabel>("momentText");
+  const auto& keep = part<QCheckBox>("keepPace");
+  const QString time = quantityLabel(frame_.time, "s");
+  for (const int width : {720, bar_.minimumSizeHint().width(), 720}) {
+    bar_.resize(width, bar_.sizeHint().height());
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+    EXPECT_EQ(moment.text() == time, width < 720) << moment.text().toStdString();
+    EXPECT_TRUE(moment.text().startsWith(time)) << moment.text().toStdString();
+    EXPECT_LE(keep.geometry().right(), bar_.width()) << width;
+    EXPECT_GE(keep.width(), keep.sizeHint().width()) << width;
+    EXPECT_GE(moment.width(), moment.sizeHint().width()) << width;
+  }
+}
+
 TEST_F(TimeBarTest, ALongPaceIsNotCut) {
   auto& box = part<QLineEdit>("slowMotion");
   scene_.sliding.velocity = 1;

@@ -166,15 +166,14 @@ void TimeBar::setWidths() {
   const QString usual = QStringLiteral("000,000");
   factor_->setFixedWidth(widestText(*this, {slowerText(usual), fasterText(usual), shown_}) +
                          kEntryMargin);
-  momentText_->setMinimumWidth(
-      widestText(*this, {momentText(QStringLiteral("000.0 ms"), quantityLabel(duration_, "s"))}));
-  fitName();
+  fit();
 }
 
-/// Returns the width without the name of the pace, which gives way to the moment.
+/// Returns the width without what gives way to the rest: the name of the pace and the duration.
 QSize TimeBar::minimumSizeHint() const {
   QSize size = QWidget::minimumSizeHint();
   if (!name_->isHidden()) size.rwidth() -= nameWidth();
+  if (showsDuration_) size.rwidth() -= durationWidth();
   return size;
 }
 
@@ -182,14 +181,37 @@ int TimeBar::nameWidth() const {
   return name_->sizeHint().width() + layout()->spacing();
 }
 
-/// Shows the name of the pace where there is space for it: the number says it, too.
-void TimeBar::fitName() {
-  name_->setVisible(width() >= minimumSizeHint().width() + nameWidth());
+/// Returns the width of the longest text of a moment.
+int TimeBar::momentWidth(bool withDuration) const {
+  const QString longest = QStringLiteral("000.0 ms");
+  return widestText(*this,
+                    {withDuration ? momentText(longest, quantityLabel(duration_, "s")) : longest});
+}
+
+int TimeBar::durationWidth() const {
+  return duration_ > 0 ? momentWidth(true) - momentWidth(false) : 0;
+}
+
+/// Shows the duration, which the axis of the charts has too, and the name of the pace, which its
+/// number says too, where there is space for them.
+void TimeBar::fit() {
+  showsDuration_ = false;
+  momentText_->setMinimumWidth(momentWidth(false));
+  const int spare = width() - minimumSizeHint().width();
+  showsDuration_ = duration_ > 0 && spare >= durationWidth();
+  name_->setVisible(spare - (showsDuration_ ? durationWidth() : 0) >= nameWidth());
+  momentText_->setMinimumWidth(momentWidth(showsDuration_));
+  showMoment();
+}
+
+void TimeBar::showMoment() {
+  const QString time = quantityLabel(time_, "s");
+  momentText_->setText(showsDuration_ ? momentText(time, quantityLabel(duration_, "s")) : time);
 }
 
 void TimeBar::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  fitName();
+  fit();
 }
 
 void TimeBar::changeEvent(QEvent* event) {
@@ -247,7 +269,8 @@ void TimeBar::showFrame(const Frame& frame) {
     const QSignalBlocker blocker(moment_);
     moment_->setValue(static_cast<int>(std::lround(kMoments * frame.time / duration_)));
   }
-  momentText_->setText(momentText(quantityLabel(frame.time, "s"), quantityLabel(duration_, "s")));
+  time_ = frame.time;
+  showMoment();
 }
 
 /// Shows the pace that the picture has where that is much slower than the requested one, so that

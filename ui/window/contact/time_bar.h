@@ -61,7 +61,10 @@ class TimeBar : public QWidget {
   void showTexts();
   void setWidths();
   int nameWidth() const;
-  void fitName();
+  int momentWidth(bool withDuration) const;
+  int durationWidth() const;
+  void fit();
+  void showMoment();
   void takeScene(const Scene& scene);
   void setLimitedPace(double pace);
   void choosePace(double pace);
@@ -76,6 +79,8 @@ class TimeBar : public QWidget {
   double pace_;
   double chosen_;        // pace that the user set last, s; pace_ may follow the velocity instead
   double duration_ = 0;  // s, of a motion; 0: steady sliding
+  double time_ = 0;      // s, the moment that is shown
+  bool showsDuration_ = false;
   QSlider *moment_, *slider_;
   QLabel *momentText_, *behindText_, *name_;
   QLineEdit* factor_;
