@@ -44,8 +44,8 @@ inline constexpr double kFewSummits = 0.1;
 
 /// The sentence for the shade in a diagram.
 inline constexpr const char* kFewSummitsSentence =
-    "Tinted: F\u2099/(4\u03B7v), the height that the contacts of one period climb together, is "
-    "below 0.1 h, with the viscosity \u03B7; the border moves with the period L.";
+    "Tinted: F\u2099/(4\u03B7v) is below 0.1 h (\u03B7: viscosity). It is the height that the "
+    "contacts of one period climb together; the border moves with the period L.";
 
 /// Returns F_N / (4 eta v) in m.
 double climbedHeight(double normalForce, double viscosity, double velocity);

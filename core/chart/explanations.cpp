@@ -238,7 +238,7 @@ constexpr std::array kTable{
 };
 
 constexpr std::array kSymbols{
-    FormulaSymbol{"η", "viscosity, in Kelvin elements G τ"},
+    FormulaSymbol{"η", "viscosity (G τ in Kelvin elements)"},
     FormulaSymbol{"u", "displacement of the surface"},
     FormulaSymbol{"z", "height of the line"},
     FormulaSymbol{"Δx", "distance between elements"},

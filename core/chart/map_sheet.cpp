@@ -335,8 +335,8 @@ Message addRegionBorders(Diagram& diagram, const ParameterMap& given, const Risi
     isAny = true;
   }
   if (!isAny) return {};
-  return "Dashed: F\u2099/(4\u03B7v) = 0.1 h, with the viscosity \u03B7; beyond it few contacts "
-         "carry the load (region IV).";
+  return "Dashed: F\u2099/(4\u03B7v) = 0.1 h (\u03B7: viscosity); beyond it few contacts carry the "
+         "load (region IV).";
 }
 
 /// Returns a cross at the scene's own state if that is on the map.

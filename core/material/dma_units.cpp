@@ -63,7 +63,7 @@ std::string unitInForm(MeasuredForm form, const std::string& ofModuli) {
     case MeasuredForm::Viscosity:
       return ofModuli + " s";
     case MeasuredForm::Compliance:
-      return "1/" + ofModuli;
+      return "1/" + (ofModuli.find('/') == std::string::npos ? ofModuli : "(" + ofModuli + ")");
     default:
       return ofModuli;
   }

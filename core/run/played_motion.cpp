@@ -10,7 +10,7 @@ namespace {
 // Samples of a motion, at least: as many as its march has steps.
 constexpr double kSamplesOfMotion = Transient::kLeastSteps;
 
-// States of a motion that are kept to go back to: how many, and their size in bytes together.
+// States of a motion that are kept for jumps in time: how many, and their size in bytes together.
 constexpr double kMostKept = 32, kKeptBytes = 64e6;
 
 }  // namespace
@@ -27,8 +27,13 @@ void PlayedMotion::marchTo(double time) {
   while (transient_.canReach(time)) add(sampleUpTo(time));
 }
 
-/// Adds a sample, which replaces those that were made of the same time before.
+/// Adds a sample, which replaces those that were made of the same time before. A kept state has a
+/// sample of its own time: those that now lie between two samples are forgotten.
 void PlayedMotion::add(const TransientSample& sample) {
+  const double last = samples_.empty() ? 0 : samples_.back().time;
+  std::erase_if(kept_, [&](const Transient& state) {
+    return state.time() > last && state.time() < sample.time;
+  });
   samples_.push_back(sample);
   const auto isOver = [&](const TransientSample& other) { return other.time <= sample.time; };
   later_.erase(later_.begin(), std::ranges::partition_point(later_, isOver));

@@ -1,5 +1,6 @@
-// A motion as it is played in the window: its march, the samples of its diagram, and states to go
-// back to. The same calls give the same samples; no threads and no clock. Cannot fail.
+// A motion as it is played in the window: its march, the samples of its diagram, and states from
+// which it goes on after a jump in time. The same calls give the same samples; no threads and no
+// clock. Cannot fail.
 #pragma once
 
 #include <cstddef>

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <span>
 
 #include "core/base/number_text.h"
@@ -33,13 +34,20 @@ std::vector<DiagramPoint> inTime(std::span<const TransientSample> samples,
 
 /// Returns the magnitude of friction in time. It goes through 0 where friction changes its
 /// direction between two samples.
+/// Returns where between two samples friction changes its direction and so is 0: the part of the
+/// way, 0 to 1; nothing where it does not.
+std::optional<double> turn(const TransientSample& last, const TransientSample& next) {
+  if (std::signbit(last.tangentialForce) == std::signbit(next.tangentialForce)) return {};
+  if (!(last.mu > 0 && next.mu > 0)) return {};
+  return last.mu / (last.mu + next.mu);
+}
+
 std::vector<DiagramPoint> frictionInTime(std::span<const TransientSample> samples) {
   std::vector<DiagramPoint> points;
   const TransientSample* last = nullptr;
   for (const TransientSample& sample : samples) {
-    if (last && std::signbit(last->tangentialForce) != std::signbit(sample.tangentialForce) &&
-        last->mu > 0 && sample.mu > 0)
-      points.push_back({std::lerp(last->time, sample.time, last->mu / (last->mu + sample.mu)), 0});
+    if (const auto part = last ? turn(*last, sample) : std::nullopt)
+      points.push_back({std::lerp(last->time, sample.time, *part), 0});
     points.push_back({sample.time, sample.mu});
     last = &sample;
   }
@@ -89,10 +97,18 @@ void fadeAfter(double time, Diagram& diagram) {
 /// it reaches 0, as for a body without friction.
 void addErrorBand(Diagram& diagram, std::span<const TransientSample> samples) {
   DiagramSeries band{.stroke = SeriesStroke::None, .isBand = true, .colour = 0};
-  for (const TransientSample& sample : samples)
-    if (std::isfinite(sample.muError))
-      band.points.push_back({sample.time, sample.mu, std::max(sample.mu - sample.muError, 0.0),
-                             sample.mu + sample.muError});
+  const auto add = [&](double time, double mu, double error) {
+    if (std::isfinite(error))
+      band.points.push_back({time, mu, std::max(mu - error, 0.0), mu + error});
+  };
+  const TransientSample* last = nullptr;
+  for (const TransientSample& sample : samples) {
+    if (const auto part = last ? turn(*last, sample) : std::nullopt)
+      add(std::lerp(last->time, sample.time, *part), 0,
+          std::lerp(last->muError, sample.muError, *part));
+    add(sample.time, sample.mu, sample.muError);
+    last = &sample;
+  }
   if (band.points.size() < 2) return;
   const double low = std::ranges::min(band.points, {}, &DiagramPoint::low).low;
   const double high = std::ranges::max(band.points, {}, &DiagramPoint::high).high;

@@ -1903,6 +1903,25 @@
     </message>
 </context>
 <context>
+    <name>asperity::FrameDisplay</name>
+    <message>
+        <source>This scene is being computed</source>
+        <translation>Diese Szene wird noch berechnet</translation>
+    </message>
+    <message>
+        <source>This scene cannot be computed</source>
+        <translation>Diese Szene lässt sich nicht berechnen</translation>
+    </message>
+    <message>
+        <source>This is the previous scene; the changed one is being computed</source>
+        <translation>Dies ist die vorige Szene; die geänderte wird noch berechnet</translation>
+    </message>
+    <message>
+        <source>This is the previous scene; the changed one cannot be computed</source>
+        <translation>Dies ist die vorige Szene; die geänderte lässt sich nicht berechnen</translation>
+    </message>
+</context>
+<context>
     <name>asperity::GalleryPage</name>
     <message>
         <source>Figures of Li et al. (2013), computed here and now</source>
@@ -3188,22 +3207,6 @@
         <translation>%1[*] – Asperity</translation>
     </message>
     <message>
-        <source>This scene is being computed</source>
-        <translation>Diese Szene wird noch berechnet</translation>
-    </message>
-    <message>
-        <source>This scene cannot be computed</source>
-        <translation>Diese Szene lässt sich nicht berechnen</translation>
-    </message>
-    <message>
-        <source>This is the previous scene; the changed one is being computed</source>
-        <translation>Dies ist die vorige Szene; die geänderte wird noch berechnet</translation>
-    </message>
-    <message>
-        <source>This is the previous scene; the changed one cannot be computed</source>
-        <translation>Dies ist die vorige Szene; die geänderte lässt sich nicht berechnen</translation>
-    </message>
-    <message>
         <source>The curve&apos;s picture is on the clipboard</source>
         <translation>Das Bild der Kurve ist in der Zwischenablage</translation>
     </message>
@@ -4430,17 +4433,6 @@
     </message>
 </context>
 <context>
-    <name>asperity::Session</name>
-    <message>
-        <source>The numbers of this scene leave what a computer can hold.</source>
-        <translation>Die Zahlen dieser Szene übersteigen, was ein Rechner fassen kann.</translation>
-    </message>
-    <message>
-        <source>No steady sliding was found at this load and velocity.</source>
-        <translation>Bei dieser Last und Geschwindigkeit wurde kein stationäres Gleiten gefunden.</translation>
-    </message>
-</context>
-<context>
     <name>asperity::ShiftEditor</name>
     <message>
         <source>clipboard</source>
@@ -4784,8 +4776,8 @@
         <translation>Die gleitende Linie</translation>
     </message>
     <message>
-        <source>Normal force %1 on one period of %2, which is %3 per length.</source>
-        <translation>Normalkraft %1 auf eine Periode von %2, das sind %3 je Länge.</translation>
+        <source>Normal force %1 on one period of %2, that is %3.</source>
+        <translation>Normalkraft %1 auf eine Periode von %2, das sind %3.</translation>
     </message>
 </context>
 <context>

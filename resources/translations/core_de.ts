@@ -1368,7 +1368,7 @@
     </message>
     <message>
         <source>Waves longer than this are all equally strong; 0: the roughness is self-affine up to the whole period.</source>
-        <translation>Längere Wellen als diese sind alle gleich stark; 0: Die Rauheit ist bis zur ganzen Periode selbstaffin.</translation>
+        <translation>Längere Wellen als diese sind alle gleich stark; 0: Die Rauheit ist bis zur vollen Periode selbstaffin.</translation>
     </message>
     <message>
         <source>What to look for in the scene.</source>
@@ -1792,7 +1792,7 @@
     </message>
     <message>
         <source>the spectrum is self-affine up to the whole period</source>
-        <translation>das Spektrum ist bis zur ganzen Periode selbstaffin</translation>
+        <translation>das Spektrum ist bis zur vollen Periode selbstaffin</translation>
     </message>
     <message>
         <source>the steady state at the first velocity is where the motion begins</source>
@@ -1979,8 +1979,8 @@
         <translation>Wenige Kontakte der endlichen Periode tragen die Last, und die Steigung im Kontakt fällt, Gl. (15). Beginnt unter 95 % des Maximums.</translation>
     </message>
     <message>
-        <source>Tinted: Fₙ/(4ηv), the height that the contacts of one period climb together, is below 0.1 h, with the viscosity η; the border moves with the period L.</source>
-        <translation>Getönt: Fₙ/(4ηv), die Höhe, die alle Kontakte einer Periode zusammen erklimmen, liegt unter 0,1 h, mit der Viskosität η; die Grenze wandert mit der Periode L.</translation>
+        <source>Tinted: Fₙ/(4ηv) is below 0.1 h (η: viscosity). It is the height that the contacts of one period climb together; the border moves with the period L.</source>
+        <translation>Getönt: Fₙ/(4ηv) liegt unter 0,1 h (η: Viskosität). Es ist die Höhe, die alle Kontakte einer Periode zusammen erklimmen; die Grenze wandert mit der Periode L.</translation>
     </message>
     <message>
         <source>p. 3, after Eq. (9)</source>
@@ -5643,8 +5643,8 @@
         <translation>Gestrichelt: Grenzen der Bereiche I bis IV, jeweils aus der Reibungskurve bei einem Wert des anderen Parameters abgelesen.</translation>
     </message>
     <message>
-        <source>Dashed: Fₙ/(4ηv) = 0.1 h, with the viscosity η; beyond it few contacts carry the load (region IV).</source>
-        <translation>Gestrichelt: Fₙ/(4ηv) = 0,1 h, mit der Viskosität η; jenseits davon tragen wenige Kontakte die Last (Bereich IV).</translation>
+        <source>Dashed: Fₙ/(4ηv) = 0.1 h (η: viscosity); beyond it few contacts carry the load (region IV).</source>
+        <translation>Gestrichelt: Fₙ/(4ηv) = 0,1 h (η: Viskosität); jenseits davon tragen wenige Kontakte die Last (Bereich IV).</translation>
     </message>
     <message>
         <source>Cross: the scene's own state.</source>
@@ -7182,6 +7182,14 @@
         <source>has results of another version of &apos;%1&apos; than %2; a table is of one version</source>
         <translation>hat Ergebnisse einer anderen Fassung von „%1“ als %2; eine Tabelle gilt für eine Fassung</translation>
     </message>
+    <message>
+        <source>The numbers of this scene leave what a computer can hold.</source>
+        <translation>Die Zahlen dieser Szene übersteigen, was ein Rechner fassen kann.</translation>
+    </message>
+    <message>
+        <source>No steady sliding was found at this load and velocity.</source>
+        <translation>Bei dieser Last und Geschwindigkeit wurde kein stationäres Gleiten gefunden.</translation>
+    </message>
 </context>
 <context>
     <name>scenes</name>
@@ -7386,8 +7394,8 @@
         <translation>Gipfel der Linie drücken sich in das Gummi, das hinter ihnen zurückkehrt; die Farbe zeigt den Druck. Die Geschwindigkeit erhöhen: Der Kontakt zieht sich auf die Vorderseiten zurück.</translation>
     </message>
     <message>
-        <source>The load is so high that the rubber fills every valley, and friction is 4 L η v times the squared rms slope over the force, exactly, with the viscosity η = G τ. Raise the velocity until the first valleys open and the straight line ends.</source>
-        <translation>Die Last ist so hoch, dass das Gummi jedes Tal füllt, und die Reibungszahl ist exakt 4 L η v mal das Quadrat der RMS-Steigung, geteilt durch die Kraft, mit der Viskosität η = G τ. Die Geschwindigkeit erhöhen, bis sich die ersten Täler öffnen und die Gerade endet.</translation>
+        <source>The load is so high that the rubber fills every valley, and friction is 4 L η v times the squared rms slope over the force, exactly (η = G τ: viscosity). Raise the velocity until the first valleys open and the straight line ends.</source>
+        <translation>Die Last ist so hoch, dass das Gummi jedes Tal füllt, und die Reibungszahl ist exakt 4 L η v mal das Quadrat der RMS-Steigung, geteilt durch die Kraft (η = G τ: Viskosität). Die Geschwindigkeit erhöhen, bis sich die ersten Täler öffnen und die Gerade endet.</translation>
     </message>
     <message>
         <source>The rubber no longer quite keeps up, and contact begins to leave the trailing sides of the summits. Within a decade of velocity the straight line bends into the plateau.</source>
@@ -7646,8 +7654,8 @@
         <translation>Das Gesetz ohne Dimensionen.</translation>
     </message>
     <message>
-        <source>viscosity, in Kelvin elements G τ</source>
-        <translation>Viskosität, in Kelvin-Elementen G τ</translation>
+        <source>viscosity (G τ in Kelvin elements)</source>
+        <translation>Viskosität (G τ in Kelvin-Elementen)</translation>
     </message>
     <message>
         <source>displacement of the surface</source>

@@ -21,7 +21,8 @@ class ChartLegend : public QWidget {
   explicit ChartLegend(QWidget* parent = nullptr);
 
   /// Shows the entries of the sheet. `english`: the same sheet with English texts, by which
-  /// explanations are found. `available`: pixels; a higher legend has shorter names first.
+  /// explanations are found. `available`: pixels; names are shortened before the legend becomes
+  /// higher than this.
   void show(const DiagramSheet& sheet, const DiagramSheet& english, const ChartStyle& style,
             double available);
 

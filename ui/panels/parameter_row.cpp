@@ -314,7 +314,7 @@ void ParameterRow::setWidths() {
   };
   if (unit_) {
     label_->setMinimumWidth(longestWord(label_->text(), font()));
-    // A count may have many digits: it also uses the width of the unit that it has not.
+    // A count may have many digits: it also uses the width of the unit that it does not have.
     const bool isCount = std::holds_alternative<IntegerField>(parameter_.field);
     unit_->setHidden(isCount);
     unit_->setFixedWidth(digits(kUnitWidth));

@@ -684,7 +684,7 @@ TEST(DmaFile, AChosenUnitOfModuliIsThatOfOtherFormsToo) {
   EXPECT_THAT(factsIn(viscosities, newtons), testing::Contains(HasSubstr("eta' in N/mm2 s")));
   const std::string compliances = "f (Hz),T (C),J',J''\n1,20,0.4,0.2\n2,20,0.3,0.2\n";
   expectRow(read(compliances, newtons).rows[0], 293.15, 1, 2e6, 1e6);  // J'/|J|^2, J''/|J|^2
-  EXPECT_THAT(factsIn(compliances, newtons), testing::Contains(HasSubstr("J' in 1/N/mm2")));
+  EXPECT_THAT(factsIn(compliances, newtons), testing::Contains(HasSubstr("J' in 1/(N/mm2)")));
 }
 
 TEST(DmaFile, ColumnsThatContradictEachOtherAreSaid) {

@@ -28,7 +28,7 @@ TEST(Explained, TheEquilibriumModulusHasALoweredSign) {
 
 TEST(Explained, ATipSaysWhatTheSymbolsOfItsFormulaMean) {
   const QString velocity = explanationHtml(*findExplanation(std::string_view("sliding.velocity")));
-  for (const char* text : {"η: viscosity, in Kelvin elements G τ", "z: height of the line",
+  for (const char* text : {"η: viscosity (G τ in Kelvin elements)", "z: height of the line",
                            "Δx: distance between elements"})
     EXPECT_TRUE(velocity.contains(QString::fromUtf8(text))) << velocity.toStdString();
   EXPECT_FALSE(velocity.contains("displacement")) << velocity.toStdString();

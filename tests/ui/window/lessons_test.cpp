@@ -621,7 +621,7 @@ TEST_F(LessonsTest, EveryShippedLessonIsWalkedThrough) {
     for (int step = 0; step < steps; ++step) {
       EXPECT_EQ(lessons().step(), step);
       ASSERT_TRUE(waitForFrame());
-      EXPECT_EQ(frameError(*frame()), QString()) << step;
+      EXPECT_TRUE(frameError(*frame()).empty()) << step;
       if (!lessons().isRevealed()) {
         click("lessonShow");
         ASSERT_TRUE(waitForAnswer()) << step;
@@ -1305,6 +1305,7 @@ TEST_F(LessonsTest, AStudentsResultsAreShownInWords) {
   EXPECT_FALSE(window_.messages().isVisible());
   auto* goOn = dialog->findChild<QPushButton*>("resultsGoOn");
   ASSERT_NE(goOn, nullptr);
+  EXPECT_TRUE(goOn->isDefault()) << "it is the first button, which the Enter key presses";
   goOn->click();
   ASSERT_TRUE(lessons().isRunning());
   EXPECT_EQ(lessons().step(), 1);

@@ -2,6 +2,7 @@
 // there is no OpenGL: the program itself draws.
 #include "ui/window/main/main_window.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <QComboBox>
@@ -19,6 +20,7 @@
 #include <QToolButton>
 #include <QTreeWidget>
 #include <algorithm>
+#include <memory>
 #include <set>
 #include <vector>
 
@@ -29,6 +31,7 @@
 #include "tests/ui/window/qt_application.h"
 #include "ui/chart/chart_view.h"
 #include "ui/chart/diagram_style.h"
+#include "ui/language/translated.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/panels/value_entry.h"
 #include "ui/panels/value_slider.h"
@@ -299,14 +302,58 @@ TEST_F(MainWindowTest, WithoutAContactNoPictureIsSavedAndTheReasonIsSaid) {
   }
 }
 
-TEST_F(MainWindowTest, AFailedCurveStaysExplainedWhileTheContactRuns) {
-  ASSERT_TRUE(waitForFrame());
+Scene sceneWithoutCurve() {
   Scene still = smallScene();
   still.sliding.velocity = 0;  // there is an answer at rest, but none where it slides
   still.elastomer.shearModulus = 1e15;
   still.elastomer.relaxationTime = 1e12;  // contacts shorter than the digits of numbers
   still.load.normalForce = 1e-30;
-  window_.document().open(still);
+  return still;
+}
+
+/// A session whose pictures are ready when the test says so, as where they are drawn in the
+/// background.
+class SlowPictures : public testing::Test {
+ protected:
+  SlowPictures() {
+    session_.drawFirst([this](const std::shared_ptr<const Frame>& frame) { drawn_ = frame; });
+    QObject::connect(&session_, &Session::frameLost, &session_, [this] { drawn_.reset(); });
+    QObject::connect(&session_, &Session::errorOccurred, &session_, [this] { ++errors_; });
+    session_.begin();
+    session_.setPlaying(false);
+    EXPECT_TRUE(waitFor([this] { return drawn_ != nullptr; }));
+  }
+  template <class Condition>
+  bool waitFor(Condition condition) {
+    return QTest::qWaitFor(
+        [&] {
+          session_.poll();
+          return condition();
+        },
+        30000);
+  }
+
+  Session session_{smallScene(), {}};
+  std::shared_ptr<const Frame> drawn_;  // what the canvas draws now
+  int errors_ = 0;
+};
+
+TEST_F(SlowPictures, AFailedCurveDoesNotLoseTheContactOfItsScene) {
+  session_.show(drawn_);
+  session_.setScene(sceneWithoutCurve(), Session::Begin::Restart);
+  EXPECT_TRUE(waitFor(
+      [this] { return errors_ > 0 && drawn_ && drawn_->sceneNumber == session_.sceneNumber(); }));
+}
+
+TEST_F(SlowPictures, TheContactOfASceneThatWasLeftIsNotDrawnAnyMore) {
+  session_.setScene(refusedScene(), Session::Begin::Restart);
+  EXPECT_TRUE(waitFor([this] { return errors_ > 0; }));
+  EXPECT_EQ(drawn_, nullptr);
+}
+
+TEST_F(MainWindowTest, AFailedCurveStaysExplainedWhileTheContactRuns) {
+  ASSERT_TRUE(waitForFrame());
+  window_.document().open(sceneWithoutCurve());
   ASSERT_TRUE(waitForFrame());
   ASSERT_TRUE(waitFor([&] { return window_.messages().isVisible(); }));
   QSignalSpy frames(&session(), &Session::frameArrived);
@@ -319,12 +366,12 @@ TEST(Trouble, IsSaidOfFramesThatCannotBeBelieved) {
   Frame frame;
   frame.length = 1;
   frame.muSteady = 0;
-  EXPECT_EQ(frameError(frame), QString());
+  EXPECT_TRUE(frameError(frame).empty());
   frame.muSteady = kNotApplicable;
-  EXPECT_TRUE(frameError(frame).contains("steady"));
+  EXPECT_THAT(frameError(frame).text, testing::HasSubstr("steady"));
   frame.surfaceHeight = {0, kNotApplicable};
-  EXPECT_TRUE(frameError(frame).contains("numbers"));
-  EXPECT_LT(frameError(frame).size(), 100);
+  EXPECT_THAT(frameError(frame).text, testing::HasSubstr("numbers"));
+  EXPECT_LT(translatedText(frameError(frame)).size(), 100);
 }
 
 TEST_F(MainWindowTest, AMotionThatIsNotSteadyIsShownInTime) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <QAccessible>
+#include <QApplication>
 #include <QDialog>
 #include <QDir>
 #include <QLineEdit>
@@ -348,6 +349,10 @@ TEST_F(GalleryTest, LeadsToTheLessons) {
   EXPECT_TRUE(button.isVisible());
   EXPECT_EQ(button.text(), "Lessons");
   EXPECT_EQ(QAccessible::queryAccessibleInterface(&button)->text(QAccessible::Name), "Lessons");
+  button.setFocus();
+  QTest::keyClick(&button, Qt::Key_Tab);
+  ASSERT_NE(QApplication::focusWidget(), nullptr);
+  EXPECT_EQ(QApplication::focusWidget()->objectName().toStdString(), "sceneFilter");
   button.setFocus();
   QTest::keyClick(&button, Qt::Key_Return);
   EXPECT_NE(window_.findChild<QDialog*>("lessonList"), nullptr);

@@ -41,7 +41,7 @@ TEST_F(TourTest, SixStepsEachWithASceneThatRuns) {
     EXPECT_TRUE(said().contains(QStringLiteral("%1 of 6").arg(i + 1)));
     EXPECT_TRUE(said().contains(Tour::tr(step.title)));
     ASSERT_TRUE(waitForFrame()) << step.scene;
-    EXPECT_EQ(frameError(*frame()), QString()) << step.scene;
+    EXPECT_TRUE(frameError(*frame()).empty()) << step.scene;
     EXPECT_EQ(button("tourBack").isEnabled(), i > 0);
     EXPECT_EQ(button("tourNext").isEnabled(), i + 1 < Tour::steps().size());
     if (i + 1 < Tour::steps().size()) click("tourNext");

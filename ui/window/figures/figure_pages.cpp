@@ -91,10 +91,10 @@ GalleryPage& FigurePages::gallery() {
 SceneGallery& FigurePages::scenes() {
   if (scenes_) return *scenes_;
   scenes_ = new SceneGallery;
-  scenes_->addCommand(*commands_->get("lessons"));
   scenes_->setTheme(theme_);
   scenes_->setSizePolicy(kNoSize, kNoSize);
   addWidget(scenes_);
+  scenes_->addCommand(*commands_->get("lessons"));
   connect(scenes_, &SceneGallery::closed, this, &FigurePages::showViews);
   connect(scenes_, &SceneGallery::chosen, this, [this](const QString& scene) {
     showViews();

@@ -93,6 +93,9 @@ void SceneGallery::addCommand(QAction& command) {
   button->setToolButtonStyle(Qt::ToolButtonTextOnly);
   button->setDefaultAction(&command);
   heading_->insert(*button);
+  // The Tab key comes to it before the filter. Qt changes nothing before the page has its window.
+  setTabOrder(button, filter_);
+  setTabOrder(filter_, cards_);
 }
 
 void SceneGallery::showTexts() {

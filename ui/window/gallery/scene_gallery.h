@@ -27,7 +27,7 @@ class SceneGallery : public QWidget {
   void choose(const QString& scene);
   void setTheme(const Theme& theme);
   void focusFilter();
-  /// Adds a button for a command to the heading, such as what else there is to begin with.
+  /// Adds a button for a command to the heading, for example for the lessons.
   void addCommand(QAction& command);
 
   CardList& cards() { return *cards_; }

@@ -308,7 +308,7 @@ void SurfaceImport::showSummary(const MeasuredSummary& summary) {
   const Load load = loadOn(scene_.load, summary.period);
   if (load.kind == LoadKind::Force) {
     facts +=
-        tr("Normal force %1 on one period of %2, which is %3 per length.")
+        tr("Normal force %1 on one period of %2, that is %3.")
             .arg(quantityLabel(load.normalForce, "N", 4), quantityLabel(summary.period, "m", 4),
                  quantityLabel(load.normalForce / summary.period, "N/m", 4));
   }

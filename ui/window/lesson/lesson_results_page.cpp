@@ -196,21 +196,23 @@ namespace {
 class ResultsDialog : public QDialog {
  public:
   ResultsDialog(QWidget& window, const QString& name, const QString& title, const QString& html)
-      : QDialog(&window), status_(textLabel(name + "Status")), foot_(new QHBoxLayout) {
+      : QDialog(&window),
+        page_(named<QTextBrowser>(name + "Table")),
+        status_(textLabel(name + "Status")),
+        foot_(new QHBoxLayout) {
     setObjectName(name);
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowTitle(title);
-    auto* page = named<QTextBrowser>(name + "Table");
-    page->setAccessibleName(title);
-    page->setHtml(html);
+    page_->setAccessibleName(title);
+    page_->setHtml(html);
     status_->hide();
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(page_, 1);
+    column->addWidget(status_);
+    column->addLayout(foot_);
     foot_->addStretch(1);
     connect(&addButton(name + "Close", LessonResultsPage::tr("&Close")), &QPushButton::clicked,
             this, &QDialog::reject);
-    auto* column = new QVBoxLayout(this);
-    column->addWidget(page, 1);
-    column->addWidget(status_);
-    column->addLayout(foot_);
     constexpr QSize kSize(820, 460);  // pixels
     resizePage(*this, kSize);
   }
@@ -220,6 +222,7 @@ class ResultsDialog : public QDialog {
     auto* button = named<QPushButton>(name);
     button->setText(text);
     foot_->insertWidget(1, button);
+    orderTabs(*page_, *foot_);  // the first button is that of the Enter key
     return *button;
   }
 
@@ -230,6 +233,7 @@ class ResultsDialog : public QDialog {
   }
 
  private:
+  QTextBrowser* page_;
   QLabel* status_;
   QHBoxLayout* foot_;
 };

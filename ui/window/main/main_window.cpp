@@ -33,7 +33,6 @@
 #include "ui/window/curve/comparison_commands.h"
 #include "ui/window/curve/curve_commands.h"
 #include "ui/window/curve/curve_display.h"
-#include "ui/window/curve/curve_reading.h"
 #include "ui/window/figures/diagram_view.h"
 #include "ui/window/figures/figure_pages.h"
 #include "ui/window/figures/gallery_page.h"
@@ -44,6 +43,7 @@
 #include "ui/window/main/commands.h"
 #include "ui/window/main/document_commands.h"
 #include "ui/window/main/exports.h"
+#include "ui/window/main/frame_display.h"
 #include "ui/window/main/message_bar.h"
 #include "ui/window/main/run_window.h"
 #include "ui/window/main/scene_document.h"
@@ -95,11 +95,6 @@ QWidget* dockTitle(QDockWidget& dock) {
   return bar;
 }
 
-LineSize lineSize(const Frame& frame) {
-  return {frame.length,
-          static_cast<std::int64_t>(frame.lineHeight.size()) / pointsPerElement(*frame.scene)};
-}
-
 /// Puts widgets below each other without a gap; the last one takes the remaining height.
 QWidget* inColumn(Widgets widgets) {
   auto* all = new QWidget;
@@ -122,8 +117,8 @@ MainWindow::MainWindow(const Scene& scene, RunnerOptions options, QWidget* paren
   buildViews();
   buildCommands();
   buildMenus();
-  connectScene();
   connectFrames();
+  connectScene();
   connectTime();
   connectCurve();
   new FocusKeys(*this);
@@ -150,6 +145,7 @@ MainWindow::MainWindow(const Scene& scene, RunnerOptions options, QWidget* paren
 /// that send a signal while they end must not reach a window that is half gone.
 MainWindow::~MainWindow() {
   delete windowLayout_;
+  delete frames_;
   for (const QObject* part : findChildren<QObject*>()) part->disconnect(this);
 }
 
@@ -252,7 +248,7 @@ void MainWindow::buildCommands() {
   });
   connect(documents_, &DocumentCommands::lessonFound, lessons_, &Lessons::open);
   connect(lessons_, &Lessons::stepShown, this, [this] {
-    if (session_->frame()) showFrame();  // a picture that stands still brings no new readings
+    frames_->showFrame();  // a picture that stands still brings no new readings
   });
   commands_->add({"shortcuts",
                   [] { return tr("Keyboard shortcuts"); },
@@ -312,7 +308,7 @@ void MainWindow::connectScene() {
   keepTranslated(*this, [this] {
     for (const QDockWidget* dock : findChildren<QDockWidget*>()) translateButtons(*dock);
     showTitle();
-    if (session_->frame()) showFrame();
+    frames_->showFrame();
   });
 }
 
@@ -358,19 +354,9 @@ void MainWindow::showTitle() {
 // ---- Signals of the session
 
 void MainWindow::connectFrames() {
-  session_->drawFirst(
-      [this](const std::shared_ptr<const Frame>& frame) { canvas_->setFrame(frame); });
-  connect(canvas_, &ContactCanvas::frameShown, session_, &Session::show);
-  connect(session_, &Session::frameArrived, this, &MainWindow::showFrame);
-  connect(session_, &Session::frameLost, this, [this] {
-    canvas_->setFrame(nullptr);
-    tabs_->clearFrame();
-    status_->clearReadings();
-  });
-  // While time is paused no frame follows a curve that is complete.
-  connect(session_, &Session::plotChanged, this, [this] {
-    if (session_->frame()) showReadings();
-  });
+  frames_ = new FrameDisplay({*session_, *canvas_, *tabs_, *timeBar_, *status_, *panel_,
+                              [this] { return lessons_ && lessons_->point().isVisible(); }},
+                             this);
   connect(session_, &Session::errorOccurred, messages_, &MessageBar::showSceneError);
   connect(messages_, &MessageBar::sceneErrorShown, panel_, &ParameterPanel::showError);
   connect(session_, &Session::sceneRuns, messages_, &MessageBar::sceneRuns);
@@ -379,10 +365,6 @@ void MainWindow::connectFrames() {
     commands_->setSymbol("play", playing ? Symbol::Pause : Symbol::Play);
     commands_->refresh("play");
   });
-  keepTranslated(*canvas_, [this] { showVeil(); });
-  connect(session_, &Session::waitingChanged, this, &MainWindow::showVeil);
-  connect(session_, &Session::errorOccurred, this, &MainWindow::showVeil);
-  connect(session_, &Session::sceneRuns, this, &MainWindow::showVeil);
   connect(canvas_, &ContactCanvas::failed, messages_, &MessageBar::showMessage);
   connect(canvas_, &ContactCanvas::fieldsChanged, this, &MainWindow::requestFields);
   connect(tabs_, &SceneTabs::fieldsChanged, this, &MainWindow::requestFields);
@@ -405,63 +387,6 @@ void MainWindow::connectFrames() {
     session_->startCurve();
   });
   connect(status_, &StatusLine::backRequested, this, [this] { document_->history().undo(); });
-}
-
-/// Dims a contact of the previous scene and its readings. A scene that was posted twice has its own
-/// contact before the second frame comes.
-void MainWindow::showVeil() {
-  const bool isWaiting = session_->isWaiting();
-  const bool isMissing = isWaiting || session_->isRefused();
-  const std::shared_ptr<const Frame> frame = session_->frame();
-  const bool hasIt = isMissing && frame && frame->scene && *frame->scene == session_->scene();
-  status_->fadeReadings(isMissing && !hasIt);
-  if (!isMissing || hasIt)
-    canvas_->setVeil({});
-  else if (!frame)
-    canvas_->setVeil(isWaiting ? tr("This scene is being computed")
-                               : tr("This scene cannot be computed"));
-  else
-    canvas_->setVeil(isWaiting
-                         ? tr("This is the previous scene; the changed one is being computed")
-                         : tr("This is the previous scene; the changed one cannot be computed"));
-}
-
-void MainWindow::showFrame() {
-  const std::shared_ptr<const Frame> frame = session_->frame();
-  showVeil();
-  tabs_->showFrame(*frame);
-  if (frame->sceneNumber == session_->sceneNumber()) {
-    timeBar_->showFrame(*frame);
-    panel_->showLine(lineSize(*frame));
-  }
-  showReadings();
-}
-
-/// Shows the readings of the present frame and, at its state, of the present curve.
-void MainWindow::showReadings() {
-  const std::shared_ptr<const Frame> frame = session_->frame();
-  CurveReading reading = readCurve(*frame, session_->curve());
-  if (session_->friction().isConcealed()) {
-    // The student is to guess the shape of the curve. Some lessons read the mean at the present
-    // state; where a point of the curve is asked for, the mean would be that point.
-    if (lessons_ && lessons_->point().isVisible()) reading.mu = kNotApplicable;
-    if (!reading.region.empty()) reading.regime.clear();
-    reading.region.clear();
-    reading.notes = {};
-  }
-  status_->showFrame(*frame, reading);
-  if (frame->sceneNumber == session_->sceneNumber()) showWarnings(*frame, reading.notes);
-}
-
-/// Shows at the parameters the notes on the limits of the present result. Until the curve of a
-/// changed scene is complete, the previous warnings stay, so that rows do not move back and forth
-/// during the computation.
-void MainWindow::showWarnings(const Frame& frame, NoteSet notes) {
-  const CurveUpdate* curve = session_->curve();
-  if (!curve || !haveSameCurve(*frame.scene, *curve->scene)) return;
-  if (!curve->isComplete && session_->averaging() == Session::Averaging::Running) return;
-  notes.add(Note::SlopeAbove, frame.rmsSlope > kSmallSlope);
-  panel_->showNotes(notes);
 }
 
 /// Pauses the moving picture while the window is hidden; curves are still computed.

@@ -10,9 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/run/frame.h"
 #include "core/run/runner.h"
-#include "core/scene/notes.h"
 #include "core/scene/scene.h"
 #include "ui/language/language.h"
 
@@ -30,6 +28,7 @@ class CurveCommands;
 class DocumentCommands;
 class Exports;
 class FigurePages;
+class FrameDisplay;
 class ImportCommands;
 class Lessons;
 class MessageBar;
@@ -110,10 +109,6 @@ class MainWindow : public QMainWindow {
   void showScene(const Scene& scene, bool isOpened);
   void showDescription();
   void showTitle();
-  void showFrame();
-  void showVeil();
-  void showReadings();
-  void showWarnings(const Frame& frame, NoteSet notes);
   void step(bool finely);
 
   Session* session_;
@@ -126,6 +121,7 @@ class MainWindow : public QMainWindow {
   MessageBar *messages_ = nullptr, *hint_ = nullptr, *description_ = nullptr;
   TourBar* tourBar_ = nullptr;
   StatusLine* status_ = nullptr;
+  FrameDisplay* frames_ = nullptr;
   ParameterPanel* panel_ = nullptr;
   QDockWidget* dock_ = nullptr;
   Commands* commands_ = nullptr;

@@ -51,8 +51,8 @@ class MessageBar : public QFrame {
  signals:
   void accepted();
   void closed();  // the user pressed the button that closes it
-  /// Emitted for the parameter that a message about the scene names, with the text beside it: while
-  /// the bar shows the message that refers to it, otherwise the message itself.
+  /// Emitted for the parameter that a message about the scene names, with the text to show there.
+  /// The text refers to the bar while the bar shows the message; otherwise it is the message.
   void sceneErrorShown(const QString& key, const QString& text);
 
  protected:

@@ -34,14 +34,14 @@ bool areFinite(const Values& values) {
 
 }  // namespace
 
-QString frameError(const Frame& frame) {
+Message frameError(const Frame& frame) {
   const bool isFinite = areFinite(std::array{frame.length, frame.indentation, frame.normalForce,
                                              frame.contactFraction}) &&
                         areFinite(frame.lineHeight) && areFinite(frame.surfaceHeight) &&
                         areFinite(frame.pressure);
-  if (!isFinite) return Session::tr("The numbers of this scene leave what a computer can hold.");
+  if (!isFinite) return "The numbers of this scene leave what a computer can hold.";
   if (!std::isfinite(frame.muSteady) && !frame.transient)
-    return Session::tr("No steady sliding was found at this load and velocity.");
+    return "No steady sliding was found at this load and velocity.";
   return {};
 }
 
@@ -196,7 +196,7 @@ void Session::takeMessages() {
   for (const RunnerMessage& message : runner_.takeMessages()) {
     if (message.sceneNumber != sceneNumber_) continue;
     brokenNumber_ = sceneNumber_;
-    if (frame_ && frame_->sceneNumber < openedNumber_) loseFrame();
+    if (taken_ && taken_->sceneNumber < openedNumber_) loseFrame();
     emit errorOccurred(QString::fromStdString(message.key), message.text);
   }
 }
@@ -211,7 +211,7 @@ void Session::takeCurves() {
     changed = true;
   }
   if (changed) emit plotChanged();
-  const bool isSound = runningNumber_ == sceneNumber_ && frameError_.isEmpty();
+  const bool isSound = runningNumber_ == sceneNumber_ && frameError_.empty();
   if (brokenNumber_ == sceneNumber_ && isSound && changed && curve_->isComplete) {
     brokenNumber_ = 0;  // the curve was computed again without an error
     emit sceneRuns();
@@ -244,7 +244,9 @@ void Session::show(std::shared_ptr<const Frame> frame) {
   if (frame_->sceneNumber == sceneNumber_) checkFrame();
 }
 
+/// Forgets the frame of an unrelated scene, also one whose picture is not ready yet.
 void Session::loseFrame() {
+  taken_.reset();
   frame_.reset();
   friction_.unmark();
   emit markChanged();
@@ -252,13 +254,13 @@ void Session::loseFrame() {
 }
 
 void Session::checkFrame() {
-  const QString error = frameError(*frame_);
+  const Message error = frameError(*frame_);
   const bool isNew = runningNumber_ != sceneNumber_ || error != frameError_;
   runningNumber_ = sceneNumber_;
   frameError_ = error;
   if (!isNew) return;
-  if (!error.isEmpty())
-    emit errorOccurred({}, Message::name(error.toStdString()));
+  if (!error.empty())
+    emit errorOccurred({}, error);
   else if (brokenNumber_ != sceneNumber_)  // the curve may fail where the present velocity is fine
     emit sceneRuns();
 }

@@ -128,7 +128,7 @@ class Session : public QObject {
   std::uint64_t openedNumber_ = 0;   // of the scene that was opened last
   std::uint64_t runningNumber_ = 0;  // newest scene with a frame
   std::uint64_t brokenNumber_ = 0;   // newest scene with an error of the runner
-  QString frameError_;               // last error in the frames of the present scene
+  Message frameError_;               // last error in the frames of the present scene
   std::shared_ptr<const Frame> frame_;
   FrictionChartModel friction_;
   std::optional<CurveUpdate> curve_;
@@ -143,6 +143,6 @@ class Session : public QObject {
 };
 
 /// Returns the error of an untrustworthy frame in one sentence; empty without an error.
-QString frameError(const Frame& frame);
+Message frameError(const Frame& frame);
 
 }  // namespace asperity
