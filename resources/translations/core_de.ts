@@ -1076,7 +1076,7 @@
     </message>
     <message>
         <source>is 0, and there are neither arms nor a dashpot: the elastomer would have no force</source>
-        <translation>ist 0, und es gibt weder Arme noch einen Dämpfer: Das Elastomer hätte keine Kraft</translation>
+        <translation>ist 0, und es gibt weder Arme noch einen Dämpfer; das Elastomer hätte keine Kraft</translation>
     </message>
     <message>
         <source>is not a list in JSON; allowed is %1</source>
@@ -5315,32 +5315,32 @@
         <translation>Gemessene Verschiebungen: Temperatur in K und log10 des Faktors auf alle Relaxationszeiten, dazwischen linear; außerhalb gibt es keine.</translation>
     </message>
     <message>
-        <source>measured from</source>
-        <translation>gemessen ab</translation>
+        <source>lowest measured frequency</source>
+        <translation>tiefste gemessene Frequenz</translation>
     </message>
     <message>
         <source>Lowest frequency at which the elastomer was measured, at the temperature of no shift; friction that rests on others is marked. 0: not known.</source>
         <translation>Tiefste Frequenz, bei der das Elastomer gemessen wurde, bei der Temperatur ohne Verschiebung; Reibung, die auf anderen beruht, wird gekennzeichnet. 0: nicht bekannt.</translation>
     </message>
     <message>
-        <source>measured to</source>
-        <translation>gemessen bis</translation>
+        <source>highest measured frequency</source>
+        <translation>höchste gemessene Frequenz</translation>
     </message>
     <message>
         <source>Highest frequency at which the elastomer was measured, at the temperature of no shift. 0: not known.</source>
         <translation>Höchste Frequenz, bei der das Elastomer gemessen wurde, bei der Temperatur ohne Verschiebung. 0: nicht bekannt.</translation>
     </message>
     <message>
-        <source>measured above</source>
-        <translation>gemessen über</translation>
+        <source>lowest measured temperature</source>
+        <translation>tiefste gemessene Temperatur</translation>
     </message>
     <message>
         <source>Lowest temperature at which the elastomer was measured. 0: not known.</source>
         <translation>Tiefste Temperatur, bei der das Elastomer gemessen wurde. 0: nicht bekannt.</translation>
     </message>
     <message>
-        <source>measured below</source>
-        <translation>gemessen unter</translation>
+        <source>highest measured temperature</source>
+        <translation>höchste gemessene Temperatur</translation>
     </message>
     <message>
         <source>Highest temperature at which the elastomer was measured. 0: not known.</source>

@@ -25,6 +25,13 @@ constexpr double kBeside = 8;     // from the frame to a title on its right
 constexpr int kWrapped = Qt::AlignTop | Qt::TextWordWrap;
 constexpr int kSentence = Qt::AlignCenter | Qt::TextWordWrap;
 
+/// Returns the name of a shade, in which a last word does not stand alone in a line.
+QString shadeText(const DiagramSpan& shade) {
+  QString text = QString::fromStdString(shade.label.text);
+  if (const qsizetype last = text.lastIndexOf(' '); text.count(' ') > 1) text[last] = QChar::Nbsp;
+  return text;
+}
+
 }  // namespace
 
 OccupancyGrid coveredBySeries(const Diagram& diagram, const ChartGeometry& map,
@@ -129,7 +136,7 @@ void UnderItem::paintShadeNames(QPainter& painter) const {
     if (name.box.isEmpty()) continue;
     painter.setOpacity(shade.isFaded ? kFadedOpacity : 1);
     painter.setPen(style_.faintText());
-    painter.drawText(name.area, name.alignment, QString::fromStdString(shade.label.text));
+    painter.drawText(name.area, name.alignment, shadeText(shade));
   }
   painter.setOpacity(1);
 }
@@ -177,8 +184,7 @@ UnderItem::Name UnderItem::nameIn(const QRectF& area, int side, const DiagramSpa
 
 /// Returns the box of a name inside a rectangle; empty where it does not fit.
 QRectF UnderItem::labelBox(const QRectF& area, int alignment, const DiagramSpan& shade) const {
-  const QRectF box = QFontMetricsF(style_.font)
-                         .boundingRect(area, alignment, QString::fromStdString(shade.label.text));
+  const QRectF box = QFontMetricsF(style_.font).boundingRect(area, alignment, shadeText(shade));
   return area.contains(box) ? box : QRectF();
 }
 

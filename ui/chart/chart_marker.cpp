@@ -140,13 +140,20 @@ void TipItem::show(const QString& text, QPointF position, bool ringed, const QRe
   position_ = position;
   isRinged_ = ringed;
   style_ = style;
-  const double most = std::min(360.0 * style_.scale(), bounds.width() - 4 * kTipPad);
+  const double widest = bounds.width() - 4 * kTipPad;
+  double most = std::min(360.0 * style_.scale(), widest);
   lines_ = QStaticText(richText(text).replace('\n', QLatin1String("<br>")));
   lines_.setTextFormat(Qt::RichText);
   lines_.prepare({}, style_.font);
-  if (lines_.size().width() > most) {
+  const auto layOut = [&] {
     lines_.setTextWidth(most);
     lines_.prepare({}, style_.font);
+  };
+  if (lines_.size().width() > most) layOut();
+  // A long text becomes wider than usual where the chart is too low for it.
+  while (lines_.size().height() + 2 * kTipPad > bounds.height() && most < widest) {
+    most = std::min(1.2 * most, widest);
+    layOut();
   }
   const QSizeF size = lines_.size() + QSizeF(2 * kTipPad, 2 * kTipPad);
   const double away = kTipDistance * style_.scale(), ring = kRing * style_.scale() + 2;

@@ -14,6 +14,7 @@
 #include "tests/ui/window/qt_application.h"
 #include "ui/chart/chart_geometry.h"
 #include "ui/chart/chart_legend.h"
+#include "ui/chart/chart_marker.h"
 #include "ui/chart/chart_view.h"
 
 namespace asperity {
@@ -479,6 +480,23 @@ TEST_F(ChartGestures, TheLegendOfALowChartHasShorterNames) {
   QTest::mouseMove(legend, legend->entryRect(kPresentCurve).center().toPoint());
   EXPECT_TRUE(legend->toolTip().contains(whole)) << legend->toolTip().toStdString();
   EXPECT_EQ(linesAt(600), whole);
+}
+
+/// The box of a reading stays in the view, also where a chart of a small window is low.
+TEST_F(ChartGestures, ALongReadingIsWiderInALowChart) {
+  const QString text =
+      QStringList(16, QStringLiteral("few contacts carry the load here")).join(' ');
+  const ChartStyle style;
+  TipItem tip;
+  const auto boxIn = [&](double height) {
+    const QRectF view(0, 0, 2000, height);
+    tip.show(text, view.center(), false, view, style);
+    EXPECT_LE(tip.boundingRect().height(), height + 4);
+    return tip.boundingRect();
+  };
+  const QRectF usual = boxIn(1000);
+  EXPECT_LT(usual.width(), 400);
+  EXPECT_GT(boxIn(usual.height() / 2).width(), 400);
 }
 
 }  // namespace

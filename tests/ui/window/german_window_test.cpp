@@ -263,7 +263,7 @@ TEST(GermanWindow, AComplaintAboutTheSceneIsGerman) {
   window->document().edit(empty);
   ASSERT_TRUE(QTest::qWaitFor([&] { return window->messages().isVisible(); }, kWindowPatience));
   EXPECT_EQ(window->messages().text(),
-            "Gleichgewichtsmodul: ist 0, und es gibt weder Arme noch einen Dämpfer: Das Elastomer "
+            "Gleichgewichtsmodul: ist 0, und es gibt weder Arme noch einen Dämpfer; das Elastomer "
             "hätte keine Kraft");
   Scene soft = smallScene();
   soft.elastomer = prony(1e6, {{1e6, 1e-3}, {1e-300, 1}});

@@ -1,6 +1,7 @@
 // Docks, tabs, full screen, presentation and colours, and that they are remembered.
 #include <gtest/gtest.h>
 
+#include <QApplication>
 #include <QDockWidget>
 #include <QLayout>
 #include <QLineEdit>
@@ -22,6 +23,7 @@
 #include <QTest>
 #include <QToolBar>
 #include <QToolButton>
+#include <QToolTip>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -30,6 +32,7 @@
 #include <memory>
 #include <tuple>
 
+#include "core/chart/explanations.h"
 #include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
 #include "ui/window/figures/diagram_view.h"
@@ -220,6 +223,26 @@ TEST_F(LayoutTest, TitlesOfTabsAreWholeAtEveryWidth) {
     QTest::qWait(1);
     EXPECT_GE(bar.width(), bar.sizeHint().width()) << width;
   }
+}
+
+/// Qt chooses the size of the box from the text, and the style adds its own edges to it.
+TEST_F(LayoutTest, NoTipIsCutOff) {
+  int lines = 0;
+  for (const HoverExplanation& explanation : explanations()) {
+    const auto html = QStringLiteral("<p>%1</p><p>%2</p>")
+                          .arg(QString::fromUtf8(explanation.sentence).toHtmlEscaped(),
+                               QString::fromUtf8(explanation.formula).toHtmlEscaped());
+    QToolTip::showText(window_.mapToGlobal(QPoint(20, 20)), html, &window_);
+    const auto boxes = QApplication::topLevelWidgets();
+    const auto box = std::ranges::find_if(
+        boxes, [](const QWidget* each) { return each->inherits("QTipLabel"); });
+    ASSERT_NE(box, boxes.end());
+    ASSERT_TRUE((*box)->isVisible());
+    EXPECT_LE((*box)->heightForWidth((*box)->width()), (*box)->height())
+        << explanation.id << ' ' << (*box)->width();
+    lines = std::max(lines, (*box)->height() / (*box)->fontMetrics().lineSpacing());
+  }
+  EXPECT_GT(lines, 4) << "no tip had several lines";
 }
 
 /// The whole text is one click away, and in the tooltip.

@@ -267,7 +267,7 @@ ShortcutSheet::ShortcutSheet(const QMainWindow& window, QWidget* parent) : QDial
   const QList<ShortcutGroup> groups = shortcutGroups(window) + gestureGroups();
   content_ = new QWidget;
   auto* row = new QHBoxLayout(content_);
-  row->setSpacing(28);
+  row->setSpacing(18);
   QVBoxLayout* columns[] = {new QVBoxLayout, new QVBoxLayout, new QVBoxLayout};
   constexpr qsizetype kMaxColumns = std::size(columns);
   QList<qsizetype> columnIndices;
