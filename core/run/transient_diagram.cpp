@@ -98,11 +98,14 @@ void fadeAfter(double time, Diagram& diagram) {
 void addErrorBand(Diagram& diagram, std::span<const TransientSample> samples) {
   DiagramSeries band{.stroke = SeriesStroke::None, .isBand = true, .colour = 0};
   const auto add = [&](double time, double mu, double error) {
-    if (std::isfinite(error))
-      band.points.push_back({time, mu, std::max(mu - error, 0.0), mu + error});
+    band.points.push_back({time, mu, std::max(mu - error, 0.0), mu + error});
   };
-  const TransientSample* last = nullptr;
+  const TransientSample* last = nullptr;  // with a known error
   for (const TransientSample& sample : samples) {
+    if (!std::isfinite(sample.muError)) {
+      last = nullptr;
+      continue;
+    }
     if (const auto part = last ? turn(*last, sample) : std::nullopt)
       add(std::lerp(last->time, sample.time, *part), 0,
           std::lerp(last->muError, sample.muError, *part));

@@ -21,15 +21,15 @@
     </message>
     <message>
         <source>Tangential over normal force while the elastomer still relaxes after a change, read from the time steps since the last picture.</source>
-        <translation>Tangential- durch Normalkraft, während das Elastomer nach einer Änderung noch relaxiert, abgelesen aus den Zeitschritten seit dem letzten Bild.</translation>
+        <translation>Tangentialkraft geteilt durch Normalkraft, während das Elastomer nach einer Änderung noch relaxiert, abgelesen aus den Zeitschritten seit dem letzten Bild.</translation>
     </message>
     <message>
         <source>Tangential over normal force at this moment of the motion, a mean over the time since the last picture. After ± stands the estimated error of elements and time steps.</source>
-        <translation>Tangential- durch Normalkraft in diesem Augenblick der Bewegung, im Mittel über die Zeit seit dem letzten Bild. Nach ± steht der geschätzte Fehler durch Elemente und Zeitschritte.</translation>
+        <translation>Tangentialkraft geteilt durch Normalkraft in diesem Augenblick der Bewegung, im Mittel über die Zeit seit dem letzten Bild. Nach ± steht der geschätzte Fehler durch Elemente und Zeitschritte.</translation>
     </message>
     <message>
         <source>Tangential over normal force in steady sliding: of this line at this velocity, computed without time steps.</source>
-        <translation>Tangential- durch Normalkraft bei stationärem Gleiten: dieser Linie bei dieser Geschwindigkeit, ohne Zeitschritte berechnet.</translation>
+        <translation>Tangentialkraft geteilt durch Normalkraft: für diese Linie, wenn sie mit dieser Geschwindigkeit stationär gleitet; ohne Zeitschritte berechnet.</translation>
     </message>
     <message>
         <source>A rough rigid line</source>
@@ -2189,7 +2189,7 @@
     </message>
     <message>
         <source>% of friction for 1 % of each parameter</source>
-        <translation>% Reibung je 1 % jedes Parameters</translation>
+        <translation>Änderung der Reibung in %, je 1 % des Parameters</translation>
     </message>
 </context>
 <context>
@@ -4318,8 +4318,8 @@
         <translation>Szenen</translation>
     </message>
     <message>
-        <source>No scene has these words.</source>
-        <translation>Keine Szene enthält diese Wörter.</translation>
+        <source>No scene has these words. Escape clears them.</source>
+        <translation>Keine Szene enthält diese Wörter. Escape löscht sie.</translation>
     </message>
     <message>
         <source>Search ( / )</source>

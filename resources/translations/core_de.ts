@@ -5248,7 +5248,7 @@
     </message>
     <message>
         <source>loss per decade / largest</source>
-        <translation>Verlust je Dekade / größter</translation>
+        <translation>Verlust je Dekade, zum größten</translation>
     </message>
     <message>
         <source>nothing is dissipated at this velocity</source>

@@ -153,7 +153,7 @@ TEST(DmaForms, TheChosenUnitOfModuliIsThatOfViscositiesAndCompliances) {
     const DmaFile file = read(
         "f (Hz),T (C),J'" + unit + ",J''" + unit + "\n1,20,4e-3,3e-3\n10,20,8e-3,6e-3\n", choices);
     expectRow(file.rows[0], 293.15, 1, 0.16e6, 0.12e6);
-    EXPECT_EQ(file.facts.storage.unit, "1/kN/m2");
+    EXPECT_EQ(file.facts.storage.unit, "1/(kN/m2)");
   }
 }
 

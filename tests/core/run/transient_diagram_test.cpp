@@ -114,6 +114,15 @@ TEST(Strips, FrictionThatChangesItsDirectionGoesThroughZero) {
   EXPECT_NEAR(points[2].x, 0.00125, 1e-15) << "on the straight line between the two samples";
   EXPECT_EQ(points[2].y, 0);
   EXPECT_EQ(sheet.diagrams[2].series.front().points.size(), 4U);
+
+  // The band of a known error turns where the line does.
+  for (TransientSample& sample : samples) sample.muError = 0.002;
+  const DiagramSeries band = transientSheet(slowParabola(), samples).diagrams[1].series.front();
+  ASSERT_TRUE(band.isBand);
+  ASSERT_EQ(band.points.size(), 5U);
+  EXPECT_EQ(band.points[2].x, points[2].x);
+  EXPECT_EQ(band.points[2].low, 0);
+  EXPECT_NEAR(band.points[2].high, 0.002, 1e-15);
 }
 
 /// Nothing moves where a user looks at an earlier moment.

@@ -103,7 +103,7 @@ void SceneGallery::showTexts() {
   filter_->setPlaceholderText(tr("Search ( / )"));
   filter_->setAccessibleName(tr("filter of the scenes"));
   cards_->setAccessibleName(tr("scenes"));
-  none_->setText(tr("No scene has these words."));
+  none_->setText(tr("No scene has these words. Escape clears them."));
   showCards();
 }
 
