@@ -57,7 +57,8 @@ std::optional<double> tangentSize(const std::string& unit) {
   return unitSize(unit == "percent" ? "%" : unit, "");
 }
 
-/// Returns the unit of a viscosity or a compliance beside a unit of moduli: "MPa s", "1/MPa".
+/// Returns the unit of a viscosity or a compliance beside a unit of moduli: "MPa s", "1/MPa",
+/// "1/(N/mm2)".
 std::string unitInForm(MeasuredForm form, const std::string& ofModuli) {
   switch (form) {
     case MeasuredForm::Viscosity:

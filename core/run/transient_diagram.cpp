@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <optional>
 #include <span>
 
 #include "core/base/number_text.h"
@@ -34,24 +33,26 @@ std::vector<DiagramPoint> inTime(std::span<const TransientSample> samples,
 
 /// Returns the magnitude of friction in time. It goes through 0 where friction changes its
 /// direction between two samples.
-/// Returns where between two samples friction changes its direction and so is 0: the part of the
-/// way, 0 to 1; nothing where it does not.
-std::optional<double> turn(const TransientSample& last, const TransientSample& next) {
-  if (std::signbit(last.tangentialForce) == std::signbit(next.tangentialForce)) return {};
-  if (!(last.mu > 0 && next.mu > 0)) return {};
-  return last.mu / (last.mu + next.mu);
-}
-
-std::vector<DiagramPoint> frictionInTime(std::span<const TransientSample> samples) {
-  std::vector<DiagramPoint> points;
+/// Returns the samples, and between two of them one more where friction changes its direction and
+/// so is 0. Of that one only the time, the friction and its error are known.
+std::vector<TransientSample> withTurns(std::span<const TransientSample> samples) {
+  std::vector<TransientSample> all;
   const TransientSample* last = nullptr;
-  for (const TransientSample& sample : samples) {
-    if (const auto part = last ? turn(*last, sample) : std::nullopt)
-      points.push_back({std::lerp(last->time, sample.time, *part), 0});
-    points.push_back({sample.time, sample.mu});
-    last = &sample;
+  for (const TransientSample& next : samples) {
+    if (last && std::signbit(last->tangentialForce) != std::signbit(next.tangentialForce) &&
+        last->mu > 0 && next.mu > 0) {
+      const double part = last->mu / (last->mu + next.mu);
+      TransientSample turn;
+      turn.time = std::lerp(last->time, next.time, part);
+      turn.mu = 0;
+      if (std::isfinite(last->muError) && std::isfinite(next.muError))
+        turn.muError = std::lerp(last->muError, next.muError, part);
+      all.push_back(turn);
+    }
+    all.push_back(next);
+    last = &next;
   }
-  return points;
+  return all;
 }
 
 Diagram strip(const Scene& scene, std::vector<DiagramPoint> points, DiagramAxis yAxis,
@@ -97,21 +98,10 @@ void fadeAfter(double time, Diagram& diagram) {
 /// it reaches 0, as for a body without friction.
 void addErrorBand(Diagram& diagram, std::span<const TransientSample> samples) {
   DiagramSeries band{.stroke = SeriesStroke::None, .isBand = true, .colour = 0};
-  const auto add = [&](double time, double mu, double error) {
-    band.points.push_back({time, mu, std::max(mu - error, 0.0), mu + error});
-  };
-  const TransientSample* last = nullptr;  // with a known error
-  for (const TransientSample& sample : samples) {
-    if (!std::isfinite(sample.muError)) {
-      last = nullptr;
-      continue;
-    }
-    if (const auto part = last ? turn(*last, sample) : std::nullopt)
-      add(std::lerp(last->time, sample.time, *part), 0,
-          std::lerp(last->muError, sample.muError, *part));
-    add(sample.time, sample.mu, sample.muError);
-    last = &sample;
-  }
+  for (const TransientSample& sample : samples)
+    if (std::isfinite(sample.muError))
+      band.points.push_back({sample.time, sample.mu, std::max(sample.mu - sample.muError, 0.0),
+                             sample.mu + sample.muError});
   if (band.points.size() < 2) return;
   const double low = std::ranges::min(band.points, {}, &DiagramPoint::low).low;
   const double high = std::ranges::max(band.points, {}, &DiagramPoint::high).high;
@@ -147,13 +137,13 @@ bool isKnown(const TransientSample& sample) {
 DiagramSheet transientSheet(const Scene& scene, std::span<const TransientSample> samples,
                             double spacing, double period, std::span<const TransientSample> later) {
   // Axes and band are those of all samples, so that they stay where the motion goes back.
-  const std::vector<TransientSample> all = joined(samples, later);
+  const std::vector<TransientSample> all = joined(samples, later), turned = withTurns(all);
   const MinimumSpan floors = minimumSpan(all, spacing, period);
   DiagramSheet sheet{.columns = 1, .sharesAxis = true};
   sheet.diagrams = {
       strip(scene, inTime(all, &TransientSample::velocity),
             {"velocity v", "m/s", AxisScale::Linear}, 0),
-      strip(scene, frictionInTime(all),
+      strip(scene, inTime(turned, &TransientSample::mu),
             {hasLocalFriction(scene) ? "friction \u03BC, deformation alone" : "friction \u03BC", "",
              AxisScale::Linear},
             floors.friction),
@@ -164,7 +154,7 @@ DiagramSheet transientSheet(const Scene& scene, std::span<const TransientSample>
   if (!later.empty())
     for (Diagram& diagram : sheet.diagrams)
       fadeAfter(samples.empty() ? -1 : samples.back().time, diagram);
-  addErrorBand(sheet.diagrams[1], all);
+  addErrorBand(sheet.diagrams[1], turned);
   if (willRelax(scene))
     sheet.note =
         "dashed: relaxation at the predicted rate 1/\u03C4 + v/\u2113, exact for one contact, a "

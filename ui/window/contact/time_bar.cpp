@@ -197,9 +197,9 @@ int TimeBar::durationWidth() const {
 void TimeBar::fit() {
   showsDuration_ = false;
   momentText_->setMinimumWidth(momentWidth(false));
-  const int spare = width() - minimumSizeHint().width();
-  showsDuration_ = duration_ > 0 && spare >= durationWidth();
-  name_->setVisible(spare - (showsDuration_ ? durationWidth() : 0) >= nameWidth());
+  const int spare = width() - minimumSizeHint().width(), forDuration = durationWidth();
+  showsDuration_ = duration_ > 0 && spare >= forDuration;
+  name_->setVisible(spare - (showsDuration_ ? forDuration : 0) >= nameWidth());
   momentText_->setMinimumWidth(momentWidth(showsDuration_));
   showMoment();
 }

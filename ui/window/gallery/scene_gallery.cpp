@@ -93,7 +93,7 @@ void SceneGallery::addCommand(QAction& command) {
   button->setToolButtonStyle(Qt::ToolButtonTextOnly);
   button->setDefaultAction(&command);
   heading_->insert(*button);
-  // The Tab key comes to it before the filter. Qt changes nothing before the page has its window.
+  // The Tab key comes to it before the filter, as it stands.
   setTabOrder(button, filter_);
   setTabOrder(filter_, cards_);
 }

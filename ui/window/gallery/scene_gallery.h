@@ -27,7 +27,8 @@ class SceneGallery : public QWidget {
   void choose(const QString& scene);
   void setTheme(const Theme& theme);
   void focusFilter();
-  /// Adds a button for a command to the heading, for example for the lessons.
+  /// Adds a button for a command to the heading, for example for the lessons. Call it when the
+  /// gallery has its window: before that, Qt does not change the order of the Tab key.
   void addCommand(QAction& command);
 
   CardList& cards() { return *cards_; }

@@ -131,8 +131,8 @@ void MessageBar::updateSceneError() {
 
 void MessageBar::markParameter() {
   if (!sceneError_) return;
-  const bool isSaidHere = !isHidden() && failure_ == Failure::Scene;
-  emit sceneErrorShown(sceneError_->first, isSaidHere
+  const bool isShownHere = !isHidden() && failure_ == Failure::Scene;
+  emit sceneErrorShown(sceneError_->first, isShownHere
                                                ? tr("not possible; the message above says why")
                                                : sceneErrorText(sceneError_->second));
 }

@@ -358,15 +358,15 @@ void MapPanel::showTarget() {
 /// Shows a text beside the lists, as why there is no map. Without a tip of its own the tooltip has
 /// all of the text, for which the label may be too narrow.
 void MapPanel::showMessage(const LiveText& text, const LiveText& tip) {
-  said_ = text;
-  saidTip_ = tip.isEmpty() ? text : tip;
+  messageText_ = text;
+  messageTip_ = tip.isEmpty() ? text : tip;
   updateMessage();
 }
 
 void MapPanel::updateMessage() {
-  message_->setText(said_);
-  message_->setToolTip(saidTip_);
-  message_->setVisible(!said_.isEmpty());
+  message_->setText(messageText_);
+  message_->setToolTip(messageTip_);
+  message_->setVisible(!messageText_.isEmpty());
 }
 
 /// Says of how many lines the shown values are the mean and how much of the map over all lines is

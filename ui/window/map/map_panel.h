@@ -69,7 +69,7 @@ class MapPanel : public QWidget {
   ChoiceBox *x_, *y_, *quantity_;
   QLabel *xLabel_, *yLabel_, *quantityLabel_;
   QLabel *message_, *progressLabel_;
-  LiveText said_, saidTip_;  // of the message
+  LiveText messageText_, messageTip_;
   QPushButton* save_;
   QStackedWidget* end_;  // of the row: the button or, while it computes, the progress
   MapView* view_;
