@@ -2,6 +2,7 @@
 
 #include <fftw3.h>
 
+#include <algorithm>
 #include <mutex>
 #include <new>
 
@@ -20,10 +21,14 @@ double* writable(const double* values) {
 }
 
 /// Held while a plan is made or destroyed.
-std::mutex& plannerLock() {
-  static std::mutex lock;
-  return lock;
-}
+constinit std::mutex plannerLock;
+
+/// The plans that were used last, the latest at the end.
+struct KeptPlans {
+  static constexpr std::size_t kMost = 8, kMostPoints = 1 << 18;
+  std::mutex lock;
+  std::vector<std::shared_ptr<const FourierPlans>> plans;
+};
 
 template <class Value>
 using Aligned = std::unique_ptr<Value, Destroyer<fftw_free>>;
@@ -46,13 +51,29 @@ std::size_t fastTransformSize(std::size_t count) {
   }
 }
 
-FourierPlans::FourierPlans(std::size_t points, Arrays arrays) : points_(points) {
+std::shared_ptr<const FourierPlans> FourierPlans::forSize(std::size_t points, Arrays arrays) {
+  if (points > KeptPlans::kMostPoints) return std::make_shared<const FourierPlans>(points, arrays);
+  static KeptPlans kept;
+  const std::lock_guard lock(kept.lock);
+  auto found = std::ranges::find_if(kept.plans, [&](const auto& plans) {
+    return plans->points() == points && plans->arrays() == arrays;
+  });
+  if (found == kept.plans.end()) {
+    kept.plans.push_back(std::make_shared<const FourierPlans>(points, arrays));
+    if (kept.plans.size() > KeptPlans::kMost) kept.plans.erase(kept.plans.begin());
+  } else {
+    std::rotate(found, found + 1, kept.plans.end());
+  }
+  return kept.plans.back();
+}
+
+FourierPlans::FourierPlans(std::size_t points, Arrays arrays) : points_(points), arrays_(arrays) {
   // Estimated plans look at the alignment of the arrays, not at what is in them.
   const auto values = aligned<double>(points);
   const auto modes = aligned<std::complex<double>>(points / 2 + 1);
   const unsigned flags = FFTW_ESTIMATE | (arrays == Arrays::Any ? FFTW_UNALIGNED : 0);
   const int size = static_cast<int>(points);
-  const std::lock_guard lock(plannerLock());
+  const std::lock_guard lock(plannerLock);
   forward_ =
       fftw_plan_dft_r2c_1d(size, values.get(), raw(modes.get()), flags | FFTW_PRESERVE_INPUT);
   backward_ =
@@ -60,7 +81,7 @@ FourierPlans::FourierPlans(std::size_t points, Arrays arrays) : points_(points) 
 }
 
 FourierPlans::~FourierPlans() {
-  const std::lock_guard lock(plannerLock());
+  const std::lock_guard lock(plannerLock);
   fftw_destroy_plan(forward_);
   fftw_destroy_plan(backward_);
 }
@@ -71,15 +92,6 @@ void FourierPlans::forward(const double* values, std::complex<double>* modes) co
 
 void FourierPlans::backward(std::complex<double>* modes, double* values) const {
   fftw_execute_dft_c2r(backward_, raw(modes), values);
-}
-
-RealTransform::RealTransform(std::size_t points)
-    : plans_(std::make_unique<const FourierPlans>(points, FourierPlans::Arrays::Any)) {}
-RealTransform::~RealTransform() = default;
-RealTransform::RealTransform(RealTransform&&) noexcept = default;
-
-std::size_t RealTransform::points() const {
-  return plans_->points();
 }
 
 std::vector<std::complex<double>> RealTransform::forward(std::span<const double> values) const {
@@ -99,13 +111,13 @@ std::vector<std::complex<double>> transform2d(std::span<const double> values, st
   std::vector<std::complex<double>> modes(rows * (columns / 2 + 1));
   fftw_plan plan = nullptr;
   {
-    const std::lock_guard lock(plannerLock());
+    const std::lock_guard lock(plannerLock);
     plan = fftw_plan_dft_r2c_2d(static_cast<int>(rows), static_cast<int>(columns),
                                 writable(values.data()), raw(modes.data()),
                                 FFTW_ESTIMATE | FFTW_UNALIGNED);
   }
   fftw_execute(plan);
-  const std::lock_guard lock(plannerLock());
+  const std::lock_guard lock(plannerLock);
   fftw_destroy_plan(plan);
   return modes;
 }

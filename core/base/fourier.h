@@ -1,7 +1,8 @@
 // Discrete Fourier transforms of real numbers by FFTW, with estimated plans, so that the same input
 // gives the same bits in every run.
 // Threading: a transform may be used by several threads at once; making and destroying one is
-// serialised inside, because FFTW's planner is not reentrant.
+// serialised inside, because FFTW's planner is not reentrant. The last plans of moderate size are
+// kept for the process.
 #pragma once
 
 #include <complex>
@@ -20,12 +21,16 @@ namespace asperity {
 class FourierPlans {
  public:
   enum class Arrays { Aligned, Any };
+  /// Returns the plans for a size. Those that were used last are kept, because planning takes
+  /// longer than the transforms of a few lines.
+  static std::shared_ptr<const FourierPlans> forSize(std::size_t points, Arrays arrays);
   FourierPlans(std::size_t points, Arrays arrays);
   ~FourierPlans();
   FourierPlans(const FourierPlans&) = delete;
   FourierPlans& operator=(const FourierPlans&) = delete;
 
   std::size_t points() const { return points_; }
+  Arrays arrays() const { return arrays_; }
   /// Computes X_k = sum_j x_j exp(-2 pi i j k / n), k = 0 ... n/2. The values are not changed.
   void forward(const double* values, std::complex<double>* modes) const;
   /// Transforms back, without the factor 1/n. The modes are overwritten.
@@ -33,6 +38,7 @@ class FourierPlans {
 
  private:
   std::size_t points_;
+  Arrays arrays_;
   fftw_plan_s *forward_, *backward_;
 };
 
@@ -43,11 +49,10 @@ std::size_t fastTransformSize(std::size_t count);
 /// X_k = sum_j x_j exp(-2 pi i j k / n), k = 0 ... n/2, and back (without the factor 1/n).
 class RealTransform {
  public:
-  explicit RealTransform(std::size_t points);
-  ~RealTransform();
-  RealTransform(RealTransform&&) noexcept;
+  explicit RealTransform(std::size_t points)
+      : plans_(FourierPlans::forSize(points, FourierPlans::Arrays::Any)) {}
 
-  std::size_t points() const;
+  std::size_t points() const { return plans_->points(); }
   std::size_t modes() const { return points() / 2 + 1; }
 
   /// values: n numbers.
@@ -56,7 +61,7 @@ class RealTransform {
   std::vector<double> backward(std::vector<std::complex<double>> modes) const;
 
  private:
-  std::unique_ptr<const FourierPlans> plans_;
+  std::shared_ptr<const FourierPlans> plans_;
 };
 
 /// Returns the transform of rows x columns numbers, row by row: rows x (columns/2 + 1) modes.

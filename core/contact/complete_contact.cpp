@@ -6,23 +6,6 @@
 namespace asperity {
 namespace {
 
-/// Calls take(level, block) for the largest blocks that together are the whole segments; ends where
-/// it returns false.
-template <class Take>
-bool forLargestBlocks(const PreparedProfile& line, const Take& take) {
-  for (std::size_t first = 0; first < line.blockCount(0);) {
-    std::size_t level = line.blocks.size() - 1;
-    const auto fits = [&] {
-      const std::size_t size = std::size_t{1} << (2 * level);
-      return (first & (size - 1)) == 0 && (first >> (2 * level)) < line.blockCount(level);
-    };
-    while (!fits()) --level;
-    if (!take(level, first >> (2 * level))) return false;
-    first += std::size_t{1} << (2 * level);
-  }
-  return true;
-}
-
 /// Searches for the indentation that complete contact of the line needs: p / 4G = d - z - c dz/ds >
 /// 0.
 class Needed {
@@ -35,15 +18,14 @@ class Needed {
   /// Returns whether the depth suffices; ends at the first place that needs more.
   bool isEnough() const {
     return segmentNeed(0) < most_ && segmentNeed(line_.segments() - 1) < most_ &&
-           forLargestBlocks(line_, [this](std::size_t level, std::size_t block) {
-             return isEnoughFor(level, block);
-           });
+           line_.forLargestBlocks(
+               [this](std::size_t level, std::size_t block) { return isEnoughFor(level, block); });
   }
 
   /// Continues to the largest necessary depth.
   void raise() {
     most_ = std::max({most_, segmentNeed(0), segmentNeed(line_.segments() - 1)});
-    forLargestBlocks(line_, [this](std::size_t level, std::size_t block) {
+    line_.forLargestBlocks([this](std::size_t level, std::size_t block) {
       raise(level, block);
       return true;
     });
@@ -124,17 +106,12 @@ double completeAbove(const PreparedProfile& line, double relaxationLength) {
 }
 
 PassSums completeContactSums(const PreparedProfile& line, double depth, double relaxationLength) {
-  double slopes = line.bounds(0).slopeSquared + line.bounds(line.segments() - 1).slopeSquared;
-  forLargestBlocks(line, [&](std::size_t level, std::size_t block) {
-    slopes += line.block(level, block).slopeSquared;
-    return true;
-  });
   PassSums sums;
   // Over the period the dashpots add as much negative as positive pressure.
   sums.depth = sums.pressure = (depth - line.meanHeight) * line.length;
-  sums.work = sums.dissipation = relaxationLength * slopes;
+  sums.work = sums.dissipation = relaxationLength * line.slopeSquaredIntegral;
   sums.stiffness = sums.contactLength = line.length;
-  sums.slopeSquared = slopes;
+  sums.slopeSquared = line.slopeSquaredIntegral;
   return sums;
 }
 

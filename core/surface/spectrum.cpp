@@ -96,9 +96,7 @@ double rmsSlope(const FourierLine& line) {
 }
 
 FourierTransform::FourierTransform(std::size_t nodes)
-    : plans_(std::make_unique<const FourierPlans>(nodes, FourierPlans::Arrays::Aligned)) {}
-FourierTransform::~FourierTransform() = default;
-FourierTransform::FourierTransform(FourierTransform&&) noexcept = default;
+    : plans_(FourierPlans::forSize(nodes, FourierPlans::Arrays::Aligned)) {}
 
 std::size_t FourierTransform::nodes() const {
   return plans_->points();

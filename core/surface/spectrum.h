@@ -41,8 +41,6 @@ double rmsSlope(const FourierLine& line);
 class FourierTransform {
  public:
   explicit FourierTransform(std::size_t nodes);
-  ~FourierTransform();
-  FourierTransform(FourierTransform&&) noexcept;
 
   std::size_t nodes() const;
 
@@ -65,7 +63,7 @@ class FourierTransform {
   bool transform(const FourierLine& line, std::vector<double>& target, const Factor& factor,
                  const std::stop_token& stop) const;
 
-  std::unique_ptr<const FourierPlans> plans_;
+  std::shared_ptr<const FourierPlans> plans_;
 };
 
 /// Returns a line whose short waves are stronger on the summits, or in the valleys, of its long

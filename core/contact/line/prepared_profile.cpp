@@ -185,11 +185,22 @@ double integralOf(const PreparedProfile& profile) {
   return integral;
 }
 
+double slopeSquaredIntegralOf(const PreparedProfile& profile) {
+  double integral =
+      profile.bounds(0).slopeSquared + profile.bounds(profile.segments() - 1).slopeSquared;
+  profile.forLargestBlocks([&](std::size_t level, std::size_t block) {
+    integral += profile.block(level, block).slopeSquared;
+    return true;
+  });
+  return integral;
+}
+
 bool addBounds(PreparedProfile& profile, const std::stop_token& stop) {
   profile.blocks.resize(std::max<std::size_t>(profile.blocks.size(), 1));
   const bool isCubic = profile.scheme == Scheme::Cubic;
   if (!(isCubic ? addCubicBlocks(profile, stop) : addStraightBlocks(profile, stop))) return false;
   profile.meanHeight = integralOf(profile) / profile.length;
+  profile.slopeSquaredIntegral = slopeSquaredIntegralOf(profile);
   if (stop.stop_requested()) return false;
   if (isCubic)
     addCuts(profile);
@@ -233,7 +244,7 @@ bool addNodes(PreparedProfile& profile, const Line& line, const TravelOrder& ord
   profile.startsInsideSegment = false;
   profile.startFraction = 0;
   profile.firstLength = profile.lastLength = line.spacing;
-  profile.meanHeight = 0;
+  profile.meanHeight = profile.slopeSquaredIntegral = 0;
   std::size_t node = lowest.node;
   for (std::size_t i = 0; i < count; ++i) {
     profile.heightAboveMinimum[i] = line.height[node] - lowest.height;

@@ -44,6 +44,7 @@ struct PreparedProfile {
   };
   std::vector<Cut> cuts;
   double meanHeight = 0;               // m, mean of z in the scheme's line
+  double slopeSquaredIntegral = 0;     // m, of (dz/ds)^2 over the period; not for nodal
   double rmsHeight = 0, rmsSlope = 0;  // of the line itself
 
   std::size_t firstNode = 0;  // node of the Line at or just before s = 0, in order of travel
@@ -81,6 +82,19 @@ struct PreparedProfile {
   }
   SegmentBounds block(std::size_t level, std::size_t i) const {
     return level == 0 ? bounds(i + 1) : blocks[level][i];
+  }
+  /// Calls take(level, block) for the fewest blocks that together are the whole segments, in order;
+  /// ends where it returns false, and returns whether it never did.
+  template <class Take>
+  bool forLargestBlocks(const Take& take) const {
+    std::size_t first = 0;  // block of the level that follows those of the levels above
+    for (std::size_t level = blocks.size(); level-- > 0;) {
+      const std::size_t count = blockCount(level);
+      for (std::size_t i = first; i < count; ++i)
+        if (!take(level, i)) return false;
+      first = 4 * count;
+    }
+    return true;
   }
   /// Returns the height over segment i as a function of t = (s - s_i) / segmentLength(i).
   Cubic segment(std::size_t i) const;
