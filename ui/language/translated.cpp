@@ -199,20 +199,28 @@ QString withLoweredInfinity(const QString& text) {
   return text.toHtmlEscaped().replace(QStringLiteral("G∞"), QStringLiteral("G<sub>∞</sub>"));
 }
 
-/// Returns whether a symbol occurs in a formula: z in "z′" and "η v z′", but not in "∇z", and C not
-/// in "C₁".
-bool hasSymbol(const QString& formula, const QString& symbol) {
+/// Returns what finds a symbol in a formula: z in "z′" and "η v z′", but not in "∇z", and C not in
+/// "C₁".
+QRegularExpression symbolPattern(const QString& symbol) {
   const bool isLatin = symbol.size() == 1 && symbol[0].unicode() < 128;
   const QString pattern =
       isLatin ? QStringLiteral("(?<![\\p{L}∇_])%1(?![\\p{L}\\p{N}_])") : QStringLiteral("%1(?!_)");
-  return formula.contains(QRegularExpression(pattern.arg(QRegularExpression::escape(symbol))));
+  return QRegularExpression(pattern.arg(QRegularExpression::escape(symbol)));
 }
 
 /// Returns "η: viscosity; z: height of the line" for the symbols of a formula; empty without any.
 QString symbolsHtml(std::string_view formula) {
+  // Compiling the patterns takes far longer than searching a formula for them.
+  static const auto patterns = [] {
+    std::vector<QRegularExpression> all;
+    for (const FormulaSymbol& one : formulaSymbols())
+      all.push_back(symbolPattern(fromUtf8(one.symbol)));
+    return all;
+  }();
+  const QString searched = fromUtf8(formula);
   QStringList texts;
-  for (const FormulaSymbol& one : formulaSymbols())
-    if (hasSymbol(fromUtf8(formula), fromUtf8(one.symbol)))
+  for (std::size_t i = 0; i < patterns.size(); ++i)
+    if (const FormulaSymbol& one = formulaSymbols()[i]; searched.contains(patterns[i]))
       texts += formulaHtml(one.symbol) + ": " + richText(translatedText(Message(one.meaning)));
   return texts.join(QStringLiteral("; "));
 }

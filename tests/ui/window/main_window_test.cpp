@@ -429,6 +429,8 @@ TEST_F(MainWindowTest, ThePlanFollowsTheScene) {
     const auto found = plan.findItems(stage, Qt::MatchExactly);
     return found.isEmpty() ? QString() : found.first()->text(1);
   };
+  EXPECT_EQ(plan.topLevelItemCount(), 0);  // nobody sees it, so that nothing waits for it
+  action("go:planList").trigger();
   ASSERT_EQ(plan.topLevelItemCount(), static_cast<int>(kStages));
   EXPECT_EQ(runs(QString::fromStdString(std::string(stageName(Stage::Interface)))), "no");
   type("interface.friction_coefficient", "0.2");

@@ -23,16 +23,22 @@ PlanList::PlanList(QWidget* parent) : QTreeWidget(parent) {
   keepTranslated(*this, [this] {
     setAccessibleName(tr("which stages run, and why"));
     setHeaderLabels({tr("stage"), tr("runs"), tr("because")});
-    fill();
+    refill();
   });
 }
 
 void PlanList::showScene(const Scene& scene) {
   scene_ = scene;
-  fill();
+  refill();
+}
+
+void PlanList::refill() {
+  isFilled_ = false;
+  if (isVisible()) fill();
 }
 
 void PlanList::fill() {
+  isFilled_ = true;
   clear();
   try {
     for (const PlanStage& stage : planStages(scene_, Purpose::Window)) {
@@ -51,7 +57,10 @@ void PlanList::fill() {
 
 void PlanList::showEvent(QShowEvent* event) {
   QTreeWidget::showEvent(event);
-  fitColumns();
+  if (isFilled_)
+    fitColumns();
+  else
+    fill();
 }
 
 void PlanList::changeEvent(QEvent* event) {

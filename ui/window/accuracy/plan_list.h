@@ -1,5 +1,6 @@
 // The plan of a scene as a list: each stage in order, whether it runs, and why. Effects that
-// exclude each other are reported in a single line. GUI thread; owned by its parent.
+// exclude each other are reported in a single line. It is filled only while it is visible, so that
+// a drag of a slider does not wait for it. GUI thread; owned by its parent.
 #pragma once
 
 #include <QTreeWidget>
@@ -22,11 +23,13 @@ class PlanList : public QTreeWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
+  void refill();
   void fill();
   void fitColumns();
   void fitRows();
 
   Scene scene_;
+  bool isFilled_ = false;
 };
 
 }  // namespace asperity
