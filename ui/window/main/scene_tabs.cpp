@@ -176,8 +176,7 @@ int SceneTabs::cornerWidth() const {
 /// makes it wider, because the views would move when the page is shown for the first time.
 QSize SceneTabs::minimumSizeHint() const {
   QSize size = QTabWidget::minimumSizeHint();
-  if (!mayScroll_)
-    size.setWidth(tabsWidth(&Page::brief, kCrowdedTabPadding) + kFreeWidth + cornerWidth());
+  if (!mayScroll_) size.setWidth(narrowestTabs_ + kFreeWidth);
   return size;
 }
 
@@ -197,7 +196,9 @@ void SceneTabs::fitTitles() {
     if (tabText(i) != text) setTabText(i, text);
     setTabToolTip(i, isTabEnabled(i) ? title : tr("%1: hidden until the answer").arg(title));
   }
-  updateGeometry();  // the minimum width depends on the visible tabs
+  // A layout of the whole window for each value of a slider would be slow.
+  const int narrowest = tabsWidth(&Page::brief, kCrowdedTabPadding) + cornerWidth();
+  if (std::exchange(narrowestTabs_, narrowest) != narrowest) updateGeometry();
   if (tabBar()->property("crowded").toBool() == isCrowded) return;
   setStyleProperty(*tabBar(), "crowded", isCrowded);
   // The bar updates the sizes of its tabs only after a StyleChange event.
@@ -214,9 +215,10 @@ void SceneTabs::setMayScroll(bool mayScroll) {
 /// Qt reserves the space of a corner widget even while it is hidden.
 void SceneTabs::showInCorner(QWidget& widget, bool isShown) {
   QWidget* wanted = isShown ? &widget : nullptr;
-  if (cornerWidget() != wanted) setCornerWidget(wanted);
+  const bool isOther = cornerWidget() != wanted;
+  if (isOther) setCornerWidget(wanted);
   widget.setVisible(isShown);
-  fitTitles();
+  if (isOther) fitTitles();
 }
 
 void SceneTabs::resizeEvent(QResizeEvent* event) {
@@ -302,8 +304,10 @@ void SceneTabs::showScene(const Scene& scene) {
   if (!hasMotion && currentWidget() == motion_) setCurrentWidget(plot_);
   QAction& action = *pageAt(kMotionTab).action;
   action.setVisible(hasMotion);
-  setTabVisible(kMotionTab, hasMotion && action.isChecked());
-  fitTitles();
+  if (const bool isShown = hasMotion && action.isChecked(); isShown != hadMotion) {
+    setTabVisible(kMotionTab, isShown);
+    fitTitles();
+  }
   if (hasMotion && !hadMotion) setCurrentIndex(kMotionTab);
   motion_->showScene(scene);
   hasMeasuredFriction_ = !scene.comparison.data.empty();

@@ -129,6 +129,7 @@ class SceneTabs : public QTabWidget {
   QMenu* menu_ = nullptr;
   std::vector<Page> pages_;     // one for each tab
   std::optional<Scene> timed_;  // the scene whose curve is timed
+  int narrowestTabs_ = 0;       // pixels that the bar needs, with its corner
   bool mayScroll_ = false;
   bool hasMeasuredFriction_ = false;  // its ratio to the curve is a plot of its own
   QElapsedTimer curveTime_;  // since the request for the curve; invalid once it is complete
