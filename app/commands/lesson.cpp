@@ -108,10 +108,10 @@ void checkResultsExist(const std::vector<std::string>& given) {
 }
 
 /// Returns a table of each class below the title of its lesson.
-std::string classesText(const std::vector<std::vector<StudentResults>>& classes) {
+std::string classesText(const ClassResults& results) {
   std::string text;
   std::set<std::string> titles;
-  for (const std::vector<StudentResults>& students : classes) {
+  for (const std::vector<StudentResults>& students : results.classes) {
     const std::string title = printable(students.front().results.title);
     const bool isKnown = !titles.insert(title).second;
     text += (text.empty() ? "" : "\n") +
@@ -129,14 +129,13 @@ int showClass(const LessonCommand& command) {
   if (command.forTeacher) throw InputError("", "--teacher", "is of a handout, not of results");
   for (const std::string& output : command.outputs)
     checkNoInput(output, {command.lessons.begin(), command.lessons.end()});
-  std::vector<InputError> refused;
-  const std::vector<std::vector<StudentResults>> classes = readClasses(command.lessons, refused);
-  if (!command.outputs.empty() || common.json) onlyClass(classes);
-  for (const InputError& error : refused)
+  const ClassResults results = readClasses(command.lessons);
+  if (!command.outputs.empty() || common.json) onlyClass(results);
+  for (const InputError& error : results.refused)
     std::fputs(("asperity: " + printable(error.what()) + "\n").c_str(), stderr);
-  const std::vector<StudentResults>& students = classes.front();
+  const std::vector<StudentResults>& students = results.classes.front();
   const LessonResults& first = students.front().results;
-  std::string summary = classesText(classes);
+  std::string summary = classesText(results);
   for (const std::string& output : command.outputs) {
     writeTable(output, classCsv(students));
     summary += wroteLine(output);
@@ -151,15 +150,15 @@ int showClass(const LessonCommand& command) {
                    {"students", Json::array()}};
     for (const StudentResults& student : students) {
       Json one = {{"file", student.file}};
-      const Json results = jsonValue(resultsJson(student.results));
+      const Json answers = jsonValue(resultsJson(student.results));
       for (const char* member : {"date", "right", "shown", "steps"})
-        if (results.contains(member)) one[member] = results[member];
+        if (answers.contains(member)) one[member] = answers[member];
       one["wrong"] = student.results.wrong();
       answer["students"].push_back(std::move(one));
     }
     printJson(answer);
   }
-  return refused.empty() ? kDone : kRunFailed;
+  return results.refused.empty() ? kDone : kRunFailed;
 }
 
 }  // namespace

@@ -48,9 +48,9 @@ Row summaryCells(const LessonResults& results) {
 
 }  // namespace
 
-std::vector<std::vector<StudentResults>> readClasses(
-    const std::vector<std::string>& filesAndFolders, std::vector<InputError>& refused) {
-  std::vector<std::vector<StudentResults>> classes;
+ClassResults readClasses(const std::vector<std::string>& filesAndFolders) {
+  ClassResults found;
+  std::vector<std::vector<StudentResults>>& classes = found.classes;
   const auto read = [&](const std::filesystem::path& file) {
     LessonResults results = readResultsFile(file);
     auto known = std::ranges::find_if(classes, [&](const std::vector<StudentResults>& one) {
@@ -64,7 +64,7 @@ std::vector<std::vector<StudentResults>> readClasses(
     try {
       work();
     } catch (const InputError& error) {
-      refused.push_back(error);
+      found.refused.push_back(error);
     }
   };
   std::error_code ignored;
@@ -73,12 +73,12 @@ std::vector<std::vector<StudentResults>> readClasses(
       if (!std::filesystem::is_directory(one, ignored)) return read(one);
       for (const std::filesystem::path& file : jsonFilesIn(one)) tryTo([&] { read(file); });
     });
-  if (classes.empty() && !refused.empty()) throw InputError(refused.front());
-  return classes;
+  if (classes.empty() && !found.refused.empty()) throw InputError(found.refused.front());
+  return found;
 }
 
-const std::vector<StudentResults>& onlyClass(
-    const std::vector<std::vector<StudentResults>>& classes) {
+const std::vector<StudentResults>& onlyClass(const ClassResults& results) {
+  const auto& classes = results.classes;
   const StudentResults& first = classes.front().front();
   if (classes.size() == 1) return classes.front();
   const StudentResults& other = classes[1].front();

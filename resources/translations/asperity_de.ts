@@ -3704,7 +3704,7 @@
     </message>
     <message>
         <source>a tenth</source>
-        <translation>ein Zehntel</translation>
+        <translation>10 %</translation>
     </message>
     <message>
         <source>as in file</source>
@@ -5573,12 +5573,12 @@
         <translation>richtig innerhalb von %1</translation>
     </message>
     <message>
-        <source>The height counts to a factor of %1.</source>
-        <translation>Die Höhe zählt bis zu einem Faktor %1.</translation>
+        <source>A height within a factor of %1 counts as right.</source>
+        <translation>Richtig ist eine Höhe, die höchstens um den Faktor %1 abweicht.</translation>
     </message>
     <message>
-        <source>The height counts to a factor of %1, the place to a factor of %2.</source>
-        <translation>Die Höhe zählt bis zu einem Faktor %1, die Stelle bis zu einem Faktor %2.</translation>
+        <source>A height within a factor of %1 and a place within a factor of %2 count as right.</source>
+        <translation>Richtig ist ein Punkt, dessen Höhe höchstens um den Faktor %1 und dessen Stelle höchstens um den Faktor %2 abweicht.</translation>
     </message>
     <message>
         <source>The height is right, the place is not.</source>

@@ -5359,8 +5359,8 @@
         <translation>lässt eine Periode von %1 Punkten; mindestens %2 sind nötig</translation>
     </message>
     <message>
-        <source>c2</source>
-        <translation>C2</translation>
+        <source>of a surface</source>
+        <translation>einer Fläche</translation>
     </message>
     <message>
         <source>m</source>
@@ -6779,12 +6779,12 @@
         <translation>isotrop gleichwertig</translation>
     </message>
     <message>
-        <source>C1, two-sided</source>
-        <translation>C1, zweiseitig</translation>
+        <source>of a line, two-sided</source>
+        <translation>einer Linie, zweiseitig</translation>
     </message>
     <message>
-        <source>C1, one-sided</source>
-        <translation>C1, einseitig</translation>
+        <source>of a line, one-sided</source>
+        <translation>einer Linie, einseitig</translation>
     </message>
     <message>
         <source>not stated</source>

@@ -40,12 +40,10 @@ class LessonClass : public testing::Test {
     writeResults(folder_ / "Bo, 2.json", results, lesson_);
   }
   std::string path(const char* name) { return (folder_ / name).string(); }
-  /// Returns the class in files and folders; what is refused is in refused_.
-  std::vector<StudentResults> readClass(const std::vector<std::string>& filesAndFolders) {
-    return onlyClass(readClasses(filesAndFolders, refused_));
+  static std::vector<StudentResults> readClass(const std::vector<std::string>& filesAndFolders) {
+    return onlyClass(readClasses(filesAndFolders));
   }
 
-  std::vector<InputError> refused_;
   TemporaryFolder folder_;
   Lesson lesson_ = lessonOf(sampleLesson());
 };
@@ -66,12 +64,13 @@ TEST_F(LessonClass, AFolderGivesItsResultsAndNamesOtherJson) {
   folder_.write("note.txt", "x");
   folder_.write("torn.json", R"({"schema": "asperity-lesson-res)");
   const TemporaryFolder empty;
-  EXPECT_EQ(classCsv(readClass({empty.path().string(), folder_.path().string()})),
+  const ClassResults results = readClasses({empty.path().string(), folder_.path().string()});
+  EXPECT_EQ(classCsv(onlyClass(results)),
             classCsv(readClass({path("Bo, 2.json"), path("ada.json")})));
-  ASSERT_EQ(refused_.size(), 3U);
-  EXPECT_EQ(refused_[0].file(), empty.path().string());
-  EXPECT_EQ(refused_[1].file(), path("lesson.json"));
-  EXPECT_EQ(refused_[2].file(), path("torn.json"));
+  ASSERT_EQ(results.refused.size(), 3U);
+  EXPECT_EQ(results.refused[0].file(), empty.path().string());
+  EXPECT_EQ(results.refused[1].file(), path("lesson.json"));
+  EXPECT_EQ(results.refused[2].file(), path("torn.json"));
   EXPECT_THROW(readClass({empty.path().string()}), InputError);
 }
 
@@ -106,7 +105,7 @@ TEST_F(LessonClass, EachLessonHasATable) {
   json["title"] = "Other";
   const Lesson other = lessonOf(json);
   writeResults(folder_ / "bea.json", emptyResults(other), other);
-  const auto classes = readClasses({folder_.path().string()}, refused_);
+  const auto classes = readClasses({folder_.path().string()}).classes;
   ASSERT_EQ(classes.size(), 2U);
   EXPECT_EQ(classes[0].size(), 2U);
   EXPECT_EQ(classes[0][1].file, "ada.json");
@@ -116,15 +115,15 @@ TEST_F(LessonClass, EachLessonHasATable) {
 
 TEST_F(LessonClass, FilesThatCannotBeReadAreReturnedWithTheirReasons) {
   folder_.write("lesson.json", sampleLesson().dump());
-  const auto classes =
-      readClasses({path("ada.json"), path("lesson.json"), path("none.json")}, refused_);
+  const auto [classes, refused] =
+      readClasses({path("ada.json"), path("lesson.json"), path("none.json")});
   ASSERT_EQ(classes.size(), 1U);
   EXPECT_EQ(classes[0].front().file, "ada.json");
-  ASSERT_EQ(refused_.size(), 2U);
-  EXPECT_EQ(refused_[0].file(), path("lesson.json"));
-  EXPECT_THAT(refused_[0].what(), testing::HasSubstr("lesson.json: has no results of a lesson"));
-  EXPECT_EQ(refused_[1].file(), path("none.json"));
-  EXPECT_THROW(readClasses({path("lesson.json"), path("none.json")}, refused_), InputError);
+  ASSERT_EQ(refused.size(), 2U);
+  EXPECT_EQ(refused[0].file(), path("lesson.json"));
+  EXPECT_THAT(refused[0].what(), testing::HasSubstr("lesson.json: has no results of a lesson"));
+  EXPECT_EQ(refused[1].file(), path("none.json"));
+  EXPECT_THROW(readClasses({path("lesson.json"), path("none.json")}), InputError);
 }
 
 TEST_F(LessonClass, ResultsOfAnotherLessonAreRefusedInWords) {

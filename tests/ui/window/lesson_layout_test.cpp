@@ -185,6 +185,24 @@ TEST_P(LessonLayout, EveryStepIsWholeAndReachedInASmallWindow) {
   EXPECT_EQ(window->size(), kSmall);  // nothing made it larger
 }
 
+/// The step speaks of two parameters. The warning of the first one comes later, and pushed the
+/// second one out of sight.
+TEST(LessonLayoutOfAStep, AWarningThatComesLaterLeavesTheParametersInSight) {
+  constexpr int kPlateau = 5;
+  WindowIn window("en");
+  window->resize(kSmall);
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&*window));
+  Lessons& lessons = window->lessons();
+  lessons.start(readNamedLesson("rubber_is_not_coulomb", readNamedScene), kPlateau);
+  window->findChild<QPushButton*>("lessonShow")->click();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return lessons.isRevealed(); }, kWindowPatience));
+  const auto& modulus = *window->findChild<QWidget*>("row:elastomer.shear_modulus");
+  const auto isInSight = [&] { return modulus.visibleRegion().boundingRect() == modulus.rect(); };
+  EXPECT_TRUE(QTest::qWaitFor(isInSight, kLayoutPatience));
+  QTest::qWait(kLayoutPatience);  // the warning is there
+  EXPECT_TRUE(isInSight());
+}
+
 std::vector<std::string> shippedNames() {
   std::vector<std::string> names;
   for (const ShippedLesson& lesson : shippedLessons()) names.emplace_back(lesson.name);

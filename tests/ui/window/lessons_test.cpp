@@ -515,9 +515,9 @@ TEST_F(LessonsTest, ALongWordOfTheTitleIsShortenedWithDots) {
 TEST_F(LessonsTest, APointSaysHowCloselyItCounts) {
   lessons().start(sampleWithPoint(false), 1);
   EXPECT_EQ(said("lessonTolerance"),
-            "The height counts to a factor of 1.5, the place to a factor of 2.");
+            "A height within a factor of 1.5 and a place within a factor of 2 count as right.");
   lessons().start(sampleWithPoint(true), 1);
-  EXPECT_EQ(said("lessonTolerance"), "The height counts to a factor of 1.5.");
+  EXPECT_EQ(said("lessonTolerance"), "A height within a factor of 1.5 counts as right.");
   lessons().start(lessonOf(sampleLesson()), 0);  // a choice
   EXPECT_FALSE(control<QLabel>("lessonTolerance").isVisible());
 }
@@ -683,6 +683,18 @@ TEST_F(LessonsTest, AnotherLanguageKeepsWhatTheStudentHasEntered) {
   EXPECT_TRUE(point.point());
   EXPECT_TRUE(point.accessibleName().startsWith("Wo?")) << point.accessibleName().toStdString();
   EXPECT_FALSE(point.toolTip().contains("Drag")) << point.toolTip().toStdString();
+  useLanguage("en");
+}
+
+/// The choices are made anew in another language; the focus would go to the button "Back".
+TEST_F(LessonsTest, AnotherLanguageKeepsTheFocus) {
+  window_.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
+  lessons().start(lessonOf(sampleLesson()));
+  control<QRadioButton>("lessonChoice:1").setFocus();
+  useLanguage("de");
+  EXPECT_TRUE(waitFor([&] { return said("lessonProgress") == "1 von 2"; }));
+  EXPECT_TRUE(control<QRadioButton>("lessonChoice:1").hasFocus());
   useLanguage("en");
 }
 
@@ -1400,9 +1412,8 @@ TEST_F(LessonsTest, AClassIsATable) {
   const std::filesystem::path table = folder / "class.csv";
   chooseFiles(QString::fromStdString(table.string()));
   click("saveClassTable");
-  std::vector<InputError> refused;
-  const auto classes = readClasses({files[0].toStdString(), files[1].toStdString()}, refused);
-  EXPECT_EQ(TemporaryFolder::read(table), classCsv(onlyClass(classes)));
+  const ClassResults results = readClasses({files[0].toStdString(), files[1].toStdString()});
+  EXPECT_EQ(TemporaryFolder::read(table), classCsv(onlyClass(results)));
   EXPECT_EQ(said("classResultsStatus"), "Saved class.csv");
   chooseFiles(QString::fromStdString((folder / "class.txt").string()));
   click("saveClassTable");

@@ -15,6 +15,7 @@
 #include <map>
 
 #include "core/base/atomic_file.h"
+#include "core/base/input_error.h"
 #include "core/lesson/lesson_file.h"
 #include "core/scene/sweep.h"
 #include "ui/language/language.h"
@@ -241,7 +242,7 @@ class ResultsDialog : public QDialog {
 /// Asks for a file and saves the table of the class in it.
 void saveTable(ResultsDialog& page, const ClassResults& results) {
   try {
-    const std::string table = classCsv(onlyClass(results.classes));
+    const std::string table = classCsv(onlyClass(results));
     const QString file =
         askSaveFile(&page, LessonResultsPage::tr("Save the table of a class"),
                     LessonResultsPage::tr("class.csv"), LessonResultsPage::tr("Table (*.csv)"));
@@ -278,8 +279,7 @@ void showLessonResults(QWidget& window, const QString& file,
 void showClassResults(QWidget& window, const QStringList& files) {
   std::vector<std::string> paths;
   for (const QString& file : files) paths.push_back(file.toStdString());
-  ClassResults results;
-  results.classes = readClasses(paths, results.refused);
+  const ClassResults results = readClasses(paths);
   auto* page =
       new ResultsDialog(window, "classResults", LessonResultsPage::tr("Results of a class"),
                         LessonResultsPage::classHtml(results));

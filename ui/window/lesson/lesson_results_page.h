@@ -8,21 +8,13 @@
 #include <QStringList>
 #include <functional>
 #include <optional>
-#include <vector>
 
-#include "core/base/input_error.h"
 #include "core/lesson/lesson_class.h"
 #include "core/lesson/lesson_results.h"
 
 class QWidget;
 
 namespace asperity {
-
-/// The files of a class that could be read, by lesson, and the errors of the others.
-struct ClassResults {
-  std::vector<std::vector<StudentResults>> classes;
-  std::vector<InputError> refused;
-};
 
 class LessonResultsPage {
   Q_DECLARE_TR_FUNCTIONS(asperity::LessonResultsPage)

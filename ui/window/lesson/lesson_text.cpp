@@ -160,8 +160,10 @@ QString toleranceText(const LessonPrediction& prediction) {
         .arg(shortFactor(1 - prediction.tolerance), shortFactor(1 + prediction.tolerance));
   }
   const QString height = shortFactor(1 + prediction.tolerance);
-  if (prediction.x) return fromUtf8(Words::tr("The height counts to a factor of %1.")).arg(height);
-  return fromUtf8(Words::tr("The height counts to a factor of %1, the place to a factor of %2."))
+  if (prediction.x)
+    return fromUtf8(Words::tr("A height within a factor of %1 counts as right.")).arg(height);
+  return fromUtf8(Words::tr("A height within a factor of %1 and a place within a factor of %2 "
+                            "count as right."))
       .arg(height, shortFactor(1 + prediction.xTolerance));
 }
 
