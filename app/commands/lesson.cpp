@@ -18,6 +18,7 @@
 #include "core/lesson/lesson_file.h"
 #include "ui/language/language.h"
 #include "ui/window/lesson/handout.h"
+#include "ui/window/lesson/lesson_results_page.h"
 #include "ui/window/lesson/lesson_text.h"
 #include "ui/window/main/scene_library.h"
 
@@ -107,12 +108,37 @@ void checkResultsExist(const std::vector<std::string>& given) {
   }
 }
 
+/// Returns the table of a class in columns.
+std::string classText(const std::vector<StudentResults>& students) {
+  const ClassRows table = LessonResultsPage::classRows(students);
+  std::vector<QStringList> rows = {table.heading, table.answers};
+  rows.insert(rows.end(), table.students.begin(), table.students.end());
+  std::vector<qsizetype> widths(static_cast<std::size_t>(table.heading.size()));
+  const auto forEachCell = [&](QStringList& row, const auto& act) {
+    for (std::size_t i = 0; i < widths.size(); ++i) act(row[static_cast<qsizetype>(i)], widths[i]);
+  };
+  for (QStringList& row : rows)
+    forEachCell(row, [](QString& cell, qsizetype& width) {
+      cell = fromUtf8(printable(cell.toStdString()));
+      width = std::max(width, cell.size());
+    });
+  QString text;
+  for (QStringList& row : rows) {
+    forEachCell(row, [](QString& cell, qsizetype width) { cell = cell.leftJustified(width); });
+    QString line = row.join(QStringLiteral("  "));
+    while (line.endsWith(' ')) line.chop(1);
+    text += line + '\n';
+  }
+  return text.toStdString();
+}
+
 /// Returns a table of each class below the title of its lesson.
 std::string classesText(const ClassResults& results) {
   std::string text;
   std::set<std::string> titles;
   for (const std::vector<StudentResults>& students : results.classes) {
-    const std::string title = printable(students.front().results.title);
+    const std::string title =
+        printable(LessonResultsPage::lessonTitle(students.front().results).toStdString());
     const bool isKnown = !titles.insert(title).second;
     text += (text.empty() ? "" : "\n") +
             (isKnown ? filled(Words::tr("%1, another version"), {title}) : title) + "\n" +

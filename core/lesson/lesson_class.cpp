@@ -8,7 +8,6 @@
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
-#include "core/base/text.h"
 #include "core/scene/data_table.h"
 
 namespace asperity {
@@ -33,12 +32,6 @@ std::set<int> answeredSteps(const std::vector<StudentResults>& students) {
   for (const StudentResults& student : students)
     for (const LessonResult& one : student.results.results) steps.insert(one.step);
   return steps;
-}
-
-/// Returns the number of characters of a text in UTF-8.
-std::size_t width(const std::string& text) {
-  return static_cast<std::size_t>(std::ranges::count_if(
-      text, [](char each) { return (static_cast<unsigned char>(each) & 0xC0) != 0x80; }));
 }
 
 Row summaryCells(const LessonResults& results) {
@@ -99,15 +92,6 @@ std::string givenText(const LessonResult& result) {
   return plainNumber(given.number) + " at " + plainNumber(given.x);
 }
 
-std::string givenInWords(const LessonResult& result) {
-  const GivenAnswer& given = result.given;
-  if (!given.isGiven() || result.kind == PredictionKind::Choice) return givenText(result);
-  const LessonAnswer& expected = result.expected;
-  const std::string number = printedQuantity(given.number, expected.number.unit);
-  if (result.kind == PredictionKind::Number) return number;
-  return number + " at " + printedQuantity(given.x, expected.x.unit);
-}
-
 std::string verdictWord(const LessonResult& result) {
   return !result.given.isGiven() ? "shown" : result.isRight ? "right" : "wrong";
 }
@@ -133,34 +117,6 @@ std::string classCsv(const std::vector<StudentResults>& students) {
   for (const Row& row : rows)
     for (std::size_t i = 0; i < row.size(); ++i)
       text += csvCell(row[i]) + (i + 1 < row.size() ? "," : "\n");
-  return text;
-}
-
-std::string classText(const std::vector<StudentResults>& students) {
-  const std::set<int> steps = answeredSteps(students);
-  std::vector<Row> rows = {{"file", "right", "wrong", "shown"}};
-  for (const int step : steps) rows.front().push_back(fmt::format("step {}", step + 1));
-  for (const StudentResults& student : students) {
-    Row row = {printable(student.file)};
-    for (const std::string& cell : summaryCells(student.results)) row.push_back(cell);
-    for (const int step : steps) {
-      const LessonResult* one = student.results.find(step);
-      std::string cell = "-";
-      if (one) cell = verdictWord(*one);
-      if (one && one->given.isGiven()) cell += " (" + givenInWords(*one) + ")";
-      row.push_back(cell);
-    }
-    rows.push_back(row);
-  }
-  std::string text;
-  std::vector<std::size_t> widths(rows.front().size());
-  for (const Row& row : rows)
-    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width(row[i]));
-  for (const Row& row : rows) {
-    std::string line;
-    for (std::size_t i = 0; i < row.size(); ++i) line += fmt::format("{:<{}}  ", row[i], widths[i]);
-    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
-  }
   return text;
 }
 

@@ -35,9 +35,6 @@ const std::vector<StudentResults>& onlyClass(const ClassResults& results);
 /// SI with all its digits, of a point with its place; empty where none was given.
 std::string givenText(const LessonResult& result);
 
-/// Returns the same for people: a number has three digits and its unit.
-std::string givenInWords(const LessonResult& result);
-
 /// Returns "right", "wrong" or "shown".
 std::string verdictWord(const LessonResult& result);
 
@@ -45,8 +42,5 @@ std::string verdictWord(const LessonResult& result);
 /// and shown answers, and for each step that somebody answered `step_N` (verdictWord) and
 /// `step_N_given`; both are empty where this student has not come so far.
 std::string classCsv(const std::vector<StudentResults>& students);
-
-/// Returns the same for people, in columns.
-std::string classText(const std::vector<StudentResults>& students);
 
 }  // namespace asperity

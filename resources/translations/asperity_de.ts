@@ -2518,7 +2518,7 @@
     </message>
     <message>
         <source>%1 (%2 missing)</source>
-        <translation>%1 (%2 fehlen)</translation>
+        <translation>%1 (Lücken: %2)</translation>
     </message>
     <message>
         <source>Not translated: %1. A question that lacks a translation stands in the other language as a whole.</source>
@@ -2740,36 +2740,12 @@
 <context>
     <name>asperity::LessonResultsPage</name>
     <message>
-        <source>shown</source>
-        <translation>gezeigt</translation>
-    </message>
-    <message>
-        <source>right</source>
-        <translation>richtig</translation>
-    </message>
-    <message>
-        <source>wrong</source>
-        <translation>falsch</translation>
-    </message>
-    <message>
-        <source>choice %1</source>
-        <translation>Antwort %1</translation>
-    </message>
-    <message>
         <source>%1 right, %2 wrong, %3 shown</source>
         <translation>%1 richtig, %2 falsch, %3 gezeigt</translation>
     </message>
     <message>
-        <source>Step</source>
-        <translation>Schritt</translation>
-    </message>
-    <message>
         <source>Answer</source>
         <translation>Antwort</translation>
-    </message>
-    <message>
-        <source>Right answer</source>
-        <translation>Richtige Antwort</translation>
     </message>
     <message>
         <source>Results of a lesson</source>
@@ -2778,10 +2754,6 @@
     <message>
         <source>&amp;Close</source>
         <translation>S&amp;chließen</translation>
-    </message>
-    <message>
-        <source>File</source>
-        <translation>Datei</translation>
     </message>
     <message>
         <source>Results of a class</source>
@@ -5619,6 +5591,34 @@
     <message>
         <source>a chart of friction, to draw into, with the curve for %1</source>
         <translation>ein Diagramm der Reibung zum Hineinzeichnen, mit der Kurve für %1</translation>
+    </message>
+    <message>
+        <source>shown</source>
+        <translation>gezeigt</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>richtig</translation>
+    </message>
+    <message>
+        <source>wrong</source>
+        <translation>falsch</translation>
+    </message>
+    <message>
+        <source>choice %1</source>
+        <translation>Antwort %1</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Right answer</source>
+        <translation>Richtige Antwort</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
     </message>
 </context>
 </TS>

@@ -24,6 +24,7 @@
 #include "tests/ui/window/qt_application.h"
 #include "tests/ui/window/readable_widgets.h"
 #include "tests/ui/window/window_in.h"
+#include "ui/panels/controls.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/window/lesson/lesson_editor.h"
 #include "ui/window/lesson/lesson_list.h"
@@ -87,6 +88,9 @@ void findWhatIsOutOfSight(MainWindow& window, Faults& faults) {
                                 widget->visibleRegion().boundingRect() != widget->rect()))
       faults.push_back(std::string(name) + " is not in sight");
   }
+  const auto& title = dynamic_cast<WrappedLabel&>(*window.findChild<QLabel*>("lessonTitle"));
+  if (title.shownText() != title.text())
+    faults.push_back("the title is shortened: " + title.shownText().toStdString());
   const auto* scroll = pane.findChild<QScrollArea*>();
   if (scroll->widget()->width() > scroll->viewport()->width())
     faults.push_back("the texts would have to be scrolled sideways");

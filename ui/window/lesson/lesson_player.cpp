@@ -117,7 +117,7 @@ void LessonPlayer::buildDock() {
   keepTranslated(*dock_, [this] {
     dock_->setWindowTitle(tr("Lesson"));
     keep_->setToolTip(tr("Keeps your answers in a file of your choice"));
-    keep_->setText(tr("Save results…"));
+    keep_->setText(tr("Save results…").replace(' ', '\n'));  // it leaves the title its width
     keep_->setAccessibleName(keep_->toolTip());
     close_->setToolTip(tr("Ends the lesson; your own scene comes back"));
     close_->setAccessibleName(tr("end the lesson"));
