@@ -426,18 +426,21 @@ TEST_F(LessonsTest, EscapeGoesOnWithAnswersOfAnEarlierSession) {
   for (const char* name : {"answersQuestion", "savedAnswersQuestion"}) {
     MainWindow next(smallScene());
     next.show();
-    QString asked;
+    QString asked, text;
     QTimer presser;
     QObject::connect(&presser, &QTimer::timeout, [&] {
       auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
       if (!box || !box->isVisible()) return;
       asked = box->objectName();
+      text = box->text();
       QTest::keyClick(box, Qt::Key_Escape);
     });
     presser.start(10);
     ASSERT_TRUE(next.lessons().open(file));
     presser.stop();
     EXPECT_EQ(asked, name);
+    // The date is not one of a file: "2026-11-29".
+    EXPECT_FALSE(text.contains(QRegularExpression("\\d{4}-\\d\\d"))) << text.toStdString();
     EXPECT_EQ(next.lessons().results().results.size(), 1U);
     ASSERT_TRUE(next.lessons().keepResults(QString::fromStdString((folder / "ada.json").string())));
     next.lessons().end();

@@ -1,11 +1,9 @@
 #include "ui/window/lesson/lesson_results_page.h"
 
-#include <QDateTime>
 #include <QDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QPushButton>
 #include <QTextBrowser>
 #include <QVBoxLayout>
@@ -90,15 +88,6 @@ QString tableHtml(const QString& rows) {
   return "<table cellpadding=\"5\" cellspacing=\"0\" border=\"1\" "
          "style=\"border-collapse: collapse; border-color: gray\">" +
          rows + "</table>";
-}
-
-/// Returns the date and time of results as the language of the window writes them; a text that is
-/// no ISO date stays.
-QString dateText(const std::string& date) {
-  const QString text = QString::fromStdString(date);
-  const QDateTime time = QDateTime::fromString(text, Qt::ISODate);
-  if (!time.isValid()) return text;
-  return QLocale(fromUtf8(presentLanguage())).toString(time, QLocale::ShortFormat);
 }
 
 /// The answers of a student stay in one line each; other texts of the page break.

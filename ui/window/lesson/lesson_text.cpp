@@ -1,5 +1,7 @@
 #include "ui/window/lesson/lesson_text.h"
 
+#include <QDateTime>
+#include <QLocale>
 #include <QRegularExpression>
 #include <QStringList>
 #include <cmath>
@@ -99,6 +101,13 @@ QString fileNamePart(const LessonText& title) {
   constexpr int kLongest = 60;  // letters
   static const QRegularExpression forbidden(QStringLiteral(R"([/\\:*?"<>|\x00-\x1f])"));
   return plainText(title).remove(forbidden).simplified().left(kLongest);
+}
+
+QString dateText(const std::string& date) {
+  const QString text = QString::fromStdString(date);
+  const QDateTime time = QDateTime::fromString(text, Qt::ISODate);
+  if (!time.isValid()) return text;
+  return QLocale(fromUtf8(presentLanguage())).toString(time, QLocale::ShortFormat);
 }
 
 QString richText(const std::string& text) {
