@@ -18,6 +18,7 @@
 #include "core/lesson/lesson_file.h"
 #include "ui/language/language.h"
 #include "ui/window/lesson/handout.h"
+#include "ui/window/lesson/lesson_results_page.h"
 #include "ui/window/lesson/lesson_text.h"
 #include "ui/window/main/scene_library.h"
 
@@ -107,12 +108,37 @@ void checkResultsExist(const std::vector<std::string>& given) {
   }
 }
 
+/// Returns the table of a class in columns.
+std::string classText(const std::vector<StudentResults>& students) {
+  const ClassRows table = LessonResultsPage::classRows(students);
+  std::vector<QStringList> rows = {table.heading, table.answers};
+  rows.insert(rows.end(), table.students.begin(), table.students.end());
+  std::vector<qsizetype> widths(static_cast<std::size_t>(table.heading.size()));
+  const auto forEachCell = [&](QStringList& row, const auto& act) {
+    for (std::size_t i = 0; i < widths.size(); ++i) act(row[static_cast<qsizetype>(i)], widths[i]);
+  };
+  for (QStringList& row : rows)
+    forEachCell(row, [](QString& cell, qsizetype& width) {
+      cell = fromUtf8(printable(cell.toStdString()));
+      width = std::max(width, cell.size());
+    });
+  QString text;
+  for (QStringList& row : rows) {
+    forEachCell(row, [](QString& cell, qsizetype width) { cell = cell.leftJustified(width); });
+    QString line = row.join(QStringLiteral("  "));
+    while (line.endsWith(' ')) line.chop(1);
+    text += line + '\n';
+  }
+  return text.toStdString();
+}
+
 /// Returns a table of each class below the title of its lesson.
-std::string classesText(const std::vector<std::vector<StudentResults>>& classes) {
+std::string classesText(const ClassResults& results) {
   std::string text;
   std::set<std::string> titles;
-  for (const std::vector<StudentResults>& students : classes) {
-    const std::string title = printable(students.front().results.title);
+  for (const std::vector<StudentResults>& students : results.classes) {
+    const std::string title =
+        printable(LessonResultsPage::lessonTitle(students.front().results).toStdString());
     const bool isKnown = !titles.insert(title).second;
     text += (text.empty() ? "" : "\n") +
             (isKnown ? filled(Words::tr("%1, another version"), {title}) : title) + "\n" +
@@ -129,14 +155,13 @@ int showClass(const LessonCommand& command) {
   if (command.forTeacher) throw InputError("", "--teacher", "is of a handout, not of results");
   for (const std::string& output : command.outputs)
     checkNoInput(output, {command.lessons.begin(), command.lessons.end()});
-  std::vector<InputError> refused;
-  const std::vector<std::vector<StudentResults>> classes = readClasses(command.lessons, refused);
-  if (!command.outputs.empty() || common.json) onlyClass(classes);
-  for (const InputError& error : refused)
+  const ClassResults results = readClasses(command.lessons);
+  if (!command.outputs.empty() || common.json) onlyClass(results);
+  for (const InputError& error : results.refused)
     std::fputs(("asperity: " + printable(error.what()) + "\n").c_str(), stderr);
-  const std::vector<StudentResults>& students = classes.front();
+  const std::vector<StudentResults>& students = results.classes.front();
   const LessonResults& first = students.front().results;
-  std::string summary = classesText(classes);
+  std::string summary = classesText(results);
   for (const std::string& output : command.outputs) {
     writeTable(output, classCsv(students));
     summary += wroteLine(output);
@@ -151,15 +176,15 @@ int showClass(const LessonCommand& command) {
                    {"students", Json::array()}};
     for (const StudentResults& student : students) {
       Json one = {{"file", student.file}};
-      const Json results = jsonValue(resultsJson(student.results));
+      const Json answers = jsonValue(resultsJson(student.results));
       for (const char* member : {"date", "right", "shown", "steps"})
-        if (results.contains(member)) one[member] = results[member];
+        if (answers.contains(member)) one[member] = answers[member];
       one["wrong"] = student.results.wrong();
       answer["students"].push_back(std::move(one));
     }
     printJson(answer);
   }
-  return refused.empty() ? kDone : kRunFailed;
+  return results.refused.empty() ? kDone : kRunFailed;
 }
 
 }  // namespace

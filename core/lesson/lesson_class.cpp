@@ -8,7 +8,6 @@
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
-#include "core/base/text.h"
 #include "core/scene/data_table.h"
 
 namespace asperity {
@@ -35,12 +34,6 @@ std::set<int> answeredSteps(const std::vector<StudentResults>& students) {
   return steps;
 }
 
-/// Returns the number of characters of a text in UTF-8.
-std::size_t width(const std::string& text) {
-  return static_cast<std::size_t>(std::ranges::count_if(
-      text, [](char each) { return (static_cast<unsigned char>(each) & 0xC0) != 0x80; }));
-}
-
 Row summaryCells(const LessonResults& results) {
   return {std::to_string(results.right()), std::to_string(results.wrong()),
           std::to_string(results.shown())};
@@ -48,9 +41,9 @@ Row summaryCells(const LessonResults& results) {
 
 }  // namespace
 
-std::vector<std::vector<StudentResults>> readClasses(
-    const std::vector<std::string>& filesAndFolders, std::vector<InputError>& refused) {
-  std::vector<std::vector<StudentResults>> classes;
+ClassResults readClasses(const std::vector<std::string>& filesAndFolders) {
+  ClassResults found;
+  std::vector<std::vector<StudentResults>>& classes = found.classes;
   const auto read = [&](const std::filesystem::path& file) {
     LessonResults results = readResultsFile(file);
     auto known = std::ranges::find_if(classes, [&](const std::vector<StudentResults>& one) {
@@ -64,7 +57,7 @@ std::vector<std::vector<StudentResults>> readClasses(
     try {
       work();
     } catch (const InputError& error) {
-      refused.push_back(error);
+      found.refused.push_back(error);
     }
   };
   std::error_code ignored;
@@ -73,12 +66,12 @@ std::vector<std::vector<StudentResults>> readClasses(
       if (!std::filesystem::is_directory(one, ignored)) return read(one);
       for (const std::filesystem::path& file : jsonFilesIn(one)) tryTo([&] { read(file); });
     });
-  if (classes.empty() && !refused.empty()) throw InputError(refused.front());
-  return classes;
+  if (classes.empty() && !found.refused.empty()) throw InputError(found.refused.front());
+  return found;
 }
 
-const std::vector<StudentResults>& onlyClass(
-    const std::vector<std::vector<StudentResults>>& classes) {
+const std::vector<StudentResults>& onlyClass(const ClassResults& results) {
+  const auto& classes = results.classes;
   const StudentResults& first = classes.front().front();
   if (classes.size() == 1) return classes.front();
   const StudentResults& other = classes[1].front();
@@ -97,15 +90,6 @@ std::string givenText(const LessonResult& result) {
   if (result.kind == PredictionKind::Choice) return std::to_string(given.choice + 1);
   if (result.kind == PredictionKind::Number) return plainNumber(given.number);
   return plainNumber(given.number) + " at " + plainNumber(given.x);
-}
-
-std::string givenInWords(const LessonResult& result) {
-  const GivenAnswer& given = result.given;
-  if (!given.isGiven() || result.kind == PredictionKind::Choice) return givenText(result);
-  const LessonAnswer& expected = result.expected;
-  const std::string number = printedQuantity(given.number, expected.number.unit);
-  if (result.kind == PredictionKind::Number) return number;
-  return number + " at " + printedQuantity(given.x, expected.x.unit);
 }
 
 std::string verdictWord(const LessonResult& result) {
@@ -133,34 +117,6 @@ std::string classCsv(const std::vector<StudentResults>& students) {
   for (const Row& row : rows)
     for (std::size_t i = 0; i < row.size(); ++i)
       text += csvCell(row[i]) + (i + 1 < row.size() ? "," : "\n");
-  return text;
-}
-
-std::string classText(const std::vector<StudentResults>& students) {
-  const std::set<int> steps = answeredSteps(students);
-  std::vector<Row> rows = {{"file", "right", "wrong", "shown"}};
-  for (const int step : steps) rows.front().push_back(fmt::format("step {}", step + 1));
-  for (const StudentResults& student : students) {
-    Row row = {printable(student.file)};
-    for (const std::string& cell : summaryCells(student.results)) row.push_back(cell);
-    for (const int step : steps) {
-      const LessonResult* one = student.results.find(step);
-      std::string cell = "-";
-      if (one) cell = verdictWord(*one);
-      if (one && one->given.isGiven()) cell += " (" + givenInWords(*one) + ")";
-      row.push_back(cell);
-    }
-    rows.push_back(row);
-  }
-  std::string text;
-  std::vector<std::size_t> widths(rows.front().size());
-  for (const Row& row : rows)
-    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width(row[i]));
-  for (const Row& row : rows) {
-    std::string line;
-    for (std::size_t i = 0; i < row.size(); ++i) line += fmt::format("{:<{}}  ", row[i], widths[i]);
-    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
-  }
   return text;
 }
 

@@ -16,23 +16,24 @@ struct StudentResults {
   LessonResults results;
 };
 
-/// Reads files of results, and all JSON files in folders, of any lessons. Returns the students of
-/// each version of each lesson, in the order of the files; there is at least one. refused: gets the
-/// errors of the files that cannot be read. Throws the first of them where no file has results.
-std::vector<std::vector<StudentResults>> readClasses(
-    const std::vector<std::string>& filesAndFolders, std::vector<InputError>& refused);
+/// The files of a class that could be read, and the errors of the others.
+struct ClassResults {
+  std::vector<std::vector<StudentResults>> classes;  // of each version of each lesson
+  std::vector<InputError> refused;
+};
 
-/// Returns the class where there is one. Throws InputError with a file that is of another lesson,
-/// or of another version of it.
-const std::vector<StudentResults>& onlyClass(
-    const std::vector<std::vector<StudentResults>>& classes);
+/// Reads files of results, and all JSON files in folders, of any lessons. There is at least one
+/// class; students and errors are in the order of the files. Throws the first error where no file
+/// has results.
+ClassResults readClasses(const std::vector<std::string>& filesAndFolders);
+
+/// Returns the students of the class where there is one. Throws InputError with a file that is of
+/// another lesson, or of another version of it.
+const std::vector<StudentResults>& onlyClass(const ClassResults& results);
 
 /// Returns the given answer as a cell of a table: the number of the choice from 1, or the number in
 /// SI with all its digits, of a point with its place; empty where none was given.
 std::string givenText(const LessonResult& result);
-
-/// Returns the same for people: a number has three digits and its unit.
-std::string givenInWords(const LessonResult& result);
 
 /// Returns "right", "wrong" or "shown".
 std::string verdictWord(const LessonResult& result);
@@ -41,8 +42,5 @@ std::string verdictWord(const LessonResult& result);
 /// and shown answers, and for each step that somebody answered `step_N` (verdictWord) and
 /// `step_N_given`; both are empty where this student has not come so far.
 std::string classCsv(const std::vector<StudentResults>& students);
-
-/// Returns the same for people, in columns.
-std::string classText(const std::vector<StudentResults>& students);
 
 }  // namespace asperity

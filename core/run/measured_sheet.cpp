@@ -176,11 +176,14 @@ DiagramSheet measuredSheet(const MeasuredSummary& summary, const std::string& ti
   sheet.diagrams.push_back(spectrumDiagram(summary));
   sheet.diagrams.push_back(heightDistribution(summary));
   sheet.columns = sheet.diagrams.size() == 4 ? 2 : 1;
-  sheet.note =
-      "Summits are up, as in the file. C(q) is two-sided, h\u00B2 = 2 \u222B C dq, under a Hann "
-      "window; tinted: not roughness but the length of the profile, noise or too few points to a "
-      "wave.";
+  sheet.note = measuredSheetNote();
   return sheet;
+}
+
+Message measuredSheetNote() {
+  return "Summits are up, as in the file. C(q) is two-sided, h\u00B2 = 2 \u222B C dq, under a "
+         "Hann window; tinted: not roughness but the length of the profile, noise or too few "
+         "points to a wave.";
 }
 
 }  // namespace asperity

@@ -10,5 +10,7 @@ namespace asperity {
 
 /// title: of the sheet; empty: "Measured surface".
 DiagramSheet measuredSheet(const MeasuredSummary& summary, const std::string& title);
+/// Returns the text below the sheet, which explains its signs.
+Message measuredSheetNote();
 
 }  // namespace asperity

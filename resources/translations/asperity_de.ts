@@ -2518,7 +2518,7 @@
     </message>
     <message>
         <source>%1 (%2 missing)</source>
-        <translation>%1 (%2 fehlen)</translation>
+        <translation>%1 (Lücken: %2)</translation>
     </message>
     <message>
         <source>Not translated: %1. A question that lacks a translation stands in the other language as a whole.</source>
@@ -2740,36 +2740,12 @@
 <context>
     <name>asperity::LessonResultsPage</name>
     <message>
-        <source>shown</source>
-        <translation>gezeigt</translation>
-    </message>
-    <message>
-        <source>right</source>
-        <translation>richtig</translation>
-    </message>
-    <message>
-        <source>wrong</source>
-        <translation>falsch</translation>
-    </message>
-    <message>
-        <source>choice %1</source>
-        <translation>Antwort %1</translation>
-    </message>
-    <message>
         <source>%1 right, %2 wrong, %3 shown</source>
         <translation>%1 richtig, %2 falsch, %3 gezeigt</translation>
     </message>
     <message>
-        <source>Step</source>
-        <translation>Schritt</translation>
-    </message>
-    <message>
         <source>Answer</source>
         <translation>Antwort</translation>
-    </message>
-    <message>
-        <source>Right answer</source>
-        <translation>Richtige Antwort</translation>
     </message>
     <message>
         <source>Results of a lesson</source>
@@ -2778,10 +2754,6 @@
     <message>
         <source>&amp;Close</source>
         <translation>S&amp;chließen</translation>
-    </message>
-    <message>
-        <source>File</source>
-        <translation>Datei</translation>
     </message>
     <message>
         <source>Results of a class</source>
@@ -3704,7 +3676,7 @@
     </message>
     <message>
         <source>a tenth</source>
-        <translation>ein Zehntel</translation>
+        <translation>10 %</translation>
     </message>
     <message>
         <source>as in file</source>
@@ -5573,12 +5545,12 @@
         <translation>richtig innerhalb von %1</translation>
     </message>
     <message>
-        <source>The height counts to a factor of %1.</source>
-        <translation>Die Höhe zählt bis zu einem Faktor %1.</translation>
+        <source>A height within a factor of %1 counts as right.</source>
+        <translation>Richtig ist eine Höhe, die höchstens um den Faktor %1 abweicht.</translation>
     </message>
     <message>
-        <source>The height counts to a factor of %1, the place to a factor of %2.</source>
-        <translation>Die Höhe zählt bis zu einem Faktor %1, die Stelle bis zu einem Faktor %2.</translation>
+        <source>A height within a factor of %1 and a place within a factor of %2 count as right.</source>
+        <translation>Richtig ist ein Punkt, dessen Höhe höchstens um den Faktor %1 und dessen Stelle höchstens um den Faktor %2 abweicht.</translation>
     </message>
     <message>
         <source>The height is right, the place is not.</source>
@@ -5619,6 +5591,34 @@
     <message>
         <source>a chart of friction, to draw into, with the curve for %1</source>
         <translation>ein Diagramm der Reibung zum Hineinzeichnen, mit der Kurve für %1</translation>
+    </message>
+    <message>
+        <source>shown</source>
+        <translation>gezeigt</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>richtig</translation>
+    </message>
+    <message>
+        <source>wrong</source>
+        <translation>falsch</translation>
+    </message>
+    <message>
+        <source>choice %1</source>
+        <translation>Antwort %1</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Right answer</source>
+        <translation>Richtige Antwort</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
     </message>
 </context>
 </TS>

@@ -532,7 +532,7 @@
     </message>
     <message>
         <source>is a link to &apos;%1&apos;, which is not there</source>
-        <translation>ist ein Verweis auf &apos;%1&apos;, das es nicht gibt</translation>
+        <translation>ist ein Verweis auf „%1“, das es nicht gibt</translation>
     </message>
     <message>
         <source>is not valid JSON: %1</source>
@@ -796,15 +796,15 @@
     </message>
     <message>
         <source>&apos;%1&apos; is not %2</source>
-        <translation>&apos;%1&apos; ist nicht %2</translation>
+        <translation>„%1“ ist nicht %2</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not KEY=VALUE</source>
-        <translation>&apos;%1&apos; ist nicht SCHLÜSSEL=WERT</translation>
+        <translation>„%1“ ist nicht SCHLÜSSEL=WERT</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not a number; allowed is %2</source>
-        <translation>&apos;%1&apos; ist keine Zahl; erlaubt ist %2</translation>
+        <translation>„%1“ ist keine Zahl; erlaubt ist %2</translation>
     </message>
     <message>
         <source>1 internal variable an element</source>
@@ -1168,7 +1168,7 @@
     </message>
     <message>
         <source>row %1: column %2 is in &apos;%3&apos;; positions and heights are in metres</source>
-        <translation>Zeile %1: Spalte %2 ist in &apos;%3&apos;; Orte und Höhen stehen in Metern</translation>
+        <translation>Zeile %1: Spalte %2 ist in „%3“; Orte und Höhen stehen in Metern</translation>
     </message>
     <message>
         <source>spacing %1 after data row %2 differs from %3; positions must be uniform to 1e-6</source>
@@ -3604,7 +3604,7 @@
     </message>
     <message>
         <source>The channel &apos;%1&apos; is read, the file has %2; surface.height_column chooses another.</source>
-        <translation>Gelesen wird der Kanal &apos;%1&apos;, die Datei hat %2; surface.height_column wählt einen anderen.</translation>
+        <translation>Gelesen wird der Kanal „%1“, die Datei hat %2; surface.height_column wählt einen anderen.</translation>
     </message>
     <message>
         <source>The channel has a mask, which is not used.</source>
@@ -3696,11 +3696,11 @@
     </message>
     <message>
         <source>Read as %1: %2 x %3 points, %4 and %5 apart.</source>
-        <translation>Gelesen als %1: %2 x %3 Punkte im Abstand von %4 und %5.</translation>
+        <translation>Gelesen als %1: %2 × %3 Punkte im Abstand von %4 und %5.</translation>
     </message>
     <message>
         <source>Read as %1: %2 x %3 points. Points are %4 apart; how far the rows are apart is not known.</source>
-        <translation>Gelesen als %1: %2 x %3 Punkte. Die Punkte haben einen Abstand von %4; der Abstand der Zeilen ist nicht bekannt.</translation>
+        <translation>Gelesen als %1: %2 × %3 Punkte. Die Punkte haben einen Abstand von %4; der Abstand der Zeilen ist nicht bekannt.</translation>
     </message>
     <message>
         <source>Positions are %1, heights %2.</source>
@@ -3796,15 +3796,15 @@
     </message>
     <message>
         <source>has %1 x %2 points; at most %3 are read</source>
-        <translation>hat %1 x %2 Punkte; höchstens %3 werden gelesen</translation>
+        <translation>hat %1 × %2 Punkte; höchstens %3 werden gelesen</translation>
     </message>
     <message>
         <source>ends too early: %1 x %2 points need %3 bytes, and %4 are there</source>
-        <translation>endet zu früh: %1 x %2 Punkte brauchen %3 Bytes, und %4 sind da</translation>
+        <translation>endet zu früh: %1 × %2 Punkte brauchen %3 Bytes, und %4 sind da</translation>
     </message>
     <message>
         <source>the axis %1 is in &apos;%2&apos;, which is no unit of length; %3 can name another one</source>
-        <translation>die Achse %1 ist in &apos;%2&apos;, was keine Längeneinheit ist; %3 kann eine andere nennen</translation>
+        <translation>die Achse %1 ist in „%2“, was keine Längeneinheit ist; %3 kann eine andere nennen</translation>
     </message>
     <message>
         <source>is empty</source>
@@ -3848,7 +3848,7 @@
     </message>
     <message>
         <source>column %1 &apos;%2&apos;</source>
-        <translation>Spalte %1 &apos;%2&apos;</translation>
+        <translation>Spalte %1 „%2“</translation>
     </message>
     <message>
         <source>the file has %1 columns</source>
@@ -3864,15 +3864,15 @@
     </message>
     <message>
         <source>the header says %1 x %2 pixels; the file has %3 x %4 numbers</source>
-        <translation>der Kopf sagt %1 x %2 Pixel; die Datei hat %3 x %4 Zahlen</translation>
+        <translation>der Kopf sagt %1 × %2 Pixel; die Datei hat %3 × %4 Zahlen</translation>
     </message>
     <message>
         <source>the header says %1 x %2 pixels and as many that mark those without a height; the file has %3 x %4 numbers</source>
-        <translation>der Kopf sagt %1 x %2 Pixel und ebenso viele, die jene ohne Höhe kennzeichnen; die Datei hat %3 x %4 Zahlen</translation>
+        <translation>der Kopf sagt %1 × %2 Pixel und ebenso viele, die jene ohne Höhe kennzeichnen; die Datei hat %3 × %4 Zahlen</translation>
     </message>
     <message>
         <source>%1 is in &apos;%2&apos;, which is no unit of length; %3 can name another one</source>
-        <translation>%1 ist in &apos;%2&apos;, was keine Längeneinheit ist; %3 kann eine andere nennen</translation>
+        <translation>%1 ist in „%2“, was keine Längeneinheit ist; %3 kann eine andere nennen</translation>
     </message>
     <message>
         <source>points need three columns: x, y and z</source>
@@ -3904,7 +3904,7 @@
     </message>
     <message>
         <source>holds an array of %1 x %2 numbers; it should have heights alone, whose distance is surface.point_spacing</source>
-        <translation>enthält ein Array von %1 x %2 Zahlen; es sollte nur Höhen haben, deren Abstand surface.point_spacing ist</translation>
+        <translation>enthält ein Array von %1 × %2 Zahlen; es sollte nur Höhen haben, deren Abstand surface.point_spacing ist</translation>
     </message>
     <message>
         <source>is of version %1; 1 to 3 are read</source>
@@ -4052,7 +4052,7 @@
     </message>
     <message>
         <source>The header states %1 x %2 points, and the table has %3 x %4: the file may be cut off.</source>
-        <translation>Der Kopf nennt %1 x %2 Punkte, und die Tabelle hat %3 x %4: Die Datei ist vielleicht abgeschnitten.</translation>
+        <translation>Der Kopf nennt %1 × %2 Punkte, und die Tabelle hat %3 × %4: Die Datei ist vielleicht abgeschnitten.</translation>
     </message>
     <message>
         <source>is needed (in m): the file states a step of %1 and an extent of %2, which do not fit %3 points</source>
@@ -4200,15 +4200,15 @@
     </message>
     <message>
         <source>has no file &apos;%1&apos; in its archive</source>
-        <translation>hat in seinem Archiv keine Datei &apos;%1&apos;</translation>
+        <translation>hat in seinem Archiv keine Datei „%1“</translation>
     </message>
     <message>
         <source>&apos;%1&apos; in its archive is larger than the %2 bytes allowed</source>
-        <translation>&apos;%1&apos; im Archiv ist größer als die erlaubten %2 Bytes</translation>
+        <translation>„%1“ im Archiv ist größer als die erlaubten %2 Bytes</translation>
     </message>
     <message>
         <source>&apos;%1&apos; in its archive cannot be unpacked</source>
-        <translation>&apos;%1&apos; im Archiv lässt sich nicht auspacken</translation>
+        <translation>„%1“ im Archiv lässt sich nicht auspacken</translation>
     </message>
     <message>
         <source>main.xml has no %1</source>
@@ -4236,7 +4236,7 @@
     </message>
     <message>
         <source>&apos;%1&apos; in its archive does not have the MD5 that the file states</source>
-        <translation>&apos;%1&apos; im Archiv hat nicht die MD5, die die Datei nennt</translation>
+        <translation>„%1“ im Archiv hat nicht die MD5, die die Datei nennt</translation>
     </message>
     <message>
         <source>The first of %1 layers is read.</source>
@@ -5359,8 +5359,8 @@
         <translation>lässt eine Periode von %1 Punkten; mindestens %2 sind nötig</translation>
     </message>
     <message>
-        <source>c2</source>
-        <translation>C2</translation>
+        <source>of a surface</source>
+        <translation>einer Fläche</translation>
     </message>
     <message>
         <source>m</source>
@@ -5548,7 +5548,7 @@
     </message>
     <message>
         <source>&apos;%1&apos; is not a number from 0 to 0.5</source>
-        <translation>&apos;%1&apos; ist keine Zahl von 0 bis 0,5</translation>
+        <translation>„%1“ ist keine Zahl von 0 bis 0,5</translation>
     </message>
     <message>
         <source>&apos;%1&apos; has no unit; write °C, K or °F after it</source>
@@ -5560,7 +5560,7 @@
     </message>
     <message>
         <source>&apos;%1&apos; is not a modulus such as 2.3MPa</source>
-        <translation>&apos;%1&apos; ist kein Modul wie 2.3MPa</translation>
+        <translation>„%1“ ist kein Modul wie 2.3MPa</translation>
     </message>
     <message>
         <source>Rubber A (unnamed)</source>
@@ -6779,12 +6779,12 @@
         <translation>isotrop gleichwertig</translation>
     </message>
     <message>
-        <source>C1, two-sided</source>
-        <translation>C1, zweiseitig</translation>
+        <source>of a line, two-sided</source>
+        <translation>einer Linie, zweiseitig</translation>
     </message>
     <message>
-        <source>C1, one-sided</source>
-        <translation>C1, einseitig</translation>
+        <source>of a line, one-sided</source>
+        <translation>einer Linie, einseitig</translation>
     </message>
     <message>
         <source>not stated</source>
@@ -6960,11 +6960,11 @@
     </message>
     <message>
         <source>line %1: &apos;%2&apos; may state the %3, but is not understood; write it as in &quot;%4&quot;, or take the line out and set %5</source>
-        <translation>Zeile %1: &apos;%2&apos; nennt vielleicht %3, wird aber nicht verstanden; wie in &quot;%4&quot; schreiben, oder die Zeile herausnehmen und %5 setzen</translation>
+        <translation>Zeile %1: „%2“ nennt vielleicht %3, wird aber nicht verstanden; wie in &quot;%4&quot; schreiben, oder die Zeile herausnehmen und %5 setzen</translation>
     </message>
     <message>
         <source>column %1: &apos;%2&apos; is not understood as a value with its error; write both as in &quot;0.31 ± 0.02&quot;, or in two columns, mu and mu_error</source>
-        <translation>Spalte %1: &apos;%2&apos; ist nicht als Wert mit Fehler verständlich; beide wie in &quot;0.31 ± 0.02&quot; oder in zwei Spalten schreiben, mu und mu_error</translation>
+        <translation>Spalte %1: „%2“ ist nicht als Wert mit Fehler verständlich; beide wie in &quot;0.31 ± 0.02&quot; oder in zwei Spalten schreiben, mu und mu_error</translation>
     </message>
     <message>
         <source>column %1: has errors in its cells, and %2 gives them, too; keep one of them</source>
@@ -6992,7 +6992,7 @@
     </message>
     <message>
         <source>line %1: &apos;%2&apos; may state the %3, but is not understood; write it as &quot;name: value&quot;, or take the line out</source>
-        <translation>Zeile %1: &apos;%2&apos; nennt vielleicht %3, wird aber nicht verstanden; als &quot;Name: Wert&quot; schreiben oder die Zeile herausnehmen</translation>
+        <translation>Zeile %1: „%2“ nennt vielleicht %3, wird aber nicht verstanden; als &quot;Name: Wert&quot; schreiben oder die Zeile herausnehmen</translation>
     </message>
     <message>
         <source>its square root</source>

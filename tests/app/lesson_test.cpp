@@ -97,7 +97,7 @@ TEST_F(LessonProgramTest, PrintsTheResultsOfAClass) {
   const Said said = program.run("lesson ada.json bo.json -o class.csv");
   ASSERT_EQ(said.status, 0) << said.err;
   EXPECT_THAT(said.out, HasSubstr("Loads"));
-  EXPECT_THAT(said.out, HasSubstr("right (1)"));
+  EXPECT_THAT(said.out, HasSubstr("right (choice 1)"));
   EXPECT_EQ(read("class.csv"),
             "file,date,right,wrong,shown,step_2,step_2_given\n"
             "ada.json,,1,0,0,right,1\nbo.json,2026-11-27T10:00:00,0,0,1,shown,\n");
@@ -107,6 +107,26 @@ TEST_F(LessonProgramTest, PrintsTheResultsOfAClass) {
   expectRefused("lesson ada.json -o class.pdf", 2, ".csv");
   expectRefused("lesson ada.json -o ada.json", 2, ".csv");
   expectRefused("lesson ada.json --teacher -o class.csv", 2, "--teacher");
+}
+
+/// The title of a shipped lesson, too. A number has three digits and its unit, and a letter of
+/// several bytes takes one place.
+TEST_F(LessonProgramTest, TheTableForPeopleIsInTheirLanguage) {
+  const auto lesson =
+      nlohmann::json::parse(program.run("lesson load_and_friction --json --quiet").out);
+  program.folder.write(
+      "Zoë.json",
+      R"({"schema": "asperity-lesson-results/1", "lesson": "load_and_friction", "title": "x", )"
+      R"("sha256": ")" +
+          lesson["sha256"].get<std::string>() +
+          R"(", "steps": [{"step": 3, "kind": "number", "expected": 3.6701948, )"
+          R"("given": 0.0034567, "unit": "N", "right": false}]})");
+  const Said said = program.run("lesson Zoë.json --language de");
+  EXPECT_EQ(said.out,
+            "Last und Reibung\n"
+            "Datei             richtig  falsch  gezeigt  Schritt 3\n"
+            "Richtige Antwort                            3,67 N\n"
+            "Zoë.json          0        1       0        falsch (3,46 mN)\n");
 }
 
 /// The folder of a teacher has the results of several lessons.
@@ -121,7 +141,7 @@ TEST_F(LessonProgramTest, PrintsATableForEachLesson) {
   program.folder.write("cy.json", results("Speeds", "3"));
   const Said said = program.run("lesson ada.json bo.json cy.json");
   ASSERT_EQ(said.status, 0) << said.err;
-  for (const char* part : {"Loads\nfile", "\n\nSpeeds\nfile", "\n\nSpeeds, another version\nfile"})
+  for (const char* part : {"Loads\nFile", "\n\nSpeeds\nFile", "\n\nSpeeds, another version\nFile"})
     EXPECT_THAT(said.out, HasSubstr(part));
   expectRefused("lesson ada.json bo.json -o class.csv", 2,
                 "bo.json: has results of 'Speeds', but ada.json has those of 'Loads'");
@@ -141,7 +161,7 @@ TEST_F(LessonProgramTest, NamesTheFilesWithoutResultsBesideTheTable) {
   for (const char* rest : {"", " -o class.csv"}) {
     const Said said = program.run(std::string("lesson class") + rest);
     EXPECT_EQ(said.status, 1);
-    EXPECT_THAT(said.out, HasSubstr("ada.json  1 "));
+    EXPECT_THAT(said.out, HasSubstr("\nada.json      1 "));
     for (const char* reason : {"bo.json: steps[0].given: is missing\n",
                                "cy.json: ", "di.json: has no results of a lesson\n"})
       EXPECT_THAT(said.err, HasSubstr(reason));

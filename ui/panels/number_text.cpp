@@ -67,7 +67,7 @@ struct ChoiceName {
   const char* name;
 };
 
-constexpr std::array<ChoiceName, 34> kChoiceNames{{
+constexpr std::array<ChoiceName, 35> kChoiceNames{{
     {"surface.format", "text", "text table"},
     {"surface.format", "profile", "text: profile"},
     {"surface.format", "matrix", "text: matrix of heights"},
@@ -100,20 +100,20 @@ constexpr std::array<ChoiceName, 34> kChoiceNames{{
     {"surface.line", "as_measured", "as measured"},
     {"surface.line", "isotropic_equivalent", "isotropic equivalent"},
     {"surface.spectrum_kind", "unstated", "not stated"},
-    {"surface.spectrum_kind", "c1_two_sided", "C1, two-sided"},
-    {"surface.spectrum_kind", "c1_one_sided", "C1, one-sided"},
+    {"surface.spectrum_kind", "c1_two_sided", "of a line, two-sided"},
+    {"surface.spectrum_kind", "c1_one_sided", "of a line, one-sided"},
+    {"surface.spectrum_kind", "c2", "of a surface"},
 }};
 
 /// The English names of words that are written otherwise in files.
-constexpr std::array<std::pair<std::string_view, const char*>, 8> kEnglishNames{
+constexpr std::array<std::pair<std::string_view, const char*>, 7> kEnglishNames{
     {{"kelvin", "Kelvin"},
      {"prony", "Prony"},
      {"standard_solid", "standard solid"},
      {"wlf", "WLF"},
      {"arrhenius", "Arrhenius"},
      {"auto", "automatic"},
-     {"um", "\u00b5m"},
-     {"c2", "C2"}}};
+     {"um", "\u00b5m"}}};
 
 }  // namespace
 

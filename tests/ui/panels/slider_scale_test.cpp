@@ -78,6 +78,10 @@ TEST(NumberText, SymbolsLookLikePrint) {
   EXPECT_EQ(symbolHtml("lambda_r"), QStringLiteral("<i>λ</i><sub>r</sub>"));
   EXPECT_EQ(symbolHtml("F_N"), QStringLiteral("<i>F</i><sub>N</sub>"));
   EXPECT_EQ(wordText("self_affine"), QStringLiteral("self-affine"));
+  // Names of files' conventions, such as C1, say nothing to people.
+  EXPECT_EQ(wordText("c1_two_sided", "surface.spectrum_kind"),
+            QStringLiteral("of a line, two-sided"));
+  EXPECT_EQ(wordText("c2", "surface.spectrum_kind"), QStringLiteral("of a surface"));
 }
 
 /// A scene may lie beyond the usual slider: asphalt has an rms height of 180 um.

@@ -9,13 +9,18 @@
 #include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
 #include <QMessageBox>
+#include <QPlainTextEdit>
 #include <QPointer>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QRadioButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QTabBar>
@@ -28,6 +33,8 @@
 #include <cstdio>
 #include <numbers>
 
+#include "core/lesson/lesson_file.h"
+#include "core/lesson/lesson_results.h"
 #include "core/scene/scene_file.h"
 #include "tests/core/small_scene.h"
 #include "ui/panels/value_entry.h"
@@ -42,11 +49,15 @@
 #include "ui/window/import/import_commands.h"
 #include "ui/window/import/material_import.h"
 #include "ui/window/import/surface_import.h"
+#include "ui/window/lesson/lesson_editor.h"
+#include "ui/window/lesson/lesson_list.h"
+#include "ui/window/lesson/lessons.h"
 #include "ui/window/main/document_commands.h"
 #include "ui/window/main/exports.h"
 #include "ui/window/main/main_window.h"
 #include "ui/window/main/message_bar.h"
 #include "ui/window/main/scene_document.h"
+#include "ui/window/main/scene_library.h"
 #include "ui/window/main/scene_tabs.h"
 #include "ui/window/main/session.h"
 #include "ui/window/map/map_panel.h"
@@ -130,6 +141,7 @@ class Visitor {
     group("map", [this] { map(); });
     group("export", [this] { exports(); });
     group("figures", [this] { figures(); });
+    group("lesson", [this] { lessons(); });
     group("dialog", [this] { dialogs(); });
   }
 
@@ -533,6 +545,94 @@ class Visitor {
       }
     }
     window_.figures().showViews();
+  }
+
+  // ---- Lessons
+
+  /// Writes the results of a student who answered the first questions with the first choice, in a
+  /// lesson whose questions are choices, numbers and points.
+  QString resultsFile(const QString& name, const Lesson& lesson, int answered) {
+    LessonResults results = emptyResults(lesson);
+    results.date = "2026-11-27T10:00:00";
+    for (int step = 0; step < static_cast<int>(lesson.steps.size()); ++step) {
+      const LessonStep* asked = askingStep(lesson, step);
+      if (!asked || answered-- <= 0) continue;
+      LessonResult one;
+      one.step = step;
+      one.kind = asked->prediction->kind;
+      if (one.kind == PredictionKind::Choice) one.given.choice = one.expected.choice = 0;
+      if (one.kind != PredictionKind::Choice) one.given.number = one.expected.number.value = 3.67;
+      if (one.kind == PredictionKind::Point) one.given.x = one.expected.x.value = 0.34;
+      one.isRight = answered % 2 == 0;
+      results.set(one);
+    }
+    const QString path = folder_.filePath(name);
+    writeResults(path.toStdString(), results, lesson);
+    return path;
+  }
+  void lessons() {
+    Lessons& lessons = window_.lessons();
+    const Lesson lesson = readNamedLesson("load_and_friction", readNamedScene);
+    if (isWanted("lesson_list")) {
+      LessonList& list = lessons.showList();
+      fitScreen(list);
+      show("lesson_list", list);
+      in<QCheckBox>(list, "lessonNotes").click();
+      show("lesson_list_computing", list);
+      waitFor([&] { return in<QLabel>(list, "lessonAbout").text().contains("<b>"); }, "answers");
+      show("lesson_list_notes", list);
+      close(list);
+    }
+    LessonEditor& editor = lessons.showEditor(lesson, {});
+    auto& steps = in<QListWidget>(editor, "editorSteps");
+    auto& scroll = *in<QWidget>(editor, "editorQuestion").parentWidget();
+    for (int row = 0; row < steps.count(); ++row) {
+      steps.setCurrentRow(row);
+      QTest::qWait(30);
+      show(QStringLiteral("lesson_editor_%1").arg(row), editor);
+      if (QScrollBar* bar = scrollBarOf(scroll); row > 0 && bar) bar->setValue(bar->maximum());
+      QTest::qWait(30);
+      if (row > 0) show(QStringLiteral("lesson_editor_%1_end").arg(row), editor);
+    }
+    in<QPushButton>(editor, "editorAdd").click();
+    show("lesson_editor_added", editor);
+    steps.setCurrentRow(2);
+    in<QPlainTextEdit>(editor, "editorQuestion").clear();
+    QTest::qWait(50);
+    show("lesson_editor_refused", editor);
+    visitNext("lesson_editor_unsaved");
+    in<QPushButton>(editor, "editorClose").click();
+    delete &editor;
+    const QString broken =
+        write("emil.json", "{\"schema\": \"asperity-lesson-results/1\", \"lesson\": \"lo");
+    lessons.openResults({resultsFile("Anna Müller.json", lesson, 6),
+                         resultsFile("ben.json", lesson, 2), resultsFile("dora.json", lesson, 4),
+                         resultsFile("with a rather long name of its file.json", lesson, 5),
+                         broken});
+    for (const char* page : {"classResults", "lessonResults"}) {
+      auto& dialog = in<QDialog>(window_, page);
+      fitScreen(dialog);
+      QTest::qWait(50);
+      show(QStringLiteral("lesson_%1").arg(page), dialog);
+      close(dialog);
+      if (page == QLatin1String("classResults")) lessons.open(folder_.filePath("Anna Müller.json"));
+    }
+    lessons.openResults({broken});
+    show("lesson_results_wrong", window_);
+    window_.messages().hide();
+    lessons.start(lesson, 1);
+    in<QRadioButton>(window_, "lessonChoice:0").click();
+    in<QPushButton>(window_, "lessonNext").click();
+    waitFor([&] { return lessons.isRevealed(); }, "an answer");
+    visitNext("lesson_unsaved");
+    lessons.mayLeave();
+    lessons.close();
+  }
+  /// Returns the bar by which a widget is scrolled down; null where it is in no area.
+  static QScrollBar* scrollBarOf(QWidget& content) {
+    for (QWidget* widget = &content; widget; widget = widget->parentWidget())
+      if (auto* area = qobject_cast<QScrollArea*>(widget)) return area->verticalScrollBar();
+    return nullptr;
   }
 
   // ---- Other dialogs

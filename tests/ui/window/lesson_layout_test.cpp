@@ -24,6 +24,7 @@
 #include "tests/ui/window/qt_application.h"
 #include "tests/ui/window/readable_widgets.h"
 #include "tests/ui/window/window_in.h"
+#include "ui/panels/controls.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/window/lesson/lesson_editor.h"
 #include "ui/window/lesson/lesson_list.h"
@@ -87,6 +88,9 @@ void findWhatIsOutOfSight(MainWindow& window, Faults& faults) {
                                 widget->visibleRegion().boundingRect() != widget->rect()))
       faults.push_back(std::string(name) + " is not in sight");
   }
+  const auto& title = dynamic_cast<WrappedLabel&>(*window.findChild<QLabel*>("lessonTitle"));
+  if (title.shownText() != title.text())
+    faults.push_back("the title is shortened: " + title.shownText().toStdString());
   const auto* scroll = pane.findChild<QScrollArea*>();
   if (scroll->widget()->width() > scroll->viewport()->width())
     faults.push_back("the texts would have to be scrolled sideways");
@@ -183,6 +187,24 @@ TEST_P(LessonLayout, EveryStepIsWholeAndReachedInASmallWindow) {
   }
   EXPECT_FALSE(lessons.isRunning());
   EXPECT_EQ(window->size(), kSmall);  // nothing made it larger
+}
+
+/// The step speaks of two parameters. The warning of the first one comes later, and pushed the
+/// second one out of sight.
+TEST(LessonLayoutOfAStep, AWarningThatComesLaterLeavesTheParametersInSight) {
+  constexpr int kPlateau = 5;
+  WindowIn window("en");
+  window->resize(kSmall);
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&*window));
+  Lessons& lessons = window->lessons();
+  lessons.start(readNamedLesson("rubber_is_not_coulomb", readNamedScene), kPlateau);
+  window->findChild<QPushButton*>("lessonShow")->click();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return lessons.isRevealed(); }, kWindowPatience));
+  const auto& modulus = *window->findChild<QWidget*>("row:elastomer.shear_modulus");
+  const auto isInSight = [&] { return modulus.visibleRegion().boundingRect() == modulus.rect(); };
+  EXPECT_TRUE(QTest::qWaitFor(isInSight, kLayoutPatience));
+  QTest::qWait(kLayoutPatience);  // the warning is there
+  EXPECT_TRUE(isInSight());
 }
 
 std::vector<std::string> shippedNames() {

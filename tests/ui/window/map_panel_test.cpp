@@ -110,6 +110,20 @@ TEST_F(MapPanelTest, TheReadingStandsBesideTheCut) {
   EXPECT_FALSE(place.intersects(map));
 }
 
+/// In a low view, map and cut stand beside each other, and the reading would lie over the axis.
+TEST_F(MapPanelTest, TheReadingOfALowViewIsNotBetweenCutAndMap) {
+  panel_.resize(640, 230);
+  ASSERT_TRUE(waitForMap());
+  MapView& view = panel_.view();
+  const auto areSideBySide = [&] {
+    return view.isPainted() && view.frames().size() == 2 &&
+           view.frames().front().area.right() < view.frames().back().area.left();
+  };
+  ASSERT_TRUE(QTest::qWaitFor(areSideBySide));
+  view.setReading("12.3 mm/s, 3.4 mN: 0.00123");
+  EXPECT_TRUE(view.placeBesideCut().isEmpty());
+}
+
 /// A short name leaves its space to a long one.
 TEST_F(MapPanelTest, NamesAreWholeWhereThereIsRoom) {
   panel_.resize(900, 500);

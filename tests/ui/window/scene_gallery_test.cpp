@@ -353,6 +353,8 @@ TEST_F(GalleryTest, LeadsToTheLessons) {
   QTest::keyClick(&button, Qt::Key_Tab);
   ASSERT_NE(QApplication::focusWidget(), nullptr);
   EXPECT_EQ(QApplication::focusWidget()->objectName().toStdString(), "sceneFilter");
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+  EXPECT_TRUE(cards().hasFocus());
   button.setFocus();
   QTest::keyClick(&button, Qt::Key_Return);
   EXPECT_NE(window_.findChild<QDialog*>("lessonList"), nullptr);

@@ -31,6 +31,7 @@
 #include "qt_application.h"
 #include "tests/app/program.h"
 #include "tests/ui/window/main_window_fixture.h"
+#include "ui/language/language.h"
 #include "ui/panels/parameter_row.h"
 #include "ui/window/figures/diagram_view.h"
 #include "ui/window/import/import_commands.h"
@@ -108,6 +109,19 @@ TEST_F(SurfaceImportTest, MakesTheFileTheSceneInOneStep) {
   EXPECT_NEAR(frame()->length, 2e-3, 1e-8);  // mirrored
   window_.document().history().undo();
   EXPECT_EQ(scene(), before);
+}
+
+/// Legends beside the charts left them a third of the width, and were cut themselves.
+TEST_F(SurfaceImportTest, ChartsAreWideInASmallWindow) {
+  useLanguage("de");
+  openPage(sineFile(0.05));
+  page_->resize(984, 620);
+  ASSERT_TRUE(waitForPage());
+  const auto& spectrum = inPage<DiagramView>("surfaceSpectrum");
+  ASSERT_TRUE(waitFor([&] { return spectrum.isPainted() && spectrum.frames().size() == 2; }));
+  for (const ChartGeometry& frame : spectrum.frames())
+    EXPECT_GT(frame.area.width(), 0.25 * spectrum.width());
+  useLanguage("en");
 }
 
 /// What was imported is seen, also where a gallery was in front, and does not keep the title of a

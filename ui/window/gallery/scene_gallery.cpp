@@ -93,9 +93,7 @@ void SceneGallery::addCommand(QAction& command) {
   button->setToolButtonStyle(Qt::ToolButtonTextOnly);
   button->setDefaultAction(&command);
   heading_->insert(*button);
-  // The Tab key comes to it before the filter, as it stands.
-  setTabOrder(button, filter_);
-  setTabOrder(filter_, cards_);
+  orderTabs(*this, *layout());
 }
 
 void SceneGallery::showTexts() {

@@ -312,13 +312,14 @@ void SurfaceImport::showSummary(const MeasuredSummary& summary) {
             .arg(quantityLabel(load.normalForce, "N", 4), quantityLabel(summary.period, "m", 4),
                  quantityLabel(load.normalForce / summary.period, "N/m", 4));
   }
+  facts += translatedText(measuredSheetNote());
   for (const Note note : summary.notes.list())
     notes += sentence(withLabels(translatedText(noteSentence(note))));
   facts_->setText(facts.join('\n'));
   showWarnings(*notes_, notes);
   values_->setText(valuesTable(summary));
   // Shows the sheet of the command in two views: the profile over the whole width, the rest below.
-  // The texts of its headings are shown beside it.
+  // Its texts are shown beside it.
   profile_->show([summary] {
     DiagramSheet sheet = measuredSheet(summary, {});
     sheet.diagrams.resize(sheet.diagrams.size() - 2);
@@ -328,7 +329,7 @@ void SurfaceImport::showSummary(const MeasuredSummary& summary) {
   spectrum_->show([summary] {
     DiagramSheet sheet = measuredSheet(summary, {});
     sheet.diagrams.erase(sheet.diagrams.begin(), sheet.diagrams.end() - 2);
-    sheet.title = sheet.subtitle = {};
+    sheet.title = sheet.subtitle = sheet.note = {};
     sheet.columns = 2;
     return sheet;
   });

@@ -251,8 +251,9 @@ class HandoutMaker {
       for (const LessonChoice& choice : prediction.choices)
         html += "<p>☐ " + plainText(choice.text).toHtmlEscaped() + "</p>";
     } else {
-      const QString blank = QStringLiteral("____________________");
       const bool isPoint = prediction.kind == PredictionKind::Point;
+      // The two of a free point fit into one line.
+      const QString blank(isPoint && !prediction.x ? 12 : 20, u'_');
       html += "<p>";
       if (isPoint) html += fromUtf8(Words::tr("Mark the place in the chart.")) + ' ';
       html += fromUtf8(Words::tr("My answer")) + ": " + blank;

@@ -243,6 +243,7 @@ Scene AssignmentList::changed() const {
 
 LessonForm::LessonForm(QWidget* parent) : QWidget(parent), rows_(new QFormLayout(this)) {
   rows_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  rows_->setHorizontalSpacing(12);  // a label is nearer to its own letters than to its field
 }
 
 void LessonForm::nameField(QWidget& field, const QString& label, const char* name) {

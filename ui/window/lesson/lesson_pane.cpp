@@ -199,11 +199,7 @@ void LessonPane::setInput(AnswerInput* input) {
   // The focus moves to the first one, beyond the question.
   if (!controls.isEmpty())
     controls.constFirst()->setAccessibleDescription(spoken(question_->text()));
-  QWidget* before = tolerance_;  // below the question
-  for (QWidget* control : controls) {
-    setTabOrder(before, control);
-    before = control;
-  }
+  orderTabs(*tolerance_, *inputLayout_);  // below the question
 }
 
 QString LessonPane::entry() const {

@@ -1,6 +1,7 @@
 #include "ui/window/lesson/lesson_player.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QDateTime>
 #include <QDockWidget>
 #include <QHBoxLayout>
@@ -36,14 +37,17 @@ namespace {
 constexpr int kDefaultHeight = 430, kParametersHeight = 230;
 constexpr int kMinHeight = 260;  // of the pane
 
+/// Returns the height in pixels that the content of an area needs.
+int neededHeight(const QScrollArea& area) {
+  const QLayout& layout = *area.widget()->layout();
+  return layout.hasHeightForWidth() ? layout.totalHeightForWidth(area.viewport()->width())
+                                    : layout.minimumSize().height();
+}
+
 /// Returns by how many pixels the content of an area is higher than what is shown of it; below 0
 /// there is room left.
 int hiddenHeight(const QScrollArea& area) {
-  const QLayout& layout = *area.widget()->layout();
-  const int width = area.viewport()->width();
-  const int needed = layout.hasHeightForWidth() ? layout.totalHeightForWidth(width)
-                                                : layout.minimumSize().height();
-  return needed - area.viewport()->height();
+  return neededHeight(area) - area.viewport()->height();
 }
 
 /// The commands of a running lesson.
@@ -60,8 +64,10 @@ LessonPlayer::LessonPlayer(const Parts& parts)
       keep_(new QToolButton),
       close_(new QToolButton),
       pane_(new LessonPane),
-      point_(new PredictionPoint(parts.tabs.plot())) {
+      point_(new PredictionPoint(parts.tabs.plot())),
+      rows_(parts.panel.findChild<QScrollArea*>()) {
   buildDock();
+  rows_->widget()->installEventFilter(this);
   connect(pane_, &LessonPane::backRequested, this, [this] { show(step_ - 1); });
   connect(pane_, &LessonPane::nextRequested, this, &LessonPlayer::next);
   connect(pane_, &LessonPane::answered, this,
@@ -111,7 +117,7 @@ void LessonPlayer::buildDock() {
   keepTranslated(*dock_, [this] {
     dock_->setWindowTitle(tr("Lesson"));
     keep_->setToolTip(tr("Keeps your answers in a file of your choice"));
-    keep_->setText(tr("Save results…"));
+    keep_->setText(tr("Save results…").replace(' ', '\n'));  // it leaves the title its width
     keep_->setAccessibleName(keep_->toolTip());
     close_->setToolTip(tr("Ends the lesson; your own scene comes back"));
     close_->setAccessibleName(tr("end the lesson"));
@@ -123,12 +129,19 @@ void LessonPlayer::buildDock() {
   });
 }
 
+/// Shares the height again where the title or the parameters need another one. The warning of a
+/// parameter appears some time after the step. Nothing moves while the student uses a parameter.
 bool LessonPlayer::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::Resize) {
+  bool isHeightOther = false;
+  if (watched == title_ && event->type() == QEvent::Resize) {
     const auto& resized = *static_cast<const QResizeEvent*>(event);
-    if (resized.size().height() != resized.oldSize().height())
-      QTimer::singleShot(0, this, [this] { shareHeight(); });
+    isHeightOther = resized.size().height() != resized.oldSize().height();
+  } else if (watched == rows_->widget() && event->type() == QEvent::LayoutRequest && isRunning()) {
+    const int before = std::exchange(rowsHeight_, neededHeight(*rows_));
+    isHeightOther =
+        before != rowsHeight_ && !parts_.panel.isAncestorOf(QApplication::focusWidget());
   }
+  if (isHeightOther) QTimer::singleShot(0, this, [this] { shareHeight(); });
   return QObject::eventFilter(watched, event);
 }
 
@@ -139,8 +152,13 @@ void LessonPlayer::translateStep() {
   if (!(scene == parts_.document.scene())) parts_.document.edit(scene);
   if (present().prediction) point_->setQuestion(plainText(present().prediction->question));
   const QString entry = pane_->entry();
+  // The control that has the focus may be made anew.
+  const QWidget* focus = QApplication::focusWidget();
+  const QString focused = pane_->isAncestorOf(focus) ? focus->objectName() : QString();
   showPage();
   pane_->enter(entry);
+  if (auto* control = focused.isEmpty() ? nullptr : pane_->findChild<QWidget*>(focused))
+    control->setFocus();
   if (waiting_) pane_->setWaiting(true);
 }
 
@@ -271,9 +289,8 @@ Scene LessonPlayer::shownScene() const {
 /// with it the buttons.
 void LessonPlayer::shareHeight(int corrections) {
   const auto* text = pane_->findChild<QScrollArea*>();
-  const auto* rows = parts_.panel.findChild<QScrollArea*>();
-  if (!isRunning() || !parts_.parameters.isVisible() || !text || !rows) return;
-  const int hiddenText = hiddenHeight(*text), hiddenRows = hiddenHeight(*rows);
+  if (!isRunning() || !parts_.parameters.isVisible() || !text) return;
+  const int hiddenText = hiddenHeight(*text), hiddenRows = hiddenHeight(*rows_);
   const int most = std::max(0, pane_->height() - kMinHeight);
   int toRows = 0;
   if (hiddenRows > 0)

@@ -21,6 +21,7 @@
 class QDockWidget;
 class QMainWindow;
 class QLabel;
+class QScrollArea;
 class QToolButton;
 
 namespace asperity {
@@ -123,6 +124,8 @@ class LessonPlayer : public QObject {
   std::map<int, LessonAnswer> answers_;  // computed ones, by step
   std::optional<GivenAnswer> waiting_;   // given, while the right answer is computed
   LessonResults results_;
+  QScrollArea* rows_;   // of the parameters, which belong to the panel
+  int rowsHeight_ = 0;  // pixels that the rows need
 
   /// The state before the lesson, which its end restores; the document keeps the user's scene.
   struct Before {

@@ -1,11 +1,9 @@
 #include "ui/window/lesson/lesson_results_page.h"
 
-#include <QDateTime>
 #include <QDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QPushButton>
 #include <QTextBrowser>
 #include <QVBoxLayout>
@@ -15,6 +13,7 @@
 #include <map>
 
 #include "core/base/atomic_file.h"
+#include "core/base/input_error.h"
 #include "core/lesson/lesson_file.h"
 #include "core/scene/sweep.h"
 #include "ui/language/language.h"
@@ -36,20 +35,14 @@ std::optional<Lesson> findShippedLesson(const LessonResults& results) {
   return lesson;
 }
 
-/// Returns the title in the language of the window where the lesson is a shipped one.
-QString resultsTitle(const LessonResults& results) {
-  const std::optional<Lesson> lesson = findShippedLesson(results);
-  return lesson ? plainText(lesson->title) : QString::fromStdString(results.title);
-}
-
 /// Returns the step if it asks for a prediction; null where not, or where the lesson is not known.
 const LessonStep* predictionStep(const std::optional<Lesson>& lesson, int step) {
   return lesson ? askingStep(*lesson, step) : nullptr;
 }
 
 QString verdict(const LessonResult& result) {
-  if (!result.given.isGiven()) return LessonResultsPage::tr("shown");
-  return result.isRight ? LessonResultsPage::tr("right") : LessonResultsPage::tr("wrong");
+  if (!result.given.isGiven()) return fromUtf8(Words::tr("shown"));
+  return result.isRight ? fromUtf8(Words::tr("right")) : fromUtf8(Words::tr("wrong"));
 }
 
 /// Returns the right answer in the form of a given one.
@@ -66,7 +59,7 @@ QString answerText(const LessonResult& result, const LessonStep* asked, const Gi
     const auto place = static_cast<std::size_t>(answer.choice);
     if (asked && place < asked->prediction->choices.size())
       return plainText(asked->prediction->choices[place].text);
-    return LessonResultsPage::tr("choice %1").arg(answer.choice + 1);
+    return fromUtf8(Words::tr("choice %1")).arg(answer.choice + 1);
   }
   const LessonNumber height{answer.number, result.expected.number.unit};
   if (result.kind == PredictionKind::Number || std::isnan(answer.x))
@@ -97,48 +90,19 @@ QString tableHtml(const QString& rows) {
          rows + "</table>";
 }
 
-/// Returns the date and time of results as the language of the window writes them; a text that is
-/// no ISO date stays.
-QString dateText(const std::string& date) {
-  const QString text = QString::fromStdString(date);
-  const QDateTime time = QDateTime::fromString(text, Qt::ISODate);
-  if (!time.isValid()) return text;
-  return QLocale(fromUtf8(presentLanguage())).toString(time, QLocale::ShortFormat);
-}
-
 /// The answers of a student stay in one line each; other texts of the page break.
 const QString kOneLine = QStringLiteral("white-space: nowrap");
 
 /// Returns the table of the students in one lesson.
 QString classTable(const std::vector<StudentResults>& students) {
-  const std::optional<Lesson> lesson = findShippedLesson(students.front().results);
-  std::map<int, const LessonResult*> steps;  // a result of each step, for the right answer
-  for (const StudentResults& student : students)
-    for (const LessonResult& one : student.results.results) steps.emplace(one.step, &one);
-  QStringList heads = {LessonResultsPage::tr("File"), LessonResultsPage::tr("right"),
-                       LessonResultsPage::tr("wrong"), LessonResultsPage::tr("shown")};
-  QStringList answers = {"<b>" + LessonResultsPage::tr("Right answer") + "</b>", {}, {}, {}};
-  for (const auto& [step, one] : steps) {
-    const QString right = shortAnswer(*one, predictionStep(lesson, step), rightAnswer(*one));
-    heads += LessonResultsPage::tr("Step") + ' ' + QString::number(step + 1);
-    answers += "<b>" + right.toHtmlEscaped() + "</b>";
-  }
-  QString rows = rowHtml(heads, "th", kOneLine) + rowHtml(answers, "td", kOneLine);
-  for (const StudentResults& student : students) {
-    const LessonResults& results = student.results;
-    QStringList cells = {QString::fromStdString(student.file).toHtmlEscaped(),
-                         QString::number(results.right()), QString::number(results.wrong()),
-                         QString::number(results.shown())};
-    for (const auto& [step, any] : steps) {
-      const LessonResult* one = results.find(step);
-      QString cell = one ? verdict(*one) : QStringLiteral("–");
-      if (one && one->given.isGiven())
-        cell += " (" + shortAnswer(*one, predictionStep(lesson, step), one->given) + ')';
-      cells += cell.toHtmlEscaped();
-    }
-    rows += rowHtml(cells, "td", kOneLine);
-  }
-  return tableHtml(rows);
+  const ClassRows rows = LessonResultsPage::classRows(students);
+  const auto html = [](QStringList cells, const QString& cell, const QString& style = {}) {
+    for (QString& each : cells) each = each.toHtmlEscaped();
+    return rowHtml(cells, cell, kOneLine + style);
+  };
+  QString all = html(rows.heading, "th") + html(rows.answers, "td", "; font-weight: bold");
+  for (const QStringList& cells : rows.students) all += html(cells, "td");
+  return tableHtml(all);
 }
 
 }  // namespace
@@ -152,10 +116,44 @@ std::optional<Lesson> shippedLesson(const LessonResults& results) {
   return std::nullopt;
 }
 
+QString LessonResultsPage::lessonTitle(const LessonResults& results) {
+  const std::optional<Lesson> lesson = findShippedLesson(results);
+  return lesson ? plainText(lesson->title) : QString::fromStdString(results.title);
+}
+
+ClassRows LessonResultsPage::classRows(const std::vector<StudentResults>& students) {
+  const std::optional<Lesson> lesson = findShippedLesson(students.front().results);
+  std::map<int, const LessonResult*> steps;  // a result of each step, for the right answer
+  for (const StudentResults& student : students)
+    for (const LessonResult& one : student.results.results) steps.emplace(one.step, &one);
+  ClassRows rows{{fromUtf8(Words::tr("File")), fromUtf8(Words::tr("right")),
+                  fromUtf8(Words::tr("wrong")), fromUtf8(Words::tr("shown"))},
+                 {fromUtf8(Words::tr("Right answer")), {}, {}, {}},
+                 {}};
+  for (const auto& [step, one] : steps) {
+    rows.heading += fromUtf8(Words::tr("Step")) + ' ' + QString::number(step + 1);
+    rows.answers += shortAnswer(*one, predictionStep(lesson, step), rightAnswer(*one));
+  }
+  for (const StudentResults& student : students) {
+    const LessonResults& results = student.results;
+    QStringList cells = {QString::fromStdString(student.file), QString::number(results.right()),
+                         QString::number(results.wrong()), QString::number(results.shown())};
+    for (const auto& [step, any] : steps) {
+      const LessonResult* one = results.find(step);
+      QString cell = one ? verdict(*one) : QStringLiteral("–");
+      if (one && one->given.isGiven())
+        cell += " (" + shortAnswer(*one, predictionStep(lesson, step), one->given) + ')';
+      cells += cell;
+    }
+    rows.students.push_back(cells);
+  }
+  return rows;
+}
+
 QString LessonResultsPage::html(const QString& file) {
   const LessonResults results = readResultsFile(file.toStdString());
   const std::optional<Lesson> lesson = findShippedLesson(results);
-  QString html = "<h3>" + resultsTitle(results).toHtmlEscaped() + "</h3><p>" +
+  QString html = "<h3>" + lessonTitle(results).toHtmlEscaped() + "</h3><p>" +
                  QFileInfo(file).fileName().toHtmlEscaped();
   if (!results.date.empty()) html += ", " + dateText(results.date).toHtmlEscaped();
   html += "</p><p><b>" +
@@ -164,7 +162,9 @@ QString LessonResultsPage::html(const QString& file) {
               .arg(results.wrong())
               .arg(results.shown()) +
           "</b></p>";
-  QString rows = rowHtml({tr("Step"), tr("Answer"), QString(), tr("Right answer")}, "th");
+  QString rows = rowHtml(
+      {fromUtf8(Words::tr("Step")), tr("Answer"), QString(), fromUtf8(Words::tr("Right answer"))},
+      "th");
   for (const LessonResult& one : results.results) {
     const LessonStep* asked = predictionStep(lesson, one.step);
     QString name = QString::number(one.step + 1);
@@ -179,7 +179,7 @@ QString LessonResultsPage::html(const QString& file) {
 QString LessonResultsPage::classHtml(const ClassResults& results) {
   QString html;
   for (const std::vector<StudentResults>& students : results.classes)
-    html += "<h3>" + resultsTitle(students.front().results).toHtmlEscaped() + "</h3>" +
+    html += "<h3>" + lessonTitle(students.front().results).toHtmlEscaped() + "</h3>" +
             classTable(students);
   if (!results.refused.empty()) html += "<h3>" + tr("Files without results") + "</h3>";
   for (const InputError& error : results.refused) {
@@ -241,7 +241,7 @@ class ResultsDialog : public QDialog {
 /// Asks for a file and saves the table of the class in it.
 void saveTable(ResultsDialog& page, const ClassResults& results) {
   try {
-    const std::string table = classCsv(onlyClass(results.classes));
+    const std::string table = classCsv(onlyClass(results));
     const QString file =
         askSaveFile(&page, LessonResultsPage::tr("Save the table of a class"),
                     LessonResultsPage::tr("class.csv"), LessonResultsPage::tr("Table (*.csv)"));
@@ -278,8 +278,7 @@ void showLessonResults(QWidget& window, const QString& file,
 void showClassResults(QWidget& window, const QStringList& files) {
   std::vector<std::string> paths;
   for (const QString& file : files) paths.push_back(file.toStdString());
-  ClassResults results;
-  results.classes = readClasses(paths, results.refused);
+  const ClassResults results = readClasses(paths);
   auto* page =
       new ResultsDialog(window, "classResults", LessonResultsPage::tr("Results of a class"),
                         LessonResultsPage::classHtml(results));

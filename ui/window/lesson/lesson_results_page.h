@@ -10,7 +10,6 @@
 #include <optional>
 #include <vector>
 
-#include "core/base/input_error.h"
 #include "core/lesson/lesson_class.h"
 #include "core/lesson/lesson_results.h"
 
@@ -18,10 +17,10 @@ class QWidget;
 
 namespace asperity {
 
-/// The files of a class that could be read, by lesson, and the errors of the others.
-struct ClassResults {
-  std::vector<std::vector<StudentResults>> classes;
-  std::vector<InputError> refused;
+/// The table of a class for people, in the language of the window.
+struct ClassRows {
+  QStringList heading, answers;  // answers: the right ones
+  std::vector<QStringList> students;
 };
 
 class LessonResultsPage {
@@ -31,9 +30,15 @@ class LessonResultsPage {
   /// Returns the summary as HTML. Answers of a shipped lesson are given with their questions.
   static QString html(const QString& file);
 
-  /// Returns the results of a class as HTML: a table for each lesson, with a row for each student
-  /// and a column for each step that somebody answered. Files without results are listed below with
-  /// their reasons.
+  /// Returns the title of a lesson, in the language of the window where it is a shipped one.
+  static QString lessonTitle(const LessonResults& results);
+
+  /// Returns the table of the students in one lesson: a row for each student, and a column for each
+  /// step that somebody answered.
+  static ClassRows classRows(const std::vector<StudentResults>& students);
+
+  /// Returns the results of a class as HTML, with a table for each lesson. Files without results
+  /// are listed below with their reasons.
   static QString classHtml(const ClassResults& results);
 };
 

@@ -1,5 +1,7 @@
 #include "ui/window/lesson/lesson_text.h"
 
+#include <QDateTime>
+#include <QLocale>
 #include <QRegularExpression>
 #include <QStringList>
 #include <cmath>
@@ -101,6 +103,13 @@ QString fileNamePart(const LessonText& title) {
   return plainText(title).remove(forbidden).simplified().left(kLongest);
 }
 
+QString dateText(const std::string& date) {
+  const QString text = QString::fromStdString(date);
+  const QDateTime time = QDateTime::fromString(text, Qt::ISODate);
+  if (!time.isValid()) return text;
+  return QLocale(fromUtf8(presentLanguage())).toString(time, QLocale::ShortFormat);
+}
+
 QString richText(const std::string& text) {
   QString html;
   const QStringList paragraphs = QString::fromStdString(text).split(QStringLiteral("\n\n"));
@@ -160,8 +169,10 @@ QString toleranceText(const LessonPrediction& prediction) {
         .arg(shortFactor(1 - prediction.tolerance), shortFactor(1 + prediction.tolerance));
   }
   const QString height = shortFactor(1 + prediction.tolerance);
-  if (prediction.x) return fromUtf8(Words::tr("The height counts to a factor of %1.")).arg(height);
-  return fromUtf8(Words::tr("The height counts to a factor of %1, the place to a factor of %2."))
+  if (prediction.x)
+    return fromUtf8(Words::tr("A height within a factor of %1 counts as right.")).arg(height);
+  return fromUtf8(Words::tr("A height within a factor of %1 and a place within a factor of %2 "
+                            "count as right."))
       .arg(height, shortFactor(1 + prediction.xTolerance));
 }
 

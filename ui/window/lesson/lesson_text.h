@@ -17,6 +17,10 @@ QString lineText(const LessonText& text);
 /// Returns a title as part of the name of a file; empty where it has no letter for it.
 QString fileNamePart(const LessonText& title);
 
+/// Returns the date and time of results as the language of the window writes them; a text that is
+/// no ISO date stays.
+QString dateText(const std::string& date);
+
 /// Returns HTML of paragraphs and lists: "*word*" in italics, "**word**" in bold, "- " items.
 /// Everything else is plain text.
 QString richText(const std::string& text);

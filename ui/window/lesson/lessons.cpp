@@ -361,11 +361,10 @@ QString Lessons::offerAnswers(const Lesson& lesson) {
   if (left_.contains(lesson.digest)) return {};
   const std::optional<LessonResults> kept = keptAnswers(lesson);
   if (!kept) return offerSavedAnswers(lesson);
-  const QString date = QString::fromStdString(kept->date).replace('T', ' ');
   if (wantsToGoOn("answersQuestion",
                   tr("This lesson was begun before (%1), and its answers are in "
                      "no file. Go on with these answers?")
-                      .arg(date),
+                      .arg(dateText(kept->date)),
                   discards()))
     left_[lesson.digest] = *kept;
   else

@@ -136,7 +136,9 @@ QRectF MapView::placeBesideCut() const {
   const QRectF place(QPointF(cut.right() + kGap, cut.top()),
                      QPointF(width() - kEdge, cut.bottom()));
   const QRectF text = QFontMetricsF(font()).boundingRect(place, kLines, keptTogether(reading_));
-  return place.contains(text) ? place : QRectF();
+  // In a low view the map stands beside the cut, too.
+  const bool isFree = !place.intersects(frames().back().area);
+  return isFree && place.contains(text) ? place : QRectF();
 }
 
 void MapView::paintReading(QPainter& painter, const QRectF& frame) const {
