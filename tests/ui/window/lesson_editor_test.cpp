@@ -319,7 +319,7 @@ TEST_F(LessonEditorTest, AnAnswerToAnotherPlaceIsNotShown) {
   edit(sampleWithPeak(), 2);
   auto& said = field<QLabel>("editorComputed");
   ASSERT_TRUE(waitFor([&] { return said.text().contains("The program finds"); }));
-  EXPECT_TRUE(said.text().contains("to a factor of 1.5")) << said.text().toStdString();
+  EXPECT_TRUE(said.text().contains("within a factor of 1.5")) << said.text().toStdString();
   type("editorX", "abc");
   EXPECT_TRUE(errorText().find("not a number") != std::string::npos) << errorText();
   EXPECT_FALSE(said.text().contains("The program finds")) << said.text().toStdString();
