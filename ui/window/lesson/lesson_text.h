@@ -36,8 +36,8 @@ QString pointInWords(const LessonNumber& height, const LessonNumber& place);
 QString answerInWords(const LessonPrediction& prediction, const LessonAnswer& answer);
 
 /// Returns how near an answer has to be to be right: "An answer within 20 % of the right one
-/// counts."; of a point "The height counts to a factor of 1.5, the place to a factor of 2."; empty
-/// for a choice.
+/// counts."; of a point "A height within a factor of 1.5 and a place within a factor of 2 count as
+/// right."; empty for a choice.
 QString toleranceText(const LessonPrediction& prediction);
 
 /// Returns a text shown after the answer, as rich text with the values in it.
