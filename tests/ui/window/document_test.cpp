@@ -363,7 +363,10 @@ TEST_F(DocumentTest, TheQuestionNamesTheSceneAndItsFileAndHasLetters) {
   whenAsked<QMessageBox>([&](QMessageBox& box) {
     text = box.text();
     detail = box.informativeText();
-    for (const QAbstractButton* button : box.buttons()) buttons += button->text();
+    for (const QAbstractButton* button : box.buttons()) {
+      buttons += button->text();
+      EXPECT_TRUE(button->icon().isNull());  // words alone, as in all dialogs
+    }
     QTest::keyClick(&box, Qt::Key_C, Qt::AltModifier);
   });
   EXPECT_FALSE(window_.close());

@@ -214,6 +214,14 @@ int WindowStyle::pixelMetric(PixelMetric metric, const QStyleOption* option,
   }
 }
 
+/// Buttons of questions have words alone, as all other buttons of dialogs.
+int WindowStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                           QStyleHintReturn* returned) const {
+  return hint == SH_DialogButtonBox_ButtonsHaveIcons
+             ? 0
+             : QProxyStyle::styleHint(hint, option, widget, returned);
+}
+
 QRect WindowStyle::subElementRect(SubElement element, const QStyleOption* option,
                                   const QWidget* widget) const {
   const QRect usual = QProxyStyle::subElementRect(element, option, widget);
