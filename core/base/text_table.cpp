@@ -398,6 +398,10 @@ class TableReader {
     if (countOf(FieldKind::Number) == cells && (cells < fewestCells || !nextLineIsAlike()))
       return false;
     if (!options_.keepsTexts) return countOf(FieldKind::Text) == 0;
+    // "mm/s; 1" are the units of a velocity and of a pure number.
+    const auto ones = static_cast<std::size_t>(std::ranges::count(fields_, "1"));
+    if (ones == countOf(FieldKind::Number) && areUnits({fields_.begin(), fields_.end()}))
+      return false;
     if (keyEnd(line.text) != std::string_view::npos) return false;
     const auto named = namedColumns(above_, table_.dialect, kinds_);
     return std::ranges::none_of(named,

@@ -464,6 +464,23 @@ TEST(TextTable, KeepsRowsWithRemarks) {
   }
 }
 
+/// The unit of a pure number is 1 (ISO 80000).
+TEST(TextTable, ReadsARowOfUnitsWithAOne) {
+  for (const bool keepsTexts : {false, true}) {
+    TextTableOptions options;
+    options.keepsTexts = options.readsCells = keepsTexts;
+    const TextTable made = read("v;mu\nmm/s;1\n1;0.5\n10;0.6\n", options);
+    ASSERT_EQ(made.blocks.size(), 1u);
+    EXPECT_THAT(made.largest().column(0), ElementsAre(1, 10));
+    EXPECT_EQ(made.largest().columns[0].name, "v");
+    EXPECT_EQ(made.largest().columns[0].unit, "mm/s");
+    EXPECT_EQ(made.largest().columns[1].unit, "1");
+  }
+  TextTableOptions options;
+  options.keepsTexts = true;
+  EXPECT_EQ(read("sample;mu\nA;1\nB;0.6\n", options).largest().rows, 2u);
+}
+
 // ---- Texts and further columns -----------------------------------------------------------------
 
 TEST(TextTable, KeepsLabelsWhereACallerWantsThem) {

@@ -79,7 +79,7 @@ TEST(FrictionData, TheErrorOfFrictionHasManyNames) {
   }
   // No error of friction or velocity: of another quantity, or a word that begins with such a
   // letter.
-  for (const char* name : {"u(T)", "distance", "sample number", "slip"})
+  for (const char* name : {"u(T)", "distance", "sample number", "stop"})
     EXPECT_FALSE(
         parsed("v [mm/s];mu;" + std::string(name) + "\n1;0,2;0,01\n10;0,35;0,02\n").hasErrors())
         << name;
@@ -479,6 +479,48 @@ TEST(FrictionData, ReadsNamesInOtherLanguages) {
     EXPECT_DOUBLE_EQ(parsed("v," + std::string(name) + "\n1,0.4\n2,0.6\n").points[1].mu, 0.6)
         << name;
   EXPECT_DOUBLE_EQ(parsed("v,mu_s,mu_k\n1,0.4,0.3\n2,0.6,0.5\n").points[0].mu, 0.3);
+}
+
+/// A number that stands for a missing value is no measurement, and neither is one in another unit
+/// than its column states.
+TEST(FrictionData, RefusesWhatNoTestOfRubberReaches) {
+  EXPECT_THAT(errorOf("v,mu\n1,1E+38\n2,0.4\n3,0.5\n"),
+              HasSubstr("row 2: the coefficient of friction is 1e38, which no test"));
+  EXPECT_THAT(errorOf("v,mu\n1,0.3\n2,0.4\n3,9999\n"),
+              HasSubstr("row 4: the coefficient of friction is 9999, which no test"));
+  EXPECT_THAT(errorOf("v,mu\n1E+38,0.3\n2,0.4\n"), HasSubstr("row 2: the velocity is 1e38 m/s"));
+  EXPECT_THAT(errorOf("v,mu,T (C)\n1,0.3,298.15\n2,0.4,298.15\n"),
+              HasSubstr("row 2: the temperature is 571.3 K, which no test"));
+  EXPECT_THAT(errorOf("v,mu,F (N)\n1,0.3,1E+38\n2,0.4,5\n"),
+              HasSubstr("the normal force is 1e38 N"));
+  EXPECT_THAT(errorOf("v (Mm/s),mu\n1,0.3\n2,0.4\n"), HasSubstr("the unit Mm/s is unknown"));
+  EXPECT_EQ(parsed("v,mu,T (C)\n1e9,4,240\n2e9,4,240\n").points.size(), 2U);
+}
+
+/// The velocity beside a slip is that of a wheel, where its name does not say otherwise.
+TEST(FrictionData, RefusesAVelocityBesideASlip) {
+  for (const char* slip : {"slip (%)", "Slip angle (deg)", "slip", "Schlupf [%]", "slip ratio"})
+    EXPECT_THAT(errorOf("V (km/h)," + std::string(slip) + ",mu\n30,2,0.3\n60,2,0.4\n"),
+                HasSubstr("with a slip, the velocity of sliding may not be that of column V"))
+        << slip;
+  EXPECT_DOUBLE_EQ(parsed("v_slide (m/s),slip (%),mu\n1,2,0.3\n2,2,0.4\n").points[0].velocity, 1);
+  // Of two velocities that of sliding is read.
+  EXPECT_DOUBLE_EQ(
+      parsed("V (km/h),v_slip (m/s),slip (%),mu\n30,1,2,0.3\n60,2,2,0.4\n").points[0].velocity, 1);
+  EXPECT_THAT(errorOf("V (km/h),v (m/s),mu\n30,1,0.3\n60,2,0.4\n"),
+              HasSubstr("has two columns of the velocity: V and v"));
+}
+
+TEST(FrictionData, ReadsKineticAndNotStaticFriction) {
+  for (const char* names : {"Static COF,Kinetic COF", "\u00B5 Haft,\u00B5 Gleit", "\u00B5s,\u00B5d",
+                            "us,COF kinetic", "static friction,Coefficient of kinetic friction"})
+    EXPECT_DOUBLE_EQ(parsed("v," + std::string(names) + "\n1,0.4,0.3\n2,0.6,0.5\n").points[0].mu,
+                     0.3)
+        << names;
+  EXPECT_THAT(errorOf("v,static COF\n1,0.4\n2,0.6\n"),
+              HasSubstr("has no column of the coefficient of friction"));
+  EXPECT_DOUBLE_EQ(parsed("v,Tangential force (N),Charge (N)\n1,15,30\n2,18,30\n").points[0].mu,
+                   0.5);
 }
 
 /// A slip of a unit in friction or in a force shows where the table has all three.
