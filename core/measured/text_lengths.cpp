@@ -283,12 +283,14 @@ bool canBeUnit(std::string_view text) {
 }
 
 /// Keys, in lower case, of entries that state a unit without saying of what.
-constexpr WordList kCommonUnitKeys("unit, units, einheit, length unit", ',');
+constexpr WordList kCommonUnitKeys(
+    "unit, units, einheit, length unit, unit\u00E9, unit\u00E0, unidad, \u5358\u4F4D", ',');
 
 /// Returns the keys, in lower case, of entries that state a unit of heights or of positions.
 WordList unitKeys(bool ofHeights) {
   constexpr WordList kOfHeights(
-      "z, value units, value unit, z unit, z units, z-unit, unit z, units z, height unit, height "
+      "z, vertical unit, vertical units, value units, value unit, z unit, z units, z-unit, unit z, "
+      "units z, height unit, height "
       "units, zunit, einheiten, werteinheit, werteinheiten, z-axis unit, z-axis units, z axis "
       "unit, z axis units, einheit z-achse, einheit z, z-einheit, unit\u00E9s, unit\u00E9s des "
       "valeurs, unit\u00E9 z, unit\u00E9 des hauteurs, \u9AD8\u3055\u5358\u4F4D, jednotky hodnot, "

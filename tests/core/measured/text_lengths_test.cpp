@@ -156,7 +156,7 @@ TEST(NamesOfTables, StateAUnit) {
   for (const std::string line :
        {"H\u00F6he in \u00B5m", "Hauteur en \u00B5m", "Altura en \u00B5m", "Altezza in \u00B5m",
         "Height (um)", "z [um]", "H\u00F6hen in \u00B5m", "Hauteurs (\u00B5m)", "Hoogte in \u00B5m",
-        "Height data (um)", "Altura em \u00B5m"})
+        "Height data (um)", "Altura em \u00B5m", "Vertical unit: um", "\u5358\u4F4D: \u03BCm"})
     EXPECT_NEAR(read(spacings + line + "\n" + field()).topography.at(4, 7), 1e-6 * heightAt(4, 7),
                 1e-10)
         << line;
