@@ -452,9 +452,9 @@ bool haveUnits(const Fields& fields) {
   return inBrackets || inEach;
 }
 
-/// Returns whether a line is empty or drawn: "-----", "+---+---+".
+/// Returns whether a line is empty, has separators alone or is drawn: ";;;", "-----", "+---+---+".
 bool isRule(std::string_view line) {
-  return line.find_first_not_of("-=_+| \t") == line.npos;
+  return line.find_first_not_of("-=_+|;, \t") == line.npos;
 }
 
 /// Returns the fields of the lines above a block that may be names, units and comments of its

@@ -316,11 +316,11 @@ DmaFile readDmaFile(TextTable table, const std::string& name, const DmaChoices& 
   // A loss factor has no unit; then the other column is the modulus.
   const DmaColumnFact& modulus =
       file.facts.storage.unit.empty() ? file.facts.loss : file.facts.storage;
-  if (modulus.isUnitAssumed) {
-    double largest = 0;
-    for (const MeasuredModulus& row : file.rows) largest = std::max(largest, row.modulus.storage);
-    refuseSoftModulus(name, modulus.name, largest);
-  }
+  const auto [least, most] = std::ranges::minmax(
+      file.rows, {}, [](const MeasuredModulus& row) { return row.modulus.storage; });
+  if (modulus.isUnitAssumed) refuseSoftModulus(name, modulus.name, most.modulus.storage);
+  if (auto note = unusualModulus(least.modulus.storage, most.modulus.storage))
+    file.facts.notes.push_back(std::move(*note));
   return file;
 }
 

@@ -464,6 +464,18 @@ TEST(TextTable, KeepsRowsWithRemarks) {
   }
 }
 
+/// Spreadsheets write an empty row as separators.
+TEST(TextTable, PassesOverRowsOfSeparatorsAboveTheNumbers) {
+  for (const char* text :
+       {"a;b;c\n;;\n[s];[Pa];[1]\n1;2;3\n4;5;6\n", "a;b;c\n[s];[Pa];[1]\n;;\n1;2;3\n4;5;6\n",
+        "a,b,c\n,,\n[s],[Pa],[1]\n,,\n1,2,3\n4,5,6\n"}) {
+    const TextTable made = read(text);
+    ASSERT_EQ(made.largest().columns.size(), 3u) << text;
+    EXPECT_EQ(made.largest().columns[1].name, "b") << text;
+    EXPECT_EQ(made.largest().columns[1].unit, "Pa") << text;
+  }
+}
+
 /// The unit of a pure number is 1 (ISO 80000).
 TEST(TextTable, ReadsARowOfUnitsWithAOne) {
   for (const bool keepsTexts : {false, true}) {
