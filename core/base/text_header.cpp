@@ -363,7 +363,7 @@ bool areUnits(const std::vector<std::string>& fields) {
     if (!isUnitField(field) ||
         isOneOf(lowerCase(inner), WordList("data values daten werte profile")))
       ++others;
-    else if (inBrackets || inner.size() > 1 || inner == "m")
+    else if (inBrackets || inner == "m" || (inner.size() > 1 && !isOneOf(inner, "\u00B5 \u03BC")))
       ++sure;
   }
   return others == 0 ? sure > 0 : others == 1 && sure >= 2;

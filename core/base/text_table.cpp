@@ -420,9 +420,17 @@ class TableReader {
   void start(const TextLine& line) {
     // Separators at the ends of all lines make no column, unless it has a name.
     const auto isNamed = [this](std::size_t columns) {
-      return !above_.empty() && !splitNames(withoutCommentMark(above_.back().text, table_.dialect),
-                                            table_.dialect, columns)
-                                     .empty();
+      for (auto above = above_.rbegin(); above != above_.rend(); ++above) {
+        const std::string_view names = withoutCommentMark(above->text, table_.dialect);
+        if (!splitNames(names, table_.dialect, columns).empty()) return true;
+        // Names stand above their units, and the last column may have none.
+        std::vector<std::string_view> fields;
+        splitFields(names, table_.dialect.separator, fields);
+        const bool isEmpty = std::ranges::all_of(
+            fields, [](std::string_view field) { return trimmedField(field).empty(); });
+        if (!isEmpty && !areUnits({fields.begin(), fields.end()})) return false;
+      }
+      return false;
     };
     while (fields_.size() > 1 && trimmedBlanks(fields_.back()).empty() &&
            !isNamed(fields_.size())) {

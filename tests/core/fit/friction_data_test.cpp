@@ -491,6 +491,8 @@ TEST(FrictionData, RefusesWhatNoTestOfRubberReaches) {
   EXPECT_THAT(errorOf("v,mu\n1E+38,0.3\n2,0.4\n"), HasSubstr("row 2: the velocity is 1e38 m/s"));
   EXPECT_THAT(errorOf("v,mu,T (C)\n1,0.3,298.15\n2,0.4,298.15\n"),
               HasSubstr("row 2: the temperature is 571.3 K, which no test"));
+  EXPECT_THAT(errorOf("v,mu,T (K)\n1,0.3,25\n2,0.4,25\n"),
+              HasSubstr("row 2: a temperature of 25 K is too cold for rubber"));
   EXPECT_THAT(errorOf("v,mu,F (N)\n1,0.3,1E+38\n2,0.4,5\n"),
               HasSubstr("the normal force is 1e38 N"));
   EXPECT_THAT(errorOf("v (Mm/s),mu\n1,0.3\n2,0.4\n"), HasSubstr("the unit Mm/s is unknown"));
@@ -509,6 +511,20 @@ TEST(FrictionData, RefusesAVelocityBesideASlip) {
       parsed("V (km/h),v_slip (m/s),slip (%),mu\n30,1,2,0.3\n60,2,2,0.4\n").points[0].velocity, 1);
   EXPECT_THAT(errorOf("V (km/h),v (m/s),mu\n30,1,0.3\n60,2,0.4\n"),
               HasSubstr("has two columns of the velocity: V and v"));
+}
+
+/// Spreadsheets have empty columns at both sides, and rows of means below.
+TEST(FrictionData, ReadsTablesOfSpreadsheets) {
+  for (const char* text :
+       {";v;\u00B5;remark\n;[mm/s];[-];\n;1;0,3;\n;10;0,4;\n;100;0,5;\nMean;;0,4;\n",
+        ";v (mm/s);\u00B5\n;1;0,3\n;10;0,4\n;100;0,5\nMean;;0,4\n",
+        ";;;\nTest "
+        "A;;;\n;;;\n;v;\u00B5;remark\n;;;\n;mm/s;1;\n;1;0,3;\n;10;0,4;good\n;100;0,5;\n"}) {
+    const FrictionData data = parsed(text);
+    ASSERT_EQ(data.points.size(), 3U) << text;
+    EXPECT_DOUBLE_EQ(data.points[1].velocity, 0.01) << text;
+    EXPECT_DOUBLE_EQ(data.points[1].mu, 0.4) << text;
+  }
 }
 
 TEST(FrictionData, ReadsKineticAndNotStaticFriction) {
@@ -612,6 +628,8 @@ TEST(FrictionData, ReadsStatesSideBySide) {
   EXPECT_DOUBLE_EQ(loads.points[2].normalForce, 1);
   EXPECT_DOUBLE_EQ(
       parsed("v,mu (0.1 MPa),mu (0.2 MPa)\n1,0.3,0.2\n2,0.4,0.3\n").points[3].nominalPressure, 2e5);
+  EXPECT_DOUBLE_EQ(parsed("v,mu 1 bar,mu 3 bar\n1,0.3,0.2\n2,0.4,0.3\n").points[0].nominalPressure,
+                   1e5);
   const FrictionData errors = parsed(
       "v;T (C);mu 5 N (%);mu_error 5 N (%);mu 9 N (%);mu_error 9 N (%)\n1;20;30;1;20;2\n"
       "2;20;40;3;30;4\n");
