@@ -7095,6 +7095,10 @@
         <translation>Spalte %1: Reibkraft; ihr Betrag, geteilt durch die Normalkraft, ist die Reibungszahl</translation>
     </message>
     <message>
+        <source>line %1: %2 of the points below it (%3)</source>
+        <translation>Zeile %1: %2 der Punkte darunter (%3)</translation>
+    </message>
+    <message>
         <source>line %1: %2 of all points (%3)</source>
         <translation>Zeile %1: %2 aller Punkte (%3)</translation>
     </message>

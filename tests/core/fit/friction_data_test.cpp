@@ -111,9 +111,34 @@ TEST(FrictionData, ReadsUnitsInWords) {
   EXPECT_THAT(errorOf("v (m/s),mu (V)\n1,0.2\n2,0.3\n"), HasSubstr("the unit V is unknown"));
 }
 
+/// Lines above each of several tables may tell them apart; what stands above the first one alone
+/// holds for all.
+TEST(FrictionData, ReadsSeveralTablesWithTheirStates) {
+  const FrictionData data = parsed(
+      "Normal force: 30 N\nTemperature: 5 \u00B0C\nv (mm/s),mu\n1,0.2\n2,0.3\n\nTemperature: 25 "
+      "\u00B0C\nv (mm/s),mu\n1,0.1\n2,0.2\n\nTemperature: 60 \u00B0C\nv "
+      "(mm/s),mu\n1,0.05\n4,0.1\n");
+  ASSERT_EQ(data.points.size(), 6U);
+  EXPECT_DOUBLE_EQ(data.points[0].temperature, 278.15);
+  EXPECT_DOUBLE_EQ(data.points[3].temperature, 298.15);
+  EXPECT_DOUBLE_EQ(data.points[5].temperature, 333.15);
+  EXPECT_DOUBLE_EQ(data.points[5].velocity, 4e-3);
+  EXPECT_DOUBLE_EQ(data.points[5].mu, 0.1);
+  for (const MeasuredPoint& point : data.points) EXPECT_DOUBLE_EQ(point.normalForce, 30);
+  EXPECT_THAT(data.notes[1].english(),
+              HasSubstr("line 7: temperature of the points below it (Temperature: 25 \u00B0C)"));
+}
+
 TEST(FrictionData, RefusesSeveralTables) {
-  EXPECT_THAT(errorOf("at 25 C\nv,mu\n1,0.2\n2,0.3\n\nat 60 C\nv,mu\n1,0.1\n2,0.2\n"),
+  EXPECT_THAT(errorOf("wet\nv,mu\n1,0.2\n2,0.3\n\ndry\nv,mu\n1,0.1\n2,0.2\n"),
               HasSubstr("several tables of friction, at lines 3 and 8"));
+  // The second table may be at the temperature of the first, or at another one.
+  EXPECT_THAT(errorOf("T = 25 C\nv,mu\n1,0.2\n2,0.3\n\ndry\nv,mu\n3,0.1\n4,0.2\n"),
+              HasSubstr("several tables of friction, at lines 3 and 8"));
+  EXPECT_THAT(errorOf("v,mu\n1,0.2\n2,0.3\n\nT = 25 C\nv,mu\n3,0.1\n4,0.2\n"),
+              HasSubstr("several tables of friction, at lines 2 and 7"));
+  EXPECT_THAT(errorOf("T = 25 C\nv,mu\n1,0.2\n2,0.3\n\nT = 25 C\nv,mu\n1,0.1\n4,0.2\n"),
+              HasSubstr("row 8: has the velocity of row 3"));
 }
 
 TEST(FrictionData, ReadsPressureAndRelativeErrors) {
