@@ -89,6 +89,10 @@ std::optional<KeyPlace> placeOf(std::string_view key, const LengthNames& names, 
   std::string text = lowerCase(key);
   std::ranges::replace_if(
       text, [](char letter) { return letter == '-' || letter == '_'; }, ' ');
+  // "Punktabstand dx" has the name and the symbol.
+  for (const std::string_view sign : WordList("d \u03B4 \u0394 \u2206"))
+    if (const std::string symbol = " " + std::string(sign) + axis; text.ends_with(symbol))
+      text.resize(text.size() - symbol.size());
   const std::string_view whole = text;
   const auto behind = whole.starts_with(axis) ? trimmedBlanks(whole.substr(1)) : "";
   const auto before = whole.ends_with(axis) ? trimmedBlanks(whole.substr(0, whole.size() - 1)) : "";
