@@ -417,6 +417,19 @@ class TableReader {
            readField(fields.front(), table_.dialect.decimal).kind == FieldKind::Number;
   }
 
+  /// Leaves out damaged rows right below the open block.
+  void leaveOutBelow() {
+    std::size_t next = block().lines.back() + 1;
+    for (const TextLine& line : above_) {
+      std::vector<std::string_view> fields;
+      split(line.text, fields);
+      if (line.number != next++ || isComment(line.text) || !beginsAsNumber(line.text) ||
+          fields.size() != block().columns.size())
+        return;
+      leaveOut(line);
+    }
+  }
+
   void start(const TextLine& line) {
     // Separators at the ends of all lines make no column, unless it has a name.
     const auto isNamed = [this](std::size_t columns) {
@@ -437,7 +450,10 @@ class TableReader {
       fields_.pop_back();
       kinds_.pop_back();
     }
-    if (isOpen_) endBlock();
+    if (isOpen_) {
+      leaveOutBelow();
+      endBlock();
+    }
     if (!above_.empty() && isDamagedRow(above_.back(), line)) leaveOut(above_.back());
     hasNumbers_.assign(fields_.size(), false);
     TextBlock fresh;
@@ -582,6 +598,18 @@ Message unclearMark(char decimal) {
   return message(
       "All marks in the numbers stand before three digits: '{}' is taken for the decimal mark.",
       std::string(1, decimal));
+}
+
+std::optional<Message> leftOutLines(const TextTable& table) {
+  const std::vector<std::uint32_t>& lines = table.leftOut;
+  if (lines.empty()) return {};
+  if (lines.size() == 1)
+    return message("Line {} is left out: it begins with a number and is no row of the table.",
+                   lines.front());
+  return message(
+      "{} lines, the first is line {}, are left out: they begin with a number and are no rows of "
+      "the table.",
+      lines.size(), lines.front());
 }
 
 void refuseUnclearMark(const TextTable& table, const std::string& name) {

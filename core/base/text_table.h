@@ -68,8 +68,8 @@ struct TextTable {
   TextDialect dialect{};
   std::vector<TextBlock> blocks{};   // at least one
   std::vector<TextEntry> trailer{};  // lines after the last block
-  /// The numbers of lines that look like rows but are not: damaged ones right above a block, and
-  /// those after the last block that begin with a number.
+  /// The numbers of lines that look like rows but are not: damaged ones right above or below a
+  /// block, and those after the last block that begin with a number.
   std::vector<std::uint32_t> leftOut{};
 
   /// Returns the block with the most numbers; of equal ones the first.
@@ -112,6 +112,10 @@ void undoLogarithms(TextTable& table, const std::function<bool(const std::string
 
 /// Says that the marks in the numbers may separate thousands as well (TextDialect::isUnclear).
 Message unclearMark(char decimal);
+
+/// Says which lines that begin with a number are no rows (TextTable::leftOut); nothing where there
+/// are none.
+std::optional<Message> leftOutLines(const TextTable& table);
 
 /// Refuses a table whose marks are unclear, where nobody would see the note. Throws InputError.
 void refuseUnclearMark(const TextTable& table, const std::string& name);

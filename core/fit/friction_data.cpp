@@ -147,6 +147,7 @@ FrictionData readPoints(const TextTable& table, const std::string& name) {
     TextBlock block = *one;
     unifyUnits(block, name);
     const FrictionRoles roles = findRoles(block, name);
+    refuseUnitsElsewhere(table, *one, roles, name);
     const HeaderMark mark = decimalMark(block, table.dialect);
     HeaderStatements header = readHeader(
         block.header, mark, [&](Quantity quantity) { return roles.isGiven(quantity); }, name);
@@ -172,6 +173,7 @@ FrictionData readPoints(const TextTable& table, const std::string& name) {
     if (!first) first = std::move(header);
   }
   std::ranges::move(slipNotes(data.points), std::back_inserter(data.notes));
+  if (auto leftOut = leftOutLines(table)) data.notes.push_back(std::move(*leftOut));
   if (table.dialect.isUnclear) data.notes.push_back(unclearMark(table.dialect.decimal));
   return data;
 }

@@ -325,6 +325,26 @@ bool FrictionRoles::areErrorsUsed(const TextBlock& block, std::size_t index) con
   });
 }
 
+void refuseUnitsElsewhere(const TextTable& table, const TextBlock& block,
+                          const FrictionRoles& roles, const std::string& name) {
+  for (const FrictionRole& role : roles.columns) {
+    const TextColumn& column = block.columns[role.index];
+    if (!column.unit.empty() || column.isOfNames || role.conversion.isForce) continue;
+    const auto found = unitOfNoNumber(table, block, [&role](const std::string& word) {
+      // One letter may mean anything.
+      const auto unit = word.size() > 1 ? unitOfQuantity(word, role.quantity) : std::nullopt;
+      return unit && (unit->toSi(1) != 1 || role.quantity == Quantity::Temperature);
+    });
+    if (found)
+      throw InputError(
+          name, "",
+          message("column {}: has no unit, and line {} names '{}'; write the unit into the name, "
+                  "as in \"{} ({})\"",
+                  shortened(block.label(role.index)), found->line, shortened(found->word),
+                  shortened(column.name), shortened(found->word)));
+  }
+}
+
 void requireQuantities(const TextBlock& block, const FrictionRoles& roles,
                        const std::function<bool(FrictionQuantity)>& isStated,
                        const std::string& name) {

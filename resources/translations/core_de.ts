@@ -7051,6 +7051,14 @@
         <translation>%1: %2, was keine Messung an Gummi erreicht; den Wert oder seine Einheit berichtigen, oder ihn leer lassen, wo er für einen fehlenden Wert steht</translation>
     </message>
     <message>
+        <source>column %1: has no unit, and line %2 names '%3'; write the unit into the name, as in &quot;%4 (%5)&quot;</source>
+        <translation>Spalte %1: ohne Einheit, und Zeile %2 nennt '%3'; die Einheit in den Namen schreiben, wie &quot;%4 (%5)&quot;</translation>
+    </message>
+    <message>
+        <source>has no unit, and line %1 names '%2'; %3 says which is meant</source>
+        <translation>hat keine Einheit, und Zeile %1 nennt '%2'; %3 sagt, welche gemeint ist</translation>
+    </message>
+    <message>
         <source>rows %1 and %2 have the velocity above the table, and no load, temperature or label tells them apart; give the velocity of each row in a column, as in &quot;v (m/s)&quot;</source>
         <translation>die Zeilen %1 und %2 haben die Geschwindigkeit über der Tabelle, und keine Last, Temperatur oder Bezeichnung unterscheidet sie; die Geschwindigkeit jeder Zeile in einer Spalte angeben, wie &quot;v (m/s)&quot;</translation>
     </message>

@@ -804,6 +804,32 @@ TEST(DmaFile, InstrumentsHaveHeadersOfTheirOwn) {
   expectRow(mettler.rows[1], 293.15, 10, 3e6, 9e5);
 }
 
+/// A unit that stands beside the columns is not passed over: it would change the numbers.
+TEST(DmaFile, AUnitThatStandsElsewhereIsAskedFor) {
+  const std::string rows = "20,1,2.5e6,5e5\n20,10,3.5e6,9e5\n", names = "T (C),f,G',G''\n";
+  for (const char* line : {"f in rad/s", "Angular frequency sweep", "Frequency unit: rad/s"})
+    EXPECT_THAT(errorOf(line + ("\n" + names) + rows),
+                HasSubstr("f: has no unit, and line 1 names "))
+        << line;
+  EXPECT_THAT(errorOf(names + rows + "f in rad/s\n"), HasSubstr("line 4 names 'rad/s'"));
+  EXPECT_THAT(errorOf("moduli in kPa\n" + names + rows),
+              HasSubstr("G': has no unit, and line 1 names 'kPa'; --modulus-unit says"));
+  DmaChoices choices;
+  choices.frequencyUnit = "Hz";
+  EXPECT_EQ(read("f in rad/s\n" + names + rows, choices).rows.size(), 2u);
+  for (const char* line : {"f in Hz", "moduli in Pa", "Strain rate 20 rad/s"})
+    EXPECT_EQ(read(line + ("\n" + names) + rows).rows.size(), 2u) << line;
+}
+
+/// A row that cannot be read is not lost in silence, also where another block follows.
+TEST(DmaFile, DamagedRowsBelowABlockAreSaid) {
+  const std::string names = "f (Hz);G' (MPa);G'' (MPa)\n", good = "1;2;0,4\n10;3;0,5\n";
+  const DmaFile file = read("T = 20 C\n" + names + good + "100;4;<1\n\nT = 40 C\n" + names + good);
+  EXPECT_EQ(file.rows.size(), 4u);
+  EXPECT_EQ(file.facts.notes.back().english(),
+            "Line 5 is left out: it begins with a number and is no row of the table.");
+}
+
 /// A header in pascals above numbers in megapascals is a common slip.
 TEST(DmaFile, ModuliOfNoRubberAreSaid) {
   const auto lastNote = [](const std::string& unit) {
