@@ -287,9 +287,26 @@ class RoleFinder {
     if (heightChoice_ >= 0)
       roles_.z = heightChoice_;
     else if (!roles_.heights.empty())
-      roles_.z = roles_.heights.front();
+      roles_.z = firstHeights();
     else if (roles_.x >= 0 && positionChoice_ < 0)
       std::swap(roles_.x, roles_.z);  // a single column holds heights, whatever its name
+  }
+
+  /// Returns the first column of heights that has different ones, such as "Z" behind "Z-Pos" of the
+  /// stage; the first column where there is none.
+  int firstHeights() const {
+    const auto varies = [this](int column) {
+      const auto number = static_cast<std::size_t>(column);
+      double first = std::nan("");
+      for (std::size_t row = 0; row < block_.rows; ++row) {
+        const double value = block_.at(row, number);
+        if (std::isnan(first)) first = value;
+        if (!std::isnan(value) && value != first) return true;
+      }
+      return false;
+    };
+    const auto found = std::ranges::find_if(roles_.heights, varies);
+    return found != roles_.heights.end() ? *found : roles_.heights.front();
   }
 
   /// Puts the primary profile in front of what a filter made of it: the long waves decide where the

@@ -258,8 +258,8 @@ TEST(FrictionHeader, RefusesAColumnWhoseUnitStandsElsewhere) {
                           "name, as in \"v (mm/s)\""))
         << line;
   EXPECT_THAT(errorOf("v,mu\n1,0.2\n10,0.3\nv in mm/s\n"), HasSubstr("line 4 names 'mm/s'"));
-  EXPECT_THAT(errorOf("All loads are in kN\nv (m/s),F,mu\n1,2,0.2\n10,2,0.3\n"),
-              HasSubstr("column F: has no unit, and line 1 names 'kN'"));
+  EXPECT_THAT(errorOf("All loads are in kN\nv (m/s),Fn,mu\n1,2,0.2\n10,2,0.3\n"),
+              HasSubstr("column Fn: has no unit, and line 1 names 'kN'"));
   for (const char* line : {"v in m/s", "pulled back at 20 mm/s", "Units: mm/s, 1"})
     EXPECT_EQ(parsed(std::string(line) + "\nv,mu\n1,0.2\n10,0.3\n").points.size(), 2U) << line;
   EXPECT_DOUBLE_EQ(parsed("v in m/s, not mm/s\nv (mm/s),mu\n1,0.2\n10,0.3\n").points[0].velocity,

@@ -333,6 +333,12 @@ TEST(SeveralColumns, OfOneProfileGiveThePrimaryProfile) {
   }
 }
 
+TEST(SeveralColumns, OfOneHeightAloneGiveWayToOthers) {
+  std::string text = "X-Pos (um);Z-Pos (mm);Z (um)\n";
+  for (int i = 0; i < 20; ++i) text += fmt::format("{};10.0;{}\n", 0.5 * i, i % 5);
+  EXPECT_NEAR(read(text).topography.height[4], 4e-6, 1e-15);
+}
+
 TEST(SeveralTables, OfOneSizeWithoutANameAreTold) {
   const std::string head = "Spacing: 2 um\nZ unit: um\nz: um\n";
   const MeasuredFile file = read(head + "A\n" + tableOf(true) + "B\n" + tableOf(false));
