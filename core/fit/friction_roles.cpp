@@ -338,10 +338,11 @@ void refuseUnitsElsewhere(const TextTable& table, const TextBlock& block,
     if (found)
       throw InputError(
           name, "",
-          message("column {}: has no unit, and line {} names '{}'; write the unit into the name, "
-                  "as in \"{} ({})\"",
-                  shortened(block.label(role.index)), found->line, shortened(found->word),
-                  shortened(column.name), shortened(found->word)));
+          message("column {}: {}", shortened(block.label(role.index)),
+                  message("has no unit, and line {} names '{}'; write the unit into the name, as "
+                          "in \"{} ({})\"",
+                          found->line, shortened(found->word), shortened(column.name),
+                          shortened(found->word))));
   }
 }
 

@@ -7051,8 +7051,8 @@
         <translation>%1: %2, was keine Messung an Gummi erreicht; den Wert oder seine Einheit berichtigen, oder ihn leer lassen, wo er für einen fehlenden Wert steht</translation>
     </message>
     <message>
-        <source>column %1: has no unit, and line %2 names '%3'; write the unit into the name, as in &quot;%4 (%5)&quot;</source>
-        <translation>Spalte %1: ohne Einheit, und Zeile %2 nennt '%3'; die Einheit in den Namen schreiben, wie &quot;%4 (%5)&quot;</translation>
+        <source>has no unit, and line %1 names '%2'; write the unit into the name, as in &quot;%3 (%4)&quot;</source>
+        <translation>hat keine Einheit, und Zeile %1 nennt '%2'; die Einheit in den Namen schreiben, wie &quot;%3 (%4)&quot;</translation>
     </message>
     <message>
         <source>has no unit, and line %1 names '%2'; %3 says which is meant</source>
