@@ -23,7 +23,8 @@ ModulusKind modulusKind(std::string_view word) {
   if (containsOneOf(word, "shear schub torsion")) return ModulusKind::Shear;
   if (containsOneOf(word, "young tensil tension zug bend biege compress"))
     return ModulusKind::Tension;
-  if (beginsWithOneOf(word, "j |j eta |eta \u03B7 |\u03B7") || containsOneOf(word, "viscosi viskosi"))
+  if (beginsWithOneOf(word, "j |j eta |eta \u03B7 |\u03B7") ||
+      containsOneOf(word, "viscosi viskosi"))
     return ModulusKind::Shear;
   if (beginsWithOneOf(word, "d' d* |d") || containsOneOf(word, "complianced' complianced*"))
     return ModulusKind::Tension;
