@@ -600,16 +600,24 @@ Message unclearMark(char decimal) {
       std::string(1, decimal));
 }
 
-std::optional<Message> leftOutLines(const TextTable& table) {
+std::vector<Message> doubtsAbout(const TextTable& table) {
+  std::vector<Message> doubts;
   const std::vector<std::uint32_t>& lines = table.leftOut;
-  if (lines.empty()) return {};
   if (lines.size() == 1)
-    return message("Line {} is left out: it begins with a number and is no row of the table.",
-                   lines.front());
-  return message(
-      "{} lines, the first is line {}, are left out: they begin with a number and are no rows of "
-      "the table.",
-      lines.size(), lines.front());
+    doubts.push_back(message(
+        "Line {} is left out: it begins with a number and is no row of the table.", lines.front()));
+  if (lines.size() > 1)
+    doubts.push_back(
+        message("{} lines, the first is line {}, are left out: they begin with a number and are no "
+                "rows of the table.",
+                lines.size(), lines.front()));
+  if (table.dialect.hasThousandsAlone)
+    doubts.push_back(message(
+        "All numbers of a column have a '{}' before their last three digits and are read as "
+        "thousands: '{}' is the decimal mark of the others.",
+        std::string(1, table.dialect.decimal == '.' ? ',' : '.'),
+        std::string(1, table.dialect.decimal)));
+  return doubts;
 }
 
 void refuseUnclearMark(const TextTable& table, const std::string& name) {

@@ -113,9 +113,9 @@ void undoLogarithms(TextTable& table, const std::function<bool(const std::string
 /// Says that the marks in the numbers may separate thousands as well (TextDialect::isUnclear).
 Message unclearMark(char decimal);
 
-/// Says which lines that begin with a number are no rows (TextTable::leftOut); nothing where there
-/// are none.
-std::optional<Message> leftOutLines(const TextTable& table);
+/// Says which lines that begin with a number are no rows (TextTable::leftOut), and that the marks
+/// in a column may be decimal marks (TextDialect::hasThousandsAlone).
+std::vector<Message> doubtsAbout(const TextTable& table);
 
 /// Refuses a table whose marks are unclear, where nobody would see the note. Throws InputError.
 void refuseUnclearMark(const TextTable& table, const std::string& name);

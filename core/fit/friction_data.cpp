@@ -173,7 +173,7 @@ FrictionData readPoints(const TextTable& table, const std::string& name) {
     if (!first) first = std::move(header);
   }
   std::ranges::move(slipNotes(data.points), std::back_inserter(data.notes));
-  if (auto leftOut = leftOutLines(table)) data.notes.push_back(std::move(*leftOut));
+  std::ranges::move(doubtsAbout(table), std::back_inserter(data.notes));
   if (table.dialect.isUnclear) data.notes.push_back(unclearMark(table.dialect.decimal));
   return data;
 }

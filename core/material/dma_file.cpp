@@ -310,7 +310,7 @@ DmaFile readDmaFile(TextTable table, const std::string& name, const DmaChoices& 
       table, [](const std::string& quantity) { return dmaColumn(quantity, {}).quantity != None; });
   DmaFile file = Reader(table, name, choices).read();
   readShift(table, name, choices, file);
-  if (auto leftOut = leftOutLines(table)) file.facts.notes.push_back(std::move(*leftOut));
+  std::ranges::move(doubtsAbout(table), std::back_inserter(file.facts.notes));
   std::ranges::move(ofCells, std::back_inserter(file.facts.notes));
   file.facts.isMarkUnclear = table.dialect.isUnclear;
   file.facts.decimal = table.dialect.decimal;

@@ -228,7 +228,7 @@ std::optional<RawSeries> tableSeries(TextTable table, const std::string& name,
   if (!rows) return {};
   readModuli(table, *block, *rows, name, choices, series);
   readTemperature(table, *block, name, choices, series);
-  if (auto leftOut = leftOutLines(table)) series.notes.push_back(std::move(*leftOut));
+  std::ranges::move(doubtsAbout(table), std::back_inserter(series.notes));
   return series;
 }
 

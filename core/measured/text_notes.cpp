@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -144,7 +145,7 @@ void addAssumptions(const TextTable& table, std::uint32_t lineOfCount,
   if (lineOfCount > 0)
     notes.push_back(
         message("Line {} is left out: it is the number of the heights below it.", lineOfCount));
-  if (auto leftOut = leftOutLines(table)) notes.push_back(std::move(*leftOut));
+  std::ranges::move(doubtsAbout(table), std::back_inserter(notes));
   if (table.dialect.isUnclear) notes.push_back(unclearMark(table.dialect.decimal));
 }
 

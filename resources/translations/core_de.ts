@@ -3767,6 +3767,10 @@
         <translation>%1 Zeilen, die erste ist Zeile %2, bleiben weg: Sie beginnen mit einer Zahl und sind keine Zeilen der Tabelle.</translation>
     </message>
     <message>
+        <source>All numbers of a column have a '%1' before their last three digits and are read as thousands: '%2' is the decimal mark of the others.</source>
+        <translation>Alle Zahlen einer Spalte haben ein '%1' vor den letzten drei Ziffern und werden als Tausender gelesen: '%2' ist das Dezimalzeichen der anderen.</translation>
+    </message>
+    <message>
         <source>All marks in the numbers stand before three digits: &apos;%1&apos; is taken for the decimal mark.</source>
         <translation>Alle Zeichen in den Zahlen stehen vor drei Ziffern: „%1“ gilt als Dezimalzeichen.</translation>
     </message>
