@@ -346,7 +346,14 @@ namespace {
 
 using Fields = std::vector<std::string>;
 
-bool isUnitField(const std::string& field) {
+/// Returns a field of a row of units without "in": "in mm".
+std::string_view withoutIn(std::string_view field) {
+  field = trimmedField(field);
+  return field.starts_with("in ") ? trimmedBlanks(field.substr(3)) : field;
+}
+
+bool isUnitField(std::string_view field) {
+  field = withoutIn(field);
   return field == "1" || isKnownUnit(field) ||
          withoutBrackets(field).size() != trimmedField(field).size();
 }
@@ -357,8 +364,8 @@ bool areUnits(const std::vector<std::string>& fields) {
   std::size_t sure = 0, others = 0;
   for (const std::string& field : fields) {
     if (trimmedField(field).empty()) continue;
-    const std::string_view inner = withoutBrackets(field);
-    const bool inBrackets = inner.size() != trimmedField(field).size();
+    const std::string_view inner = withoutBrackets(withoutIn(field));
+    const bool inBrackets = inner.size() != withoutIn(field).size();
     // "[Data]" is the head of a section.
     if (!isUnitField(field) ||
         isOneOf(lowerCase(inner), WordList("data values daten werte profile")))
@@ -516,7 +523,7 @@ std::vector<TextColumn> namedColumns(const std::vector<TextLine>& above, const T
       named[i].unit = name.unit;
     }
     if (units != rows.end())
-      if (const std::string_view unit = withoutBrackets((*units)[i]);
+      if (const std::string_view unit = withoutBrackets(withoutIn((*units)[i]));
           !unit.empty() && isUnitField((*units)[i]))
         named[i].unit = unit;
   }

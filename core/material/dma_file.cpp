@@ -136,6 +136,25 @@ class Reader {
     if (std::ranges::find(notes, note) == notes.end()) notes.push_back(std::move(note));
   }
 
+  /// Returns the numbers of a column of temperatures. Where most rows with a modulus have none, as
+  /// below merged cells of a spreadsheet, each holds for the rows below it.
+  std::vector<double> temperaturesOf(const TextBlock& block, std::size_t column,
+                                     std::size_t modulus) {
+    std::vector<double> numbers = block.column(column);
+    std::size_t measured = 0, missing = 0;
+    for (std::size_t row = 0; row < block.rows; ++row) {
+      if (std::isnan(block.at(row, modulus))) continue;
+      ++measured;
+      missing += std::isnan(numbers[row]) ? 1 : 0;
+    }
+    if (missing == 0 || 2 * missing < measured || std::isnan(numbers.front())) return numbers;
+    addNote(message("{} stands in the first row of each sweep alone: it holds for the rows below",
+                    Message::name(block.label(column))));
+    for (std::size_t row = 1; row < numbers.size(); ++row)
+      if (std::isnan(numbers[row])) numbers[row] = numbers[row - 1];
+    return numbers;
+  }
+
   /// Reads the rows of one block, or of one temperature in a table of several.
   void readSweep(const DmaBlock& in, const SweepColumns& columns, bool isSideBySide) {
     DmaFacts& facts = file_.facts;
@@ -170,13 +189,15 @@ class Reader {
     facts.loss = moduli.loss;
     facts.modulus = moduli.kind;
     for (Message& note : moduli.notes) addNote(std::move(note));
+    std::vector<double> temperatures;
+    if (!oneTemperature)
+      temperatures = temperaturesOf(in.block, columns[Temperature], moduli.first);
     for (std::size_t row = 0; row < in.block.rows; ++row) {
       const double hertz =
           hasFrequencies ? in.block.at(row, frequencyAt) * frequency.size : *columns.frequency;
       const double first = in.block.at(row, moduli.first) * moduli.firstSize;
       const double second = in.block.at(row, moduli.second) * moduli.secondSize;
-      const double temperature =
-          oneTemperature ? *oneTemperature : scale.toSi(in.block.at(row, columns[Temperature]));
+      const double temperature = oneTemperature ? *oneTemperature : scale.toSi(temperatures[row]);
       if (!std::isfinite(hertz) || !std::isfinite(first) || !std::isfinite(second) ||
           !std::isfinite(temperature)) {
         // Some of the sweeps side by side may end before the others.

@@ -4435,6 +4435,10 @@
         <translation>das Gleichgewicht wurde nicht gemessen: bei der niedrigsten Frequenz, %1, ist der Speichermodul das %2-Fache von G∞</translation>
     </message>
     <message>
+        <source>%1 stands in the first row of each sweep alone: it holds for the rows below</source>
+        <translation>%1 steht nur in der ersten Zeile jeder Messreihe: der Wert gilt für die Zeilen darunter</translation>
+    </message>
+    <message>
         <source>has no unit, and %1 Pa would be no rubber; say --modulus-unit MPa or another one</source>
         <translation>hat keine Einheit, und %1 Pa wären kein Gummi; --modulus-unit MPa oder eine andere angeben</translation>
     </message>

@@ -476,6 +476,13 @@ TEST(TextTable, PassesOverRowsOfSeparatorsAboveTheNumbers) {
   }
 }
 
+TEST(TextTable, ReadsARowOfUnitsWithIn) {
+  const TextTable made = read("Weg;H\u00F6he\nin mm;in um\n0;1.5\n1;2.5\n");
+  EXPECT_EQ(made.largest().columns[0].name, "Weg");
+  EXPECT_EQ(made.largest().columns[0].unit, "mm");
+  EXPECT_EQ(made.largest().columns[1].unit, "um");
+}
+
 /// The unit of a pure number is 1 (ISO 80000).
 TEST(TextTable, ReadsARowOfUnitsWithAOne) {
   for (const bool keepsTexts : {false, true}) {

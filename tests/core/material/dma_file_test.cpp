@@ -804,6 +804,21 @@ TEST(DmaFile, InstrumentsHaveHeadersOfTheirOwn) {
   expectRow(mettler.rows[1], 293.15, 10, 3e6, 9e5);
 }
 
+/// Merged cells of a spreadsheet are empty but for the first one.
+TEST(DmaFile, ATemperatureMayStandInTheFirstRowOfASweepAlone) {
+  const std::string names = "T (C);f (Hz);G' (MPa);G'' (MPa)\n";
+  const DmaFile file = read(names + "20;1;2;0,4\n;10;3;0,5\n;100;4;0,6\n40;1;1;0,2\n;10;2;0,3\n");
+  ASSERT_EQ(file.rows.size(), 5u);
+  expectRow(file.rows[2], 293.15, 100, 4e6, 6e5);
+  expectRow(file.rows[4], 313.15, 10, 2e6, 3e5);
+  EXPECT_EQ(file.facts.notes.back().english(),
+            "T stands in the first row of each sweep alone: it holds for the rows below");
+  // One that is missing among others is that of no other row.
+  const DmaFile lost = read(names + "20;1;2;0,4\n;10;3;0,5\n20;100;4;0,6\n40;1;1;0,2\n");
+  EXPECT_EQ(lost.rows.size(), 3u);
+  EXPECT_EQ(lost.facts.leftOut, 1u);
+}
+
 /// A unit that stands beside the columns is not passed over: it would change the numbers.
 TEST(DmaFile, AUnitThatStandsElsewhereIsAskedFor) {
   const std::string rows = "20,1,2.5e6,5e5\n20,10,3.5e6,9e5\n", names = "T (C),f,G',G''\n";
