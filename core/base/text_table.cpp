@@ -594,6 +594,26 @@ void undoLogarithms(TextTable& table, const std::function<bool(const std::string
     }
 }
 
+std::optional<std::vector<double>> filledDown(const TextBlock& block, std::size_t column,
+                                              std::size_t other) {
+  std::vector<double> numbers = block.column(column);
+  std::size_t rows = 0, missing = 0;
+  for (std::size_t row = 0; row < block.rows; ++row) {
+    if (std::isnan(block.at(row, other))) continue;
+    ++rows;
+    missing += std::isnan(numbers[row]) ? 1 : 0;
+  }
+  if (missing == 0 || 2 * missing < rows || std::isnan(numbers.front())) return {};
+  for (std::size_t row = 1; row < numbers.size(); ++row)
+    if (std::isnan(numbers[row])) numbers[row] = numbers[row - 1];
+  return numbers;
+}
+
+Message standsInFirstRows(const std::string& name) {
+  return message("{} stands in the first row of each group alone: it holds for the rows below it",
+                 Message::name(name));
+}
+
 Message unclearMark(char decimal) {
   return message(
       "All marks in the numbers stand before three digits: '{}' is taken for the decimal mark.",

@@ -110,6 +110,15 @@ TextTable readTextTable(std::string_view bytes, const std::string& name,
 /// a name without the logarithm.
 void undoLogarithms(TextTable& table, const std::function<bool(const std::string&)>& isQuantity);
 
+/// Returns a column whose numbers hold for the rows below them up to the next one, as merged cells
+/// of a spreadsheet do; nothing where it is none: at least half of the rows with a number in the
+/// other column have none.
+std::optional<std::vector<double>> filledDown(const TextBlock& block, std::size_t column,
+                                              std::size_t other);
+
+/// Says that a column was read so. name: of the column.
+Message standsInFirstRows(const std::string& name);
+
 /// Says that the marks in the numbers may separate thousands as well (TextDialect::isUnclear).
 Message unclearMark(char decimal);
 

@@ -113,6 +113,22 @@ std::vector<Message> notesOn(const TextBlock& block, const FrictionRoles& roles,
   return notes;
 }
 
+/// Fills loads and temperatures that stand in the first row of each group alone; returns notes on
+/// them.
+std::vector<Message> fillGroups(TextBlock& block, const FrictionRoles& roles) {
+  std::vector<Message> notes;
+  for (const Quantity quantity : kLoadsAndTemperature) {
+    const FrictionRole* role = roles.find(quantity);
+    if (role == nullptr) continue;
+    const auto filled = filledDown(block, role->index, roles.find(Quantity::Mu)->index);
+    if (!filled) continue;
+    for (std::size_t row = 0; row < block.rows; ++row)
+      block.values[row * block.columns.size() + role->index] = (*filled)[row];
+    notes.push_back(standsInFirstRows(block.label(role->index)));
+  }
+  return notes;
+}
+
 /// Returns the tables of friction; the largest table where there is none by its names.
 std::vector<const TextBlock*> tablesOfFriction(const TextTable& table) {
   std::vector<const TextBlock*> found;
@@ -123,7 +139,7 @@ std::vector<const TextBlock*> tablesOfFriction(const TextTable& table) {
 
 /// Completes what the lines above a further table state by those above the first one. Returns
 /// whether they tell the tables apart: each states the same loads or temperatures as the first.
-bool complete(HeaderStatements& header, const HeaderStatements& first) {
+bool completeStatements(HeaderStatements& header, const HeaderStatements& first) {
   const auto states = [](const HeaderStatements& statements, Quantity quantity) {
     return std::ranges::find(statements.common, quantity, &HeaderStatement::quantity) !=
            statements.common.end();
@@ -151,7 +167,7 @@ FrictionData readPoints(const TextTable& table, const std::string& name) {
     const HeaderMark mark = decimalMark(block, table.dialect);
     HeaderStatements header = readHeader(
         block.header, mark, [&](Quantity quantity) { return roles.isGiven(quantity); }, name);
-    if (first && !complete(header, *first))
+    if (first && !completeStatements(header, *first))
       throw InputError(name, "",
                        message("has several tables of friction, at lines {} and {}; each needs a "
                                "file of its own, or all one table with a column that tells them "
@@ -164,10 +180,12 @@ FrictionData readPoints(const TextTable& table, const std::string& name) {
                  header.common.end();
         },
         name);
+    std::vector<Message> ofGroups = fillGroups(block, roles);
     FrictionRows rows = readRows(block, roles, header.common, name);
     std::ranges::move(rows.points, std::back_inserter(data.points));
     std::ranges::move(notesOn(block, roles, header, mark, tables.size() == 1),
                       std::back_inserter(data.notes));
+    std::ranges::move(ofGroups, std::back_inserter(data.notes));
     std::ranges::move(rows.notes, std::back_inserter(data.notes));
     if (one == tables.back()) checkPoints(data.points, block, roles, name);
     if (!first) first = std::move(header);

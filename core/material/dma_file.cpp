@@ -136,23 +136,14 @@ class Reader {
     if (std::ranges::find(notes, note) == notes.end()) notes.push_back(std::move(note));
   }
 
-  /// Returns the numbers of a column of temperatures. Where most rows with a modulus have none, as
-  /// below merged cells of a spreadsheet, each holds for the rows below it.
+  /// Returns the numbers of a column of temperatures, which may stand in the first row of each
+  /// sweep alone.
   std::vector<double> temperaturesOf(const TextBlock& block, std::size_t column,
                                      std::size_t modulus) {
-    std::vector<double> numbers = block.column(column);
-    std::size_t measured = 0, missing = 0;
-    for (std::size_t row = 0; row < block.rows; ++row) {
-      if (std::isnan(block.at(row, modulus))) continue;
-      ++measured;
-      missing += std::isnan(numbers[row]) ? 1 : 0;
-    }
-    if (missing == 0 || 2 * missing < measured || std::isnan(numbers.front())) return numbers;
-    addNote(message("{} stands in the first row of each sweep alone: it holds for the rows below",
-                    Message::name(block.label(column))));
-    for (std::size_t row = 1; row < numbers.size(); ++row)
-      if (std::isnan(numbers[row])) numbers[row] = numbers[row - 1];
-    return numbers;
+    auto filled = filledDown(block, column, modulus);
+    if (!filled) return block.column(column);
+    addNote(standsInFirstRows(block.label(column)));
+    return std::move(*filled);
   }
 
   /// Reads the rows of one block, or of one temperature in a table of several.

@@ -4435,8 +4435,8 @@
         <translation>das Gleichgewicht wurde nicht gemessen: bei der niedrigsten Frequenz, %1, ist der Speichermodul das %2-Fache von G∞</translation>
     </message>
     <message>
-        <source>%1 stands in the first row of each sweep alone: it holds for the rows below</source>
-        <translation>%1 steht nur in der ersten Zeile jeder Messreihe: der Wert gilt für die Zeilen darunter</translation>
+        <source>%1 stands in the first row of each group alone: it holds for the rows below it</source>
+        <translation>%1 steht nur in der ersten Zeile jeder Gruppe: der Wert gilt für die Zeilen darunter</translation>
     </message>
     <message>
         <source>has no unit, and %1 Pa would be no rubber; say --modulus-unit MPa or another one</source>

@@ -552,6 +552,21 @@ TEST(FrictionData, ReadsTablesOfSpreadsheets) {
   }
 }
 
+/// Merged cells of a spreadsheet are empty but for the first one.
+TEST(FrictionData, ReadsLoadsAndTemperaturesOfGroups) {
+  const FrictionData data = parsed(
+      "T (C);F (N);v;mu\n5;10;1;0.2\n;;10;0.3\n;20;1;0.3\n;;10;0.4\n25;10;1;0.1\n;;10;0.2\n");
+  ASSERT_EQ(data.points.size(), 6U);
+  EXPECT_DOUBLE_EQ(data.points[3].temperature, 278.15);
+  EXPECT_DOUBLE_EQ(data.points[3].normalForce, 20);
+  EXPECT_DOUBLE_EQ(data.points[5].temperature, 298.15);
+  EXPECT_DOUBLE_EQ(data.points[5].normalForce, 10);
+  EXPECT_EQ(data.notes[1].english(),
+            "F stands in the first row of each group alone: it holds for the rows below it");
+  // One that is missing among others is that of no other row.
+  EXPECT_EQ(parsed("T (C);v;mu\n5;1;0.2\n;2;0.3\n5;3;0.3\n5;4;0.3\n").points.size(), 3U);
+}
+
 TEST(FrictionData, ReadsKineticAndNotStaticFriction) {
   for (const char* names : {"Static COF,Kinetic COF", "\u00B5 Haft,\u00B5 Gleit", "\u00B5s,\u00B5d",
                             "us,COF kinetic", "static friction,Coefficient of kinetic friction"})

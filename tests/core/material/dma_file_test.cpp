@@ -812,7 +812,7 @@ TEST(DmaFile, ATemperatureMayStandInTheFirstRowOfASweepAlone) {
   expectRow(file.rows[2], 293.15, 100, 4e6, 6e5);
   expectRow(file.rows[4], 313.15, 10, 2e6, 3e5);
   EXPECT_EQ(file.facts.notes.back().english(),
-            "T stands in the first row of each sweep alone: it holds for the rows below");
+            "T stands in the first row of each group alone: it holds for the rows below it");
   // One that is missing among others is that of no other row.
   const DmaFile lost = read(names + "20;1;2;0,4\n;10;3;0,5\n20;100;4;0,6\n40;1;1;0,2\n");
   EXPECT_EQ(lost.rows.size(), 3u);
