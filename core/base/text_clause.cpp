@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <numeric>
 
@@ -82,6 +83,29 @@ std::vector<std::string> wordsIn(std::string_view text) {
     isOpen = isPart;
   }
   return words;
+}
+
+std::optional<WordOfLine> unitOfNoNumber(const TextTable& table, const TextBlock& block,
+                                         const std::function<bool(const std::string&)>& isUnit) {
+  std::vector<const TextEntry*> lines = table.entriesAbove(block);
+  for (const TextEntry& entry : table.trailer) lines.push_back(&entry);
+  for (const TextEntry* entry : lines) {
+    const bool hasNames =
+        block.hasNames() && std::ranges::all_of(block.columns, [entry](const TextColumn& column) {
+          return entry->written.find(column.name) != std::string::npos;
+        });
+    if (hasNames) continue;
+    bool isAfterNumber = false;
+    for (std::string_view word : WordList(entry->written)) {
+      while (!word.empty() && std::string_view("([{=:,;").find(word.front()) != word.npos)
+        word.remove_prefix(1);
+      word = withoutEnd(word, ")]},;:.");
+      if (!isAfterNumber && isUnit(std::string(word)))
+        return WordOfLine{std::string(word), entry->line};
+      isAfterNumber = !word.empty() && isDigit(word.back());
+    }
+  }
+  return {};
 }
 
 bool isNextProfile(std::string_view heading, std::string_view next) {

@@ -2,6 +2,8 @@
 // words of a text. Pure; any thread.
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -44,6 +46,18 @@ std::optional<TextStatement> parseStatement(std::string_view clause);
 
 /// Returns the words of a text in lower case; "T_ref" is one of them.
 std::vector<std::string> wordsIn(std::string_view text);
+
+/// A word and the line in which it stands.
+struct WordOfLine {
+  std::string word{};
+  std::size_t line = 0;
+};
+
+/// Returns the first unit of no number in the lines above and below a block, as in "v in mm/s" and
+/// "Velocity unit: mm/s", but not in "at 10 mm/s" nor in the names of the columns. isUnit: whether
+/// a word is a unit that is meant.
+std::optional<WordOfLine> unitOfNoNumber(const TextTable& table, const TextBlock& block,
+                                         const std::function<bool(const std::string&)>& isUnit);
 
 /// Returns whether a heading is that of the next of several profiles: "Profile 2" after "Profile
 /// 1".

@@ -267,6 +267,29 @@ Mark meaningOf(const Sample& sample, const TextDialect& dialect, const Fit& fit,
   return std::ranges::any_of(columns, isMarked) ? Mark::Unclear : Mark::Decimal;
 }
 
+/// Returns whether all numbers of a column are such as "1.000", where another mark is the decimal
+/// one: they are thousands, or the column has another decimal mark than the others.
+bool hasThousandsAlone(const Sample& sample, const TextDialect& dialect, const Fit& fit) {
+  const char other = dialect.decimal == '.' ? ',' : '.';
+  std::vector<MarkedNumbers> columns(fit.columns);
+  std::vector<bool> areAlone(fit.columns, true);
+  std::vector<std::string_view> fields;
+  for (std::size_t i = fit.firstRow; i < sample.lines.size(); ++i) {
+    if (isComment(sample.lines[i])) continue;
+    splitNumbers(sample.lines[i], dialect, sample.readsCells, fields);
+    if (fields.size() != columns.size()) continue;
+    for (std::size_t j = 0; j < columns.size(); ++j) {
+      if (readField(fields[j], dialect.decimal).kind != FieldKind::Number) continue;
+      const std::size_t before = columns[j].marked;
+      isDecimal(fields[j], other, columns[j]);
+      if (columns[j].marked == before) areAlone[j] = false;
+    }
+  }
+  for (std::size_t j = 0; j < columns.size(); ++j)
+    if (areAlone[j] && columns[j].marked > 0) return true;
+  return false;
+}
+
 /// Returns the dialect with the other decimal mark where that leaves fewer texts among the rows
 /// ("1,000,000" is then a number), or where all marks separate thousands.
 TextDialect withRightMark(const Sample& sample, const TextDialect& dialect, const Fit& fit) {
@@ -281,6 +304,7 @@ TextDialect withRightMark(const Sample& sample, const TextDialect& dialect, cons
   const Mark mark = meaningOf(sample, dialect, fit);
   TextDialect right = mark == Mark::Thousands ? other : dialect;
   right.isUnclear = mark != Mark::Decimal;
+  right.hasThousandsAlone = !right.isUnclear && hasThousandsAlone(sample, right, fit);
   return right;
 }
 

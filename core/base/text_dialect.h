@@ -22,6 +22,8 @@ struct TextDialect {
   Separator separator = Separator::Blanks;
   char decimal = '.';
   bool isUnclear = false;  // numbers such as "13.318" alone: the mark may separate thousands, too
+  /// All numbers of a column are such as "1.000", while commas are decimal marks elsewhere.
+  bool hasThousandsAlone = false;
 
   /// Returns whether two separators in a row enclose an empty field.
   bool isExact() const { return separator != Separator::Blanks; }

@@ -346,16 +346,50 @@ namespace {
 
 using Fields = std::vector<std::string>;
 
+/// Returns a field of a row of units without "in": "in mm".
+std::string_view withoutIn(std::string_view field) {
+  field = trimmedField(field);
+  return field.starts_with("in ") ? trimmedBlanks(field.substr(3)) : field;
+}
+
+bool isUnitField(std::string_view field) {
+  field = withoutIn(field);
+  return field == "1" || isKnownUnit(field) ||
+         withoutBrackets(field).size() != trimmedField(field).size();
+}
+
+}  // namespace
+
+bool areUnits(const std::vector<std::string>& fields) {
+  std::size_t sure = 0, others = 0;
+  for (const std::string& field : fields) {
+    if (trimmedField(field).empty()) continue;
+    const std::string_view inner = withoutBrackets(withoutIn(field));
+    const bool inBrackets = inner.size() != withoutIn(field).size();
+    // "[Data]" is the head of a section.
+    if (!isUnitField(field) ||
+        isOneOf(lowerCase(inner), WordList("data values daten werte profile")))
+      ++others;
+    else if (inBrackets || inner == "m" || (inner.size() > 1 && !isOneOf(inner, "\u00B5 \u03BC")))
+      ++sure;
+  }
+  return others == 0 ? sure > 0 : others == 1 && sure >= 2;
+}
+
+namespace {
+
 /// Returns whether fields can be the names of columns: no numbers, except that all names but the
 /// first may be numbers, such as temperatures or positions along x.
 bool areNames(const Fields& fields, const TextDialect& dialect) {
-  std::size_t numbers = 0, texts = 0;
+  std::ptrdiff_t numbers = 0, texts = 0;
   for (const std::string& field : fields) {
     const FieldKind kind = readField(field, dialect.decimal).kind;
     numbers += kind == FieldKind::Number ? 1 : 0;
     texts += kind == FieldKind::Text ? 1 : 0;
   }
-  const std::size_t columns = fields.size();
+  const std::ptrdiff_t columns = std::ssize(fields);
+  // In a row of units, 1 is that of a pure number.
+  if (numbers > 0 && std::ranges::count(fields, "1") == numbers && areUnits(fields)) return true;
   return texts > 0 && (numbers == 0 || (columns > 2 && numbers + 1 >= columns));
 }
 
@@ -370,28 +404,6 @@ Fields fieldsOfUnits(std::string_view line, std::size_t columns) {
     if (Fields fields = splitAt(line.substr(end + 1), separator); fields.size() == columns)
       return fields;
   return {};
-}
-
-bool isUnitField(const std::string& field) {
-  return isKnownUnit(field) || withoutBrackets(field).size() != trimmedField(field).size();
-}
-
-/// Returns whether each field is a unit or empty, and at least one can be nothing else. Among
-/// several units one word may be no unit, such as "bool" of a column of validity.
-bool areUnits(const Fields& fields) {
-  std::size_t sure = 0, others = 0;
-  for (const std::string& field : fields) {
-    if (trimmedField(field).empty()) continue;
-    const std::string_view inner = withoutBrackets(field);
-    const bool inBrackets = inner.size() != trimmedField(field).size();
-    // "[Data]" is the head of a section.
-    if (!isUnitField(field) ||
-        isOneOf(lowerCase(inner), WordList("data values daten werte profile")))
-      ++others;
-    else if (inBrackets || inner.size() > 1 || inner == "m")
-      ++sure;
-  }
-  return others == 0 ? sure > 0 : others == 1 && sure >= 2;
 }
 
 /// The first field of a row of units that has none for the number of a row; a field that is written
@@ -447,9 +459,9 @@ bool haveUnits(const Fields& fields) {
   return inBrackets || inEach;
 }
 
-/// Returns whether a line is empty or drawn: "-----", "+---+---+".
+/// Returns whether a line is empty, has separators alone or is drawn: ";;;", "-----", "+---+---+".
 bool isRule(std::string_view line) {
-  return line.find_first_not_of("-=_+| \t") == line.npos;
+  return line.find_first_not_of("-=_+|;, \t") == line.npos;
 }
 
 /// Returns the fields of the lines above a block that may be names, units and comments of its
@@ -511,7 +523,7 @@ std::vector<TextColumn> namedColumns(const std::vector<TextLine>& above, const T
       named[i].unit = name.unit;
     }
     if (units != rows.end())
-      if (const std::string_view unit = withoutBrackets((*units)[i]);
+      if (const std::string_view unit = withoutBrackets(withoutIn((*units)[i]));
           !unit.empty() && isUnitField((*units)[i]))
         named[i].unit = unit;
   }

@@ -42,6 +42,11 @@ TextColumn parseColumnName(std::string_view text);
 std::vector<std::string> splitNames(std::string_view line, const TextDialect& dialect,
                                     std::size_t columns);
 
+/// Returns whether each field is a unit or empty, and at least one can be nothing else, as the
+/// symbol of friction can; "1" is the unit of a pure number. Among several units one word may be no
+/// unit, such as "bool" of a column of validity.
+bool areUnits(const std::vector<std::string>& fields);
+
 /// Returns the columns of a block with their names and units from the lines above it. first: the
 /// fields of its first row.
 std::vector<TextColumn> namedColumns(const std::vector<TextLine>& above, const TextDialect& dialect,

@@ -398,6 +398,10 @@ class TableReader {
     if (countOf(FieldKind::Number) == cells && (cells < fewestCells || !nextLineIsAlike()))
       return false;
     if (!options_.keepsTexts) return countOf(FieldKind::Text) == 0;
+    // "mm/s; 1" are the units of a velocity and of a pure number.
+    const auto ones = static_cast<std::size_t>(std::ranges::count(fields_, "1"));
+    if (ones == countOf(FieldKind::Number) && areUnits({fields_.begin(), fields_.end()}))
+      return false;
     if (keyEnd(line.text) != std::string_view::npos) return false;
     const auto named = namedColumns(above_, table_.dialect, kinds_);
     return std::ranges::none_of(named,
@@ -413,19 +417,43 @@ class TableReader {
            readField(fields.front(), table_.dialect.decimal).kind == FieldKind::Number;
   }
 
+  /// Leaves out damaged rows right below the open block.
+  void leaveOutBelow() {
+    std::size_t next = block().lines.back() + 1;
+    for (const TextLine& line : above_) {
+      std::vector<std::string_view> fields;
+      split(line.text, fields);
+      if (line.number != next++ || isComment(line.text) || !beginsAsNumber(line.text) ||
+          fields.size() != block().columns.size())
+        return;
+      leaveOut(line);
+    }
+  }
+
   void start(const TextLine& line) {
     // Separators at the ends of all lines make no column, unless it has a name.
     const auto isNamed = [this](std::size_t columns) {
-      return !above_.empty() && !splitNames(withoutCommentMark(above_.back().text, table_.dialect),
-                                            table_.dialect, columns)
-                                     .empty();
+      for (auto above = above_.rbegin(); above != above_.rend(); ++above) {
+        const std::string_view names = withoutCommentMark(above->text, table_.dialect);
+        if (!splitNames(names, table_.dialect, columns).empty()) return true;
+        // Names stand above their units, and the last column may have none.
+        std::vector<std::string_view> fields;
+        splitFields(names, table_.dialect.separator, fields);
+        const bool isEmpty = std::ranges::all_of(
+            fields, [](std::string_view field) { return trimmedField(field).empty(); });
+        if (!isEmpty && !areUnits({fields.begin(), fields.end()})) return false;
+      }
+      return false;
     };
     while (fields_.size() > 1 && trimmedBlanks(fields_.back()).empty() &&
            !isNamed(fields_.size())) {
       fields_.pop_back();
       kinds_.pop_back();
     }
-    if (isOpen_) endBlock();
+    if (isOpen_) {
+      leaveOutBelow();
+      endBlock();
+    }
     if (!above_.empty() && isDamagedRow(above_.back(), line)) leaveOut(above_.back());
     hasNumbers_.assign(fields_.size(), false);
     TextBlock fresh;
@@ -566,10 +594,50 @@ void undoLogarithms(TextTable& table, const std::function<bool(const std::string
     }
 }
 
+std::optional<std::vector<double>> filledDown(const TextBlock& block, std::size_t column,
+                                              std::size_t other) {
+  std::vector<double> numbers = block.column(column);
+  std::size_t rows = 0, missing = 0;
+  for (std::size_t row = 0; row < block.rows; ++row) {
+    if (std::isnan(block.at(row, other))) continue;
+    ++rows;
+    missing += std::isnan(numbers[row]) ? 1 : 0;
+  }
+  if (missing == 0 || 2 * missing < rows || std::isnan(numbers.front())) return {};
+  for (std::size_t row = 1; row < numbers.size(); ++row)
+    if (std::isnan(numbers[row])) numbers[row] = numbers[row - 1];
+  return numbers;
+}
+
+Message standsInFirstRows(const std::string& name) {
+  return message("{} stands in the first row of each group alone: it holds for the rows below it",
+                 Message::name(name));
+}
+
 Message unclearMark(char decimal) {
   return message(
       "All marks in the numbers stand before three digits: '{}' is taken for the decimal mark.",
       std::string(1, decimal));
+}
+
+std::vector<Message> doubtsAbout(const TextTable& table) {
+  std::vector<Message> doubts;
+  const std::vector<std::uint32_t>& lines = table.leftOut;
+  if (lines.size() == 1)
+    doubts.push_back(message(
+        "Line {} is left out: it begins with a number and is no row of the table.", lines.front()));
+  if (lines.size() > 1)
+    doubts.push_back(
+        message("{} lines, the first is line {}, are left out: they begin with a number and are no "
+                "rows of the table.",
+                lines.size(), lines.front()));
+  if (table.dialect.hasThousandsAlone)
+    doubts.push_back(message(
+        "All numbers of a column have a '{}' before their last three digits and are read as "
+        "thousands: '{}' is the decimal mark of the others.",
+        std::string(1, table.dialect.decimal == '.' ? ',' : '.'),
+        std::string(1, table.dialect.decimal)));
+  return doubts;
 }
 
 void refuseUnclearMark(const TextTable& table, const std::string& name) {

@@ -68,8 +68,8 @@ struct TextTable {
   TextDialect dialect{};
   std::vector<TextBlock> blocks{};   // at least one
   std::vector<TextEntry> trailer{};  // lines after the last block
-  /// The numbers of lines that look like rows but are not: damaged ones right above a block, and
-  /// those after the last block that begin with a number.
+  /// The numbers of lines that look like rows but are not: damaged ones right above or below a
+  /// block, and those after the last block that begin with a number.
   std::vector<std::uint32_t> leftOut{};
 
   /// Returns the block with the most numbers; of equal ones the first.
@@ -110,8 +110,21 @@ TextTable readTextTable(std::string_view bytes, const std::string& name,
 /// a name without the logarithm.
 void undoLogarithms(TextTable& table, const std::function<bool(const std::string&)>& isQuantity);
 
+/// Returns a column whose numbers hold for the rows below them up to the next one, as merged cells
+/// of a spreadsheet do; nothing where it is none: at least half of the rows with a number in the
+/// other column have none.
+std::optional<std::vector<double>> filledDown(const TextBlock& block, std::size_t column,
+                                              std::size_t other);
+
+/// Says that a column was read so. name: of the column.
+Message standsInFirstRows(const std::string& name);
+
 /// Says that the marks in the numbers may separate thousands as well (TextDialect::isUnclear).
 Message unclearMark(char decimal);
+
+/// Says which lines that begin with a number are no rows (TextTable::leftOut), and that the marks
+/// in a column may be decimal marks (TextDialect::hasThousandsAlone).
+std::vector<Message> doubtsAbout(const TextTable& table);
 
 /// Refuses a table whose marks are unclear, where nobody would see the note. Throws InputError.
 void refuseUnclearMark(const TextTable& table, const std::string& name);

@@ -38,6 +38,34 @@ void refusePercent(const std::vector<MeasuredPoint>& points, const TextBlock& bl
               plain(least->mu), plain(most->mu)));
 }
 
+/// Throws InputError for a number that no test of rubber reaches: it is in another unit, or it
+/// stands for a missing value, as 9999 and 1E+38 do.
+void refuseImpossible(const std::vector<MeasuredPoint>& points, const std::string& name) {
+  struct Limit {
+    FrictionQuantity quantity;
+    double MeasuredPoint::*value;
+    double most;
+    const char* unit;
+  };
+  // A velocity may be reduced to another temperature, by any factor.
+  constexpr Limit kLimits[] = {
+      {FrictionQuantity::Mu, &MeasuredPoint::mu, 100, ""},
+      {FrictionQuantity::Velocity, &MeasuredPoint::velocity, 1e12, " m/s"},
+      {FrictionQuantity::Force, &MeasuredPoint::normalForce, 1e9, " N"},
+      {FrictionQuantity::Pressure, &MeasuredPoint::nominalPressure, 1e12, " Pa"},
+      {FrictionQuantity::Temperature, &MeasuredPoint::temperature, 520, " K"}};
+  for (const MeasuredPoint& point : points)
+    for (const auto& [quantity, value, most, unit] : kLimits)
+      if (std::isgreater(point.*value, most))
+        throw InputError(
+            name, "",
+            message("row {}: {}", point.row,
+                    message("the {} is {}, which no test of rubber reaches; correct it or its "
+                            "unit, or leave it empty where it stands for a missing value",
+                            Message(meaningOf(quantity)),
+                            PrintedNumber{plain(point.*value).text + unit})));
+}
+
 /// Throws InputError for a power of ten as unit of friction that may be the factor by which
 /// friction was multiplied: one above 1, or numbers below 1 that need none.
 void refuseFactor(const std::vector<MeasuredPoint>& points, const TextBlock& block,
@@ -129,6 +157,7 @@ void checkPoints(const std::vector<MeasuredPoint>& points, const TextBlock& bloc
                      message("has {} row of numbers; at least 2 are needed", points.size()));
   refusePercent(points, block, roles, name);
   refuseFactor(points, block, roles, name);
+  refuseImpossible(points, name);
   refuseFrictionForce(points, block, roles, name);
   for (std::size_t i = 0; i < points.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)

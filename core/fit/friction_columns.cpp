@@ -27,7 +27,8 @@ struct QuantityNames {
 
 constexpr QuantityNames kKnownNames[] = {
     {Quantity::Velocity, "velocity",
-     "velocity v speed slidingvelocity slidingspeed vslide vs geschwindigkeit "
+     "velocity v speed slidingvelocity slidingspeed vslide vs slipvelocity slipspeed vslip "
+     "geschwindigkeit "
      "gleitgeschwindigkeit gleitgeschw geschw vgleit vitesse vitessedeglissement velocit\u00E0 "
      "velocita velocit\u00E0distrisciamento velocidad velocidaddedeslizamiento "
      "\u901F\u5EA6 \u3059\u3079\u308A\u901F\u5EA6 \u6ED1\u308A\u901F\u5EA6"},
@@ -35,7 +36,11 @@ constexpr QuantityNames kKnownNames[] = {
      "mu \u00B5 \u03BC cof friction frictioncoefficient frictioncoeff frictioncoef "
      "coefficientoffriction coeffoffriction coefoffriction coefficient reibwert "
      "reibungszahl reibbeiwert reibungskoeffizient muk mukin mukinetic mudyn mudynamic "
-     "kineticfriction dynamicfriction slidingfriction gleitreibwert gleitreibungszahl "
+     "\u00B5k \u03BCk mud \u00B5d \u03BCd kineticfriction dynamicfriction slidingfriction "
+     "kineticcof dynamiccof slidingcof cofkinetic cofdynamic kineticfrictioncoefficient "
+     "dynamicfrictioncoefficient kineticcoefficientoffriction dynamiccoefficientoffriction "
+     "coefficientofkineticfriction coefficientofdynamicfriction mugleit \u00B5gleit \u03BCgleit "
+     "gleitreibung gleitreibwert gleitreibungszahl "
      "gleitreibungskoeffizient coefficientdefrottement coefdefrottement coefficientediattrito "
      "coeffdiattrito coeficientedefricci\u00F3n coeficientedefriccion coeficientederozamiento "
      "\u6469\u64E6\u4FC2\u6570"},
@@ -43,7 +48,7 @@ constexpr QuantityNames kKnownNames[] = {
      "normalforce fn fz f force load normalload w n normalkraft kraft last normallast belastung "
      "auflast anpresskraft radlast wheelload verticalforce verticalload vertikalkraft "
      "vertikallast forcenormale chargenormale forzanormale caricoverticale fuerzanormal "
-     "carganormal \u8377\u91CD \u5782\u76F4\u8377\u91CD"},
+     "carganormal charge carico carga \u8377\u91CD \u5782\u76F4\u8377\u91CD"},
     {Quantity::Pressure, "nominal pressure",
      "nominalpressure pressure contactpressure normalpressure nominalcontactpressure normalstress "
      "pression pressione presion presi\u00F3n \u9762\u5727 p p0 pn pnom sigma \u03C3 sigma0 "
@@ -104,7 +109,7 @@ std::string withoutRelative(std::string word) {
 /// Returns whether a name has several meanings, such as t for temperature and time, so that it
 /// needs a unit of its quantity.
 bool isAmbiguous(const std::string& word) {
-  return isOneOf(word, "t n w f sigma \u03C3 sigman \u03C3n sigmaz \u03C3z");
+  return isOneOf(word, "t n w f charge carico carga sigma \u03C3 sigman \u03C3n sigmaz \u03C3z");
 }
 
 /// Returns the words of a name without those of its average: "mu mean", "mu std (n=3)", "mu_err (1
@@ -196,6 +201,13 @@ std::optional<FrictionQuantity> quantityOfUnit(const std::string& unit) {
 
 bool isAmbiguousName(const std::string& name) {
   return isAmbiguous(plainWord(name)) || withoutAverage(name);
+}
+
+bool isNameOfSliding(const std::string& name) {
+  const std::string word = plainWord(name);
+  return word == "vs" || containsOneOf(word,
+                                       "slid slip gleit glissement strisciamento deslizamiento "
+                                       "\u3059\u3079\u308A \u6ED1\u308A");
 }
 
 bool isRelativeError(const std::string& name) {

@@ -42,6 +42,10 @@ inline constexpr const char* kAnyUnit = "?";
 /// beside one with a clear name.
 bool isAmbiguousName(const std::string& name);
 
+/// Returns whether the name of a velocity says that it is that of sliding, and not of a wheel:
+/// "v_slide", "Gleitgeschwindigkeit".
+bool isNameOfSliding(const std::string& name);
+
 /// Returns the quantity that a word names; the word has letters and digits in lower case alone.
 std::optional<FrictionQuantity> quantityNamed(const std::string& word);
 /// Returns the same of a word beside others, where one of few letters means something else.

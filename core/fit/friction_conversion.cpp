@@ -35,7 +35,8 @@ FrictionConversion unscaledConversion(FrictionQuantity quantity, const TextColum
     if (column.unit.empty()) return FrictionConversion{Unit{si}};
     const auto unit = quantity == FrictionQuantity::Temperature ? temperatureUnit(column.unit)
                                                                 : unitInAnyCase(column.unit, si);
-    if (!unit)
+    // Nothing slides at megametres per second; mm/s is meant, or something else.
+    if (!unit || column.unit.starts_with("Mm"))
       throw InputError(name, "",
                        message("column {}: the unit {} is unknown; known are {}",
                                shortened(column.name), shortened(column.unit), known));

@@ -68,17 +68,20 @@ void refuseStatements(const TextBlock& block, const std::string& name) {
                     block.lines[row], shortened(cells[row].text), Message(meaningOf(*quantity))));
 }
 
-/// Returns notes on how the columns were understood, and which ones were ignored.
+/// Returns notes on how the columns were understood, and which ones were ignored. isOnly: the lines
+/// above the table state what holds for all points of the file.
 std::vector<Message> notesOn(const TextBlock& block, const FrictionRoles& roles,
-                             const HeaderStatements& header, HeaderMark mark) {
+                             const HeaderStatements& header, HeaderMark mark, bool isOnly) {
   std::vector<Message> notes{roles.columns.front().note};
   for (std::size_t i = 1; i < roles.columns.size(); ++i)
     notes.front() = message("{}; {}", notes.front(), roles.columns[i].note);
-  for (const HeaderStatement& one : header.common)
-    notes.front() =
-        message("{}; {}", notes.front(),
-                message("line {}: {} of all points ({})", one.line,
-                        Message(meaningOf(*one.quantity)), Message::name(shortened(one.text))));
+  for (const HeaderStatement& one : header.common) {
+    const Message quantity(meaningOf(*one.quantity)), text = Message::name(shortened(one.text));
+    notes.front() = message(
+        "{}; {}", notes.front(),
+        isOnly ? message("line {}: {} of all points ({})", one.line, quantity, text)
+               : message("line {}: {} of the points below it ({})", one.line, quantity, text));
+  }
   std::string unused;
   for (std::size_t i = 0; i < block.columns.size(); ++i)
     if (!roles.isUsed(i))
@@ -110,38 +113,85 @@ std::vector<Message> notesOn(const TextBlock& block, const FrictionRoles& roles,
   return notes;
 }
 
+/// Fills loads and temperatures that stand in the first row of each group alone; returns notes on
+/// them.
+std::vector<Message> fillGroups(TextBlock& block, const FrictionRoles& roles) {
+  std::vector<Message> notes;
+  for (const Quantity quantity : kLoadsAndTemperature) {
+    const FrictionRole* role = roles.find(quantity);
+    if (role == nullptr) continue;
+    const auto filled = filledDown(block, role->index, roles.find(Quantity::Mu)->index);
+    if (!filled) continue;
+    for (std::size_t row = 0; row < block.rows; ++row)
+      block.values[row * block.columns.size() + role->index] = (*filled)[row];
+    notes.push_back(standsInFirstRows(block.label(role->index)));
+  }
+  return notes;
+}
+
+/// Returns the tables of friction; the largest table where there is none by its names.
+std::vector<const TextBlock*> tablesOfFriction(const TextTable& table) {
+  std::vector<const TextBlock*> found;
+  for (const TextBlock& block : table.blocks)
+    if (hasFriction(block)) found.push_back(&block);
+  return found.size() > 1 ? found : std::vector{&table.largest()};
+}
+
+/// Completes what the lines above a further table state by those above the first one. Returns
+/// whether they tell the tables apart: each states the same loads or temperatures as the first.
+bool completeStatements(HeaderStatements& header, const HeaderStatements& first) {
+  const auto states = [](const HeaderStatements& statements, Quantity quantity) {
+    return std::ranges::find(statements.common, quantity, &HeaderStatement::quantity) !=
+           statements.common.end();
+  };
+  if (header.common.empty() || !std::ranges::all_of(header.common, [&](const HeaderStatement& one) {
+        return states(first, *one.quantity);
+      }))
+    return false;
+  for (const HeaderStatement& one : first.common)
+    if (!states(header, *one.quantity)) header.common.push_back(one);
+  return true;
+}
+
 FrictionData readPoints(const TextTable& table, const std::string& name) {
-  const TextBlock* first = nullptr;
-  for (const TextBlock& block : table.blocks) {
-    if (!hasFriction(block)) continue;
-    if (first != nullptr)
+  const std::vector<const TextBlock*> tables = tablesOfFriction(table);
+  for (const TextBlock& block : table.blocks)
+    if (std::ranges::find(tables, &block) == tables.end()) refuseStatements(block, name);
+  FrictionData data{name};
+  std::optional<HeaderStatements> first;
+  for (const TextBlock* one : tables) {
+    TextBlock block = *one;
+    unifyUnits(block, name);
+    const FrictionRoles roles = findRoles(block, name);
+    refuseUnitsElsewhere(table, *one, roles, name);
+    const HeaderMark mark = decimalMark(block, table.dialect);
+    HeaderStatements header = readHeader(
+        block.header, mark, [&](Quantity quantity) { return roles.isGiven(quantity); }, name);
+    if (first && !completeStatements(header, *first))
       throw InputError(name, "",
                        message("has several tables of friction, at lines {} and {}; each needs a "
                                "file of its own, or all one table with a column that tells them "
                                "apart, such as temperature or label",
-                               first->lines.front(), block.lines.front()));
-    first = &block;
+                               tables.front()->lines.front(), block.lines.front()));
+    requireQuantities(
+        block, roles,
+        [&](Quantity quantity) {
+          return std::ranges::find(header.common, quantity, &HeaderStatement::quantity) !=
+                 header.common.end();
+        },
+        name);
+    std::vector<Message> ofGroups = fillGroups(block, roles);
+    FrictionRows rows = readRows(block, roles, header.common, name);
+    std::ranges::move(rows.points, std::back_inserter(data.points));
+    std::ranges::move(notesOn(block, roles, header, mark, tables.size() == 1),
+                      std::back_inserter(data.notes));
+    std::ranges::move(ofGroups, std::back_inserter(data.notes));
+    std::ranges::move(rows.notes, std::back_inserter(data.notes));
+    if (one == tables.back()) checkPoints(data.points, block, roles, name);
+    if (!first) first = std::move(header);
   }
-  for (const TextBlock& block : table.blocks)
-    if (&block != &table.largest()) refuseStatements(block, name);
-  TextBlock block = table.largest();
-  unifyUnits(block, name);
-  const FrictionRoles roles = findRoles(block, name);
-  const HeaderMark mark = decimalMark(block, table.dialect);
-  const HeaderStatements header = readHeader(
-      block.header, mark, [&](Quantity quantity) { return roles.isGiven(quantity); }, name);
-  requireQuantities(
-      block, roles,
-      [&](Quantity quantity) {
-        return std::ranges::find(header.common, quantity, &HeaderStatement::quantity) !=
-               header.common.end();
-      },
-      name);
-  FrictionRows rows = readRows(block, roles, header.common, name);
-  FrictionData data{name, std::move(rows.points), notesOn(block, roles, header, mark)};
-  std::ranges::move(rows.notes, std::back_inserter(data.notes));
-  checkPoints(data.points, block, roles, name);
   std::ranges::move(slipNotes(data.points), std::back_inserter(data.notes));
+  std::ranges::move(doubtsAbout(table), std::back_inserter(data.notes));
   if (table.dialect.isUnclear) data.notes.push_back(unclearMark(table.dialect.decimal));
   return data;
 }

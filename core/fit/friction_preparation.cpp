@@ -161,8 +161,11 @@ struct NamedState {
 /// Reads "mu 5 \u00B0C", "mu_5C", "mu@5 N", "mu (0.1 MPa)", "mu_error 5 \u00B0C". The unit of the
 /// state may have been taken for that of the column.
 std::optional<NamedState> stateOf(const TextColumn& column) {
+  // "mu 1 bar" has been taken for a quantity in 1/bar.
+  const bool isOne = column.unit.starts_with("1/");
+  const std::string unit = isOne ? "1 " + column.unit.substr(2) : column.unit;
   for (const bool isJoined : {false, true}) {
-    const std::string text = isJoined ? column.name + " " + column.unit : column.name;
+    const std::string text = isJoined ? column.name + " " + unit : column.name;
     std::size_t number = text.find_first_of("0123456789");
     if (number == 0 || number == text.npos) continue;
     const bool hasMinus = text[number - 1] == '-' && number > 1 &&

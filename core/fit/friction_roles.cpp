@@ -62,7 +62,7 @@ class FrictionRoleFinder {
     for (std::size_t i = 0; i < block_.columns.size(); ++i) {
       const TextColumn& column = block_.columns[i];
       if (const auto quantity = findMeaning(column)) {
-        if (isClear(column) || !hasClearColumn(*quantity)) add(*quantity, i);
+        if (isClear(column, *quantity) || !hasClearColumn(*quantity)) add(*quantity, i);
       } else {
         refuseUnknownUnit(column);
       }
@@ -149,7 +149,10 @@ class FrictionRoleFinder {
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i < block_.columns.size(); ++i)
       if (isOneOf(plainWord(block_.columns[i].name),
-                  "fx ft fr ff frictionforce reibkraft reibungskraft") &&
+                  "fx ft fr ff frictionforce frictionalforce tangentialforce reibkraft "
+                  "reibungskraft tangentialkraft forcedefrottement forcetangentielle "
+                  "forzadiattrito forzatangenziale fuerzadefricci\u00F3n fuerzadefriccion "
+                  "fuerzaderozamiento fuerzatangencial") &&
           !block_.columns[i].isText)
         found.push_back(i);
     if (found.size() != 1) return;
@@ -170,14 +173,17 @@ class FrictionRoleFinder {
                  index + 1)});
   }
 
-  static bool isClear(const TextColumn& column) {
-    return !isAmbiguousName(column.name) && !findErrorScale(column);
+  /// Returns whether a column names the quantity by more than an ambiguous letter, and a velocity
+  /// as that of sliding.
+  static bool isClear(const TextColumn& column, Quantity quantity) {
+    return !isAmbiguousName(column.name) && !findErrorScale(column) &&
+           (quantity != Quantity::Velocity || isNameOfSliding(column.name));
   }
 
-  /// Returns whether a column names the quantity by more than an ambiguous letter.
+  /// Returns whether a column names the quantity clearly.
   bool hasClearColumn(Quantity quantity) const {
     return std::ranges::any_of(block_.columns, [&](const TextColumn& column) {
-      return findMeaning(column) == quantity && isClear(column);
+      return findMeaning(column) == quantity && isClear(column, quantity);
     });
   }
 
@@ -273,7 +279,8 @@ class FrictionRoleFinder {
                     "\"0.31 \u00B1 0.02\", or in two columns, mu and mu_error",
                     shortened(column.name), shortened(*cell)));
     if (column.isText && quantity != Quantity::Label)
-      refuse(message("column {} has texts where numbers are expected", shortened(column.name)));
+      refuse(message("column {} has texts where numbers are expected",
+                     column.name.empty() ? std::to_string(index + 1) : shortened(column.name)));
     // Numbers of samples and lengths of tracks are no labels.
     if (quantity == Quantity::Label && (!column.isText || !column.unit.empty())) return;
     const FrictionConversion conversion = findConversion(quantity, column, block_, name_);
@@ -318,6 +325,27 @@ bool FrictionRoles::areErrorsUsed(const TextBlock& block, std::size_t index) con
   });
 }
 
+void refuseUnitsElsewhere(const TextTable& table, const TextBlock& block,
+                          const FrictionRoles& roles, const std::string& name) {
+  for (const FrictionRole& role : roles.columns) {
+    const TextColumn& column = block.columns[role.index];
+    if (!column.unit.empty() || column.isOfNames || role.conversion.isForce) continue;
+    const auto found = unitOfNoNumber(table, block, [&role](const std::string& word) {
+      // One letter may mean anything.
+      const auto unit = word.size() > 1 ? unitOfQuantity(word, role.quantity) : std::nullopt;
+      return unit && (unit->toSi(1) != 1 || role.quantity == Quantity::Temperature);
+    });
+    if (found)
+      throw InputError(
+          name, "",
+          message("column {}: {}", shortened(block.label(role.index)),
+                  message("has no unit, and line {} names '{}'; write the unit into the name, as "
+                          "in \"{} ({})\"",
+                          found->line, shortened(found->word), shortened(column.name),
+                          shortened(found->word))));
+  }
+}
+
 void requireQuantities(const TextBlock& block, const FrictionRoles& roles,
                        const std::function<bool(FrictionQuantity)>& isStated,
                        const std::string& name) {
@@ -330,16 +358,26 @@ void requireQuantities(const TextBlock& block, const FrictionRoles& roles,
         message("has no column of the velocity; its columns are {}; name it as in \"v (m/s)\", or "
                 "write one velocity of all rows above them, as in \"Velocity: 10 mm/s\"",
                 Message::name(namesOfColumns(block))));
-  // The velocity above such a table is that of the wheel or the vehicle.
+  // The velocity beside a slip is that of the wheel or the vehicle, unless its name says otherwise.
   const auto isSlip = [](const TextColumn& column) {
-    return hasOneOf(nameWords(column.name), "slip schlupf");
+    return hasOneOf(nameWords(column.name), "slip schlupf slipangle slipratio sliprate") &&
+           findMeaning(column) != Quantity::Velocity;
   };
-  if (const auto slip = std::ranges::find_if(block.columns, isSlip);
-      slip != block.columns.end() && !roles.find(Quantity::Velocity))
-    throw InputError(name, "",
-                     message("column {}: with a slip, the velocity of sliding is not the one above "
-                             "the table; give it for each row in a column, as in \"v (m/s)\"",
-                             shortened(slip->name)));
+  if (const auto slip = std::ranges::find_if(block.columns, isSlip); slip != block.columns.end()) {
+    const FrictionRole* velocity = roles.find(Quantity::Velocity);
+    if (!velocity)
+      throw InputError(
+          name, "",
+          message("column {}: with a slip, the velocity of sliding is not the one above "
+                  "the table; give it for each row in a column, as in \"v (m/s)\"",
+                  shortened(slip->name)));
+    if (!isNameOfSliding(block.columns[velocity->index].name))
+      throw InputError(
+          name, "",
+          message("column {}: with a slip, the velocity of sliding may not be that of column {}; "
+                  "name that column sliding velocity where it is, or give the velocity of sliding",
+                  shortened(slip->name), shortened(block.label(velocity->index))));
+  }
   if (roles.find(Quantity::Mu)->conversion.isForce && !isKnown(Quantity::Force))
     throw InputError(
         name, "",

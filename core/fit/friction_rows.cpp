@@ -232,14 +232,12 @@ class RowReader {
     if (roles_.find(Quantity::VelocityError) && !std::isnan(point.velocityError) &&
         !(point.velocityError >= 0))
       refuseRow(point.row, "the error of the velocity is below 0");
-    if (const FrictionRole* temperature = roles_.find(Quantity::Temperature)) {
-      constexpr double kColdest = 120;  // K; below it no elastomer is rubbery
-      if (block_.columns[temperature->index].unit.empty() && point.temperature < kColdest)
-        refuseRow(point.row,
-                  message("a temperature of {} K is too cold for rubber; name the unit, as in "
-                          "\"temperature (C)\"",
-                          plain(point.temperature)));
-    }
+    constexpr double kColdest = 120;  // K; below it no elastomer is rubbery
+    if (std::isless(point.temperature, kColdest))
+      refuseRow(point.row,
+                message("a temperature of {} K is too cold for rubber; name the unit, as "
+                        "in \"temperature (C)\"",
+                        plain(point.temperature)));
     for (const FrictionRole& column : roles_.columns)
       if (column.quantity == Quantity::Label)
         appendItem(point.label, block_.texts[column.index][row]);

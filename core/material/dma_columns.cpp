@@ -23,7 +23,8 @@ ModulusKind modulusKind(std::string_view word) {
   if (containsOneOf(word, "shear schub torsion")) return ModulusKind::Shear;
   if (containsOneOf(word, "young tensil tension zug bend biege compress"))
     return ModulusKind::Tension;
-  if (beginsWithOneOf(word, "j |j eta |eta \u03B7 |\u03B7") || containsOneOf(word, "viscos viskos"))
+  if (beginsWithOneOf(word, "j |j eta |eta \u03B7 |\u03B7") ||
+      containsOneOf(word, "viscosi viskosi"))
     return ModulusKind::Shear;
   if (beginsWithOneOf(word, "d' d* |d") || containsOneOf(word, "complianced' complianced*"))
     return ModulusKind::Tension;
@@ -103,25 +104,24 @@ DmaQuantity dmaQuantity(std::string_view word) {
     return isReducedFrequency(word) ? ReducedFrequency : Frequency;
   if (isOneOf(word, kReducedSymbols) || isOneOf(word, kReducedAngularSymbols))
     return ReducedFrequency;
-  if (namesTemperature(word) ||
-      isOneOf(
-          word,
-          "t tc tk tcelsius tkelvin tsample tprobe tset tsoll tist tactual tmeasured ttest tmess"))
+  if (namesTemperature(word) || isOneOf(word,
+                                        "t ts tc tk tcelsius tkelvin tsample tprobe tset tsoll "
+                                        "tist tactual tmeasured ttest tmess"))
     return Temperature;
   // A complex modulus has no such part by its symbol: "G* imaginary part".
   const bool isOfModulus =
       modulusKind(word) != ModulusKind::Unknown || word.find("modul") != word.npos;
   if (isOfModulus && containsOneOf(word, "imaginarypart imagpart imaginaerteil")) return Loss;
   if (isOfModulus && containsOneOf(word, "realpart realteil")) return Storage;
-  if (containsOneOf(
-          word,
-          "'' lossmod gloss eloss verlustmodul doubleprime viscousmod modulusloss dprime "
-          "moduledeperte modulodiperdita modulodeperdida \u640D\u5931\u5F3E\u6027\u7387") ||
+  if (containsOneOf(word,
+                    "'' lossmod gloss eloss verlustmodul doubleprime viscousmod modulusloss dprime "
+                    "moduledeperte modulevisqueux modulodiperdita modulodissipativo moduloviscoso "
+                    "modulodeperdida \u640D\u5931\u5F3E\u6027\u7387") ||
       isOneOf(word, "loss g2 e2 gpp epp lossg losse gimag eimag"))
     return Loss;
   if (containsOneOf(word,
                     "g' e' m' storage speicher gprime eprime elasticmod moduledeconservation "
-                    "moduloconservativo modulodealmacenamiento "
+                    "moduleelastique moduloelastico moduloconservativo modulodealmacenamiento "
                     "\u8CAF\u8535\u5F3E\u6027\u7387") ||
       isOneOf(word, "g1 e1 gp ep greal ereal"))
     return Storage;
@@ -192,7 +192,8 @@ bool isMadeOfKnownWords(std::string_view word) {
       "dynamischer betrag winkel faktor daempfungs d\u00E4mpfungs teil values value wert mean "
       "average avg mittel measured raw corrected smoothed reduced linear reference ref temperature "
       "temperatur temp of at in out the ratio von bei conservation perte m\u00F3dulo modulo "
-      "conservativo perdita p\u00E9rdida perdida almacenamiento viscosity viskosit\u00E4t "
+      "conservativo dissipativo elastico el\u00E1stico viscoso \u00E9lastique elastique visqueux "
+      "perdita p\u00E9rdida perdida almacenamiento viscosity viskosit\u00E4t "
       "compliance nachgiebigkeit eta \u03B7 "
       "\u8CAF\u8535\u5F3E\u6027\u7387 \u640D\u5931\u5F3E\u6027\u7387");
   return word.empty() || std::ranges::any_of(kParts, [word](std::string_view part) {
@@ -272,6 +273,7 @@ std::string compactName(std::string_view name) {
                                            {"\u00F6", "oe"},
                                            {"\u00FC", "ue"},
                                            {"\u00E9 \u00E8 \u00C9 \u00C8", "e"},
+                                           {"\u00E1 \u00E0", "a"},
                                            {"\u00F3", "o"},
                                            {"\u2217", "*"},
                                            {"\u00B7 \u22C5 \u00D7 \u00A0 \u00B0", ""}};
@@ -387,6 +389,21 @@ std::optional<double> complianceUnit(std::string_view unit) {
 std::optional<double> angleUnit(std::string_view unit) {
   if (lowerCase(unit) == "grad") return std::numbers::pi / 180;
   return unitSize(unit, "rad");
+}
+
+std::optional<Message> unusualModulus(double least, double most) {
+  constexpr double kSoftest = 1e3, kStiffest = 1e12;  // Pa
+  if (most < kSoftest)
+    return message(
+        "the moduli are at most {:.3g} Pa, which is softer than any rubber: where the file states "
+        "a wrong unit, --modulus-unit replaces it",
+        most);
+  if (least > kStiffest)
+    return message(
+        "the moduli are at least {:.3g} Pa, which is stiffer than any rubber: where the file "
+        "states a wrong unit, --modulus-unit replaces it",
+        least);
+  return {};
 }
 
 void refuseSoftModulus(const std::string& name, const std::string& key, double largest) {

@@ -101,6 +101,9 @@ std::optional<double> complianceUnit(std::string_view unit);
 /// Returns one unit of angle in radians; nothing where the text is none.
 std::optional<double> angleUnit(std::string_view unit);
 
+/// Returns what to say about moduli (Pa) that no rubber has; nothing where one may.
+std::optional<Message> unusualModulus(double least, double most);
+
 /// Throws InputError for moduli without a unit, the largest of which (`largest`, Pa) is below 1
 /// kPa: no rubber has such moduli in Pa. `name` is the file's, `key` the column's.
 void refuseSoftModulus(const std::string& name, const std::string& key, double largest);

@@ -136,6 +136,16 @@ class Reader {
     if (std::ranges::find(notes, note) == notes.end()) notes.push_back(std::move(note));
   }
 
+  /// Returns the numbers of a column of temperatures, which may stand in the first row of each
+  /// sweep alone.
+  std::vector<double> temperaturesOf(const TextBlock& block, std::size_t column,
+                                     std::size_t modulus) {
+    auto filled = filledDown(block, column, modulus);
+    if (!filled) return block.column(column);
+    addNote(standsInFirstRows(block.label(column)));
+    return std::move(*filled);
+  }
+
   /// Reads the rows of one block, or of one temperature in a table of several.
   void readSweep(const DmaBlock& in, const SweepColumns& columns, bool isSideBySide) {
     DmaFacts& facts = file_.facts;
@@ -170,13 +180,15 @@ class Reader {
     facts.loss = moduli.loss;
     facts.modulus = moduli.kind;
     for (Message& note : moduli.notes) addNote(std::move(note));
+    std::vector<double> temperatures;
+    if (!oneTemperature)
+      temperatures = temperaturesOf(in.block, columns[Temperature], moduli.first);
     for (std::size_t row = 0; row < in.block.rows; ++row) {
       const double hertz =
           hasFrequencies ? in.block.at(row, frequencyAt) * frequency.size : *columns.frequency;
       const double first = in.block.at(row, moduli.first) * moduli.firstSize;
       const double second = in.block.at(row, moduli.second) * moduli.secondSize;
-      const double temperature =
-          oneTemperature ? *oneTemperature : scale.toSi(in.block.at(row, columns[Temperature]));
+      const double temperature = oneTemperature ? *oneTemperature : scale.toSi(temperatures[row]);
       if (!std::isfinite(hertz) || !std::isfinite(first) || !std::isfinite(second) ||
           !std::isfinite(temperature)) {
         // Some of the sweeps side by side may end before the others.
@@ -310,17 +322,18 @@ DmaFile readDmaFile(TextTable table, const std::string& name, const DmaChoices& 
       table, [](const std::string& quantity) { return dmaColumn(quantity, {}).quantity != None; });
   DmaFile file = Reader(table, name, choices).read();
   readShift(table, name, choices, file);
+  std::ranges::move(doubtsAbout(table), std::back_inserter(file.facts.notes));
   std::ranges::move(ofCells, std::back_inserter(file.facts.notes));
   file.facts.isMarkUnclear = table.dialect.isUnclear;
   file.facts.decimal = table.dialect.decimal;
   // A loss factor has no unit; then the other column is the modulus.
   const DmaColumnFact& modulus =
       file.facts.storage.unit.empty() ? file.facts.loss : file.facts.storage;
-  if (modulus.isUnitAssumed) {
-    double largest = 0;
-    for (const MeasuredModulus& row : file.rows) largest = std::max(largest, row.modulus.storage);
-    refuseSoftModulus(name, modulus.name, largest);
-  }
+  const auto [least, most] = std::ranges::minmax(
+      file.rows, {}, [](const MeasuredModulus& row) { return row.modulus.storage; });
+  if (modulus.isUnitAssumed) refuseSoftModulus(name, modulus.name, most.modulus.storage);
+  if (auto note = unusualModulus(least.modulus.storage, most.modulus.storage))
+    file.facts.notes.push_back(std::move(*note));
   return file;
 }
 

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 
 #include "core/base/input_error.h"
 #include "core/base/text.h"
+#include "core/base/text_clause.h"
 #include "core/base/text_number.h"
 #include "core/material/dma_columns.h"
 #include "core/material/text_frequency.h"
@@ -47,6 +49,17 @@ DmaColumnFact columnFact(const DmaBlock& in, std::size_t column, const std::stri
   throw InputError(in.fileName, fact.name,
                    message("has the unit {}, which is not one of {}; {} says which is meant",
                            shortened(fact.unit), allowed, option));
+}
+
+/// Throws InputError for a unit that would be assumed where a line above or below the block names
+/// another one.
+void refuseUnitElsewhere(const DmaBlock& in, const DmaColumnFact& fact, const char* option,
+                         const std::function<bool(const std::string&)>& isOther) {
+  if (!fact.isUnitAssumed) return;
+  if (const auto found = unitOfNoNumber(in.table, in.block, isOther))
+    throw InputError(in.fileName, fact.name,
+                     message("has no unit, and line {} names '{}'; {} says which is meant",
+                             found->line, shortened(found->word), option));
 }
 
 // Numbers in this range are temperatures of a test in kelvins.
@@ -102,6 +115,11 @@ SizedColumn frequencyColumn(const DmaBlock& in, std::size_t column) {
   const bool isAngular = dmaColumn(written.name, written.unit).isAngular;
   const auto size = frequencyUnit(found.fact.unit, isAngular);
   if (!size) refuseUnit(in, found.fact, "rad/s, " + unitNames("Hz"), "--frequency-unit");
+  refuseUnitElsewhere(in, found.fact, "--frequency-unit", [&](const std::string& word) {
+    const auto other = word.size() > 1 ? frequencyUnit(word, isAngular) : std::nullopt;
+    const bool isName = containsOneOf(lowerCase(word), "angular kreisfreq omega \u03C9");
+    return (other && *other != *size) || (isName && !isAngular);
+  });
   if (found.fact.unit.empty()) found.fact.unit = isAngular ? "rad/s" : "Hz";
   found.size = *size;
   return found;
@@ -112,6 +130,10 @@ SizedColumn modulusColumn(const DmaBlock& in, std::size_t column) {
   const MeasuredForm form = dmaColumn(written.name, written.unit).form;
   const std::string& chosen = in.choices.modulusUnit;
   SizedColumn found{columnFact(in, column, chosen.empty() ? chosen : unitInForm(form, chosen))};
+  refuseUnitElsewhere(in, found.fact, "--modulus-unit", [](const std::string& word) {
+    const auto size = word.size() > 1 ? unitSize(word, "Pa") : std::nullopt;
+    return size && *size != 1;
+  });
   std::string& unit = found.fact.unit;
   if (unit.empty()) unit = unitInForm(form, "Pa");
   const auto size = chosen.empty() ? sizeInForm(form, unit) : chosenSize(form, chosen);

@@ -92,6 +92,17 @@ std::vector<Message> materialSummary(const Material& material) {
       "rms residual {} % of G\u2032, {} % of G\u2033",
       describeArms(series.arms.size()), series.terms, quantity(series.equilibriumModulus, "Pa"),
       percent(series.rmsStorage), percent(series.rmsLoss)));
+  // A rubber that still relaxes at the lowest frequency has an equilibrium modulus by
+  // extrapolation.
+  constexpr double kReached = 1.4;
+  const double lowest = curve.lowestFrequency();
+  const double slowest = modulusAt(series, lowest).storage;
+  if (series.equilibriumModulus > 0 && slowest > kReached * series.equilibriumModulus)
+    lines.push_back(
+        message("equilibrium was not measured: at the lowest frequency, {}, the storage modulus is "
+                "{} times G\u221E",
+                quantity(lowest, "Hz"),
+                PrintedNumber{printedNumber(slowest / series.equilibriumModulus, 2)}));
   if (material.wlf.isDefined)
     lines.push_back(message("Williams, Landel and Ferry: C1 = {}, C2 = {} K, {} decades rms",
                             PrintedNumber{printedNumber(material.wlf.shift.c1)},

@@ -9,6 +9,7 @@
 #include "core/base/number_text.h"
 #include "core/base/statistics.h"
 #include "core/base/text.h"
+#include "core/base/text_clause.h"
 #include "core/base/text_number.h"
 #include "core/material/prony_names.h"
 
@@ -127,10 +128,22 @@ std::string writtenUnit(const TextColumn& column) {
 }
 
 /// Returns the size in s of the unit of a column of relaxation times. Throws InputError where it is
-/// not known; adds a note where there is none.
-double timeSizeOf(const TextColumn& column, const std::string& name, RawSeries& series) {
+/// not known, and where there is none and a line beside the table names another one than seconds;
+/// adds a note where there is none.
+double timeSizeOf(const TextColumn& column, const TextTable& table, const TextBlock& block,
+                  const std::string& name, RawSeries& series) {
   const std::string unit = writtenUnit(column);
   if (unit.empty()) {
+    const auto other = unitOfNoNumber(table, block, [](const std::string& word) {
+      const auto size = word.size() > 1 ? timeSize(word) : std::nullopt;
+      return size && *size != 1;
+    });
+    if (other)
+      throw InputError(name, column.name,
+                       message("has no unit, and line {} names '{}'; write the unit into the name, "
+                               "as in \"{} ({})\"",
+                               other->line, shortened(other->word), shortened(column.name),
+                               shortened(other->word)));
     series.notes.push_back(
         message("{} has no unit: seconds are assumed", Message::name(column.name)));
     return 1;
@@ -184,11 +197,12 @@ void readWeights(const TextBlock& block, std::size_t column, const std::string& 
 }
 
 /// Reads the column of relaxation times, or of their inverse.
-void readTimes(const TextBlock& block, std::size_t column, const std::string& name,
-               RawSeries& series, SeriesRows& rows) {
+void readTimes(const TextTable& table, const TextBlock& block, std::size_t column,
+               const std::string& name, RawSeries& series, SeriesRows& rows) {
   const TextColumn& times = block.columns[column];
   const bool isRate = isDecayRate(seriesWord(times.name));
-  const double size = isRate ? rateSizeOf(times, name) : timeSizeOf(times, name, series);
+  const double size =
+      isRate ? rateSizeOf(times, name) : timeSizeOf(times, table, block, name, series);
   // What does not decay has no relaxation time.
   const auto timeOf = [&](double number) {
     if (!isRate) return number * size;
@@ -265,11 +279,11 @@ void noteViscosities(const TextBlock& block, std::size_t viscosity, const PronyC
 }
 
 /// Reads the arms of a table into the series, and the row of the equilibrium modulus.
-SeriesRows readRows(const TextBlock& block, const SeriesColumns& columns, const std::string& name,
-                    const PronyChoices& choices, RawSeries& series) {
+SeriesRows readRows(const TextTable& table, const TextBlock& block, const SeriesColumns& columns,
+                    const std::string& name, const PronyChoices& choices, RawSeries& series) {
   SeriesRows rows;
   if (columns.modulus) readWeights(block, *columns.modulus, name, series, rows);
-  if (columns.time) readTimes(block, *columns.time, name, series, rows);
+  if (columns.time) readTimes(table, block, *columns.time, name, series, rows);
   if (!columns.modulus) divideByTimes(block, *columns.viscosity, name, choices, series, rows);
   if (!columns.time) divideByModuli(block, *columns.viscosity, name, choices, series, rows);
   if (columns.modulus && columns.time && columns.viscosity)
@@ -343,7 +357,7 @@ std::optional<SeriesRows> readArms(TextTable& table, TextBlock& block, const std
   undoSeriesLogarithms(table, block, series);
   const std::optional<SeriesColumns> columns = seriesColumns(block, name);
   if (!columns) return {};
-  SeriesRows rows = readRows(block, *columns, name, choices, series);
+  SeriesRows rows = readRows(table, block, *columns, name, choices, series);
   decideParts(name, series, rows);
   return rows;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 #include <vector>
 
 #include "core/base/input_error.h"
@@ -227,6 +228,7 @@ std::optional<RawSeries> tableSeries(TextTable table, const std::string& name,
   if (!rows) return {};
   readModuli(table, *block, *rows, name, choices, series);
   readTemperature(table, *block, name, choices, series);
+  std::ranges::move(doubtsAbout(table), std::back_inserter(series.notes));
   return series;
 }
 

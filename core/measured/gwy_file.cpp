@@ -8,6 +8,7 @@
 
 #include "core/base/number_text.h"
 #include "core/base/text.h"
+#include "core/base/text_number.h"
 #include "core/base/text_units.h"
 #include "core/measured/byte_reader.h"
 #include "core/measured/surface_draft.h"
@@ -176,8 +177,18 @@ std::string channelTitle(const std::vector<Component>& components, const Channel
                           : std::string(title->value);
 }
 
-/// Returns the channel that the user chooses, or the first one whose values are lengths.
-const Channel& chosen(const SurfaceSource& source, const std::vector<Channel>& channels) {
+/// Returns whether a title is that of a quantity that is a length and no height, as a microscope
+/// with a vibrating tip measures it beside heights.
+bool isOtherLength(std::string_view title) {
+  constexpr WordList kOthers(
+      "amplitude error deflection deformation indentation phase adhesion dissipation");
+  return containsOneOf(lowerCase(title), kOthers);
+}
+
+/// Returns the channel that the user chooses, or the first one whose values are lengths and, by
+/// its title, may be heights.
+const Channel& chosen(const SurfaceSource& source, const std::vector<Component>& components,
+                      const std::vector<Channel>& channels) {
   if (source.choices.heightColumn > 0) {
     if (static_cast<std::size_t>(source.choices.heightColumn) > channels.size())
       throw InputError(source.name, "surface.height_column",
@@ -187,7 +198,11 @@ const Channel& chosen(const SurfaceSource& source, const std::vector<Channel>& c
   const auto isHeight = [&source](const Channel& channel) {
     return metresPer(readDataField(source, *channel.component).heightUnit).has_value();
   };
-  const auto found = std::ranges::find_if(channels, isHeight);
+  const auto mayBeHeight = [&](const Channel& channel) {
+    return isHeight(channel) && !isOtherLength(channelTitle(components, channel));
+  };
+  auto found = std::ranges::find_if(channels, mayBeHeight);
+  if (found == channels.end()) found = std::ranges::find_if(channels, isHeight);
   return found == channels.end() ? channels.front() : *found;
 }
 
@@ -199,7 +214,7 @@ SurfaceDraft readFile(const SurfaceSource& source, bool masksAreGaps) {
   const std::vector<Component> components = readComponents(source, container.components);
   const std::vector<Channel> channels = findChannels(components);
   if (channels.empty()) source.fail("has no channel of heights");
-  const Channel& channel = chosen(source, channels);
+  const Channel& channel = chosen(source, components, channels);
   const Field field = readDataField(source, *channel.component);
 
   SurfaceDraft draft;

@@ -11,6 +11,7 @@
 #include "core/base/text_header.h"
 #include "core/base/text_number.h"
 #include "core/base/text_units.h"
+#include "core/measured/text_columns.h"
 #include "core/measured/text_steps.h"
 
 namespace asperity {
@@ -151,7 +152,60 @@ bool areTables(const TextBlock& block, const std::vector<std::size_t>& begins, b
   return areEqual && !areLinesOfPoints(block, begins[1]);
 }
 
+/// Returns whether two tables have the same columns with numbers alone, all with names.
+bool haveSameColumns(const TextBlock& one, const TextBlock& other) {
+  const auto hasNumbersAlone = [](const TextBlock& block) {
+    return std::ranges::all_of(block.texts, &std::vector<std::string>::empty) &&
+           std::ranges::all_of(block.cells, &std::vector<TextCell>::empty);
+  };
+  return hasNumbersAlone(one) && hasNumbersAlone(other) &&
+         std::ranges::equal(one.columns, other.columns,
+                            [](const TextColumn& a, const TextColumn& b) {
+                              return !a.name.empty() && a.name == b.name && a.unit == b.unit;
+                            });
+}
+
+/// Returns whether the positions of a table go on from the last one of the table before.
+bool goesOn(const TextBlock& before, const TextBlock& next) {
+  constexpr std::size_t kFewestRows = 3;
+  constexpr double kEqual = 0.05, kNear = 0.5;  // of a step
+  if (before.rows < kFewestRows || next.rows < kFewestRows || !haveSameColumns(before, next))
+    return false;
+  const auto x = std::ranges::find_if(before.columns, [](const TextColumn& column) {
+    return isPositionName(lowerCase(column.name));
+  });
+  if (x == before.columns.end()) return false;
+  const auto column = static_cast<std::size_t>(x - before.columns.begin());
+  const auto step = [column](const TextBlock& block) {
+    return (block.at(block.rows - 1, column) - block.at(0, column)) /
+           static_cast<double>(block.rows - 1);
+  };
+  const double usual = step(before);
+  const double between = next.at(0, column) - before.at(before.rows - 1, column);
+  return std::isless(std::abs(step(next) - usual), kEqual * std::abs(usual)) &&
+         std::isless(std::abs(between - usual), kNear * std::abs(usual));
+}
+
 }  // namespace
+
+std::size_t joinContinued(TextTable& table) {
+  std::vector<TextBlock> joined;
+  std::vector<std::size_t> counts;
+  for (TextBlock& block : table.blocks) {
+    if (joined.empty() || !goesOn(joined.back(), block)) {
+      joined.push_back(std::move(block));
+      counts.push_back(1);
+      continue;
+    }
+    TextBlock& whole = joined.back();
+    whole.rows += block.rows;
+    whole.values.insert(whole.values.end(), block.values.begin(), block.values.end());
+    whole.lines.insert(whole.lines.end(), block.lines.begin(), block.lines.end());
+    ++counts.back();
+  }
+  table.blocks = std::move(joined);
+  return counts[static_cast<std::size_t>(&table.largest() - table.blocks.data())];
+}
 
 HeightTable chooseHeightTable(const TextTable& table) {
   const auto& blocks = table.blocks;

@@ -17,6 +17,11 @@ struct HeightTable {
   std::optional<Message> note{};
 };
 
+/// Joins tables of the same named columns where the positions of one go on from those of the table
+/// before, as below names that a program repeats on each page. Returns how many of them the largest
+/// table is made of.
+std::size_t joinContinued(TextTable& table);
+
 /// Chooses the table with the most numbers; of equal ones the one that is named as heights, else
 /// the first. A table named as an intensity, such as "Light", gives way to one of heights.
 HeightTable chooseHeightTable(const TextTable& table);

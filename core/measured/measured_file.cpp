@@ -75,6 +75,19 @@ bool canBeText(const SurfaceSource& source) {
   return foreign.empty() || foreign == "text in UTF-16";
 }
 
+/// Returns whether numbers as bytes follow a header of text, as in files of NanoScope. Zeros and
+/// ends of file alone only fill up a text.
+bool holdsBinary(const SurfaceSource& source) {
+  constexpr std::size_t kLookedAt = std::size_t{1} << 20, kOneIn = 100;
+  const std::size_t zero = source.bytes.find('\0');
+  if (zero == std::string_view::npos || detectNonText(source.bytes) == "text in UTF-16")
+    return false;
+  const std::string_view rest = source.bytes.substr(zero, kLookedAt);
+  const auto controls = std::ranges::count_if(
+      rest, [](char letter) { return (letter > 0 && letter < '\t') || letter == '\x7F'; });
+  return static_cast<std::size_t>(controls) > rest.size() / kOneIn;
+}
+
 SurfaceDraft readDraft(const SurfaceSource& source) {
   const std::string& word = source.choices.format;
   const SurfaceFormat* format = nullptr;
@@ -83,7 +96,7 @@ SurfaceDraft readDraft(const SurfaceSource& source) {
     if (chosen != kFormats.end()) format = chosen;
   } else {
     format = detectFormat(source);
-    if (format == nullptr && !canBeText(source)) refuseKind(source);
+    if (format == nullptr && (!canBeText(source) || holdsBinary(source))) refuseKind(source);
   }
   return format != nullptr ? format->read(source) : readTextSurface(source);
 }
@@ -249,10 +262,11 @@ std::vector<std::string_view> surfaceFileEndings() {
 }
 
 void refuseKind(const SurfaceSource& source) {
+  const std::string_view kind = detectNonText(source.bytes);
   source.fail(
       message("is {}; text (profiles, matrices, points) and files of these kinds are read: "
               "{}",
-              Message(detectNonText(source.bytes)), readableFormats()));
+              Message(kind.empty() ? "a binary file" : kind), readableFormats()));
 }
 
 std::string readableFormats() {
@@ -312,8 +326,12 @@ MeasuredFile readMeasuredFile(const std::filesystem::path& file, const ReadingCh
     const SurfaceSource source{beginning, name, choices, stop, progress};
     const bool isOther =
         choices.format == "auto" && detectFormat(source) == nullptr && !canBeText(source);
-    if (choices.format != "gwyddion" && !isOther)
-      return readMeasuredBytes(readInParts(regular, stop), name, choices, stop, progress);
+    if (choices.format != "gwyddion" && !isOther) {
+      const std::string bytes = readInParts(regular, stop);
+      const SurfaceSource whole{bytes, name, choices, stop, progress};
+      if (choices.format != "auto" || detectFormat(whole) != nullptr || !holdsBinary(whole))
+        return readMeasuredBytes(bytes, name, choices, stop, progress);
+    }
   }
   const std::string converted = convertWithGwyddion(file, stop);
   const SurfaceSource source{converted, name, choices, stop, progress};

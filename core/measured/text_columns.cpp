@@ -32,6 +32,18 @@ constexpr WordList kLongitudes("longitude lon lng l\u00E4ngengrad");
 constexpr WordList kLatitudes("latitude lat breitengrad");
 constexpr WordList kEither("flag flags status mask quality qual");
 
+/// Names of the primary profile (ISO 21920-2), and of those that a filter made of it, without
+/// blanks and dashes.
+constexpr WordList kPrimary(
+    "p pprofile pprofil profilep profilp primary primaryprofile prim\u00E4r prim\u00E4rprofil "
+    "primaerprofil profilprimaire profiloprimario perfilprimario unfiltered unfilteredprofile "
+    "ungefiltert raw rawprofile rawdata rohprofil");
+constexpr WordList kFiltered(
+    "r rprofile rprofil profiler profilr roughness roughnessprofile rauheit rauheitsprofil "
+    "rugosit\u00E9 "
+    "profilderugosit\u00E9 rugosit\u00E0 rugosidad w wprofile wprofil profilew profilw waviness "
+    "wavinessprofile welligkeit welligkeitsprofil ondulation filtered filteredprofile gefiltert");
+
 /// Returns whether one of the words is the first word of the name, or the whole name: "x position",
 /// "x_axis", "height data".
 bool begins(const WordList& words, std::string_view name) {
@@ -271,12 +283,46 @@ class RoleFinder {
       if (roles_.x < 0) roles_.x = onlyOne(block_, roles_.heights, Course::Monotone);
     }
     std::erase(roles_.heights, roles_.x);
+    preferPrimary();
     if (heightChoice_ >= 0)
       roles_.z = heightChoice_;
     else if (!roles_.heights.empty())
-      roles_.z = roles_.heights.front();
+      roles_.z = firstHeights();
     else if (roles_.x >= 0 && positionChoice_ < 0)
       std::swap(roles_.x, roles_.z);  // a single column holds heights, whatever its name
+  }
+
+  /// Returns the first column of heights that has different ones, such as "Z" behind "Z-Pos" of the
+  /// stage; the first column where there is none.
+  int firstHeights() const {
+    const auto varies = [this](int column) {
+      const auto number = static_cast<std::size_t>(column);
+      double first = std::nan("");
+      for (std::size_t row = 0; row < block_.rows; ++row) {
+        const double value = block_.at(row, number);
+        if (std::isnan(first)) first = value;
+        if (!std::isnan(value) && value != first) return true;
+      }
+      return false;
+    };
+    const auto found = std::ranges::find_if(roles_.heights, varies);
+    return found != roles_.heights.end() ? *found : roles_.heights.front();
+  }
+
+  /// Puts the primary profile in front of what a filter made of it: the long waves decide where the
+  /// load is carried.
+  void preferPrimary() {
+    const auto isNamed = [this](int column, const WordList& words) {
+      std::string name = lowerCase(nameOf(column));
+      std::erase_if(name,
+                    [](char letter) { return letter == ' ' || letter == '-' || letter == '_'; });
+      return isOneOf(name, words);
+    };
+    const auto primary =
+        std::ranges::find_if(roles_.heights, [&](int column) { return isNamed(column, kPrimary); });
+    if (primary != roles_.heights.end() &&
+        std::ranges::any_of(roles_.heights, [&](int column) { return isNamed(column, kFiltered); }))
+      std::rotate(roles_.heights.begin(), primary, primary + 1);
   }
 
   /// Counts the columns that could be the heights as well: those in the same unit or, without

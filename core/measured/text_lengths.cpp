@@ -89,6 +89,10 @@ std::optional<KeyPlace> placeOf(std::string_view key, const LengthNames& names, 
   std::string text = lowerCase(key);
   std::ranges::replace_if(
       text, [](char letter) { return letter == '-' || letter == '_'; }, ' ');
+  // "Punktabstand dx" has the name and the symbol.
+  for (const std::string_view sign : WordList("d \u03B4 \u0394 \u2206"))
+    if (const std::string symbol = " " + std::string(sign) + axis; text.ends_with(symbol))
+      text.resize(text.size() - symbol.size());
   const std::string_view whole = text;
   const auto behind = whole.starts_with(axis) ? trimmedBlanks(whole.substr(1)) : "";
   const auto before = whole.ends_with(axis) ? trimmedBlanks(whole.substr(0, whole.size() - 1)) : "";
@@ -283,12 +287,14 @@ bool canBeUnit(std::string_view text) {
 }
 
 /// Keys, in lower case, of entries that state a unit without saying of what.
-constexpr WordList kCommonUnitKeys("unit, units, einheit, length unit", ',');
+constexpr WordList kCommonUnitKeys(
+    "unit, units, einheit, length unit, unit\u00E9, unit\u00E0, unidad, \u5358\u4F4D", ',');
 
 /// Returns the keys, in lower case, of entries that state a unit of heights or of positions.
 WordList unitKeys(bool ofHeights) {
   constexpr WordList kOfHeights(
-      "z, value units, value unit, z unit, z units, z-unit, unit z, units z, height unit, height "
+      "z, vertical unit, vertical units, value units, value unit, z unit, z units, z-unit, unit z, "
+      "units z, height unit, height "
       "units, zunit, einheiten, werteinheit, werteinheiten, z-axis unit, z-axis units, z axis "
       "unit, z axis units, einheit z-achse, einheit z, z-einheit, unit\u00E9s, unit\u00E9s des "
       "valeurs, unit\u00E9 z, unit\u00E9 des hauteurs, \u9AD8\u3055\u5358\u4F4D, jednotky hodnot, "

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -144,16 +145,7 @@ void addAssumptions(const TextTable& table, std::uint32_t lineOfCount,
   if (lineOfCount > 0)
     notes.push_back(
         message("Line {} is left out: it is the number of the heights below it.", lineOfCount));
-  const std::vector<std::uint32_t>& leftOut = table.leftOut;
-  if (leftOut.size() == 1)
-    notes.push_back(
-        message("Line {} is left out: it begins with a number and is no row of the table.",
-                leftOut.front()));
-  if (leftOut.size() > 1)
-    notes.push_back(
-        message("{} lines, the first is line {}, are left out: they begin with a number and are no "
-                "rows of the table.",
-                leftOut.size(), leftOut.front()));
+  std::ranges::move(doubtsAbout(table), std::back_inserter(notes));
   if (table.dialect.isUnclear) notes.push_back(unclearMark(table.dialect.decimal));
 }
 

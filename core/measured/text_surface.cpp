@@ -200,10 +200,10 @@ SurfaceDraft readTextProfile(const TextTable& table, const TextBlock& block,
   draft.heightUnit = columnUnit(source, table, block, roles.z, true);
   if (!draft.heightUnit) draft.unknownHeightUnit = unknownUnit(table, block, roles.z, true);
   if (roles.candidates > 1 && source.choices.heightColumn == 0)
-    draft.facts.notes.push_back(message(
-        "Heights are {}, the first of {} columns that could be; surface.height_column chooses "
-        "another.",
-        columnText(block, roles.z), roles.candidates));
+    draft.facts.notes.push_back(
+        message("Heights are {}, one of {} columns that could be; surface.height_column chooses "
+                "another.",
+                columnText(block, roles.z), roles.candidates));
 
   noteFactor(block, roles.z, draft.facts.notes);
   Topography& grid = draft.grid;
@@ -378,6 +378,7 @@ SurfaceDraft readTextSurface(const SurfaceSource& source) {
       format != "profile" && format != "points" && isEsriGrid(withoutByteOrderMark(source.bytes));
   TextTable table = isEsri ? readEsriGrid(source) : readTable(source);
   splitEntries(table);
+  const std::size_t joined = joinContinued(table);
   const HeightTable chosen = chooseHeightTable(table);
   const std::uint32_t lineOfCount = isEsri ? 0 : takeCount(table.blocks[chosen.index]);
   std::size_t parts = 1;
@@ -398,6 +399,9 @@ SurfaceDraft readTextSurface(const SurfaceSource& source) {
   if (parts > 1 && form == Form::Matrix) requireOneMatrix(tables, table, source);
   const bool areRows =
       tables.size() > 1 && form == Form::Profile && addProfiles(tables, table, source, draft);
+  if (joined > 1)
+    draft.facts.notes.push_back(
+        message("{} tables of the file follow each other along x: they are read as one.", joined));
   noteParts(areRows ? tables : tables.first(parts), areRows, form, draft.facts.notes);
   if (chosen.note && !(areRows && headed > 1)) draft.facts.notes.push_back(*chosen.note);
   noteStatements(table, block, source, lineOfCount, draft);

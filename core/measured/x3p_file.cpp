@@ -120,6 +120,7 @@ class Reader {
       source_.fail(message("main.xml: {} is neither {}", "FeatureType", "PRF, SUR"));
     axes_ = {readAxis(source_, root_, "CX"), readAxis(source_, root_, "CY"),
              readAxis(source_, root_, "CZ")};
+    noteRotation();
     readSizes(feature == "PRF");
     const auto count = static_cast<std::size_t>(columns_ * rows_);
     if (nodeAt(root_, "Record3/DataLink"))
@@ -168,6 +169,30 @@ class Reader {
     if (stated.size() != kDigits || lowerCase(stated) != md5(bytes))
       source_.fail(message("'{}' in its archive does not have the MD5 that the file states",
                            shortened(file)));
+  }
+
+  /// Adds a note on axes that the file turns. Heights and positions stay as they are stored.
+  void noteRotation() {
+    constexpr double kRounding = 1e-6;
+    const pugi::xml_node rotation = nodeAt(root_, "Record1/Axes/Rotation");
+    bool isTurned = false;
+    double upwards = 1;
+    for (const char row : {'1', '2', '3'})
+      for (const char column : {'1', '2', '3'}) {
+        double value = row == column ? 1 : 0;
+        const double same = value;
+        readTextNumber(textAt(rotation, std::string{'r', row, column}), '.', value);
+        isTurned = isTurned || !(std::abs(value - same) <= kRounding);
+        if (row == '3' && column == '3') upwards = value;
+      }
+    if (!isTurned) return;
+    notes_.emplace_back(
+        "The file turns its axes (Rotation in main.xml), which is not done: heights and positions "
+        "are taken as they are stored.");
+    if (std::isless(upwards, 0))
+      notes_.emplace_back(
+          "Turned so, its heights would count downwards: surface.contact_side valleys then chooses "
+          "the summits.");
   }
 
   void readSizes(bool isProfile) {

@@ -3767,6 +3767,10 @@
         <translation>%1 Zeilen, die erste ist Zeile %2, bleiben weg: Sie beginnen mit einer Zahl und sind keine Zeilen der Tabelle.</translation>
     </message>
     <message>
+        <source>All numbers of a column have a '%1' before their last three digits and are read as thousands: '%2' is the decimal mark of the others.</source>
+        <translation>Alle Zahlen einer Spalte haben ein '%1' vor den letzten drei Ziffern und werden als Tausender gelesen: '%2' ist das Dezimalzeichen der anderen.</translation>
+    </message>
+    <message>
         <source>All marks in the numbers stand before three digits: &apos;%1&apos; is taken for the decimal mark.</source>
         <translation>Alle Zeichen in den Zahlen stehen vor drei Ziffern: „%1“ gilt als Dezimalzeichen.</translation>
     </message>
@@ -4151,8 +4155,20 @@
         <translation>%1 sagt, welche Punkte gültig sind; die anderen sind Lücken.</translation>
     </message>
     <message>
-        <source>Heights are %1, the first of %2 columns that could be; surface.height_column chooses another.</source>
-        <translation>Höhen sind %1, die erste von %2 möglichen Spalten; surface.height_column wählt eine andere.</translation>
+        <source>Heights are %1, one of %2 columns that could be; surface.height_column chooses another.</source>
+        <translation>Höhen sind %1, eine von %2 möglichen Spalten; surface.height_column wählt eine andere.</translation>
+    </message>
+    <message>
+        <source>%1 tables of the file follow each other along x: they are read as one.</source>
+        <translation>%1 Tabellen der Datei setzen einander längs x fort: sie werden als eine gelesen.</translation>
+    </message>
+    <message>
+        <source>The file turns its axes (Rotation in main.xml), which is not done: heights and positions are taken as they are stored.</source>
+        <translation>Die Datei dreht ihre Achsen (Rotation in main.xml), was nicht geschieht: Höhen und Orte werden genommen, wie sie gespeichert sind.</translation>
+    </message>
+    <message>
+        <source>Turned so, its heights would count downwards: surface.contact_side valleys then chooses the summits.</source>
+        <translation>So gedreht würden ihre Höhen nach unten zählen: surface.contact_side valleys wählt dann die Gipfel.</translation>
     </message>
     <message>
         <source>Line %1 is left out: it is the number of the heights below it.</source>
@@ -4405,6 +4421,22 @@
     <message>
         <source>is not above 0, as of a liquid, which cannot carry a load for ever; give --equilibrium-modulus, or allow it with --liquid</source>
         <translation>ist nicht über 0, wie bei einer Flüssigkeit, die keine Last auf Dauer trägt; --equilibrium-modulus angeben oder es mit --liquid erlauben</translation>
+    </message>
+    <message>
+        <source>the moduli are at most %1 Pa, which is softer than any rubber: where the file states a wrong unit, --modulus-unit replaces it</source>
+        <translation>die Moduln sind höchstens %1 Pa, weicher als jeder Gummi: nennt die Datei eine falsche Einheit, ersetzt sie --modulus-unit</translation>
+    </message>
+    <message>
+        <source>the moduli are at least %1 Pa, which is stiffer than any rubber: where the file states a wrong unit, --modulus-unit replaces it</source>
+        <translation>die Moduln sind mindestens %1 Pa, steifer als jeder Gummi: nennt die Datei eine falsche Einheit, ersetzt sie --modulus-unit</translation>
+    </message>
+    <message>
+        <source>equilibrium was not measured: at the lowest frequency, %1, the storage modulus is %2 times G∞</source>
+        <translation>das Gleichgewicht wurde nicht gemessen: bei der niedrigsten Frequenz, %1, ist der Speichermodul das %2-Fache von G∞</translation>
+    </message>
+    <message>
+        <source>%1 stands in the first row of each group alone: it holds for the rows below it</source>
+        <translation>%1 steht nur in der ersten Zeile jeder Gruppe: der Wert gilt für die Zeilen darunter</translation>
     </message>
     <message>
         <source>has no unit, and %1 Pa would be no rubber; say --modulus-unit MPa or another one</source>
@@ -7019,6 +7051,22 @@
         <translation>Spalte %1: Mit einem Schlupf ist die Gleitgeschwindigkeit nicht die über der Tabelle; sie für jede Zeile in einer Spalte angeben, wie &quot;v (m/s)&quot;</translation>
     </message>
     <message>
+        <source>column %1: with a slip, the velocity of sliding may not be that of column %2; name that column sliding velocity where it is, or give the velocity of sliding</source>
+        <translation>Spalte %1: Mit einem Schlupf ist die Gleitgeschwindigkeit womöglich nicht die der Spalte %2; diese Spalte Gleitgeschwindigkeit nennen, wo sie es ist, oder die Gleitgeschwindigkeit angeben</translation>
+    </message>
+    <message>
+        <source>the %1 is %2, which no test of rubber reaches; correct it or its unit, or leave it empty where it stands for a missing value</source>
+        <translation>%1: %2, was keine Messung an Gummi erreicht; den Wert oder seine Einheit berichtigen, oder ihn leer lassen, wo er für einen fehlenden Wert steht</translation>
+    </message>
+    <message>
+        <source>has no unit, and line %1 names '%2'; write the unit into the name, as in &quot;%3 (%4)&quot;</source>
+        <translation>hat keine Einheit, und Zeile %1 nennt '%2'; die Einheit in den Namen schreiben, wie &quot;%3 (%4)&quot;</translation>
+    </message>
+    <message>
+        <source>has no unit, and line %1 names '%2'; %3 says which is meant</source>
+        <translation>hat keine Einheit, und Zeile %1 nennt '%2'; %3 sagt, welche gemeint ist</translation>
+    </message>
+    <message>
         <source>rows %1 and %2 have the velocity above the table, and no load, temperature or label tells them apart; give the velocity of each row in a column, as in &quot;v (m/s)&quot;</source>
         <translation>die Zeilen %1 und %2 haben die Geschwindigkeit über der Tabelle, und keine Last, Temperatur oder Bezeichnung unterscheidet sie; die Geschwindigkeit jeder Zeile in einer Spalte angeben, wie &quot;v (m/s)&quot;</translation>
     </message>
@@ -7061,6 +7109,10 @@
     <message>
         <source>column %1: force of friction; its magnitude over the normal force is the coefficient of friction</source>
         <translation>Spalte %1: Reibkraft; ihr Betrag, geteilt durch die Normalkraft, ist die Reibungszahl</translation>
+    </message>
+    <message>
+        <source>line %1: %2 of the points below it (%3)</source>
+        <translation>Zeile %1: %2 der Punkte darunter (%3)</translation>
     </message>
     <message>
         <source>line %1: %2 of all points (%3)</source>

@@ -175,5 +175,22 @@ TEST(TextTableMarks, BlanksBesideTabsSeparateThousands) {
   EXPECT_EQ(made.largest().at(1, 0), 12500);
 }
 
+/// One of the columns may come from a program with another decimal mark.
+TEST(TextTableMarks, ThousandsAloneInAColumnAreSaid) {
+  const auto doubts = [](const std::string& text) { return doubtsAbout(tableOf(text)).size(); };
+  const TextTable made = tableOf("F;mu\n1.000;0,25\n2.000;0,31\n2.500;0,4\n");
+  EXPECT_THAT(made.largest().column(0), ElementsAre(1000, 2000, 2500));
+  ASSERT_EQ(doubtsAbout(made).size(), 1u);
+  EXPECT_EQ(doubtsAbout(made)[0].english(),
+            "All numbers of a column have a '.' before their last three digits and are read as "
+            "thousands: ',' is the decimal mark of the others.");
+  EXPECT_EQ(doubts("F;mu\n1,000;0.25\n2,000;0.31\n2,500;0.4\n"), 1u);
+  // Other numbers of the column show that they are thousands.
+  EXPECT_EQ(doubts("F;mu\n500;0,25\n1.000;0,31\n1.500;0,4\n"), 0u);
+  EXPECT_EQ(doubts("F;mu\n1.000,5;0,25\n2.000;0,31\n2.500;0,4\n"), 0u);
+  EXPECT_EQ(doubts("F;mu\n1.000.000;0,25\n2.000.000;0,31\n"), 0u);
+  EXPECT_EQ(doubts("F;mu\n1,5;0,25\n2,5;0,31\n"), 0u);
+}
+
 }  // namespace
 }  // namespace asperity

@@ -464,6 +464,42 @@ TEST(TextTable, KeepsRowsWithRemarks) {
   }
 }
 
+/// Spreadsheets write an empty row as separators.
+TEST(TextTable, PassesOverRowsOfSeparatorsAboveTheNumbers) {
+  for (const char* text :
+       {"a;b;c\n;;\n[s];[Pa];[1]\n1;2;3\n4;5;6\n", "a;b;c\n[s];[Pa];[1]\n;;\n1;2;3\n4;5;6\n",
+        "a,b,c\n,,\n[s],[Pa],[1]\n,,\n1,2,3\n4,5,6\n"}) {
+    const TextTable made = read(text);
+    ASSERT_EQ(made.largest().columns.size(), 3u) << text;
+    EXPECT_EQ(made.largest().columns[1].name, "b") << text;
+    EXPECT_EQ(made.largest().columns[1].unit, "Pa") << text;
+  }
+}
+
+TEST(TextTable, ReadsARowOfUnitsWithIn) {
+  const TextTable made = read("Weg;H\u00F6he\nin mm;in um\n0;1.5\n1;2.5\n");
+  EXPECT_EQ(made.largest().columns[0].name, "Weg");
+  EXPECT_EQ(made.largest().columns[0].unit, "mm");
+  EXPECT_EQ(made.largest().columns[1].unit, "um");
+}
+
+/// The unit of a pure number is 1 (ISO 80000).
+TEST(TextTable, ReadsARowOfUnitsWithAOne) {
+  for (const bool keepsTexts : {false, true}) {
+    TextTableOptions options;
+    options.keepsTexts = options.readsCells = keepsTexts;
+    const TextTable made = read("v;mu\nmm/s;1\n1;0.5\n10;0.6\n", options);
+    ASSERT_EQ(made.blocks.size(), 1u);
+    EXPECT_THAT(made.largest().column(0), ElementsAre(1, 10));
+    EXPECT_EQ(made.largest().columns[0].name, "v");
+    EXPECT_EQ(made.largest().columns[0].unit, "mm/s");
+    EXPECT_EQ(made.largest().columns[1].unit, "1");
+  }
+  TextTableOptions options;
+  options.keepsTexts = true;
+  EXPECT_EQ(read("sample;mu\nA;1\nB;0.6\n", options).largest().rows, 2u);
+}
+
 // ---- Texts and further columns -----------------------------------------------------------------
 
 TEST(TextTable, KeepsLabelsWhereACallerWantsThem) {

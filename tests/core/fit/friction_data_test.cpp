@@ -79,7 +79,7 @@ TEST(FrictionData, TheErrorOfFrictionHasManyNames) {
   }
   // No error of friction or velocity: of another quantity, or a word that begins with such a
   // letter.
-  for (const char* name : {"u(T)", "distance", "sample number", "slip"})
+  for (const char* name : {"u(T)", "distance", "sample number", "stop"})
     EXPECT_FALSE(
         parsed("v [mm/s];mu;" + std::string(name) + "\n1;0,2;0,01\n10;0,35;0,02\n").hasErrors())
         << name;
@@ -111,9 +111,34 @@ TEST(FrictionData, ReadsUnitsInWords) {
   EXPECT_THAT(errorOf("v (m/s),mu (V)\n1,0.2\n2,0.3\n"), HasSubstr("the unit V is unknown"));
 }
 
+/// Lines above each of several tables may tell them apart; what stands above the first one alone
+/// holds for all.
+TEST(FrictionData, ReadsSeveralTablesWithTheirStates) {
+  const FrictionData data = parsed(
+      "Normal force: 30 N\nTemperature: 5 \u00B0C\nv (mm/s),mu\n1,0.2\n2,0.3\n\nTemperature: 25 "
+      "\u00B0C\nv (mm/s),mu\n1,0.1\n2,0.2\n\nTemperature: 60 \u00B0C\nv "
+      "(mm/s),mu\n1,0.05\n4,0.1\n");
+  ASSERT_EQ(data.points.size(), 6U);
+  EXPECT_DOUBLE_EQ(data.points[0].temperature, 278.15);
+  EXPECT_DOUBLE_EQ(data.points[3].temperature, 298.15);
+  EXPECT_DOUBLE_EQ(data.points[5].temperature, 333.15);
+  EXPECT_DOUBLE_EQ(data.points[5].velocity, 4e-3);
+  EXPECT_DOUBLE_EQ(data.points[5].mu, 0.1);
+  for (const MeasuredPoint& point : data.points) EXPECT_DOUBLE_EQ(point.normalForce, 30);
+  EXPECT_THAT(data.notes[1].english(),
+              HasSubstr("line 7: temperature of the points below it (Temperature: 25 \u00B0C)"));
+}
+
 TEST(FrictionData, RefusesSeveralTables) {
-  EXPECT_THAT(errorOf("at 25 C\nv,mu\n1,0.2\n2,0.3\n\nat 60 C\nv,mu\n1,0.1\n2,0.2\n"),
+  EXPECT_THAT(errorOf("wet\nv,mu\n1,0.2\n2,0.3\n\ndry\nv,mu\n1,0.1\n2,0.2\n"),
               HasSubstr("several tables of friction, at lines 3 and 8"));
+  // The second table may be at the temperature of the first, or at another one.
+  EXPECT_THAT(errorOf("T = 25 C\nv,mu\n1,0.2\n2,0.3\n\ndry\nv,mu\n3,0.1\n4,0.2\n"),
+              HasSubstr("several tables of friction, at lines 3 and 8"));
+  EXPECT_THAT(errorOf("v,mu\n1,0.2\n2,0.3\n\nT = 25 C\nv,mu\n3,0.1\n4,0.2\n"),
+              HasSubstr("several tables of friction, at lines 2 and 7"));
+  EXPECT_THAT(errorOf("T = 25 C\nv,mu\n1,0.2\n2,0.3\n\nT = 25 C\nv,mu\n1,0.1\n4,0.2\n"),
+              HasSubstr("row 8: has the velocity of row 3"));
 }
 
 TEST(FrictionData, ReadsPressureAndRelativeErrors) {
@@ -481,6 +506,79 @@ TEST(FrictionData, ReadsNamesInOtherLanguages) {
   EXPECT_DOUBLE_EQ(parsed("v,mu_s,mu_k\n1,0.4,0.3\n2,0.6,0.5\n").points[0].mu, 0.3);
 }
 
+/// A number that stands for a missing value is no measurement, and neither is one in another unit
+/// than its column states.
+TEST(FrictionData, RefusesWhatNoTestOfRubberReaches) {
+  EXPECT_THAT(errorOf("v,mu\n1,1E+38\n2,0.4\n3,0.5\n"),
+              HasSubstr("row 2: the coefficient of friction is 1e38, which no test"));
+  EXPECT_THAT(errorOf("v,mu\n1,0.3\n2,0.4\n3,9999\n"),
+              HasSubstr("row 4: the coefficient of friction is 9999, which no test"));
+  EXPECT_THAT(errorOf("v,mu\n1E+38,0.3\n2,0.4\n"), HasSubstr("row 2: the velocity is 1e38 m/s"));
+  EXPECT_THAT(errorOf("v,mu,T (C)\n1,0.3,298.15\n2,0.4,298.15\n"),
+              HasSubstr("row 2: the temperature is 571.3 K, which no test"));
+  EXPECT_THAT(errorOf("v,mu,T (K)\n1,0.3,25\n2,0.4,25\n"),
+              HasSubstr("row 2: a temperature of 25 K is too cold for rubber"));
+  EXPECT_THAT(errorOf("v,mu,F (N)\n1,0.3,1E+38\n2,0.4,5\n"),
+              HasSubstr("the normal force is 1e38 N"));
+  EXPECT_THAT(errorOf("v (Mm/s),mu\n1,0.3\n2,0.4\n"), HasSubstr("the unit Mm/s is unknown"));
+  EXPECT_EQ(parsed("v,mu,T (C)\n1e9,4,240\n2e9,4,240\n").points.size(), 2U);
+}
+
+/// The velocity beside a slip is that of a wheel, where its name does not say otherwise.
+TEST(FrictionData, RefusesAVelocityBesideASlip) {
+  for (const char* slip : {"slip (%)", "Slip angle (deg)", "slip", "Schlupf [%]", "slip ratio"})
+    EXPECT_THAT(errorOf("V (km/h)," + std::string(slip) + ",mu\n30,2,0.3\n60,2,0.4\n"),
+                HasSubstr("with a slip, the velocity of sliding may not be that of column V"))
+        << slip;
+  EXPECT_DOUBLE_EQ(parsed("v_slide (m/s),slip (%),mu\n1,2,0.3\n2,2,0.4\n").points[0].velocity, 1);
+  // Of two velocities that of sliding is read.
+  EXPECT_DOUBLE_EQ(
+      parsed("V (km/h),v_slip (m/s),slip (%),mu\n30,1,2,0.3\n60,2,2,0.4\n").points[0].velocity, 1);
+  EXPECT_THAT(errorOf("V (km/h),v (m/s),mu\n30,1,0.3\n60,2,0.4\n"),
+              HasSubstr("has two columns of the velocity: V and v"));
+}
+
+/// Spreadsheets have empty columns at both sides, and rows of means below.
+TEST(FrictionData, ReadsTablesOfSpreadsheets) {
+  for (const char* text :
+       {";v;\u00B5;remark\n;[mm/s];[-];\n;1;0,3;\n;10;0,4;\n;100;0,5;\nMean;;0,4;\n",
+        ";v (mm/s);\u00B5\n;1;0,3\n;10;0,4\n;100;0,5\nMean;;0,4\n",
+        ";;;\nTest "
+        "A;;;\n;;;\n;v;\u00B5;remark\n;;;\n;mm/s;1;\n;1;0,3;\n;10;0,4;good\n;100;0,5;\n"}) {
+    const FrictionData data = parsed(text);
+    ASSERT_EQ(data.points.size(), 3U) << text;
+    EXPECT_DOUBLE_EQ(data.points[1].velocity, 0.01) << text;
+    EXPECT_DOUBLE_EQ(data.points[1].mu, 0.4) << text;
+  }
+}
+
+/// Merged cells of a spreadsheet are empty but for the first one.
+TEST(FrictionData, ReadsLoadsAndTemperaturesOfGroups) {
+  const FrictionData data = parsed(
+      "T (C);F (N);v;mu\n5;10;1;0.2\n;;10;0.3\n;20;1;0.3\n;;10;0.4\n25;10;1;0.1\n;;10;0.2\n");
+  ASSERT_EQ(data.points.size(), 6U);
+  EXPECT_DOUBLE_EQ(data.points[3].temperature, 278.15);
+  EXPECT_DOUBLE_EQ(data.points[3].normalForce, 20);
+  EXPECT_DOUBLE_EQ(data.points[5].temperature, 298.15);
+  EXPECT_DOUBLE_EQ(data.points[5].normalForce, 10);
+  EXPECT_EQ(data.notes[1].english(),
+            "F stands in the first row of each group alone: it holds for the rows below it");
+  // One that is missing among others is that of no other row.
+  EXPECT_EQ(parsed("T (C);v;mu\n5;1;0.2\n;2;0.3\n5;3;0.3\n5;4;0.3\n").points.size(), 3U);
+}
+
+TEST(FrictionData, ReadsKineticAndNotStaticFriction) {
+  for (const char* names : {"Static COF,Kinetic COF", "\u00B5 Haft,\u00B5 Gleit", "\u00B5s,\u00B5d",
+                            "us,COF kinetic", "static friction,Coefficient of kinetic friction"})
+    EXPECT_DOUBLE_EQ(parsed("v," + std::string(names) + "\n1,0.4,0.3\n2,0.6,0.5\n").points[0].mu,
+                     0.3)
+        << names;
+  EXPECT_THAT(errorOf("v,static COF\n1,0.4\n2,0.6\n"),
+              HasSubstr("has no column of the coefficient of friction"));
+  EXPECT_DOUBLE_EQ(parsed("v,Tangential force (N),Charge (N)\n1,15,30\n2,18,30\n").points[0].mu,
+                   0.5);
+}
+
 /// A slip of a unit in friction or in a force shows where the table has all three.
 TEST(FrictionData, SaysThatFrictionContradictsItsForces) {
   const FrictionData data =
@@ -570,6 +668,8 @@ TEST(FrictionData, ReadsStatesSideBySide) {
   EXPECT_DOUBLE_EQ(loads.points[2].normalForce, 1);
   EXPECT_DOUBLE_EQ(
       parsed("v,mu (0.1 MPa),mu (0.2 MPa)\n1,0.3,0.2\n2,0.4,0.3\n").points[3].nominalPressure, 2e5);
+  EXPECT_DOUBLE_EQ(parsed("v,mu 1 bar,mu 3 bar\n1,0.3,0.2\n2,0.4,0.3\n").points[0].nominalPressure,
+                   1e5);
   const FrictionData errors = parsed(
       "v;T (C);mu 5 N (%);mu_error 5 N (%);mu 9 N (%);mu_error 9 N (%)\n1;20;30;1;20;2\n"
       "2;20;40;3;30;4\n");

@@ -249,5 +249,30 @@ TEST(FrictionData, ReadsTheTemperatureOfATest) {
         << line;
 }
 
+/// A unit that stands beside the columns is not passed over: it would change the numbers.
+TEST(FrictionHeader, RefusesAColumnWhoseUnitStandsElsewhere) {
+  for (const char* line : {"# v in mm/s", "Velocity unit: mm/s", "All velocities in mm/s.",
+                           "# column 1: velocity [mm/s]", "(v in mm/s)"})
+    EXPECT_THAT(errorOf(std::string(line) + "\nv,mu\n1,0.2\n10,0.3\n"),
+                HasSubstr("column v: has no unit, and line 1 names 'mm/s'; write the unit into the "
+                          "name, as in \"v (mm/s)\""))
+        << line;
+  EXPECT_THAT(errorOf("v,mu\n1,0.2\n10,0.3\nv in mm/s\n"), HasSubstr("line 4 names 'mm/s'"));
+  EXPECT_THAT(errorOf("All loads are in kN\nv (m/s),Fn,mu\n1,2,0.2\n10,2,0.3\n"),
+              HasSubstr("column Fn: has no unit, and line 1 names 'kN'"));
+  for (const char* line : {"v in m/s", "pulled back at 20 mm/s", "Units: mm/s, 1"})
+    EXPECT_EQ(parsed(std::string(line) + "\nv,mu\n1,0.2\n10,0.3\n").points.size(), 2U) << line;
+  EXPECT_DOUBLE_EQ(parsed("v in m/s, not mm/s\nv (mm/s),mu\n1,0.2\n10,0.3\n").points[0].velocity,
+                   1e-3);
+}
+
+/// A row that cannot be read is not lost in silence.
+TEST(FrictionHeader, SaysWhichLinesBelowTheTableAreNoRows) {
+  const FrictionData data = parsed("v;mu\n1;0.2\n10;0.3\n100;<0.1\n");
+  EXPECT_EQ(data.points.size(), 2U);
+  EXPECT_EQ(data.notes.back().english(),
+            "Line 4 is left out: it begins with a number and is no row of the table.");
+}
+
 }  // namespace
 }  // namespace asperity

@@ -773,12 +773,91 @@ TEST(DmaFile, ColumnsOfOtherLanguagesAreKnown) {
         "(MPa)",
         "Temperatura (\u00B0C);Frecuencia (Hz);M\u00F3dulo de almacenamiento E' (MPa);M\u00F3dulo "
         "de p\u00E9rdida E'' (MPa)",
+        "Temperatura (\u00B0C);Frequenza (Hz);Modulo conservativo (MPa);Modulo dissipativo (MPa)",
+        "Temperatura (\u00B0C);Frecuencia (Hz);M\u00F3dulo el\u00E1stico (MPa);M\u00F3dulo viscoso "
+        "(MPa)",
         "T (\u00B0C);f (Hz);E' (10^6 Pa);E'' (10^6 Pa)"}) {
     SCOPED_TRACE(names);
-    const DmaFile file = read(names + "\n20;1;6;0.6\n20;10;9;1.2\n");
+    DmaChoices tension;
+    tension.modulus = ModulusKind::Tension;
+    const DmaFile file = read(names + "\n20;1;6;0.6\n20;10;9;1.2\n", tension);
     expectRow(file.rows[0], 293.15, 1, 2e6, 2e5);
     expectRow(file.rows[1], 293.15, 10, 3e6, 4e5);
   }
+}
+
+/// RheoCompass writes an empty row between names and units, and Mettler the temperature of the
+/// sample as Ts.
+TEST(DmaFile, InstrumentsHaveHeadersOfTheirOwn) {
+  const DmaFile anton = read(
+      "Ergebnis:;FS 1\nIntervalldaten:;Messpunkt;Temperatur;Kreisfrequenz;Speichermodul "
+      "G\u2032;Verlustmodul G\u2033;Verlustfaktor\n;;;;;;\n;;[\u00B0C];[rad/s];[kPa];[kPa];[1]\n"
+      ";1;20,00;6,5;2000;400;0,2\n;2;20,00;65,0;3000;900;0,3\n");
+  ASSERT_EQ(anton.rows.size(), 2u);
+  expectRow(anton.rows[1], 293.15, 65 / (2 * std::numbers::pi), 3e6, 9e5);
+  const DmaFile mettler = read(
+      "Curve Values:\n  Index   t      Ts     Tr      f      G'     G''   tan\n"
+      "          [s]    [\u00B0C]   [\u00B0C]   [Hz]   [MPa]   [MPa]   []\n"
+      "   0     1.0   20.0   20.4   1.0   2.0   0.4   0.2\n"
+      "   1     2.0   20.0   20.4   10.0  3.0   0.9   0.3\n");
+  ASSERT_EQ(mettler.rows.size(), 2u);
+  expectRow(mettler.rows[1], 293.15, 10, 3e6, 9e5);
+}
+
+/// Merged cells of a spreadsheet are empty but for the first one.
+TEST(DmaFile, ATemperatureMayStandInTheFirstRowOfASweepAlone) {
+  const std::string names = "T (C);f (Hz);G' (MPa);G'' (MPa)\n";
+  const DmaFile file = read(names + "20;1;2;0,4\n;10;3;0,5\n;100;4;0,6\n40;1;1;0,2\n;10;2;0,3\n");
+  ASSERT_EQ(file.rows.size(), 5u);
+  expectRow(file.rows[2], 293.15, 100, 4e6, 6e5);
+  expectRow(file.rows[4], 313.15, 10, 2e6, 3e5);
+  EXPECT_EQ(file.facts.notes.back().english(),
+            "T stands in the first row of each group alone: it holds for the rows below it");
+  // One that is missing among others is that of no other row.
+  const DmaFile lost = read(names + "20;1;2;0,4\n;10;3;0,5\n20;100;4;0,6\n40;1;1;0,2\n");
+  EXPECT_EQ(lost.rows.size(), 3u);
+  EXPECT_EQ(lost.facts.leftOut, 1u);
+}
+
+/// A unit that stands beside the columns is not passed over: it would change the numbers.
+TEST(DmaFile, AUnitThatStandsElsewhereIsAskedFor) {
+  const std::string rows = "20,1,2.5e6,5e5\n20,10,3.5e6,9e5\n", names = "T (C),f,G',G''\n";
+  for (const char* line : {"f in rad/s", "Angular frequency sweep", "Frequency unit: rad/s"})
+    EXPECT_THAT(errorOf(line + ("\n" + names) + rows),
+                HasSubstr("f: has no unit, and line 1 names "))
+        << line;
+  EXPECT_THAT(errorOf(names + rows + "f in rad/s\n"), HasSubstr("line 4 names 'rad/s'"));
+  EXPECT_THAT(errorOf("moduli in kPa\n" + names + rows),
+              HasSubstr("G': has no unit, and line 1 names 'kPa'; --modulus-unit says"));
+  DmaChoices choices;
+  choices.frequencyUnit = "Hz";
+  EXPECT_EQ(read("f in rad/s\n" + names + rows, choices).rows.size(), 2u);
+  for (const char* line : {"f in Hz", "moduli in Pa", "Strain rate 20 rad/s"})
+    EXPECT_EQ(read(line + ("\n" + names) + rows).rows.size(), 2u) << line;
+}
+
+/// A row that cannot be read is not lost in silence, also where another block follows.
+TEST(DmaFile, DamagedRowsBelowABlockAreSaid) {
+  const std::string names = "f (Hz);G' (MPa);G'' (MPa)\n", good = "1;2;0,4\n10;3;0,5\n";
+  const DmaFile file = read("T = 20 C\n" + names + good + "100;4;<1\n\nT = 40 C\n" + names + good);
+  EXPECT_EQ(file.rows.size(), 4u);
+  EXPECT_EQ(file.facts.notes.back().english(),
+            "Line 5 is left out: it begins with a number and is no row of the table.");
+}
+
+/// A header in pascals above numbers in megapascals is a common slip.
+TEST(DmaFile, ModuliOfNoRubberAreSaid) {
+  const auto lastNote = [](const std::string& unit) {
+    const DmaFile file =
+        read("T (C),f (Hz),G' (" + unit + "),G'' (" + unit + ")\n20,1,2.5,0.5\n20,10,3.5,0.9\n");
+    return file.facts.notes.empty() ? std::string() : file.facts.notes.back().english();
+  };
+  EXPECT_EQ(lastNote("Pa"),
+            "the moduli are at most 3.5 Pa, which is softer than any rubber: where the file states "
+            "a wrong unit, --modulus-unit replaces it");
+  EXPECT_THAT(lastNote("TPa"), HasSubstr("the moduli are at least 2.5e+12 Pa, which is stiffer"));
+  EXPECT_EQ(lastNote("MPa"), "");
+  EXPECT_EQ(lastNote("kPa"), "");
 }
 
 TEST(DmaFile, TheGeometrySaysTheKindOfModuli) {

@@ -34,6 +34,21 @@ TEST(MaterialSummary, SaysWhatWasMeasured) {
   EXPECT_THAT(lines, Contains(HasSubstr("the shift used is the table of measured shifts")));
 }
 
+/// A rubber that still relaxes at the lowest frequency has an equilibrium modulus by extrapolation.
+TEST(MaterialSummary, AnEquilibriumThatWasNotMeasuredIsNamed) {
+  MaterialChoices choices;
+  choices.columns.temperature = 293.15;
+  const auto lines = [&](const char* rows) {
+    return linesOf(
+        makeMaterial(std::string("f (Hz),G' (MPa),G'' (MPa)\n") + rows, "dma.csv", choices));
+  };
+  EXPECT_THAT(lines("1,2.5,0.5\n10,3.0,0.7\n"),
+              Contains(HasSubstr("equilibrium was not measured: at the lowest frequency, 1 Hz, the "
+                                 "storage modulus is 2.1 times G\u221E")));
+  EXPECT_THAT(lines("1,2.00,0.01\n10,2.01,0.02\n100,2.05,0.1\n"),
+              Each(Not(HasSubstr("equilibrium was not measured"))));
+}
+
 /// A slip of the decimal mark is named, and nothing is concluded from it.
 TEST(MaterialSummary, ASlipIsNamedAndNothingIsConcludedFromIt) {
   std::vector<Isotherm> isotherms = SyntheticRubber().sweeps(12, 0.01);

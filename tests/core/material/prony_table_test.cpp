@@ -124,6 +124,23 @@ TEST(PronyTable, SmallModuliAreNoParts) {
   expectSeries(readSeries("tau (s),g_i\ninf,0.25\n0.1,0.5\n10,0.25\n", choices));
 }
 
+/// A unit that stands beside the columns is not passed over, and neither is a row that cannot be
+/// read.
+TEST(PronyTable, UnitsAndRowsAreNotLost) {
+  const std::string top = "# G_inf = 1 MPa, T0 = 20 C\n", rows = "tau,G (MPa)\n0.1,2\n10,1\n";
+  expectSeries(readSeries(top + "# relaxation times in s\n" + rows));
+  for (const std::string& text :
+       {top + "# relaxation times in ms\n" + rows, top + rows + "tau in ms\n"})
+    EXPECT_THAT(seriesError(text),
+                testing::HasSubstr("names 'ms'; write the unit into the name, as "
+                                   "in \"tau (ms)\""));
+  const auto damaged = readSeries(top + rows + "100,<1\n");
+  expectSeries(damaged);
+  EXPECT_THAT(seriesNotes(damaged),
+              testing::Contains("Line 5 is left out: it begins with a number and is no row of the "
+                                "table."));
+}
+
 TEST(PronyTable, RowsWithoutAValueAreCountedOrRefused) {
   EXPECT_THAT(seriesNotes(readSeries("G_inf = 1 MPa\ntau (s),G (MPa)\n0.1,2\n1,\n10,1\n")),
               testing::Contains("rows without a value, left out: 1"));

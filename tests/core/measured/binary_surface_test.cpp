@@ -179,6 +179,19 @@ TEST(GwyFile, ChoosesTheFirstChannelOfLengths) {
   EXPECT_NEAR(read(gwyOfThree(), volts).topography.at(0, 0), 1e-6 * height(0, 0), 1e-20);
 }
 
+/// Microscopes write amplitudes and deflections in units of length, too.
+TEST(GwyFile, PassesOverOtherLengthsThanHeights) {
+  const auto both = [](const std::string& second) {
+    return gwy(gwyMember("/0/data", gwyField("m", 2)) +
+               gwyText("/0/data/title", "Amplitude Error") + gwyMember("/1/data", gwyField("m")) +
+               gwyText("/1/data/title", second));
+  };
+  const MeasuredFile file = read(both("ZSensor"));
+  expectKnown(file, "gwy", false, 1e-20);
+  EXPECT_EQ(file.facts.heightColumn, "ZSensor");
+  EXPECT_NEAR(read(both("Deflection")).topography.at(0, 0), 2 * height(0, 0), 1e-20);
+}
+
 TEST(GwyFile, NamesWhatIsWrong) {
   EXPECT_THAT(errorOf(gwy("")), HasSubstr("no channel"));
   EXPECT_THAT(errorOf(gwy(gwyMember("/0/data", gwyObject("GwyDataField", gwyInt("xres", 7))))),

@@ -159,6 +159,30 @@ TEST(Gwyddion, ReadsWhatIsOfNoKnownKind) {
   expectKnown(made, "gwyddion", true, 1e-20);
 }
 
+/// NanoScope and others write lines of text in front of their numbers as bytes.
+TEST(Gwyddion, ReadsNumbersAsBytesBelowAHeaderOfText) {
+  std::string scan = "\\*File list\r\n\\Version: 0x09200201\r\n\\Data offset: 8192\r\n";
+  scan.resize(8192, '\x1A');
+  for (int i = 0; i < 4000; ++i) put(scan, static_cast<std::int16_t>(37 * i % 2000 - 1000));
+  EXPECT_THAT(errorOf(scan), HasSubstr("is a binary file; text (profiles, matrices, points)"));
+  const TemporaryFolder folder;
+  const auto file = folder.write("scan.spm", scan);
+  {
+    const TemporaryFolder empty;
+    const FakeGwyddion none(empty, "");
+    EXPECT_THAT(errorFrom([&] { readMeasuredFile(file); }),
+                HasSubstr("is of a kind that only Gwyddion reads, which is not installed"));
+  }
+  const auto converted = folder.write("converted.gwy", gwyOfThree(true));
+  const FakeGwyddion program(folder, "for word; do case $word in --convert-to-gwy=*) cp " +
+                                         converted.string() + " \"${word#*=}\";; esac; done");
+  expectKnown(readMeasuredFile(file), "gwyddion", true, 1e-20);
+  // Zeros that fill up a text, and one among its numbers, make no binary file.
+  std::string text = "x (um),z (um)\n";
+  for (int i = 0; i < 2000; ++i) text += fmt::format("{},{}\n", i, i % 7);
+  EXPECT_EQ(read(text + std::string(5000, '\0')).topography.columns, 2000);
+}
+
 TEST(ZipArchives, WithoutASurfaceAreNamed) {
   const std::string archive = zipped({{"xl/workbook.xml", "<workbook/>"}});
   EXPECT_THAT(

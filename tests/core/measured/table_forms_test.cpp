@@ -299,6 +299,46 @@ TEST(SeveralTables, AreChosenByTheirNames) {
     }
 }
 
+/// Some programs repeat the names of the columns on each page.
+TEST(SeveralTables, ThatGoOnAlongXAreOneProfile) {
+  const auto page = [](int from, int to, double step) {
+    std::string text = fmt::format("Page {}\nx (um),z (um)\n", from);
+    for (int i = from; i < to; ++i) text += fmt::format("{},{}\n", step * i, i * i % 7);
+    return text;
+  };
+  for (const double step : {0.5, -0.5}) {
+    const MeasuredFile file = read(page(0, 20, step) + page(20, 40, step) + page(40, 45, step));
+    ASSERT_EQ(file.topography.columns, 45);
+    EXPECT_NEAR(file.topography.columnSpacing, 0.5e-6, 1e-15);
+    EXPECT_NEAR(file.topography.height[step > 0 ? 44 : 0], 44 * 44 % 7 * 1e-6, 1e-15);
+    EXPECT_TRUE(
+        says(file, "3 tables of the file follow each other along x: they are read as one."));
+  }
+  // A gap between them, or another step, makes them others.
+  EXPECT_EQ(read(page(0, 20, 0.5) + page(25, 40, 0.5)).topography.columns, 20);
+  EXPECT_EQ(read(page(0, 20, 0.5) + page(10, 25, 1)).topography.columns, 20);
+}
+
+/// Long waves decide where the load is carried, and a filter takes them out.
+TEST(SeveralColumns, OfOneProfileGiveThePrimaryProfile) {
+  for (const char* names : {"R (um),W (um),P (um)", "R-Profil (um),W-Profil (um),P-Profil (um)",
+                            "Rauheitsprofil (um),Welligkeit (um),Prim\u00E4rprofil (um)",
+                            "Filtered profile (um),Waviness (um),Raw profile (um)"}) {
+    std::string text = "x (um)," + std::string(names) + "\n";
+    for (int i = 0; i < 20; ++i)
+      text += fmt::format("{},{},{},{}\n", 0.5 * i, i % 2, i % 3, 3 + i % 5);
+    const MeasuredFile file = read(text);
+    EXPECT_NEAR(file.topography.height[4], 7e-6, 1e-15) << names;
+    EXPECT_TRUE(says(file, "one of 3 columns that could be")) << names;
+  }
+}
+
+TEST(SeveralColumns, OfOneHeightAloneGiveWayToOthers) {
+  std::string text = "X-Pos (um);Z-Pos (mm);Z (um)\n";
+  for (int i = 0; i < 20; ++i) text += fmt::format("{};10.0;{}\n", 0.5 * i, i % 5);
+  EXPECT_NEAR(read(text).topography.height[4], 4e-6, 1e-15);
+}
+
 TEST(SeveralTables, OfOneSizeWithoutANameAreTold) {
   const std::string head = "Spacing: 2 um\nZ unit: um\nz: um\n";
   const MeasuredFile file = read(head + "A\n" + tableOf(true) + "B\n" + tableOf(false));

@@ -91,14 +91,26 @@ TEST(AxesOfAHeader, RefuseContradictions) {
 
 TEST(PointDistances, HaveManyNames) {
   for (const std::string line :
-       {"\u0394x = 0.5 \u00B5m", "Sample distance: 500 nm", "X-Resolution: 0.5 \u00B5m/pt",
-        "Points per mm: 2000", "Sampling interval 0.0005 mm (2000 pt/mm)",
-        "Grid spacing (mm): 0.0005", "Abtastschritt [\u00B5m]: 0,5", "X-Abstand: 0,5 \u00B5m",
-        "Aufl\u00F6sung X: 0,5 \u00B5m", "Digitalisierungsabstand: 0,5 \u00B5m",
-        "Pas d'\u00E9chantillonnage : 0,5 \u00B5m", "Intervalle: 0,5 \u00B5m", "Passo: 0,5 \u00B5m",
-        "Paso de muestreo: 0,5 \u00B5m", "\u30D4\u30C3\u30C1,0.5,um",
+       {"\u0394x = 0.5 \u00B5m",
+        "Sample distance: 500 nm",
+        "X-Resolution: 0.5 \u00B5m/pt",
+        "Points per mm: 2000",
+        "Sampling interval 0.0005 mm (2000 pt/mm)",
+        "Grid spacing (mm): 0.0005",
+        "Abtastschritt [\u00B5m]: 0,5",
+        "X-Abstand: 0,5 \u00B5m",
+        "Aufl\u00F6sung X: 0,5 \u00B5m",
+        "Digitalisierungsabstand: 0,5 \u00B5m",
+        "Pas d'\u00E9chantillonnage : 0,5 \u00B5m",
+        "Intervalle: 0,5 \u00B5m",
+        "Passo: 0,5 \u00B5m",
+        "Paso de muestreo: 0,5 \u00B5m",
+        "\u30D4\u30C3\u30C1,0.5,um",
         "\u30B5\u30F3\u30D7\u30EA\u30F3\u30B0\u30D4\u30C3\u30C1: 0.5 \u00B5m",
-        "Spacing;0,5;\u00B5m", "Number of points: 400\nLength: 0.1995 mm"})
+        "Spacing;0,5;\u00B5m",
+        "Punktabstand dx = 0,500 \u00B5m",
+        "Step \u0394x: 0.5 \u00B5m",
+        "Number of points: 400\nLength: 0.1995 mm"})
     EXPECT_NEAR(read(line + "\n" + list()).topography.columnSpacing, 5e-7, 1e-12) << line;
   expectSpacings("X Amplitude: 24 um\nY Amplitude: 27 um\nZ unit: um\n", 2e-6, 3e-6);
 }
@@ -156,7 +168,7 @@ TEST(NamesOfTables, StateAUnit) {
   for (const std::string line :
        {"H\u00F6he in \u00B5m", "Hauteur en \u00B5m", "Altura en \u00B5m", "Altezza in \u00B5m",
         "Height (um)", "z [um]", "H\u00F6hen in \u00B5m", "Hauteurs (\u00B5m)", "Hoogte in \u00B5m",
-        "Height data (um)", "Altura em \u00B5m"})
+        "Height data (um)", "Altura em \u00B5m", "Vertical unit: um", "\u5358\u4F4D: \u03BCm"})
     EXPECT_NEAR(read(spacings + line + "\n" + field()).topography.at(4, 7), 1e-6 * heightAt(4, 7),
                 1e-10)
         << line;

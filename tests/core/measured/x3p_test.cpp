@@ -35,6 +35,28 @@ TEST(X3pFile, ReadsEveryVariant) {
           }
 }
 
+/// The rotation of the axes is not applied, which is said where there is one.
+TEST(X3pFile, SaysThatItDoesNotTurnAxes) {
+  const auto turned = [](const char* r11, const char* r22, const char* r33) {
+    const X3pOptions options{.checksums = false};
+    X3pParts parts = x3pParts(options);
+    const std::string matrix = fmt::format(
+        "<Rotation><r11>{}</r11><r12>0</r12><r13>0</r13><r21>0</r21><r22>{}</r22><r23>0</r23>"
+        "<r31>0</r31><r32>0</r32><r33>{}</r33></Rotation>",
+        r11, r22, r33);
+    parts.main.insert(parts.main.find("</Axes>"), matrix);
+    return read(x3pArchive(options, parts));
+  };
+  const MeasuredFile plain = turned("1", "1.0", "1");
+  expectKnown(plain, "x3p", false, 1e-12);
+  EXPECT_FALSE(says(plain, "turns its axes"));
+  const MeasuredFile level = turned("-1", "-1", "1");
+  expectKnown(level, "x3p", false, 1e-12);
+  EXPECT_TRUE(says(level, "The file turns its axes (Rotation in main.xml), which is not done"));
+  EXPECT_FALSE(says(level, "count downwards"));
+  EXPECT_TRUE(says(turned("-1", "1", "-1"), "its heights would count downwards"));
+}
+
 TEST(X3pFile, ReadsStoredPositions) {
   for (const bool listed : {false, true})
     for (const bool absoluteY : {false, true}) {
