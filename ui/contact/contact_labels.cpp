@@ -111,6 +111,9 @@ RowTags fittingTags(const TagPainter& painter, const Frame& frame, float availab
         {motions.empty() ? std::nullopt : std::optional(motions.front()), forceTags(frame, brief)});
   for (std::size_t i = 1; i < motions.size(); ++i)
     forms.push_back({motions[i], forms.back().forces});
+  // The direction of friction is that against the motion, whose arrow stays.
+  forms.push_back(forms.back());
+  if (forms.back().forces.size() > 1) forms.back().forces.back().arrow = ArrowDirection::None;
   const std::size_t most = forms.front().forces.size();
   for (std::size_t left = 0; left <= most; ++left)
     for (RowTags tags : forms) {

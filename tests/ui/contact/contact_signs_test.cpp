@@ -90,6 +90,7 @@ TEST(ContactSigns, ArrowsStandInTheirLabels) {
     options.height = height;
     const std::vector<ContactSign> signs = contactSigns(shown, options);
     EXPECT_TRUE(namesBothForces(signs)) << height;
+    EXPECT_EQ(std::ranges::count(signs, ContactHandle::Force, &ContactSign::handle), 1) << height;
     const Rgba& colour = options.theme.highlight;
     int arrows = 0;
     for (const DrawLayer& layer : composeContact(shown, options).layers)
@@ -109,12 +110,19 @@ TEST(ContactSigns, ArrowsStandInTheirLabels) {
 /// Other words give way before a force is left out.
 TEST(ContactSigns, ANarrowPictureNamesBothForces) {
   const Frame shown = frame();
-  for (int width = 520; width < 1000; width += 20) {
-    ContactPictureOptions options;
-    options.width = width;
-    options.height = 900;
-    EXPECT_TRUE(namesBothForces(contactSigns(shown, options))) << width;
+  for (const char* code : {"en", "de"}) {
+    useLanguage(code);
+    for (const int height : {420, 900})
+      for (int width = 660; width < 1200; width += 20) {
+        ContactPictureOptions options;
+        options.width = width;
+        options.height = height;
+        options.scale = 1.25F;  // of a presentation
+        EXPECT_TRUE(namesBothForces(contactSigns(shown, options)))
+            << code << ' ' << width << ' ' << height;
+      }
   }
+  useLanguage("en");
 }
 
 TEST(ContactSigns, TheLegendExplainsTheColoursThatAreShown) {
