@@ -110,7 +110,7 @@ TickedAxis logarithmicAxis(const DiagramAxis& axis, const AxisRange& range, int 
 
 /// Returns a logarithmic axis with up to `most` ticks whose labels leave space between each other:
 /// are neighbours apart, at this distance in pixels? Where these are fewer than three, it has more
-/// of them if they are apart, too. A small axis has the outermost two of the first ticks that do
+/// of them if they are apart, too. A small axis has the two farthest from each other that do
 /// not touch: a single tick does not show the scale.
 template <class AreApart, class DoNotTouch>
 TickedAxis sparseLogarithmicAxis(const DiagramAxis& axis, const AxisRange& range, int most,
@@ -124,7 +124,7 @@ TickedAxis sparseLogarithmicAxis(const DiagramAxis& axis, const AxisRange& range
     return ticks.size() > 1;
   };
   constexpr int kMany = 16;
-  constexpr std::ptrdiff_t kFew = 3;
+  constexpr int kFew = 3;
   std::optional<TickedAxis> two;
   for (int count = most; count > 1; --count) {
     TickedAxis ticked = logarithmicAxis(axis, range, count, pixels, unit);
@@ -136,7 +136,7 @@ TickedAxis sparseLogarithmicAxis(const DiagramAxis& axis, const AxisRange& range
   }
   for (const bool isLinear : {false, true}) {
     if (isLinear && range.size() > 1) break;  // they would all be at its upper end
-    for (int count = most + 1; count <= kMany; ++count) {
+    for (int count = isLinear ? kFew : most + 1; count <= kMany; ++count) {
       TickedAxis closer = logarithmicAxis(axis, range, count, pixels, unit);
       if (isLinear) closer = withLinearTicks(closer, axis, count);
       if (std::ssize(closer.ticks) >= kFew && hasRoom(closer.ticks, areApart)) return closer;
@@ -146,8 +146,12 @@ TickedAxis sparseLogarithmicAxis(const DiagramAxis& axis, const AxisRange& range
   for (int count = 2; count <= kMany; ++count) {
     const TickedAxis ticked = logarithmicAxis(axis, range, count, pixels, unit);
     for (TickedAxis ends : {ticked, withLinearTicks(ticked, axis, count)}) {
-      keepOutermost(ends.ticks);
-      if (hasRoom(ends.ticks, doNotTouch)) return ends;
+      const std::vector<Tick> all = ends.ticks;
+      for (std::size_t span = all.size(); span-- > 1;)
+        for (std::size_t i = 0; i + span < all.size(); ++i) {
+          ends.ticks = {all[i], all[i + span]};
+          if (hasRoom(ends.ticks, doNotTouch)) return ends;
+        }
     }
   }
   const TickedAxis single = logarithmicAxis(axis, range, 1, pixels, unit);
