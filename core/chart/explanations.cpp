@@ -133,6 +133,10 @@ constexpr std::array kTable{
         "The state that the picture shows. Drag it, or use the arrow keys, and the picture "
         "follows.",
         "steady"},
+    HoverExplanation{"this line, settled", "μ = |F_x|/F_N",
+                     "The steady state to which the picture still moves. Drag it, or use the arrow "
+                     "keys, and the picture follows.",
+                     "steady"},
     HoverExplanation{"this motion, now", "μ(t) = |F_x(t)|/F_N",
                      "The motion at this moment, beside the curve of steady sliding.", "motion"},
     HoverExplanation{"now", "", "The moment that the picture shows.", "motion"},
@@ -160,13 +164,13 @@ constexpr std::array kTable{
                      "contact it can be chosen.",
                      "motion"},
     HoverExplanation{
-        "contact pressure", "p = −4 (G u + η ∂u/∂t)",
-        "Line load: the force with which the bodies press on each other, per length of the "
-        "line.",
+        "line load", "p = −4 (G u + η ∂u/∂t)",
+        "The force with which the bodies press on each other, per length of the line. It is to a "
+        "line what pressure is to an area.",
         "foundation", kPressureOfArms},
     HoverExplanation{
         "glow of the pressure", "p = −4 (G u + η ∂u/∂t)",
-        "The glow is brighter and deeper where the pressure is larger. It does not show "
+        "The glow is brighter and deeper where the line load is larger. It does not show "
         "how deep stresses reach, which the model does not know.",
         "foundation", kPressureOfArms},
     HoverExplanation{
@@ -203,7 +207,7 @@ constexpr std::array kTable{
     HoverExplanation{"Eq. (3)", "F_N = 4 ∫ [G (d − z) + η v z′] dx",
                      "The contact carries the normal force, which gives the indentation.", "eq-3"},
     HoverExplanation{"Eq. (4)", "F_x = −4 ∫ z′ [G (d − z) + η v z′] dx",
-                     "Tangential force: pressure on slopes.", "eq-4"},
+                     "Tangential force: line load on slopes.", "eq-4"},
     HoverExplanation{"Eq. (5)", "μ = β τ v ∇z²/h · (G h L/F_N)^α",
                      "Friction in slow sliding and partial contact.", "eq-5"},
     HoverExplanation{"Eq. (6)", "μ = 4 L_c η ∇z_cont² v/F_N",

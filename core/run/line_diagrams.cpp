@@ -170,7 +170,7 @@ double weightedPercentile99(const std::vector<double>& values, const std::vector
 }
 
 Diagram pressureDiagram(const Frame& frame) {
-  Diagram diagram{.x = {"contact pressure p", "N/m", AxisScale::Linear},
+  Diagram diagram{.x = {"line load p", "N/m", AxisScale::Linear},
                   .y = {"share of length", "%", AxisScale::Linear}};
   const std::vector<double> cover = coveredParts(frame);
   std::vector<double> pressures, weights;

@@ -4,10 +4,6 @@
 <context>
     <name>Words</name>
     <message>
-        <source>The force that sliding takes. It is a result and cannot be dragged.</source>
-        <translation>Die Kraft, die das Gleiten erfordert. Sie ist ein Ergebnis und lässt sich nicht ziehen.</translation>
-    </message>
-    <message>
         <source>tangential force F</source>
         <translation>Tangentialkraft F</translation>
     </message>
@@ -595,20 +591,20 @@
         <translation>Gemessen ist die Laufzeit von der Änderung der Szene bis zu ihrer ganzen Kurve. Andere Programme, die zugleich laufen, machen sie länger als vorhergesagt.</translation>
     </message>
     <message>
-        <source>measured: %1 on the clock, error of friction %2</source>
-        <translation>gemessen: %1 Laufzeit, Fehler der Reibung %2</translation>
+        <source>measured: %1 on the clock, error of the whole curve %2</source>
+        <translation>gemessen: %1 Laufzeit, Fehler der ganzen Kurve %2</translation>
     </message>
     <message>
-        <source>measured: %1 on the clock, standard error of the curve %2</source>
-        <translation>gemessen: %1 Laufzeit, Standardfehler der Kurve %2</translation>
+        <source>measured: %1 on the clock, standard error of the whole curve %2</source>
+        <translation>gemessen: %1 Laufzeit, Standardfehler der ganzen Kurve %2</translation>
     </message>
     <message>
-        <source>predicted motion: %1 on free processors for %2 steps, error of friction %3 (time step %4, resolution %5, settling %6)</source>
-        <translation>vorhergesagte Bewegung: %1 auf freien Prozessoren für %2 Schritte, Fehler der Reibung %3 (Zeitschritt %4, Auflösung %5, Einschwingen %6)</translation>
+        <source>predicted motion: %1 on free processors for %2 steps, error of the whole motion %3 (time step %4, resolution %5, settling %6)</source>
+        <translation>vorhergesagte Bewegung: %1 auf freien Prozessoren für %2 Schritte, Fehler der ganzen Bewegung %3 (Zeitschritt %4, Auflösung %5, Einschwingen %6)</translation>
     </message>
     <message>
-        <source>predicted: %1 on free processors, error of friction %2 (resolution %3, lines %4)</source>
-        <translation>vorhergesagt: %1 auf freien Prozessoren, Fehler der Reibung %2 (Auflösung %3, Linien %4)</translation>
+        <source>predicted: %1 on free processors, error of the whole curve %2 (resolution %3, standard error %4)</source>
+        <translation>vorhergesagt: %1 auf freien Prozessoren, Fehler der ganzen Kurve %2 (Auflösung %3, Standardfehler %4)</translation>
     </message>
 </context>
 <context>
@@ -1035,6 +1031,10 @@
     <message>
         <source>region %1, %2</source>
         <translation>Bereich %1, %2</translation>
+    </message>
+    <message>
+        <source>The status line has the standard error of the mean at this velocity; the tab Accuracy has the error of the whole curve, the root mean square over its velocities.</source>
+        <translation>Die Statuszeile zeigt den Standardfehler des Mittels bei dieser Geschwindigkeit; der Reiter Genauigkeit zeigt den Fehler der ganzen Kurve, das quadratische Mittel über ihre Geschwindigkeiten.</translation>
     </message>
     <message>
         <source>full contact</source>
@@ -1595,8 +1595,8 @@
         <translation>Bild kopieren</translation>
     </message>
     <message>
-        <source>Save picture…</source>
-        <translation>Bild speichern…</translation>
+        <source>Save picture as shown…</source>
+        <translation>Bild wie gezeigt speichern…</translation>
     </message>
     <message>
         <source>Copy as command line</source>
@@ -1631,8 +1631,16 @@
         <translation>In der Zwischenablage: %1</translation>
     </message>
     <message>
-        <source>Export picture…</source>
-        <translation>Bild exportieren…</translation>
+        <source>Export picture with options…</source>
+        <translation>Bild mit Optionen exportieren…</translation>
+    </message>
+    <message>
+        <source>Saves the contact, or the figure that is shown instead, in the size and the colours that it has in the window</source>
+        <translation>Speichert den Kontakt oder die Abbildung, die statt seiner zu sehen ist, in der Größe und den Farben des Fensters</translation>
+    </message>
+    <message>
+        <source>Opens a dialog with a preview: size, style, what stands below the contact, and the command line that makes the same picture</source>
+        <translation>Öffnet einen Dialog mit Vorschau: Größe, Stil, was unter dem Kontakt steht, und die Befehlszeile, die dasselbe Bild macht</translation>
     </message>
     <message>
         <source>Export film…</source>
@@ -4317,8 +4325,8 @@
         <translation>Spektrum der starren Linie</translation>
     </message>
     <message>
-        <source>pressures and slopes in contact</source>
-        <translation>Drücke und Steigungen im Kontakt</translation>
+        <source>line loads and slopes in contact</source>
+        <translation>Linienlasten und Steigungen im Kontakt</translation>
     </message>
     <message>
         <source>Friction curve</source>
@@ -4669,6 +4677,18 @@
         <translation>Kraft F̄ = %1</translation>
     </message>
     <message>
+        <source>F̄ = %1</source>
+        <translation>F̄ = %1</translation>
+    </message>
+    <message>
+        <source>v̄ = %1</source>
+        <translation>v̄ = %1</translation>
+    </message>
+    <message>
+        <source>This window has no room for: %1.</source>
+        <translation>In diesem Fenster ist kein Platz für: %1.</translation>
+    </message>
+    <message>
         <source>velocity v̄ = %1</source>
         <translation>Geschw. v̄ = %1</translation>
     </message>
@@ -4759,8 +4779,8 @@
         <translation>Zeitpunkt der Bewegung</translation>
     </message>
     <message>
-        <source>The moment of the motion: drag it to any other one.</source>
-        <translation>Der Zeitpunkt der Bewegung: Er lässt sich an jeden anderen ziehen.</translation>
+        <source>Drag it to any other moment of the motion.</source>
+        <translation>Zu jedem anderen Zeitpunkt der Bewegung ziehen.</translation>
     </message>
     <message>
         <source>constant pace</source>
@@ -4999,16 +5019,16 @@
         <translation>Lupe</translation>
     </message>
     <message>
-        <source>Enlarges the asperity at the crosshair, or the one under the highest pressure</source>
-        <translation>Vergrößert die Rauheitsspitze am Fadenkreuz oder die unter dem höchsten Druck</translation>
+        <source>Enlarges the asperity at the crosshair, or the one under the greatest line load</source>
+        <translation>Vergrößert die Rauheitsspitze am Fadenkreuz oder die unter der größten Linienlast</translation>
     </message>
     <message>
-        <source>Contact pressure</source>
-        <translation>Kontaktdruck</translation>
+        <source>Line load</source>
+        <translation>Linienlast</translation>
     </message>
     <message>
-        <source>Where the bodies press on each other</source>
-        <translation>Wo die Körper aufeinander drücken</translation>
+        <source>Where the bodies press on each other, and how much: force per length of the line</source>
+        <translation>Wo die Körper aufeinander drücken und wie stark: Kraft je Länge der Linie</translation>
     </message>
     <message>
         <source>Time since contact</source>
@@ -5121,6 +5141,10 @@
 <context>
     <name>asperity::Words</name>
     <message>
+        <source>The force that sliding takes. It is a result and cannot be dragged.</source>
+        <translation>Die Kraft, die das Gleiten erfordert. Sie ist ein Ergebnis und lässt sich nicht ziehen.</translation>
+    </message>
+    <message>
         <source>and %1 more</source>
         <translation>und %1 weitere</translation>
     </message>
@@ -5150,7 +5174,7 @@
     </message>
     <message>
         <source>μ when settled</source>
-        <translation>μ eingeschwungen</translation>
+        <translation>μ stationär</translation>
     </message>
     <message>
         <source>What friction comes to in the steady state, as in the chart. The picture is still on its way there.</source>
@@ -5209,10 +5233,6 @@
         <translation>starre Linie gleitet</translation>
     </message>
     <message>
-        <source>, arrow %1×</source>
-        <translation>, Pfeil %1×</translation>
-    </message>
-    <message>
         <source>elastomer</source>
         <translation>Elastomer</translation>
     </message>
@@ -5221,16 +5241,16 @@
         <translation>starrer Körper</translation>
     </message>
     <message>
-        <source>dot: the greatest pressure</source>
-        <translation>Punkt: der größte Druck</translation>
+        <source>dot: the greatest line load</source>
+        <translation>Punkt: die größte Linienlast</translation>
     </message>
     <message>
         <source>dot: a contact too small to be drawn</source>
         <translation>Punkt: ein Kontakt, zu klein zum Zeichnen</translation>
     </message>
     <message>
-        <source>glow: pressure, not depth</source>
-        <translation>Leuchten: Druck, nicht Tiefe</translation>
+        <source>glow: line load, not depth</source>
+        <translation>Leuchten: Linienlast, nicht Tiefe</translation>
     </message>
     <message>
         <source>below: the elastomer</source>
@@ -5247,10 +5267,6 @@
     <message>
         <source>dissipated power, log scale</source>
         <translation>dissipierte Leistung, log. Skala</translation>
-    </message>
-    <message>
-        <source>contact pressure, line load</source>
-        <translation>Kontaktdruck, Linienlast</translation>
     </message>
     <message>
         <source>since contact</source>
@@ -5277,8 +5293,8 @@
         <translation>Elastomer u</translation>
     </message>
     <message>
-        <source>pressure p</source>
-        <translation>Druck p</translation>
+        <source>line load p</source>
+        <translation>Linienlast p</translation>
     </message>
     <message>
         <source>gap</source>

@@ -2671,6 +2671,10 @@
         <translation>diese Linie, jetzt</translation>
     </message>
     <message>
+        <source>this line, settled</source>
+        <translation>diese Linie, stationär</translation>
+    </message>
+    <message>
         <source>this motion, now</source>
         <translation>diese Bewegung, jetzt</translation>
     </message>
@@ -2775,8 +2779,8 @@
         <translation>IV Abfall</translation>
     </message>
     <message>
-        <source>contact pressure p</source>
-        <translation>Kontaktdruck p</translation>
+        <source>line load p</source>
+        <translation>Linienlast p</translation>
     </message>
     <message>
         <source>share of length</source>
@@ -7442,8 +7446,8 @@
         <translation>Anhalten und Ruhen</translation>
     </message>
     <message>
-        <source>Summits of the line dent the rubber, which comes back behind them; the colour shows the pressure. Raise the velocity: contact withdraws to the leading sides.</source>
-        <translation>Gipfel der Linie drücken sich in das Gummi, das hinter ihnen zurückkehrt; die Farbe zeigt den Druck. Die Geschwindigkeit erhöhen: Der Kontakt zieht sich auf die Vorderseiten zurück.</translation>
+        <source>Summits of the line dent the rubber, which comes back behind them; the colour shows the line load, force per length. Raise the velocity: contact withdraws to the leading sides.</source>
+        <translation>Gipfel der Linie drücken sich in das Gummi, das hinter ihnen zurückkehrt; die Farbe zeigt die Linienlast, Kraft je Länge. Die Geschwindigkeit erhöhen: Der Kontakt zieht sich auf die Vorderseiten zurück.</translation>
     </message>
     <message>
         <source>The load is so high that the rubber fills every valley, and friction is 4 L η v times the squared rms slope over the force, exactly (η = G τ: viscosity). Raise the velocity until the first valleys open and the straight line ends.</source>
@@ -7598,6 +7602,10 @@
         <translation>Der Zustand, den das Bild zeigt. Mit der Maus oder den Pfeiltasten verschieben: Das Bild folgt.</translation>
     </message>
     <message>
+        <source>The steady state to which the picture still moves. Drag it, or use the arrow keys, and the picture follows.</source>
+        <translation>Der stationäre Zustand, auf den das Bild noch zuläuft. Mit der Maus oder den Pfeiltasten verschieben: Das Bild folgt.</translation>
+    </message>
+    <message>
         <source>The motion at this moment, beside the curve of steady sliding.</source>
         <translation>Die Bewegung in diesem Augenblick, neben der Kurve des stationären Gleitens.</translation>
     </message>
@@ -7670,8 +7678,8 @@
         <translation>Der Kontakt trägt die Normalkraft; daraus folgt die Eindringung.</translation>
     </message>
     <message>
-        <source>Tangential force: pressure on slopes.</source>
-        <translation>Tangentialkraft: Druck auf Steigungen.</translation>
+        <source>Tangential force: line load on slopes.</source>
+        <translation>Tangentialkraft: Linienlast auf Steigungen.</translation>
     </message>
     <message>
         <source>Friction in slow sliding and partial contact.</source>
@@ -7778,12 +7786,12 @@
         <translation>Um welchen Faktor sich das Bild langsamer oder schneller bewegt als die Wirklichkeit; unter dem Kontakt ist er wählbar.</translation>
     </message>
     <message>
-        <source>Line load: the force with which the bodies press on each other, per length of the line.</source>
-        <translation>Linienlast: die Kraft, mit der die Körper aufeinander drücken, je Länge der Linie.</translation>
+        <source>The force with which the bodies press on each other, per length of the line. It is to a line what pressure is to an area.</source>
+        <translation>Die Kraft, mit der die Körper aufeinander drücken, je Länge der Linie. Sie ist für eine Linie, was der Druck für eine Fläche ist.</translation>
     </message>
     <message>
-        <source>The glow is brighter and deeper where the pressure is larger. It does not show how deep stresses reach, which the model does not know.</source>
-        <translation>Das Leuchten ist heller und tiefer, wo der Druck größer ist. Es zeigt nicht, wie tief Spannungen reichen: Das weiß das Modell nicht.</translation>
+        <source>The glow is brighter and deeper where the line load is larger. It does not show how deep stresses reach, which the model does not know.</source>
+        <translation>Das Leuchten ist heller und tiefer, wo die Linienlast größer ist. Es zeigt nicht, wie tief Spannungen reichen: Das weiß das Modell nicht.</translation>
     </message>
     <message>
         <source>How long ago the elastomer was in contact at this place. It recovers within a few relaxation times.</source>

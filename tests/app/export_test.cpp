@@ -36,7 +36,7 @@ class ExportTest : public ProgramTest {
 };
 
 TEST_F(ExportTest, OverlaysSayWhatTheirColoursMean) {
-  for (const auto& [overlay, title] : {std::pair{"pressure", "contact pressure"},
+  for (const auto& [overlay, title] : {std::pair{"pressure", "line load ("},
                                        {"relaxation", "time since contact"},
                                        {"power", "dissipated power"}}) {
     const std::string file = std::string(overlay) + ".svg";
@@ -45,7 +45,7 @@ TEST_F(ExportTest, OverlaysSayWhatTheirColoursMean) {
     EXPECT_THAT(read(file), HasSubstr(title));
   }
   run("render s.json --size 960x540 --set surface.elements=64 --overlay none -o none.svg");
-  EXPECT_THAT(read("none.svg"), Not(HasSubstr("contact pressure")));
+  EXPECT_THAT(read("none.svg"), Not(HasSubstr("line load (")));
   const Said said = program.run("render s.json -o x.svg --overlay heat");
   EXPECT_EQ(said.status, 2);
   EXPECT_THAT(said.err, HasSubstr("--overlay"));

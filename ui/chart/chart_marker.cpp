@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ui/language/translated.h"
 
@@ -18,25 +19,35 @@ constexpr double kRing = 7.5;        // radius, around the point that is read
 
 }  // namespace
 
-void MarkerItem::update(const ChartGeometry& geometry, const std::optional<DiagramMarker>& marker,
-                        double lineX, const ChartStyle& style, const QList<QRectF>& taken,
-                        const QRectF& sentence) {
-  prepareGeometryChange();
+QRectF MarkerItem::update(const ChartGeometry& geometry, const std::optional<DiagramMarker>& marker,
+                          double lineX, const ChartStyle& style, const QList<QRectF>& taken,
+                          const QRectF& sentence) {
+  const QRectF before = std::exchange(drawn_, {});
   geometry_ = geometry;
   sentence_ = sentence;
   marker_ = marker;
   style_ = style;
-  bounds_ = label_ = QRectF();
-  if (!marker_) return;
-  makeTrace();
-  if (!std::isfinite(geometry.mapX(marker_->x))) return;
-  lineX_ = geometry.mapX(std::isfinite(lineX) ? lineX : marker_->x);
-  const QRectF& area = geometry.area;
+  label_ = QRectF();
+  if (marker_) {
+    makeTrace();
+    if (std::isfinite(geometry.mapX(marker_->x))) placeLine(lineX, taken);
+  }
+  if (const QRectF needed = drawn_ | geometry.area; !bounds_.contains(needed)) {
+    prepareGeometryChange();
+    bounds_ = needed;
+  }
+  return before | drawn_;
+}
+
+/// Places the line, the dot and the label.
+void MarkerItem::placeLine(double lineX, const QList<QRectF>& taken) {
+  lineX_ = geometry_.mapX(std::isfinite(lineX) ? lineX : marker_->x);
+  const QRectF& area = geometry_.area;
   label_ = labelRect(taken);
-  const double dot = geometry.mapX(marker_->x), around = kDot * geometry.scale + 2;
-  bounds_ |= QRectF(std::min(lineX_, dot), area.top(), std::abs(lineX_ - dot), area.height())
-                 .adjusted(-around, -around, around, around) |
-             label_;
+  const double dot = geometry_.mapX(marker_->x), around = kDot * geometry_.scale + 2;
+  drawn_ |= QRectF(std::min(lineX_, dot), area.top(), std::abs(lineX_ - dot), area.height())
+                .adjusted(-around, -around, around, around) |
+            label_;
 }
 
 /// Returns the rectangle of the label at the foot of the line: on its right or on its left,
@@ -84,12 +95,12 @@ void MarkerItem::makeTrace() {
       trace_.moveTo(at);
     wasShown = isShown;
   }
-  if (!trace_.isEmpty()) bounds_ = geometry_.area;
+  if (!trace_.isEmpty()) drawn_ = geometry_.area;
 }
 
 void MarkerItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
   const QRectF& area = geometry_.area;
-  if (bounds_.isEmpty()) return;
+  if (drawn_.isEmpty()) return;
   painter->setRenderHint(QPainter::Antialiasing);
   painter->setOpacity(marker_->isFaded ? kFadedOpacity : 1);
   paintTrace(*painter);
@@ -132,9 +143,43 @@ void MarkerItem::paintTrace(QPainter& painter) const {
   painter.restore();
 }
 
-/// Shows the text beside its point, on the side where it fits.
+namespace {
+
+/// Returns the box of a text at the side of a point where it covers the fewest of these rectangles,
+/// within the bounds.
+QRectF placeBeside(QPointF point, QSizeF size, double away, const QRectF& bounds,
+                   const QList<QRectF>& avoided) {
+  const auto held = [](double wanted, double from, double to) {
+    return std::clamp(wanted, from, std::max(from, to));
+  };
+  QRectF best;
+  qsizetype fewest = avoided.size() + 2;
+  // The text's centre relative to the point, in parts of their distance: above and below come
+  // first, because curves go on to the sides.
+  for (const auto& [right, down] :
+       {std::pair{0, -1}, {0, 1}, {1, 0}, {-1, 0}, {1, -1}, {-1, -1}, {1, 1}, {-1, 1}}) {
+    const QPointF centre(point.x() + right * (away + size.width() / 2),
+                         point.y() + down * (away + size.height() / 2));
+    const QRectF box(
+        QPointF(
+            held(centre.x() - size.width() / 2, bounds.left(), bounds.right() - size.width()),
+            held(centre.y() - size.height() / 2, bounds.top(), bounds.bottom() - size.height())),
+        size);
+    const qsizetype covered =
+        (box.contains(point) ? 1 : 0) +
+        std::ranges::count_if(avoided, [&](const QRectF& each) { return each.intersects(box); });
+    if (covered >= fewest) continue;
+    fewest = covered;
+    best = box;
+  }
+  return best;
+}
+
+}  // namespace
+
+/// Shows the text beside its point.
 void TipItem::show(const QString& text, QPointF position, bool ringed, const QRectF& bounds,
-                   const ChartStyle& style) {
+                   const ChartStyle& style, const QList<QRectF>& avoided) {
   prepareGeometryChange();
   text_ = text;
   position_ = position;
@@ -157,15 +202,9 @@ void TipItem::show(const QString& text, QPointF position, bool ringed, const QRe
   }
   const QSizeF size = lines_.size() + QSizeF(2 * kTipPad, 2 * kTipPad);
   const double away = kTipDistance * style_.scale(), ring = kRing * style_.scale() + 2;
-  const bool left = position.x() + away + size.width() > bounds.right();
-  const double x = left ? position.x() - away - size.width() : position.x() + away;
-  const double y = position.y() - size.height() / 2;
-  box_ = QRectF(
-      QPointF(std::clamp(x, bounds.left(), std::max(bounds.left(), bounds.right() - size.width())),
-              std::clamp(y, bounds.top(), std::max(bounds.top(), bounds.bottom() - size.height()))),
-      size);
-  bounds_ = box_.adjusted(-2, -2, 2, 2) |
-            QRectF(position.x() - ring, position.y() - ring, 2 * ring, 2 * ring);
+  box_ = placeBeside(position, size, away, bounds, avoided);
+  bounds_ = box_.adjusted(-2, -2, 2, 2);
+  if (ringed) bounds_ |= QRectF(position.x() - ring, position.y() - ring, 2 * ring, 2 * ring);
   QGraphicsItem::update();
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QGraphicsItem>
+#include <QList>
 #include <QPainterPath>
 #include <QStaticText>
 #include <QString>
@@ -17,12 +18,14 @@ class MarkerItem : public QGraphicsItem {
  public:
   using QGraphicsItem::QGraphicsItem;
 
-  /// Updates marker, trace and text. lineX: position of the line while it is dragged and the dot
-  /// has not followed yet; NaN: at the marker. taken: rectangles of other texts, which the marker's
-  /// own text avoids. sentence: a rectangle that interrupts the line.
-  void update(const ChartGeometry& geometry, const std::optional<DiagramMarker>& marker,
-              double lineX, const ChartStyle& style, const QList<QRectF>& taken,
-              const QRectF& sentence);
+  /// Updates marker, trace and text, and returns what must be painted. The item's bounds stay, so
+  /// that the scene does not report the change in a later event: who calls this asks the view to
+  /// paint, in the event in which the contact is painted. lineX: position of the line while it is
+  /// dragged and the dot has not followed yet; NaN: at the marker. taken: rectangles of other
+  /// texts, which the marker's own text avoids. sentence: a rectangle that interrupts the line.
+  QRectF update(const ChartGeometry& geometry, const std::optional<DiagramMarker>& marker,
+                double lineX, const ChartStyle& style, const QList<QRectF>& taken,
+                const QRectF& sentence);
   /// Returns the rectangle of the label; empty where there is none.
   QRectF label() const { return label_; }
   QRectF boundingRect() const override { return bounds_; }
@@ -31,6 +34,7 @@ class MarkerItem : public QGraphicsItem {
  private:
   QRectF labelRect(const QList<QRectF>& taken) const;
   void makeTrace();
+  void placeLine(double lineX, const QList<QRectF>& taken);
   void paintLine(QPainter& painter) const;
   void paintTrace(QPainter& painter) const;
 
@@ -39,7 +43,7 @@ class MarkerItem : public QGraphicsItem {
   QPainterPath trace_;
   double lineX_ = 0;
   ChartStyle style_;
-  QRectF bounds_, label_, sentence_;
+  QRectF bounds_, drawn_, label_, sentence_;
 };
 
 /// Shows a few lines of text beside a position; a point also gets a ring.
@@ -47,8 +51,9 @@ class TipItem : public QGraphicsItem {
  public:
   using QGraphicsItem::QGraphicsItem;
 
+  /// avoided: what the text covers only where it has no other place.
   void show(const QString& text, QPointF position, bool ringed, const QRectF& bounds,
-            const ChartStyle& style);
+            const ChartStyle& style, const QList<QRectF>& avoided);
   void clear();
   QString text() const { return text_; }
   QRectF boundingRect() const override { return bounds_; }

@@ -129,23 +129,26 @@ void ChartView::setChoosers(QWidget* x, QWidget* y) {
 }
 
 void ChartView::setSheet(const DiagramSheet& english) {
-  const double before = markerX();
+  const std::pair before = mark();
   english_ = english;
   sheet_ = translated(english);
-  if (markerX() != before && gesture_ != Gesture::Marker) targetX_ = kNaN;
+  if (mark().first != before.first && gesture_ != Gesture::Marker) targetX_ = kNaN;
   if (zoom_) zoom_ = heldWithin(*zoom_, whole());
   showAll();
+  // The scene reports its changes in a later event, in which a marker that comes with other axes
+  // would be painted after the contact that shows the same moment.
+  if (mark() != before) view_->viewport()->update();
 }
 
 void ChartView::setMarker(const std::optional<DiagramMarker>& english) {
   if (sheet_.diagrams.empty()) return;
   std::optional<DiagramMarker>& marker = sheet_.diagrams[0].marker;
-  const double before = markerX();
+  const double before = mark().first;
   const std::string name = marker ? marker->name.text : "";
   english_.diagrams[0].marker = english;
   marker.reset();
   if (english) marker = translated(*english);
-  if (markerX() != before && gesture_ != Gesture::Marker) targetX_ = kNaN;
+  if (mark().first != before && gesture_ != Gesture::Marker) targetX_ = kNaN;
   updateMarker();
   if (name != (marker ? marker->name.text : "")) showLegend();
 }
@@ -176,9 +179,10 @@ bool ChartView::hasMarker() const {
   return !sheet_.diagrams.empty() && sheet_.diagrams[0].marker;
 }
 
-/// Returns the position of the marker; NaN where there is none.
-double ChartView::markerX() const {
-  return hasMarker() ? sheet_.diagrams[0].marker->x : kNaN;
+/// Returns the values of the marker; NaN where there is none.
+std::pair<double, double> ChartView::mark() const {
+  if (!hasMarker()) return {kNaN, kNaN};
+  return {sheet_.diagrams[0].marker->x, sheet_.diagrams[0].marker->y};
 }
 
 std::optional<ChartGeometry> ChartView::frame() const {
@@ -287,14 +291,22 @@ void ChartView::showAll() {
 }
 
 void ChartView::updateMarker() {
-  if (layout_.frames.empty()) return marker_->update({}, std::nullopt, kNaN, style_, {}, {});
-  const auto& marker = sheet_.diagrams[0].marker;
-  if (panels_.empty()) return marker_->update(layout_.frames[0], marker, targetX_, style_, {}, {});
-  panels_[0]->avoidLine(layout_.frames[0].mapX(lineValue()));
-  QList<QRectF> taken = panels_[0]->namesInside();
-  const QRectF sentence = panels_[0]->sentence();
-  if (!sentence.isEmpty()) taken += sentence;
-  marker_->update(layout_.frames[0], marker, targetX_, style_, taken, sentence);
+  ChartGeometry frame;
+  std::optional<DiagramMarker> marker;
+  QList<QRectF> taken;
+  QRectF sentence;
+  if (!layout_.frames.empty()) {
+    frame = layout_.frames[0];
+    marker = sheet_.diagrams[0].marker;
+  }
+  if (!layout_.frames.empty() && !panels_.empty()) {
+    panels_[0]->avoidLine(frame.mapX(lineValue()));
+    taken = panels_[0]->namesInside();
+    sentence = panels_[0]->sentence();
+    if (!sentence.isEmpty()) taken += sentence;
+  }
+  const QRectF changed = marker_->update(frame, marker, targetX_, style_, taken, sentence);
+  view_->viewport()->update(view_->mapFromScene(changed).boundingRect().adjusted(-2, -2, 2, 2));
 }
 
 void ChartView::mousePressEvent(QMouseEvent* event) {
@@ -433,7 +445,28 @@ void ChartView::read(QPointF position) {
     const DiagramPoint& point = targetPoint(sheet_, target);
     at = layout_.frames[static_cast<std::size_t>(target.diagram)].at(point.x, point.y);
   }
-  tip_->show(text, at, target.isPoint(), view_->sceneRect(), style_);
+  tip_->show(text, at, target.isPoint(), view_->sceneRect(), style_, neighbours(target));
+}
+
+/// Returns what the pointer may go to from this object: the other points of its diagram, or the row
+/// of the names of regions.
+QList<QRectF> ChartView::neighbours(const ChartTarget& target) const {
+  QList<QRectF> found;
+  if (target.isPoint()) {
+    const auto index = static_cast<std::size_t>(target.diagram);
+    const ChartGeometry& map = layout_.frames[index];
+    const double reach = kPointReach * map.scale;
+    const DiagramPoint& own = targetPoint(sheet_, target);
+    for (const DiagramSeries& series : sheet_.diagrams[index].series)
+      if (series.id != -1 && series.mark != SeriesMark::None)
+        for (const DiagramPoint& point : series.points)
+          if (const QPointF at = map.at(point.x, point.y); &point != &own && isFinite(at))
+            found += QRectF(at.x() - reach, at.y() - reach, 2 * reach, 2 * reach);
+  } else if (target.span >= 0) {
+    const ChartGeometry& map = layout_.frames[0];
+    found += QRectF(map.area.left(), map.area.top() - map.names, map.area.width(), map.names);
+  }
+  return found;
 }
 
 /// Returns the explanation of the region, the shade or the curve at a position.
@@ -497,7 +530,7 @@ void ChartView::moveMarker(double x, bool finely) {
 }
 
 double ChartView::lineValue() const {
-  return hasMarker() && std::isfinite(targetX_) ? targetX_ : markerX();
+  return hasMarker() && std::isfinite(targetX_) ? targetX_ : mark().first;
 }
 
 void ChartView::releaseMarker() {

@@ -13,6 +13,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/chart/diagram.h"
@@ -113,7 +114,7 @@ class ChartView : public QWidget {
 
  private:
   bool hasMarker() const;
-  double markerX() const;
+  std::pair<double, double> mark() const;
   std::optional<HoverExplanation> explanationAt(const ChartTarget& target, QPointF position) const;
   VisibleRange whole() const;
   void showAll();
@@ -125,6 +126,7 @@ class ChartView : public QWidget {
   void pan(QPointF by);
   void read(QPointF position);
   QString tipText(const ChartTarget& target, QPointF position) const;
+  QList<QRectF> neighbours(const ChartTarget& target) const;
   void gripMarker(QPointF position, bool finely);
   void dragMarker(QPointF position, bool finely);
   void moveMarker(double x, bool finely);

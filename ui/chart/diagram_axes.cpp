@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <string_view>
@@ -108,8 +109,9 @@ TickedAxis logarithmicAxis(const DiagramAxis& axis, const AxisRange& range, int 
 }
 
 /// Returns a logarithmic axis with up to `most` ticks whose labels leave space between each other:
-/// are neighbours apart, at this distance in pixels? A small axis has the outermost two of the
-/// first ticks that do not touch: a single tick does not show the scale.
+/// are neighbours apart, at this distance in pixels? Where these are fewer than three, it has more
+/// of them if they are apart, too. A small axis has the two farthest from each other that do
+/// not touch: a single tick does not show the scale.
 template <class AreApart, class DoNotTouch>
 TickedAxis sparseLogarithmicAxis(const DiagramAxis& axis, const AxisRange& range, int most,
                                  float pixels, float unit, const AreApart& areApart,
@@ -121,17 +123,35 @@ TickedAxis sparseLogarithmicAxis(const DiagramAxis& axis, const AxisRange& range
         return false;
     return ticks.size() > 1;
   };
+  constexpr int kMany = 16;
+  constexpr int kFew = 3;
+  std::optional<TickedAxis> two;
   for (int count = most; count > 1; --count) {
     TickedAxis ticked = logarithmicAxis(axis, range, count, pixels, unit);
     if (ticked.ticks.size() < 2) break;
-    if (hasRoom(ticked.ticks, areApart)) return ticked;
+    if (!hasRoom(ticked.ticks, areApart)) continue;
+    if (std::ssize(ticked.ticks) >= kFew) return ticked;
+    two = std::move(ticked);
+    break;
   }
-  constexpr int kMany = 16;
+  for (const bool isLinear : {false, true}) {
+    if (isLinear && range.size() > 1) break;  // they would all be at its upper end
+    for (int count = isLinear ? kFew : most + 1; count <= kMany; ++count) {
+      TickedAxis closer = logarithmicAxis(axis, range, count, pixels, unit);
+      if (isLinear) closer = withLinearTicks(closer, axis, count);
+      if (std::ssize(closer.ticks) >= kFew && hasRoom(closer.ticks, areApart)) return closer;
+    }
+  }
+  if (two) return *two;
   for (int count = 2; count <= kMany; ++count) {
     const TickedAxis ticked = logarithmicAxis(axis, range, count, pixels, unit);
-    for (TickedAxis two : {ticked, withLinearTicks(ticked, axis, count)}) {
-      keepOutermost(two.ticks);
-      if (hasRoom(two.ticks, doNotTouch)) return two;
+    for (TickedAxis ends : {ticked, withLinearTicks(ticked, axis, count)}) {
+      const std::vector<Tick> all = ends.ticks;
+      for (std::size_t span = all.size(); span-- > 1;)
+        for (std::size_t i = 0; i + span < all.size(); ++i) {
+          ends.ticks = {all[i], all[i + span]};
+          if (hasRoom(ends.ticks, doNotTouch)) return ends;
+        }
     }
   }
   const TickedAxis single = logarithmicAxis(axis, range, 1, pixels, unit);
@@ -280,7 +300,7 @@ TickedAxis tickedYAxis(const DiagramAxis& axis, const AxisRange& range, float pi
   const int most = std::clamp(static_cast<int>(pixels / (2 * size)), 2, 16);
   return sparseLogarithmicAxis(
       axis, range, most, pixels, sizes.unit,
-      [&](const Tick&, const Tick&, double distance) { return distance > 1.5 * size; },
+      [&](const Tick&, const Tick&, double distance) { return distance > 1.3 * size; },
       [&](const Tick&, const Tick&, double distance) { return distance >= size; });
 }
 

@@ -104,6 +104,7 @@ bool FrictionChartModel::take(const CurveUpdate& update) {
 bool FrictionChartModel::mark(const Frame& frame) {
   const std::pair before{velocities_, coefficients_};
   marker_ = frameMarker(frame, CurveAxes::Physical, quantity_);
+  isMarkSettled_ = frame.isSettling;
   markedKey_ = frame.scene->sweep.key;
   dimensionlessMarker_ = frameMarker(frame, CurveAxes::Dimensionless);
   markerFactor_ = axesFactors(frame, CurveAxes::Dimensionless).velocity;
@@ -339,6 +340,8 @@ std::optional<DiagramMarker> FrictionChartModel::marker() const {
   if (concealed_) marker->trace.clear();
   if (isMarkFaded_)
     marker->name = "before the change";
+  else if (isMarkSettled_ && !marker->name.empty())
+    marker->name = "this line, settled";
   else if (!marker->isFixed && curve_ && isOneLine(*curve_))
     marker->name = "now";
   return marker;

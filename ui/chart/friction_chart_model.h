@@ -145,6 +145,7 @@ class FrictionChartModel {
   double fastest_ = 0;         // m/s, of the marked motion
   bool awaitsMarker_ = false;  // a new curve is there, and its scene's first picture may not be
   bool isMarkFaded_ = false;
+  bool isMarkSettled_ = false;  // of the steady state, to which the picture still moves
   bool resetsAxes_ = false, resetsAxesWithMark_ = false;  // with the next curve; with its marker
   std::optional<AxisRange> concealed_;                    // ends of the vertical axis
   std::optional<AxisRange> reach_;                        // values that it contains

@@ -68,24 +68,28 @@ std::string frictionTip(const Frame& frame) {
 }
 
 /// Returns the readings of the state that is drawn. While it approaches the steady state, the
-/// friction of the steady state is shown, too.
+/// friction of the steady state is shown, too; where that of the picture cannot be read, it stands
+/// in its place.
 std::vector<Reading> makeReadings(const Frame& frame) {
   std::vector<Reading> readings;
   const bool isSteady = !frame.transient;
   const ContactState state = drawnState(frame);
-  readings.push_back(
-      {{{hasInterface(frame) ? Words::tr("\u03BC of the deformation")
-                             : Words::tr("coefficient of friction \u03BC")}},
-       // A motion has an error where that of its elements and time steps is known.
-       numberWithError(state.mu, isSteady ? kNotApplicable : frame.muError, Zeros::Keep),
-       0,
-       frictionTip(frame),
-       "mu"});
+  const bool isSettledAlone =
+      frame.isSettling && !std::isfinite(state.mu) && std::isfinite(frame.muSteady);
+  if (!isSettledAlone)
+    readings.push_back(
+        {{{hasInterface(frame) ? Words::tr("\u03BC of the deformation")
+                               : Words::tr("coefficient of friction \u03BC")}},
+         // A motion has an error where that of its elements and time steps is known.
+         numberWithError(state.mu, isSteady ? kNotApplicable : frame.muError, Zeros::Keep),
+         0,
+         frictionTip(frame),
+         "mu"});
   if (frame.isSettling)
     readings.push_back(
         {{{Words::tr("\u03BC when settled")}},
          shortNumber(frame.muSteady, 3, Zeros::Keep),
-         7,
+         isSettledAlone ? 0 : 7,
          Words::tr("What friction comes to in the steady state, as in the chart. The "
                    "picture is still on its way there."),
          "mu"});

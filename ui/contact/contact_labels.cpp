@@ -58,12 +58,9 @@ std::vector<PlacedTag> placedBetweenCrests(const TagPainter& painter, const Fram
   std::vector<std::vector<PlacedTag>> labels;
   labels.push_back({{rigidTag(), left}});
   for (const Tag& force : forces) labels.push_back({{force, right}});
-  if (const std::optional<Tag> motion = slidingTag(frame, false)) {
-    const Tag brief = slidingTag(frame, true).value_or(*motion);
-    Tag briefest = brief;
-    briefest.after.clear();  // the header shows the velocity
+  if (const std::vector<Tag> motion = slidingTags(frame); !motion.empty()) {
     labels.emplace_back();
-    for (const Tag& words : {*motion, brief, briefest})
+    for (const Tag& words : motion)
       labels.back().push_back(
           {words, layout.plot.x + (layout.plot.width - painter.width(words)) / 2});
   }
@@ -79,23 +76,51 @@ std::vector<PlacedTag> placedBetweenCrests(const TagPainter& painter, const Fram
 }
 
 /// Names the rigid body, its motion and the forces in spaces that the line leaves free now. The
-/// labels of the forces contain their arrows, and are shortened where that lets more labels fit.
+/// labels of the forces are shortened where that lets more labels fit.
 void addRigidTagsBetweenCrests(TagPainter& painter, const Frame& frame, const ContactLayout& layout,
                                float y) {
-  const std::vector<Tag> forces = forceTags(frame, {}, false);
+  const std::vector<Tag> forces = forceTags(frame, false);
   std::vector<PlacedTag> labels = placedBetweenCrests(painter, frame, layout, y, forces);
-  const std::size_t all = 1 + forces.size() + (slidingTag(frame, false) ? 1 : 0);
+  const std::size_t all = 1 + forces.size() + (slidingTags(frame).empty() ? 0 : 1);
   if (labels.size() < all) {
     std::vector<PlacedTag> brief =
-        placedBetweenCrests(painter, frame, layout, y, forceTags(frame, {}, true));
+        placedBetweenCrests(painter, frame, layout, y, forceTags(frame, true));
     if (brief.size() > labels.size()) labels = std::move(brief);
   }
   for (const PlacedTag& label : labels) painter.paint(label.tag, {label.x, y}, layout.theme.rigid);
 }
 
-/// Returns where arrows may begin under the row of labels whose upper edge is at y.
-float belowRow(const TagPainter& painter, const ContactLayout& layout, float y) {
-  return y + painter.height() + std::round(9 * layout.sizes.unit);
+/// What stands beside the name of the rigid body in one row.
+struct RowTags {
+  std::optional<Tag> motion;
+  std::vector<Tag> forces;
+};
+
+/// Returns the tags with the most words that fit this width with a gap beside each of them. The
+/// words of the forces give way before those of the motion, and all of these before a force.
+RowTags fittingTags(const TagPainter& painter, const Frame& frame, float available, float gap) {
+  const std::vector<Tag> motions = slidingTags(frame);
+  const auto fits = [&](const RowTags& tags) {
+    float all = tags.motion ? painter.width(*tags.motion) + gap : 0;
+    for (const Tag& force : tags.forces) all += gap + painter.width(force);
+    return all <= available;
+  };
+  std::vector<RowTags> forms;
+  for (const bool brief : {false, true})
+    forms.push_back(
+        {motions.empty() ? std::nullopt : std::optional(motions.front()), forceTags(frame, brief)});
+  for (std::size_t i = 1; i < motions.size(); ++i)
+    forms.push_back({motions[i], forms.back().forces});
+  // The direction of friction is that against the motion, whose arrow stays.
+  forms.push_back(forms.back());
+  if (forms.back().forces.size() > 1) forms.back().forces.back().arrow = ArrowDirection::None;
+  const std::size_t most = forms.front().forces.size();
+  for (std::size_t left = 0; left <= most; ++left)
+    for (RowTags tags : forms) {
+      tags.forces.resize(most - left);
+      if (fits(tags)) return tags;
+    }
+  return {};
 }
 
 /// Adds "rigid body" on the left, the motion in the middle, the forces on the right, if they fit.
@@ -104,40 +129,32 @@ void addRigidRow(TagPainter& painter, const Frame& frame, const ContactLayout& l
   const Rgba& plate = layout.theme.rigid;
   float left = layout.plot.x + gap, right = layout.plot.right() - gap;
   const Tag name = rigidTag();
-  std::optional<Tag> motion = slidingTag(frame, false);
-  const auto both = [&] { return painter.width(name) + painter.width(*motion) + gap; };
-  if (motion && both() > right - left) motion = slidingTag(frame, true);
   // A view of the elastomer alone has no rigid body in its corner.
   const bool isThere =
       isOnBody(Body::Rigid, frame, layout, {left, y, painter.width(name), painter.height()});
   if (isThere) painter.paint(name, {left, y}, plate);
-  if (motion && isThere && both() > right - left) {  // a narrow picture has them below each other
-    const float below = y + painter.height();
-    if (painter.width(*motion) <= right - left && 6 * painter.height() < layout.plot.height &&
-        lineStaysBelow(frame, layout, below + painter.height()))
-      painter.paint(*motion, {left, below}, plate);
-    return;
-  }
   if (isThere) left += painter.width(name) + gap;
-  const ForceArrows arrows = forceArrows(frame, layout, belowRow(painter, layout, y));
-  std::vector<Tag> forces = forceTags(frame, arrows, false);
-  const auto fitAll = [&] {
-    float all = motion ? painter.width(*motion) + gap : 0;
-    for (const Tag& force : forces) all += gap + painter.width(force);
-    return all <= right - left;
-  };
-  if (!fitAll()) forces = forceTags(frame, arrows, true);
-  if (!fitAll() && motion) motion = slidingTag(frame, true);
-  for (const Tag& force : forces) {
-    const float needed = painter.width(force) + gap;
-    if (right - left < needed + (motion ? painter.width(*motion) + gap : 0)) break;
-    painter.paint(force, {right - painter.width(force), y}, plate);
-    right -= needed;
+  const RowTags tags = fittingTags(painter, frame, right - left, gap);
+  for (const Tag& force : tags.forces) {
+    right -= painter.width(force);
+    painter.paint(force, {right, y}, plate);
+    right -= gap;
   }
-  if (!motion || painter.width(*motion) > right - left) return;
-  const float width = painter.width(*motion);
-  const float middle = layout.plot.x + (layout.plot.width - width) / 2;
-  painter.paint(*motion, {std::round(std::clamp(middle, left, right - width)), y}, plate);
+  if (tags.motion) {
+    const float width = painter.width(*tags.motion);
+    const float middle = layout.plot.x + (layout.plot.width - width) / 2;
+    return painter.paint(*tags.motion, {std::round(std::clamp(middle, left, right - width)), y},
+                         plate);
+  }
+  // A narrow picture has the motion below the name.
+  const std::vector<Tag> motions = slidingTags(frame);
+  if (!isThere || motions.empty()) return;
+  const Tag& motion = motions[std::min<std::size_t>(1, motions.size() - 1)];
+  const float from = layout.plot.x + gap, below = y + painter.height();
+  if (painter.width(motion) <= layout.plot.width - 2 * gap &&
+      6 * painter.height() < layout.plot.height &&
+      lineStaysBelow(frame, layout, below + painter.height()))
+    painter.paint(motion, {from, below}, plate);
 }
 
 /// Returns "200 \u00B5W total, 23 % in the free surface": the recovering surface takes power, too.
@@ -161,13 +178,13 @@ Notes notesFor(const Frame& frame, const ContactLayout& layout) {
   Notes notes{{exaggerationText(layout), "vertical exaggeration"}};
   const bool pressed = greatestPressure(frame) > 0;
   if (layout.marked && !layout.theme.isPaper)
-    notes.push_back({pressed ? Words::tr("dot: the greatest pressure")
+    notes.push_back({pressed ? Words::tr("dot: the greatest line load")
                              : Words::tr("dot: a contact too small to be drawn"),
                      "dot at a contact"});
   if (layout.scale.overlay == ContactOverlay::Power && layout.scale.isShown())
     notes.push_back({powerText(frame), "dissipated power"});
   if (pressed && layout.scale.overlay == ContactOverlay::Pressure && !layout.theme.isPaper)
-    notes.push_back({Words::tr("glow: pressure, not depth"), "glow of the pressure"});
+    notes.push_back({Words::tr("glow: line load, not depth"), "glow of the pressure"});
   return notes;
 }
 
@@ -239,30 +256,12 @@ Notes addLabels(DrawList& list, const Frame& frame, const ContactLayout& layout,
   const float rows = 2 * painter.height() + 3 * margin;
   if (!isDrawable(frame) || rows > 0.75F * layout.plot.height) return notes;
   const float row = layout.plot.y + margin;
-  const bool hasRow = lineMisses(frame, layout, row, row + painter.height());
-  if (hasRow)
+  if (lineMisses(frame, layout, row, row + painter.height()))
     addRigidRow(painter, frame, layout, row);
   else
     addRigidTagsBetweenCrests(painter, frame, layout, row);
-  const float top = belowRow(painter, layout, row);
-  const ForceArrows arrows = hasRow ? forceArrows(frame, layout, top) : ForceArrows{};
-  if (arrows.down > 0)
-    addForceArrows({plates, layer}, arrows, arrowFoot(arrows, layout, top), layout);
   nameElastomer(painter, frame, layout, notes);
-  if (signs) {
-    *signs = painter.signs();
-    if (arrows.down > 0) {
-      const DrawPoint foot = arrowFoot(arrows, layout, top);
-      const float reach = 9 * layout.sizes.unit;
-      signs->push_back(makeSign(normalForceTag(frame, arrows),
-                                {foot.x - reach, foot.y, 2 * reach, arrows.down + reach}));
-      if (arrows.sideways > 0) {
-        const float from = arrows.pointsRight ? foot.x : foot.x - arrows.sideways;
-        signs->push_back(makeSign(frictionTag(frame, arrows, false),
-                                  {from, foot.y - reach, arrows.sideways, 2 * reach}));
-      }
-    }
-  }
+  if (signs) *signs = painter.signs();
   list.layers.insert(list.layers.end() - 1, std::move(plates));  // the last layer has the curves
   list.layers.push_back(std::move(layer));
   return notes;

@@ -29,7 +29,7 @@ struct OverlayEntry {
 /// The overlays in the order of their enumeration.
 constexpr std::array<OverlayEntry, 4> kOverlays{
     {{"", "", nullptr, nullptr},
-     {"N/m", "contact pressure", &Frame::pressure, &ContactView::pressure},
+     {"N/m", "line load", &Frame::pressure, &ContactView::pressure},
      {"s", "time since contact", &Frame::sinceContact, &ContactView::age},
      {"W/m", "dissipated power", &Frame::power, &ContactView::power}}};
 
@@ -97,7 +97,7 @@ std::string ColourScale::title() const {
     case ContactOverlay::Power:
       return withUnit(Words::tr("dissipated power, log scale"), *this);
     default:
-      return withUnit(Words::tr("contact pressure, line load"), *this);
+      return withUnit(Words::tr("line load"), *this);
   }
 }
 

@@ -66,7 +66,7 @@ std::vector<ProbeLine> probeLines(const ProbeReading& reading) {
       {Words::tr("rigid line z"), heightText(reading.line, reading.surface)},
       {Words::tr("elastomer u"), heightText(reading.surface, reading.line)}};
   if (reading.pressure > 0)
-    lines.push_back({Words::tr("pressure p"), quantity(reading.pressure, "N/m", 3, Zeros::Keep)});
+    lines.push_back({Words::tr("line load p"), quantity(reading.pressure, "N/m", 3, Zeros::Keep)});
   else
     lines.push_back({Words::tr("gap"), quantity(reading.gap, "m", 3, Zeros::Keep)});
   lines.push_back({Words::tr("slope z\u2032"), shortNumber(reading.slope, 3, Zeros::Keep)});

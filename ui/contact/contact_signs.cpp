@@ -68,7 +68,7 @@ void addFooterSigns(std::vector<ContactSign>& signs, const ContactLayout& layout
   }
 }
 
-/// The labels in the plot, then its arrows, and the notes of the footer.
+/// The labels in the plot and the notes of the footer.
 struct Labels {
   std::vector<ContactSign> signs;
   Notes notes;

@@ -1,4 +1,4 @@
-// The texts and arrows of a contact picture under the pointer: readings, labels, arrows, axes, the
+// The texts of a contact picture under the pointer: readings, labels with their arrows, axes, the
 // legend of the colours, the notes below the axes, each with its box and its explanation. What can
 // be dragged is a handle: the rigid body sets the load (depth, force or pressure), the arrow of the
 // force sets the normal force or the pressure, the arrow of the velocity the velocity. Pure
@@ -36,7 +36,7 @@ std::vector<ContactSign> contactSigns(const Frame& frame, const ContactPictureOp
 std::optional<ContactSign> contactSignAt(const Frame& frame, const ContactPictureOptions& options,
                                          float x, float y);
 
-/// Returns the labels and arrows of a picture that can be dragged.
+/// Returns the labels of a picture that can be dragged.
 std::vector<ContactSign> contactHandles(const Frame& frame, const ContactPictureOptions& options);
 
 /// Returns the handle under a pixel of the picture. The body is the area on the line and above it.

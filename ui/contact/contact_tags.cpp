@@ -5,16 +5,13 @@
 #include <utility>
 
 #include "core/material/element_law.h"
+#include "ui/contact/contact_forces.h"
 #include "ui/contact/frame_curves.h"
 #include "ui/draw/shapes.h"
 #include "ui/draw/theme.h"
 #include "ui/language/language.h"
 
 namespace asperity {
-
-ContactSign makeSign(const Tag& tag, const Box& box) {
-  return {box, plainText(tag.before), tag.id, tag.tip, tag.handle};
-}
 
 TagPainter::TagPainter(DrawList& list, DrawLayer& plates, DrawLayer& arrows,
                        const ContactLayout& layout)
@@ -38,7 +35,7 @@ float TagPainter::width(const Tag& tag) const {
 
 void TagPainter::paint(const Tag& tag, DrawPoint topLeft, const Rgba& plate) {
   const Box box{topLeft.x, topLeft.y, width(tag), height()};
-  signs_.push_back(makeSign(tag, box));
+  signs_.push_back({box, plainText(tag.before), tag.id, tag.tip, tag.handle});
   // A tag that is covered in part would lose its words, but not its plate.
   const auto covers = [&box](const Box& cover) { return cover.width > 0 && cover.overlaps(box); };
   if (std::ranges::any_of(layout_.covered, covers)) return;
@@ -77,20 +74,22 @@ void TagPainter::paintArrow(ArrowDirection direction, float x, float middle, con
 
 // ---- The words of the tags
 
-std::optional<Tag> slidingTag(const Frame& frame, bool brief) {
-  if (!frame.scene) return std::nullopt;
+std::vector<Tag> slidingTags(const Frame& frame) {
+  if (!frame.scene) return {};
   const double v = frameVelocity(frame);
-  if (v == 0)
-    return Tag{{{Words::tr("rigid line at rest")}},
-               ArrowDirection::None,
-               {},
-               ContactHandle::Velocity,
-               "sliding.velocity"};
-  return Tag{{{brief ? Words::tr("slides") : Words::tr("rigid line slides")}},
-             v > 0 ? ArrowDirection::Right : ArrowDirection::Left,
-             {{"v = " + quantity(v, "m/s")}},
-             ContactHandle::Velocity,
-             "sliding.velocity"};
+  Tag whole{{{v == 0 ? Words::tr("rigid line at rest") : Words::tr("rigid line slides")}},
+            ArrowDirection::None,
+            {},
+            ContactHandle::Velocity,
+            "sliding.velocity"};
+  if (v == 0) return {whole};
+  whole.arrow = v > 0 ? ArrowDirection::Right : ArrowDirection::Left;
+  whole.after = {{"v = " + quantity(v, "m/s")}};
+  Tag brief = whole;
+  brief.before = {{Words::tr("slides")}};
+  Tag briefest = brief;
+  briefest.after.clear();
+  return {whole, brief, briefest};
 }
 
 Tag rigidTag() {
@@ -110,44 +109,34 @@ std::string frictionName(const Frame& frame, bool brief) {
   return brief ? "F" : Words::tr("tangential force F");
 }
 
-std::string frictionSentence() {
-  return Words::tr("The force that sliding takes. It is a result and cannot be dragged.");
-}
-
-}  // namespace
-
-Tag frictionTag(const Frame& frame, const ForceArrows& arrows, bool brief) {
-  const bool toTheRight = pushesRight(frame);
-  Tag tag{{{frictionName(frame, brief)},
-           {"x", false, true},
-           {" = " + quantity(frictionForce(drawnState(frame)), "N")}},
-          toTheRight ? ArrowDirection::Right : ArrowDirection::Left,
-          {},
-          ContactHandle::None,
-          hasInterface(frame) ? "total friction" : "tangential_force",
-          frictionSentence()};
-  if (!(arrows.sideways > 0)) return tag;
-  tag.arrow = ArrowDirection::None;
-  if (arrows.enlarged > 1)
-    tag.before.push_back({filled(Words::tr(", arrow %1\u00D7"), {shortNumber(arrows.enlarged)})});
-  return tag;
-}
-
-Tag normalForceTag(const Frame& frame, const ForceArrows& arrows) {
+Tag normalForceTag(const Frame& frame) {
   return {{{"F"}, {"N", false, true}, {" = " + quantity(drawnState(frame).normalForce, "N")}},
-          arrows.down > 0 ? ArrowDirection::None : ArrowDirection::Down,
+          ArrowDirection::Down,
           {},
           ContactHandle::Force,
           "load.normal_force"};
 }
 
-std::vector<Tag> forceTags(const Frame& frame, const ForceArrows& arrows, bool brief) {
+Tag frictionTag(const Frame& frame, bool brief) {
+  return {{{frictionName(frame, brief)},
+           {"x", false, true},
+           {" = " + quantity(frictionForce(drawnState(frame)), "N")}},
+          pushesRight(frame) ? ArrowDirection::Right : ArrowDirection::Left,
+          {},
+          ContactHandle::None,
+          hasInterface(frame) ? "total friction" : "tangential_force",
+          Words::tr("The force that sliding takes. It is a result and cannot be dragged.")};
+}
+
+}  // namespace
+
+std::vector<Tag> forceTags(const Frame& frame, bool brief) {
   std::vector<Tag> tags;
   const ContactState state = drawnState(frame);
-  if (state.normalForce > 0) tags.push_back(normalForceTag(frame, arrows));
+  if (state.normalForce > 0) tags.push_back(normalForceTag(frame));
   // Without steady friction (no friction, or a state without it) rounding errors get no arrow.
   if (totalFriction(state) > 0 && frictionForce(state) > 0)
-    tags.push_back(frictionTag(frame, arrows, brief));
+    tags.push_back(frictionTag(frame, brief));
   return tags;
 }
 

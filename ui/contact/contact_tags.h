@@ -2,12 +2,11 @@
 // to ui/contact. Pure; any thread.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "ui/contact/contact_forces.h"
+#include "core/run/frame.h"
 #include "ui/contact/contact_layout.h"
 #include "ui/contact/contact_signs.h"
 #include "ui/draw/fonts.h"
@@ -25,9 +24,6 @@ struct Tag {
   std::string_view id{};                       // of its explanation
   std::string tip{};                           // a sentence instead of that of the explanation
 };
-
-/// Returns the sign that a tag, or its arrow, is in this box.
-ContactSign makeSign(const Tag& tag, const Box& box);
 
 /// Paints tags, all in one size: their plates in one layer, their arrows in another. The list,
 /// layers and layout must outlive it.
@@ -53,20 +49,15 @@ class TagPainter {
   std::vector<ContactSign> signs_;
 };
 
-/// Returns the direction of sliding with the velocity; nothing without a scene. A brief tag has
-/// fewer words.
-std::optional<Tag> slidingTag(const Frame& frame, bool brief);
+/// Returns the direction of sliding with the velocity in several forms, the one with the most words
+/// first; the last one has no velocity, which the header shows. None without a scene.
+std::vector<Tag> slidingTags(const Frame& frame);
 
 Tag rigidTag();
 
-/// Returns the tag of friction. Arrows in tags show only the direction; where there is space,
-/// arrows to scale are drawn instead.
-Tag frictionTag(const Frame& frame, const ForceArrows& arrows, bool brief);
-
-Tag normalForceTag(const Frame& frame, const ForceArrows& arrows);
-
 /// Returns the tags of the forces, the more important ones first; brief ones have fewer words.
-std::vector<Tag> forceTags(const Frame& frame, const ForceArrows& arrows, bool brief);
+/// Their arrows show the direction.
+std::vector<Tag> forceTags(const Frame& frame, bool brief);
 
 /// Returns "viscoelastic, G = 10 MPa, τ = 1 ms" or "G∞ = 1 MPa, 13 arms"; empty without a scene.
 std::string elastomerWords(const Frame& frame);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <iterator>
 
 #include "ui/draw/fonts.h"
 #include "ui/language/language.h"
@@ -57,6 +58,7 @@ double nextMultiple(std::initializer_list<double> factors, double value) {
 constexpr double kRounding = 1e-9;   // of a decade: a tick at the very end belongs to the axis
 constexpr double kMaxDecades = 700;  // the range of a double
 constexpr int kMaxTicks = 12;
+constexpr int kFew = 3;  // ticks: they show a scale better than two
 
 /// Returns the multiples of every decade inside [from, to].
 std::vector<Tick> multiples(double from, double to, const std::vector<int>& factors) {
@@ -82,8 +84,10 @@ std::vector<Tick> decades(double from, double to, int most) {
            std::ceil(static_cast<double>(first) / step) + 1;
   };
   while (count() > most) ++step;
+  const int fromFirst = (last - first) / step + 1;
+  const bool beginsAtFirst = count() < kFew && fromFirst >= kFew && fromFirst <= most;
   for (int exponent = first; exponent <= last; ++exponent)
-    if (exponent % step == 0)
+    if ((beginsAtFirst ? exponent - first : exponent) % step == 0)
       ticks.push_back({static_cast<double>(exponent), powerOfTen(exponent)});
   return ticks;
 }
@@ -160,11 +164,18 @@ AxisTicks sparseTicks(double from, double to, float pixels, float size, std::str
     const double share = (axis.ticks[1].value - axis.ticks[0].value) / (to - from);
     return widestLabel(axis.ticks, size) + size < share * pixels;
   };
-  for (int most = tickCount(pixels, size * 4); most > 1; --most) {
-    AxisTicks axis = linearTicks(from, to, most, unit);
-    if (axis.ticks.size() < 2) break;
-    if (isSparse(axis)) return axis;
+  const int usual = tickCount(pixels, size * 4);
+  AxisTicks few;
+  for (int most = usual; most > 1; --most) {
+    few = linearTicks(from, to, most, unit);
+    if (few.ticks.size() < 2 || isSparse(few)) break;
   }
+  if (std::ssize(few.ticks) >= kFew) return few;
+  for (int most = usual + 1; most <= kMaxTicks; ++most)
+    if (AxisTicks closer = linearTicks(from, to, most, unit);
+        std::ssize(closer.ticks) >= kFew && isSparse(closer))
+      return closer;
+  if (few.ticks.size() > 1 && isSparse(few)) return few;
   // One tick gives no scale: with steps of 1, 2 and 5 more of them may fit, or the outermost two.
   AxisTicks single;
   for (int most = 1; most <= kMaxTicks; ++most) {
@@ -187,12 +198,10 @@ AxisTicks yTicks(double from, double to, float pixels, float each, float size,
     const double apart = (ticks.ticks[1].value - ticks.ticks[0].value) / (to - from);
     return apart * static_cast<double>(pixels) >= letters * static_cast<double>(size);
   };
-  // With steps of 1, 2 and 5 the next number of ticks is up to five times as large. Three show the
-  // scale better than two, where they do not crowd.
-  constexpr std::size_t kFew = 3;
-  for (int count = most; axis.ticks.size() < kFew && count <= kMaxTicks; ++count)
+  // With steps of 1, 2 and 5 the next number of ticks is up to five times as large.
+  for (int count = most; std::ssize(axis.ticks) < kFew && count <= kMaxTicks; ++count)
     if (AxisTicks closer = linearTicks(from, to, count, unit);
-        closer.ticks.size() >= kFew && isApart(closer, 1.6))
+        std::ssize(closer.ticks) >= kFew && isApart(closer, 1.6))
       return closer;
   while (axis.ticks.size() < 2 && most < kMaxTicks) {
     AxisTicks closer = linearTicks(from, to, ++most, unit);
@@ -209,12 +218,15 @@ std::vector<Tick> logTicks(double from, double to, int most) {
   if (!(from < to) || !(std::abs(from) < kMaxDecades) || !(std::abs(to) < kMaxDecades) || most < 1)
     return {};
   std::vector<Tick> ticks = decades(from, to, most);
-  if (ticks.size() > 1 || most < 2) return ticks;
+  if (std::ssize(ticks) >= kFew || most < 2) return ticks;
   // Uses multiples that give a scale and fit, otherwise the outermost of them.
   const std::vector<int> choices[] = {{1, 2, 5}, {1, 2, 3, 4, 5, 6, 7, 8, 9}, {1, 3}, {1, 5}};
-  for (const std::vector<int>& factors : choices) {
-    std::vector<Tick> finer = multiples(from, to, factors);
-    if (finer.size() > 1 && static_cast<int>(finer.size()) <= most) return finer;
+  for (const int least : {kFew, 2}) {
+    if (std::ssize(ticks) >= least) return ticks;
+    for (const std::vector<int>& factors : choices) {
+      std::vector<Tick> finer = multiples(from, to, factors);
+      if (std::ssize(finer) >= least && std::ssize(finer) <= most) return finer;
+    }
   }
   const std::vector<Tick> coarse = multiples(from, to, {1, 2, 5});
   if (coarse.size() > 1) return {coarse.front(), coarse.back()};

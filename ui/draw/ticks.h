@@ -55,8 +55,8 @@ AxisTicks yTicks(double from, double to, float pixels, float each, float size,
                  std::string_view unit);
 
 /// Returns ticks between the decimal logarithms `from` and `to`, ascending, at most `most`:
-/// decades, thinned where there are many; where there are fewer than two, as many multiples of them
-/// as fit. None where from >= to, either is not finite, or most < 1.
+/// decades, thinned where there are many; where there are fewer than three, as many multiples of
+/// them as fit. None where from >= to, either is not finite, or most < 1.
 std::vector<Tick> logTicks(double from, double to, int most);
 
 /// Returns decimal logarithms of the minor ticks: 2, 3, ..., 9 times every decade, or 2 and 5 times

@@ -107,6 +107,7 @@ ParameterRow::ParameterRow(const Parameter& parameter, QWidget* parent)
   if (text_) line->setAlignment(reset_, Qt::AlignTop);
 
   addRemarks(*column);
+  keepTipsBeside(*this);
 }
 
 void ParameterRow::showTexts() {
@@ -143,14 +144,17 @@ QString ParameterRow::labelText(const Parameter& parameter) {
 }
 
 QString withLabels(const QString& text) {
-  static const QRegularExpression key(QStringLiteral(R"([a-z_]+(\.[a-z0-9_]+)+)"));
+  static const QRegularExpression key(
+      QStringLiteral(R"(([a-z_]+(?:\.[a-z0-9_]+)+)(?:=(-?\d+(?:\.\d+)?(?:e[-+]?\d+)?))?)"));
   QString labelled;
   qsizetype end = 0;
   for (auto it = key.globalMatch(text); it.hasNext();) {
     const QRegularExpressionMatch match = it.next();
-    const Parameter* parameter = findParameter(match.captured().toStdString());
+    const Parameter* parameter = findParameter(match.captured(1).toStdString());
     labelled += text.mid(end, match.capturedStart() - end);
     labelled += parameter ? inQuotes(ParameterRow::labelText(*parameter)) : match.captured();
+    if (parameter && match.hasCaptured(2))
+      labelled += " = " + textWithUnit(*parameter, match.captured(2).toDouble());
     end = match.capturedEnd();
   }
   return labelled + text.mid(end);

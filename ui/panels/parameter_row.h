@@ -139,7 +139,8 @@ class ParameterRow : public QWidget {
   QLabel* error_ = nullptr;
 };
 
-/// Returns a text in which the keys of parameters are replaced by their quoted labels.
+/// Returns a text in which the keys of parameters are replaced by their quoted labels, and their
+/// values by those that the rows show: "“temperature” = 293.15 K".
 QString withLabels(const QString& text);
 
 }  // namespace asperity

@@ -32,11 +32,6 @@ QString rangeText(const Parameter& parameter) {
   return words.join(QStringLiteral(", "));
 }
 
-QString textWithUnit(const Parameter& parameter, const ParameterValue& value) {
-  const UnitText text = shownText(parameter, value);
-  return (text.number + ' ' + text.unit).trimmed();
-}
-
 /// Returns whether some word of the text begins with these letters.
 bool beginsWordIn(const QString& letters, const QString& text) {
   static const QRegularExpression between(QStringLiteral(R"([\s._(-]+)"));
@@ -111,6 +106,11 @@ UnitText shownText(const Parameter& parameter, const ParameterValue& value) {
     if (std::holds_alternative<TextField>(parameter.field) && isTranslatedScene(*text))
       return {sceneText(*text), {}};
   return {valueText(value), fromUtf8(parameter.unit)};
+}
+
+QString textWithUnit(const Parameter& parameter, const ParameterValue& value) {
+  const UnitText text = shownText(parameter, value);
+  return (text.number + ' ' + text.unit).trimmed();
 }
 
 QString resetText(const Parameter& parameter, const ParameterValue& initial) {

@@ -25,6 +25,8 @@ bool isFound(const Parameter& parameter, const QStringList& words, bool inSenten
 
 /// Returns a value as the row shows it.
 UnitText shownText(const Parameter& parameter, const ParameterValue& value);
+/// Returns the same in one text, "293.15 K".
+QString textWithUnit(const Parameter& parameter, const ParameterValue& value);
 
 /// Returns what the reset button does: the default's arms in words, any other value as its row
 /// shows it.

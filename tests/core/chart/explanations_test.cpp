@@ -62,7 +62,7 @@ TEST(Explanations, IdsAreUniqueAndEachOneIsFoundWhole) {
 /// A material of arms has no single viscosity.
 TEST(Explanations, ElementsWithArmsHaveTheirOwnFormulas) {
   for (const char* id : {"load.normal_force", "sliding.velocity", "tangential_force", "elastomer",
-                         "contact pressure", "glow of the pressure", "dissipated power"}) {
+                         "line load", "glow of the pressure", "dissipated power"}) {
     const HoverExplanation plain = *findExplanation(std::string_view(id));
     EXPECT_EQ(withFormulaFor(plain, Rheology::Kelvin).formula, plain.formula) << id;
     for (const Rheology rheology : {Rheology::StandardSolid, Rheology::Prony})

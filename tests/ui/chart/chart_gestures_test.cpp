@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <QFontMetricsF>
+#include <QGraphicsScene>
+#include <QGraphicsView>
 #include <QMouseEvent>
 #include <QSignalSpy>
 #include <QTest>
@@ -174,6 +176,31 @@ TEST_F(ChartGestures, HoveringReadsPointsAndRegions) {
   EXPECT_EQ(view_->reading(), QStringLiteral("III plateau\nμ ≈ √2 ∇z_cont\ntold of III"));
   QTest::mouseMove(view_.get(), at(0.03, 0.3));
   EXPECT_EQ(view_->reading(), "");
+}
+
+/// What is read next stays in sight: the other points of a curve, and the names of other regions.
+TEST_F(ChartGestures, AReadingDoesNotCoverItsNeighbours) {
+  view_->setDescribe([](int, int) {
+    return QString(
+        "a reading with the values\nof a point in several lines,\nwider than two decades");
+  });
+  const auto& charts = *view_->findChild<QGraphicsView*>();
+  const auto tip = [&] {
+    for (const QGraphicsItem* item : charts.scene()->items())
+      if (const auto* found = dynamic_cast<const TipItem*>(item)) return found->boundingRect();
+    return QRectF();
+  };
+  const auto inCharts = [&](QPoint place) { return QPointF(charts.mapFrom(view_.get(), place)); };
+  for (int i = 0; i < 5; ++i) {
+    QTest::mouseMove(view_.get(), at(std::pow(10, i - 2), 0.02));
+    ASSERT_FALSE(tip().isEmpty());
+    EXPECT_GT(tip().width(), 1.2 * pixelsPerDecade());
+    for (int k = 0; k < 5; ++k)
+      EXPECT_FALSE(k != i && tip().contains(inCharts(at(std::pow(10, k - 2), 0.02)))) << i << k;
+  }
+  QTest::mouseMove(view_.get(), at(0.03, 1) - QPoint(0, 9));
+  ASSERT_FALSE(view_->reading().isEmpty());
+  EXPECT_GT(tip().top(), inCharts(at(0.03, 1)).y() - 3);
 }
 
 TEST_F(ChartGestures, AReadingOutlivesARefinementAndFollowsIt) {
@@ -490,7 +517,7 @@ TEST_F(ChartGestures, ALongReadingIsWiderInALowChart) {
   TipItem tip;
   const auto boxIn = [&](double height) {
     const QRectF view(0, 0, 2000, height);
-    tip.show(text, view.center(), false, view, style);
+    tip.show(text, view.center(), false, view, style, {});
     EXPECT_LE(tip.boundingRect().height(), height + 4);
     return tip.boundingRect();
   };

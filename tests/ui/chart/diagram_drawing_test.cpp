@@ -251,6 +251,30 @@ TEST(DiagramDrawing, TheAxisOfAStripHasTwoNumbers) {
         }
 }
 
+/// Three numbers show it better, wherever the diagram is high enough: 12 lines of text for the
+/// steps of a linear axis, 8 for decades.
+TEST(DiagramDrawing, TheAxisOfADiagramHasThreeNumbers) {
+  const DiagramSizes sizes;
+  const auto ticks = [&](AxisScale scale, const AxisRange& range, float letters) {
+    return tickedYAxis({"y", "", scale}, range, letters * sizes.tick, sizes).ticks;
+  };
+  for (const auto& [scale, letters] :
+       {std::pair{AxisScale::Linear, 12.0F}, std::pair{AxisScale::Logarithmic, 8.0F}})
+    for (double from = -3.1; from < 0; from += 0.07)
+      for (const double size : {1.0, 1.3, 1.7, 1.9, 2.6, 4.0}) {
+        const std::vector<Tick> found = ticks(scale, {from, from + size}, letters);
+        EXPECT_GE(found.size(), 3U)
+            << static_cast<int>(scale) << ' ' << from << " to " << from + size;
+        for (std::size_t i = 1; i < found.size(); ++i)
+          EXPECT_GE((found[i].value - found[i - 1].value) / size * letters, 1.2);
+      }
+  // The loss tangent in a window of 1024 pixels, and the frequencies below it.
+  EXPECT_EQ(ticks(AxisScale::Logarithmic, {-1, std::log10(0.5)}, 5.2F).size(), 3U);
+  EXPECT_EQ(ticks(AxisScale::Logarithmic, {-1, std::log10(0.49)}, 8).size(), 4U);
+  const DiagramAxis frequency{"f", "Hz", AxisScale::Logarithmic};
+  EXPECT_EQ(tickedXAxis(frequency, {0.7, 5.5}, 12 * sizes.tick, sizes).ticks.size(), 3U);
+}
+
 /// Returns whether the numbers at two of the positions 1, 2 and 5 times powers of ten fit beside
 /// each other below an axis.
 bool hasSpaceForTwo(const AxisRange& range, float pixels, float size) {

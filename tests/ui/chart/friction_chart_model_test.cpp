@@ -118,6 +118,11 @@ TEST(FrictionChartModelTest, MarksThePresentVelocityOfTheFrame) {
   EXPECT_EQ(plot.marker->y, 3e-3);
   EXPECT_EQ(plot.marker->label.english(), "v = 250 mm/s");
   EXPECT_EQ(plot.marker->name.english(), "this line, now");
+  Frame settling = frame(scene, 3e-3);
+  settling.isSettling = true;
+  diagram.mark(settling);
+  EXPECT_EQ(diagram.marker()->name.english(), "this line, settled")
+      << "the picture, whose friction may be another one, is still on its way there";
   // At rest it has no place on a logarithmic axis, and no entry in the legend.
   scene.sliding.velocity = 0;
   diagram.mark(frame(scene, 0));

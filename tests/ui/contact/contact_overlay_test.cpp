@@ -1,4 +1,4 @@
-// Colour scales of the contact picture and its force arrows.
+// Colour scales of the contact picture.
 #include "ui/contact/contact_overlay.h"
 
 #include <gmock/gmock.h>
@@ -11,7 +11,6 @@
 #include <string>
 
 #include "tests/ui/contact/sample_frame.h"
-#include "ui/contact/contact_forces.h"
 #include "ui/draw/fonts.h"
 #include "ui/draw/theme.h"
 
@@ -218,89 +217,6 @@ TEST(Overlay, CostDoesNotGrowWithThePoints) {
       for (const DrawLine& line : layer.lines)
         EXPECT_LE(line.vertices.size(), 2 * static_cast<std::size_t>(plot.width) + 8);
   }
-}
-
-ForceArrows arrowsOf(const Frame& frame) {
-  return forceArrows(frame, layoutContact(frame, {}, 60));
-}
-
-/// One scale and a stated factor: their lengths are in the ratio of the forces times that.
-TEST(ForceArrows, AreInScale) {
-  Frame frame = *sampleFrame({});
-  const ForceArrows usual = arrowsOf(frame);
-  ASSERT_GT(usual.down, 20);
-  EXPECT_NEAR(usual.sideways / usual.down, usual.enlarged * frame.muSteady, 1e-5);
-  EXPECT_FALSE(usual.pointsRight);
-  frame.muSteady *= 0.5;  // slower: the arrow shrinks with its force, by the same factor
-  EXPECT_EQ(arrowsOf(frame).enlarged, usual.enlarged);
-  EXPECT_NEAR(arrowsOf(frame).sideways, 0.5F * usual.sideways, 1e-4);
-}
-
-TEST(ForceArrows, ShowFrictionInTotal) {
-  Frame frame = *sampleFrame({});
-  const double deformation = arrowsOf(frame).sideways;
-  frame.muInterface = frame.muSteady;
-  EXPECT_NEAR(arrowsOf(frame).sideways, 2 * deformation, 1e-3);
-}
-
-/// In a low picture they do not lie across the line, now or later.
-TEST(ForceArrows, StayAboveTheLineOfALowPicture) {
-  const Frame frame = *sampleFrame({});
-  for (const float height : {220.0F, 260.0F, 300.0F, 340.0F}) {
-    ContactPictureOptions options;
-    options.width = 700;
-    options.height = static_cast<int>(height);
-    const ContactLayout layout = layoutContact(frame, options, 60);
-    const float top = layout.plot.y + 40;
-    const ForceArrows arrows = forceArrows(frame, layout, top);
-    for (const double line : frame.lineHeight)
-      EXPECT_TRUE(arrows.down == 0 || layout.py(line) > top + arrows.down);
-  }
-}
-
-TEST(ForceArrows, StayInThePlotWhateverTheForces) {
-  Frame frame = *sampleFrame({});
-  for (const double mu : {1e-9, 1e-3, 0.1, 7.0, 1e4}) {
-    frame.muSteady = mu;
-    const ForceArrows arrows = arrowsOf(frame);
-    EXPECT_LE(arrows.sideways, 0.31 * 1280);
-    const double wanted = arrows.down * mu * arrows.enlarged;
-    if (wanted >= 5)  // pixels; what is shorter is no arrow
-      EXPECT_NEAR(arrows.sideways, wanted, 1e-3 * wanted);
-    else
-      EXPECT_EQ(arrows.sideways, 0);
-    EXPECT_GE(arrows.enlarged, 1);
-  }
-}
-
-/// "arrow 500x" stands only where there is one; otherwise a small one in the text says which way.
-TEST(ForceArrows, AreOnlySpokenOfWhereTheyAreDrawn) {
-  Frame frame = *sampleFrame({});
-  for (const double part : {1.0, 0.3, 0.1, 0.03, 0.01, 1e-6}) {
-    Frame slower = frame;
-    slower.muSteady *= part;
-    slower.tangentialForce *= part;
-    const DrawList list = composeContact(slower, {});
-    std::string texts;
-    for (const DrawText& text : list.texts) texts += text.utf8 + "|";
-    const ForceArrows arrows = arrowsOf(slower);
-    EXPECT_NE(texts.find("tangential force F"), std::string::npos) << part;
-    EXPECT_EQ(texts.find(", arrow ") != std::string::npos, arrows.sideways > 0) << part;
-    if (part >= 0.3) {
-      EXPECT_GT(arrows.sideways, 0) << part;
-    }
-    if (part <= 0.01) {
-      EXPECT_EQ(arrows.sideways, 0) << part;
-    }
-  }
-}
-
-TEST(ForceArrows, NoForceNoArrow) {
-  Frame frame = *sampleFrame({});
-  frame.muSteady = kNotApplicable;
-  EXPECT_EQ(arrowsOf(frame).sideways, 0);
-  frame.normalForce = 0;
-  EXPECT_EQ(arrowsOf(frame).down, 0);
 }
 
 }  // namespace

@@ -73,7 +73,7 @@ TEST(Probe, SaysItInEngineeringUnits) {
     all += line.label + " = " + line.value + "; ";
   EXPECT_EQ(all,
             "position x = 1.000 mm; rigid line z = \u22121.00 \u00B5m; elastomer u = \u22121.00 "
-            "\u00B5m; pressure p = 12.0 N/m; slope z\u2032 = \u22120.00150; ");
+            "\u00B5m; line load p = 12.0 N/m; slope z\u2032 = \u22120.00150; ");
 }
 
 Scene movingScene(SlidingKind kind) {

@@ -97,8 +97,8 @@ TEST(ContactTexts, SayWhatIsShown) {
   std::string words = allTexts(frame);
   for (const char* part :
        {"Figure 1", "0.0123", "rigid body", "elastomer", "rigid line slides", "v = 1 m/s",
-        "position (mm)", "undeformed surface (\u00B5m)", "vertical exaggeration",
-        "contact pressure, line load (", "N/m)", "slow motion", "500\u00D7"})
+        "position (mm)", "undeformed surface (\u00B5m)", "vertical exaggeration", "line load (",
+        "N/m)", "slow motion", "500\u00D7"})
     EXPECT_NE(words.find(part), std::string::npos) << part;
   EXPECT_EQ(words.find("moving picture"), std::string::npos);
   frame.muMarch = 0.5;
@@ -135,8 +135,12 @@ TEST(ContactTexts, WhileItSettlesWhatIsDrawnIsTold) {
     EXPECT_NE(words.find(part), std::string::npos) << part << " in " << words;
   expectTidyTexts(frame, {}, "settling");
   frame.drawn.mu = frame.drawn.tangentialForce = kNotApplicable;  // steps too coarse to read it
-  EXPECT_NE(allTexts(frame).find("coefficient of friction \u03BC|\u2013|"), std::string::npos);
+  EXPECT_EQ(contactReadings(frame, {}).front().name, "\u03BC when settled")
+      << "as the marker of the chart, which is named after it";
+  EXPECT_EQ(allTexts(frame).find("coefficient of friction"), std::string::npos);
   EXPECT_EQ(allTexts(frame).find("tangential force F|"), std::string::npos);
+  frame.muSteady = kNotApplicable;
+  EXPECT_NE(allTexts(frame).find("coefficient of friction \u03BC|\u2013|"), std::string::npos);
 }
 
 /// Zoomed to one of the two, the other one has no name there; and the arrow of sliding stays.
@@ -289,7 +293,7 @@ TEST(ContactTexts, ColourBarHasItsZeroAndItsMaximum) {
       const DrawList list = composeContact(*frame, picture);
       const Box plot = contactPlotArea(*frame, picture);
       const auto title = std::find_if(list.texts.begin(), list.texts.end(), [](const auto& text) {
-        return text.utf8.starts_with("contact pressure");
+        return text.utf8.starts_with("line load (");
       });
       if (title == list.texts.end()) continue;  // no room for a bar
       bool zero = false, most = false;
@@ -429,7 +433,7 @@ TEST(ContactTexts, NoColourBarWithoutAPressure) {
   Frame frame = *sampleFrame(options);
   frame.pressure.assign(frame.pressure.size(), 0);
   std::string words = allTexts(frame);
-  EXPECT_EQ(words.find("contact pressure"), std::string::npos);
+  EXPECT_EQ(words.find("line load"), std::string::npos);
   EXPECT_EQ(words.find("glow"), std::string::npos);
   EXPECT_NE(words.find("dot: a contact too small to be drawn"), std::string::npos) << words;
   expectTidyTexts(frame, {}, "no pressure");

@@ -3,12 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <QApplication>
 #include <QComboBox>
+#include <QHelpEvent>
 #include <QLabel>
 #include <QScrollBar>
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
+#include <QToolTip>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
@@ -19,6 +22,7 @@
 #include "tests/ui/window/qt_application.h"
 #include "ui/panels/controls.h"
 #include "ui/panels/number_text.h"
+#include "ui/panels/parameter_row.h"
 #include "ui/panels/profile_defaults.h"
 #include "ui/panels/value_entry.h"
 #include "ui/panels/value_slider.h"
@@ -370,6 +374,36 @@ TEST_F(ParameterPanelTest, ASliderContainsTheScenesValue) {
   QTest::keyClick(&slider, Qt::Key_Left);
   EXPECT_GT(panel_.scene().surface.rmsHeight, 1.4e-4);
   EXPECT_LT(panel_.scene().surface.rmsHeight, 1.8e-4);
+}
+
+/// What is said of a row stands beside it, so that the row below is in sight.
+TEST_F(ParameterPanelTest, TheTipOfARowDoesNotCoverItsNeighbours) {
+  panel_.move(600, 0);
+  for (const char* part : {"entry:elastomer.shear_modulus", "slider:elastomer.shear_modulus"}) {
+    auto& child = *control<QWidget>(part);
+    ASSERT_FALSE(child.toolTip().isEmpty());
+    const QPoint at = child.rect().center();
+    QHelpEvent help(QEvent::ToolTip, at, child.mapToGlobal(at));
+    QApplication::sendEvent(&child, &help);
+    ASSERT_EQ(QToolTip::text(), child.toolTip());
+    const QWidgetList all = QApplication::topLevelWidgets();
+    const auto tip = std::ranges::find_if(
+        all, [](const QWidget* each) { return each->objectName() == "qtooltip_label"; });
+    ASSERT_NE(tip, all.end());
+    const auto& row = *control<QWidget>("row:elastomer.shear_modulus");
+    EXPECT_LE((*tip)->geometry().right(), row.mapToGlobal(QPoint()).x()) << part;
+  }
+  QToolTip::hideText();
+}
+
+/// A value in a message has its unit, as in its row.
+TEST(WithLabels, AnAssignmentIsShownAsItsRowShowsIt) {
+  EXPECT_EQ(withLabels("scenes need elastomer.temperature=293.15"),
+            "scenes need “temperature” = 293.15 K");
+  EXPECT_EQ(withLabels("surface.outliers=6 replaces them"), "“outlier limit” = 6 replaces them");
+  EXPECT_EQ(withLabels("see load.normal_force."), "see “normal force”.");
+  EXPECT_EQ(withLabels("elastomer.shear_modulus=2e7, no.such.key=3"),
+            "“shear modulus” = 20 MPa, no.such.key=3");
 }
 
 }  // namespace

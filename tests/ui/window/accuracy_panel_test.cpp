@@ -18,7 +18,9 @@
 #include "core/run/motion_accuracy.h"
 #include "tests/core/small_scene.h"
 #include "tests/ui/window/qt_application.h"
+#include "ui/window/curve/curve_reading.h"
 #include "ui/window/figures/figure_picture.h"
+#include "ui/window/main/status_line.h"
 
 namespace asperity {
 namespace {
@@ -57,7 +59,8 @@ TEST(AccuracyScale, GoesFromQuickToExactAndBack) {
 TEST_F(AccuracyPanelTest, TimeAndErrorArePredicted) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return text("accuracyPredicted").startsWith("predicted:"); },
                               kPatience));
-  EXPECT_TRUE(text("accuracyPredicted").contains("error"));
+  EXPECT_TRUE(text("accuracyPredicted").contains("error of the whole curve"));
+  EXPECT_TRUE(text("accuracyPredicted").contains("standard error"));
 }
 
 TEST_F(AccuracyPanelTest, AMotionIsPredictedByItsSteps) {
@@ -67,6 +70,7 @@ TEST_F(AccuracyPanelTest, AMotionIsPredictedByItsSteps) {
   panel_.showScene(scene);
   ASSERT_TRUE(QTest::qWaitFor(
       [&] { return text("accuracyPredicted").startsWith("predicted motion:"); }, kPatience));
+  EXPECT_TRUE(text("accuracyPredicted").contains("error of the whole motion"));
   EXPECT_TRUE(text("accuracyPredicted").contains("time step"));
 }
 
@@ -155,9 +159,22 @@ TEST_F(AccuracyPanelTest, TheComparisonIsShownRegionByRegion) {
 TEST_F(AccuracyPanelTest, MeasuredNumbersGoWithTheirScene) {
   panel_.showMeasured({2, 0.015});
   EXPECT_EQ(text("accuracyMeasured"),
-            "measured: 2 s on the clock, standard error of the curve 1.5\u00A0%");
+            "measured: 2 s on the clock, standard error of the whole curve 1.5\u00A0%");
   panel_.showScene(sceneOfThePanel());
   EXPECT_EQ(text("accuracyMeasured"), "");
+}
+
+/// The error beside the mean is that of one velocity; both places tell the same of both.
+TEST_F(AccuracyPanelTest, TheErrorOfTheCurveIsToldFromThatOfTheStatusLine) {
+  StatusLine status;
+  const QString both = errorsInWords();
+  EXPECT_TRUE(both.contains("at this velocity") && both.contains("of the whole curve"));
+  for (const QWidget* place :
+       {static_cast<QWidget*>(panel_.findChild<QLabel*>("accuracyPredicted")),
+        static_cast<QWidget*>(panel_.findChild<QLabel*>("accuracyMeasured")),
+        static_cast<QWidget*>(status.findChild<QLabel*>("factMu"))})
+    EXPECT_TRUE(place->toolTip().contains(both.toHtmlEscaped()))
+        << place->objectName().toStdString();
 }
 
 TEST(Predictions, TheNewestSceneWins) {

@@ -258,7 +258,7 @@ TEST_F(ContactCanvasTest, SignsExplainThemselvesAndLeadToTheGuide) {
                    [&](const QString& anchor) { read += anchor; });
   int count = 0;
   for (const ContactSign& sign : contactSigns(*canvas_.frame(), options)) {
-    if (sign.id != "contact pressure" && sign.id != "rigid body") continue;
+    if (sign.id != "line load" && sign.id != "rigid body") continue;
     ++count;
     const QPoint at = middleOf(sign.box);
     QHelpEvent help(QEvent::ToolTip, at, canvas_.mapToGlobal(at));

@@ -506,6 +506,47 @@ TEST(StatusLine, ASmallWindowHasBothDimensionlessNumbers) {
   useLanguage("en");
 }
 
+/// The numbers of the paper lose their words before one of them is left out, and what is left out
+/// is told where friction stands.
+TEST(StatusLine, ANarrowWindowTellsBothNumbersOfThePaper) {
+  Frame frame = movingFrame(1);
+  frame.transient.reset();
+  CurveReading reading;
+  reading.mu = 0.00012345;
+  reading.error = 1e-6;
+  reading.lines = 200;
+  reading.notes.add(Note::FasterThanTested);
+  for (const Language& language : languages()) {
+    useLanguage(language.code);
+    reading.regime = regionText("IV");
+    StatusLine line;
+    line.show();
+    const auto& velocity = *line.findChild<QLabel*>("factVelocity");
+    const auto& force = *line.findChild<QLabel*>("factForce");
+    const auto& friction = *line.findChild<QLabel*>("factMu");
+    const auto showAt = [&](int width) {
+      line.setFixedWidth(width);
+      line.showFrame(frame, reading);
+      QTest::qWait(1);  // the layout is made with the first events
+    };
+    showAt(1440);
+    const QString whole = velocity.text(), value = whole.section(u'=', -1);
+    showAt(1024);
+    for (const QLabel* number : {&force, &velocity}) {
+      EXPECT_TRUE(number->isVisible()) << language.code;
+      EXPECT_GE(number->width(), number->sizeHint().width()) << language.code;
+    }
+    EXPECT_EQ(velocity.text(), QStringLiteral("v̄ =") + value) << language.code;
+    EXPECT_FALSE(friction.toolTip().contains(velocity.text())) << language.code;
+    showAt(700);
+    EXPECT_FALSE(velocity.isVisible()) << language.code;
+    EXPECT_TRUE(friction.toolTip().contains(velocity.text())) << friction.toolTip().toStdString();
+    showAt(1440);
+    EXPECT_EQ(velocity.text(), whole);
+  }
+  useLanguage("en");
+}
+
 TEST(StatusLine, FactsAreWholeOrLeftOutHoweverNarrowTheWindow) {
   const Frame frame = movingFrame(1);
   CurveReading reading;

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <QCheckBox>
+#include <QGraphicsView>
+#include <QHelpEvent>
 #include <QLabel>
 #include <QLayout>
 #include <QLineEdit>
@@ -245,7 +247,8 @@ TEST_F(TimeBarTest, TheDurationGivesWayInANarrowBar) {
     bar_.resize(width, bar_.sizeHint().height());
     QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
     EXPECT_EQ(moment.text() == time, width < 720) << moment.text().toStdString();
-    EXPECT_TRUE(moment.text().startsWith(time)) << moment.text().toStdString();
+    EXPECT_TRUE(moment.text().startsWith((width < 720 ? "" : "t = ") + time))
+        << moment.text().toStdString();
     EXPECT_LE(keep.geometry().right(), bar_.width()) << width;
     EXPECT_GE(keep.width(), keep.sizeHint().width()) << width;
     EXPECT_GE(moment.width(), moment.sizeHint().width()) << width;
@@ -297,6 +300,23 @@ TEST_F(TimeBarTest, OnlyAMotionHasAMoment) {
   EXPECT_NEAR(moments[0][0].toDouble(), 0.02, 1e-9);
 }
 
+/// Who does not see the handle hears which moment it stands for; its tip tells the same.
+TEST_F(TimeBarTest, TheMomentHasANameAndItsTimeInWords) {
+  scene_.sliding.kind = SlidingKind::Step;
+  scene_.sliding.duration = 0.04;
+  show();
+  frame_.transient = std::make_shared<const std::vector<TransientSample>>();
+  frame_.time = 0.01;
+  bar_.showFrame(frame_);
+  auto& moment = part<QSlider>("moment");
+  EXPECT_EQ(moment.accessibleName(), "moment of the motion");
+  EXPECT_EQ(moment.accessibleDescription(), "t = 10 ms of 40 ms");
+  bar_.show();
+  QHelpEvent help(QEvent::ToolTip, {5, 5}, moment.mapToGlobal(QPoint(5, 5)));
+  QApplication::sendEvent(&moment, &help);
+  EXPECT_TRUE(QToolTip::text().contains("t = 10")) << QToolTip::text().toStdString();
+}
+
 class TimeInTheWindow : public MainWindowTest {
  protected:
   void openMotion(SlidingKind kind) {
@@ -335,6 +355,34 @@ TEST_F(TimeInTheWindow, AMomentIsDraggedAndTimeGoesOnAsBefore) {
   QTest::mouseRelease(&moment, Qt::LeftButton, {}, place);
   EXPECT_TRUE(session().isPlaying());
   EXPECT_TRUE(waitFor([&] { return frame()->time > 0.4 * duration; }));
+}
+
+/// Pictures that were on their way when a key asked for another moment do not take the handle back,
+/// from which the next key goes on.
+TEST_F(TimeInTheWindow, ALatePictureDoesNotTakeTheHandleBack) {
+  openMotion(SlidingKind::Step);
+  ASSERT_TRUE(waitFor([&] { return frame()->transient && frame()->transient->size() > 30; }));
+  session().setPlaying(false);
+  ASSERT_TRUE(waitForRest());
+  const auto late = std::make_shared<const Frame>(*frame());
+  auto& moment = control<QSlider>("moment");
+  const int before = moment.value(), page = moment.pageStep();
+  ASSERT_LT(before + 3 * page, moment.maximum());
+  for (const int pages : {1, 2, 3}) {
+    QTest::keyClick(&moment, Qt::Key_PageUp);
+    session().show(late);
+    EXPECT_EQ(moment.value(), before + pages * page);
+  }
+  const double wanted =
+      window_.document().scene().sliding.duration * moment.value() / moment.maximum();
+  EXPECT_TRUE(waitFor([&] { return !session().requestedMoment(); }));
+  EXPECT_NEAR(frame()->time, wanted, frame()->nextStep * (1 + 1e-9));
+  EXPECT_NEAR(moment.value(), before + 3 * page, 1);
+  // Another command than a key of the handle takes its place.
+  QTest::keyClick(&moment, Qt::Key_PageDown);
+  session().reset();
+  session().show(late);
+  EXPECT_EQ(moment.value(), before);
 }
 
 TEST_F(TimeInTheWindow, StripsAndLoopReadMomentsAndSaveThem) {
@@ -419,7 +467,7 @@ TEST_F(TimeInTheWindow, EverythingTellsTheSameMoment) {
     if (!drawn || !drawn->transient || drawn->transient->empty()) return;
     ++pictures;
     EXPECT_EQ(session().frame(), drawn);
-    EXPECT_TRUE(control<QLabel>("momentText").text().startsWith(quantityLabel(drawn->time, "s")));
+    EXPECT_TRUE(control<QLabel>("momentText").text().contains(quantityLabel(drawn->time, "s")));
     EXPECT_TRUE(control<QLabel>("factVelocity")
                     .text()
                     .endsWith(readingLabel(dimensionlessVelocity(*drawn))));
@@ -428,6 +476,70 @@ TEST_F(TimeInTheWindow, EverythingTellsTheSameMoment) {
               "|v| = " + printedQuantity(std::abs(drawn->velocity), "m/s"));
   });
   EXPECT_TRUE(waitFor([&] { return pictures > 20; }));
+}
+
+/// Counts the events in which the contact of another frame was painted, and those among them in
+/// which the chart was not.
+class PaintedTogether : public QObject {
+ public:
+  PaintedTogether(MainWindow& window, QWidget& canvas, QWidget& chart)
+      : canvas_(canvas), chart_(chart), session_(window.session()), last_(session_.frame()) {
+    for (QObject* each : {static_cast<QObject*>(&window), static_cast<QObject*>(&canvas),
+                          static_cast<QObject*>(&chart)})
+      each->installEventFilter(this);
+  }
+
+  int pictures = 0, late = 0;
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() == QEvent::UpdateRequest) endEvent();
+    if (event->type() == QEvent::Paint && watched == &canvas_) painted_ = session_.frame();
+    if (event->type() == QEvent::Paint && watched == &chart_) hasChart_ = true;
+    return false;
+  }
+
+ private:
+  void endEvent() {
+    if (painted_ && painted_ != last_) {
+      ++pictures;
+      if (!hasChart_) ++late;
+      last_ = painted_;
+    }
+    painted_.reset();
+    hasChart_ = false;
+  }
+
+  QWidget &canvas_, &chart_;
+  Session& session_;
+  std::shared_ptr<const Frame> last_, painted_;  // before this event, and in it
+  bool hasChart_ = false;                        // in this event
+};
+
+TEST_F(TimeInTheWindow, TheMarkerIsPaintedWithTheContact) {
+  openMotion(SlidingKind::Oscillation);
+  window_.findChild<QAction*>("go:frictionPlot")->trigger();
+  ASSERT_TRUE(waitFor([&] { return session().friction().progress() >= 1; }));
+  PaintedTogether watch(window_, control<QWidget>("softwareCanvas"),
+                        *window_.plotView().findChild<QGraphicsView*>()->viewport());
+  EXPECT_TRUE(waitFor([&] { return watch.pictures > 60; }));
+  EXPECT_EQ(watch.late, 0) << "of " << watch.pictures;
+}
+
+/// Also where the axes grow with it, however short a while ago the chart was made.
+TEST_F(TimeInTheWindow, AMarkerThatLeavesTheAxesIsShownAtOnce) {
+  ASSERT_TRUE(waitFor([&] { return session().friction().progress() >= 1; }));
+  ASSERT_TRUE(waitForFrame());
+  session().setPlaying(false);
+  ASSERT_TRUE(waitForRest());
+  for (const double factor : {1e3, 1e6, 1e9}) {
+    Frame higher = *frame();
+    higher.muSteady *= factor;
+    session().show(std::make_shared<const Frame>(higher));
+    ASSERT_TRUE(chart().marker);
+    EXPECT_EQ(chart().marker->y, higher.muSteady);
+    EXPECT_GT(chart().y.to, higher.muSteady);
+  }
 }
 
 /// Shift makes a step fine.

@@ -22,6 +22,7 @@
 #include "ui/panels/number_text.h"
 #include "ui/panels/parameter_row.h"
 #include "ui/window/accuracy/comparison_box.h"
+#include "ui/window/curve/curve_reading.h"
 #include "ui/window/figures/figure_gallery.h"
 #include "ui/window/figures/figure_picture.h"
 
@@ -151,9 +152,10 @@ AccuracyPanel::AccuracyPanel(QWidget* parent)
 
 /// Sets all texts that do not depend on the scene.
 void AccuracyPanel::showTexts() {
-  const QString tip =
-      tr("Measured is the time on the clock from the change of the scene to its whole curve. "
-         "Other programs that run meanwhile make it longer than predicted.");
+  const QString tip = errorsInWords() + ' ' +
+                      tr("Measured is the time on the clock from the change of the scene to its "
+                         "whole curve. Other programs that run meanwhile make it longer than "
+                         "predicted.");
   for (QLabel* label : {predicted_, measured_}) label->setToolTip(wrappedTip(tip));
   quick_->setText(tr("quick"));
   exact_->setText(tr("exact"));
@@ -205,10 +207,11 @@ void AccuracyPanel::showMeasured(const CurveCost& measured) {
   measuredCurve_ = measured;
   const auto& [time, standardError, interval] = *measuredCurve_;
   const bool isSingle = !std::isfinite(standardError) && std::isfinite(interval);
-  measured_->setText(isSingle ? tr("measured: %1 on the clock, error of friction %2")
-                                    .arg(quantityLabel(time, "s", 2), percent(interval))
-                              : tr("measured: %1 on the clock, standard error of the curve %2")
-                                    .arg(quantityLabel(time, "s", 2), percent(standardError)));
+  measured_->setText(isSingle
+                         ? tr("measured: %1 on the clock, error of the whole curve %2")
+                               .arg(quantityLabel(time, "s", 2), percent(interval))
+                         : tr("measured: %1 on the clock, standard error of the whole curve %2")
+                               .arg(quantityLabel(time, "s", 2), percent(standardError)));
 }
 
 std::optional<CurveSetting> AccuracyPanel::comparison() const {
@@ -256,14 +259,15 @@ void AccuracyPanel::showPrediction(const Prediction& prediction) {
   showWarnings(*warning_, warnings);
   if (prediction.steps > 0)
     return predicted_->setText(
-        tr("predicted motion: %1 on free processors for %2 steps, error of friction %3 (time step "
-           "%4, resolution %5, settling %6)")
+        tr("predicted motion: %1 on free processors for %2 steps, error of the whole motion %3 "
+           "(time step %4, resolution %5, settling %6)")
             .arg(quantityLabel(prediction.seconds, "s", 2))
             .arg(prediction.steps, 0, 'f', 0)
             .arg(percent(prediction.error.total()), percent(prediction.error.timeStep),
                  percent(prediction.error.resolution), percent(prediction.error.settling)));
   predicted_->setText(
-      tr("predicted: %1 on free processors, error of friction %2 (resolution %3, lines %4)")
+      tr("predicted: %1 on free processors, error of the whole curve %2 (resolution %3, standard "
+         "error %4)")
           .arg(quantityLabel(prediction.seconds, "s", 2), percent(prediction.error.total()),
                percent(prediction.error.resolution), percent(prediction.error.standardError)));
 }

@@ -41,10 +41,11 @@ class ViewActions {
         add("followLine", QT_TR_NOOP("Follow the line"),
             QT_TR_NOOP("The line stands still in the picture and the elastomer passes by"),
             {Qt::Key_L}, [&canvas = canvas_](bool on) { canvas.follow(on); });
-    QAction* magnify = add(
-        "magnify", QT_TR_NOOP("Magnifier"),
-        QT_TR_NOOP("Enlarges the asperity at the crosshair, or the one under the highest pressure"),
-        {Qt::Key_M}, [&canvas = canvas_](bool on) { canvas.magnify(on); });
+    QAction* magnify =
+        add("magnify", QT_TR_NOOP("Magnifier"),
+            QT_TR_NOOP(
+                "Enlarges the asperity at the crosshair, or the one under the greatest line load"),
+            {Qt::Key_M}, [&canvas = canvas_](bool on) { canvas.magnify(on); });
     for (QAction* action : {follow, magnify}) action->setCheckable(true);
     const auto showState = [&canvas = canvas_, follow, magnify] {
       follow->setChecked(canvas.viewer().navigation().followsLine());
@@ -61,8 +62,9 @@ class ViewActions {
       const char *text, *tip;
     };
     static constexpr Choice kChoices[] = {
-        {ContactOverlay::Pressure, QT_TR_NOOP("Contact pressure"),
-         QT_TR_NOOP("Where the bodies press on each other")},
+        {ContactOverlay::Pressure, QT_TR_NOOP("Line load"),
+         QT_TR_NOOP(
+             "Where the bodies press on each other, and how much: force per length of the line")},
         {ContactOverlay::Relaxation, QT_TR_NOOP("Time since contact"),
          QT_TR_NOOP("How long the free surface has had to recover")},
         {ContactOverlay::Power, QT_TR_NOOP("Dissipated power"),

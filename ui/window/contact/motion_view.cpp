@@ -171,10 +171,14 @@ bool MotionView::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::MouseMove) {
     const auto* mouse = static_cast<QMouseEvent*>(event);
     const TransientSample* sample = sampleAt(*chart, mouse->position());
-    if (sample && mouse->buttons() == Qt::NoButton)
-      QToolTip::showText(chart->mapToGlobal(mouse->position().toPoint()), reading(*sample), chart);
-    else
+    if (sample && mouse->buttons() == Qt::NoButton) {
+      const QString text = reading(*sample);
+      const QRect place(chart->mapToGlobal(QPoint()), chart->size());
+      const int x = chart->mapToGlobal(mouse->position().toPoint()).x();
+      QToolTip::showText(tipAbove(text, place, x), text, chart);
+    } else {
       QToolTip::hideText();
+    }
   } else if (event->type() == QEvent::MouseButtonPress && chart == strips_) {
     const auto* mouse = static_cast<QMouseEvent*>(event);
     pressed_.reset();

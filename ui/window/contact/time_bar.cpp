@@ -2,6 +2,7 @@
 
 #include <QCheckBox>
 #include <QHBoxLayout>
+#include <QHelpEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMouseEvent>
@@ -63,8 +64,9 @@ QString paceText(double slowMotion) {
                         : slowerText(QString::fromStdString(factorText(slowMotion)));
 }
 
+/// Returns "t = 3.89 ms of 6 ms", with the symbol that the axis of the charts has.
 QString momentText(const QString& time, const QString& duration) {
-  return TimeBar::tr("%1 of %2").arg(time, duration);
+  return QStringLiteral("t = ") + TimeBar::tr("%1 of %2").arg(time, duration);
 }
 
 }  // namespace
@@ -128,6 +130,14 @@ TimeBar::TimeBar(QWidget* parent)
 }
 
 bool TimeBar::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == moment_ && event->type() == QEvent::ToolTip) {
+    constexpr int kBelow = 16;  // pixels from a place to its tip, at least; from QTipLabel
+    const QPoint place(static_cast<QHelpEvent*>(event)->x(), moment_->height() - kBelow);
+    QToolTip::showText(moment_->mapToGlobal(place),
+                       wrappedTip(momentWords() + QStringLiteral(". ") + moment_->toolTip()),
+                       moment_);
+    return true;
+  }
   if (watched == moment_ && event->type() == QEvent::MouseButtonPress) {
     const auto* mouse = static_cast<QMouseEvent*>(event);
     const int handle = moment_->style()->pixelMetric(QStyle::PM_SliderLength, nullptr, moment_);
@@ -141,7 +151,7 @@ bool TimeBar::eventFilter(QObject* watched, QEvent* event) {
 
 void TimeBar::showTexts() {
   moment_->setAccessibleName(tr("moment of the motion"));
-  moment_->setToolTip(wrappedTip(tr("The moment of the motion: drag it to any other one.")));
+  moment_->setToolTip(tr("Drag it to any other moment of the motion."));
   slider_->setAccessibleName(tr("pace of the picture"));
   const QString tip = wrappedTip(
       tr("How many times slower or faster than in reality the picture moves; to the right faster. "
@@ -204,9 +214,13 @@ void TimeBar::fit() {
   showMoment();
 }
 
+QString TimeBar::momentWords() const {
+  return momentText(quantityLabel(time_, "s"), quantityLabel(duration_, "s"));
+}
+
 void TimeBar::showMoment() {
-  const QString time = quantityLabel(time_, "s");
-  momentText_->setText(showsDuration_ ? momentText(time, quantityLabel(duration_, "s")) : time);
+  momentText_->setText(showsDuration_ ? momentWords() : quantityLabel(time_, "s"));
+  moment_->setAccessibleDescription(momentWords());  // its own value is a position
 }
 
 void TimeBar::resizeEvent(QResizeEvent* event) {
@@ -258,7 +272,7 @@ void TimeBar::showOtherScene(const Scene& scene) {
   setLimitedPace(chosen_);
 }
 
-void TimeBar::showFrame(const Frame& frame) {
+void TimeBar::showFrame(const Frame& frame, std::optional<double> requested) {
   if (frame.length != length_) {
     length_ = frame.length;
     showPace();
@@ -267,7 +281,8 @@ void TimeBar::showFrame(const Frame& frame) {
   if (!(duration_ > 0) || !frame.transient) return;
   if (!moment_->isSliderDown()) {
     const QSignalBlocker blocker(moment_);
-    moment_->setValue(static_cast<int>(std::lround(kMoments * frame.time / duration_)));
+    const double moment = requested.value_or(frame.time);
+    moment_->setValue(static_cast<int>(std::lround(kMoments * moment / duration_)));
   }
   time_ = frame.time;
   showMoment();

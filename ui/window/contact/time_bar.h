@@ -8,6 +8,7 @@
 #pragma once
 
 #include <QWidget>
+#include <optional>
 
 #include "core/run/frame.h"
 #include "core/scene/scene.h"
@@ -29,7 +30,9 @@ class TimeBar : public QWidget {
   void showScene(const Scene& scene);
   void showOtherScene(const Scene& scene);
   /// Shows the moment of a motion, and the length of the line, on which slow motion depends.
-  void showFrame(const Frame& frame);
+  /// requested: the moment on the way to which the motion is, s; the handle waits there, so that
+  /// pictures of other moments do not take it back.
+  void showFrame(const Frame& frame, std::optional<double> requested = {});
 
   /// Returns the seconds on the screen for one period, or for a motion.
   double pace() const { return pace_; }
@@ -64,6 +67,7 @@ class TimeBar : public QWidget {
   int momentWidth(bool withDuration) const;
   int durationWidth() const;
   void fit();
+  QString momentWords() const;
   void showMoment();
   void takeScene(const Scene& scene);
   void setLimitedPace(double pace);

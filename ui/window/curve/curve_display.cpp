@@ -45,6 +45,8 @@ CurveDisplay::CurveDisplay(Session& session, ChartView& view, QObject* parent)
   });
   connect(&session_, &Session::plotChanged, this, &CurveDisplay::showSoon);
   connect(&session_, &Session::markChanged, this, &CurveDisplay::showMarker);
+  // The marker belongs to the frame that is shown now, and does not wait for a pause.
+  connect(&session_, &Session::axesChanged, this, &CurveDisplay::show);
   // The line returns to the marker where the value was refused, as in a step of a lesson.
   connect(&session_, &Session::commandSent, this, [this] {
     if (!requested_ || ownSweptValue(session_.scene()) == *requested_) return;

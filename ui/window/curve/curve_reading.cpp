@@ -97,6 +97,12 @@ QString regionText(std::string_view name) {
       .arg(fromUtf8(name), translatedText(regionWord(name)));
 }
 
+QString errorsInWords() {
+  return CurveReadingText::tr(
+      "The status line has the standard error of the mean at this velocity; the tab Accuracy has "
+      "the error of the whole curve, the root mean square over its velocities.");
+}
+
 CurveReading readCurve(const Frame& frame, const CurveUpdate* curve) {
   const double velocity = frame.scene->sliding.velocity;
   CurveReading reading;

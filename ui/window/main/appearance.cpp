@@ -126,7 +126,8 @@ QString windowStyleSheet(const Theme& theme) {
     QTabWidget::pane { border: none; }
     QTabWidget QTabBar::tab { background: transparent; color: %6; padding: 6px 14px; border: none;
       border-bottom: 2px solid transparent; }
-    QTabWidget QTabBar[crowded="true"]::tab { padding: 6px 7px; }
+    QTabWidget QTabBar[crowded="1"]::tab { padding: 6px 7px; }
+    QTabWidget QTabBar[crowded="2"]::tab { padding: 6px 4px; }
     QTabWidget QTabBar::tab:hover { color: %2; }
     QTabWidget QTabBar::tab:disabled { color: %3; }
     QTabWidget QTabBar::tab:selected { color: %2; border-bottom: 2px solid %5; }

@@ -66,13 +66,23 @@ void Exports::addTo(Commands& commands) {
                 [this] { copyPicture(); },
                 {QKeySequence::Copy}});
   commands.add({"savePicture",
-                [] { return tr("Save picture…"); },
+                [] { return tr("Save picture as shown…"); },
                 [this] { askPicture(); },
                 {Qt::CTRL | Qt::Key_E}});
   commands.add({"exportPicture",
-                [] { return tr("Export picture…"); },
+                [] { return tr("Export picture with options…"); },
                 [this] { openDialog(ExportKind::Picture); },
                 {Qt::CTRL | Qt::SHIFT | Qt::Key_P}});
+  commands.setTip("savePicture", [] {
+    return tr(
+        "Saves the contact, or the figure that is shown instead, in the size and the colours "
+        "that it has in the window");
+  });
+  commands.setTip("exportPicture", [] {
+    return tr(
+        "Opens a dialog with a preview: size, style, what stands below the contact, and the "
+        "command line that makes the same picture");
+  });
   commands.add(
       {"exportFilm", [] { return tr("Export film…"); }, [this] { openDialog(ExportKind::Film); }});
   commands.add({"exportTable", [] { return tr("Export table…"); },

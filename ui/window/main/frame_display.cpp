@@ -70,7 +70,7 @@ void FrameDisplay::showFrame() {
   showVeil();
   parts_.tabs.showFrame(*frame);
   if (frame->sceneNumber == parts_.session.sceneNumber()) {
-    parts_.time.showFrame(*frame);
+    parts_.time.showFrame(*frame, parts_.session.requestedMoment());
     parts_.panel.showLine(lineSize(*frame));
   }
   showReadings();

@@ -95,6 +95,7 @@ void MainWindow::buildMenus() {
     menu.addActions(commands_->get(names));
   };
   QMenu& file = *addMenu([] { return tr("&File"); });
+  file.setToolTipsVisible(true);
   add(file, {"gallery", "open"});
   documents_->addRecentMenu(file);
   add(file, {"openSurface", "openMaterial"});

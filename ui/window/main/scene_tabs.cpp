@@ -10,6 +10,7 @@
 #include <QStyle>
 #include <QTabBar>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <mutex>
 #include <utility>
@@ -36,7 +37,8 @@ namespace asperity {
 namespace {
 
 constexpr int kMotionTab = 1;
-constexpr int kTabPadding = 14, kCrowdedTabPadding = 7;  // pixels at each side of a title
+// Pixels at each side of a title, in the style of a bar that is "crowded" by 0, 1 or 2.
+constexpr std::array kTabPadding{14, 7, 4};
 constexpr int kFreeWidth = 24;                  // minimum pixels of the bar beside its titles
 constexpr int kOnePlot = 170, kTwoPlots = 300;  // minimum heights, pixels
 
@@ -93,7 +95,7 @@ SceneTabs::SceneTabs(Session& session, QWidget* parent)
   setDocumentMode(true);
   tabBar()->setFocusPolicy(Qt::NoFocus);  // the space bar pauses the run
   tabBar()->setDrawBase(false);
-  // Tabs move closer and have shorter titles before any of them would be out of sight.
+  // Tabs move closer and have shorter titles before any of them is out of sight.
   tabBar()->setUsesScrollButtons(false);
   tabBar()->setElideMode(Qt::ElideRight);
   // The chart has keys of its own; clicking here also leaves an entry.
@@ -149,7 +151,7 @@ void SceneTabs::showTexts() {
           QCoreApplication::translate("QTabBar", QByteArray("Scroll ") + side));
   plot_->setAccessibleName(tr("coefficient of friction against velocity"));
   spectrum_->setAccessibleName(tr("spectrum of the rigid line"));
-  statistics_->setAccessibleName(tr("pressures and slopes in contact"));
+  statistics_->setAccessibleName(tr("line loads and slopes in contact"));
   material_->setAccessibleName(tr("moduli of the elastomer and the frequencies in use"));
   for (const Page& page : pages_) page.action->setText(page.title());
   fitTitles();
@@ -180,13 +182,22 @@ QSize SceneTabs::minimumSizeHint() const {
   return size;
 }
 
-/// Gives the tabs margins and titles that fit into the bar: wide or narrow, long or short.
+/// Gives the tabs margins and titles that fit into the bar: wide or narrow, long or short. A bar
+/// that is still too narrow has buttons that scroll it: titles are never cut.
 void SceneTabs::fitTitles() {
+  struct Form {
+    Title Page::*title;
+    std::size_t crowded;
+  };
+  constexpr std::array<Form, 4> kForms{
+      {{&Page::title, 0}, {&Page::title, 1}, {&Page::brief, 1}, {&Page::brief, 2}}};
   const int available = width() - cornerWidth();
-  const bool isCrowded = tabsWidth(&Page::title, kTabPadding) > available;
-  const bool isBrief = isCrowded && tabsWidth(&Page::title, kCrowdedTabPadding) > available;
-  Title Page::*const shown = isBrief ? &Page::brief : &Page::title;
-  const bool needsButtons = mayScroll_ && tabsWidth(shown, kCrowdedTabPadding) > available;
+  const auto fits = [&](const Form& form) {
+    return tabsWidth(form.title, kTabPadding[form.crowded]) <= available;
+  };
+  const auto* fitting = std::ranges::find_if(kForms, fits);
+  const bool needsButtons = fitting == kForms.end();
+  const auto [shown, crowded] = needsButtons ? kForms.back() : *fitting;
   if (tabBar()->usesScrollButtons() != needsButtons) {
     tabBar()->setUsesScrollButtons(needsButtons);
     tabBar()->setElideMode(needsButtons ? Qt::ElideNone : Qt::ElideRight);
@@ -197,10 +208,11 @@ void SceneTabs::fitTitles() {
     setTabToolTip(i, isTabEnabled(i) ? title : tr("%1: hidden until the answer").arg(title));
   }
   // A layout of the whole window for each value of a slider would be slow.
-  const int narrowest = tabsWidth(&Page::brief, kCrowdedTabPadding) + cornerWidth();
+  const int narrowest = tabsWidth(&Page::brief, kTabPadding.back()) + cornerWidth();
   if (std::exchange(narrowestTabs_, narrowest) != narrowest) updateGeometry();
-  if (tabBar()->property("crowded").toBool() == isCrowded) return;
-  setStyleProperty(*tabBar(), "crowded", isCrowded);
+  const auto level = static_cast<int>(crowded);
+  if (tabBar()->property("crowded").toInt() == level) return;
+  setStyleProperty(*tabBar(), "crowded", level);
   // The bar updates the sizes of its tabs only after a StyleChange event.
   QEvent changed(QEvent::StyleChange);
   QCoreApplication::sendEvent(tabBar(), &changed);

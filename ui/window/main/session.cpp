@@ -18,13 +18,22 @@ bool sameOrBothMissing(double a, double b) {
   return a == b || (!std::isfinite(a) && !std::isfinite(b));
 }
 
-/// Returns whether two frames put the diagram's marker at the same position.
+/// Returns whether two frames put the diagram's marker at the same position, with the same name.
 bool haveSameMark(const Frame* before, const Frame& now) {
-  return before && !before->transient && !now.transient &&
+  return before && !before->transient && !now.transient && before->isSettling == now.isSettling &&
          before->scene->sliding.velocity == now.scene->sliding.velocity &&
          before->scene->sweep.key == now.scene->sweep.key &&
          ownSweptValue(*before->scene) == ownSweptValue(*now.scene) &&
          sameOrBothMissing(before->muSteady, now.muSteady);
+}
+
+/// Returns whether a frame is the one of this moment of its motion, s. A motion advances in steps,
+/// so that a frame stands for all moments before its next one.
+bool isAt(const Frame& frame, double moment) {
+  constexpr double kRounding = 1e-9;
+  const double end = frame.scene->sliding.duration;
+  const double away = std::abs(std::clamp(moment, 0.0, end) - frame.time);
+  return away <= frame.nextStep + kRounding * end;
 }
 
 template <class Values>
@@ -85,6 +94,7 @@ void Session::setScene(const Scene& scene, Begin begin) {
   const bool wasStale = friction_.isStale();
   friction_.expect(scene_);
   if (begin == Begin::Restart && !sameCurve) friction_.resetAxes();
+  requestedMoment_.reset();
   sceneNumber_ = begin == Begin::Restart ? runner_.open(scene_) : runner_.post(scene_);
   if (begin == Begin::Restart) openedNumber_ = sceneNumber_;
   // Names of pinned curves contain their differences from the scene.
@@ -111,6 +121,7 @@ void Session::setPace(double secondsPerPeriod) {
 void Session::seek(double time) {
   if (runner_.isPlaying()) setPlaying(false);
   runner_.seek(time);
+  if (scene_.sliding.kind != SlidingKind::Steady) requestedMoment_ = time;
   notifyCommandSent();
 }
 
@@ -130,6 +141,7 @@ void Session::setPlaying(bool playing) {
 
 void Session::singleStep(double part) {
   if (runner_.isPlaying()) setPlaying(false);
+  requestedMoment_.reset();
   runner_.singleStep(part);
   notifyCommandSent();
 }
@@ -140,6 +152,7 @@ void Session::setVisible(bool visible) {
 }
 
 void Session::reset() {
+  requestedMoment_.reset();
   runner_.reset();
   notifyCommandSent();
 }
@@ -194,6 +207,7 @@ void Session::updateWaiting() {
 
 void Session::takeMessages() {
   for (const RunnerMessage& message : runner_.takeMessages()) {
+    requestedMoment_.reset();  // a failure ends the way to it
     if (message.sceneNumber != sceneNumber_) continue;
     brokenNumber_ = sceneNumber_;
     if (taken_ && taken_->sceneNumber < openedNumber_) loseFrame();
@@ -234,11 +248,13 @@ void Session::takeFrame() {
 void Session::show(std::shared_ptr<const Frame> frame) {
   const bool marked = haveSameMark(frame_.get(), *frame);
   frame_ = std::move(frame);
+  if (requestedMoment_ && frame_->sceneNumber == sceneNumber_ && isAt(*frame_, *requestedMoment_))
+    requestedMoment_.reset();
   if (!marked) {
     if (friction_.mark(*frame_))
       emit markChanged();
     else
-      emit plotChanged();
+      emit axesChanged();
   }
   emit frameArrived();
   if (frame_->sceneNumber == sceneNumber_) checkFrame();

@@ -43,6 +43,9 @@ class Session : public QObject {
   void setPace(double secondsPerPeriod);
   /// Goes to a moment of a motion, s, and pauses there.
   void seek(double time);
+  /// Returns the moment to which the user went, s, until a frame of it is shown or another command
+  /// replaces the request; none: time goes on by itself, or rests.
+  std::optional<double> requestedMoment() const { return requestedMoment_; }
   /// Sets whether the frames are visible; time does not advance otherwise.
   void setVisible(bool visible);
   bool isVisible() const { return isVisible_; }
@@ -100,6 +103,8 @@ class Session : public QObject {
   void plotChanged();
   /// Emitted when only the marker has changed, and it lies within the present axes.
   void markChanged();
+  /// Emitted when the marker has changed, and the axes with it.
+  void axesChanged();
   /// Emitted when isWaiting() changes: the screen has shown the previous scene for more than a
   /// moment.
   void waitingChanged(bool isWaiting);
@@ -137,8 +142,9 @@ class Session : public QObject {
   bool isStopped_ = false;
   bool wasWaiting_ = false;
   bool isVisible_ = true;
-  double rate_ = 0;                     // 1/s
-  std::shared_ptr<const Frame> taken_;  // the runner's newest frame, which may not be drawn yet
+  std::optional<double> requestedMoment_;  // s, of a motion, on the way to it
+  double rate_ = 0;                        // 1/s
+  std::shared_ptr<const Frame> taken_;     // the runner's newest frame, which may not be drawn yet
   Draw draw_;
 };
 

@@ -7,6 +7,7 @@
 #include <QTimer>
 #include <QToolButton>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -25,19 +26,36 @@
 
 namespace asperity {
 
-/// A reading, which keeps room for other texts and is never narrower than its own.
+/// A reading, which keeps room for other texts and is never narrower than its own. It has a brief
+/// form for a narrow window.
 class StatusReading : public QLabel {
  public:
   using QLabel::QLabel;
-  void reserve(int width) {
-    reserved_ = width;
+
+  void setForms(const QString& whole, const QString& brief) {
+    forms_ = {whole, brief};
+    setText(forms_[isBrief_]);
+  }
+  void setForm(const QString& only) { setForms(only, only); }
+  void setBrief(bool isBrief) {
+    isBrief_ = isBrief;
+    if (text() != forms_[isBrief]) setText(forms_[isBrief]);
+  }
+  /// Keeps the room of the widest of these texts, in each form.
+  void reserve(const QStringList& whole, const QStringList& brief) {
+    reserved_ = {widestText(*this, whole), widestText(*this, brief)};
     updateGeometry();
   }
-  QSize sizeHint() const override { return QLabel::sizeHint().expandedTo({reserved_, 0}); }
+  QSize sizeHint() const override {
+    return QLabel::sizeHint().expandedTo({reserved_[isBrief_], 0});
+  }
   QSize minimumSizeHint() const override { return QLabel::sizeHint(); }
+  int wholeWidth() const { return std::max(reserved_[0], widestText(*this, {forms_[0]})); }
 
  private:
-  int reserved_ = 0;
+  std::array<QString, 2> forms_;  // the whole and the brief one
+  std::array<int, 2> reserved_{};
+  bool isBrief_ = false;
 };
 
 namespace {
@@ -92,6 +110,14 @@ QString frictionText(const Scene& scene, const QString& value) {
 QString rateText(double rate) {
   const QLocale locale(fromUtf8(presentLanguage()));
   return locale.toString(static_cast<qlonglong>(roundedToDigits(rate, 2)));
+}
+
+/// These functions return the forms of a number: "force F̄ = 0.034" and "F̄ = 0.034".
+QStringList forceForms(const QString& number) {
+  return {StatusLine::tr("force F̄ = %1").arg(number), StatusLine::tr("F̄ = %1").arg(number)};
+}
+QStringList velocityForms(const QString& number) {
+  return {StatusLine::tr("velocity v̄ = %1").arg(number), StatusLine::tr("v̄ = %1").arg(number)};
 }
 
 QString velocityTip() {
@@ -200,10 +226,7 @@ void StatusLine::showTips() {
   regime_->setToolTip(
       wrappedTip(tr("Where the velocity lies on the friction curve: regions I to IV of the "
                     "paper, found on the complete curve")));
-  mu_->setToolTip(wrappedTip(
-      tr("Coefficient of friction of this line, of a motion at this moment; then the mean "
-         "of all lines at this velocity with its standard error. After ≈ it is interpolated "
-         "between two points of the curve.")));
+  showFrictionTip();
   force_->setToolTip(wrappedTip(forceTip()));
   velocity_->setToolTip(wrappedTip(velocityTip()));
   settling_->setToolTip(wrappedTip(
@@ -213,6 +236,24 @@ void StatusLine::showTips() {
   rate_->setToolTip(tr("Pictures of the contact shown in the last second"));
   backend_->setToolTip(
       tr("What draws the contact: the program itself (software) or the graphics card (OpenGL)"));
+}
+
+/// Sets the tip of the friction, which is always in sight: it has the readings that the window has
+/// no room for.
+void StatusLine::showFrictionTip() {
+  QString tip =
+      tr("Coefficient of friction of this line, of a motion at this moment; then the mean "
+         "of all lines at this velocity with its standard error. After ≈ it is "
+         "interpolated between two points of the curve.") +
+      ' ' + errorsInWords();
+  QStringList hidden;
+  for (const StatusReading* reading : {regime_, force_, velocity_})
+    if (std::ranges::find(leftOut_, reading) != leftOut_.end() && !reading->text().isEmpty())
+      hidden += reading->text();
+  if (!hidden.isEmpty())
+    tip += ' ' + tr("This window has no room for: %1.").arg(hidden.join(QStringLiteral(", ")));
+  tip = wrappedTip(tip);
+  if (tip != mu_->toolTip()) mu_->setToolTip(tip);
 }
 
 /// Reserves the width of readings that appear only during work, so that the others do not move when
@@ -228,17 +269,20 @@ void StatusLine::reserveWidths() {
           : tr(", mean of %1 ≈ %2 ± %3 %").arg(888).arg(QStringLiteral("0.0008888"), "0.08");
   QStringList regions;
   for (const char* name : {"I", "II", "III", "IV"}) regions += regionText(name);
-  for (const auto& [reading, texts] : std::initializer_list<std::pair<StatusReading*, QStringList>>{
-           {mu_, {tr("this line μ = %1").arg(friction) + mean}},
-           {regime_, regions},
-           {force_, {tr("force F̄ = %1").arg(number)}},
-           {velocity_, {tr("velocity v̄ = %1").arg(number)}},
-           {simulations_, {tr("%1 simulations/s").arg(rateText(8800000))}},
-           {rate_, {tr("%1 frames/s").arg(888)}}})
-    reading->reserve(widestText(*this, texts));
+  const auto reserve = [](StatusReading* reading, const QStringList& texts) {
+    reading->reserve(texts, texts);
+  };
+  reserve(mu_, {tr("this line μ = %1").arg(friction) + mean});
+  reserve(regime_, regions);
+  reserve(simulations_, {tr("%1 simulations/s").arg(rateText(8800000))});
+  reserve(rate_, {tr("%1 frames/s").arg(888)});
+  for (const auto& [reading, forms] :
+       {std::pair{force_, forceForms(number)}, std::pair{velocity_, velocityForms(number)}})
+    reading->reserve({forms[0]}, {forms[1]});
   const QString notes = notes_->text();
   notes_->setText(tr("⚠ %1 notes").arg(8));
-  notesWidth_ = isOfMotion_ ? notes_->sizeHint().width() : 0;
+  roomForNotes_ = notes_->sizeHint().width();
+  notesWidth_ = isOfMotion_ ? roomForNotes_ : 0;
   notes_->setText(notes);
   for (StatusReading* reading : {simulations_, rate_})
     reading->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -313,7 +357,7 @@ void StatusLine::showWork(const Work& work) {
   stop_->setAccessibleName(text);
   progress_->setVisible(work.state != Work::State::Idle);
   stop_->setVisible(work.state != Work::State::Idle);
-  simulations_->setText(work.simulationsPerSecond > 0
+  simulations_->setForm(work.simulationsPerSecond > 0
                             ? tr("%1 simulations/s").arg(rateText(work.simulationsPerSecond))
                             : QString());
   fitReadings();
@@ -322,20 +366,21 @@ void StatusLine::showWork(const Work& work) {
 void StatusLine::showFrame(const Frame& frame, const CurveReading& reading) {
   const bool isOfMotion = frame.transient != nullptr;
   if (std::exchange(isOfMotion_, isOfMotion) != isOfMotion) reserveWidths();
-  regime_->setText(reading.regime);
+  regime_->setForm(reading.regime);
   QString mean;
   if (std::isfinite(reading.mu) && std::isfinite(reading.error)) mean = meanText(reading);
-  mu_->setText(frictionText(*frame.scene, readingLabel(presentFriction(frame), 3, Zeros::Keep)) +
+  mu_->setForm(frictionText(*frame.scene, readingLabel(presentFriction(frame), 3, Zeros::Keep)) +
                mean);
-  force_->setText(tr("force F̄ = %1").arg(readingLabel(dimensionlessForce(frame))));
+  const QStringList force = forceForms(readingLabel(dimensionlessForce(frame)));
+  force_->setForms(force[0], force[1]);
   showVelocity(frame);
   showNotes(reading);
-  settling_->setText(frame.isSettling ? tr("settling") : QString());
+  settling_->setForm(frame.isSettling ? tr("settling") : QString());
   fitReadings();
 }
 
 void StatusLine::clearReadings() {
-  for (StatusReading* reading : {mu_, regime_, force_, velocity_, settling_}) reading->clear();
+  for (StatusReading* reading : {mu_, regime_, force_, velocity_, settling_}) reading->setForm({});
   showNotes({});
   fitReadings();
 }
@@ -365,25 +410,26 @@ void StatusLine::showNotes(const CurveReading& reading) {
   fitReadings();
 }
 
-/// Shows each reading in full or not at all: in a narrow window the less important ones are left
-/// out. A reading that was left out at this width returns only with some extra space, so that it
-/// does not flicker with the digits of the others. Readings are hidden before others are shown,
-/// because Qt lays a line out as soon as a widget in it is shown, and would squeeze the readings of
-/// one line too many.
+/// Shows each reading in full or not at all: in a narrow window the numbers of the paper lose their
+/// words, and then the less important readings are left out. A reading that was left out at this
+/// width returns only with some extra space, so that it does not flicker with the digits of the
+/// others. Readings are hidden before others are shown, because Qt lays a line out as soon as a
+/// widget in it is shown, and would squeeze the readings of one line too many.
 void StatusLine::fitReadings() {
   constexpr int kExtraSpace = 40;  // pixels
   const QMargins margins = layout()->contentsMargins();
   int available = width() - margins.left() - margins.right() - kMeanGap;
+  const int work = progress_->width() + kWorkSpacing + stop_->width() + layout()->spacing();
+  chooseForms(available - work);
   // A message takes the place of work that does not run, and of the less important readings.
   const bool hasMessage = messageTimer_->isActive();
   const bool keepsWork = !hasMessage || work_.state != Work::State::Idle;
-  for (QWidget* work : Widgets{progress_, stop_}) {
-    QSizePolicy policy = work->sizePolicy();
+  for (QWidget* part : Widgets{progress_, stop_}) {
+    QSizePolicy policy = part->sizePolicy();
     policy.setRetainSizeWhenHidden(keepsWork);
-    work->setSizePolicy(policy);
+    part->setSizePolicy(policy);
   }
-  if (keepsWork)
-    available -= progress_->width() + kWorkSpacing + stop_->width() + layout()->spacing();
+  if (keepsWork) available -= work;
   if (hasMessage)
     available -= fontMetrics().horizontalAdvance(message_->text()) + 2 * layout()->spacing();
   // Friction and the notes stay even in the narrowest window.
@@ -417,6 +463,17 @@ void StatusLine::fitReadings() {
     available -= needed;
   }
   for (StatusReading* reading : shown) reading->show();
+  showFrictionTip();
+}
+
+/// Gives the numbers of the paper their brief forms where the whole ones do not fit beside
+/// friction, region and notes, whether there are notes or not, so that nothing moves when they
+/// come.
+void StatusLine::chooseForms(int available) {
+  int needed = roomForNotes_ + layout()->spacing();
+  for (const StatusReading* reading : {mu_, regime_, force_, velocity_})
+    needed += reading->wholeWidth() + layout()->spacing();
+  for (StatusReading* reading : {force_, velocity_}) reading->setBrief(needed > available);
 }
 
 void StatusLine::resizeEvent(QResizeEvent* event) {
@@ -429,8 +486,11 @@ void StatusLine::resizeEvent(QResizeEvent* event) {
 /// the force beside it has the reason.
 void StatusLine::showVelocity(const Frame& frame) {
   const double velocity = dimensionlessVelocity(frame);
-  velocity_->setText(std::isfinite(velocity) ? tr("velocity v̄ = %1").arg(readingLabel(velocity))
-                                             : QString());
+  const QStringList forms = velocityForms(readingLabel(velocity));
+  if (std::isfinite(velocity))
+    velocity_->setForms(forms[0], forms[1]);
+  else
+    velocity_->setForm({});
   const QString reason = missingVelocityReason(frame);
   const QString tip =
       wrappedTip(reason.isEmpty() ? forceTip() : forceTip() + QStringLiteral(". ") + reason);
@@ -450,11 +510,11 @@ void StatusLine::showMessage(const QString& text) {
 void StatusLine::showDrawing(int framesPerSecond, const QString& backend) {
   framesPerSecond_ = framesPerSecond;
   // A picture at rest has no rate.
-  rate_->setText(framesPerSecond == 0   ? QString()
+  rate_->setForm(framesPerSecond == 0   ? QString()
                  : framesPerSecond == 1 ? tr("1 frame/s")
                                         : tr("%1 frames/s").arg(framesPerSecond));
   backendName_ = backend;
-  backend_->setText(backend);
+  backend_->setForm(backend);
   fitReadings();
 }
 

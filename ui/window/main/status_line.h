@@ -65,12 +65,14 @@ class StatusLine : public QWidget {
  private:
   static StatusReading* addReading(QHBoxLayout& line, const char* name);
   void showTips();
+  void showFrictionTip();
   void showVelocity(const Frame& frame);
   void showNotes(const CurveReading& reading);
   void addWork(QHBoxLayout& line);
   void workButtonClicked();
   void reserveWidths();
   void fitReadings();
+  void chooseForms(int available);
 
   Work work_;
   bool isOfMotion_ = false;  // the frame that is shown
@@ -81,6 +83,7 @@ class StatusLine : public QWidget {
   StatusReading* mu_;
   QToolButton* notes_;                   // opens a menu of all notes
   std::vector<Message> shownNotes_;      // their sentences
+  int roomForNotes_ = 0;                 // pixels that they may need
   int notesWidth_ = 0;                   // pixels that are kept for them
   std::vector<StatusReading*> leftOut_;  // for lack of room, at the present width
   StatusReading* force_;
