@@ -88,13 +88,18 @@ std::vector<std::string> wordsIn(std::string_view text) {
 std::optional<WordOfLine> unitOfNoNumber(const TextTable& table, const TextBlock& block,
                                          const std::function<bool(const std::string&)>& isUnit) {
   std::vector<const TextEntry*> lines = table.entriesAbove(block);
+  // The names, which may have units of their own, are the last line above that has them all.
+  const auto hasNames = [&block](const TextEntry* entry) {
+    return block.hasNames() &&
+           std::ranges::all_of(block.columns, [entry](const TextColumn& column) {
+             return entry->written.find(column.name) != std::string::npos;
+           });
+  };
+  const auto names = std::ranges::find_if(lines.rbegin(), lines.rend(), hasNames);
+  const std::string lineOfNames = names != lines.rend() ? (*names)->written : std::string();
   for (const TextEntry& entry : table.trailer) lines.push_back(&entry);
   for (const TextEntry* entry : lines) {
-    const bool hasNames =
-        block.hasNames() && std::ranges::all_of(block.columns, [entry](const TextColumn& column) {
-          return entry->written.find(column.name) != std::string::npos;
-        });
-    if (hasNames) continue;
+    if (entry->written == lineOfNames) continue;
     bool isAfterNumber = false;
     for (std::string_view word : WordList(entry->written)) {
       while (!word.empty() && std::string_view("([{=:,;").find(word.front()) != word.npos)

@@ -47,13 +47,14 @@ void refuseImpossible(const std::vector<MeasuredPoint>& points, const std::strin
     double most;
     const char* unit;
   };
-  // A velocity may be reduced to another temperature, by any factor.
+  // A velocity may be reduced to another temperature, by any factor. Rubber is tested up to 250 °C;
+  // kelvins that are taken for °C become at least 546 K where they are above the freezing point.
   constexpr Limit kLimits[] = {
       {FrictionQuantity::Mu, &MeasuredPoint::mu, 100, ""},
       {FrictionQuantity::Velocity, &MeasuredPoint::velocity, 1e12, " m/s"},
       {FrictionQuantity::Force, &MeasuredPoint::normalForce, 1e9, " N"},
       {FrictionQuantity::Pressure, &MeasuredPoint::nominalPressure, 1e12, " Pa"},
-      {FrictionQuantity::Temperature, &MeasuredPoint::temperature, 520, " K"}};
+      {FrictionQuantity::Temperature, &MeasuredPoint::temperature, 545, " K"}};
   for (const MeasuredPoint& point : points)
     for (const auto& [quantity, value, most, unit] : kLimits)
       if (std::isgreater(point.*value, most))

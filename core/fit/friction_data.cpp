@@ -137,9 +137,11 @@ std::vector<const TextBlock*> tablesOfFriction(const TextTable& table) {
   return found.size() > 1 ? found : std::vector{&table.largest()};
 }
 
-/// Completes what the lines above a further table state by those above the first one. Returns
-/// whether they tell the tables apart: each states the same loads or temperatures as the first.
-bool completeStatements(HeaderStatements& header, const HeaderStatements& first) {
+/// Completes what the lines above a further table state by those above the first one, except for
+/// what its columns give. Returns whether they tell the tables apart: each states the same loads or
+/// temperatures as the first.
+bool completeStatements(HeaderStatements& header, const HeaderStatements& first,
+                        const FrictionRoles& roles) {
   const auto states = [](const HeaderStatements& statements, Quantity quantity) {
     return std::ranges::find(statements.common, quantity, &HeaderStatement::quantity) !=
            statements.common.end();
@@ -149,7 +151,8 @@ bool completeStatements(HeaderStatements& header, const HeaderStatements& first)
       }))
     return false;
   for (const HeaderStatement& one : first.common)
-    if (!states(header, *one.quantity)) header.common.push_back(one);
+    if (!states(header, *one.quantity) && !roles.isGiven(*one.quantity))
+      header.common.push_back(one);
   return true;
 }
 
@@ -167,7 +170,7 @@ FrictionData readPoints(const TextTable& table, const std::string& name) {
     const HeaderMark mark = decimalMark(block, table.dialect);
     HeaderStatements header = readHeader(
         block.header, mark, [&](Quantity quantity) { return roles.isGiven(quantity); }, name);
-    if (first && !completeStatements(header, *first))
+    if (first && !completeStatements(header, *first, roles))
       throw InputError(name, "",
                        message("has several tables of friction, at lines {} and {}; each needs a "
                                "file of its own, or all one table with a column that tells them "

@@ -9,6 +9,7 @@
 #include "core/base/text_cell.h"
 #include "core/base/text_clause.h"
 #include "core/base/text_number.h"
+#include "core/base/units.h"
 #include "core/fit/friction_preparation.h"
 
 namespace asperity {
@@ -331,9 +332,10 @@ void refuseUnitsElsewhere(const TextTable& table, const TextBlock& block,
     const TextColumn& column = block.columns[role.index];
     if (!column.unit.empty() || column.isOfNames || role.conversion.isForce) continue;
     const auto found = unitOfNoNumber(table, block, [&role](const std::string& word) {
-      // One letter may mean anything.
-      const auto unit = word.size() > 1 ? unitOfQuantity(word, role.quantity) : std::nullopt;
-      return unit && (unit->toSi(1) != 1 || role.quantity == Quantity::Temperature);
+      // One letter may mean anything, and "un" is no micronewton.
+      if (word.size() < 2 || (word.size() == 2 && !findUnit(word))) return false;
+      const auto unit = unitOfQuantity(word, role.quantity);
+      return unit && unit->toSi(1) != 1;
     });
     if (found)
       throw InputError(

@@ -62,6 +62,26 @@ void refuseUnitElsewhere(const DmaBlock& in, const DmaColumnFact& fact, const ch
                              found->line, shortened(found->word), option));
 }
 
+/// Returns whether a word beside a table names another frequency than one in units of this size.
+bool namesOtherFrequency(const std::string& word, bool isAngular, double size) {
+  const std::string lower = lowerCase(word);
+  // "Rectangular" and "radius" are words of the shape of a sample.
+  if (!isAngular && beginsWithOneOf(lower, "angular kreisfreq omega \u03C9")) return true;
+  if (lower.starts_with("rad") && lower != "rad" &&
+      !beginsWithOneOf(lower, "rad/ rad* rad. rad\u00B7 rads"))
+    return false;
+  const auto other = word.size() > 1 ? frequencyUnit(word, isAngular) : std::nullopt;
+  return other && *other != size;
+}
+
+/// Returns whether a word beside a table names a unit of moduli other than the pascal.
+bool namesOtherModulus(const std::string& word) {
+  // A sample may be a bar, and nobody measures rubber in bar.
+  if (word.size() < 2 || lowerCase(word) == "bar") return false;
+  const auto size = unitSize(word, "Pa");
+  return size && *size != 1;
+}
+
 // Numbers in this range are temperatures of a test in kelvins.
 constexpr double kLowestKelvins = 200, kHighestKelvins = 500;
 
@@ -116,9 +136,7 @@ SizedColumn frequencyColumn(const DmaBlock& in, std::size_t column) {
   const auto size = frequencyUnit(found.fact.unit, isAngular);
   if (!size) refuseUnit(in, found.fact, "rad/s, " + unitNames("Hz"), "--frequency-unit");
   refuseUnitElsewhere(in, found.fact, "--frequency-unit", [&](const std::string& word) {
-    const auto other = word.size() > 1 ? frequencyUnit(word, isAngular) : std::nullopt;
-    const bool isName = containsOneOf(lowerCase(word), "angular kreisfreq omega \u03C9");
-    return (other && *other != *size) || (isName && !isAngular);
+    return namesOtherFrequency(word, isAngular, *size);
   });
   if (found.fact.unit.empty()) found.fact.unit = isAngular ? "rad/s" : "Hz";
   found.size = *size;
@@ -130,10 +148,7 @@ SizedColumn modulusColumn(const DmaBlock& in, std::size_t column) {
   const MeasuredForm form = dmaColumn(written.name, written.unit).form;
   const std::string& chosen = in.choices.modulusUnit;
   SizedColumn found{columnFact(in, column, chosen.empty() ? chosen : unitInForm(form, chosen))};
-  refuseUnitElsewhere(in, found.fact, "--modulus-unit", [](const std::string& word) {
-    const auto size = word.size() > 1 ? unitSize(word, "Pa") : std::nullopt;
-    return size && *size != 1;
-  });
+  refuseUnitElsewhere(in, found.fact, "--modulus-unit", namesOtherModulus);
   std::string& unit = found.fact.unit;
   if (unit.empty()) unit = unitInForm(form, "Pa");
   const auto size = chosen.empty() ? sizeInForm(form, unit) : chosenSize(form, chosen);

@@ -187,8 +187,9 @@ class Reader {
       }
     if (!isTurned) return;
     notes_.emplace_back(
-        "The file turns its axes (Rotation in main.xml), which is not done: heights and positions "
-        "are taken as they are stored.");
+        "The file turns its axes (Rotation in main.xml). The program does not: it takes heights "
+        "and "
+        "positions as they are stored.");
     if (std::isless(upwards, 0))
       notes_.emplace_back(
           "Turned so, its heights would count downwards: surface.contact_side valleys then chooses "

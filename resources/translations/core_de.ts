@@ -4164,11 +4164,11 @@
     </message>
     <message>
         <source>%1 tables of the file follow each other along x: they are read as one.</source>
-        <translation>%1 Tabellen der Datei setzen einander längs x fort: sie werden als eine gelesen.</translation>
+        <translation>%1 Tabellen der Datei setzen einander längs x fort: Sie werden als eine gelesen.</translation>
     </message>
     <message>
-        <source>The file turns its axes (Rotation in main.xml), which is not done: heights and positions are taken as they are stored.</source>
-        <translation>Die Datei dreht ihre Achsen (Rotation in main.xml), was nicht geschieht: Höhen und Orte werden genommen, wie sie gespeichert sind.</translation>
+        <source>The file turns its axes (Rotation in main.xml). The program does not: it takes heights and positions as they are stored.</source>
+        <translation>Die Datei dreht ihre Achsen (Rotation in main.xml). Das Programm dreht sie nicht: Es nimmt Höhen und Orte, wie sie gespeichert sind.</translation>
     </message>
     <message>
         <source>Turned so, its heights would count downwards: surface.contact_side valleys then chooses the summits.</source>
@@ -4428,19 +4428,19 @@
     </message>
     <message>
         <source>the moduli are at most %1 Pa, which is softer than any rubber: where the file states a wrong unit, --modulus-unit replaces it</source>
-        <translation>die Moduln sind höchstens %1 Pa, weicher als jeder Gummi: nennt die Datei eine falsche Einheit, ersetzt sie --modulus-unit</translation>
+        <translation>die Moduln sind höchstens %1 Pa, weicher als jedes Gummi: Nennt die Datei eine falsche Einheit, ersetzt sie --modulus-unit</translation>
     </message>
     <message>
         <source>the moduli are at least %1 Pa, which is stiffer than any rubber: where the file states a wrong unit, --modulus-unit replaces it</source>
-        <translation>die Moduln sind mindestens %1 Pa, steifer als jeder Gummi: nennt die Datei eine falsche Einheit, ersetzt sie --modulus-unit</translation>
+        <translation>die Moduln sind mindestens %1 Pa, steifer als jedes Gummi: Nennt die Datei eine falsche Einheit, ersetzt sie --modulus-unit</translation>
     </message>
     <message>
         <source>equilibrium was not measured: at the lowest frequency, %1, the storage modulus is %2 times G∞</source>
-        <translation>das Gleichgewicht wurde nicht gemessen: bei der niedrigsten Frequenz, %1, ist der Speichermodul das %2-Fache von G∞</translation>
+        <translation>das Gleichgewicht wurde nicht gemessen: Bei der niedrigsten Frequenz, %1, ist der Speichermodul das %2-Fache von G∞</translation>
     </message>
     <message>
         <source>%1 stands in the first row of each group alone: it holds for the rows below it</source>
-        <translation>%1 steht nur in der ersten Zeile jeder Gruppe: der Wert gilt für die Zeilen darunter</translation>
+        <translation>%1 steht nur in der ersten Zeile jeder Gruppe: Der Wert gilt für die Zeilen darunter</translation>
     </message>
     <message>
         <source>has no unit, and %1 Pa would be no rubber; say --modulus-unit MPa or another one</source>
@@ -7064,11 +7064,11 @@
     </message>
     <message>
         <source>has no unit, and line %1 names '%2'; write the unit into the name, as in &quot;%3 (%4)&quot;</source>
-        <translation>hat keine Einheit, und Zeile %1 nennt '%2'; die Einheit in den Namen schreiben, wie &quot;%3 (%4)&quot;</translation>
+        <translation>hat keine Einheit, und Zeile %1 nennt „%2“; die Einheit in den Namen schreiben, wie &quot;%3 (%4)&quot;</translation>
     </message>
     <message>
         <source>has no unit, and line %1 names '%2'; %3 says which is meant</source>
-        <translation>hat keine Einheit, und Zeile %1 nennt '%2'; %3 sagt, welche gemeint ist</translation>
+        <translation>hat keine Einheit, und Zeile %1 nennt „%2“; %3 sagt, welche gemeint ist</translation>
     </message>
     <message>
         <source>rows %1 and %2 have the velocity above the table, and no load, temperature or label tells them apart; give the velocity of each row in a column, as in &quot;v (m/s)&quot;</source>

@@ -166,8 +166,7 @@ TEST_F(SurfaceCommandTest, EveryVerbSaysHowTheFileWasRead) {
   program.folder.write("t.json", R"({"surface":{"kind":"measured","file":"two.csv"},
       "ensemble":{"realizations":0},"sweep":{"points":2}})");
   program.folder.write("mu.csv", "v (m/s),mu\n0.001,0.1\n0.01,0.2\n0.1,0.3\n1,0.2\n10,0.1\n");
-  const std::string column = "one of 2 columns that could be",
-                    repeated = "repeats a position";
+  const std::string column = "one of 2 columns that could be", repeated = "repeats a position";
   for (const std::string verb :
        {"surface", "check", "explain", "curve", "cutoff",
         "map --x sliding.velocity=0.1:1:2 --y load.normal_force=0.1:1:2",

@@ -129,26 +129,26 @@ void ChartView::setChoosers(QWidget* x, QWidget* y) {
 }
 
 void ChartView::setSheet(const DiagramSheet& english) {
-  const std::pair before = mark();
+  const std::pair before = markerPosition();
   english_ = english;
   sheet_ = translated(english);
-  if (mark().first != before.first && gesture_ != Gesture::Marker) targetX_ = kNaN;
+  if (markerPosition().first != before.first && gesture_ != Gesture::Marker) targetX_ = kNaN;
   if (zoom_) zoom_ = heldWithin(*zoom_, whole());
   showAll();
   // The scene reports its changes in a later event, in which a marker that comes with other axes
   // would be painted after the contact that shows the same moment.
-  if (mark() != before) view_->viewport()->update();
+  if (markerPosition() != before) view_->viewport()->update();
 }
 
 void ChartView::setMarker(const std::optional<DiagramMarker>& english) {
   if (sheet_.diagrams.empty()) return;
   std::optional<DiagramMarker>& marker = sheet_.diagrams[0].marker;
-  const double before = mark().first;
+  const double before = markerPosition().first;
   const std::string name = marker ? marker->name.text : "";
   english_.diagrams[0].marker = english;
   marker.reset();
   if (english) marker = translated(*english);
-  if (mark().first != before && gesture_ != Gesture::Marker) targetX_ = kNaN;
+  if (markerPosition().first != before && gesture_ != Gesture::Marker) targetX_ = kNaN;
   updateMarker();
   if (name != (marker ? marker->name.text : "")) showLegend();
 }
@@ -179,8 +179,8 @@ bool ChartView::hasMarker() const {
   return !sheet_.diagrams.empty() && sheet_.diagrams[0].marker;
 }
 
-/// Returns the values of the marker; NaN where there is none.
-std::pair<double, double> ChartView::mark() const {
+/// Returns x and y of the marker; NaN where there is none.
+std::pair<double, double> ChartView::markerPosition() const {
   if (!hasMarker()) return {kNaN, kNaN};
   return {sheet_.diagrams[0].marker->x, sheet_.diagrams[0].marker->y};
 }
@@ -530,7 +530,7 @@ void ChartView::moveMarker(double x, bool finely) {
 }
 
 double ChartView::lineValue() const {
-  return hasMarker() && std::isfinite(targetX_) ? targetX_ : mark().first;
+  return hasMarker() && std::isfinite(targetX_) ? targetX_ : markerPosition().first;
 }
 
 void ChartView::releaseMarker() {

@@ -114,7 +114,7 @@ class ChartView : public QWidget {
 
  private:
   bool hasMarker() const;
-  std::pair<double, double> mark() const;
+  std::pair<double, double> markerPosition() const;
   std::optional<HoverExplanation> explanationAt(const ChartTarget& target, QPointF position) const;
   VisibleRange whole() const;
   void showAll();

@@ -495,7 +495,11 @@ class TipsBeside : public QObject {
 
 QPoint tipAbove(const QString& text, const QRect& place, int x) {
   const int above = place.top() - tipSize(text).height();
-  return {x, (above >= screenAt(place).top() ? above : place.bottom()) - kBelowPointer};
+  return above >= screenAt(place).top() ? QPoint(x, above - kBelowPointer) : tipBelow(place, x);
+}
+
+QPoint tipBelow(const QRect& place, int x) {
+  return {x, place.bottom() - kBelowPointer};
 }
 
 QPoint tipBeside(const QString& text, const QRect& place) {

@@ -224,6 +224,8 @@ class WrappedLabel : public QLabel {
 /// screen, or on its left, and does not cover it; on the other side where there is no room.
 QPoint tipAbove(const QString& text, const QRect& place, int x);
 QPoint tipBeside(const QString& text, const QRect& place);
+/// Returns where to show a tip below a place.
+QPoint tipBelow(const QRect& place, int x);
 
 /// Shows the tips of what is in the widget now beside the widget, so that they do not cover what is
 /// below it, to which the pointer moves next.

@@ -44,7 +44,7 @@ struct PreparedProfile {
   };
   std::vector<Cut> cuts;
   double meanHeight = 0;               // m, mean of z in the scheme's line
-  double slopeSquaredIntegral = 0;     // m, of (dz/ds)^2 over the period; not for nodal
+  double slopeSquaredIntegral = 0;     // m, of (dz/ds)^2 over the period; 0 for nodal
   double rmsHeight = 0, rmsSlope = 0;  // of the line itself
 
   std::size_t firstNode = 0;  // node of the Line at or just before s = 0, in order of travel

@@ -129,6 +129,17 @@ TEST(FrictionData, ReadsSeveralTablesWithTheirStates) {
               HasSubstr("line 7: temperature of the points below it (Temperature: 25 \u00B0C)"));
 }
 
+/// A point has one load: that of a column and not the one above another table.
+TEST(FrictionData, AColumnReplacesWhatStandsAboveAnotherTable) {
+  const FrictionData data = parsed(
+      "Normal force: 30 N\nTemperature: 5 \u00B0C\nv (m/s),mu\n1,0.2\n2,0.3\n\nTemperature: 25 "
+      "\u00B0C\nv (m/s),p (MPa),mu\n1,0.1,0.3\n2,0.1,0.2\n");
+  ASSERT_EQ(data.points.size(), 4U);
+  EXPECT_DOUBLE_EQ(data.points[0].normalForce, 30);
+  EXPECT_DOUBLE_EQ(data.points[3].nominalPressure, 1e5);
+  EXPECT_TRUE(std::isnan(data.points[3].normalForce)) << data.points[3].normalForce;
+}
+
 TEST(FrictionData, RefusesSeveralTables) {
   EXPECT_THAT(errorOf("wet\nv,mu\n1,0.2\n2,0.3\n\ndry\nv,mu\n1,0.1\n2,0.2\n"),
               HasSubstr("several tables of friction, at lines 3 and 8"));

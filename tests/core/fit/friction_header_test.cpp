@@ -260,6 +260,13 @@ TEST(FrictionHeader, RefusesAColumnWhoseUnitStandsElsewhere) {
   EXPECT_THAT(errorOf("v,mu\n1,0.2\n10,0.3\nv in mm/s\n"), HasSubstr("line 4 names 'mm/s'"));
   EXPECT_THAT(errorOf("All loads are in kN\nv (m/s),Fn,mu\n1,2,0.2\n10,2,0.3\n"),
               HasSubstr("column Fn: has no unit, and line 1 names 'kN'"));
+  EXPECT_THAT(errorOf("# v in mm/s, mu without unit\nv,mu\n1,0.2\n10,0.3\n"),
+              HasSubstr("line 1 names 'mm/s'"));
+  for (const char* line : {"Mesure avec un capteur", "Temperature in Kelvin, Fn in N"})
+    EXPECT_EQ(parsed(std::string(line) + "\nv,Fn,temperature,mu\n1,2,293,0.2\n10,2,293,0.3\n")
+                  .points.size(),
+              2U)
+        << line;
   for (const char* line : {"v in m/s", "pulled back at 20 mm/s", "Units: mm/s, 1"})
     EXPECT_EQ(parsed(std::string(line) + "\nv,mu\n1,0.2\n10,0.3\n").points.size(), 2U) << line;
   EXPECT_DOUBLE_EQ(parsed("v in m/s, not mm/s\nv (mm/s),mu\n1,0.2\n10,0.3\n").points[0].velocity,

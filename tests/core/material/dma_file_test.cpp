@@ -822,7 +822,8 @@ TEST(DmaFile, ATemperatureMayStandInTheFirstRowOfASweepAlone) {
 /// A unit that stands beside the columns is not passed over: it would change the numbers.
 TEST(DmaFile, AUnitThatStandsElsewhereIsAskedFor) {
   const std::string rows = "20,1,2.5e6,5e5\n20,10,3.5e6,9e5\n", names = "T (C),f,G',G''\n";
-  for (const char* line : {"f in rad/s", "Angular frequency sweep", "Frequency unit: rad/s"})
+  for (const char* line : {"f in rad/s", "All frequencies in rad s-1", "Angular frequency sweep",
+                           "Frequency unit: rad/s", "# f in rad/s, G' and G'' in Pa, T in C"})
     EXPECT_THAT(errorOf(line + ("\n" + names) + rows),
                 HasSubstr("f: has no unit, and line 1 names "))
         << line;
@@ -832,7 +833,9 @@ TEST(DmaFile, AUnitThatStandsElsewhereIsAskedFor) {
   DmaChoices choices;
   choices.frequencyUnit = "Hz";
   EXPECT_EQ(read("f in rad/s\n" + names + rows, choices).rows.size(), 2u);
-  for (const char* line : {"f in Hz", "moduli in Pa", "Strain rate 20 rad/s"})
+  for (const char* line :
+       {"f in Hz", "moduli in Pa", "Strain rate 20 rad/s", "Geometry: torsion rectangular",
+        "Plates of radius 4 mm", "Radial clamps", "Sample: bar"})
     EXPECT_EQ(read(line + ("\n" + names) + rows).rows.size(), 2u) << line;
 }
 

@@ -52,7 +52,7 @@ TEST(X3pFile, SaysThatItDoesNotTurnAxes) {
   EXPECT_FALSE(says(plain, "turns its axes"));
   const MeasuredFile level = turned("-1", "-1", "1");
   expectKnown(level, "x3p", false, 1e-12);
-  EXPECT_TRUE(says(level, "The file turns its axes (Rotation in main.xml), which is not done"));
+  EXPECT_TRUE(says(level, "The file turns its axes (Rotation in main.xml). The program does not"));
   EXPECT_FALSE(says(level, "count downwards"));
   EXPECT_TRUE(says(turned("-1", "1", "-1"), "its heights would count downwards"));
 }

@@ -341,6 +341,19 @@ TEST_F(FitPageTest, TheoriesAreChosenByNameAndUndone) {
   EXPECT_TRUE(waitFor([&] { return !isDrawn(); }));
 }
 
+/// The button gets its text in another language after the tabs have theirs.
+TEST_F(FitPageTest, TheTabsKeepRoomForTheButtonWhateverItsText) {
+  window_.document().open(withData());
+  const auto& tabs = control<QTabWidget>("tabs");
+  auto& button = control<QToolButton>("fitButton");
+  ASSERT_TRUE(waitForFrame());  // the layout is done
+  const int before = tabs.minimumSizeHint().width(), width = button.sizeHint().width();
+  button.setText(button.text().repeated(3));
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+  EXPECT_GT(button.sizeHint().width(), width);
+  EXPECT_EQ(tabs.minimumSizeHint().width() - before, button.sizeHint().width() - width);
+}
+
 TEST_F(FitPageTest, MeasuredTablesAreRemovedFromTheMenu) {
   EXPECT_FALSE(control<QToolButton>("fitButton").isVisible());
   window_.document().open(withData());

@@ -131,9 +131,8 @@ TimeBar::TimeBar(QWidget* parent)
 
 bool TimeBar::eventFilter(QObject* watched, QEvent* event) {
   if (watched == moment_ && event->type() == QEvent::ToolTip) {
-    constexpr int kBelow = 16;  // pixels from a place to its tip, at least; from QTipLabel
-    const QPoint place(static_cast<QHelpEvent*>(event)->x(), moment_->height() - kBelow);
-    QToolTip::showText(moment_->mapToGlobal(place),
+    const QRect place(moment_->mapToGlobal(QPoint()), moment_->size());
+    QToolTip::showText(tipBelow(place, static_cast<QHelpEvent*>(event)->globalX()),
                        wrappedTip(momentWords() + QStringLiteral(". ") + moment_->toolTip()),
                        moment_);
     return true;

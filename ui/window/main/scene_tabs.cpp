@@ -233,6 +233,12 @@ void SceneTabs::showInCorner(QWidget& widget, bool isShown) {
   if (isOther) fitTitles();
 }
 
+bool SceneTabs::event(QEvent* event) {
+  // The button in the corner may have got another text or font after the tabs had.
+  if (event->type() == QEvent::LayoutRequest) fitTitles();
+  return QTabWidget::event(event);
+}
+
 void SceneTabs::resizeEvent(QResizeEvent* event) {
   fitTitles();
   QTabWidget::resizeEvent(event);

@@ -97,6 +97,7 @@ class SceneTabs : public QTabWidget {
  protected:
   /// Paints nothing: Qt would paint the base of a tab bar beside the tabs, which have none.
   void paintEvent(QPaintEvent*) override {}
+  bool event(QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   void changeEvent(QEvent* event) override;
 

@@ -109,5 +109,25 @@ TEST(PreparedProfile, StopsWhenAsked) {
   }
 }
 
+/// Lines of a curve are prepared in the memory of the line before, which may be longer and of
+/// another scheme.
+TEST(PreparedProfile, MemoryOfAnotherLineLeavesNothing) {
+  for (const Scheme before : {Scheme::Nodal, Scheme::Linear, Scheme::Cubic})
+    for (const Scheme scheme : {Scheme::Nodal, Scheme::Linear, Scheme::Cubic}) {
+      PreparedProfile used = prepareProfile(roughLine(1000), before);
+      const Line line = roughLine(100);
+      ASSERT_TRUE(prepareProfileInto(used, line, scheme));
+      const PreparedProfile fresh = prepareProfile(line, scheme);
+      EXPECT_EQ(used.heightAboveMinimum, fresh.heightAboveMinimum);
+      EXPECT_EQ(used.blocks.size(), fresh.blocks.size());
+      EXPECT_EQ(used.meanHeight, fresh.meanHeight);
+      EXPECT_EQ(used.slopeSquaredIntegral, fresh.slopeSquaredIntegral);
+      double slopes = 0;
+      for (std::size_t i = 0; scheme != Scheme::Nodal && i < used.segments(); ++i)
+        slopes += used.bounds(i).slopeSquared;
+      EXPECT_NEAR(used.slopeSquaredIntegral, slopes, 1e-13 * slopes);
+    }
+}
+
 }  // namespace
 }  // namespace asperity
