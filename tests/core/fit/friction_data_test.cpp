@@ -529,6 +529,9 @@ TEST(FrictionData, RefusesWhatNoTestOfRubberReaches) {
               HasSubstr("row 2: the temperature is 571.3 K, which no test"));
   EXPECT_THAT(errorOf("v,mu,T (K)\n1,0.3,25\n2,0.4,25\n"),
               HasSubstr("row 2: a temperature of 25 K is too cold for rubber"));
+  // Silicone is tested at 250 °C; 293 is a temperature in K.
+  EXPECT_DOUBLE_EQ(parsed("v,mu,T (C)\n1,0.3,250\n2,0.4,250\n").points[0].temperature, 523.15);
+  EXPECT_THAT(errorOf("v,mu,T (C)\n1,0.3,293\n2,0.4,293\n"), HasSubstr("row 2: the temperature"));
   EXPECT_THAT(errorOf("v,mu,F (N)\n1,0.3,1E+38\n2,0.4,5\n"),
               HasSubstr("the normal force is 1e38 N"));
   EXPECT_THAT(errorOf("v (Mm/s),mu\n1,0.3\n2,0.4\n"), HasSubstr("the unit Mm/s is unknown"));
