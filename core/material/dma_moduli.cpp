@@ -133,22 +133,20 @@ void requireUnits(const DmaBlock& in, const DmaColumnFact& one, const DmaColumnF
 /// Returns the note on a Poisson's ratio that the lines above a block state and that is not the one
 /// by which moduli of tension are divided.
 std::optional<Message> otherPoissonNote(const DmaBlock& in) {
-  for (const TextBlock* current = &in.block;; --current) {
-    for (const TextEntry& entry : current->header) {
-      const std::string line = joinEntry(entry);
-      for (const std::string_view clause : splitClauses(line)) {
-        const auto stated = parseStatement(clause);
-        if (!stated || stated->quantity.number == in.choices.poissonRatio) continue;
-        const std::string name = lowerCase(stated->name.name);
-        if (containsOneOf(name, "poisson querkontraktion querdehn") || isOneOf(name, "nu \u03BD"))
-          return message(
-              "line {} states a Poisson's ratio of {}, and {} is used; --poisson-ratio replaces it",
-              entry.line, PrintedNumber{printedNumber(stated->quantity.number)},
-              PrintedNumber{printedNumber(in.choices.poissonRatio)});
-      }
+  for (const TextEntry* entry : in.table.entriesAbove(in.block)) {
+    const std::string line = joinEntry(*entry);
+    for (const std::string_view clause : splitClauses(line)) {
+      const auto stated = parseStatement(clause);
+      if (!stated || stated->quantity.number == in.choices.poissonRatio) continue;
+      const std::string name = lowerCase(stated->name.name);
+      if (containsOneOf(name, "poisson querkontraktion querdehn") || isOneOf(name, "nu \u03BD"))
+        return message(
+            "line {} states a Poisson's ratio of {}, and {} is used; --poisson-ratio replaces it",
+            entry->line, PrintedNumber{printedNumber(stated->quantity.number)},
+            PrintedNumber{printedNumber(in.choices.poissonRatio)});
     }
-    if (current == &in.table.blocks.front()) return {};
   }
+  return {};
 }
 
 // ---- Contradictions -----------------------------------------------------------------------------

@@ -111,7 +111,8 @@ TEST(FrictionData, ReadsUnitsInWords) {
   EXPECT_DOUBLE_EQ(parsed("log10 v (m/s),mu\n-3,0.2\n-2,0.3\n").points[1].velocity, 1e-2);
   EXPECT_THAT(errorOf("v (m/s),mu,load (g)\n1,0.2,5\n2,0.3,5\n"),
               HasSubstr("the unit g is unknown; known are N"));
-  EXPECT_THAT(errorOf("v (knots),mu\n1,0.2\n2,0.3\n"), HasSubstr("the unit knots is unknown"));
+  EXPECT_THAT(errorOf("v (furlongs),mu\n1,0.2\n2,0.3\n"),
+              HasSubstr("the unit furlongs is unknown"));
   EXPECT_THAT(errorOf("v (m/s),mu (V)\n1,0.2\n2,0.3\n"), HasSubstr("the unit V is unknown"));
 }
 
