@@ -543,6 +543,10 @@
         <translation>ist ein Verweis auf „%1“, das es nicht gibt</translation>
     </message>
     <message>
+        <source>needs one of %1 behind it</source>
+        <translation>braucht eines von %1 dahinter</translation>
+    </message>
+    <message>
         <source>is not valid JSON: line %1, column %2: %3</source>
         <translation>ist kein gültiges JSON: Zeile %1, Spalte %2 (auf Englisch: %3)</translation>
     </message>

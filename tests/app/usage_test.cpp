@@ -51,6 +51,11 @@ TEST_F(UsageTest, EveryVerbRefusesWhatItCannotTake) {
   }
 }
 
+TEST_F(UsageTest, AnActionThatIsMissingOrUnknownIsNamed) {
+  expectRefused("study", 2, "asperity study: needs one of run, merge, table, show, analyse behind");
+  expectRefused("study stop", 2, "asperity study: stop is not one of run, merge, table, show");
+}
+
 TEST_F(UsageTest, AFolderThatIsGoneIsNamedInOneSentence) {
   const std::string before = "mkdir gone; cd gone; rmdir ../gone; ";
   expectRefused("curve figure_2.json -o x.csv", 1, "asperity: x.csv: No such file", before);
