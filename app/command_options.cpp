@@ -100,8 +100,9 @@ InputError missingAction(const CLI::App& app) {
   for (const CLI::App* action : command.get_subcommands({})) names.push_back(action->get_name());
   const std::vector<std::string_view> known(names.begin(), names.end());
   const std::vector<std::string> words = command.remaining();
-  if (!words.empty()) return {"", commandPath(command), notOneOf(shortened(words.front()), known)};
-  return {"", commandPath(command), message("needs one of {} behind it", namesWithCommas(known))};
+  if (!words.empty() && !words.front().starts_with('-'))
+    return {"", command.get_name(), notOneOf(shortened(words.front()), known)};
+  return {"", command.get_name(), message("needs one of {} behind it", namesWithCommas(known))};
 }
 
 /// Translates CLI11's messages such as "--size: At Most 1 required but received 2".

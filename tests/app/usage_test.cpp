@@ -52,8 +52,9 @@ TEST_F(UsageTest, EveryVerbRefusesWhatItCannotTake) {
 }
 
 TEST_F(UsageTest, AnActionThatIsMissingOrUnknownIsNamed) {
-  expectRefused("study", 2, "asperity study: needs one of run, merge, table, show, analyse behind");
-  expectRefused("study stop", 2, "asperity study: stop is not one of run, merge, table, show");
+  expectRefused("study", 2,
+                "asperity: study: needs one of run, merge, table, show, analyse behind");
+  expectRefused("study stop", 2, "asperity: study: stop is not one of run, merge, table, show");
 }
 
 TEST_F(UsageTest, AFolderThatIsGoneIsNamedInOneSentence) {
