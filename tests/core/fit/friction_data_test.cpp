@@ -98,6 +98,11 @@ TEST(FrictionData, SaysWhatItDoesNotUse) {
   EXPECT_DOUBLE_EQ(meant.points[0].temperature, 293.15);
 }
 
+TEST(FrictionData, NamesATemperatureBelowTheAbsoluteZeroWithoutRounding) {
+  EXPECT_THAT(errorOf("v,mu,temperature (C)\n1,0.2,-300\n2,0.3,20\n"),
+              HasSubstr("row 2: a temperature of -26.85 K is too cold for rubber"));
+}
+
 TEST(FrictionData, ReadsUnitsInWords) {
   EXPECT_DOUBLE_EQ(parsed("v in mm/s;Reibwert\n1;0,2\n2;0,3\n").points[0].velocity, 1e-3);
   EXPECT_NEAR(parsed("v (m/s),mu,load (lbs)\n1,0.2,10\n2,0.3,10\n").points[0].normalForce, 44.482,
