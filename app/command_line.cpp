@@ -96,7 +96,8 @@ class CommandLine {
     const bool asksForHelp = argc > 2 && argv[1] == std::string_view("help");
     const std::string word = asksForHelp ? argv[2] : argc > 1 ? argv[1] : "";
     const bool isLikeCommand = !word.empty() && word.find_first_of("-./") == std::string::npos;
-    if (!isLikeCommand || word == "help" || std::filesystem::exists(word)) return;
+    std::error_code ignored;  // as where the word is longer than a name of a file
+    if (!isLikeCommand || word == "help" || std::filesystem::exists(word, ignored)) return;
     std::vector<std::string> names;
     for (const CLI::App* command : app_.get_subcommands({})) names.push_back(command->get_name());
     if (std::ranges::find(names, word) != names.end()) return;

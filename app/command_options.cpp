@@ -93,6 +93,18 @@ InputError unexpected(const CLI::App& app) {
   return {"", "", message("unexpected argument '{}' for '{}'", word, call)};
 }
 
+/// Returns the error for a command without one of its actions, as 'asperity study' needs.
+InputError missingAction(const CLI::App& app) {
+  const CLI::App& command = selectedCommand(app);
+  std::vector<std::string> names;
+  for (const CLI::App* action : command.get_subcommands({})) names.push_back(action->get_name());
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  const std::vector<std::string> words = command.remaining();
+  if (!words.empty() && !words.front().starts_with('-'))
+    return {"", command.get_name(), notOneOf(shortened(words.front()), known)};
+  return {"", command.get_name(), message("needs one of {} behind it", namesWithCommas(known))};
+}
+
 /// Translates CLI11's messages such as "--size: At Most 1 required but received 2".
 InputError mismatch(const std::string& text) {
   std::string name = text.substr(0, text.find_first_of(": "));
@@ -199,6 +211,7 @@ InputError parseError(const CLI::App& app, const CLI::ParseError& error) {
   const std::string text = error.what();
   if (dynamic_cast<const CLI::ExtrasError*>(&error)) return unexpected(app);
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error)) return mismatch(text);
+  if (text.starts_with("A subcommand is required")) return missingAction(app);
   return {"", "", text.substr(0, text.find('\n'))};
 }
 

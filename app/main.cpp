@@ -8,6 +8,7 @@
 #include <atomic>
 #include <csignal>
 #include <cstdio>
+#include <filesystem>
 #include <new>
 #include <string_view>
 
@@ -96,6 +97,8 @@ int runProgram(int argc, char** argv) {
     return reportError(error.what(), kBadInput);
   } catch (const std::bad_alloc&) {
     return reportError("the scene needs more memory than there is", kRunFailed);
+  } catch (const std::filesystem::filesystem_error& error) {
+    return reportError(error.path1().string() + ": " + error.code().message(), kRunFailed);
   } catch (const std::exception& error) {
     return reportError(error.what(), kRunFailed);
   }

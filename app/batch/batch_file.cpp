@@ -249,7 +249,8 @@ grid. show: contact, curve, both, or transient. DIR gets index.html, results.csv
 (of more than 100 scenes only with --contact-sheet), and for each scene NAME.png, NAME.json (the scene)
 and, of curve, both and transient, NAME.csv: the curve, or the motion as asperity motion writes it,
 in at most 2000 rows. In results.csv mu, indentation and contact_fraction are means over the
-scene's lines at its velocity, empty for a motion; line_mu and its like are of the line shown.)";
+scene's lines at its velocity, empty for a motion; line_mu and its like are of the line shown.
+An entry with a mistake is named and left out; the others are made, and the exit status is 1.)";
 
 std::vector<std::string> outputFiles(const BatchItem& item) {
   return {item.name + ".png", item.name + ".csv", item.name + ".json"};

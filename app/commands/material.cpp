@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <system_error>
 
 #include "app/command_line.h"
 #include "app/material_options.h"
@@ -26,7 +27,8 @@ namespace fs = std::filesystem;
 
 /// Returns whether the file is a scene, or the name of a shipped one.
 bool isScene(const std::string& file) {
-  if (file.ends_with(".json") && !fs::exists(file)) return true;
+  std::error_code ignored;
+  if (file.ends_with(".json") && !fs::exists(file, ignored)) return true;
   const RegularFile opened{fs::path(file)};
   const std::string begin = opened.read(0, 4096);
   const std::size_t first = begin.find_first_not_of(" \t\r\n\xEF\xBB\xBF");

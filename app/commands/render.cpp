@@ -42,7 +42,8 @@ Kind outputKind(const std::string& output) {
     return Kind::Picture;
   }
   if (isFilmFile(output)) return Kind::Film;
-  if (!fileExtension(output).empty() && !fs::is_directory(output))
+  std::error_code ignored;
+  if (!fileExtension(output).empty() && !fs::is_directory(output, ignored))
     throw InputError(
         output, "",
         "is neither a folder nor a .png, .svg, .pdf, .eps, .tif, .mp4, .webm, .gif or .webp file");

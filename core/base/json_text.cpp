@@ -1,6 +1,7 @@
 #include "core/base/json_text.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <span>
@@ -20,20 +21,35 @@ using Json = nlohmann::ordered_json;
 /// compared with all earlier ones.
 constexpr std::size_t kMostKeys = 256;
 
-/// Returns the parser's message without its own name in front, and with the middle of a long
-/// quotation cut.
+/// Returns the parser's message without its own name in front, with the place of the error as
+/// values, and with the middle of a long quotation cut.
 Message parserMessage(const std::exception& error) {
   constexpr std::size_t kMost = 300, kKept = 120;
   std::string text = error.what();
   const std::size_t bracket = text.find("] ");
   if (bracket != std::string::npos) text.erase(0, bracket + 2);
+  // "parse error at line 1, column 5: syntax error while ..."
+  const auto numberAfter = [&text](std::string_view words) {
+    std::size_t number = 0;
+    const std::size_t at = text.find(words);
+    if (at != std::string::npos)
+      std::from_chars(text.data() + at + words.size(), text.data() + text.size(), number);
+    return number;
+  };
+  std::size_t line = 0, column = 0;
+  if (text.starts_with("parse error at line ")) {
+    line = numberAfter(" line ");
+    column = numberAfter(", column ");
+    text.erase(0, text.find(": ") + 2);
+  }
   if (text.size() > kMost) {
     std::size_t from = kKept, to = text.size() - kKept;
     while (!beginsCharacter(text[from])) --from;
     while (!beginsCharacter(text[to])) ++to;
     text.replace(from, to - from, " ... ");
   }
-  return message("is not valid JSON: {}", text);
+  return line > 0 ? message("is not valid JSON: line {}, column {}: {}", line, column, text)
+                  : message("is not valid JSON: {}", text);
 }
 
 /// Makes values from the parser's events. (With the library's own callback, the time would grow

@@ -227,11 +227,11 @@ std::vector<Message> describeFit(const Fit& fit) {
   if (fit.relativeScatter > 0)
     lines.push_back(
         message("the points have no errors; they scatter by {:.2g} % about the fit, "
-                "with {} degrees of freedom",
-                100 * fit.relativeScatter, fit.freedom));
+                "with {}",
+                100 * fit.relativeScatter, degreesOfFreedom(fit.freedom)));
   else
     lines.push_back(
-        message("\u03C7\u00B2 = {:.4g} for {} degrees of freedom", fit.chiSquared, fit.freedom));
+        message("\u03C7\u00B2 = {:.4g} for {}", fit.chiSquared, degreesOfFreedom(fit.freedom)));
   std::ranges::move(allNotes(fit), std::back_inserter(lines));
   return lines;
 }

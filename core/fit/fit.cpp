@@ -152,9 +152,9 @@ class Fitting {
     else if (fit_.missesPoints)
       fit_.warnings.push_back(
           message("the points lie further from the curve than their errors say: \u03C7\u00B2 is "
-                  "{:.3g} for {} degrees of freedom; the errors of the values are computed from "
+                  "{:.3g} for {}; the errors of the values are computed from "
                   "errors of the points that are {:.2g} times as large",
-                  fit_.chiSquared, fit_.freedom, fit_.errorScale));
+                  fit_.chiSquared, degreesOfFreedom(fit_.freedom), fit_.errorScale));
     warnOfOutlier();
     for (const FrictionData& table : data_)
       for (const Message& note : table.notes)
@@ -254,6 +254,11 @@ class Fitting {
 };
 
 }  // namespace
+
+Message degreesOfFreedom(std::int64_t freedom) {
+  return freedom == 1 ? Message("one degree of freedom")
+                      : message("{} degrees of freedom", freedom);
+}
 
 Fit fitFriction(const Scene& scene, std::span<const FrictionData> data,
                 std::span<const VariedParameter> parameters, const FitOptions& options) {

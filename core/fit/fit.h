@@ -101,6 +101,9 @@ struct Fit : FitErrors {
   std::vector<Message> notes;     // how the tables were understood, and what the ranges mean
 };
 
+/// Returns "one degree of freedom" or "11 degrees of freedom".
+Message degreesOfFreedom(std::int64_t freedom);
+
 /// Fits the parameters. Throws InputError for what cannot be fitted: no parameters, fewer points
 /// than parameters, a parameter that every point states itself, tables with errors beside tables
 /// without.

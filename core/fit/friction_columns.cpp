@@ -33,13 +33,14 @@ constexpr QuantityNames kKnownNames[] = {
      "velocita velocit\u00E0distrisciamento velocidad velocidaddedeslizamiento "
      "\u901F\u5EA6 \u3059\u3079\u308A\u901F\u5EA6 \u6ED1\u308A\u901F\u5EA6"},
     {Quantity::Mu, "coefficient of friction",
-     "mu \u00B5 \u03BC cof friction frictioncoefficient frictioncoeff frictioncoef "
+     "mu mue m\u00FC \u00B5 \u03BC cof friction frictioncoefficient frictioncoeff frictioncoef "
      "coefficientoffriction coeffoffriction coefoffriction coefficient reibwert "
      "reibungszahl reibbeiwert reibungskoeffizient muk mukin mukinetic mudyn mudynamic "
      "\u00B5k \u03BCk mud \u00B5d \u03BCd kineticfriction dynamicfriction slidingfriction "
      "kineticcof dynamiccof slidingcof cofkinetic cofdynamic kineticfrictioncoefficient "
      "dynamicfrictioncoefficient kineticcoefficientoffriction dynamiccoefficientoffriction "
-     "coefficientofkineticfriction coefficientofdynamicfriction mugleit \u00B5gleit \u03BCgleit "
+     "coefficientofkineticfriction coefficientofdynamicfriction mugleit muegleit \u00B5gleit "
+     "\u03BCgleit "
      "gleitreibung gleitreibwert gleitreibungszahl "
      "gleitreibungskoeffizient coefficientdefrottement coefdefrottement coefficientediattrito "
      "coeffdiattrito coeficientedefricci\u00F3n coeficientedefriccion coeficientederozamiento "

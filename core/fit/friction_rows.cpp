@@ -224,6 +224,13 @@ class RowReader {
     point.normalForce = valueAt(row, Quantity::Force);
     point.nominalPressure = valueAt(row, Quantity::Pressure);
     point.temperature = valueAt(row, Quantity::Temperature);
+    constexpr double kColdest = 120;  // K; below it no elastomer is rubbery
+    // Degrees that were converted differ in the last digit.
+    if (std::isless(point.temperature, kColdest))
+      refuseRow(point.row,
+                message("a temperature of {} K is too cold for rubber; name the unit, as "
+                        "in \"temperature (C)\"",
+                        plain(std::round(point.temperature * 1e6) / 1e6)));
     for (const auto& [quantity, value] : {std::pair{Quantity::MuError, point.muError},
                                           {Quantity::Force, point.normalForce},
                                           {Quantity::Pressure, point.nominalPressure},
@@ -232,12 +239,6 @@ class RowReader {
     if (roles_.find(Quantity::VelocityError) && !std::isnan(point.velocityError) &&
         !(point.velocityError >= 0))
       refuseRow(point.row, "the error of the velocity is below 0");
-    constexpr double kColdest = 120;  // K; below it no elastomer is rubbery
-    if (std::isless(point.temperature, kColdest))
-      refuseRow(point.row,
-                message("a temperature of {} K is too cold for rubber; name the unit, as "
-                        "in \"temperature (C)\"",
-                        plain(point.temperature)));
     for (const FrictionRole& column : roles_.columns)
       if (column.quantity == Quantity::Label)
         appendItem(point.label, block_.texts[column.index][row]);

@@ -22,6 +22,7 @@ namespace {
 
 constexpr std::size_t kMagicSize = 8, kIdentity = 10, kDates = 24;
 constexpr std::size_t kNumbersSize = 43;  // of 32-bit counts, which are the longer ones
+constexpr std::size_t kSdfHeaderSize = kMagicSize + kIdentity + kDates + kNumbersSize;
 
 /// Appends the heights of a grid; its bytes are the first ones of the data.
 template <class Number>
@@ -120,27 +121,62 @@ Counts namedCounts(std::string_view bytes) {
   return bytes.substr(0, kMagicSize).ends_with("2.0") ? Counts::Of32Bits : Counts::Of16Bits;
 }
 
-/// Returns the size of the counts with which the header is possible. It has 32 bits in the second
-/// version, but some programs write the name of the second version above a header of the first one.
-/// Empty where the header is neither.
-std::optional<Counts> possibleCounts(const SurfaceSource& source) {
-  const std::string_view bytes = source.bytes;
-  if (bytes.size() < kMagicSize + kIdentity + kDates + kNumbersSize) return {};
+/// Returns the bytes of a file, or of its header, with those of each number in reverse order.
+std::string withNumbersReversed(std::string_view bytes, Counts counts) {
+  std::string reversed(bytes);
+  std::size_t at = kMagicSize + kIdentity + kDates;
+  const auto reverseNext = [&](std::size_t size) {
+    const auto begin = reversed.begin() + static_cast<std::ptrdiff_t>(at);
+    std::reverse(begin, begin + static_cast<std::ptrdiff_t>(size));
+    at += size;
+  };
+  for (int i = 0; i < 2; ++i) reverseNext(counts == Counts::Of32Bits ? 4 : 2);
+  for (int i = 0; i < 4; ++i) reverseNext(sizeof(double));
+  const int type = static_cast<unsigned char>(reversed[at + 1]);
+  at += 3;  // compression, type of numbers, check
+  if (!isKnownType(type)) return reversed;
+  const std::size_t size = kDataTypes[static_cast<std::size_t>(type)].size;
+  while (reversed.size() - at >= size) reverseNext(size);
+  return reversed;
+}
+
+/// How the numbers of a binary file are stored.
+struct Layout {
+  Counts counts = Counts::Of16Bits;
+  bool isReversed = false;  // against the standard, the highest byte comes first
+};
+
+/// Returns the layout with which the header is possible. Counts have 32 bits in the second version,
+/// but some programs write the name of the second version above a header of the first one. Empty
+/// where the header has no layout.
+std::optional<Layout> possibleLayout(const SurfaceSource& source) {
+  const std::string_view bytes = source.bytes.substr(0, kSdfHeaderSize);
+  if (bytes.size() < kSdfHeaderSize) return {};
   const Counts named = namedCounts(bytes);
   const Counts other = named == Counts::Of16Bits ? Counts::Of32Bits : Counts::Of16Bits;
-  for (const Counts counts : {named, other}) {
-    ByteReader reader(source, bytes);
-    if (isPossible(readNumbers(reader, counts))) return counts;
-  }
+  for (const bool isReversed : {false, true})
+    for (const Counts counts : {named, other}) {
+      const std::string header =
+          isReversed ? withNumbersReversed(bytes, counts) : std::string(bytes);
+      ByteReader reader(source, header);
+      if (isPossible(readNumbers(reader, counts))) return Layout{counts, isReversed};
+    }
   return {};
 }
 
 SurfaceDraft readBinary(const SurfaceSource& source) {
-  ByteReader reader(source, source.bytes);
-  const Header header =
-      readNumbers(reader, possibleCounts(source).value_or(namedCounts(source.bytes)));
+  const Layout layout = possibleLayout(source).value_or(Layout{namedCounts(source.bytes)});
+  const std::string reversed =
+      layout.isReversed ? withNumbersReversed(source.bytes, layout.counts) : std::string();
+  const std::string_view bytes = layout.isReversed ? reversed : source.bytes;
+  ByteReader reader(source, bytes);
+  const Header header = readNumbers(reader, layout.counts);
   SurfaceDraft draft = makeDraft(source, header);
-  const std::string_view data = source.bytes.substr(reader.position());
+  if (layout.isReversed)
+    draft.facts.notes.emplace_back(
+        "The numbers begin with their highest byte (big-endian), against the standard, and are "
+        "read so.");
+  const std::string_view data = bytes.substr(reader.position());
   const DataType& type = kDataTypes[static_cast<std::size_t>(header.dataType)];
   requireSize(source, header.columns, header.rows, data.size(), type.size);
   type.takeHeights(source, data, header.zScale, draft);
@@ -148,6 +184,12 @@ SurfaceDraft readBinary(const SurfaceSource& source) {
 }
 
 // ---- As text -----------------------------------------------------------------------------------
+
+/// Returns the decimal mark of numbers between blanks, which some programs write in the style of
+/// the country. Numbers with both marks have a point, so that those with a comma are refused.
+char decimalMark(std::string_view numbers) {
+  return numbers.find(',') != numbers.npos && numbers.find('.') == numbers.npos ? ',' : '.';
+}
 
 class TextReader {
  public:
@@ -171,8 +213,9 @@ class TextReader {
     HeightWords words;
     words.scale = header.zScale;
     words.end = '*';
+    words.decimal = decimalMark(reader_.rest().substr(0, reader_.rest().find(words.end)));
     readHeights(source_, reader_, count, words, draft.grid.height);
-    requireNoMoreHeights(source_, reader_, count);
+    requireNoMoreHeights(source_, reader_, count, words.decimal);
     return draft;
   }
 
@@ -199,7 +242,8 @@ class TextReader {
     return fallback;
   }
   double real(const std::string& key, std::string_view fallback = {}) const {
-    const auto number = parseFiniteNumber(value(key, fallback));
+    const std::string_view text = value(key, fallback);
+    const auto number = parseFiniteNumber(text, decimalMark(text));
     if (!number) source_.fail(message("{} in the header is not a number", key));
     return *number;
   }
@@ -233,13 +277,12 @@ bool isText(std::string_view bytes) {
 /// Returns whether the texts of the header are printable and its numbers possible.
 bool isBinary(const SurfaceSource& source) {
   const std::string_view bytes = source.bytes;
-  if (!bytes.starts_with('b') || bytes.size() < kMagicSize + kIdentity + kDates + kNumbersSize)
-    return false;
+  if (!bytes.starts_with('b') || bytes.size() < kSdfHeaderSize) return false;
   const std::string_view texts = bytes.substr(0, kMagicSize + kIdentity + kDates);
   const bool arePrintable = std::ranges::all_of(
       texts, [](char letter) { return letter == 0 || (letter >= ' ' && letter <= '~'); });
   const std::string_view dates = texts.substr(kMagicSize + kIdentity);
-  return arePrintable && std::ranges::any_of(dates, isDigit) && possibleCounts(source);
+  return arePrintable && std::ranges::any_of(dates, isDigit) && possibleLayout(source);
 }
 
 bool hasStandardName(std::string_view bytes, char kind) {

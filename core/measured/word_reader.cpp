@@ -35,14 +35,14 @@ std::vector<std::string_view> splitWords(std::string_view line) {
   return words;
 }
 
-std::optional<double> parseFiniteNumber(std::string_view word) {
+std::optional<double> parseFiniteNumber(std::string_view word, char decimal) {
   double number = 0;
-  return readTextNumber(word, '.', number) ? std::optional(number) : std::nullopt;
+  return readTextNumber(word, decimal, number) ? std::optional(number) : std::nullopt;
 }
 
 double parseHeight(const SurfaceSource& source, const WordReader& reader, std::string_view word,
-                   std::size_t number) {
-  const Field field = readField(word, '.');
+                   std::size_t number, char decimal) {
+  const Field field = readField(word, decimal);
   if (field.kind == FieldKind::Text || field.kind == FieldKind::Flag)
     source.fail(message("line {}: height {} is not a number", reader.line(), number + 1));
   return field.value;
@@ -56,14 +56,15 @@ void readHeights(const SurfaceSource& source, WordReader& reader, std::size_t co
     const std::string_view word = reader.nextWord();
     if (word.empty() || word.front() == words.end)
       source.fail(message("line {}: ends after {} of {} heights", reader.line(), i, count));
-    const double number = parseHeight(source, reader, word, i);
+    const double number = parseHeight(source, reader, word, i, words.decimal);
     const double height = number * words.scale;
     heights.push_back(!std::isfinite(height) || number >= words.gapFrom ? std::nan("") : height);
   }
 }
 
-void requireNoMoreHeights(const SurfaceSource& source, WordReader& reader, std::size_t count) {
-  if (parseFiniteNumber(reader.nextWord()))
+void requireNoMoreHeights(const SurfaceSource& source, WordReader& reader, std::size_t count,
+                          char decimal) {
+  if (parseFiniteNumber(reader.nextWord(), decimal))
     source.fail(message("line {}: has more than the {} heights that the header says", reader.line(),
                         count));
 }

@@ -22,6 +22,7 @@ class WordReader {
 
   bool atEnd() const { return rest_.empty(); }
   std::size_t left() const { return rest_.size(); }  // bytes
+  std::string_view rest() const { return rest_; }
   /// Returns the number of the line from which something was taken last, counted from 1.
   std::size_t line() const { return line_; }
 
@@ -40,19 +41,20 @@ class WordReader {
 std::vector<std::string_view> splitWords(std::string_view line);
 
 /// Returns the word as a number; nothing where it is no finite number.
-std::optional<double> parseFiniteNumber(std::string_view word);
+std::optional<double> parseFiniteNumber(std::string_view word, char decimal = '.');
 
 /// Returns the word as a height; NaN for a word that stands for a missing value. Throws InputError
 /// with the present line of the reader where it is neither. number: of the height, counted from 0,
 /// for the error.
 double parseHeight(const SurfaceSource& source, const WordReader& reader, std::string_view word,
-                   std::size_t number);
+                   std::size_t number, char decimal = '.');
 
 /// How the heights of a file are written.
 struct HeightWords {
   double scale = 1;                                          // of each number
   double gapFrom = std::numeric_limits<double>::infinity();  // this number and those above it
   char end = '\0';                                           // begins what follows the heights
+  char decimal = '.';
 };
 
 /// Appends `count` words as heights. A word for a missing value becomes a gap. Throws InputError
@@ -61,6 +63,7 @@ void readHeights(const SurfaceSource& source, WordReader& reader, std::size_t co
                  const HeightWords& words, std::vector<double>& heights);
 
 /// Throws InputError where a further number follows `count` heights.
-void requireNoMoreHeights(const SurfaceSource& source, WordReader& reader, std::size_t count);
+void requireNoMoreHeights(const SurfaceSource& source, WordReader& reader, std::size_t count,
+                          char decimal = '.');
 
 }  // namespace asperity

@@ -143,10 +143,9 @@ class Reader {
     // Spreadsheets and arrays of NumPy are ZIP archives as well.
     const bool isMeant = source_.choices.format != "auto" ||
                          source_.bytes.find("main.xml") != std::string_view::npos;
-    if (!archive_.has("main.xml") && !isMeant) refuseKind(source_);
-    if (!archive_.has("main.xml"))
-      source_.fail(message("has no file '{}' in its archive", "main.xml"));
-    xml_ = archive_.read("main.xml", limit);
+    folder_ = archive_.folderOf("main.xml");
+    if (!archive_.has(pathOf("main.xml")) && !isMeant) refuseKind(source_);
+    xml_ = archive_.read(pathOf("main.xml"), limit);
     checkMain();
     const pugi::xml_parse_result parsed =
         document_.load_buffer_inplace(xml_.data(), xml_.size(), pugi::parse_default);
@@ -155,10 +154,13 @@ class Reader {
     if (plainName(root_) != "ISO5436_2") source_.fail(message("main.xml has no {}", "ISO5436_2"));
   }
 
+  /// Returns the path of a file in the archive: some programs pack a folder and not what is in it.
+  std::string pathOf(const std::string& file) const { return folder_ + file; }
+
   /// Checks main.xml against its checksum, which another file has as "md5 *main.xml".
   void checkMain() {
-    if (!archive_.has("md5checksum.hex")) return;
-    const std::string text = archive_.read("md5checksum.hex", kSmall);
+    if (!archive_.has(pathOf("md5checksum.hex"))) return;
+    const std::string text = archive_.read(pathOf("md5checksum.hex"), kSmall);
     requireMd5(trimmedBlanks(text), xml_, "main.xml");
   }
 
@@ -233,8 +235,8 @@ class Reader {
     const std::uint64_t all = static_cast<std::uint64_t>(count) * stride();
     if (file.empty()) source_.fail(message("main.xml has no {}", "PointDataLink"));
     // Only the first layer is read.
-    const std::string bytes =
-        archive_.read(file, all * static_cast<std::uint64_t>(std::min<std::int64_t>(layers_, 64)));
+    const std::string bytes = archive_.read(
+        pathOf(file), all * static_cast<std::uint64_t>(std::min<std::int64_t>(layers_, 64)));
     if (bytes.size() < all)
       source_.fail(message("ends too early: {} bytes are needed from byte {} on, and {} are there",
                            all, 0, bytes.size()));
@@ -291,12 +293,12 @@ class Reader {
   void takeMask(std::size_t count) {
     const std::string file(textAt(root_, "Record3/DataLink/ValidPointsLink"));
     if (file.empty()) return;
-    if (!archive_.has(file)) {
+    if (!archive_.has(pathOf(file))) {
       // Some programs name the file but write none where all points are valid.
       if (textAt(root_, "Record3/DataLink/MD5ChecksumValidPoints").empty()) return;
       source_.fail(message("has no file '{}' in its archive", shortened(file)));
     }
-    const std::string bits = archive_.read(file, count / 8 + 1024);
+    const std::string bits = archive_.read(pathOf(file), count / 8 + 1024);
     requireMd5(textAt(root_, "Record3/DataLink/MD5ChecksumValidPoints"), bits, file);
     if (bits.size() < (count + 7) / 8)
       source_.fail(message("ends too early: {} bytes are needed from byte {} on, and {} are there",
@@ -389,6 +391,7 @@ class Reader {
 
   const SurfaceSource& source_;
   ZipArchive archive_;
+  std::string folder_;  // of all files
   std::string xml_;
   pugi::xml_document document_;
   pugi::xml_node root_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/base/text.h"
+#include "core/base/text_number.h"
 
 namespace asperity {
 namespace {
@@ -34,6 +35,21 @@ ZipArchive::ZipArchive(const SurfaceSource& source) : source_(source) {
 
 bool ZipArchive::has(const std::string& file) const {
   return indexOf(file) >= 0;
+}
+
+std::string ZipArchive::folderOf(const std::string& file) const {
+  if (has(file)) return {};
+  std::string folder;
+  const zip_int64_t count = zip_get_num_entries(archive_.get(), 0);
+  for (zip_int64_t i = 0; i < count; ++i) {
+    const char* given = zip_get_name(archive_.get(), static_cast<zip_uint64_t>(i), 0);
+    std::string name = given ? given : "";
+    std::ranges::replace(name, '\\', '/');
+    if (!lowerCase(name).ends_with("/" + file)) continue;
+    if (!folder.empty()) return {};
+    folder = name.substr(0, name.size() - file.size());
+  }
+  return folder;
 }
 
 std::string ZipArchive::read(const std::string& file, std::uint64_t limit) const {

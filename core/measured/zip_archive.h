@@ -18,6 +18,10 @@ class ZipArchive {
 
   bool has(const std::string& file) const;
 
+  /// Returns the folder, with "/" at its end, in which the archive has the file: empty where it is
+  /// in none, or in no folder or several ones.
+  std::string folderOf(const std::string& file) const;
+
   /// Returns all bytes of a file in the archive. Throws InputError where there are more than
   /// `limit`, or where they cannot be unpacked.
   std::string read(const std::string& file, std::uint64_t limit) const;

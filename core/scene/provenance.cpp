@@ -210,7 +210,8 @@ Json provenance(const std::string& verb, const Scene& scene) {
 }
 
 std::string provenanceLine(const Json& provenance) {
-  return withoutMarkup(provenance.dump(-1, ' ', true));
+  // Names of files and texts of options may be in another encoding.
+  return withoutMarkup(provenance.dump(-1, ' ', true, Json::error_handler_t::replace));
 }
 
 std::string provenanceComment(const Json& provenance) {

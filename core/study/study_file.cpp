@@ -134,13 +134,19 @@ class StudyReader {
       study_.base = readScene("{}", "", folder_, assignments);
     else if (scene->is_string())
       study_.base = named(scene->get<std::string>(), assignments);
+    else if (!scene->is_object())
+      refuseMember("scene", "needs an object");
     else
       study_.base = readScene(scene->dump(), "", folder_, assignments);
   }
 
   Scene named(const std::string& name, const std::vector<std::string>& assignments) const {
-    return readNamed_ ? readNamed_(name, folder_, assignments)
-                      : readSceneFile(folder_ / name, assignments);
+    try {
+      return readNamed_ ? readNamed_(name, folder_, assignments)
+                        : readSceneFile(folder_ / name, assignments);
+    } catch (const InputError& error) {
+      throw InputError("", "scene", errorMessage(error));
+    }
   }
 
   void readSpace() {

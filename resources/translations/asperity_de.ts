@@ -1894,8 +1894,8 @@
         <translation>Korrelation: %1</translation>
     </message>
     <message>
-        <source>χ² = %1 for %2 degrees of freedom, %3 evaluations</source>
-        <translation>χ² = %1 bei %2 Freiheitsgraden, %3 Auswertungen</translation>
+        <source>χ² = %1 for %2, %3 evaluations</source>
+        <translation>χ² = %1 bei %2, %3 Auswertungen</translation>
     </message>
     <message>
         <source>the points have no errors; they scatter by %1 % about the fit</source>

@@ -251,8 +251,8 @@
         <translation>die Anpassung endete, bevor die Summe der Quadrate aufhörte zu fallen</translation>
     </message>
     <message>
-        <source>the points lie further from the curve than their errors say: χ² is %1 for %2 degrees of freedom; the errors of the values are computed from errors of the points that are %3 times as large</source>
-        <translation>die Punkte liegen weiter von der Kurve, als ihre Fehler sagen: χ² ist %1 bei %2 Freiheitsgraden; die Fehler der Werte sind aus %3-mal so großen Fehlern der Punkte berechnet</translation>
+        <source>the points lie further from the curve than their errors say: χ² is %1 for %2; the errors of the values are computed from errors of the points that are %3 times as large</source>
+        <translation>die Punkte liegen weiter von der Kurve, als ihre Fehler sagen: χ² ist %1 bei %2; die Fehler der Werte sind aus %3-mal so großen Fehlern der Punkte berechnet</translation>
     </message>
     <message>
         <source>one point makes %1 % of the sum of squares: at %2 m/s friction is measured as %3 and computed as %4; check it, because it moves all values</source>
@@ -287,12 +287,20 @@
         <translation>die Bereiche gelten nicht: sie setzen voraus, dass die Kurve den Punkten folgt, und sie verfehlt sie</translation>
     </message>
     <message>
-        <source>the points have no errors; they scatter by %1 % about the fit, with %2 degrees of freedom</source>
-        <translation>die Punkte haben keine Fehler; sie streuen um %1 % um die Anpassung, bei %2 Freiheitsgraden</translation>
+        <source>the points have no errors; they scatter by %1 % about the fit, with %2</source>
+        <translation>die Punkte haben keine Fehler; sie streuen um %1 % um die Anpassung, bei %2</translation>
     </message>
     <message>
-        <source>χ² = %1 for %2 degrees of freedom</source>
-        <translation>χ² = %1 bei %2 Freiheitsgraden</translation>
+        <source>χ² = %1 for %2</source>
+        <translation>χ² = %1 bei %2</translation>
+    </message>
+    <message>
+        <source>one degree of freedom</source>
+        <translation>einem Freiheitsgrad</translation>
+    </message>
+    <message>
+        <source>%1 degrees of freedom</source>
+        <translation>%1 Freiheitsgraden</translation>
     </message>
     <message>
         <source>%1 (± standard error)</source>
@@ -533,6 +541,22 @@
     <message>
         <source>is a link to &apos;%1&apos;, which is not there</source>
         <translation>ist ein Verweis auf „%1“, das es nicht gibt</translation>
+    </message>
+    <message>
+        <source>needs one of %1 behind it</source>
+        <translation>braucht eines von %1 dahinter</translation>
+    </message>
+    <message>
+        <source>is not valid JSON: line %1, column %2: %3</source>
+        <translation>ist kein gültiges JSON: Zeile %1, Spalte %2 (auf Englisch: %3)</translation>
+    </message>
+    <message>
+        <source>line %1 states a Poisson&apos;s ratio of %2, and %3 is used; --poisson-ratio replaces it</source>
+        <translation>Zeile %1 nennt eine Querkontraktionszahl von %2, und %3 wird verwendet; --poisson-ratio ersetzt sie</translation>
+    </message>
+    <message>
+        <source>The numbers begin with their highest byte (big-endian), against the standard, and are read so.</source>
+        <translation>Die Zahlen beginnen mit ihrem höchsten Byte (Big-Endian), gegen die Norm, und werden so gelesen.</translation>
     </message>
     <message>
         <source>is not valid JSON: %1</source>

@@ -51,6 +51,25 @@ TEST_F(UsageTest, EveryVerbRefusesWhatItCannotTake) {
   }
 }
 
+TEST_F(UsageTest, AnActionThatIsMissingOrUnknownIsNamed) {
+  expectRefused("study", 2,
+                "asperity: study: needs one of run, merge, table, show, analyse behind");
+  expectRefused("study stop", 2, "asperity: study: stop is not one of run, merge, table, show");
+}
+
+TEST_F(UsageTest, AFolderThatIsGoneIsNamedInOneSentence) {
+  const std::string before = "mkdir gone; cd gone; rmdir ../gone; ";
+  expectRefused("curve figure_2.json -o x.csv", 1, "asperity: x.csv: No such file", before);
+}
+
+/// The system refuses to look for a file of such a name.
+TEST_F(UsageTest, NamesTooLongForAFileAreRefused) {
+  const std::string name(300, 'a');
+  expectRefused(name, 2, "unknown command 'aaa");
+  expectRefused("material " + name + ".json -o out", 2, ".json: cannot be opened: ");
+  expectRefused("render s.json -o " + name + ".txt", 2, "is neither a folder nor a .png");
+}
+
 TEST_F(UsageTest, WordsBeforeAVerbAreNotPassedOver) {
   for (const char* word : {"--threads 1", "--set load.normal_force=1", "--language de", "--timing",
                            "--quiet", "--json"})
@@ -159,7 +178,7 @@ TEST_F(UsageTest, ABatchIsToldWhereItsFileIsWrong) {
   program.folder.write("b.json", batch(R"("title":"a","title":"b",)"));
   expectRefused("batch b.json -o out", 2, "b.json: title: stands twice");
   program.folder.write("b.json", R"({"schema": )");
-  expectRefused("batch b.json -o out", 2, "b.json: is not valid JSON: parse error at line 1");
+  expectRefused("batch b.json -o out", 2, "b.json: is not valid JSON: line 1, column ");
 }
 
 TEST_F(UsageTest, AKeyIsSetOrSwept) {

@@ -7,6 +7,7 @@
 #include <limits>
 #include <string>
 
+#include "core/base/input_error.h"
 #include "tests/core/error_from.h"
 
 namespace asperity {
@@ -48,6 +49,19 @@ TEST(JsonText, KeysThatOccurTwiceAndDeepNestingAreRefused) {
   EXPECT_NE(error(R"({"a":1,"a":2})"), "no error");
   EXPECT_NE(error(R"({"a":{"b":[[1]]}})"), "no error");
   EXPECT_NE(error("scene"), "no error");
+}
+
+/// As values, which other languages name as well.
+TEST(JsonText, AnErrorNamesItsLineAndColumn) {
+  try {
+    parseJson("{\"a\": 1,\n \"b\": }", 8);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.message().text, "is not valid JSON: line %1, column %2: %3");
+    ASSERT_EQ(error.message().values.size(), 3U);
+    EXPECT_EQ(error.message().values[0].text, "2");
+    EXPECT_EQ(error.message().values[1].text, "7");
+  }
 }
 
 TEST(JsonText, MembersUpToOneAreReadWithoutWhatFollows) {

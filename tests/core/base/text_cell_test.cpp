@@ -124,7 +124,7 @@ TEST(TextCell, IsNothingWhereItIsInDoubt) {
                            "(0.31 \u00B1 0.02) A12",
                            "(10 mm/s) N",
                            "0.31 +0.02 -0.01",
-                           "5 knots",
+                           "5 furlongs",
                            "0.31 -",
                            "0.31 (1)"})
     EXPECT_FALSE(readCell(text, '.')) << text;

@@ -133,7 +133,9 @@ TEST(Units, AreListedFromTheirTable) {
   EXPECT_EQ(unitNames("Pa"),
             "Pa, kPa, MPa, GPa, N/m2, N/mm2, N/cm2, kN/m2, kgf/cm2, dyn/cm2, Torr, bar, mbar, "
             "atm, psi, ksi");
-  EXPECT_EQ(unitNames("m/s"), "m/s, cm/s, mm/s, \u00B5m/s, km/h, mph, in/s, ft/s, m/min, mm/min");
+  EXPECT_EQ(unitNames("m/s"),
+            "m/s, cm/s, mm/s, \u00B5m/s, km/h, mph, in/s, ft/s, knots, m/min, cm/min, mm/min, "
+            "in/min, ft/min");
 }
 
 }  // namespace

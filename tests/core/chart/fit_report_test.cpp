@@ -68,11 +68,14 @@ TEST(FitReport, ItsTableHasTheForceOfANominalPressure) {
 TEST(FitReport, NamesTheSumOfSquaresByItsSign) {
   Fit fit;
   fit.chiSquared = 12.5;
+  const auto hasLine = [&fit](std::string_view text) {
+    return std::ranges::any_of(describeFit(fit),
+                               [text](const Message& line) { return line.english() == text; });
+  };
   fit.freedom = 11;
-  const std::vector<Message> lines = describeFit(fit);
-  EXPECT_TRUE(std::ranges::any_of(lines, [](const Message& line) {
-    return line.english() == "\u03C7\u00B2 = 12.5 for 11 degrees of freedom";
-  }));
+  EXPECT_TRUE(hasLine("\u03C7\u00B2 = 12.5 for 11 degrees of freedom"));
+  fit.freedom = 1;
+  EXPECT_TRUE(hasLine("\u03C7\u00B2 = 12.5 for one degree of freedom"));
 }
 
 }  // namespace

@@ -107,7 +107,7 @@ TEST(FrictionData, ReadsUnitsInCells) {
   EXPECT_THAT(errorOf("v (mm/s);mu\n1 mm/s;0.3\n10 m/s;0.4\n"),
               HasSubstr("row 3: column v has the unit m/s here, and mm/s elsewhere"));
   EXPECT_THAT(errorOf("v;mu\n1 mm/s;0.3\n10 mm;0.4\n"), HasSubstr("has the unit mm here"));
-  EXPECT_THAT(errorOf("v;mu\n1 knots;0.3\n10 knots;0.4\n"), HasSubstr("texts where numbers"));
+  EXPECT_THAT(errorOf("v;mu\n1 furlongs;0.3\n10 furlongs;0.4\n"), HasSubstr("texts where numbers"));
   EXPECT_THAT(errorOf("v;mu;Last\n1;0.3;3 mm\n10;0.4;3 mm\n"), HasSubstr("the unit mm is unknown"));
   EXPECT_THAT(errorOf("v;mu;Druckluft\n1;0.3;2.5 bar\n10;0.4;2.5 bar\n"),
               HasSubstr("column Druckluft: is it the nominal pressure?"));

@@ -98,16 +98,26 @@ TEST(FrictionData, SaysWhatItDoesNotUse) {
   EXPECT_DOUBLE_EQ(meant.points[0].temperature, 293.15);
 }
 
+TEST(FrictionData, NamesATemperatureBelowTheAbsoluteZeroWithoutRounding) {
+  EXPECT_THAT(errorOf("v,mu,temperature (C)\n1,0.2,-300\n2,0.3,20\n"),
+              HasSubstr("row 2: a temperature of -26.85 K is too cold for rubber"));
+}
+
 TEST(FrictionData, ReadsUnitsInWords) {
   EXPECT_DOUBLE_EQ(parsed("v in mm/s;Reibwert\n1;0,2\n2;0,3\n").points[0].velocity, 1e-3);
   EXPECT_NEAR(parsed("v (m/s),mu,load (lbs)\n1,0.2,10\n2,0.3,10\n").points[0].normalForce, 44.482,
               1e-3);
   EXPECT_DOUBLE_EQ(parsed("v (ft/s),mu\n1,0.2\n2,0.3\n").points[0].velocity, 0.3048);
+  EXPECT_DOUBLE_EQ(parsed("v (ft/min),mue\n60,0.2\n90,0.3\n").points[0].velocity, 0.3048);
+  EXPECT_DOUBLE_EQ(parsed("v (in/min);m\u00FC\n6;0,2\n9;0,3\n").points[0].velocity, 0.00254);
+  EXPECT_DOUBLE_EQ(parsed("speed (cm/min),mu\n6,0.2\n9,0.3\n").points[0].velocity, 1e-3);
+  EXPECT_DOUBLE_EQ(parsed("v (knots),mu\n3600,0.2\n3700,0.3\n").points[0].velocity, 1852);
   EXPECT_DOUBLE_EQ(parsed("v (m/s),mu (%)\n1,20\n2,30\n").points[0].mu, 0.2);
   EXPECT_DOUBLE_EQ(parsed("log10 v (m/s),mu\n-3,0.2\n-2,0.3\n").points[1].velocity, 1e-2);
   EXPECT_THAT(errorOf("v (m/s),mu,load (g)\n1,0.2,5\n2,0.3,5\n"),
               HasSubstr("the unit g is unknown; known are N"));
-  EXPECT_THAT(errorOf("v (knots),mu\n1,0.2\n2,0.3\n"), HasSubstr("the unit knots is unknown"));
+  EXPECT_THAT(errorOf("v (furlongs),mu\n1,0.2\n2,0.3\n"),
+              HasSubstr("the unit furlongs is unknown"));
   EXPECT_THAT(errorOf("v (m/s),mu (V)\n1,0.2\n2,0.3\n"), HasSubstr("the unit V is unknown"));
 }
 
@@ -304,7 +314,7 @@ TEST(FrictionData, ReadsThousands) {
 TEST(FrictionData, RefusesBoundsAndNamesAllUnits) {
   EXPECT_THAT(errorOf("velocity,mu,mu_min,mu_max\n1,0.2,0.1,0.3\n2,0.3,0.2,0.4\n"),
               HasSubstr("column mu_min: bounds of the coefficient of friction are not read"));
-  EXPECT_THAT(errorOf("v (knots),mu\n1,0.2\n2,0.3\n"), HasSubstr("ft/s"));
+  EXPECT_THAT(errorOf("v (furlongs),mu\n1,0.2\n2,0.3\n"), HasSubstr("ft/s"));
   EXPECT_EQ(parsed("v,mu,friction force (N)\n1,0.2,1\n2,0.3,1\n").notes[1].english(),
             "not used: friction force");
 }

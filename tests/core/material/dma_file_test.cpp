@@ -714,6 +714,23 @@ TEST(DmaFile, ColumnsThatContradictEachOtherAreSaid) {
               testing::Contains(HasSubstr("those of tension are 2 times as large in the median")));
 }
 
+/// Moduli of tension depend on Poisson's ratio: one that the file states is not passed over.
+TEST(DmaFile, AnotherPoissonsRatioInTheTextIsNamed) {
+  const std::string rows = "f (Hz),T (C),E' (MPa),E'' (MPa)\n1,20,6,1\n10,20,7,1\n";
+  const std::string said = "states a Poisson's ratio of 0.48, and 0.5 is used";
+  for (const std::string line : {"Poisson's ratio: 0.48", "Poisson ratio = 0.48", "\u03BD = 0.48",
+                                 "Querkontraktionszahl: 0,48", "Sample: NR; nu = 0.48"})
+    EXPECT_THAT(factsIn("# " + line + "\n" + rows), testing::Contains(HasSubstr(said))) << line;
+  const std::string stated = "# Poisson's ratio: 0.48\n" + rows;
+  DmaChoices same;
+  same.poissonRatio = 0.48;
+  EXPECT_THAT(factsIn(stated, same),
+              testing::Not(testing::Contains(HasSubstr("Poisson's ratio of"))));
+  EXPECT_THAT(factsIn("# Poisson's ratio: 0.48\nf (Hz),T (C),G' (MPa),G'' (MPa)\n1,20,2,1\n"
+                      "10,20,3,1\n"),
+              testing::Not(testing::Contains(HasSubstr("Poisson's ratio of"))));
+}
+
 /// A mean of two rubbers is no rubber.
 TEST(DmaFile, SeveralSamplesInOneTableAreRefused) {
   const auto table = [](const std::string& name, const std::string& one, const std::string& other,

@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/core/measured/binary_writers.h"
 #include "tests/core/measured/surface_expectations.h"
 
@@ -36,6 +38,32 @@ TEST(SdfFile, ReadsUnsignedNumbersOfBcr) {
   EXPECT_NEAR(file.topography.at(1, 3), (60000 - 7 * 10) * 1e-9, 1e-15);
 }
 
+/// Returns a file of SDF with the bytes of each number in reverse order.
+std::string bigEndian(std::string bytes, bool second, std::size_t size) {
+  std::size_t at = 42;
+  const auto reverseNext = [&](std::size_t count) {
+    std::reverse(bytes.begin() + static_cast<std::ptrdiff_t>(at),
+                 bytes.begin() + static_cast<std::ptrdiff_t>(at + count));
+    at += count;
+  };
+  for (const std::size_t count : {second ? 4 : 2, second ? 4 : 2, 8, 8, 8, 8}) reverseNext(count);
+  at += 3;
+  for (int i = 0; i < kColumns * kRows; ++i) reverseNext(size);
+  return bytes;
+}
+
+/// Against the standard, but clear.
+TEST(SdfFile, ReadsBigEndianNumbersAndSaysSo) {
+  for (const bool second : {false, true}) {
+    const MeasuredFile file = read(bigEndian(binarySdf<double>(7, true, second), second, 8));
+    expectKnown(file, "sdf", true, 1e-20);
+    EXPECT_TRUE(says(file, "The numbers begin with their highest byte (big-endian)"));
+    expectKnown(read(bigEndian(binarySdf<std::int16_t>(5, true, second), second, 2)), "sdf", true,
+                1e-15);
+    EXPECT_FALSE(says(read(binarySdf<double>(7, true, second)), "big-endian"));
+  }
+}
+
 std::string textSdf(bool gap, const std::string& end, bool manyLines, const std::string& version) {
   std::string text =
       version + end + "ManufacID   = TEST" + end + "; a comment" + end +
@@ -61,6 +89,18 @@ TEST(SdfFile, ReadsText) {
       for (const bool manyLines : {false, true})
         for (const char* version : {"aISO-1.0", "aISO-2.0", "aBCR-1.0"})
           expectKnown(read(textSdf(gap, end, manyLines, version)), "sdf", gap, 1e-15);
+}
+
+/// Some programs write numbers in the style of the country.
+TEST(SdfFile, ReadsDecimalCommas) {
+  std::string text = textSdf(true, "\r\n", false, "aISO-1.0");
+  const std::size_t numbers = text.find("NumPoints");
+  std::replace(text.begin() + static_cast<std::ptrdiff_t>(numbers),
+               text.begin() + static_cast<std::ptrdiff_t>(text.find("<Operator>")), '.', ',');
+  expectKnown(read(text), "sdf", true, 1e-15);
+  // A table with both marks is damaged.
+  text[text.rfind(',')] = '.';
+  EXPECT_THAT(errorOf(text), HasSubstr("is not a number"));
 }
 
 TEST(SdfFile, NamesWhatIsWrong) {

@@ -57,6 +57,25 @@ TEST(X3pFile, SaysThatItDoesNotTurnAxes) {
   EXPECT_TRUE(says(turned("-1", "1", "-1"), "its heights would count downwards"));
 }
 
+/// Some programs pack a folder and not what is in it.
+TEST(X3pFile, ReadsFilesInOneFolder) {
+  X3pOptions options;
+  options.withGap = options.maskFile = true;
+  const X3pParts parts = x3pParts(options);
+  const auto archive = [&parts](const std::string& folder, const std::string& other) {
+    return zipped({{folder + "main.xml", parts.main},
+                   {other, parts.main},
+                   {folder + "bindata/data.bin", parts.points},
+                   {folder + "bindata/valid.bin", parts.valid},
+                   {folder + "md5checksum.hex", md5(parts.main) + " *main.xml\r\n"}},
+                  true);
+  };
+  for (const std::string folder : {"scan 3/", "a/b/"})
+    expectKnown(read(archive(folder, "__MACOSX/._main.xml")), "x3p", true, 1e-12);
+  EXPECT_THAT(errorOf(archive("scan 3/", "scan 4/main.xml")),
+              HasSubstr("has no file 'main.xml' in its archive"));
+}
+
 TEST(X3pFile, ReadsStoredPositions) {
   for (const bool listed : {false, true})
     for (const bool absoluteY : {false, true}) {

@@ -68,6 +68,12 @@ TEST(Provenance, LineIsOneOfAsciiAndHoldsSceneVerbVersionAndSeed) {
   EXPECT_EQ(json["scene"]["load"]["normal_force"], 0.1);
 }
 
+/// As the names of files and the texts of options may be.
+TEST(Provenance, BytesThatAreNoUtf8AreReplaced) {
+  nlohmann::ordered_json options = {{"labels", "x=a\xFF"}};
+  EXPECT_EQ(provenanceLine(options), R"({"labels":"x=a\ufffd"})");
+}
+
 TEST(Provenance, CommentIsOneLine) {
   const std::string comment = provenanceComment("curve", awkwardScene());
   EXPECT_THAT(comment, StartsWith("# asperity: {"));

@@ -176,6 +176,9 @@ TEST(StudyFile, MistakesAreNamed) {
       {R"("scene":{"sliding":{"kind":"start"}},"space":{"surface.hurst":[0.5]})", "sliding.kind"},
       {R"("set":{"accuracy.target_relative_error":0.01},"space":{"surface.hurst":[0.5]})",
        "not a target"},
+      {R"("scene":"none.json","space":{"surface.hurst":[0.5]})",
+       "s.json: scene: none.json: cannot"},
+      {R"("scene":7,"space":{"surface.hurst":[0.5]})", "s.json: scene: needs an object"},
       {R"("space":{"rows":"nowhere.csv"})", "nowhere.csv"},
       {R"("space":{"surface.hurst":[0.5],"surface.hurst":[0.6]})", "stands twice"},
   };

@@ -122,9 +122,9 @@ QString fittedNotes(const Fit& fit) {
     lines += FitPage::tr("the points have no errors; they scatter by %1 % about the fit")
                  .arg(readingLabel(100 * fit.relativeScatter, 2));
   else
-    lines += FitPage::tr("χ² = %1 for %2 degrees of freedom, %3 evaluations")
+    lines += FitPage::tr("χ² = %1 for %2, %3 evaluations")
                  .arg(readingLabel(fit.chiSquared, 4))
-                 .arg(fit.freedom)
+                 .arg(translatedText(degreesOfFreedom(fit.freedom)))
                  .arg(fit.evaluations);
   if (fit.parameters.size() > 1) lines += correlationsText(fit);
   const bool isOpen = !std::ranges::all_of(fit.parameters, &FittedParameter::isDetermined);
