@@ -2659,6 +2659,10 @@
         <translation>Kurve der vorigen Szene</translation>
     </message>
     <message>
+        <source>the lesson hides the curve</source>
+        <translation>die Lektion verbirgt die Kurve</translation>
+    </message>
+    <message>
         <source>%1 of %2 lines</source>
         <translation>%1 von %2 Linien</translation>
     </message>
