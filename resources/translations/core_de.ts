@@ -7462,8 +7462,8 @@
         <translation>Das Gummi kommt nicht mehr ganz nach, und der Kontakt beginnt die Rückseiten der Gipfel zu verlassen. Innerhalb einer Dekade der Geschwindigkeit biegt die Gerade in das Plateau ein.</translation>
     </message>
     <message>
-        <source>A straight flank presses the rubber down at one speed: pressure begins with a jump, grows to the tip and drops behind it; at high velocity it is even. Friction reaches the slope itself once nothing touches the trailing flank, and stays there.</source>
-        <translation>Eine gerade Flanke drückt das Gummi überall gleich schnell ein: Der Druck beginnt mit einem Sprung, wächst bis zur Spitze und fällt dahinter ab; bei hoher Geschwindigkeit ist er gleichmäßig. Die Reibungszahl erreicht die Steigung selbst, sobald nichts mehr die hintere Flanke berührt, und bleibt dort.</translation>
+        <source>A straight flank presses the rubber down at one speed: the line load begins with a jump, grows to the tip and drops behind it; at high velocity it is even. Friction reaches the slope itself once nothing touches the trailing flank, and stays there.</source>
+        <translation>Eine gerade Flanke drückt das Gummi überall gleich schnell ein: Die Linienlast beginnt mit einem Sprung, wächst bis zur Spitze und fällt dahinter ab; bei hoher Geschwindigkeit ist sie gleichmäßig. Die Reibungszahl erreicht die Steigung selbst, sobald nichts mehr die hintere Flanke berührt, und bleibt dort.</translation>
     </message>
     <message>
         <source>The series, an example without a published source, holds at 343 K; by the shift of another filled rubber (Hentschke and Plagge 2021) every arm is about 140 times as slow at 298 K, and friction at walking speed is that of a stiffer rubber. Move the temperature: the curve slides along the velocity without changing.</source>
