@@ -780,8 +780,8 @@
         <translation>Aussage der Arbeit</translation>
     </message>
     <message>
-        <source>Measured</source>
-        <translation>Gemessen</translation>
+        <source>Computed</source>
+        <translation>Berechnet</translation>
     </message>
     <message>
         <source>Expected</source>

@@ -121,7 +121,7 @@ ClaimsTable::ClaimsTable(QWidget* parent) : QTableWidget(0, kClaimColumns, paren
 void ClaimsTable::showTexts() {
   setAccessibleName(tr("what the paper says about this figure, and whether it holds"));
   setHorizontalHeaderLabels(
-      {tr("Holds"), tr("The paper says"), tr("Measured"), tr("Expected"), tr("Where")});
+      {tr("Holds"), tr("The paper says"), tr("Computed"), tr("Expected"), tr("Where")});
 }
 
 /// Returns the width that the longest word of a column needs, because words are not broken.
