@@ -501,7 +501,8 @@ void Simulation::addMotion(Frame& frame) const {
     const Pressed pressed = pressedIn(frame);
     frame.normalForce = pressed.force;
     frame.contactFraction = pressed.fraction;
-    frame.tangentialForce = std::abs(march().slopeForce());
+    // What was only pressed in pushes to no side; a remainder is the error of the elements.
+    frame.tangentialForce = frame.velocity == 0 ? 0 : std::abs(march().slopeForce());
     if (pressed.force > 0) frame.muMarch = frame.tangentialForce / pressed.force;
     if (frame.velocity != 0)
       frame.muInterface = localFriction(interfaceAt(*ready_->scene, frame.velocity), pressed.force,

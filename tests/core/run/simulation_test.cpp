@@ -591,5 +591,14 @@ TEST(Simulation, AMotionMovesAsSlowlyAsWanted) {
   }
 }
 
+TEST(Simulation, AMotionThatBeginsAtRestBeginsWithoutFriction) {
+  auto scene = movingScene(SlidingKind::Oscillation, 0.06, 50);
+  scene->sliding.velocity = 0;
+  scene->sliding.amplitude = 0.5;
+  const Frame frame = Simulation(scene, 1).frame();
+  EXPECT_EQ(frame.tangentialForce, 0);
+  EXPECT_EQ(frame.muMarch, 0);
+}
+
 }  // namespace
 }  // namespace asperity
