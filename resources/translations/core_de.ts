@@ -2087,12 +2087,12 @@
         <translation>Bei einer Oberfläche, die auf den Gipfeln rauer ist als an den Hängen, nähme die quadratisch gemittelte Steigung mit der Eindringung ab</translation>
     </message>
     <message>
-        <source>rms slope in contact at the smallest force over that at the largest, with surface.summit_correlation = 2</source>
-        <translation>quadratisch gemittelte Steigung im Kontakt bei der kleinsten Kraft, bezogen auf die bei der größten, mit surface.summit_correlation = 2</translation>
+        <source>rms slope in contact at the smallest force over that at the largest, with a summit correlation of 2</source>
+        <translation>quadratisch gemittelte Steigung im Kontakt bei der kleinsten Kraft, bezogen auf die bei der größten, mit einer Gipfelkorrelation von 2</translation>
     </message>
     <message>
-        <source>With surface.summit_correlation = %1 it is %2.</source>
-        <translation>Mit surface.summit_correlation = %1 ist sie %2.</translation>
+        <source>With a summit correlation of %1 it is %2.</source>
+        <translation>Mit einer Gipfelkorrelation von %1 ist sie %2.</translation>
     </message>
     <message>
         <source>Dimensionless velocity of about 1 gives the order of magnitude of the velocity at which the elastomer is detached on the trailing side of any asperity and all the contacts become one-sided</source>
