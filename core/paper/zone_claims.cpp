@@ -137,10 +137,10 @@ Claim roughSummitsClaim(const GroupedMeans& means, FigureWork& work) {
               "For a surface that is rougher on the summits than on the slopes the rms slope would "
               "decrease with indentation",
               "rms slope in contact at the smallest force over that at the largest, with "
-              "surface.summit_correlation = 2"};
+              "a summit correlation of 2"};
   claim.criterion = "above 1";
   decide(claim, slopeRatio(rough, 0, 1), above(1));
-  claim.note = message("With surface.summit_correlation = {:g} it is {:.3f}.",
+  claim.note = message("With a summit correlation of {:g} it is {:.3f}.",
                        means.scene().surface.summitCorrelation, slopeRatio(means, 0, last).value);
   return claim;
 }

@@ -239,6 +239,7 @@ bool Simulation::resolvesContacts() const {
 }
 
 void Simulation::advance(double part, double wallSeconds) {
+  if (motion_ && awaitsStep(part, wallSeconds)) return;
   clearReading();
   const double before = time_;
   if (motion_) return advanceMotion(part, wallSeconds, motion_->motion().duration());
@@ -296,6 +297,20 @@ void Simulation::advanceMotion(double part, double wallSeconds, double end) {
   marchMotion(std::min(next, end));
   timeScale_ = stretch / wallSeconds;
   motion_->keepState();
+}
+
+/// Returns whether the next step of a motion is not yet due: at a slow pace a step lasts several
+/// frames, which show the same moment.
+bool Simulation::awaitsStep(double part, double wallSeconds) {
+  const double step = motion_->transient().nextStep();
+  const double stretch = part * motion_->motion().duration();
+  const bool isSlow = stretch < step;
+  towardsStep_ = isSlow ? towardsStep_ + stretch : 0;
+  if (!isSlow) return false;
+  timeScale_ = stretch / wallSeconds;
+  if (towardsStep_ < step) return true;
+  towardsStep_ -= step;
+  return false;
 }
 
 /// Goes to the nearest known state at or before a time.
@@ -486,7 +501,8 @@ void Simulation::addMotion(Frame& frame) const {
     const Pressed pressed = pressedIn(frame);
     frame.normalForce = pressed.force;
     frame.contactFraction = pressed.fraction;
-    frame.tangentialForce = std::abs(march().slopeForce());
+    // What was only pressed in pushes to no side; a remainder is the error of the elements.
+    frame.tangentialForce = frame.velocity == 0 ? 0 : std::abs(march().slopeForce());
     if (pressed.force > 0) frame.muMarch = frame.tangentialForce / pressed.force;
     if (frame.velocity != 0)
       frame.muInterface = localFriction(interfaceAt(*ready_->scene, frame.velocity), pressed.force,

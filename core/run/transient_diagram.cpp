@@ -31,8 +31,6 @@ std::vector<DiagramPoint> inTime(std::span<const TransientSample> samples,
   return points;
 }
 
-/// Returns the magnitude of friction in time. It goes through 0 where friction changes its
-/// direction between two samples.
 /// Returns the samples, and between two of them one more where friction changes its direction and
 /// so is 0. Of that one only the time, the friction and its error are known.
 std::vector<TransientSample> withTurns(std::span<const TransientSample> samples) {

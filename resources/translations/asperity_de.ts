@@ -756,8 +756,8 @@
 <context>
     <name>asperity::ClaimsTable</name>
     <message>
-        <source>Measured: %1.</source>
-        <translation>Gemessen: %1.</translation>
+        <source>Computed: %1.</source>
+        <translation>Berechnet: %1.</translation>
     </message>
     <message>
         <source>Holds when: %1.</source>
@@ -780,8 +780,8 @@
         <translation>Aussage der Arbeit</translation>
     </message>
     <message>
-        <source>Measured</source>
-        <translation>Gemessen</translation>
+        <source>Computed</source>
+        <translation>Berechnet</translation>
     </message>
     <message>
         <source>Expected</source>

@@ -2111,12 +2111,12 @@
         <translation>Bei einer Oberfläche, die auf den Gipfeln rauer ist als an den Hängen, nähme die quadratisch gemittelte Steigung mit der Eindringung ab</translation>
     </message>
     <message>
-        <source>rms slope in contact at the smallest force over that at the largest, with surface.summit_correlation = 2</source>
-        <translation>quadratisch gemittelte Steigung im Kontakt bei der kleinsten Kraft, bezogen auf die bei der größten, mit surface.summit_correlation = 2</translation>
+        <source>rms slope in contact at the smallest force over that at the largest, with a summit correlation of 2</source>
+        <translation>quadratisch gemittelte Steigung im Kontakt bei der kleinsten Kraft, bezogen auf die bei der größten, mit einer Gipfelkorrelation von 2</translation>
     </message>
     <message>
-        <source>With surface.summit_correlation = %1 it is %2.</source>
-        <translation>Mit surface.summit_correlation = %1 ist sie %2.</translation>
+        <source>With a summit correlation of %1 it is %2.</source>
+        <translation>Mit einer Gipfelkorrelation von %1 ist sie %2.</translation>
     </message>
     <message>
         <source>Dimensionless velocity of about 1 gives the order of magnitude of the velocity at which the elastomer is detached on the trailing side of any asperity and all the contacts become one-sided</source>
@@ -2681,6 +2681,10 @@
     <message>
         <source>curve of the scene before</source>
         <translation>Kurve der vorigen Szene</translation>
+    </message>
+    <message>
+        <source>the lesson hides the curve</source>
+        <translation>die Lektion verbirgt die Kurve</translation>
     </message>
     <message>
         <source>%1 of %2 lines</source>
@@ -7482,8 +7486,8 @@
         <translation>Das Gummi kommt nicht mehr ganz nach, und der Kontakt beginnt die Rückseiten der Gipfel zu verlassen. Innerhalb einer Dekade der Geschwindigkeit biegt die Gerade in das Plateau ein.</translation>
     </message>
     <message>
-        <source>A straight flank presses the rubber down at one speed: pressure begins with a jump, grows to the tip and drops behind it; at high velocity it is even. Friction reaches the slope itself once nothing touches the trailing flank, and stays there.</source>
-        <translation>Eine gerade Flanke drückt das Gummi überall gleich schnell ein: Der Druck beginnt mit einem Sprung, wächst bis zur Spitze und fällt dahinter ab; bei hoher Geschwindigkeit ist er gleichmäßig. Die Reibungszahl erreicht die Steigung selbst, sobald nichts mehr die hintere Flanke berührt, und bleibt dort.</translation>
+        <source>A straight flank presses the rubber down at one speed: the line load begins with a jump, grows to the tip and drops behind it; at high velocity it is even. Friction reaches the slope itself once nothing touches the trailing flank, and stays there.</source>
+        <translation>Eine gerade Flanke drückt das Gummi überall gleich schnell ein: Die Linienlast beginnt mit einem Sprung, wächst bis zur Spitze und fällt dahinter ab; bei hoher Geschwindigkeit ist sie gleichmäßig. Die Reibungszahl erreicht die Steigung selbst, sobald nichts mehr die hintere Flanke berührt, und bleibt dort.</translation>
     </message>
     <message>
         <source>The series, an example without a published source, holds at 343 K; by the shift of another filled rubber (Hentschke and Plagge 2021) every arm is about 140 times as slow at 298 K, and friction at walking speed is that of a stiffer rubber. Move the temperature: the curve slides along the velocity without changing.</source>

@@ -32,6 +32,21 @@ QString shadeText(const DiagramSpan& shade) {
   return text;
 }
 
+/// Returns whether the y-axis has no values, as that of a motion before its first step: its numbers
+/// would mean nothing.
+bool isOfNothing(const Diagram& diagram) {
+  const auto hasValue = [](const DiagramSeries& series) {
+    return std::ranges::any_of(series.points,
+                               [](const DiagramPoint& point) { return std::isfinite(point.y); });
+  };
+  return diagram.y.from == diagram.y.to && std::ranges::none_of(diagram.series, hasValue);
+}
+
+/// Returns a title that is not broken within its unit: Qt would break "(m/s)" after the stroke.
+QString heldUnit(QString title) {
+  return title.replace('/', QStringLiteral("/\u2060"));
+}
+
 }  // namespace
 
 OccupancyGrid coveredBySeries(const Diagram& diagram, const ChartGeometry& map,
@@ -59,6 +74,7 @@ void UnderItem::show(const Diagram& diagram, const ChartGeometry& map, const Cha
   covered_ = shades_.empty() ? OccupancyGrid({}, 1) : coveredBySeries(diagram, map, style);
   xAxis_ = xAxis;
   yAxis_ = yAxis;
+  if (isOfNothing(diagram)) yAxis_.ticks.clear();
   titles_ = titles;
   frame_ = map.frame();
   update();
@@ -275,7 +291,7 @@ void UnderItem::paintTitles(QPainter& painter) const {
     return painter.drawText(QRectF(frame_.right() + kBeside, frame_.top() - line, titles_.beside,
                                    frame_.height() + 2 * line),
                             Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap,
-                            QString::fromStdString(yAxis_.title));
+                            heldUnit(QString::fromStdString(yAxis_.title)));
   if (titles_.isAbove)
     return paintText(painter, QRectF(frame_.left(), frame_.top() - line - 1, frame_.width(), line),
                      Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip,

@@ -438,7 +438,9 @@ void ChartView::read(QPointF position) {
     setCursor(Qt::SizeHorCursor);
   else
     setCursor(target.isPoint() && target.diagram == 0 ? Qt::PointingHandCursor : Qt::ArrowCursor);
-  const QString text = tipText(target, position);
+  // A number keeps its sign where a sentence is broken.
+  const QString text =
+      tipText(target, position).replace(QStringLiteral(" %"), QStringLiteral("\u00A0%"));
   if (text.isEmpty()) return tip_->clear();
   QPointF at = position;
   if (target.isPoint()) {

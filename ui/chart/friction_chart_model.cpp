@@ -312,6 +312,7 @@ DiagramSheet FrictionChartModel::sheet() const {
 void FrictionChartModel::hideCurve(DiagramSheet& sheet) const {
   sheet.diagrams.resize(1);
   sheet.note = {};
+  sheet.status = "the lesson hides the curve";
   Diagram& diagram = sheet.diagrams.front();
   std::erase_if(diagram.series,
                 [](const DiagramSeries& series) { return series.id <= kPresentCurve; });

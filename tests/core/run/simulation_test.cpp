@@ -575,5 +575,30 @@ TEST(Simulation, TheSamplesOfAMotionDoNotDependOnItsPace) {
   EXPECT_LT(fast.leastMu, 1.5 * slow.leastMu);
 }
 
+/// A pace at which a step of the motion lasts many frames is that of the picture, too.
+TEST(Simulation, AMotionMovesAsSlowlyAsWanted) {
+  const auto scene = movingScene(SlidingKind::Oscillation, 0.06, 50);
+  const double duration = scene->sliding.duration, step = duration / 500, interval = 1.0 / 60;
+  constexpr int kFrames = 600;
+  for (const double frames : {720.0, 4000.0, 36000.0}) {  // for the whole motion
+    Simulation simulation(scene, 1);
+    for (int i = 0; i < kFrames; ++i) {
+      simulation.advance(1 / frames, interval);
+      const Frame frame = simulation.frame();
+      EXPECT_NEAR(frame.timeScale, duration / frames / interval, 1e-9 * frame.timeScale);
+    }
+    EXPECT_NEAR(simulation.frame().time, kFrames / frames * duration, 1.5 * step) << frames;
+  }
+}
+
+TEST(Simulation, AMotionThatBeginsAtRestBeginsWithoutFriction) {
+  auto scene = movingScene(SlidingKind::Oscillation, 0.06, 50);
+  scene->sliding.velocity = 0;
+  scene->sliding.amplitude = 0.5;
+  const Frame frame = Simulation(scene, 1).frame();
+  EXPECT_EQ(frame.tangentialForce, 0);
+  EXPECT_EQ(frame.muMarch, 0);
+}
+
 }  // namespace
 }  // namespace asperity

@@ -91,6 +91,15 @@ TEST(FrictionChartModelTest, KeepsErrorsAndStatesHowFarItIs) {
   EXPECT_DOUBLE_EQ(diagram.progress(), 37.0 / 200);
 }
 
+TEST(FrictionChartModelTest, ALessonThatHidesTheCurveSaysSo) {
+  FrictionChartModel diagram;
+  diagram.take(update({}, {point(1, 1e-3, 2e-4)}, 200));
+  diagram.conceal(AxisRange{1e-6, 1e-2});
+  EXPECT_EQ(diagram.sheet().status.english(), "the lesson hides the curve");
+  diagram.conceal(std::nullopt);
+  EXPECT_EQ(diagram.sheet().status.english(), "200 of 200 lines");
+}
+
 /// Two digits of the error, and the value to the same place, with at least three digits.
 TEST(FrictionChartModelTest, ValueAndErrorEndAtTheSamePlace) {
   const auto reading = [](double mu, double error) {

@@ -242,7 +242,7 @@ TEST_F(TimeBarTest, TheDurationGivesWayInANarrowBar) {
   bar_.show();
   const auto& moment = part<QLabel>("momentText");
   const auto& keep = part<QCheckBox>("keepPace");
-  const QString time = quantityLabel(frame_.time, "s");
+  const QString time = QString::fromStdString(quantity(frame_.time, "s", 3, Zeros::Keep));
   for (const int width : {720, bar_.minimumSizeHint().width(), 720}) {
     bar_.resize(width, bar_.sizeHint().height());
     QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
@@ -310,7 +310,7 @@ TEST_F(TimeBarTest, TheMomentHasANameAndItsTimeInWords) {
   bar_.showFrame(frame_);
   auto& moment = part<QSlider>("moment");
   EXPECT_EQ(moment.accessibleName(), "moment of the motion");
-  EXPECT_EQ(moment.accessibleDescription(), "t = 10 ms of 40 ms");
+  EXPECT_EQ(moment.accessibleDescription(), "t = 10.0 ms of 40 ms");
   bar_.show();
   QHelpEvent help(QEvent::ToolTip, {5, 5}, moment.mapToGlobal(QPoint(5, 5)));
   QApplication::sendEvent(&moment, &help);
@@ -428,6 +428,22 @@ TEST_F(TimeInTheWindow, StripsAndLoopReadMomentsAndSaveThem) {
   EXPECT_TRUE(motion.loop().isHidden());
 }
 
+/// The axis of velocities does not jump when the velocity does.
+TEST_F(TimeInTheWindow, TheStripOfVelocitiesHasThoseOfTheWholeMotion) {
+  for (const SlidingKind kind : {SlidingKind::Step, SlidingKind::Oscillation}) {
+    openMotion(kind);
+    session().setPlaying(false);
+    const Sliding& sliding = window_.document().scene().sliding;
+    const bool isStep = kind == SlidingKind::Step;
+    const double first = isStep ? sliding.velocity : sliding.velocity - sliding.amplitude;
+    const double other = isStep ? sliding.velocityAfter : sliding.velocity + sliding.amplitude;
+    const DiagramAxis& y = window_.tabs().motion().strips().sheet().diagrams[0].y;
+    EXPECT_LT(y.from, std::min(first, other));
+    EXPECT_GT(y.to, std::max(first, other));
+    EXPECT_LT(y.to - y.from, 1.5 * std::abs(other - first));
+  }
+}
+
 TEST_F(TimeInTheWindow, AClickOnAStripGoesToItsMoment) {
   openMotion(SlidingKind::Step);
   ASSERT_TRUE(waitFor([&] { return frame()->transient && frame()->transient->size() > 60; }));
@@ -467,7 +483,9 @@ TEST_F(TimeInTheWindow, EverythingTellsTheSameMoment) {
     if (!drawn || !drawn->transient || drawn->transient->empty()) return;
     ++pictures;
     EXPECT_EQ(session().frame(), drawn);
-    EXPECT_TRUE(control<QLabel>("momentText").text().contains(quantityLabel(drawn->time, "s")));
+    EXPECT_TRUE(control<QLabel>("momentText")
+                    .text()
+                    .contains(QString::fromStdString(quantity(drawn->time, "s", 3, Zeros::Keep))));
     EXPECT_TRUE(control<QLabel>("factVelocity")
                     .text()
                     .endsWith(readingLabel(dimensionlessVelocity(*drawn))));

@@ -11,6 +11,7 @@
 
 #include "core/run/motion_table.h"
 #include "core/run/transient_diagram.h"
+#include "core/scene/motion.h"
 #include "core/scene/provenance.h"
 #include "ui/chart/chart_view.h"
 #include "ui/draw/png_file.h"
@@ -34,6 +35,22 @@ std::span<const TransientSample> samplesOf(
 /// Returns "t = 0.2 s".
 QString equation(const QString& name, double value, const char* unit) {
   return name + " = " + quantityLabel(value, unit);
+}
+
+/// Gives the first strip the velocities of the whole motion, which are known before it is played.
+void showAllVelocities(DiagramSheet& sheet, const Sliding& sliding) {
+  const Motion motion(sliding);
+  const double quarter = motion.isSmooth() ? 0.25 / sliding.frequency : 0;
+  double slowest = motion.velocityAt(0), fastest = slowest;
+  for (const double time : {quarter, 3 * quarter, motion.duration()}) {
+    if (time > motion.duration()) continue;
+    slowest = std::min(slowest, motion.velocityAt(time));
+    fastest = std::max(fastest, motion.velocityAt(time));
+  }
+  if (!(slowest < fastest)) return;
+  const AxisEnds ends = axisEnds(slowest, fastest, 0);
+  sheet.diagrams.front().y.from = ends.from;
+  sheet.diagrams.front().y.to = ends.to;
 }
 
 }  // namespace
@@ -83,7 +100,9 @@ void MotionView::showScene(const Scene& scene) {
   later_.reset();
   loop_->setVisible(scene.sliding.kind == SlidingKind::Oscillation);
   if (!(duration_ > 0)) return;
-  strips_->setSheet(transientSheet(scene, {}));
+  DiagramSheet strips = transientSheet(scene, {});
+  showAllVelocities(strips, scene.sliding);
+  strips_->setSheet(strips);
   if (!loop_->isHidden()) loop_->setSheet(frictionLoopSheet({}));
 }
 
@@ -93,7 +112,9 @@ void MotionView::showFrame(const Frame& frame) {
   later_ = frame.later;
   const auto strips = [scene = frame.scene, samples = samples_, later = later_,
                        spacing = frame.spacing, length = frame.length] {
-    return transientSheet(*scene, *samples, spacing, length, samplesOf(later));
+    DiagramSheet sheet = transientSheet(*scene, *samples, spacing, length, samplesOf(later));
+    showAllVelocities(sheet, scene->sliding);
+    return sheet;
   };
   const auto loop = [samples = samples_, later = later_] {
     return frictionLoopSheet(*samples, samplesOf(later));

@@ -64,6 +64,12 @@ QString paceText(double slowMotion) {
                         : slowerText(QString::fromStdString(factorText(slowMotion)));
 }
 
+/// Returns the present moment with the digits that the header of the picture has, "3.80 ms": they
+/// neither come nor go while the motion plays.
+QString presentText(double time) {
+  return QString::fromStdString(quantity(time, "s", 3, Zeros::Keep));
+}
+
 /// Returns "t = 3.89 ms of 6 ms", with the symbol that the axis of the charts has.
 QString momentText(const QString& time, const QString& duration) {
   return QStringLiteral("t = ") + TimeBar::tr("%1 of %2").arg(time, duration);
@@ -214,11 +220,11 @@ void TimeBar::fit() {
 }
 
 QString TimeBar::momentWords() const {
-  return momentText(quantityLabel(time_, "s"), quantityLabel(duration_, "s"));
+  return momentText(presentText(time_), quantityLabel(duration_, "s"));
 }
 
 void TimeBar::showMoment() {
-  momentText_->setText(showsDuration_ ? momentWords() : quantityLabel(time_, "s"));
+  momentText_->setText(showsDuration_ ? momentWords() : presentText(time_));
   moment_->setAccessibleDescription(momentWords());  // its own value is a position
 }
 

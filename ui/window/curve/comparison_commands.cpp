@@ -84,6 +84,7 @@ void ComparisonCommands::fill(QMenu& menu, Commands& commands) {
       action->setToolTip(wrappedTip(translatedText(entry.range)));
     });
   }
+  menu.addAction(commands.get("openFriction"));
   tables_ = menu.addMenu(QString());
   tables_->setObjectName("measuredMenu");
   tables_->setToolTipsVisible(true);
@@ -92,7 +93,7 @@ void ComparisonCommands::fill(QMenu& menu, Commands& commands) {
     theories_->setTitle(tr("Theories"));
     tables_->setTitle(tr("Remove measured friction"));
   });
-  menu.addActions(commands.get({"openFriction", "fitParameters"}));
+  menu.addAction(commands.get("fitParameters"));
   showScene(parts_.document.scene());
 }
 

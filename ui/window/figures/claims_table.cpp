@@ -18,7 +18,7 @@ namespace asperity {
 
 namespace {
 
-enum Column { kHolds, kClaim, kMeasured, kExpected, kWhere, kClaimColumns };
+enum Column { kHolds, kClaim, kComputed, kExpected, kWhere, kClaimColumns };
 
 constexpr int kBesideText = 5;  // pixels of space beside a cell's text
 constexpr int kAbove = 4;       // pixels of space above and below it
@@ -54,7 +54,7 @@ QColor verdictColour(Verdict verdict, bool dark) {
 
 /// Returns the details that the row itself does not show.
 QString claimDetails(const Claim& claim) {
-  QStringList lines{ClaimsTable::tr("Measured: %1.").arg(translatedText(claim.quantity))};
+  QStringList lines{ClaimsTable::tr("Computed: %1.").arg(translatedText(claim.quantity))};
   if (!claim.criterion.empty())
     lines << ClaimsTable::tr("Holds when: %1.").arg(translatedText(claim.criterion));
   if (claim.holds == Verdict::Undecided)
@@ -121,7 +121,7 @@ ClaimsTable::ClaimsTable(QWidget* parent) : QTableWidget(0, kClaimColumns, paren
 void ClaimsTable::showTexts() {
   setAccessibleName(tr("what the paper says about this figure, and whether it holds"));
   setHorizontalHeaderLabels(
-      {tr("Holds"), tr("The paper says"), tr("Measured"), tr("Expected"), tr("Where")});
+      {tr("Holds"), tr("The paper says"), tr("Computed"), tr("Expected"), tr("Where")});
 }
 
 /// Returns the width that the longest word of a column needs, because words are not broken.
@@ -144,7 +144,7 @@ void ClaimsTable::setWidths() {
   ensurePolished();
   const int letter = fontMetrics().averageCharWidth();
   for (const auto& [column, letters] :
-       {std::pair{kHolds, 17}, {kMeasured, 20}, {kExpected, 13}, {kWhere, 18}}) {
+       {std::pair{kHolds, 17}, {kComputed, 20}, {kExpected, 13}, {kWhere, 18}}) {
     const int needed = std::max(sizeHintForColumn(column),
                                 horizontalHeader()->sectionSizeHint(column) + 2 * letter);
     horizontalHeader()->resizeSection(
