@@ -346,7 +346,7 @@ TEST_F(StatusTest, ARefusedSceneIsNoWorkAndItsContactIsDimmed) {
   EXPECT_TRUE(waitFor([&] { return fact("factSimulations").isEmpty(); }));
   action("undo").trigger();
   EXPECT_TRUE(waitFor([&] { return !veil.isVisible(); }));
-  EXPECT_FALSE(session().friction().marker()->isFaded);
+  EXPECT_TRUE(waitFor([&] { return !session().friction().marker()->isFaded; }));
   EXPECT_FALSE(areReadingsFaded());
 }
 

@@ -306,11 +306,17 @@ void StatusLine::changeEvent(QEvent* event) {
 
 void StatusLine::monitor(const Session& session, const ContactCanvas& canvas) {
   auto* drawing = new QTimer(this);
-  connect(drawing, &QTimer::timeout, this,
-          [this, &canvas] { showDrawing(canvas.framesPerSecond(), canvas.backendName()); });
+  // A paused window measures its texts only where one of them has changed.
+  connect(drawing, &QTimer::timeout, this, [this, &canvas] {
+    const int rate = canvas.framesPerSecond();
+    const QString name = canvas.backendName();
+    if (rate != framesPerSecond_ || name != backendName_) showDrawing(rate, name);
+  });
   drawing->start(kDrawingInterval);
   auto* work = new QTimer(this);
-  connect(work, &QTimer::timeout, this, [this, &session] { showWork(currentWork(session)); });
+  connect(work, &QTimer::timeout, this, [this, &session] {
+    if (const Work present = currentWork(session); present != work_) showWork(present);
+  });
   work->start(kWorkInterval);
 }
 

@@ -28,6 +28,8 @@ struct Work {
   State state = State::Idle;
   double progress = 0;              // 0 to 1
   double simulationsPerSecond = 0;  // 0: not known
+
+  bool operator==(const Work&) const = default;
 };
 
 class StatusLine : public QWidget {
