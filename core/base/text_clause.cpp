@@ -113,6 +113,12 @@ std::optional<WordOfLine> unitOfNoNumber(const TextTable& table, const TextBlock
   return {};
 }
 
+Message unitStandsElsewhere(const std::string& name, const WordOfLine& unit) {
+  return message(
+      "has no unit, and line {} names '{}'; write the unit into the name, as in \"{} ({})\"",
+      unit.line, shortened(unit.word), shortened(name), shortened(unit.word));
+}
+
 bool isNextProfile(std::string_view heading, std::string_view next) {
   constexpr WordList kProfiles("profile profil profilo perfil trace track spur");
   if (heading == next) return false;

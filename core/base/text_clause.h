@@ -59,6 +59,9 @@ struct WordOfLine {
 std::optional<WordOfLine> unitOfNoNumber(const TextTable& table, const TextBlock& block,
                                          const std::function<bool(const std::string&)>& isUnit);
 
+/// Says that a column has no unit although such a line names one. name: of the column.
+Message unitStandsElsewhere(const std::string& name, const WordOfLine& unit);
+
 /// Returns whether a heading is that of the next of several profiles: "Profile 2" after "Profile
 /// 1".
 bool isNextProfile(std::string_view heading, std::string_view next);

@@ -142,16 +142,12 @@ std::vector<const TextBlock*> tablesOfFriction(const TextTable& table) {
 /// temperatures as the first.
 bool completeStatements(HeaderStatements& header, const HeaderStatements& first,
                         const FrictionRoles& roles) {
-  const auto states = [](const HeaderStatements& statements, Quantity quantity) {
-    return std::ranges::find(statements.common, quantity, &HeaderStatement::quantity) !=
-           statements.common.end();
-  };
   if (header.common.empty() || !std::ranges::all_of(header.common, [&](const HeaderStatement& one) {
-        return states(first, *one.quantity);
+        return first.hasCommon(*one.quantity);
       }))
     return false;
   for (const HeaderStatement& one : first.common)
-    if (!states(header, *one.quantity) && !roles.isGiven(*one.quantity))
+    if (!header.hasCommon(*one.quantity) && !roles.isGiven(*one.quantity))
       header.common.push_back(one);
   return true;
 }
@@ -177,12 +173,7 @@ FrictionData readPoints(const TextTable& table, const std::string& name) {
                                "apart, such as temperature or label",
                                tables.front()->lines.front(), block.lines.front()));
     requireQuantities(
-        block, roles,
-        [&](Quantity quantity) {
-          return std::ranges::find(header.common, quantity, &HeaderStatement::quantity) !=
-                 header.common.end();
-        },
-        name);
+        block, roles, [&](Quantity quantity) { return header.hasCommon(quantity); }, name);
     std::vector<Message> ofGroups = fillGroups(block, roles);
     FrictionRows rows = readRows(block, roles, header.common, name);
     std::ranges::move(rows.points, std::back_inserter(data.points));

@@ -3,6 +3,7 @@
 // Pure functions; any thread. Failure: InputError that names the file and the line.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -40,6 +41,11 @@ struct HeaderStatements {
   std::vector<HeaderStatement> common{};  // of all points
   std::vector<HeaderStatement> unused{};  // not understood, doubtful, or given by a column
   bool hasTwoLoads = false;               // several loads are stated, so that none counts
+
+  /// Returns whether a line gives the quantity of all points.
+  bool hasCommon(FrictionQuantity quantity) const {
+    return std::ranges::find(common, quantity, &HeaderStatement::quantity) != common.end();
+  }
 };
 
 /// Reads all lines above a table. isGiven: whether a column gives a quantity. name: of the file.

@@ -338,13 +338,9 @@ void refuseUnitsElsewhere(const TextTable& table, const TextBlock& block,
       return unit && unit->toSi(1) != 1;
     });
     if (found)
-      throw InputError(
-          name, "",
-          message("column {}: {}", shortened(block.label(role.index)),
-                  message("has no unit, and line {} names '{}'; write the unit into the name, as "
-                          "in \"{} ({})\"",
-                          found->line, shortened(found->word), shortened(column.name),
-                          shortened(found->word))));
+      throw InputError(name, "",
+                       message("column {}: {}", shortened(block.label(role.index)),
+                               unitStandsElsewhere(column.name, *found)));
   }
 }
 

@@ -391,8 +391,13 @@ std::optional<double> angleUnit(std::string_view unit) {
   return unitSize(unit, "rad");
 }
 
+namespace {
+
+constexpr double kSoftest = 1e3, kStiffest = 1e12;  // Pa, of rubber
+
+}  // namespace
+
 std::optional<Message> unusualModulus(double least, double most) {
-  constexpr double kSoftest = 1e3, kStiffest = 1e12;  // Pa
   if (most < kSoftest)
     return message(
         "the moduli are at most {:.3g} Pa, which is softer than any rubber: where the file states "
@@ -407,7 +412,6 @@ std::optional<Message> unusualModulus(double least, double most) {
 }
 
 void refuseSoftModulus(const std::string& name, const std::string& key, double largest) {
-  constexpr double kSoftest = 1e3;  // Pa
   if (largest < kSoftest)
     throw InputError(name, key,
                      message("has no unit, and {:.3g} Pa would be no rubber; say --modulus-unit "

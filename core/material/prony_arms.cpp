@@ -138,12 +138,7 @@ double timeSizeOf(const TextColumn& column, const TextTable& table, const TextBl
       const auto size = word.size() > 1 ? timeSize(word) : std::nullopt;
       return size && *size != 1;
     });
-    if (other)
-      throw InputError(name, column.name,
-                       message("has no unit, and line {} names '{}'; write the unit into the name, "
-                               "as in \"{} ({})\"",
-                               other->line, shortened(other->word), shortened(column.name),
-                               shortened(other->word)));
+    if (other) throw InputError(name, column.name, unitStandsElsewhere(column.name, *other));
     series.notes.push_back(
         message("{} has no unit: seconds are assumed", Message::name(column.name)));
     return 1;

@@ -190,8 +190,7 @@ class Reader {
     if (!isTurned) return;
     notes_.emplace_back(
         "The file turns its axes (Rotation in main.xml). The program does not: it takes heights "
-        "and "
-        "positions as they are stored.");
+        "and positions as they are stored.");
     if (std::isless(upwards, 0))
       notes_.emplace_back(
           "Turned so, its heights would count downwards: surface.contact_side valleys then chooses "

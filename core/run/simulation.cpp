@@ -304,9 +304,11 @@ void Simulation::advanceMotion(double part, double wallSeconds, double end) {
 bool Simulation::awaitsStep(double part, double wallSeconds) {
   const double step = motion_->transient().nextStep();
   const double stretch = part * motion_->motion().duration();
-  const bool isSlow = stretch < step;
-  towardsStep_ = isSlow ? towardsStep_ + stretch : 0;
-  if (!isSlow) return false;
+  if (stretch >= step) {
+    towardsStep_ = 0;
+    return false;
+  }
+  towardsStep_ += stretch;
   timeScale_ = stretch / wallSeconds;
   if (towardsStep_ < step) return true;
   towardsStep_ -= step;

@@ -100,7 +100,7 @@ class Simulation {
   std::uint64_t steps_ = 0;
   double stepsPerFrame_;
   double time_ = 0, timeScale_ = 0;
-  double towardsStep_ = 0;                // s of a motion's next step, which slow frames have shown
+  double towardsStep_ = 0;                // s, passed by slow frames of a motion's next step
   double settlesUntil_ = 0;               // s, the latest end after a change; 0 once settled
   double settlesFrom_ = 0;                // awayFromSteady() after its first frame; 0 before
   double nearest_ = 0;                    // smallest awayFromSteady() since then

@@ -298,12 +298,12 @@ void ChartView::updateMarker() {
   if (!layout_.frames.empty()) {
     frame = layout_.frames[0];
     marker = sheet_.diagrams[0].marker;
-  }
-  if (!layout_.frames.empty() && !panels_.empty()) {
-    panels_[0]->avoidLine(frame.mapX(lineValue()));
-    taken = panels_[0]->namesInside();
-    sentence = panels_[0]->sentence();
-    if (!sentence.isEmpty()) taken += sentence;
+    if (!panels_.empty()) {
+      panels_[0]->avoidLine(frame.mapX(lineValue()));
+      taken = panels_[0]->namesInside();
+      sentence = panels_[0]->sentence();
+      if (!sentence.isEmpty()) taken += sentence;
+    }
   }
   const QRectF changed = marker_->update(frame, marker, targetX_, style_, taken, sentence);
   view_->viewport()->update(view_->mapFromScene(changed).boundingRect().adjusted(-2, -2, 2, 2));

@@ -124,22 +124,21 @@ TickedAxis sparseLogarithmicAxis(const DiagramAxis& axis, const AxisRange& range
     return ticks.size() > 1;
   };
   constexpr int kMany = 16;
-  constexpr int kFew = 3;
   std::optional<TickedAxis> two;
   for (int count = most; count > 1; --count) {
     TickedAxis ticked = logarithmicAxis(axis, range, count, pixels, unit);
     if (ticked.ticks.size() < 2) break;
     if (!hasRoom(ticked.ticks, areApart)) continue;
-    if (std::ssize(ticked.ticks) >= kFew) return ticked;
+    if (std::ssize(ticked.ticks) >= kFewTicks) return ticked;
     two = std::move(ticked);
     break;
   }
   for (const bool isLinear : {false, true}) {
     if (isLinear && range.size() > 1) break;  // they would all be at its upper end
-    for (int count = isLinear ? kFew : most + 1; count <= kMany; ++count) {
+    for (int count = isLinear ? kFewTicks : most + 1; count <= kMany; ++count) {
       TickedAxis closer = logarithmicAxis(axis, range, count, pixels, unit);
       if (isLinear) closer = withLinearTicks(closer, axis, count);
-      if (std::ssize(closer.ticks) >= kFew && hasRoom(closer.ticks, areApart)) return closer;
+      if (std::ssize(closer.ticks) >= kFewTicks && hasRoom(closer.ticks, areApart)) return closer;
     }
   }
   if (two) return *two;

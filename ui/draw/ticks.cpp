@@ -58,7 +58,6 @@ double nextMultiple(std::initializer_list<double> factors, double value) {
 constexpr double kRounding = 1e-9;   // of a decade: a tick at the very end belongs to the axis
 constexpr double kMaxDecades = 700;  // the range of a double
 constexpr int kMaxTicks = 12;
-constexpr int kFew = 3;  // ticks: they show a scale better than two
 
 /// Returns the multiples of every decade inside [from, to].
 std::vector<Tick> multiples(double from, double to, const std::vector<int>& factors) {
@@ -85,7 +84,7 @@ std::vector<Tick> decades(double from, double to, int most) {
   };
   while (count() > most) ++step;
   const int fromFirst = (last - first) / step + 1;
-  const bool beginsAtFirst = count() < kFew && fromFirst >= kFew && fromFirst <= most;
+  const bool beginsAtFirst = count() < kFewTicks && fromFirst >= kFewTicks && fromFirst <= most;
   for (int exponent = first; exponent <= last; ++exponent)
     if ((beginsAtFirst ? exponent - first : exponent) % step == 0)
       ticks.push_back({static_cast<double>(exponent), powerOfTen(exponent)});
@@ -170,10 +169,10 @@ AxisTicks sparseTicks(double from, double to, float pixels, float size, std::str
     few = linearTicks(from, to, most, unit);
     if (few.ticks.size() < 2 || isSparse(few)) break;
   }
-  if (std::ssize(few.ticks) >= kFew) return few;
+  if (std::ssize(few.ticks) >= kFewTicks) return few;
   for (int most = usual + 1; most <= kMaxTicks; ++most)
     if (AxisTicks closer = linearTicks(from, to, most, unit);
-        std::ssize(closer.ticks) >= kFew && isSparse(closer))
+        std::ssize(closer.ticks) >= kFewTicks && isSparse(closer))
       return closer;
   if (few.ticks.size() > 1 && isSparse(few)) return few;
   // One tick gives no scale: with steps of 1, 2 and 5 more of them may fit, or the outermost two.
@@ -199,9 +198,9 @@ AxisTicks yTicks(double from, double to, float pixels, float each, float size,
     return apart * static_cast<double>(pixels) >= letters * static_cast<double>(size);
   };
   // With steps of 1, 2 and 5 the next number of ticks is up to five times as large.
-  for (int count = most; std::ssize(axis.ticks) < kFew && count <= kMaxTicks; ++count)
+  for (int count = most; std::ssize(axis.ticks) < kFewTicks && count <= kMaxTicks; ++count)
     if (AxisTicks closer = linearTicks(from, to, count, unit);
-        std::ssize(closer.ticks) >= kFew && isApart(closer, 1.6))
+        std::ssize(closer.ticks) >= kFewTicks && isApart(closer, 1.6))
       return closer;
   while (axis.ticks.size() < 2 && most < kMaxTicks) {
     AxisTicks closer = linearTicks(from, to, ++most, unit);
@@ -218,10 +217,10 @@ std::vector<Tick> logTicks(double from, double to, int most) {
   if (!(from < to) || !(std::abs(from) < kMaxDecades) || !(std::abs(to) < kMaxDecades) || most < 1)
     return {};
   std::vector<Tick> ticks = decades(from, to, most);
-  if (std::ssize(ticks) >= kFew || most < 2) return ticks;
+  if (std::ssize(ticks) >= kFewTicks || most < 2) return ticks;
   // Uses multiples that give a scale and fit, otherwise the outermost of them.
   const std::vector<int> choices[] = {{1, 2, 5}, {1, 2, 3, 4, 5, 6, 7, 8, 9}, {1, 3}, {1, 5}};
-  for (const int least : {kFew, 2}) {
+  for (const int least : {kFewTicks, 2}) {
     if (std::ssize(ticks) >= least) return ticks;
     for (const std::vector<int>& factors : choices) {
       std::vector<Tick> finer = multiples(from, to, factors);

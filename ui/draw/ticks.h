@@ -16,6 +16,8 @@ struct Tick {
   std::string label;  // in the axis' unit; "10⁻³", "2×10³"
 };
 
+inline constexpr int kFewTicks = 3;  // they show a scale better than two
+
 /// Returns the width in pixels of the widest label in fonts of `size`.
 float widestLabel(const std::vector<Tick>& ticks, float size);
 
