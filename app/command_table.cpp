@@ -298,7 +298,7 @@ void CommandTable::addFit() {
 
 void CommandTable::addMaterial() {
   CLI::App* command = app_->add_subcommand(
-      "material", "A material for scenes from measured moduli or a ready Prony series");
+      "material", "Make a material for scenes from measured moduli or a Prony series");
   MaterialCommand& material = material_;
   command
       ->add_option("FILE", material.common.scene,
@@ -331,9 +331,10 @@ void CommandTable::addMaterial() {
       ->default_str("auto");
   add("--modulus", "What was measured: auto (by the columns), shear or tension")
       ->default_str("auto");
-  setNumberRange(add("--poisson-ratio", "Of moduli of tension: G = E / (2 (1 + nu))")
-                     ->default_str(fmt::format("{}", MaterialChoices{}.columns.poissonRatio)),
-                 0, 0.5);
+  setNumberRange(
+      add("--poisson-ratio", "Poisson's ratio, to convert moduli of tension: G = E / (2 (1 + nu))")
+          ->default_str(fmt::format("{}", MaterialChoices{}.columns.poissonRatio)),
+      0, 0.5);
   add("--temperature",
       "Temperature of a file that does not state one, such as 20C; of a series stated at several, "
       "the one to read");
@@ -353,7 +354,7 @@ void CommandTable::addMaterial() {
   add("--equilibrium-modulus",
       "Shear modulus in equilibrium, such as 2MPa, instead of the fitted one");
   add("--instantaneous-modulus",
-      "Shear modulus of a sudden deformation, of a series of relative moduli");
+      "Instantaneous shear modulus G_0, for a series of relative moduli");
   addFlag("--liquid", "Allow an equilibrium modulus of 0, with which nothing slides steadily");
   for (const char* column :
        {"--frequency-column", "--temperature-column", "--storage-column", "--loss-column",
@@ -408,8 +409,8 @@ void CommandTable::addOpen() {
       ->required();
   addShared(*command, open_.common, kLastLanguage);
   command->add_flag("--remake", open_.remakes,
-                    "Make the file again from what it says of itself, and open no window; options "
-                    "of the command that made it replace its own");
+                    "Make the file again from the scene and options it contains, without a window; "
+                    "further options replace its own");
   command->add_option("-o,--output", open_.output,
                       "With --remake: the new file (default: the file itself)");
   command
@@ -432,7 +433,8 @@ void CommandTable::addOpen() {
     selected_ = [this] {
       for (const auto& [option, value] :
            {std::pair{"--output", &open_.output}, {"--from", &open_.from}})
-        if (!open_.remakes && !value->empty()) throw InputError("", option, "is of --remake");
+        if (!open_.remakes && !value->empty())
+          throw InputError("", option, "applies only with --remake");
       return open_.remakes ? remake_(open_) : runOpen(open_);
     };
   });
@@ -470,7 +472,7 @@ void CommandTable::addStudy() {
         [this, &command, work] { selected_ = [&command, work] { return work(command); }; });
     return app;
   };
-  CLI::App* run = action("run", "Run a study, or what is missing of it", studyRun_, runStudyRun);
+  CLI::App* run = action("run", "Run a study, or the rest of it", studyRun_, runStudyRun);
   run->add_option("STUDY", studyRun_.study, "The study (JSON), see below")->required();
   run->add_option("-o,--output", studyRun_.output,
                   "STORE: a file that keeps all results; run again, it goes on");
@@ -525,9 +527,9 @@ void CommandTable::addExplain() {
       addCommand("explain", "The plan: what runs, what does not run and why, and the expected cost",
                  explain_.common, [this] { return runExplain(explain_); });
   command->add_flag("--analyze", explain_.analyze, "Run it as well and add the measured cost");
-  CLI::Option* x = command->add_option("--x", explain_.x,
-                                       "With --y: what 'asperity map' with these sides will cost");
-  CLI::Option* y = command->add_option("--y", explain_.y, "The other side of that map");
+  CLI::Option* x = command->add_option(
+      "--x", explain_.x, "With --y: expected cost of 'asperity map' with this x axis");
+  CLI::Option* y = command->add_option("--y", explain_.y, "The y axis of that map");
   for (CLI::Option* side : {x, y}) side->type_name("KEY=FROM:TO:N");
   x->needs(y);
   y->needs(x);

@@ -31,7 +31,7 @@ constexpr std::array<Interruption, 2> kInterruptions{
      {SIGTERM, kTerminated, "asperity: terminated; no unfinished file is left\n"}}};
 
 std::atomic<bool> isInterrupted{false};
-std::string_view clearsLine;  // characters that clear a progress bar on a terminal
+std::string_view eraseLine;  // escape sequence that erases the progress bar of a terminal
 
 void writeError(std::string_view text) {
   [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
@@ -45,7 +45,7 @@ void endProgram(int signal) {
   ::signal(SIGPIPE, SIG_IGN);  // the reader of stderr may have closed it
   for (const Interruption& interruption : kInterruptions) {
     if (interruption.signal != signal) continue;
-    writeError(clearsLine);
+    writeError(eraseLine);
     writeError(interruption.line);
     ::_exit(interruption.status);
   }
@@ -54,7 +54,7 @@ void endProgram(int signal) {
 /// Installs the signal handlers, before other threads begin. A signal that was ignored before
 /// (nohup) stays ignored.
 void endCleanlyOnInterruption() {
-  if (::isatty(STDERR_FILENO) == 1) clearsLine = "\r\033[K";
+  if (::isatty(STDERR_FILENO) == 1) eraseLine = "\r\033[K";
   for (const Interruption& interruption : kInterruptions) {
     struct sigaction before {};
     ::sigaction(interruption.signal, nullptr, &before);

@@ -78,20 +78,20 @@ void checkNoInput(const std::string& output, const std::vector<std::filesystem::
   std::error_code ignored;  // a missing file counts as an empty one
   for (const std::filesystem::path& input : inputs)
     if (std::filesystem::equivalent(output, input, ignored))
-      throw InputError("", "--output", output + " is what is read, and would be replaced");
+      throw InputError("", "--output", output + " is also an input file and would be replaced");
 }
 
 void checkFolderName(const std::string& folder) {
   if (folder == "-")
     throw InputError("", "--output",
-                     "'-' is no folder, and standard output takes no pictures; name a file or a "
-                     "folder (./- where it is called so)");
+                     "'-' is not a folder, and pictures cannot be written to standard output; name "
+                     "a file or a folder (./- for a folder called -)");
 }
 
 namespace {
 
 InputError noFolder(const std::string& folder) {
-  return {folder, "", "is not a folder and cannot be made one"};
+  return {folder, "", "is not a folder and cannot be created"};
 }
 
 }  // namespace

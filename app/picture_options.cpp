@@ -54,8 +54,9 @@ float scaleFrom(const std::string& text) {
       std::isfinite(number);
   const double scale = isDensity ? number / kPixelsPerInch : number;
   if (!good || scale < 0.25 || scale > 16)
-    throw InputError("", "--scale",
-                     message("{} is neither 0.25 to 16 nor 24dpi to 1536dpi", shortened(text)));
+    throw InputError(
+        "", "--scale",
+        message("{} is not a density: allowed is 0.25 to 16 or 24dpi to 1536dpi", shortened(text)));
   return static_cast<float>(scale);
 }
 
@@ -81,7 +82,7 @@ float chosenScale(const PictureArguments& arguments, const FigureStyle& style, f
   const bool hasDensity =
       std::ranges::any_of(arguments.figure, [](const auto& given) { return given.first == "dpi"; });
   if (!arguments.scale.empty() && hasDensity)
-    throw InputError("", "--scale", "and --dpi both say the density; one is enough");
+    throw InputError("", "--scale", "cannot be combined with --dpi: both set the density");
   if (!arguments.scale.empty()) return scaleFrom(arguments.scale);
   if (style.dotsPerInch > 0) return static_cast<float>(style.dotsPerInch / kPixelsPerInch);
   const std::optional<PictureSize> size = parsePictureSize(style.size);
@@ -371,7 +372,7 @@ void checkView(const ViewArguments& arguments, ContactOverlay overlay, double le
   }
   if (!arguments.heights.empty()) rangeFrom(kHeights, arguments.heights, "m");
   if (!arguments.heights.empty() && arguments.exaggeration)
-    throw InputError("", kExaggeration, "and --heights both say the heights; one is enough");
+    throw InputError("", kExaggeration, "cannot be combined with --heights: both set the heights");
   if (arguments.coloursTo && overlay == ContactOverlay::None)
     throw InputError("", kColours, "there are no colours with --overlay none");
   checkPosition(kProbe, arguments.probe, length);

@@ -248,7 +248,7 @@ void addOwnOptions(Remake& remake, const Json& options, const OpenCommand& comma
     const std::string word = dashed(key);
     // The file of a figure describes its scene by settings only.
     if (!shapesOutputs(word) && !(word == "set" && isFigure))
-      throw InputError(file, "options." + shortened(key), "is no option that shapes a file");
+      throw InputError(file, "options." + shortened(key), "is not an option that changes a file");
     const bool isReplaced = given.contains(word) || (word == "scale" && given.contains("dpi")) ||
                             (word == "dpi" && given.contains("scale"));
     if (isReplaced || (dropsPictures && isOfPictures(word)) || (isVector && word == "backend"))
@@ -284,7 +284,7 @@ Remake prepareRemake(const OpenCommand& command) {
   const std::string part = taken(options, found.verb == "figure" ? "name" : "file");
   // A name in a foreign file must not lead out of the folder.
   if (part.find('/') != std::string::npos)
-    throw InputError(file, "options.file", message("'{}' is no file's name", shortened(part)));
+    throw InputError(file, "options.file", message("'{}' is not a file name", shortened(part)));
   if (found.verb == "batch")  // the batch command reads its item, or all items, itself
     for (const char* own : {"entry", "title", "every", "lines"}) options.erase(own);
 

@@ -117,7 +117,7 @@ class Entry {
     sweeps_ = readSweeps(json_);
     for (const Sweep& sweep : sweeps_)
       if (json_.contains("set") && json_["set"].contains(sweep.key))
-        refuseMember(sweep.key, "stands in set and in sweep; one of them is enough");
+        refuseMember(sweep.key, "is in set and in sweep; one of them is enough");
     std::size_t count = 1;
     for (const Sweep& sweep : sweeps_) {
       count *= sweep.values.size();
@@ -218,7 +218,7 @@ void addEntry(Batch& batch, const Json& json, std::size_t number,
     if (json.is_object()) name = makeFileName(textMember(json, "name", name));
     const std::string where = fmt::format("entries[{}].name", number - 1);
     if (name.empty()) refuseMember(where, "is empty");
-    if (!names.insert(name).second) refuseMember(where, "stands twice");
+    if (!names.insert(name).second) refuseMember(where, "occurs twice");
     std::vector<BatchItem> items = Entry(json, name, folder).items();
     if (batch.items.size() + items.size() > kMaxItems)
       refuseMember("", fmt::format("a batch may have {} scenes", kMaxItems));
@@ -305,7 +305,7 @@ BatchItem itemFrom(const Json& json, const Scene& scene) {
   item.name = textMember(json, "name");
   // A name in a foreign file must not lead out of the folder.
   if (item.name.empty() || item.name.find_first_of("./") != std::string::npos)
-    refuseMember("name", message("'{}' is no name of a scene", shortened(item.name)));
+    refuseMember("name", message("'{}' is not a name of a scene", shortened(item.name)));
   item.show = textMember(json, "show");
   item.ownTitle = textMember(json, "title");
   item.error = Message::name(textMember(json, "error"));

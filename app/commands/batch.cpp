@@ -66,7 +66,8 @@ class BatchRun {
     const bool hasChart = std::ranges::any_of(
         batch_.items, [](const BatchItem& item) { return item.show != "contact"; });
     if (!hasChart)
-      refuseChartOptions(command.picture, "is of charts, and no entry of the batch shows one");
+      refuseChartOptions(command.picture,
+                         "applies only to charts, and no entry of the batch shows one");
     if (batch_.items.size() <= kMaxScenesOnSheets || command.contactSheet) makeSheets();
     makeFolder(command.output);
     progress_.emplace(command.output);

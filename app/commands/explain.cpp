@@ -108,8 +108,8 @@ std::string explanationText(const Explanation& explanation) {
           stageLines(explanation.stages, false);
   if (std::isfinite(explanation.fewSummitsVelocity))
     text += filledLine(
-        Words::tr("above %1 few contacts carry the load (region IV): F_N / (4 eta v), the "
-                  "height that the contacts of one period climb together, is below 0.1 "
+        Words::tr("above %1 few contacts carry the load (region IV): F_N / (4 eta v), the sum of "
+                  "the heights climbed by all contacts of one period, is below 0.1 "
                   "h; the border belongs to the finite period and moves with it"),
         answerQuantity(explanation.fewSummitsVelocity, "m/s"));
   if (!explanation.excitation.empty()) text += translated(explanation.excitation) + "\n";

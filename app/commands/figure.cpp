@@ -169,7 +169,7 @@ int runFigure(const FigureCommand& command) {
   for (const FigureName name : names) {
     // A picture of a contact has none of the parts of charts.
     if (name == FigureName::Contact)
-      refuseChartOptions(command.picture, "is of charts, and this figure is a contact");
+      refuseChartOptions(command.picture, "applies only to charts, and this figure is a contact");
   }
   pictureSettings(command.picture, {1200, 800, "print"});
   columnChoice(command, names);

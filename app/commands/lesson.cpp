@@ -152,7 +152,8 @@ int showClass(const LessonCommand& command) {
   const CommonOptions& common = command.common;
   checkResultsExist(command.lessons);
   checkOutputs(command.outputs, {".csv"});
-  if (command.forTeacher) throw InputError("", "--teacher", "is of a handout, not of results");
+  if (command.forTeacher)
+    throw InputError("", "--teacher", "applies only to handouts, not to results");
   for (const std::string& output : command.outputs)
     checkNoInput(output, {command.lessons.begin(), command.lessons.end()});
   const ClassResults results = readClasses(command.lessons);
@@ -201,7 +202,7 @@ int runLesson(const LessonCommand& command) {
   const std::string& name = command.lessons.front();
   checkOutputs(command.outputs, {".html", ".pdf"});
   if (command.forTeacher && command.outputs.empty())
-    throw InputError("", "--teacher", "is of a handout; give -o as well");
+    throw InputError("", "--teacher", "applies only to handouts; give -o as well");
   for (const std::string& output : command.outputs) checkNoInput(output, {name});
   const Lesson lesson = readNamedLesson(name, readNamedScene);
   checkChoices(lesson, name, {.threads = common.threads});

@@ -74,7 +74,7 @@ int makeFromMeasurements(const MaterialCommand& command, const PictureSettings& 
 int showInScene(const MaterialCommand& command, const PictureSettings& style) {
   if (!command.options.empty())
     throw InputError("", command.options.front().first,
-                     "is of a table of moduli, and this file is a scene");
+                     "applies only to tables of moduli, and this file is a scene");
   const Scene scene = loadScene(command.common);
   OutputFolder output(command.output, inputFiles(command.common, scene), style);
   return withSceneContext(command.common, [&] {

@@ -211,10 +211,12 @@ class Rendering {
     const bool isSteady = scene_.sliding.kind == SlidingKind::Steady;
     if (layout_ == PictureLayout::Transient && isSteady)
       throw InputError("", "sliding.kind",
-                       "is steady, where nothing changes in time; --layout transient shows start, "
-                       "step, oscillation and reversal");
+                       "is steady, so nothing changes in time; --layout transient needs start, "
+                       "step, oscillation or reversal");
     if (layout_ == PictureLayout::Curve && kind_ != Kind::Picture)
-      throw InputError("", "--layout", "curve does not move; --layout both shows the contact too");
+      throw InputError(
+          "", "--layout",
+          "curve cannot be a film, because it does not move; --layout both shows the contact, too");
   }
 
   /// Computes the curves. They are those of steady sliding, for every motion of the scene.

@@ -93,7 +93,7 @@ void writeEps(const std::string& file, const DrawList& list, const PdfOptions& o
   if (!tool.waitForFinished(kLongest)) {
     tool.kill();
     tool.waitForFinished();
-    fail("pdftops does not end");
+    fail("pdftops did not finish within two minutes");
   }
   std::string eps = tool.readAllStandardOutput().toStdString();
   const std::string end = "%%EndComments\n";

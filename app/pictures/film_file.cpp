@@ -184,7 +184,7 @@ bool isFilmFile(const std::string& file) {
 
 void checkFilm(const std::string& file, bool transparent) {
   if (transparent && fileExtension(file) == ".mp4")
-    throw InputError(file, "", "mp4 knows no transparency; webm, gif and webp do");
+    throw InputError(file, "", "mp4 does not support transparency; webm, gif and webp do");
   if (findProgram("ffmpeg").empty())
     throw std::runtime_error(
         "films need the program ffmpeg (package ffmpeg), which is not in PATH; "

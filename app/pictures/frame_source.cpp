@@ -32,9 +32,9 @@ std::int64_t rounded(double frames, const char* option) {
 void checkTogether(const TimeArguments& arguments) {
   if (arguments.frames > 0 && arguments.duration > 0)
     throw InputError("", "--duration",
-                     "and --frames both say how long the film is; one of them is enough");
+                     "cannot be combined with --frames: both set the length of the film");
   if (arguments.at && arguments.slid)
-    throw InputError("", "--slid", "and --at both say the moment; one of them is enough");
+    throw InputError("", "--slid", "cannot be combined with --at: both set the moment");
   const bool length = arguments.frames > 0 || arguments.duration > 0;
   if (arguments.slowMotion > 0 && arguments.cycles > 0 && length)
     throw InputError("", "--slow-motion", "follows from the cycles and the length of the film");

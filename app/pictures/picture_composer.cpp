@@ -23,7 +23,7 @@ constexpr float kStripText = 0.8F, kMinStripText = 0.5F;
 constexpr float kGoodStrip = 3, kMinStrip = 2;
 // The smallest part of the height that the contact keeps above its chart: with letters of a given
 // size, and with letters that follow the size of the picture.
-constexpr double kLeastContactPart = 0.35, kLeastFreeContactPart = 0.46;
+constexpr double kMinContactPart = 0.35, kMinFreeContactPart = 0.46;
 constexpr float kGoodChart = 9;  // height of the chart's frame in heights of a number
 
 constexpr NamedChoices<PictureLayout, 4> kLayouts{{{"contact", PictureLayout::Contact},
@@ -201,7 +201,7 @@ void PictureComposer::fitHeight(const Scene& scene) {
 void PictureComposer::shareHeight(DiagramSheet sheet) {
   if (sheet.diagrams.size() > 1) return;
   const int most = contactHeight();
-  const int least = static_cast<int>(std::lround(kLeastFreeContactPart * settings_.height));
+  const int least = static_cast<int>(std::lround(kMinFreeContactPart * settings_.height));
   const auto isGood = [&](int above) {
     DiagramOptions options = optionsFor(settings_.height - above, 0);
     options.above = FrameAbove{0, 0, contactUnit(contactOptions(above))};
@@ -224,7 +224,7 @@ void PictureComposer::growFor(const DiagramSheet& sheet) {
   if (above > 0) options.above = FrameAbove{};
   const int needed = heightInPrint(sheet, options);
   if (!settings_.isOnPaper) {  // the size is that of a screen
-    const int least = static_cast<int>(std::lround(kLeastContactPart * settings_.height));
+    const int least = static_cast<int>(std::lround(kMinContactPart * settings_.height));
     above_ = std::clamp(settings_.height - needed, std::min(least, above), above);
     return;
   }

@@ -16,8 +16,8 @@ void setSwept(std::vector<CurvePoint>& points, const std::vector<double>& values
   for (std::size_t i = 0; i < points.size(); ++i) points[i].swept = values[i];
 }
 
-Curve slideSweep(const std::vector<Scene>& states, const std::vector<double>& values,
-                 const CurveOptions& options) {
+Curve computeStates(const std::vector<Scene>& states, const std::vector<double>& values,
+                    const CurveOptions& options) {
   StateOptions slide{.threads = options.threads, .stop = options.stop};
   if (options.progress)
     slide.partial = [&](std::int64_t done, std::int64_t total, std::vector<CurvePoint> points) {
@@ -35,8 +35,8 @@ Curve slideSweep(const std::vector<Scene>& states, const std::vector<double>& va
 }
 
 /// Computes each value to its own target, one after the other.
-Curve targetSweep(const std::vector<Scene>& states, const std::vector<double>& values,
-                  const CurveOptions& options) {
+Curve computeStatesToTarget(const std::vector<Scene>& states, const std::vector<double>& values,
+                            const CurveOptions& options) {
   Curve curve;
   curve.points.resize(states.size());
   curve.isComplete = true;
@@ -68,8 +68,9 @@ Curve sweepCurve(const Scene& scene, const CurveOptions& options) {
   const std::vector<double> values = sweepValues(scene);
   std::vector<Scene> states;
   for (const double value : values) states.push_back(sceneAt(scene, value));
-  return std::ranges::any_of(states, choosesAccuracy) ? targetSweep(states, values, options)
-                                                      : slideSweep(states, values, options);
+  return std::ranges::any_of(states, choosesAccuracy)
+             ? computeStatesToTarget(states, values, options)
+             : computeStates(states, values, options);
 }
 
 }  // namespace

@@ -93,9 +93,9 @@ Explanation explain(const Scene& scene, int threads) {
                           planOnLine(scene, isSteady ? Purpose::Curve : Purpose::Picture)};
   addLine(explanation);
   if (!isSteady) return explanation;
-  Scene held = scene;
-  held.load = loadOn(scene.load, explanation.length);
-  explanation.fewSummitsVelocity = fewSummitsVelocity(held, lineExtent(scene).rmsHeight);
+  Scene atForce = scene;
+  atForce.load = loadOn(scene.load, explanation.length);
+  explanation.fewSummitsVelocity = fewSummitsVelocity(atForce, lineExtent(scene).rmsHeight);
   const EqualCost equal = equalCost(scene);
   explanation.predicted = predictCurve(equal.scene, threads);
   explanation.predicted->seconds *= equal.times;

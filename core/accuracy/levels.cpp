@@ -54,11 +54,11 @@ Terms termsOf(const Halves& halves, std::size_t half, int first, int last) {
     if (l == first) {
       terms.variances.push_back(sums.value.variance());
       terms.costs.push_back(cost);
-      terms.fewest.push_back(kFewestDirect);
+      terms.fewest.push_back(kMinDirect);
     } else {
       terms.variances.push_back(sums.correction.variance());
       terms.costs.push_back(cost + pooled(halves, l - 1, &LevelSums::operations).mean());
-      terms.fewest.push_back(kFewestCorrections);
+      terms.fewest.push_back(kMinCorrections);
     }
   }
   return terms;
@@ -160,7 +160,7 @@ LevelEstimate estimateMean(const Halves& halves, const LevelPlan& plan) {
       spread += part * part / static_cast<double>(mean.count() - 1);
     }
   estimate.standardError = std::sqrt(squares);
-  estimate.freedom = spread > 0 ? squares * squares / spread : 1e9;
+  estimate.degreesOfFreedom = spread > 0 ? squares * squares / spread : 1e9;
   return estimate;
 }
 
@@ -175,15 +175,15 @@ namespace {
 
 /// The maximum number of nodes of the finest line in a run, and of x4, without which the error of a
 /// line is unknown.
-constexpr std::int64_t kMostNodes = std::int64_t{1} << 23;
-constexpr std::int64_t kMostNodesOfThree = std::int64_t{1} << 25;
+constexpr std::int64_t kMaxNodes = std::int64_t{1} << 23;
+constexpr std::int64_t kMaxNodesOfThree = std::int64_t{1} << 25;
 
 /// Realizations of different strata must be different lines; this is the distance of their numbers.
 constexpr std::int64_t kApart = std::int64_t{1} << 32;
 
 bool isAllowed(std::int64_t elements, int level) {
   const std::int64_t nodes = elements * levelOversampling(level);
-  return level <= 1 || nodes <= (level == 2 ? kMostNodesOfThree : kMostNodes);
+  return level <= 1 || nodes <= (level == 2 ? kMaxNodesOfThree : kMaxNodes);
 }
 
 }  // namespace
@@ -191,7 +191,7 @@ bool isAllowed(std::int64_t elements, int level) {
 LevelSampler::LevelSampler(const Scene& scene, const CurveOptions& options, const Profile* profile)
     : scene_(scene), options_(options), profile_(profile) {
   sources_.push_back(nullptr);
-  for (int level = 1; level < kMostLevels; ++level)
+  for (int level = 1; level < kMaxLevels; ++level)
     if (isAllowed(source(0).elements(), level)) sources_.push_back(nullptr);
 }
 

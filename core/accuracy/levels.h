@@ -26,7 +26,7 @@
 namespace asperity {
 
 /// The maximum number of levels: `cubic` with 1, 2, 4, ... points per element.
-inline constexpr int kMostLevels = 9;
+inline constexpr int kMaxLevels = 9;
 inline std::int64_t levelOversampling(int level) {
   return std::int64_t{1} << level;
 }
@@ -51,7 +51,7 @@ struct LevelPlan {
 
 /// Minimum number of lines of each half, for the mean of a level and for the difference from the
 /// level below.
-inline constexpr std::int64_t kFewestDirect = 16, kFewestCorrections = 8;
+inline constexpr std::int64_t kMinDirect = 16, kMinCorrections = 8;
 
 /// Returns the numbers of lines with sum variance_l / n_l <= allowed and the smallest sum cost_l
 /// n_l (Giles 2008, Eq. 3.1); at least fewest_l each.
@@ -81,7 +81,7 @@ std::optional<LevelPlan> planLevels(const Halves& halves, int known, double rela
 /// The mean of a plan, and its standard error.
 struct LevelEstimate {
   double mean = 0, standardError = 0;
-  double freedom = 0;  // degrees of freedom (Welch and Satterthwaite)
+  double degreesOfFreedom = 0;  // degrees of freedom (Welch and Satterthwaite)
 };
 LevelEstimate estimateMean(const Halves& halves, const LevelPlan& plan);
 
@@ -92,7 +92,7 @@ double excessVariance(const Halves& halves, const LevelPlan& plan, double relati
 /// One velocity of the sweep: its samples and its goal.
 struct VelocityState {
   double velocity = 0;
-  Halves halves{std::vector<LevelSums>(kMostLevels), std::vector<LevelSums>(kMostLevels)};
+  Halves halves{std::vector<LevelSums>(kMaxLevels), std::vector<LevelSums>(kMaxLevels)};
   std::vector<double> friction;  // of the scene's only line, on levels 0, 1, ...
   CurveAverages facts;           // averages of all columns but mu
   LevelPlan plan;
@@ -164,7 +164,7 @@ class LevelSampler {
   const Profile* profile_;
   // [level], each made when it is needed
   std::vector<std::unique_ptr<LineSource>> sources_;
-  std::array<std::int64_t, 4 * kMostLevels> done_{};  // lines of each stratum
+  std::array<std::int64_t, 4 * kMaxLevels> done_{};  // lines of each stratum
   SamplingCost cost_;
   double secondsOfSources_ = 0;
 };

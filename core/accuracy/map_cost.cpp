@@ -10,8 +10,8 @@
 namespace asperity {
 namespace {
 
-constexpr double kMostTrial = 0.5;        // s, of one line in all cells
-constexpr double kMostSecondTrial = 0.1;  // s, of one line, where more lines are tried, too
+constexpr double kMaxTrial = 0.5;        // s, of one line in all cells
+constexpr double kMaxSecondTrial = 0.1;  // s, of one line, where more lines are tried, too
 
 struct Trial {
   ParameterMap map;
@@ -39,13 +39,13 @@ MapCost predictMap(const Scene& scene, const MapAxis& x, const MapAxis& y, int t
   const auto cells = static_cast<double>(cost.columns * cost.rows);
   Trial trial = runTrial(MapStage::Coarse, scene, x, y, stop);
   // Which cells are equal is known only where all are tried.
-  if (trial.cells() < cells && trial.seconds * cells / trial.cells() < kMostTrial)
+  if (trial.cells() < cells && trial.seconds * cells / trial.cells() < kMaxTrial)
     trial = runTrial(MapStage::OneLine, scene, x, y, stop);
   if (trial.cells() == cells) cost.different = trial.map.computed;
   cost.lines = static_cast<double>(planPilot(scene, cost.threads).run.lines);
   double perLine = trial.seconds * cells / trial.cells();
   double once = 0;  // to find equal states and to gather them, whatever the number of lines is
-  if (cost.lines > 1 && trial.cells() == cells && trial.seconds < kMostSecondTrial) {
+  if (cost.lines > 1 && trial.cells() == cells && trial.seconds < kMaxSecondTrial) {
     const Trial few = runTrial(MapStage::FewLines, scene, x, y, stop);
     const auto more = static_cast<double>(few.map.lines - trial.map.lines);
     perLine = std::clamp((few.seconds - trial.seconds) / more, 0.0, trial.seconds);

@@ -13,7 +13,7 @@
 namespace asperity {
 namespace {
 
-constexpr std::int64_t kFewestElements = 64;
+constexpr std::int64_t kMinElements = 64;
 constexpr double kTimedVelocities = 41, kTimedLines = 2;
 constexpr double kOperationsOfRow = 18;  // to read one row of a profile's file
 constexpr double kBytesOfRow = 56;       // of a row in a file: its text and two numbers
@@ -54,17 +54,17 @@ double operationsOfBalance(const Scene& scene) {
 }
 
 /// The size of a pilot, which is reduced step by step.
-struct Shape {
+struct PilotSize {
   double lines, refinedLines, velocities;
   double perPoint(double balance) const {
     return (lines + 2 * refinedLines) * (1 + balance * velocities);
   }
 };
-constexpr Shape kShapes[] = {{24, 12, 9}, {16, 8, 9}, {8, 4, 9}, {8, 4, 5},
-                             {4, 2, 5},   {2, 1, 5},  {2, 1, 3}};
+constexpr PilotSize kPilotSizes[] = {{24, 12, 9}, {16, 8, 9}, {8, 4, 9}, {8, 4, 5},
+                                     {4, 2, 5},   {2, 1, 5},  {2, 1, 3}};
 
 /// How alike neighbouring rows of a topography are shows in two pairs at least (varianceOfMean).
-constexpr double kFewestRows = 4;
+constexpr double kMinRows = 4;
 
 /// Returns whether lines of the surface may be rows of a topography.
 bool hasRows(const Surface& surface) {
@@ -73,8 +73,8 @@ bool hasRows(const Surface& surface) {
 
 }  // namespace
 
-PilotScene::PilotScene(const Scene& its, const LineExtent& extent)
-    : scene(its), rows(extent.rows), rowsOfFile(extent.rows), lines(extent.lines) {
+PilotScene::PilotScene(const Scene& runScene, const LineExtent& extent)
+    : scene(runScene), rows(extent.rows), rowsOfFile(extent.rows), lines(extent.lines) {
   scene.surface.length = extent.length;
   scene.surface.elements = extent.elements;
   scene.load = loadOn(scene.load, extent.length);
@@ -99,7 +99,7 @@ PilotScene shortened(const PilotScene& whole, std::int64_t factor) {
   Surface& surface = part.scene.surface;
   const Surface& all = whole.scene.surface;
   if (factor <= 1) return part;
-  const std::int64_t wanted = std::max(all.elements / factor, kFewestElements);
+  const std::int64_t wanted = std::max(all.elements / factor, kMinElements);
   if (wanted >= all.elements) return part;
   surface.elements = wanted;
   if (isIsolated(surface)) return part;
@@ -146,7 +146,7 @@ double varianceOfMean(const std::vector<double>& values, const LineSource& sourc
   for (const double value : values) all.add(value);
   if (rows == 0) return all.variance() / lines;
   if (rows <= std::ssize(values)) {
-    const double error = meanErrorInOrder(values).standardError;
+    const double error = errorOfCorrelatedMean(values).standardError;
     return error * error;
   }
   const double variance = all.variance();
@@ -169,18 +169,18 @@ PilotPlan planPilot(const Scene& scene, int threads) {
   PilotPlan plan{whole, whole};
   plan.runOperations = lines * whole.operations(1 + balance * velocities, points);
   const double wall = plan.runOperations / std::min(static_cast<double>(threads), lines);
-  const double allowed = std::clamp(0.1 * wall, kLeastPilot, kMostPilot);
+  const double allowed = std::clamp(0.1 * wall, kMinPilot, kMaxPilot);
   double perPoint = 0;
-  for (const Shape& shape : kShapes) {
-    const Shape fitting{std::min(shape.lines, lines),
-                        std::min(shape.refinedLines, std::min(shape.lines, lines)),
-                        std::min(shape.velocities, velocities)};
+  for (const PilotSize& shape : kPilotSizes) {
+    const PilotSize fitting{std::min(shape.lines, lines),
+                            std::min(shape.refinedLines, std::min(shape.lines, lines)),
+                            std::min(shape.velocities, velocities)};
     plan.lines = static_cast<std::int64_t>(fitting.lines);
     plan.refinedLines = static_cast<std::int64_t>(fitting.refinedLines);
     plan.velocities = logSpaced(scene.sweep.velocityFrom, scene.sweep.velocityTo,
                                 static_cast<std::int64_t>(fitting.velocities));
     perPoint = fitting.perPoint(balance);
-    const bool isFewest = hasRows(scene.surface) && shape.lines == kFewestRows;
+    const bool isFewest = hasRows(scene.surface) && shape.lines == kMinRows;
     if (isFewest || whole.operations(perPoint, points) <= allowed) break;
   }
   plan.sample = sampleWithin(whole, perPoint, points, allowed);

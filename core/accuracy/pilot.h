@@ -16,8 +16,8 @@
 namespace asperity {
 
 /// One operation prepares one point of a line, about 20 ns. A pilot may take a tenth of the run, at
-/// least kLeastPilot (half a millisecond) and at most kMostPilot (0.1 to 0.2 s for long lines).
-inline constexpr double kLeastPilot = 2.5e4, kMostPilot = 2e6;
+/// least kMinPilot (half a millisecond) and at most kMaxPilot (0.1 to 0.2 s for long lines).
+inline constexpr double kMinPilot = 2.5e4, kMaxPilot = 2e6;
 
 /// A scene whose line may be shorter than the run's line.
 struct PilotScene {
@@ -27,7 +27,7 @@ struct PilotScene {
   std::int64_t lines = 1;  // number of lines of the scene's means
 
   /// Makes the run's own line, with the size in `extent`.
-  PilotScene(const Scene& its, const LineExtent& extent);
+  PilotScene(const Scene& runScene, const LineExtent& extent);
 
   /// Returns the number of elements per period.
   double elements() const { return static_cast<double>(scene.surface.elements); }

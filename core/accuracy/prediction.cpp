@@ -26,7 +26,7 @@ constexpr double kSlowdownOfDoubling = 0.08;
 constexpr std::int64_t kTargetVelocities = 9;
 /// Operations per point of a target curve's pilot: some lines on two levels at kTargetVelocities.
 constexpr double kOperationsOfTarget = 5;
-constexpr std::int64_t kMostMeasuredNodes = std::int64_t{1} << 26;  // of the line used as reference
+constexpr std::int64_t kMaxMeasuredNodes = std::int64_t{1} << 26;  // of the line used as reference
 
 /// One resolution of a scene's lines: slides them and measures the time.
 class Pilot {
@@ -140,7 +140,7 @@ double resolutionDifference(const Scene& scene, const std::vector<double>& veloc
 /// Returns how many times finer the reference line is: 4, or less where memory limits it; 1: none.
 std::int64_t measuringFactor(const Scene& scene) {
   const std::int64_t nodes = lineExtent(scene).elements * curvePointsPerElement(scene);
-  return std::clamp<std::int64_t>(kMostMeasuredNodes / nodes, 1, 4);
+  return std::clamp<std::int64_t>(kMaxMeasuredNodes / nodes, 1, 4);
 }
 
 /// Returns the errors from the pilot's lines: the coarse ones give spread and force balance;
@@ -189,7 +189,7 @@ Prediction predictTarget(const Scene& scene, int threads, const std::stop_token&
   const bool isAveraged = pilot.run.lines > 1;
   const auto points = static_cast<double>(curvePointsPerElement(scene));
   PilotScene sample =
-      isAveraged ? sampleWithin(pilot.run, kOperationsOfTarget, points, kMostPilot) : pilot.sample;
+      isAveraged ? sampleWithin(pilot.run, kOperationsOfTarget, points, kMaxPilot) : pilot.sample;
   sample.scene.accuracy = scene.accuracy;
   sample.scene.sweep.points = isAveraged
                                   ? std::min<std::int64_t>(scene.sweep.points, kTargetVelocities)
@@ -222,11 +222,11 @@ std::optional<Message> warningOfTarget(const Scene& scene, const Prediction& pre
   constexpr double kMany = 1e5;  // lines; a mean over so many of them is rarely meant
   if (!choosesAccuracy(scene) || prediction.lines < kMany) return {};
   const PrintedNumber lines{printedNumber(prediction.lines, 2)};
-  if (prediction.lines > kMostLines)
+  if (prediction.lines > kMaxLines)
     return message(
         "accuracy.target_relative_error needs about {} lines at one velocity, and at most {} are "
         "computed: the run takes about {} and may miss the target",
-        lines, PrintedNumber{printedNumber(static_cast<double>(kMostLines))},
+        lines, PrintedNumber{printedNumber(static_cast<double>(kMaxLines))},
         PrintedNumber{printedQuantity(prediction.seconds, "s", 2)});
   return message(
       "accuracy.target_relative_error needs about {} lines at one velocity, and the run takes "

@@ -28,11 +28,11 @@ constexpr double kRounding = 1e-13;
 /// Factor for the number of additional lines, so that further rounds are rare.
 constexpr double kSurplus = 1.02;
 
-constexpr std::int64_t kFewestAtOnce = 4;
+constexpr std::int64_t kMinAtOnce = 4;
 
-class Targeting {
+class TargetSampling {
  public:
-  Targeting(const Scene& scene, const CurveOptions& options, const Profile* profile = nullptr)
+  TargetSampling(const Scene& scene, const CurveOptions& options, const Profile* profile = nullptr)
       : scene_(resolved(scene)),
         options_(options),
         sampler_(scene_, options_, profile),
@@ -102,12 +102,12 @@ class Targeting {
   /// rows of a topography are too few for the target, more lines hardly help; where they are almost
   /// too few, 16 times the lines are worth it.
   double drawnError(const VelocityState& state) const {
-    constexpr double kShareWhereHopeless = 0.5, kLeastShare = 0.25;
+    constexpr double kShareWhereHopeless = 0.5, kMinShare = 0.25;
     const double ofRows = state.ofRows.standardError;
     if (ofRows == 0) return target();
     if (!(ofRows < target())) return kShareWhereHopeless * target();
     return std::sqrt(std::max(target() * target() - ofRows * ofRows,
-                              kLeastShare * kLeastShare * target() * target()));
+                              kMinShare * kMinShare * target() * target()));
   }
 
   States allStates() {
@@ -150,11 +150,11 @@ class Targeting {
 
   bool runPilot() {
     States all = allStates();
-    if (!sampleBoth(0, true, all, kFewestDirect)) return false;
-    if (!sampleBoth(1, false, all, kFewestCorrections)) return false;
+    if (!sampleBoth(0, true, all, kMinDirect)) return false;
+    if (!sampleBoth(1, false, all, kMinCorrections)) return false;
     for (VelocityState* state : all) {
       state->known = 2;
-      state->plan.lines = {{{kFewestDirect}, {kFewestDirect}}};
+      state->plan.lines = {{{kMinDirect}, {kMinDirect}}};
     }
     return true;
   }
@@ -175,7 +175,7 @@ class Targeting {
   bool planAll() {
     for (;;) {
       States unresolved;
-      int level = kMostLevels;
+      int level = kMaxLevels;
       for (VelocityState& state : states_) {
         if (state.isExhausted) continue;
         const std::optional<LevelPlan> plan =
@@ -191,7 +191,7 @@ class Targeting {
       }
       std::erase_if(unresolved, [&](const VelocityState* state) { return state->known != level; });
       if (unresolved.empty()) return true;
-      if (!sampleBoth(level, false, unresolved, kFewestCorrections)) return false;
+      if (!sampleBoth(level, false, unresolved, kMinCorrections)) return false;
       for (VelocityState* state : unresolved) ++state->known;
     }
   }
@@ -221,8 +221,8 @@ class Targeting {
     }
     for (auto& half : state.plan.lines)
       for (std::int64_t& lines : half)
-        if (lines > kMostLines / 2) {
-          lines = kMostLines / 2;
+        if (lines > kMaxLines / 2) {
+          lines = kMaxLines / 2;
           state.isExhausted = true;
         }
   }
@@ -237,7 +237,7 @@ class Targeting {
   void exhaust(VelocityState& state) const {
     const int last = state.known - 1;
     state.plan = {last, last, {}, 0, 0, estimateResolutionError(state.halves, last)};
-    for (auto& lines : state.plan.lines) lines = {kFewestDirect};
+    for (auto& lines : state.plan.lines) lines = {kMinDirect};
     state.isPlanned = state.isExhausted = true;
   }
 
@@ -269,18 +269,18 @@ class Targeting {
       for (const bool isDirect : {true, false})
         for (const std::size_t half : {0U, 1U}) {
           States wanting;
-          std::int64_t lines = kMostLines;
+          std::int64_t lines = kMaxLines;
           for (VelocityState& state : states_) {
             if ((level == state.plan.first) != isDirect) continue;
             const std::int64_t still = missing(state, half, level);
             if (still <= 0) continue;
             wanting.push_back(&state);
-            const std::int64_t twice = std::max(kFewestDirect, state.sampled(half, level).count());
+            const std::int64_t twice = std::max(kMinDirect, state.sampled(half, level).count());
             lines = std::min(lines, std::min(still, twice));
           }
           if (wanting.empty()) continue;
           // A minimum batch avoids a round for every single line.
-          if (!sampler_.sample({level, isDirect, half}, wanting, std::max(lines, kFewestAtOnce)))
+          if (!sampler_.sample({level, isDirect, half}, wanting, std::max(lines, kMinAtOnce)))
             return false;
         }
     return true;
@@ -328,7 +328,7 @@ class Targeting {
     const int level = std::min(kFirstAccepted, sampler_.levelsAllowed() - 1);
     States all = allStates();
     if (isRandom_) {
-      if (!sampleBoth(level, true, all, kFewestDirect)) return false;
+      if (!sampleBoth(level, true, all, kMinDirect)) return false;
     } else {
       std::vector<std::vector<SteadyResult>> results;
       if (!sampler_.slide(level, all, 0, 1, results)) return false;
@@ -336,7 +336,7 @@ class Targeting {
     }
     for (VelocityState* state : all) {
       state->plan = {level, level, {}, 0, 0, 0};
-      state->plan.lines[0] = {isRandom_ ? kFewestDirect : 1};
+      state->plan.lines[0] = {isRandom_ ? kMinDirect : 1};
       if (isRandom_) state->plan.lines[1] = state->plan.lines[0];
       state->isPlanned = true;
     }
@@ -352,8 +352,9 @@ class Targeting {
     if (ofRows == 0) return estimate;
     const double drawn = estimate.standardError * estimate.standardError, rows = ofRows * ofRows;
     estimate.standardError = std::sqrt(drawn + rows);
-    estimate.freedom = (drawn + rows) * (drawn + rows) /
-                       (drawn * drawn / estimate.freedom + rows * rows / state.ofRows.freedom);
+    estimate.degreesOfFreedom =
+        (drawn + rows) * (drawn + rows) /
+        (drawn * drawn / estimate.degreesOfFreedom + rows * rows / state.ofRows.degreesOfFreedom);
     return estimate;
   }
 
@@ -366,7 +367,7 @@ class Targeting {
       const LevelEstimate estimate = withErrorOfRows(estimateMean(state.halves, plan), state);
       mean = estimate.mean;
       achieved.standardError = estimate.standardError;
-      random = studentQuantile(estimate.freedom) * estimate.standardError;
+      random = studentQuantile(estimate.degreesOfFreedom) * estimate.standardError;
       achieved.lines = 0;
       for (const std::size_t half : {0U, 1U})
         for (int l = plan.first; l <= plan.last; ++l)
@@ -389,8 +390,9 @@ class Targeting {
     point.muHigh = achieved.high;
     point.realizations = achieved.lines;
     columns_.addTo(point, state.facts);
-    point.notes.add(Note::FewIndependentRows,
-                    state.ofRows.standardError > 0 && state.ofRows.freedom < kFewFreedom);
+    point.notes.add(
+        Note::FewIndependentRows,
+        state.ofRows.standardError > 0 && state.ofRows.degreesOfFreedom < kFewDegreesOfFreedom);
     return point;
   }
 
@@ -477,11 +479,11 @@ TargetPlan planTarget(const Scene& scene, const std::stop_token& stop, const Pro
   CurveOptions options;
   options.threads = 1;  // its processor time is measured on this thread
   options.stop = stop;
-  return Targeting(scene, options, profile).plan();
+  return TargetSampling(scene, options, profile).plan();
 }
 
 TargetCurve targetCurve(const Scene& scene, const CurveOptions& options) {
-  return Targeting(scene, options).run();
+  return TargetSampling(scene, options).run();
 }
 
 bool isFrictionless(const Scene& scene) {

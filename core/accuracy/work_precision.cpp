@@ -21,13 +21,13 @@ namespace asperity {
 namespace {
 
 constexpr std::size_t kVelocities = 8;  // per region: as many as fill a vector
-constexpr std::int64_t kMostNodes = std::int64_t{1} << 22;
+constexpr std::int64_t kMaxNodes = std::int64_t{1} << 22;
 // points per element of the reference, also used doubled
 constexpr std::int64_t kReference = 32;
 constexpr std::int64_t kLongestMarch = 20000;  // elements; a part of a longer march is timed
 constexpr std::int64_t kTimedSteps = 50;       // of a longer march that are timed
 constexpr std::int64_t kLinesOfMarch = 2;
-constexpr std::int64_t kMostLinesOfSpread = 512;
+constexpr std::int64_t kMaxLinesOfSpread = 512;
 
 double quantile(std::vector<double> values, double part) {
   std::sort(values.begin(), values.end());
@@ -99,7 +99,7 @@ class Comparison {
   Comparison(const Scene& scene, const WorkPrecisionOptions& options)
       : scene_(scene), options_(options), source_(scene, 1) {
     lines_ = std::min(options.lines, source_.lines());
-    if (source_.elements() * 2 * kReference > kMostNodes) lines_ = 1;
+    if (source_.elements() * 2 * kReference > kMaxNodes) lines_ = 1;
     for (const MethodChoice& choice : allMethods())
       if (isPossible(choice)) choices_.push_back(choice);
   }
@@ -118,7 +118,7 @@ class Comparison {
 
  private:
   bool isPossible(const MethodChoice& choice) const {
-    if (source_.elements() * choice.oversampling > kMostNodes) return false;
+    if (source_.elements() * choice.oversampling > kMaxNodes) return false;
     if (elementLaw(scene_.elastomer).kind() == ElementKind::Arms)
       return choice.method == Method::Cubic;
     if (choice.method == Method::Literal)
@@ -205,7 +205,7 @@ class Comparison {
 
   std::vector<double> referenceOf(RegionPrecision& region) const {
     std::int64_t finest = kReference;
-    while (finest > 2 && source_.elements() * 2 * finest > 2 * kMostNodes) finest /= 2;
+    while (finest > 2 && source_.elements() * 2 * finest > 2 * kMaxNodes) finest /= 2;
     const std::vector<double> low =
         slideAll(prepare(scene_, {Method::Cubic, finest}, lines_), region.velocities);
     std::vector<double> high =
@@ -226,8 +226,8 @@ class Comparison {
     const Errors errors = errorsOf(slideAll(prepared, region.velocities), reference);
     WorkPrecisionPoint point{choice, errors.rms, errors.largest, choice.method == Method::Nodal};
     point.seconds = median(seconds);
-    point.fastest = quantile(seconds, 0.25);
-    point.slowest = quantile(seconds, 0.75);
+    point.lowerQuartile = quantile(seconds, 0.25);
+    point.upperQuartile = quantile(seconds, 0.75);
     point.lineSeconds = prepared.lineSeconds;
     return point;
   }
@@ -261,8 +261,8 @@ class Comparison {
     point.error = point.isExtrapolated ? kNotApplicable : errors.rms;
     point.largest = point.isExtrapolated ? kNotApplicable : errors.largest;
     point.seconds = median(seconds);
-    point.fastest = quantile(seconds, 0.25);
-    point.slowest = quantile(seconds, 0.75);
+    point.lowerQuartile = quantile(seconds, 0.25);
+    point.upperQuartile = quantile(seconds, 0.75);
     point.lineSeconds = median(lineSeconds);
     return point;
   }
@@ -288,8 +288,8 @@ class Comparison {
     const std::vector<double> velocity{
         std::sqrt(region.velocities.front() * region.velocities.back())};
     const std::int64_t count =
-        std::min({kMostLinesOfSpread, std::max<std::int64_t>(scene.ensemble.realizations, 64),
-                  std::max<std::int64_t>(16, kMostNodes * 4 / source.elements())});
+        std::min({kMaxLinesOfSpread, std::max<std::int64_t>(scene.ensemble.realizations, 64),
+                  std::max<std::int64_t>(16, kMaxNodes * 4 / source.elements())});
     std::vector<double> mu;
     Line line;
     PreparedProfile profile;
@@ -303,8 +303,8 @@ class Comparison {
       mu.push_back(row[0].mu);
       all.add(row[0].mu);
     }
-    constexpr std::size_t kFewestGroups = 16;
-    for (std::size_t group = 1; mu.size() / group >= kFewestGroups; group *= 2) {
+    constexpr std::size_t kMinGroups = 16;
+    for (std::size_t group = 1; mu.size() / group >= kMinGroups; group *= 2) {
       RunningMean means;
       for (std::size_t first = 0; first + group <= mu.size(); first += group) {
         RunningMean mean;

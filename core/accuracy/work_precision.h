@@ -45,12 +45,12 @@ std::vector<MethodChoice> allMethods();
 
 struct WorkPrecisionPoint {
   MethodChoice choice;
-  double error = 0;                 // relative, root mean square
-  double largest = 0;               // largest error of any line and velocity
-  bool isDifference = false;        // compared with another model
-  double seconds = 0;               // of one simulation, median
-  double fastest = 0, slowest = 0;  // quartiles of the repeated runs
-  double lineSeconds = 0;           // to make and prepare one line
+  double error = 0;                             // relative, root mean square
+  double largest = 0;                           // largest error of any line and velocity
+  bool isDifference = false;                    // compared with another model
+  double seconds = 0;                           // of one simulation, median
+  double lowerQuartile = 0, upperQuartile = 0;  // of the repeated runs
+  double lineSeconds = 0;                       // to make and prepare one line
   // of one velocity of the sweep: its simulation and its part of making the line
   double secondsWithLine = 0;
   bool isExtrapolated = false;  // a part of the march was timed; the error is unknown: NaN

@@ -159,13 +159,13 @@ std::string workPrecisionCsv(const WorkPrecision& comparison) {
       "\n";
   for (const RegionPrecision& region : comparison.regions)
     for (const WorkPrecisionPoint& point : region.points)
-      text += fmt::format("{},{},{},{},{},{},{},{:d},{},{},{},{},{},{:d},{:d},{:d},{}\n",
-                          region.region, region.velocities.front(), region.velocities.back(),
-                          methodWord(point.choice.method), point.choice.oversampling,
-                          csvNumber(point.error), csvNumber(point.largest), point.isDifference,
-                          point.seconds, point.fastest, point.slowest, point.lineSeconds,
-                          point.secondsWithLine, point.isExtrapolated, point.isOnFront,
-                          point.choice == comparison.present, region.referenceError);
+      text += fmt::format(
+          "{},{},{},{},{},{},{},{:d},{},{},{},{},{},{:d},{:d},{:d},{}\n", region.region,
+          region.velocities.front(), region.velocities.back(), methodWord(point.choice.method),
+          point.choice.oversampling, csvNumber(point.error), csvNumber(point.largest),
+          point.isDifference, point.seconds, point.lowerQuartile, point.upperQuartile,
+          point.lineSeconds, point.secondsWithLine, point.isExtrapolated, point.isOnFront,
+          point.choice == comparison.present, region.referenceError);
   return text;
 }
 
@@ -186,7 +186,7 @@ std::string workPrecisionJson(const WorkPrecision& comparison) {
                         {"largest_error", numberOrNull(point.largest)},
                         {"is_model_difference", point.isDifference},
                         {"seconds", point.seconds},
-                        {"seconds_quartiles", {point.fastest, point.slowest}},
+                        {"seconds_quartiles", {point.lowerQuartile, point.upperQuartile}},
                         {"line_seconds", point.lineSeconds},
                         {"seconds_with_line", point.secondsWithLine},
                         {"is_extrapolated", point.isExtrapolated},

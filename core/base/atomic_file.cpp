@@ -37,7 +37,7 @@ fs::path targetOf(const fs::path& file) {
   if (!error) return target;
   const fs::path next = fs::read_symlink(file, error);
   throw InputError(file.string(), "",
-                   message("is a link to '{}', which is not there", next.string()));
+                   message("is a link to '{}', which does not exist", next.string()));
 }
 
 fs::path folderOf(const fs::path& file) {
@@ -166,7 +166,7 @@ void checkReplacesNone(const fs::path& file, std::span<const fs::path> inputs) {
   std::error_code ignored;  // a missing file counts as an empty one
   for (const fs::path& input : inputs)
     if (fs::equivalent(file, input, ignored))
-      throw InputError(file.string(), "", "is what is read, and would be replaced");
+      throw InputError(file.string(), "", "is also an input file and would be replaced");
 }
 
 AtomicFile::AtomicFile(const fs::path& file) {

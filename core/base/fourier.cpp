@@ -25,7 +25,7 @@ constinit std::mutex plannerLock;
 
 /// The plans that were used last, the latest at the end.
 struct KeptPlans {
-  static constexpr std::size_t kMost = 8, kMostPoints = 1 << 18;
+  static constexpr std::size_t kMax = 8, kMaxPoints = 1 << 18;
   std::mutex lock;
   std::vector<std::shared_ptr<const FourierPlans>> plans;
 };
@@ -52,7 +52,7 @@ std::size_t fastTransformSize(std::size_t count) {
 }
 
 std::shared_ptr<const FourierPlans> FourierPlans::forSize(std::size_t points, Arrays arrays) {
-  if (points > KeptPlans::kMostPoints) return std::make_shared<const FourierPlans>(points, arrays);
+  if (points > KeptPlans::kMaxPoints) return std::make_shared<const FourierPlans>(points, arrays);
   static KeptPlans kept;
   const std::lock_guard lock(kept.lock);
   auto found = std::ranges::find_if(kept.plans, [&](const auto& plans) {
@@ -60,7 +60,7 @@ std::shared_ptr<const FourierPlans> FourierPlans::forSize(std::size_t points, Ar
   });
   if (found == kept.plans.end()) {
     kept.plans.push_back(std::make_shared<const FourierPlans>(points, arrays));
-    if (kept.plans.size() > KeptPlans::kMost) kept.plans.erase(kept.plans.begin());
+    if (kept.plans.size() > KeptPlans::kMax) kept.plans.erase(kept.plans.begin());
   } else {
     std::rotate(found, found + 1, kept.plans.end());
   }

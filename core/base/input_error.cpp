@@ -17,7 +17,8 @@ Message errorMessage(const std::exception& error) {
 InputError unknownExtension(const std::string& file, const std::string& extension,
                             std::initializer_list<std::string_view> known) {
   if (!extension.empty()) return {file, "", notOneOf("'" + extension + "'", {known})};
-  return {file, "", message("the name has no ending; allowed is {}", namesWithCommas({known}))};
+  return {file, "",
+          message("the file name has no extension; allowed is {}", namesWithCommas({known}))};
 }
 
 }  // namespace asperity

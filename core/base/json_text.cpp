@@ -19,12 +19,12 @@ using Json = nlohmann::ordered_json;
 
 /// The maximum number of keys in one object, more than any of the program's files has. Each key is
 /// compared with all earlier ones.
-constexpr std::size_t kMostKeys = 256;
+constexpr std::size_t kMaxKeys = 256;
 
 /// Returns the parser's message without its own name in front, with the place of the error as
 /// values, and with the middle of a long quotation cut.
 Message parserMessage(const std::exception& error) {
-  constexpr std::size_t kMost = 300, kKept = 120;
+  constexpr std::size_t kMax = 300, kKept = 120;
   std::string text = error.what();
   const std::size_t bracket = text.find("] ");
   if (bracket != std::string::npos) text.erase(0, bracket + 2);
@@ -42,7 +42,7 @@ Message parserMessage(const std::exception& error) {
     column = numberAfter(", column ");
     text.erase(0, text.find(": ") + 2);
   }
-  if (text.size() > kMost) {
+  if (text.size() > kMax) {
     std::size_t from = kKept, to = text.size() - kKept;
     while (!beginsCharacter(text[from])) --from;
     while (!beginsCharacter(text[to])) ++to;
@@ -79,9 +79,9 @@ class Reader : public nlohmann::json_sax<Json> {
     Level& level = levels_.back();
     level.key = name;
     if (level.value->contains(name))
-      throw InputError("", path(), "stands twice in the same object");
-    if (level.value->size() == kMostKeys)
-      throw InputError("", path(), message("an object has more than {} keys", kMostKeys));
+      throw InputError("", path(), "occurs twice in the same object");
+    if (level.value->size() == kMaxKeys)
+      throw InputError("", path(), message("an object has more than {} keys", kMaxKeys));
     return true;
   }
 
@@ -243,7 +243,7 @@ std::string textMember(const Json& object, const char* member, const std::string
                        const std::string& where) {
   const auto found = object.find(member);
   if (found == object.end()) return otherwise;
-  if (!found->is_string()) refuseMember(memberPath(where, member), "needs a text");
+  if (!found->is_string()) refuseMember(memberPath(where, member), "must be a text");
   return found->get<std::string>();
 }
 

@@ -36,7 +36,7 @@ RegularFile::RegularFile(const std::filesystem::path& file) : name_(file.string(
       throw InputError(name_, "", message("cannot be opened: {}", Message(std::strerror(errno))));
   };
   if (file.native().find('\0') != std::string::npos)
-    throw InputError(name_, "", "is no name of a file");
+    throw InputError(name_, "", "is not a valid file name");
   // Opening a special file may wait (pipes) or act (tapes), so the kind is checked before; and
   // again afterwards, because the name may then mean another file.
   struct stat status;

@@ -45,26 +45,27 @@ inline std::optional<double> contradictingRatio(std::vector<double> ratios) {
 
 /// Returns the probability that a value deviates by less than t standard errors, which were
 /// estimated from residuals with this many degrees of freedom (Student's distribution). For a whole
-/// freedom it is a sum of few terms (Abramowitz and Stegun, 26.7.3 and 26.7.4); for any other it is
-/// 1 minus the sum of the terms that follow, which are many for a small t. freedom: above 0; where
-/// it is no whole number, t is 0.1 or more.
-inline double studentProbability(double t, double freedom) {
-  const double angle = std::atan(t / std::sqrt(freedom));
+/// number of them it is a sum of few terms (Abramowitz and Stegun, 26.7.3 and 26.7.4); for any
+/// other number it is 1 minus the sum of the terms that follow, which are many for a small t.
+/// degreesOfFreedom: above 0; where it is not a whole number, t is 0.1 or more.
+inline double studentProbability(double t, double degreesOfFreedom) {
+  const double angle = std::atan(t / std::sqrt(degreesOfFreedom));
   const double cosine = std::cos(angle), sine = std::sin(angle);
-  if (freedom != std::floor(freedom)) {
+  if (degreesOfFreedom != std::floor(degreesOfFreedom)) {
     constexpr double kNegligible = 1e-17;
-    double term = std::exp(std::lgamma(0.5 * freedom + 0.5) - std::lgamma(0.5 * freedom + 1)) *
-                  std::numbers::inv_sqrtpi * sine * std::pow(cosine, freedom);
+    double term = std::exp(std::lgamma(0.5 * degreesOfFreedom + 0.5) -
+                           std::lgamma(0.5 * degreesOfFreedom + 1)) *
+                  std::numbers::inv_sqrtpi * sine * std::pow(cosine, degreesOfFreedom);
     double rest = 0;
-    for (double k = freedom; term > kNegligible * rest; k += 2) {
+    for (double k = degreesOfFreedom; term > kNegligible * rest; k += 2) {
       rest += term;
       term *= cosine * cosine * (k + 1) / (k + 2);
     }
     return 1 - rest;
   }
-  const bool isOdd = std::fmod(freedom, 2) == 1;
+  const bool isOdd = std::fmod(degreesOfFreedom, 2) == 1;
   double sum = 0, term = isOdd ? cosine : 1;
-  for (double k = isOdd ? 1 : 0; k <= freedom - 2; k += 2) {
+  for (double k = isOdd ? 1 : 0; k <= degreesOfFreedom - 2; k += 2) {
     sum += term;
     term *= cosine * cosine * (k + 1) / (k + 2);
   }
@@ -72,29 +73,32 @@ inline double studentProbability(double t, double freedom) {
 }
 
 /// Returns how many such standard errors are as rare as `deviations` of a known error: 235.8 for 3
-/// with one degree of freedom, and toward 3 with many. deviations: 0.1 to 6; freedom: above 0.
-inline double studentDeviations(double deviations, double freedom) {
+/// with one degree of freedom, and toward 3 with many. deviations: 0.1 to 6; degreesOfFreedom:
+/// above 0.
+inline double studentDeviations(double deviations, double degreesOfFreedom) {
   const double probability = std::erf(deviations / std::numbers::sqrt2);
   double low = deviations, high = 2 * deviations + 1;
-  while (studentProbability(high, freedom) < probability) high *= 2;
+  while (studentProbability(high, degreesOfFreedom) < probability) high *= 2;
   constexpr int kHalvings = 60;
   for (int i = 0; i < kHalvings; ++i) {
     const double middle = 0.5 * (low + high);
-    (studentProbability(middle, freedom) < probability ? low : high) = middle;
+    (studentProbability(middle, degreesOfFreedom) < probability ? low : high) = middle;
   }
   return 0.5 * (low + high);
 }
 
 /// Returns quantile 0.975 of Student's distribution: a 95 % interval is so many standard errors to
 /// each side. Few degrees of freedom have the exact one; from 7 on the expansion for many (26.7.5)
-/// is right to 0.03 %. freedom: above 0.
-inline double studentQuantile(double freedom) {
+/// is right to 0.03 %. degreesOfFreedom: above 0.
+inline double studentQuantile(double degreesOfFreedom) {
   constexpr double kMany = 7;
   constexpr double z = 1.959963984540054;
-  if (freedom < kMany) return studentDeviations(z, freedom);
+  if (degreesOfFreedom < kMany) return studentDeviations(z, degreesOfFreedom);
   constexpr double z3 = z * z * z, z5 = z3 * z * z, z7 = z5 * z * z;
-  return z + (z3 + z) / (4 * freedom) + (5 * z5 + 16 * z3 + 3 * z) / (96 * freedom * freedom) +
-         (3 * z7 + 19 * z5 + 17 * z3 - 15 * z) / (384 * freedom * freedom * freedom);
+  return z + (z3 + z) / (4 * degreesOfFreedom) +
+         (5 * z5 + 16 * z3 + 3 * z) / (96 * degreesOfFreedom * degreesOfFreedom) +
+         (3 * z7 + 19 * z5 + 17 * z3 - 15 * z) /
+             (384 * degreesOfFreedom * degreesOfFreedom * degreesOfFreedom);
 }
 
 }  // namespace asperity

@@ -91,9 +91,9 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string shortened(std::string_view text) {
-  constexpr std::size_t kMost = 60;
-  if (text.size() <= kMost) return std::string(text);
-  std::size_t end = kMost;
+  constexpr std::size_t kMax = 60;
+  if (text.size() <= kMax) return std::string(text);
+  std::size_t end = kMax;
   while (end > 0 && !beginsCharacter(text[end])) --end;
   return std::string(text.substr(0, end)) + "...";
 }
@@ -121,9 +121,9 @@ std::string_view nearestWord(std::string_view word, std::span<const std::string_
 }
 
 std::string makeFileName(std::string_view name) {
-  constexpr std::size_t kMost = 60;
+  constexpr std::size_t kMax = 60;
   std::string clean;
-  for (const unsigned char letter : name.substr(0, kMost))
+  for (const unsigned char letter : name.substr(0, kMax))
     clean +=
         std::isalnum(letter) || letter == '-' || letter == '_' ? static_cast<char>(letter) : '_';
   return clean;

@@ -41,7 +41,7 @@ char separatorCharacter(Separator separator) {
 
 /// Texts up to this length are examined as a whole; of longer ones this many lines from each of
 /// several parts.
-constexpr std::size_t kStretch = std::size_t{1} << 15, kMostLines = 200;
+constexpr std::size_t kStretch = std::size_t{1} << 15, kMaxLines = 200;
 
 /// Lines from the beginning, the end and three parts in between.
 struct Sample {
@@ -55,7 +55,7 @@ Sample sampleOf(std::string_view text, bool readsCells) {
   sample.readsCells = readsCells;
   const auto take = [&sample, text](std::string_view rest) {
     const std::size_t whole = rest.size();
-    const std::size_t most = text.size() <= kStretch ? text.size() : kMostLines;
+    const std::size_t most = text.size() <= kStretch ? text.size() : kMaxLines;
     for (std::size_t i = 0; i < most && !rest.empty() && whole - rest.size() < kStretch; ++i)
       sample.lines.push_back(takeLine(rest));
   };

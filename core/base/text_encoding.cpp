@@ -132,8 +132,8 @@ std::string utf8OfShiftJis(std::string_view bytes) {
     return {};
   const iconv_t converter = iconv_open("UTF-8", "CP932");  // Microsoft's variant
   if (converter == reinterpret_cast<iconv_t>(-1)) return {};
-  constexpr std::size_t kMostBytes = 3;  // of UTF-8 for one of Shift-JIS
-  std::string from(bytes), text(kMostBytes * bytes.size(), '\0');
+  constexpr std::size_t kMaxBytes = 3;  // of UTF-8 for one of Shift-JIS
+  std::string from(bytes), text(kMaxBytes * bytes.size(), '\0');
   char *in = from.data(), *out = text.data();
   std::size_t left = from.size(), room = text.size();
   const std::size_t failed = iconv(converter, &in, &left, &out, &room);
@@ -177,7 +177,7 @@ std::string_view detectNonText(std::string_view bytes) {
 }
 
 Utf8Character firstCharacter(std::string_view text) {
-  constexpr std::array<std::uint32_t, 5> kLeast{0, 0, 0x80, 0x800, 0x10000};
+  constexpr std::array<std::uint32_t, 5> kMin{0, 0, 0x80, 0x800, 0x10000};
   const unsigned char first = byteAt(text, 0);
   if (first < 0x80) return {first, 1};
   const std::size_t bytes = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
@@ -188,7 +188,7 @@ Utf8Character firstCharacter(std::string_view text) {
     code = code << 6 | (byteAt(text, i) & 0x3FU);
   }
   const bool isCharacter =
-      code >= kLeast[bytes] && code <= 0x10FFFF && !(code >= 0xD800 && code <= 0xDFFF);
+      code >= kMin[bytes] && code <= 0x10FFFF && !(code >= 0xD800 && code <= 0xDFFF);
   return isCharacter ? Utf8Character{code, bytes} : Utf8Character{};
 }
 

@@ -469,12 +469,12 @@ bool isRule(std::string_view line) {
 /// row, only units and names with units certainly belong to the columns.
 std::vector<Fields> rowsAbove(const std::vector<TextLine>& above, const TextDialect& dialect,
                               std::size_t columns, bool mayCountRows) {
-  constexpr std::size_t kMostRows = 4, kMostLinesAbove = 12;
+  constexpr std::size_t kMaxRows = 4, kMaxLinesAbove = 12;
   std::vector<Fields> rows;
   std::size_t looked = 0;
   bool isFar = false, isNamed = false, belowAreUnits = false;
   for (auto line = above.rbegin();
-       line != above.rend() && rows.size() < kMostRows && looked < kMostLinesAbove; ++line) {
+       line != above.rend() && rows.size() < kMaxRows && looked < kMaxLinesAbove; ++line) {
     if (isRule(withoutCommentMark(line->text, dialect))) continue;
     ++looked;
     Fields fields = namesIn(line->text, dialect, columns, mayCountRows);

@@ -17,8 +17,8 @@
 namespace asperity {
 namespace {
 
-constexpr std::size_t kMostNumbers = std::size_t{1} << 27;
-constexpr std::size_t kMostHeaderLines = 10000;              // that are kept for one block
+constexpr std::size_t kMaxNumbers = std::size_t{1} << 27;
+constexpr std::size_t kMaxHeaderLines = 10000;               // that are kept for one block
 constexpr std::size_t kProgressStep = std::size_t{1} << 20;  // bytes
 
 class TableReader {
@@ -56,7 +56,7 @@ class TableReader {
     eachField([this](std::size_t number, std::size_t i) {
       if (kinds_[i].kind == FieldKind::Text &&
           fields_[i].find_first_of("0123456789") != std::string_view::npos)
-        fail(message("has no rows of numbers; line {}: '{}' is no number", number,
+        fail(message("has no rows of numbers; line {}: '{}' is not a number", number,
                      shortened(trimmedField(fields_[i]))));
     });
     // A row that would be one with a number in its empty field.
@@ -92,7 +92,7 @@ class TableReader {
 
   /// Keeps a line that is no row; it may belong to a header.
   void keep(const TextLine& line) {
-    if (above_.size() < kMostHeaderLines) above_.push_back(line);
+    if (above_.size() < kMaxHeaderLines) above_.push_back(line);
   }
 
   /// Returns whether rows continue after kept lines: comments may stand between rows, but a header
@@ -144,8 +144,7 @@ class TableReader {
     blankLines_ = 0;
     above_.clear();
     isDirect_ = true;
-    if (count_ + row_.size() > kMostNumbers)
-      fail(message("has more than {} numbers", kMostNumbers));
+    if (count_ + row_.size() > kMaxNumbers) fail(message("has more than {} numbers", kMaxNumbers));
     count_ += row_.size();
     for (std::size_t i = 0; i < block().cells.size(); ++i) {
       std::vector<TextCell>& cells = block().cells[i];
@@ -363,7 +362,7 @@ class TableReader {
     if (!options_.blankLinesAreGaps || last.columns.size() != 1 || isSpaced) return;
     const auto blanks = std::exchange(last.blanks, {});
     for (const auto& [row, count] : blanks) count_ += count;
-    if (count_ > kMostNumbers) fail(message("has more than {} numbers", kMostNumbers));
+    if (count_ > kMaxNumbers) fail(message("has more than {} numbers", kMaxNumbers));
     std::vector<double> values;
     std::vector<std::uint32_t> lines;
     auto blank = blanks.begin();
@@ -474,7 +473,7 @@ class TableReader {
     if (!table_.blocks.empty()) block().values.shrink_to_fit();
     // Memory for all possible rows is reserved, so that large tables are not copied.
     const std::size_t rows = rest_.size() / (line.text.size() + 1) + 1;
-    fresh.values.reserve(std::min(rows * fields_.size(), kMostNumbers - count_));
+    fresh.values.reserve(std::min(rows * fields_.size(), kMaxNumbers - count_));
     table_.blocks.push_back(std::move(fresh));
     isOpen_ = true;
     append(line);
@@ -624,12 +623,13 @@ std::vector<Message> doubtsAbout(const TextTable& table) {
   std::vector<Message> doubts;
   const std::vector<std::uint32_t>& lines = table.leftOut;
   if (lines.size() == 1)
-    doubts.push_back(message(
-        "Line {} is left out: it begins with a number and is no row of the table.", lines.front()));
+    doubts.push_back(
+        message("Line {} is left out: it begins with a number but is not a row of the table.",
+                lines.front()));
   if (lines.size() > 1)
     doubts.push_back(
-        message("{} lines, the first is line {}, are left out: they begin with a number and are no "
-                "rows of the table.",
+        message("{} lines, the first is line {}, are left out: they begin with a number but are "
+                "not rows of the table.",
                 lines.size(), lines.front()));
   if (table.dialect.hasThousandsAlone)
     doubts.push_back(message(

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kStripHeight = 0.42;                           // relative to the curves' height
 constexpr double kLowestPercent = -100, kHighestPercent = 200;  // of the axis of a difference
-constexpr double kLeastPercent = 0.1;
+constexpr double kMinPercent = 0.1;
 constexpr double kRatioAir = 1.3;  // factor between the outermost ratios and the frame
 
 /// Returns the shown quantity by a theory; NaN where the theory does not apply.
@@ -32,8 +32,8 @@ Message whyMissing(const TheoryCurve& theory, const CurveSet& set) {
     return {};
   const Message name(theoryEntry(theory.theory).name);
   return std::ranges::any_of(theory.points, isKnown)
-             ? message("{} has no line: nowhere on this axis does it hold.", name)
-             : message("{} has no line: it says nothing about this quantity in this scene.", name);
+             ? message("{} is not drawn: it does not apply anywhere on this axis.", name)
+             : message("{} is not drawn: it does not predict this quantity in this scene.", name);
 }
 
 constexpr std::array kMeasuredMarks{SeriesMark::Square, SeriesMark::Diamond, SeriesMark::Triangle,
@@ -105,7 +105,7 @@ void fixDifferenceAxis(DiagramAxis& axis, const DiagramSeries& series) {
   for (const DiagramPoint& point : series.points)
     if (std::isfinite(point.y))
       for (const double value : {point.y, point.low, point.high}) values.add(value);
-  const double least = kBesideZero * std::max({-values.least, values.most, kLeastPercent});
+  const double least = kBesideZero * std::max({-values.least, values.most, kMinPercent});
   axis.from = std::max(-std::max(-kAround * values.least, least), kLowestPercent);
   axis.to = std::min(std::max(kAround * values.most, least), kHighestPercent);
 }

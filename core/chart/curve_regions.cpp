@@ -124,7 +124,7 @@ std::string_view regionSentence(std::string_view name) {
   return text ? text->sentence : std::string_view();
 }
 
-double climbedHeight(double normalForce, double viscosity, double velocity) {
+double summedContactHeight(double normalForce, double viscosity, double velocity) {
   return normalForce / (4 * viscosity * velocity);
 }
 

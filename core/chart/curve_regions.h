@@ -3,7 +3,7 @@
 // few contacts carry the load, which is region IV. Pure; any thread.
 //
 // In fast sliding of Kelvin elements every contact is viscous and one-sided, p = 4 eta v |z'|, so
-// that F_N / (4 eta v) is the height which the contacts of one period climb together. Below about
+// that F_N / (4 eta v) is the sum of the heights climbed by all contacts of one period. Below about
 // a tenth of the rms height h the load rests on the last summits of the period, which are smooth
 // below the cut-off: the slope in contact falls, and friction with it (Li et al. 2013, Eq. 15). For
 // F_N over four decades friction has then lost 1 to 10 % of its plateau, and 30 % at a hundredth
@@ -44,11 +44,11 @@ inline constexpr double kFewSummits = 0.1;
 
 /// The sentence for the shade in a diagram.
 inline constexpr const char* kFewSummitsSentence =
-    "Tinted: F\u2099/(4\u03B7v) is below 0.1 h (\u03B7: viscosity). It is the height that the "
-    "contacts of one period climb together; the border moves with the period L.";
+    "Tinted: F\u2099/(4\u03B7v) is below 0.1 h (\u03B7: viscosity). It is the sum of the heights "
+    "climbed by all contacts of one period; the border moves with the period L.";
 
 /// Returns F_N / (4 eta v) in m.
-double climbedHeight(double normalForce, double viscosity, double velocity);
+double summedContactHeight(double normalForce, double viscosity, double velocity);
 
 /// Returns the velocity (m/s) above which F_N / (4 eta v) is below a tenth of the rms height (m).
 /// NaN where this has no meaning: for elastic elements and those with arms, a constant indentation,

@@ -327,10 +327,10 @@ std::vector<FrictionData> addComparisonData(Scene& scene, const std::vector<std:
         std::filesystem::proximate(file, scene.folder.empty() ? "." : scene.folder, error);
     scene.comparison.data.push_back({error ? name : beside.string(), {}});
   }
-  if (scene.comparison.data.size() > kMostDataFiles)
+  if (scene.comparison.data.size() > kMaxDataFiles)
     throw InputError(
         "", "--data",
-        message("{} tables are more than {}", scene.comparison.data.size(), kMostDataFiles));
+        message("{} tables are more than {}", scene.comparison.data.size(), kMaxDataFiles));
   return given;
 }
 

@@ -66,8 +66,8 @@ constexpr std::array kTable{
 
     // ---- quantities of a chart's axis, by their column
     HoverExplanation{"mu", "μ = |F_x|/F_N, F_x = −∫ p z′ dx",
-                     "Coefficient of friction: what deforming the elastomer costs, over the normal "
-                     "force.",
+                     "Coefficient of friction: the tangential force that deforms the elastomer, "
+                     "over the normal force.",
                      "eq-4"},
     HoverExplanation{"mu_total", "μ_total = μ + μ_interface",
                      "Coefficient of friction as it is measured: what deforming the elastomer "

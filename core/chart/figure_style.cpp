@@ -87,10 +87,10 @@ bool isHex(char c) {
 /// Reads "#d55e00" or a name.
 bool readColour(std::string_view word, CurveStyle& curve) {
   if (word.size() == 7 && word[0] == '#' && std::all_of(word.begin() + 1, word.end(), isHex)) {
-    curve.paint = static_cast<std::uint32_t>(std::stoul(std::string(word.substr(1)), nullptr, 16));
+    curve.rgb = static_cast<std::uint32_t>(std::stoul(std::string(word.substr(1)), nullptr, 16));
     return true;
   }
-  return choose(kColours, word, curve.paint).empty();
+  return choose(kColours, word, curve.rgb).empty();
 }
 
 /// Reads "2=#d55e00,circle,dashed".
@@ -399,8 +399,8 @@ FigureStyle styleFromJson(std::string_view text, const std::string& file) {
         const std::string_view nearest = nearestWord(key, words);
         throw InputError("", key,
                          nearest.empty()
-                             ? Message("is no option of a style")
-                             : message("is no option of a style; did you mean {}?", nearest));
+                             ? Message("is not an option of a style")
+                             : message("is not an option of a style; did you mean {}?", nearest));
       }
       if (value.is_array() && option->repeats)
         for (const Json& one : value) setFrom(style, *option, one);
@@ -447,7 +447,7 @@ DiagramSheet styled(DiagramSheet sheet, const FigureStyle& style) {
           "", "--curve-style",
           message("there is no curve {} in the legend, which has {}", number, names.size()));
     forEachNamed(sheet, names[number - 1], [&](DiagramSeries& series) {
-      if (curve.paint) series.paint = curve.paint;
+      if (curve.rgb) series.rgb = curve.rgb;
       // A series without a name belongs to the named one, by its own marks.
       if (series.name.empty()) return;
       if (curve.mark) series.mark = *curve.mark;

@@ -24,7 +24,7 @@ enum class PanelLetters { None, Small, Capital, Bracketed };
 
 /// The style of one curve; a value that is not given is automatic.
 struct CurveStyle {
-  std::optional<std::uint32_t> paint;  // 0xRRGGBB
+  std::optional<std::uint32_t> rgb;  // 0xRRGGBB
   std::optional<SeriesMark> mark;
   std::optional<SeriesStroke> stroke;
 };

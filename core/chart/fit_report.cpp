@@ -185,7 +185,7 @@ nlohmann::ordered_json fitJson(const Fit& fit) {
           {"combinations", std::move(combinations)},
           {"profiles", std::move(profiles)},
           {"chi_squared", fit.chiSquared},
-          {"degrees_of_freedom", fit.freedom},
+          {"degrees_of_freedom", fit.degreesOfFreedom},
           {"relative_scatter", fit.relativeScatter > 0 ? Json(fit.relativeScatter) : Json()},
           {"error_scale", fit.errorScale},
           {"has_converged", fit.hasConverged},
@@ -220,18 +220,18 @@ std::vector<Message> describeFit(const Fit& fit) {
     lines.push_back(withRange(Message::name(parameter.key), parameter));
   if (fit.missesPoints || !fit.hasFoundPoints)
     lines.emplace_back(
-        "the ranges do not hold: they take for granted that the curve follows the points, and it "
-        "misses them");
+        "the ranges are not valid: they assume that the curve follows the points, but it misses "
+        "them");
   else
     lines.emplace_back(kRangeInWords);
   if (fit.relativeScatter > 0)
     lines.push_back(
         message("the points have no errors; they scatter by {:.2g} % about the fit, "
                 "with {}",
-                100 * fit.relativeScatter, degreesOfFreedom(fit.freedom)));
+                100 * fit.relativeScatter, degreesOfFreedom(fit.degreesOfFreedom)));
   else
-    lines.push_back(
-        message("\u03C7\u00B2 = {:.4g} for {}", fit.chiSquared, degreesOfFreedom(fit.freedom)));
+    lines.push_back(message("\u03C7\u00B2 = {:.4g} for {}", fit.chiSquared,
+                            degreesOfFreedom(fit.degreesOfFreedom)));
   std::ranges::move(allNotes(fit), std::back_inserter(lines));
   return lines;
 }

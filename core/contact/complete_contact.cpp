@@ -8,25 +8,25 @@ namespace {
 
 /// Searches for the indentation that complete contact of the line needs: p / 4G = d - z - c dz/ds >
 /// 0.
-class Needed {
+class CompleteContactDepth {
  public:
-  Needed(const PreparedProfile& line, double relaxationLength, double known)
-      : line_(line), relaxationLength_(relaxationLength), most_(known) {}
+  CompleteContactDepth(const PreparedProfile& line, double relaxationLength, double known)
+      : line_(line), relaxationLength_(relaxationLength), maximum_(known) {}
 
-  double most() const { return most_; }
+  double maximum() const { return maximum_; }
 
   /// Returns whether the depth suffices; ends at the first place that needs more.
   bool isEnough() const {
-    return segmentNeed(0) < most_ && segmentNeed(line_.segments() - 1) < most_ &&
+    return requiredDepth(0) < maximum_ && requiredDepth(line_.segments() - 1) < maximum_ &&
            line_.forLargestBlocks(
                [this](std::size_t level, std::size_t block) { return isEnoughFor(level, block); });
   }
 
   /// Continues to the largest necessary depth.
-  void raise() {
-    most_ = std::max({most_, segmentNeed(0), segmentNeed(line_.segments() - 1)});
+  void findMaximum() {
+    maximum_ = std::max({maximum_, requiredDepth(0), requiredDepth(line_.segments() - 1)});
     line_.forLargestBlocks([this](std::size_t level, std::size_t block) {
-      raise(level, block);
+      findMaximum(level, block);
       return true;
     });
   }
@@ -34,27 +34,27 @@ class Needed {
  private:
   bool isBounded(std::size_t level, std::size_t block) const {
     const SegmentBounds bounds = line_.block(level, block);
-    return bounds.highest + relaxationLength_ * bounds.steepest < most_;
+    return bounds.highest + relaxationLength_ * bounds.steepest < maximum_;
   }
 
   bool isEnoughFor(std::size_t level, std::size_t block) const {
     if (isBounded(level, block)) return true;
-    if (level == 0) return segmentNeed(block + 1) < most_;
+    if (level == 0) return requiredDepth(block + 1) < maximum_;
     for (std::size_t i = 0; i < 4; ++i)
       if (!isEnoughFor(level - 1, 4 * block + i)) return false;
     return true;
   }
 
-  void raise(std::size_t level, std::size_t block) {
+  void findMaximum(std::size_t level, std::size_t block) {
     if (isBounded(level, block)) return;
     if (level == 0) {
-      most_ = std::max(most_, segmentNeed(block + 1));
+      maximum_ = std::max(maximum_, requiredDepth(block + 1));
       return;
     }
-    for (std::size_t i = 0; i < 4; ++i) raise(level - 1, 4 * block + i);
+    for (std::size_t i = 0; i < 4; ++i) findMaximum(level - 1, 4 * block + i);
   }
 
-  double segmentNeed(std::size_t i) const {
+  double requiredDepth(std::size_t i) const {
     const Cubic z = line_.segment(i);
     const double k = relaxationLength_ / line_.segmentLength(i);
     const Cubic need{z.c0 + k * z.c1, z.c1 + 2 * k * z.c2, z.c2 + 3 * k * z.c3, z.c3};
@@ -64,7 +64,7 @@ class Needed {
   }
 
   const PreparedProfile& line_;
-  double relaxationLength_, most_;
+  double relaxationLength_, maximum_;
 };
 
 /// Returns the force at rest from the blocks: blocks above the depth carry nothing, blocks below it
@@ -96,13 +96,13 @@ PassSums forceAtRest(const PreparedProfile& line, double depth) {
 }  // namespace
 
 bool isContactComplete(const PreparedProfile& line, double depth, double relaxationLength) {
-  return Needed(line, relaxationLength, depth).isEnough();
+  return CompleteContactDepth(line, relaxationLength, depth).isEnough();
 }
 
 double completeAbove(const PreparedProfile& line, double relaxationLength) {
-  Needed needed(line, relaxationLength, 0);
-  needed.raise();
-  return needed.most();
+  CompleteContactDepth needed(line, relaxationLength, 0);
+  needed.findMaximum();
+  return needed.maximum();
 }
 
 PassSums completeContactSums(const PreparedProfile& line, double depth, double relaxationLength) {
@@ -116,10 +116,10 @@ PassSums completeContactSums(const PreparedProfile& line, double depth, double r
 }
 
 double depthAtRest(const PreparedProfile& line, double load, const std::stop_token& stop) {
-  constexpr int kMostSteps = 12;
+  constexpr int kMaxSteps = 12;
   constexpr double kCloseEnough = 1e-3;
   double depth = completeContactDepth(line, load);
-  for (int step = 0; step < kMostSteps && !stop.stop_requested(); ++step) {
+  for (int step = 0; step < kMaxSteps && !stop.stop_requested(); ++step) {
     const PassSums sums = forceAtRest(line, depth);
     if (!(sums.depth > 0)) break;
     // This is Newton's step in logarithms, in which the force is nearly straight.

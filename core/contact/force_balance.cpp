@@ -8,8 +8,8 @@
 namespace asperity {
 namespace {
 
-constexpr int kMostPasses = 200;       // over the line in one balance
-constexpr int kMostStalledPasses = 2;  // without a smaller residual, until the best one is taken
+constexpr int kMaxPasses = 200;       // over the line in one balance
+constexpr int kMaxStalledPasses = 2;  // without a smaller residual, until the best one is taken
 
 }  // namespace
 
@@ -37,7 +37,7 @@ void ForceBalance::take(const PassSums& sums) {
     bestSums_ = sums;
   }
   (sums.depth > load_ ? high_ : low_) = depth_;
-  done_ = residual_ <= kWantedResidual || stalled_ >= kMostStalledPasses || passes_ >= kMostPasses;
+  done_ = residual_ <= kWantedResidual || stalled_ >= kMaxStalledPasses || passes_ >= kMaxPasses;
   if (!done_) move(sums);
 }
 

@@ -66,7 +66,7 @@ SteadyResult steadyResult(const PreparedProfile& line, const SlidingConditions& 
   // Without a normal force there is no coefficient.
   result.mu = normal != 0 ? tangential / normal : kNotANumber;
   result.contactFraction = std::min(sums.contactLength / line.length, 1.0);
-  // As many stretches in contact as free ones lie on a closed line.
+  // A closed line has as many contact spots as gaps.
   result.contactSpots = sums.contactLength > 0 ? std::max(sums.freeStretches, 1.0) : 0;
   result.rmsSlopeContact =
       sums.contactLength > 0 ? std::sqrt(sums.slopeSquared / sums.contactLength) : kNotANumber;
@@ -109,8 +109,7 @@ TextError balanceError(const SteadyResult& result, double velocity, const Messag
   const Message state = sentences({message("at velocity {:.4g} m/s", velocity), where});
   if (result.residual <= kAcceptedResidual)
     return TextError(message(
-        "contact is too short, or moduli are too far apart, for the digits that numbers have, {}",
-        state));
+        "contact is too short, or the moduli differ too much, for double precision, {}", state));
   return TextError(
       message("the force balance is not met {}: relative residual {:.2g}", state, result.residual));
 }

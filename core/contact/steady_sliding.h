@@ -37,7 +37,7 @@ struct SteadyResult {
   double tangentialForce = 0;    // N; resolved lines: from the dissipated power; nodal: Eq. (4)
   double mu = 0;                 // tangential over normal force
   double contactFraction = 0;    // L_cont / L
-  double contactSpots = 0;       // number of separate stretches in contact in one period
+  double contactSpots = 0;       // number in one period
   double rmsSlopeContact = 0;    // NaN without contact
   double powerIn = 0;            // W, pressure times the line's slope times v, over contact
   double powerDissipated = 0;    // W, 4 eta v^2 integral u'^2 over all elements

@@ -66,12 +66,12 @@ bool SteadySolver::sweepArms(const PreparedProfile& line, const Load& load,
 bool SteadySolver::sweep(const PreparedProfile& line, const Load& load,
                          std::span<const double> velocities, std::span<SteadyResult> results,
                          const std::stop_token& stop, std::span<const SteadyResult> others) const {
-  const Load held = loadOn(load, line.length);
-  countSteady(held);
+  const Load forceLoad = loadOn(load, line.length);
+  countSteady(forceLoad);
   if (velocities.size() > 1) countStage(Stage::Sweep);
-  const bool done = hasArms_
-                        ? sweepArms(line, held, velocities, results, stop)
-                        : slideSweep(line, conditions(0), held, velocities, results, stop, others);
+  const bool done =
+      hasArms_ ? sweepArms(line, forceLoad, velocities, results, stop)
+               : slideSweep(line, conditions(0), forceLoad, velocities, results, stop, others);
   if (done)
     for (std::size_t i = 0; i < results.size(); ++i) addInterface(line, velocities[i], results[i]);
   return done;
@@ -90,14 +90,14 @@ bool SteadySolver::sweepForces(const PreparedProfile& line, std::span<const doub
 }
 
 SteadyState SteadySolver::at(const PreparedProfile& line, double velocity) const {
-  const Load held = loadOn(load_, line.length);
-  countSteady(held);
+  const Load forceLoad = loadOn(load_, line.length);
+  countSteady(forceLoad);
   SteadyState state;
   if (hasArmsAt(velocity)) {
-    ArmState found = slideWithArms(line, *tables_, held, velocity);
+    ArmState found = slideWithArms(line, *tables_, forceLoad, velocity);
     state = {found.result, std::move(found.balance)};
   } else {
-    state.result = slideAtLoad(line, conditions(velocity), held);
+    state.result = slideAtLoad(line, conditions(velocity), forceLoad);
   }
   addInterface(line, velocity, state.result);
   return state;

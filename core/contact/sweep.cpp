@@ -65,10 +65,10 @@ double InitialGuess::excess(std::size_t row, std::size_t column) const {
 /// Returns the deviation by Lagrange's polynomial in the logarithm of the force, through the
 /// previous rows.
 double InitialGuess::fromForces(std::size_t row, std::size_t column) const {
-  constexpr std::size_t kMostRows = kRests - 1;
+  constexpr std::size_t kMaxRows = kRests - 1;
   std::size_t rows = 0;
-  double x[kMostRows], y[kMostRows];
-  while (rows < std::min(row, kMostRows) && isKnown(row - 1 - rows, column)) {
+  double x[kMaxRows], y[kMaxRows];
+  while (rows < std::min(row, kMaxRows) && isKnown(row - 1 - rows, column)) {
     x[rows] = std::log(forces[row - 1 - rows]);
     y[rows] = excess(row - 1 - rows, column);
     ++rows;
@@ -204,10 +204,10 @@ class SweepQueue final : public PassQueue {
   /// Returns the request. Long passes are cut according to the cost of the last one at this
   /// velocity, or its estimate.
   PassRequest requestFor(const Lane& one) {
-    constexpr double kInspectedByPart = 48, kMostParts = 4096, kSegmentsToOneInspected = 1024;
+    constexpr double kInspectedByPart = 48, kMaxParts = 4096, kSegmentsToOneInspected = 1024;
     double& inspected = segmentsInspected(one.column);
     if (inspected == 0) inspected = static_cast<double>(line_.segments()) / kSegmentsToOneInspected;
-    const double parts = std::clamp(inspected / kInspectedByPart, 1.0, kMostParts);
+    const double parts = std::clamp(inspected / kInspectedByPart, 1.0, kMaxParts);
     return {one.balance.depth(), at(one.column).relaxationLength(), static_cast<int>(parts)};
   }
   double& segmentsInspected(std::size_t column) { return inspected_[column % inspected_.size()]; }
@@ -218,7 +218,7 @@ class SweepQueue final : public PassQueue {
   std::stop_token stop_;
   std::size_t begun_ = 0, restRow_ = std::numeric_limits<std::size_t>::max();
   bool hasSearched_ = false;
-  std::array<Lane, kMostStreams> lanes_;
+  std::array<Lane, kMaxStreams> lanes_;
   std::array<double, 64> inspected_{};  // in the last pass at each velocity
 };
 
@@ -276,7 +276,7 @@ class DepthQueue final : public PassQueue {
   std::stop_token stop_;
   std::size_t begun_ = 0;
   bool hasSearched_ = false;
-  std::array<std::size_t, kMostStreams> columns_{};
+  std::array<std::size_t, kMaxStreams> columns_{};
 };
 
 /// Runs the passes of a queue with the kernel of the line's scheme, linear or cubic.
@@ -312,7 +312,7 @@ bool sweepNodal(const PreparedProfile& line, const SlidingConditions& conditions
   const double load = normalForce / (4 * conditions.shearModulus);
   const std::size_t lanes = laneCount();
   LaneValues guesses{}, relaxationLengths{};
-  std::array<NodalBalance, kMostLanes> balances;
+  std::array<NodalBalance, kMaxLanes> balances;
   for (std::size_t i = 0; i < velocities.size(); i += lanes) {
     const std::size_t count = std::min(lanes, velocities.size() - i);
     const std::span<const double> group = velocities.subspan(i, count);

@@ -35,7 +35,7 @@ VariedParameter::VariedParameter(std::string_view key, const Scene& scene, doubl
   if (!(low < high) || low < allowed.minimum || high > allowed.maximum)
     throw InputError(
         "", std::string(key),
-        message("{}:{} is no range within {}", plain(low), plain(high), allowedText(*row_)));
+        message("{}:{} is not a range within {}", plain(low), plain(high), allowedText(*row_)));
   const double now = valueIn(scene);
   if (now < low || now > high)
     throw InputError(
@@ -48,8 +48,8 @@ VariedParameter::VariedParameter(std::string_view key, const Scene& scene, doubl
                      "is 0, which means none; it needs a value to begin from");
   if (isLogarithmic_) {
     // On a logarithmic axis the lowest value is above 0.
-    constexpr double kLeastPart = 1e-12;
-    low_ = std::max(low_, kLeastPart * now);
+    constexpr double kMinPart = 1e-12;
+    low_ = std::max(low_, kMinPart * now);
   } else {
     step_ = kStep * (field.sliderTo - field.sliderFrom);
   }

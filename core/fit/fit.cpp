@@ -28,9 +28,9 @@ class Fitting {
     start_.resize(static_cast<Eigen::Index>(parameters.size()));
     for (std::size_t k = 0; k < parameters.size(); ++k)
       start_[static_cast<Eigen::Index>(k)] = parameters[k].coordinate(parameters[k].valueIn(scene));
-    fit_.freedom = objective_.freedom();
+    fit_.degreesOfFreedom = objective_.degreesOfFreedom();
     if (parameters.empty()) throw InputError("", "--vary", "no parameter is named");
-    if (fit_.freedom <= 0)
+    if (fit_.degreesOfFreedom <= 0)
       throw InputError("", "--data",
                        message("{} points do not determine {} parameters; more points than "
                                "parameters are needed",
@@ -154,7 +154,7 @@ class Fitting {
           message("the points lie further from the curve than their errors say: \u03C7\u00B2 is "
                   "{:.3g} for {}; the errors of the values are computed from "
                   "errors of the points that are {:.2g} times as large",
-                  fit_.chiSquared, degreesOfFreedom(fit_.freedom), fit_.errorScale));
+                  fit_.chiSquared, degreesOfFreedom(fit_.degreesOfFreedom), fit_.errorScale));
     warnOfOutlier();
     for (const FrictionData& table : data_)
       for (const Message& note : table.notes)
@@ -174,7 +174,7 @@ class Fitting {
             parameter.standardError, parameter.isLogarithmic ? "ln" : "its unit"));
       if (fit_.hasFoundPoints && parameter.isWidened)
         fit_.notes.push_back(
-            message("the sum of squares is no parabola along {}: its range is where the profile "
+            message("the sum of squares is not a parabola along {}: its range is where the profile "
                     "rises by one standard error, and the standard error is half of that range",
                     parameter.key));
       if (parameter.isAtLimit)
@@ -207,7 +207,7 @@ class Fitting {
   /// itself, and its deviation is many times that of the others.
   void warnOfOutlier() {
     constexpr double kShare = 0.5, kTimesTheOthers = 4;
-    if (!fit_.hasFoundPoints || fit_.freedom < 3) return;
+    if (!fit_.hasFoundPoints || fit_.degreesOfFreedom < 3) return;
     double largest = 0, sum = 0;
     std::size_t at = 0;
     for (std::size_t i = 0; i < objective_.size(); ++i) {
@@ -218,7 +218,7 @@ class Fitting {
       largest = distance * distance;
       at = i;
     }
-    const double others = (sum - largest) / static_cast<double>(fit_.freedom - 1);
+    const double others = (sum - largest) / static_cast<double>(fit_.degreesOfFreedom - 1);
     const bool isExpected = objective_.hasErrors() && !fit_.missesPoints;
     if (isExpected || largest < kShare * sum ||
         largest < kTimesTheOthers * kTimesTheOthers * others)
@@ -255,9 +255,8 @@ class Fitting {
 
 }  // namespace
 
-Message degreesOfFreedom(std::int64_t freedom) {
-  return freedom == 1 ? Message("one degree of freedom")
-                      : message("{} degrees of freedom", freedom);
+Message degreesOfFreedom(std::int64_t count) {
+  return count == 1 ? Message("one degree of freedom") : message("{} degrees of freedom", count);
 }
 
 Fit fitFriction(const Scene& scene, std::span<const FrictionData> data,

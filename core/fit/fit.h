@@ -94,7 +94,7 @@ struct Fit : FitErrors {
   Eigen::MatrixXd correlation;            // of the coordinates
   std::vector<Combination> combinations;  // best determined first
   std::vector<ObjectiveProfile> profiles;
-  std::int64_t freedom = 0;  // points minus parameters
+  std::int64_t degreesOfFreedom = 0;  // points minus parameters
   bool hasConverged = false;
   int evaluations = 0;
   std::vector<Message> warnings;  // what makes the values uncertain or wrong
@@ -102,7 +102,7 @@ struct Fit : FitErrors {
 };
 
 /// Returns "one degree of freedom" or "11 degrees of freedom".
-Message degreesOfFreedom(std::int64_t freedom);
+Message degreesOfFreedom(std::int64_t count);
 
 /// Fits the parameters. Throws InputError for what cannot be fitted: no parameters, fewer points
 /// than parameters, a parameter that every point states itself, tables with errors beside tables

@@ -44,11 +44,14 @@ MatrixXd scatterOfLines(const FrictionWithDerivatives& found) {
 /// because few lines know it badly: two such errors hold as often as two of a known one (Student).
 double factorOfFewLines(const FrictionWithDerivatives& found) {
   constexpr double kErrors = 2;
-  double freedom = std::numeric_limits<double>::infinity();
+  double degreesOfFreedom = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < found.muOfLines.size(); ++i)
     if (found.muOfLines[i].size() > 1)
-      freedom = std::min(freedom, lineMeanError(found.muOfLines[i], found.orderedRows[i]).freedom);
-  return std::isfinite(freedom) ? studentDeviations(kErrors, freedom) / kErrors : 1;
+      degreesOfFreedom =
+          std::min(degreesOfFreedom,
+                   lineMeanError(found.muOfLines[i], found.orderedRows[i]).degreesOfFreedom);
+  return std::isfinite(degreesOfFreedom) ? studentDeviations(kErrors, degreesOfFreedom) / kErrors
+                                         : 1;
 }
 
 /// The Fisher information of the points about the parameters, a symmetric matrix, by its principal
@@ -95,15 +98,17 @@ class Information {
 /// the 100 % that replace missing ones, are scaled to the residuals. left: the remaining part of
 /// the lines' scatter, over the points' errors.
 void compareWithErrors(const MatrixXd& left, const Objective& objective, FitErrors& errors) {
-  const auto freedom = static_cast<double>(objective.freedom());
+  const auto degreesOfFreedom = static_cast<double>(objective.degreesOfFreedom());
   const bool hasErrors = objective.hasErrors();
   const double ofLines = left.squaredNorm();
-  const double variance = 2 * (freedom + 2 * ofLines + (left.transpose() * left).squaredNorm());
+  const double variance =
+      2 * (degreesOfFreedom + 2 * ofLines + (left.transpose() * left).squaredNorm());
   errors.missesPoints =
-      hasErrors && errors.chiSquared > freedom + ofLines + 3 * std::sqrt(variance);
-  if (errors.missesPoints) errors.errorScale = std::sqrt((errors.chiSquared - ofLines) / freedom);
+      hasErrors && errors.chiSquared > degreesOfFreedom + ofLines + 3 * std::sqrt(variance);
+  if (errors.missesPoints)
+    errors.errorScale = std::sqrt((errors.chiSquared - ofLines) / degreesOfFreedom);
   if (!hasErrors)
-    errors.errorScale = errors.relativeScatter = std::sqrt(errors.chiSquared / freedom);
+    errors.errorScale = errors.relativeScatter = std::sqrt(errors.chiSquared / degreesOfFreedom);
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ class Objective {
   /// Returns whether the points have errors of their own.
   bool hasErrors() const { return hasErrors_; }
   /// Returns the number of points minus that of parameters.
-  std::int64_t freedom() const {
+  std::int64_t degreesOfFreedom() const {
     return static_cast<std::int64_t>(points_.size()) - static_cast<std::int64_t>(all_.size());
   }
   /// Returns the indices of all parameters.

@@ -25,7 +25,7 @@ VectorXd startNearPoints(const Objective& objective, const VectorXd& start) {
 /// far above the degrees of freedom, or without errors points that scatter by more than a tenth.
 bool isFarOff(const Objective& objective, const Minimum& found) {
   constexpr double kFarAbove = 10, kScatter = 0.1;
-  const double perFreedom = found.chiSquared / static_cast<double>(objective.freedom());
+  const double perFreedom = found.chiSquared / static_cast<double>(objective.degreesOfFreedom());
   return perFreedom > (objective.hasErrors() ? kFarAbove : kScatter * kScatter);
 }
 

@@ -87,10 +87,10 @@ void refuseFactor(const std::vector<MeasuredPoint>& points, const TextBlock& blo
 /// under a constant load.
 void refuseFrictionForce(const std::vector<MeasuredPoint>& points, const TextBlock& block,
                          const FrictionRoles& roles, const std::string& name) {
-  constexpr std::size_t kFewest = 3;
+  constexpr std::size_t kMin = 3;
   constexpr double kRounding = 1.02, kVaries = 1.1;
   const FrictionRole* force = roles.find(FrictionQuantity::Force);
-  if (!force || points.size() < kFewest) return;
+  if (!force || points.size() < kMin) return;
   const auto ratio = [](const MeasuredPoint& point) { return point.normalForce / point.mu; };
   const auto [least, most] = std::ranges::minmax_element(points, {}, &MeasuredPoint::mu);
   const auto [low, high] = std::ranges::minmax_element(points, {}, ratio);

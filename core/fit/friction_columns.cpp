@@ -138,9 +138,9 @@ std::optional<std::string> withoutAverage(std::string name) {
 /// Returns the quantity that a name states in words and by its symbol: "Normal force F_N",
 /// "Temperature T".
 std::optional<Quantity> namedTwice(const std::string& name) {
-  constexpr std::size_t kMostWords = 8;
+  constexpr std::size_t kMaxWords = 8;
   const std::vector<std::string> words = nameWords(name);
-  if (words.size() > kMostWords) return {};
+  if (words.size() > kMaxWords) return {};
   for (std::size_t i = 1; i < words.size(); ++i) {
     std::string front, back;
     for (std::size_t j = 0; j < words.size(); ++j) (j < i ? front : back) += words[j];

@@ -167,8 +167,8 @@ std::size_t findNumber(std::string_view text) {
 /// Returns the load or temperature that has the unit of some number at the beginning of the text,
 /// which may be very long.
 std::optional<FrictionQuantity> findLoadUnit(std::string_view text) {
-  constexpr std::size_t kMostBytes = 2000;
-  text = text.substr(0, kMostBytes);
+  constexpr std::size_t kMaxBytes = 2000;
+  text = text.substr(0, kMaxBytes);
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (!isDigit(text[i]) || (i > 0 && std::isalnum(static_cast<unsigned char>(text[i - 1])) != 0))
       continue;

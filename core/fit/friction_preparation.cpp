@@ -37,15 +37,15 @@ bool anyColumn(const std::vector<std::string>& words, std::size_t begin, std::si
 /// Finds all ways to make so many known columns of the words from `begin` on.
 void findNames(const std::vector<std::string>& words, std::size_t begin, std::size_t count,
                std::vector<TextColumn>& made, std::vector<std::vector<TextColumn>>& ways) {
-  constexpr std::size_t kMostWords = 6, kMostWays = 2;
-  if (ways.size() >= kMostWays) return;
+  constexpr std::size_t kMaxWords = 6, kMaxWays = 2;
+  if (ways.size() >= kMaxWays) return;
   if (made.size() == count || begin == words.size()) {
     if (made.size() == count && begin == words.size()) ways.push_back(made);
     return;
   }
   // A unit in brackets begins no name.
   if (words[begin].starts_with('(') || words[begin].starts_with('[')) return;
-  anyColumn(words, begin, kMostWords, [&](const TextColumn& column, std::size_t end) {
+  anyColumn(words, begin, kMaxWords, [&](const TextColumn& column, std::size_t end) {
     made.push_back(column);
     findNames(words, end, count, made, ways);
     made.pop_back();
@@ -278,10 +278,10 @@ bool hasErrors(const std::vector<TextCell>& cells) {
 }
 
 bool namesQuantity(const std::string& line) {
-  constexpr std::size_t kMostWords = 3;
+  constexpr std::size_t kMaxWords = 3;
   const std::vector<std::string> words = blankSeparated(line);
   for (std::size_t i = 0; i < words.size(); ++i)
-    if (anyColumn(words, i, kMostWords, [](const TextColumn& column, std::size_t) {
+    if (anyColumn(words, i, kMaxWords, [](const TextColumn& column, std::size_t) {
           return findMeaning(column) != FrictionQuantity::Label && column.name.size() > 1;
         }))
       return true;

@@ -119,18 +119,18 @@ class RowReader {
   void averageRepeats(const std::vector<std::size_t>& rows,
                       std::vector<MeasuredPoint>& points) const {
     double squares = 0;
-    std::size_t freedom = 0, i = 0;
+    std::size_t degreesOfFreedom = 0, i = 0;
     std::vector<std::size_t> counts;
     for (const std::size_t row : rows) {
       const std::vector<double> values = repeatsOf(row);
       for (const double value : values) squares += std::pow(value / points[i].mu - 1, 2);
-      freedom += values.size() - 1;
+      degreesOfFreedom += values.size() - 1;
       counts.push_back(values.size());
       ++i;
     }
     if (!(squares > 0)) return;
     for (i = 0; i < points.size(); ++i)
-      points[i].muError = points[i].mu * std::sqrt(squares / static_cast<double>(freedom) /
+      points[i].muError = points[i].mu * std::sqrt(squares / static_cast<double>(degreesOfFreedom) /
                                                    static_cast<double>(counts[i]));
   }
 

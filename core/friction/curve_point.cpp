@@ -156,10 +156,11 @@ double LawColumns::normalized(double mu, const CurveAverages& averages) const {
 
 /// Adds normal and tangential force, power and pressure in contact.
 void LawColumns::addForces(CurvePoint& point, const CurveAverages& averages) const {
-  const bool isHeld = scene_.load.kind == LoadKind::Indentation;
-  point.forceOnPeriod =
-      isHeld ? averages.normalForce.mean() : loadOn(scene_.load, length_).normalForce;
-  point.tangentialForce = isHeld ? averages.tangentialForce.mean() : point.mu * point.forceOnPeriod;
+  const bool isIndentationPrescribed = scene_.load.kind == LoadKind::Indentation;
+  point.forceOnPeriod = isIndentationPrescribed ? averages.normalForce.mean()
+                                                : loadOn(scene_.load, length_).normalForce;
+  point.tangentialForce =
+      isIndentationPrescribed ? averages.tangentialForce.mean() : point.mu * point.forceOnPeriod;
   point.power = point.tangentialForce * point.velocity;
   const double width = contactWidth(scene_.load, length_);
   if (std::isgreater(point.contactFraction, 0))
@@ -183,7 +184,8 @@ void LawColumns::addTo(CurvePoint& point, const CurveAverages& averages) const {
   point.notes.add(Note::FewContacts, isRough(scene_.surface) &&
                                          areContactsFew(point.contactSpots, point.contactFraction));
   point.notes.add(Note::FewIndependentRows,
-                  hasRows_ && averages.mu.count() > 1 && averages.mu.error().freedom < kFewFreedom);
+                  hasRows_ && averages.mu.count() > 1 &&
+                      averages.mu.error().degreesOfFreedom < kFewDegreesOfFreedom);
   addForces(point, averages);
   if (scene_.load.kind == LoadKind::Pressure) {
     point.normalForce = loadOn(scene_.load, length_).normalForce;

@@ -21,7 +21,7 @@ double excitedFrequency(double waveNumber, double velocity) {
 }
 
 /// Returns whether the elastomer is at a temperature outside of the measured range.
-bool isAtForeignTemperature(const Elastomer& elastomer) {
+bool isOutsideMeasuredTemperatures(const Elastomer& elastomer) {
   const MeasuredRange& range = elastomer.measured;
   if (elastomer.rheology != Rheology::Prony || !(range.temperatureTo > 0)) return false;
   // Isotherms are a few tenths of a kelvin off what was set.
@@ -40,13 +40,13 @@ std::optional<FrequencyRange> measuredFrequencies(const Elastomer& elastomer) {
 }
 
 bool isExtrapolated(double shareNotMeasured) {
-  return !std::isnan(shareNotMeasured) && shareNotMeasured > kMostNotMeasured;
+  return !std::isnan(shareNotMeasured) && shareNotMeasured > kMaxNotMeasured;
 }
 
 NoteSet elastomerNotes(const Elastomer& elastomer, double rmsSlope, double shareNotMeasured) {
   NoteSet notes;
   notes.add(Note::ExtrapolatedMaterial, isExtrapolated(shareNotMeasured));
-  notes.add(Note::ExtrapolatedTemperature, isAtForeignTemperature(elastomer));
+  notes.add(Note::ExtrapolatedTemperature, isOutsideMeasuredTemperatures(elastomer));
   const double strain = elastomer.measured.strainAmplitude;
   notes.add(Note::StrainBeyondMeasured,
             elastomer.rheology == Rheology::Prony && strain > 0 && rmsSlope > strain);

@@ -28,7 +28,7 @@ struct ExcitedBand {
 };
 
 /// Friction counts as extrapolated where a larger share of the weight was not measured.
-inline constexpr double kMostNotMeasured = 0.1;
+inline constexpr double kMaxNotMeasured = 0.1;
 
 /// Returns the frequencies at which the elastomer was measured, converted to its temperature: those
 /// at the reference divided by a_T. Nothing where they are not known.

@@ -16,7 +16,7 @@ double autocovariance(std::span<const double> deviations, std::size_t k) {
 
 }  // namespace
 
-MeanError meanErrorInOrder(std::span<const double> values) {
+MeanError errorOfCorrelatedMean(std::span<const double> values) {
   RunningMean plain;
   for (const double value : values) plain.add(value);
   const auto n = static_cast<double>(values.size());
@@ -30,11 +30,11 @@ MeanError meanErrorInOrder(std::span<const double> values) {
     return known[k];
   };
   if (!(c(1) > 2 * c(0) / std::sqrt(n))) return independent;
-  constexpr int kMostRounds = 20;
+  constexpr int kMaxRounds = 20;
   constexpr double kSettled = 1e-3;
   double ofMean = 0;  // the variance of the mean, which each c_k lacks
   std::size_t lags = 0;
-  for (int round = 0; round < kMostRounds; ++round) {
+  for (int round = 0; round < kMaxRounds; ++round) {
     // Two lags at a time; each lag k > 0 stands for -k, too.
     double sum = -(c(0) + ofMean), last = std::numeric_limits<double>::infinity();
     lags = 0;

@@ -48,7 +48,7 @@ class RunningMean {
 /// The standard error of a mean, and its degrees of freedom: n - 1 for n independent numbers.
 struct MeanError {
   double standardError = std::numeric_limits<double>::quiet_NaN();
-  double freedom = 0;
+  double degreesOfFreedom = 0;
 };
 
 /// Returns the error of the mean of numbers along a line, such as friction of row after row of a
@@ -67,20 +67,20 @@ struct MeanError {
 /// everywhere. What is common to all numbers, such as a height that differs from piece to piece,
 /// does not show in them.
 ///
-/// Numbers whose c_1 is smaller than two of its standard errors, c_0 / sqrt(n), are independent as
-/// far as anyone can tell and have the usual error. Needs two numbers.
-MeanError meanErrorInOrder(std::span<const double> values);
+/// Numbers whose c_1 is smaller than twice its standard error, c_0 / sqrt(n), count as independent
+/// and have the usual error. Needs two numbers.
+MeanError errorOfCorrelatedMean(std::span<const double> values);
 
-/// The degrees of freedom below which an error is known too badly to rely on: less than
+/// The degrees of freedom below which a standard error is too uncertain to rely on: fewer than
 /// about ten independent groups of rows.
-inline constexpr double kFewFreedom = 9;
+inline constexpr double kFewDegreesOfFreedom = 9;
 
 /// The mean over lines: independent ones, or the rows of a topography in their order.
 class LineMean {
  public:
   LineMean() = default;
   /// orderedRows: LineSource::orderedRows(); 0 for independent lines. Lines after that number
-  /// repeat rows and tell nothing new of the surface.
+  /// repeat rows and add no information about the surface.
   explicit LineMean(std::int64_t orderedRows) : orderedRows_(orderedRows) {}
 
   void add(double value) {
@@ -90,7 +90,7 @@ class LineMean {
   double mean() const { return all_.mean(); }
   std::int64_t count() const { return all_.count(); }
   MeanError error() const {
-    if (orderedRows_ > 0) return meanErrorInOrder(rows_);
+    if (orderedRows_ > 0) return errorOfCorrelatedMean(rows_);
     return {all_.standardError(), static_cast<double>(all_.count() - 1)};
   }
 

@@ -25,10 +25,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr ColumnName kExponent = "exponent";
-constexpr std::int64_t kMostPoints = 1000;   // along a side
-constexpr std::int64_t kMostCells = 100000;  // of a map
-constexpr std::int64_t kFewLines = 10;       // of a stage before many lines
-constexpr std::size_t kCoarse = 16;          // points along a side of the first stage
+constexpr std::int64_t kMaxPoints = 1000;   // along a side
+constexpr std::int64_t kMaxCells = 100000;  // of a map
+constexpr std::int64_t kFewLines = 10;      // of a stage before many lines
+constexpr std::size_t kCoarse = 16;         // points along a side of the first stage
 
 /// Returns at most kCoarse values of a side, with both ends.
 MapAxis coarse(const MapAxis& axis) {
@@ -81,10 +81,10 @@ void checkMap(const Scene& scene, const MapAxis& x, const MapAxis& y) {
     throw InputError("", std::string(y.key()),
                      "is both sides of the map; they need two different keys");
   const auto cells = static_cast<std::int64_t>(x.values.size() * y.values.size());
-  if (cells > kMostCells)
+  if (cells > kMaxCells)
     throw InputError("", std::string(y.key()),
                      message("{} times {} points are more than {} cells", x.values.size(),
-                             y.values.size(), kMostCells));
+                             y.values.size(), kMaxCells));
   requireNoTarget(scene,
                   "a map has the same lines in every cell; give accuracy.scheme and "
                   "ensemble.realizations instead of a target");
@@ -158,10 +158,10 @@ MapAxis mapAxis(const Scene& scene, const ParameterRange& range, const Parameter
       other ? whyNotBeside(*range.row, scene, *other) : whyNotSwept(*range.row, scene);
   if (!reason.empty()) throw InputError("", "", reason);
   checkRange(range, scene);
-  if (range.points < 2 || range.points > kMostPoints)
+  if (range.points < 2 || range.points > kMaxPoints)
     throw InputError(
         "", key,
-        message("a map has 2 to {} points along each side, not {}", kMostPoints, range.points));
+        message("a map has 2 to {} points along each side, not {}", kMaxPoints, range.points));
   MapAxis axis{range, rangeValues(range)};
   if (axis.values.size() < 2 || axis.values.front() == axis.values.back())
     throw InputError("", key,

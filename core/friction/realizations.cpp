@@ -25,10 +25,9 @@ struct Buffers {
   std::int64_t realization = 0;
 
   static Buffers& forNodes(std::int64_t nodes) {
-    constexpr std::int64_t kMostSpare = 16;
+    constexpr std::int64_t kMaxSpare = 16;
     thread_local Buffers buffers;
-    if (static_cast<std::int64_t>(buffers.line.height.capacity()) > kMostSpare * nodes)
-      buffers = {};
+    if (static_cast<std::int64_t>(buffers.line.height.capacity()) > kMaxSpare * nodes) buffers = {};
     return buffers;
   }
 };
@@ -86,7 +85,7 @@ class Realizations {
     if (buffers.owner == owner_ && buffers.realization == realization) return &buffers.profile;
     buffers.owner = 0;
     // The making of a long line takes as long as everything else.
-    const Slopes slopes = work_.scheme == Scheme::Linear ? Slopes::NotWanted : Slopes::Wanted;
+    const Slopes slopes = work_.scheme == Scheme::Linear ? Slopes::Omitted : Slopes::Computed;
     if (!work_.source.makeInto(buffers.line, realization, slopes, stop_) ||
         !prepareProfileInto(buffers.profile, buffers.line, work_.scheme, Direction::Forward, stop_))
       return nullptr;

@@ -14,7 +14,7 @@ namespace asperity {
 namespace {
 
 constexpr double kStepsPerDecade = 4;
-constexpr std::size_t kFewestModes = 4;  // of a line that is still rough
+constexpr std::size_t kMinModes = 4;  // of a line that is still rough
 
 /// Returns the rms height of the remaining waves over that of all. The waves stay the same, while
 /// the rms height of a scene is that of its whole spectrum.
@@ -75,7 +75,7 @@ std::vector<CutoffPoint> frictionOverCutoff(const Scene& scene, const StateOptio
   for (int step = 0;; ++step) {
     const auto modes = static_cast<std::size_t>(
         std::llround(static_cast<double>(all) * std::pow(10, -step / kStepsPerDecade)));
-    if (modes < kFewestModes && step > 0) break;
+    if (modes < kMinModes && step > 0) break;
     if (modes == last) continue;
     last = modes;
     const double wavelength = extent.length / static_cast<double>(std::max<std::size_t>(modes, 1));

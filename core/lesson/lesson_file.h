@@ -17,7 +17,7 @@ namespace asperity {
 
 inline constexpr std::string_view kLessonSchema = "asperity-lesson/1";
 inline constexpr std::size_t kLargestLesson = std::size_t{4} << 20;  // bytes
-inline constexpr std::size_t kMostLessonSteps = 200;
+inline constexpr std::size_t kMaxLessonSteps = 200;
 
 /// Describes for users what a file may contain.
 extern const char* const kLessonFormat;

@@ -24,7 +24,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMostChoices = 9, kFewestChoices = 2, kMostBeside = 6, kMostValues = 30;
+constexpr std::size_t kMaxChoices = 9, kMinChoices = 2, kMaxBeside = 6, kMaxValues = 30;
 
 /// Runs `read`; an error about a key is reported with this path.
 template <class Read>
@@ -284,9 +284,9 @@ class StepReader {
                          : message("needs two values above 0, of which to is the larger one"));
     }
     if (const auto beside = show->find("beside"); beside != show->end()) {
-      if (!beside->is_array() || beside->size() > kMostBeside)
+      if (!beside->is_array() || beside->size() > kMaxBeside)
         refuseMember(path + ".beside",
-                     message("needs a list of at most {} objects of keys", kMostBeside));
+                     message("needs a list of at most {} objects of keys", kMaxBeside));
       for (std::size_t i = 0; i < beside->size(); ++i) {
         const std::string where = fmt::format("{}.beside[{}]", path, i);
         view.beside.push_back(readAssignments((*beside)[i], where));
@@ -335,8 +335,8 @@ class StepReader {
     const auto values = json_.find("values");
     if (values == json_.end()) return;
     const std::string path = path_ + ".values";
-    if (!values->is_object() || values->size() > kMostValues)
-      refuseMember(path, message("needs an object of at most {} values", kMostValues));
+    if (!values->is_object() || values->size() > kMaxValues)
+      refuseMember(path, message("needs an object of at most {} values", kMaxValues));
     for (const auto& [name, value] : values->items()) {
       if (!isPlaceName(name) || name == "answer" || name == "given")
         refuseMember(path + "." + shortened(name),
@@ -392,10 +392,10 @@ class StepReader {
     const auto choices = json.find("choices");
     const std::string all = path + ".choices";
     if (choices == json.end() && !isComplete()) return;
-    const std::size_t fewest = isComplete() ? kFewestChoices : 0;
+    const std::size_t fewest = isComplete() ? kMinChoices : 0;
     if (choices == json.end() || !choices->is_array() || choices->size() < fewest ||
-        choices->size() > kMostChoices)
-      refuseMember(all, message("needs a list of {} to {} choices", kFewestChoices, kMostChoices));
+        choices->size() > kMaxChoices)
+      refuseMember(all, message("needs a list of {} to {} choices", kMinChoices, kMaxChoices));
     for (std::size_t i = 0; i < choices->size(); ++i) {
       const Json& one = (*choices)[i];
       const std::string where = fmt::format("{}[{}]", all, i);
@@ -483,8 +483,8 @@ Lesson parseLesson(const Json& root, const std::filesystem::path& folder,
     lesson.minutes = static_cast<int>(integerMember(root, "minutes", 1, 600));
   const auto steps = root.find("steps");
   if (steps == root.end() || !steps->is_array() || (steps->empty() && isComplete) ||
-      steps->size() > kMostLessonSteps)
-    refuseMember("steps", message("needs a list of 1 to {} steps", kMostLessonSteps));
+      steps->size() > kMaxLessonSteps)
+    refuseMember("steps", message("needs a list of 1 to {} steps", kMaxLessonSteps));
   for (std::size_t i = 0; i < steps->size(); ++i) {
     const Scene* before = lesson.steps.empty() ? nullptr : &lesson.steps.back().revealedScene;
     lesson.steps.push_back(

@@ -235,11 +235,11 @@ class AnsysReader {
   }
 
   std::size_t firstPlace(const KeywordLine& line, std::size_t field) const {
-    constexpr double kMost = 1000;
+    constexpr double kMax = 1000;
     const double start = line.word(field).empty() ? 1 : numberAt(line, field, file_.name);
-    if (!(start >= 1 && start <= kMost))
+    if (!(start >= 1 && start <= kMax))
       throw InputError(file_.name, line.key(),
-                       message("begins at a place that is outside 1 to {}", plain(kMost)));
+                       message("begins at a place that is outside 1 to {}", plain(kMax)));
     return static_cast<std::size_t>(start) - 1;
   }
 

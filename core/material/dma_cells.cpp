@@ -37,9 +37,9 @@ void separateParts(TextBlock& block, std::size_t column, const std::string& name
   for (std::size_t row = 0; row < block.rows; ++row) {
     const bool isLost = std::isnan(block.at(row, column));
     if (!isLost && !isComplex(cells[row]))
-      throw InputError(
-          name, block.label(column),
-          message("line {}: is no complex number, as others of the column are", block.lines[row]));
+      throw InputError(name, block.label(column),
+                       message("line {}: is not a complex number, as others of the column are",
+                               block.lines[row]));
     parts.push_back(cells[row].imaginary);
     areNegative = areNegative && (isLost || std::isless(cells[row].imaginary, 0));
   }

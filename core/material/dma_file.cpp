@@ -55,13 +55,13 @@ class Reader {
       if (block.columns[i].isText && !block.texts[i].empty() &&
           dmaColumn(block.columns[i].name, block.columns[i].unit).quantity != None)
         throw InputError(name_, block.label(i),
-                         message("line {}: '{}' is no number", block.lines.front(),
+                         message("line {}: '{}' is not a number", block.lines.front(),
                                  shortened(block.texts[i].front())));
     refuseTestOverTime(block);
     refuseOtherKind(block);
-    constexpr std::size_t kMost = 12;
+    constexpr std::size_t kMax = 12;
     std::string list;
-    for (std::size_t i = 0; i < std::min(block.columns.size(), kMost); ++i)
+    for (std::size_t i = 0; i < std::min(block.columns.size(), kMax); ++i)
       appendItem(list, shortened(block.label(i)));
     throw InputError(
         name_, "",

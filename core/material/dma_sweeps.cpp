@@ -174,11 +174,11 @@ bool giveTemperatures(const TextBlock& block, std::vector<DmaColumn>& found,
 }
 
 std::string listColumns(const TextBlock& block, const std::vector<std::size_t>& columns) {
-  constexpr std::size_t kMost = 8;
+  constexpr std::size_t kMax = 8;
   std::string list;
-  for (std::size_t i = 0; i < std::min(columns.size(), kMost); ++i)
+  for (std::size_t i = 0; i < std::min(columns.size(), kMax); ++i)
     appendItem(list, fmt::format("{} ({})", shortened(block.label(columns[i])), columns[i] + 1));
-  return columns.size() > kMost ? list + ", \u2026" : list;
+  return columns.size() > kMax ? list + ", \u2026" : list;
 }
 
 [[noreturn]] void refuseWithoutTemperatures(const TextBlock& block, const std::string& fileName,

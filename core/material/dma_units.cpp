@@ -220,7 +220,7 @@ double strainAt(const DmaBlock& in, std::size_t row, std::size_t column) {
   const auto unit = strainUnit(isPercent ? "%" : strain.unit);
   if (!unit)
     throw InputError(in.fileName, "--strain-column",
-                     message("the unit '{}' is no unit of strain; known are %, ppm, mm/mm",
+                     message("the unit '{}' is not a unit of strain; known are %, ppm, mm/mm",
                              shortened(strain.unit)));
   return value * *unit;
 }

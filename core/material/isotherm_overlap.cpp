@@ -14,9 +14,9 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kScanStep = 0.01;      // decades
-constexpr double kLeastOverlap = 0.15;  // decades that two isotherms must have in common, or a
-constexpr double kLeastPart = 0.25;     // quarter of the shorter one
-constexpr double kMostMismatch = 0.2;   // decades of modulus, beyond which nothing fits
+constexpr double kMinOverlap = 0.15;    // decades that two isotherms must have in common, or a
+constexpr double kMinPart = 0.25;       // quarter of the shorter one
+constexpr double kMaxMismatch = 0.2;    // decades of modulus, beyond which nothing fits
 constexpr double kEdgeMismatch = 0.02;  // the same where the overlap is the least allowed
 constexpr int kComparisons = 33;        // frequencies at which two isotherms are compared
 constexpr double kOpenVertical = 0.02;  // decades, error beyond which a vertical shift is open
@@ -64,7 +64,7 @@ std::optional<double> scannedShift(const LogSweep& colder, const LogSweep& warme
                                    double vertical = 0) {
   const double coldWidth = colder.x.back() - colder.x.front();
   const double warmWidth = warmer.x.back() - warmer.x.front();
-  const double least = std::min(kLeastOverlap, kLeastPart * std::min(coldWidth, warmWidth));
+  const double least = std::min(kMinOverlap, kMinPart * std::min(coldWidth, warmWidth));
   const double from = warmer.x.front() + least - colder.x.back();
   const double to = warmer.x.back() - least - colder.x.front();
   const int steps = std::max(2, static_cast<int>(std::ceil((to - from) / kScanStep)));
@@ -75,7 +75,7 @@ std::optional<double> scannedShift(const LogSweep& colder, const LogSweep& warme
     if (mismatch < bestMismatch) best = i, bestMismatch = mismatch;
   }
   const bool isAtEdge = best == 0 || best == steps;
-  if (bestMismatch > (isAtEdge ? kEdgeMismatch : kMostMismatch)) return {};
+  if (bestMismatch > (isAtEdge ? kEdgeMismatch : kMaxMismatch)) return {};
   return from + (to - from) * best / steps;
 }
 

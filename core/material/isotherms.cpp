@@ -24,8 +24,8 @@ void checkRow(const MeasuredModulus& row) {
                              plain(value), celsius(row.temperature), row.modulus.frequency));
   };
   // Nothing is measured beyond these limits, and sums would lose their digits.
-  constexpr double kLowest = 1e-9, kHighest = 1e12;            // Hz
-  constexpr double kLeastModulus = 1e-3, kMostModulus = 1e13;  // Pa
+  constexpr double kLowest = 1e-9, kHighest = 1e12;         // Hz
+  constexpr double kMinModulus = 1e-3, kMaxModulus = 1e13;  // Pa
   const DynamicModulus& modulus = row.modulus;
   if (modulus.frequency > 0 && !(modulus.frequency >= kLowest && modulus.frequency <= kHighest))
     throw InputError("", "frequency",
@@ -33,10 +33,10 @@ void checkRow(const MeasuredModulus& row) {
                              plain(kLowest), plain(kHighest)));
   const auto printed = [](double value) { return PrintedNumber{printedQuantity(value, "Pa", 3)}; };
   for (const double pascals : {modulus.storage, modulus.loss})
-    if (pascals > 0 && !(pascals >= kLeastModulus && pascals <= kMostModulus))
+    if (pascals > 0 && !(pascals >= kMinModulus && pascals <= kMaxModulus))
       throw InputError("", "modulus",
                        message("{} is outside {} to {}; --modulus-unit says what the file means",
-                               printed(pascals), printed(kLeastModulus), printed(kMostModulus)));
+                               printed(pascals), printed(kMinModulus), printed(kMaxModulus)));
   if (!(row.modulus.frequency > 0)) refuse("frequency", row.modulus.frequency);
   if (!(row.modulus.storage > 0)) refuse("storage modulus", row.modulus.storage);
   if (!(row.modulus.loss > 0)) refuse("loss modulus", row.modulus.loss);

@@ -116,11 +116,11 @@ std::vector<ShiftEstimate> considerVertical(const OverlapNoise& noise,
   const std::vector<double> deviations = noise.deviations(&OverlapResiduals::vertical);
   evidence.isSignificant = noise.areSignificant(deviations);
   if (!evidence.isSignificant) return changes;
-  double squares = 0, freedom = 0, explained = 0, count = 0;
+  double squares = 0, degreesOfFreedom = 0, explained = 0, count = 0;
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const OverlapResiduals& residuals = steps[i].residuals;
     squares += residuals.squares;
-    freedom += residuals.freedom;
+    degreesOfFreedom += residuals.degreesOfFreedom;
     if (!std::isfinite(residuals.vertical.value)) continue;
     explained += residuals.vertical.explained;
     ++count;
@@ -128,8 +128,9 @@ std::vector<ShiftEstimate> considerVertical(const OverlapNoise& noise,
     if (std::abs(deviations[i]) > 1)
       evidence.largestShift = std::max(evidence.largestShift, std::abs(residuals.vertical.value));
   }
-  evidence.residual = std::sqrt(squares / freedom);
-  evidence.residualWith = std::sqrt((squares - explained) / std::max(1.0, freedom - count));
+  evidence.residual = std::sqrt(squares / degreesOfFreedom);
+  evidence.residualWith =
+      std::sqrt((squares - explained) / std::max(1.0, degreesOfFreedom - count));
   return changes;
 }
 

@@ -14,7 +14,7 @@
 namespace asperity {
 namespace {
 
-constexpr std::size_t kMostRows = 20000;  // of measurements; the fit takes a few seconds then
+constexpr std::size_t kMaxRows = 20000;  // of measurements; the fit takes a few seconds then
 constexpr std::size_t kLargestSeries = std::size_t{4} << 20;  // bytes of a file with a ready series
 
 /// Reads a table; returns nothing, and the error, where the file is none, because it may still be a
@@ -195,12 +195,12 @@ double changeWithout(const StrayPoint& stray, const Material& material) {
 
 std::vector<Message> describeStrays(const Material& material,
                                     const std::vector<StrayPoint>& strays) {
-  constexpr std::size_t kMost = 3;
+  constexpr std::size_t kMax = 3;
   std::vector<Message> lines;
   for (const StrayPoint& stray : strays) {
-    if (lines.size() == kMost) {
+    if (lines.size() == kMax) {
       lines.push_back(
-          message("more points leave the curve of their neighbours: {}", strays.size() - kMost));
+          message("more points leave the curve of their neighbours: {}", strays.size() - kMax));
       break;
     }
     const Message point = describe(stray, material.isotherms);
@@ -272,10 +272,10 @@ Material makeMaterial(std::string_view bytes, const std::string& fileName,
   } else {
     if (!table) throw *failure;
     DmaFile file = readDmaFile(*table, fileName, choices.columns);
-    if (file.rows.size() > kMostRows)
+    if (file.rows.size() > kMaxRows)
       throw InputError(fileName, "",
                        message("has {} rows; allowed is {}, more than an instrument needs",
-                               file.rows.size(), kMostRows));
+                               file.rows.size(), kMaxRows));
     const double strain =
         chooseStrain(file.rows, choices.strainAmplitude, choices.temperatureTolerance, fileName);
     try {

@@ -67,12 +67,12 @@ class WindowFit {
   std::optional<FittedShifts> solve(double start) {
     if (!isVertical_) return iterate(start);
     constexpr int kPasses = 4;
-    constexpr double kLeastDeviation = 1e-6;  // decades
-    deviation_ = kLeastDeviation;
+    constexpr double kMinDeviation = 1e-6;  // decades
+    deviation_ = kMinDeviation;
     if (!iterate(start)) deviation_ = kUsualVertical;
     std::optional<FittedShifts> found;
     for (int i = 0; i < kPasses; ++i) {
-      deviation_ = std::max(kLeastDeviation, deviation_);
+      deviation_ = std::max(kMinDeviation, deviation_);
       found = iterate(start);
       if (!found) return {};
     }
@@ -81,13 +81,13 @@ class WindowFit {
 
  private:
   std::optional<FittedShifts> iterate(double shift) {
-    constexpr int kMostIterations = 60;
+    constexpr int kMaxIterations = 60;
     constexpr double kLongestStep = 0.1, kConverged = 1e-10;  // decades
     const double start = shift;
     // The first pass has no polynomials yet, but the step needs their slopes.
     coefficients_ = Eigen::VectorXd::Zero(linearUnknowns());
     double step = 0;
-    for (int i = 0; i < kMostIterations; ++i) {
+    for (int i = 0; i < kMaxIterations; ++i) {
       assemble(shift, i > 0);
       const LeastSquares solver(system_);
       const Eigen::VectorXd solution = solver.solve(data_);
@@ -195,7 +195,7 @@ class WindowFit {
     };
     found.squares = rest(data).squaredNorm();
     found.values = static_cast<double>(rows);
-    found.freedom = static_cast<double>(rows - basis.cols());
+    found.degreesOfFreedom = static_cast<double>(rows - basis.cols());
     Eigen::VectorXd difference = known.rightCols(1);
     difference.head(rows_).setZero();
     found.difference = found.differenceBesideVertical = contrast(difference);
@@ -215,7 +215,7 @@ class WindowFit {
       addNoise(from + colder, rows_ - colder, modulus);
       for (Eigen::Index i = from; i < from + rows_; ++i) {
         modulus.squares += left[i] * left[i];
-        modulus.freedom += 1 - basis.row(i).squaredNorm();
+        modulus.degreesOfFreedom += 1 - basis.row(i).squaredNorm();
         const bool startsSweep = i == from || i == from + colder;
         if (startsSweep) continue;
         modulus.products += left[i] * left[i - 1];

@@ -33,13 +33,13 @@ struct OverlapResiduals {
   /// of one exponent within their noise, so that a vertical shift is a horizontal one. NaN: there
   /// are no residuals to tell.
   double verticalError = std::numeric_limits<double>::quiet_NaN();
-  double squares = 0;  // decades^2, of the fit without these unknowns
-  double values = 0;   // number of moduli
-  double freedom = 0;  // number of its values beyond that of its unknowns
+  double squares = 0;           // decades^2, of the fit without these unknowns
+  double values = 0;            // number of moduli
+  double degreesOfFreedom = 0;  // number of its values beyond that of its unknowns
   struct Modulus {
     // Of the fit with all unknowns: squares, and the same for the products of neighbours along the
     // frequency, with what these are in the mean where the noise is white.
-    double squares = 0, freedom = 0, products = 0, whiteProducts = 0, neighbours = 0;
+    double squares = 0, degreesOfFreedom = 0, products = 0, whiteProducts = 0, neighbours = 0;
     // Of each isotherm about a curve of its own: noise, whatever the isotherms have in common.
     double noiseSquares = 0, noiseFreedom = 0;
   };

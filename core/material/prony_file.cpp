@@ -17,10 +17,10 @@ namespace {
 
 void checkTerms(const RawSeries& series, const std::string& name) {
   if (series.terms.empty()) throw InputError(name, "", "holds no term of a Prony series");
-  constexpr std::size_t kMostTerms = 64;
-  if (series.terms.size() > kMostTerms)
+  constexpr std::size_t kMaxTerms = 64;
+  if (series.terms.size() > kMaxTerms)
     throw InputError(name, "",
-                     message("has {} terms; allowed is {}", series.terms.size(), kMostTerms));
+                     message("has {} terms; allowed is {}", series.terms.size(), kMaxTerms));
   double sum = 0;
   for (const RawSeries::Term& term : series.terms) {
     const std::string line = fmt::format("line {}", term.line);

@@ -13,12 +13,12 @@
 namespace asperity {
 namespace {
 
-constexpr double kBeyond = 0.5;          // decades of times outside of the measured range
-constexpr double kTermsPerDecade = 8;    // at most, where the number is chosen
-constexpr double kNearFloor = 1.05;      // of the least residual
-constexpr double kGoodEnough = 0.002;    // relative; no instrument measures better
-constexpr double kMostOfSmallest = 1.1;  // that scatter lets an equilibrium modulus exceed
-constexpr double kNothing = 1e-9;        // of the smallest storage modulus
+constexpr double kBeyond = 0.5;         // decades of times outside of the measured range
+constexpr double kTermsPerDecade = 8;   // at most, where the number is chosen
+constexpr double kNearFloor = 1.05;     // of the least residual
+constexpr double kGoodEnough = 0.002;   // relative; no instrument measures better
+constexpr double kMaxOfSmallest = 1.1;  // that scatter lets an equilibrium modulus exceed
+constexpr double kNothing = 1e-9;       // of the smallest storage modulus
 
 /// Returns the x >= 0 that minimizes |A x - b|, by the active-set method of Lawson and Hanson,
 /// Solving Least Squares Problems, ch. 23.
@@ -159,7 +159,7 @@ PronySeries fitWithFewest(std::span<const DynamicModulus> points, double knownEq
   const double decades =
       std::log10(points.back().frequency / points.front().frequency) + 2 * kBeyond;
   const int most = std::clamp(static_cast<int>(std::ceil(kTermsPerDecade * decades)) + 1, 2,
-                              std::min(kMostTerms, static_cast<int>(points.size())));
+                              std::min(kMaxTerms, static_cast<int>(points.size())));
   std::vector<PronySeries> fits;
   // One more term makes little difference to many.
   constexpr int kMany = 24, kStep = 4;
@@ -184,9 +184,11 @@ bool isEquilibriumClear(std::span<const DynamicModulus> points, const PronySerie
   const auto squares = [values](const PronySeries& fit) {
     return values * std::pow(rmsResidual(fit), 2);
   };
-  const double freedom = std::max(1.0, values - static_cast<double>(series.arms.size() + 1));
+  const double degreesOfFreedom =
+      std::max(1.0, values - static_cast<double>(series.arms.size() + 1));
   const double least = squares(series);
-  return squares(fitWith(points, series.terms, 0)) - least > kClear * kClear * least / freedom;
+  return squares(fitWith(points, series.terms, 0)) - least >
+         kClear * kClear * least / degreesOfFreedom;
 }
 
 }  // namespace
@@ -207,7 +209,7 @@ PronySeries fitPronySeries(std::span<const DynamicModulus> given, const PronyOpt
   std::ranges::stable_sort(points, {}, &DynamicModulus::frequency);
   if (points.size() < 2 || !(points.back().frequency > points.front().frequency))
     throw InputError("", "frequency", "has one value alone; a series needs a range of frequencies");
-  const auto most = static_cast<int>(std::min<std::size_t>(kMostTerms, 2 * points.size() - 1));
+  const auto most = static_cast<int>(std::min<std::size_t>(kMaxTerms, 2 * points.size() - 1));
   if (options.terms < 0 || options.terms > most)
     throw InputError("", "--terms",
                      message("{} is outside 1 to {}, what {} points can tell", options.terms, most,
@@ -216,7 +218,7 @@ PronySeries fitPronySeries(std::span<const DynamicModulus> given, const PronyOpt
   const double smallest = std::ranges::min(points, {}, &DynamicModulus::storage).storage;
   // G' rises with frequency from G_inf on, and scatter of the measurements adds far less than the
   // tolerance.
-  if (std::isfinite(known) && known > smallest * kMostOfSmallest)
+  if (std::isfinite(known) && known > smallest * kMaxOfSmallest)
     throw InputError("", "--equilibrium-modulus",
                      message("{} is above the lowest storage modulus of shear, {}; allowed is a "
                              "modulus below it",

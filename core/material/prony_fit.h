@@ -42,6 +42,6 @@ PronySeries fitPronySeries(std::span<const DynamicModulus> points, const PronyOp
 DynamicModulus modulusAt(const PronySeries& series, double frequency);
 
 /// The largest number of relaxation times of a fit.
-inline constexpr int kMostTerms = 64;
+inline constexpr int kMaxTerms = 64;
 
 }  // namespace asperity

@@ -51,10 +51,10 @@ constexpr double kColdest = 1, kHottest = 2000;  // K
 void checkShift(const TemperatureShift& shift, const std::string& name) {
   checkRange("T_r", shift.referenceTemperature, kColdest, kHottest, "shift", name);
   if (shift.kind == ShiftKind::Arrhenius) {
-    checkRange("E_a", shift.activationEnergy, 0, kMostActivationEnergy, "shift", name);
+    checkRange("E_a", shift.activationEnergy, 0, kMaxActivationEnergy, "shift", name);
   } else {
-    checkRange("C1", shift.c1, 0, kMostC1, "shift", name);
-    checkRange("C2", shift.c2, kLeastC2, kMostC2, "shift", name);
+    checkRange("C1", shift.c1, 0, kMaxC1, "shift", name);
+    checkRange("C2", shift.c2, kMinC2, kMaxC2, "shift", name);
   }
 }
 

@@ -100,8 +100,8 @@ void assumeUnits(const TextColumn& weights, double sum, std::vector<StatedModulu
     // Small letters are those of parts, which may be in per cent.
     const bool isPart = weights.name.starts_with('g') || weights.name.starts_with('e');
     // Neither a modulus nor the part of one fits: what is wrong is said of parts.
-    constexpr double kWhole = 1, kMostParts = 10;
-    if (isPart && one.isInstantaneous && sum > kWhole && sum < kMostParts)
+    constexpr double kWhole = 1, kMaxParts = 10;
+    if (isPart && one.isInstantaneous && sum > kWhole && sum < kMaxParts)
       throw InputError(
           name, weights.name,
           message("has no unit and adds up to {:.6g}; parts of the instantaneous modulus add up to "

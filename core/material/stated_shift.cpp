@@ -61,7 +61,7 @@ std::vector<ShiftPoint> shiftRows(const TextBlock& block, const ShiftColumns& co
     if (!columns.notation.isLogarithm && !(factors[row] > 0)) return {};
     const double decades = columns.notation.log10Shift(factors[row]);
     const double kelvin = scale->toSi(temperatures[row]);
-    if (!(kelvin >= kColdestTest && std::abs(decades) <= kMostDecades)) return {};
+    if (!(kelvin >= kColdestTest && std::abs(decades) <= kMaxDecades)) return {};
     rows.push_back({kelvin, decades});
   }
   std::ranges::sort(rows, {}, &ShiftPoint::temperature);
@@ -171,12 +171,11 @@ double differenceSize(const std::string& unit, const std::string& name) {
 void readWlf(const ShiftConstants& constants, double temperature, const std::string& name,
              StatedShift& stated) {
   const double c1 = *constants.c1, c2 = *constants.c2 * differenceSize(constants.unitOfC2, name);
-  if (!(c1 > 0 && c1 <= kMostC1 && c2 >= kLeastC2 && c2 <= kMostC2))
-    throw InputError(
-        name, "WLF",
-        message("C1 is {} and C2 is {} K; allowed is C1 above 0 to {}, C2 from {} to "
-                "{} K",
-                plain(c1), plain(c2), plain(kMostC1), plain(kLeastC2), plain(kMostC2)));
+  if (!(c1 > 0 && c1 <= kMaxC1 && c2 >= kMinC2 && c2 <= kMaxC2))
+    throw InputError(name, "WLF",
+                     message("C1 is {} and C2 is {} K; allowed is C1 above 0 to {}, C2 from {} to "
+                             "{} K",
+                             plain(c1), plain(c2), plain(kMaxC1), plain(kMinC2), plain(kMaxC2)));
   if (constants.naturalLine) {
     stated.notes.push_back(
         message("the constants C1 and C2 are not read: line {} is about ln aT, and C1 is expected "
@@ -196,7 +195,7 @@ void readWlf(const ShiftConstants& constants, double temperature, const std::str
   const bool isApart = std::abs(apart) > kIsothermTolerance;
   shift.c2 = isApart ? c2 + apart : c2;
   shift.c1 = isApart ? c1 * c2 / shift.c2 : c1;
-  if (!(shift.c2 >= kLeastC2)) {
+  if (!(shift.c2 >= kMinC2)) {
     stated.notes.push_back(message("the constants C1 and C2 are not read: they hold above {}",
                                    celsius(temperature - shift.c2)));
     return;
@@ -212,10 +211,10 @@ void readWlf(const ShiftConstants& constants, double temperature, const std::str
 /// The activation energy is the same from every reference temperature.
 void readArrhenius(double energy, double temperature, const std::string& name,
                    StatedShift& stated) {
-  if (!(energy > 0 && energy <= kMostActivationEnergy))
+  if (!(energy > 0 && energy <= kMaxActivationEnergy))
     throw InputError(name, "Arrhenius",
                      message("the activation energy is {} J/mol; allowed is above 0 to {} J/mol",
-                             plain(energy), plain(kMostActivationEnergy)));
+                             plain(energy), plain(kMaxActivationEnergy)));
   TemperatureShift shift;
   shift.kind = ShiftKind::Arrhenius;
   shift.referenceTemperature = temperature;

@@ -11,7 +11,7 @@
 namespace asperity {
 namespace {
 
-constexpr Eigen::Index kMostNeighbours = 6, kLeastNeighbours = 4, kMostUnknowns = 4;
+constexpr Eigen::Index kMaxNeighbours = 6, kMinNeighbours = 4, kMaxUnknowns = 4;
 constexpr double kClearScatter = 8;  // standard errors of the prediction
 const double kClearFactor = std::log10(1.5);
 
@@ -30,8 +30,8 @@ struct Prediction {
 
 Prediction predicted(const Curve& curve, std::size_t at) {
   const auto count = static_cast<Eigen::Index>(curve.x.size());
-  const Eigen::Index neighbours = std::min(kMostNeighbours, count - 1);
-  const Eigen::Index unknowns = std::min(kMostUnknowns, neighbours - 2);
+  const Eigen::Index neighbours = std::min(kMaxNeighbours, count - 1);
+  const Eigen::Index unknowns = std::min(kMaxUnknowns, neighbours - 2);
   const auto own = static_cast<Eigen::Index>(at);
   const Eigen::Index first =
       std::clamp<Eigen::Index>(own - neighbours / 2, 0, count - 1 - neighbours);
@@ -96,10 +96,10 @@ std::optional<Deviant> clearest(const Curve& curve, double usual) {
 }
 
 bool isLongEnough(const Curve& curve) {
-  return std::ssize(curve.x) > static_cast<std::ptrdiff_t>(kLeastNeighbours);
+  return std::ssize(curve.x) > static_cast<std::ptrdiff_t>(kMinNeighbours);
 }
 
-constexpr int kMostOfOne = 10;  // strays of one curve
+constexpr int kMaxOfOne = 10;  // strays of one curve
 
 void removePoint(Curve& curve, std::size_t at) {
   const auto index = static_cast<std::ptrdiff_t>(at);
@@ -114,7 +114,7 @@ void removePoint(Curve& curve, std::size_t at) {
 double usualScatter(std::vector<Curve> curves) {
   std::vector<double> scatters;
   for (Curve& curve : curves) {
-    for (int n = 0; n < kMostOfOne && isLongEnough(curve); ++n) {
+    for (int n = 0; n < kMaxOfOne && isLongEnough(curve); ++n) {
       const auto deviant = clearest(curve, 0);
       if (!deviant) break;
       removePoint(curve, deviant->point);
@@ -131,7 +131,7 @@ void addStrays(std::span<const Isotherm> isotherms, bool isLoss, std::vector<Fou
   const double usual = usualScatter(curves);
   for (std::size_t k = 0; k < curves.size(); ++k) {
     Curve& curve = curves[k];
-    for (int n = 0; n < kMostOfOne && isLongEnough(curve); ++n) {
+    for (int n = 0; n < kMaxOfOne && isLongEnough(curve); ++n) {
       const auto deviant = clearest(curve, usual);
       if (!deviant) break;
       const auto [at, suggested] = *deviant;

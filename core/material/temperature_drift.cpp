@@ -132,7 +132,7 @@ double widestGap(const std::vector<double>& temperatures, double from, double to
 std::vector<Isotherm> isothermsOfRamp(const std::vector<MeasuredModulus>& rows, double tolerance) {
   constexpr double kNominal = 0.01;                 // by which instruments miss a frequency
   constexpr double kUsualStep = 3, kWidestGap = 6;  // K
-  constexpr std::size_t kFewest = 4;                // temperatures of one frequency
+  constexpr std::size_t kMin = 4;                   // temperatures of one frequency
   std::vector<MeasuredModulus> byFrequency = rows;
   std::ranges::stable_sort(byFrequency, {},
                            [](const MeasuredModulus& row) { return row.modulus.frequency; });
@@ -146,7 +146,7 @@ std::vector<Isotherm> isothermsOfRamp(const std::vector<MeasuredModulus>& rows, 
       logarithms += std::log(end->modulus.frequency);
     curves.push_back(alongRamp({begin, end}, tolerance));
     const std::vector<double>& temperatures = curves.back().temperatures;
-    if (temperatures.size() < kFewest) return {};
+    if (temperatures.size() < kMin) return {};
     frequencies.push_back(std::exp(logarithms / static_cast<double>(end - begin)));
     lowest = std::max(lowest, temperatures.front());
     highest = std::min(highest, temperatures.back());

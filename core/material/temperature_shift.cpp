@@ -62,10 +62,10 @@ double log10ShiftFactor(const TemperatureShift& shift, double temperature) {
   const double decades = shift.kind == ShiftKind::Table       ? tableDecades(shift, temperature)
                          : shift.kind == ShiftKind::Arrhenius ? arrheniusDecades(shift, temperature)
                                                               : wlfDecades(shift, temperature);
-  if (!(std::abs(decades) <= kMostDecades))
+  if (!(std::abs(decades) <= kMaxDecades))
     throw InputError("", "elastomer.temperature",
                      message("{} K shifts the times by {:.3g} decades; allowed is {}", temperature,
-                             decades, kMostDecades));
+                             decades, kMaxDecades));
   return decades;
 }
 
@@ -146,10 +146,10 @@ TemperatureFit fitWlf(std::span<const ShiftPoint> table, double referenceTempera
   };
   // The formula is linear in c1; c2 is searched on a grid of its logarithm and then by golden
   // section.
-  constexpr double kLeast = 1;  // K
+  constexpr double kMin = 1;  // K
   constexpr int kGrid = 400;
   const double coldest = referenceTemperature - table.front().temperature;
-  const double from = std::log(std::max(kLeast, 1.02 * coldest + 0.1)), to = std::log(kMostC2);
+  const double from = std::log(std::max(kMin, 1.02 * coldest + 0.1)), to = std::log(kMaxC2);
   const auto gridAt = [&](int i) { return from + (to - from) * i / kGrid; };
   int best = 0;
   for (int i = 1; i <= kGrid; ++i)
@@ -163,7 +163,7 @@ TemperatureFit fitWlf(std::span<const ShiftPoint> table, double referenceTempera
     else
       low = high - part;
   }
-  fit.shift.c2 = std::min(kMostC2, std::exp(0.5 * (low + high)));
+  fit.shift.c2 = std::min(kMaxC2, std::exp(0.5 * (low + high)));
   const LinearFit linear = fitAt(fit.shift.c2);
   fit.shift.c1 = linear.factor;
   fit.rms = linear.rms;
@@ -198,7 +198,7 @@ std::optional<TemperatureFit> goodFit(std::span<const ShiftPoint> table, double 
     return fit.isDefined && fit.rms <= kGoodFit && table.size() > constants + 1;
   };
   const TemperatureFit wlf = fitWlf(table, reference, isOffsetFree);
-  if (isGood(wlf, 2) && wlf.shift.c1 <= kMostC1) return wlf;
+  if (isGood(wlf, 2) && wlf.shift.c1 <= kMaxC1) return wlf;
   const TemperatureFit arrhenius = fitArrhenius(table, reference, isOffsetFree);
   if (isGood(arrhenius, 1)) return arrhenius;
   return {};

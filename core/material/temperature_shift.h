@@ -14,11 +14,11 @@
 namespace asperity {
 
 /// The largest shift that has a meaning, in decades.
-inline constexpr double kMostDecades = 30;
+inline constexpr double kMaxDecades = 30;
 
 /// Limits of the constants of a shift, as in scenes.
-inline constexpr double kMostC1 = 1000, kLeastC2 = 1e-3, kMostC2 = 1e4;  // the latter two K
-inline constexpr double kMostActivationEnergy = 1e7;                     // J/mol
+inline constexpr double kMaxC1 = 1000, kMinC2 = 1e-3, kMaxC2 = 1e4;  // the latter two K
+inline constexpr double kMaxActivationEnergy = 1e7;                  // J/mol
 
 /// The words for the kinds of shift in scenes, options and files, in the order of ShiftKind.
 inline constexpr std::array<std::string_view, 3> kShiftNames{"wlf", "arrhenius", "table"};
@@ -36,7 +36,7 @@ inline constexpr double kGasConstant = 8.31446261815324;
 /// Arrhenius: ln a_T = E/R (1/T - 1/T_r). Table: linear in T between the rows.
 /// The moduli do not change, so mu(v, T) = mu(v a_T, T_r). The result is exactly 0 at the reference
 /// temperature. Throws InputError (elastomer.temperature) at or below T_r - c2, where there is no
-/// shift, outside of a table, and beyond kMostDecades.
+/// shift, outside of a table, and beyond kMaxDecades.
 double log10ShiftFactor(const TemperatureShift& shift, double temperature);
 
 /// Returns a_T itself.

@@ -121,10 +121,10 @@ class EsriReader {
 }  // namespace
 
 bool isEsriGrid(std::string_view bytes) {
-  constexpr std::size_t kHeader = 4096, kMostLines = 40;
+  constexpr std::size_t kHeader = 4096, kMaxLines = 40;
   std::string_view rest = bytes.substr(0, kHeader);
   bool hasColumns = false, hasRows = false;
-  for (std::size_t i = 0; i < kMostLines && !rest.empty(); ++i) {
+  for (std::size_t i = 0; i < kMaxLines && !rest.empty(); ++i) {
     const std::string line = lowerCase(withoutCommentMark(takeLine(rest), {}));
     if (beginsAsNumber(line)) break;
     hasColumns = hasColumns || line.starts_with("ncols");

@@ -11,7 +11,7 @@
 namespace asperity {
 namespace {
 
-constexpr std::size_t kMostColumns = 12;
+constexpr std::size_t kMaxColumns = 12;
 
 /// What the words in the name of a column say.
 struct NumberName {
@@ -108,7 +108,7 @@ bool rowsComeFirst(const TextBlock& block, std::size_t one, std::size_t other) {
 
 std::optional<GridNumbers> findGridNumbers(const TextBlock& block, const ColumnRoles& roles,
                                            const SurfaceSource& source, bool isStepKnown) {
-  const std::size_t columns = std::min(block.columns.size(), kMostColumns);
+  const std::size_t columns = std::min(block.columns.size(), kMaxColumns);
   if (columns < 3 || block.rows < 4 || source.choices.positionColumn > 0) return {};
   const auto mayNumber = [&](std::size_t i) {
     const TextColumn& column = block.columns[i];

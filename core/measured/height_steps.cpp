@@ -52,7 +52,7 @@ bool isExactShape(std::span<const double> differences, double step) {
 
 HeightSteps coarseSteps(std::span<const double> heights) {
   constexpr double kOfStep = 1.4;
-  constexpr std::size_t kFewestLevels = 4;
+  constexpr std::size_t kMinLevels = 4;
   std::vector<double> known, differences;
   for (std::size_t i = 0; i < heights.size(); ++i) {
     if (std::isnan(heights[i])) continue;
@@ -67,7 +67,7 @@ HeightSteps coarseSteps(std::span<const double> heights) {
   }
   const double spread = std::sqrt(std::max(square - mean * mean, 0.0));
   const std::vector<double> levels = levelsOf(std::move(known));
-  if (levels.size() < kFewestLevels) return {};
+  if (levels.size() < kMinLevels) return {};
   const double step = commonStep(levels);
   if (!(step > 0) || spread > kOfStep * step || isExactShape(differences, step)) return {};
   return {step, static_cast<std::int64_t>(levels.size()), spread};

@@ -32,8 +32,8 @@ Kind kindOf(std::string_view name) {
   std::string words = lowerCase(parseColumnName(withoutBrackets(trimmedField(name))).name);
   std::ranges::replace(words, '_', ' ');
   const auto parts = splitText(words, " ");
-  constexpr std::size_t kMostWords = 3;  // more are a sentence
-  if (parts.size() > kMostWords) return Kind::Unknown;
+  constexpr std::size_t kMaxWords = 3;  // more are a sentence
+  if (parts.size() > kMaxWords) return Kind::Unknown;
   return hasOneOf(parts, kOthers)    ? Kind::Others
          : hasOneOf(parts, kHeights) ? Kind::Heights
                                      : Kind::Unknown;
@@ -66,21 +66,21 @@ bool isOtherQuantity(std::string_view name, bool ofTable) {
       "luminance reflectivity reflectance");
   // A profile has amplitudes as well, and a column of phases its unit.
   constexpr WordList kOfScans("amplitude phase deflection");
-  constexpr std::size_t kMostWords = 2;  // more are a sentence
+  constexpr std::size_t kMaxWords = 2;  // more are a sentence
   const TextColumn column = parseColumnName(withoutBrackets(trimmedField(name)));
   if (metresPer(column.unit)) return false;
   const auto words = wordsIn(column.name);
   // "Intensity 50 %" states a number.
-  return words.size() <= kMostWords && std::ranges::none_of(column.name, isDigit) &&
+  return words.size() <= kMaxWords && std::ranges::none_of(column.name, isDigit) &&
          (hasOneOf(words, kQuantities) || (ofTable && hasOneOf(words, kOfScans)));
 }
 
 /// Returns whether the numbers of some columns, but not of all, hardly change within each part, as
 /// positions do along the lines of points of one grid.
 bool areLinesOfPoints(const TextBlock& block, std::size_t rowsOfPart) {
-  constexpr std::size_t kFewest = 3, kMost = 12;  // columns of points
+  constexpr std::size_t kMin = 3, kMax = 12;  // columns of points
   constexpr double kHardly = 0.25;
-  if (block.columns.size() < kFewest || block.columns.size() > kMost) return false;
+  if (block.columns.size() < kMin || block.columns.size() > kMax) return false;
   std::size_t steady = 0;
   for (std::size_t i = 0; i < block.columns.size(); ++i) {
     double lowest = INFINITY, highest = -INFINITY, widest = 0;
@@ -167,9 +167,9 @@ bool haveSameColumns(const TextBlock& one, const TextBlock& other) {
 
 /// Returns whether the positions of a table go on from the last one of the table before.
 bool goesOn(const TextBlock& before, const TextBlock& next) {
-  constexpr std::size_t kFewestRows = 3;
+  constexpr std::size_t kMinRows = 3;
   constexpr double kEqual = 0.05, kNear = 0.5;  // of a step
-  if (before.rows < kFewestRows || next.rows < kFewestRows || !haveSameColumns(before, next))
+  if (before.rows < kMinRows || next.rows < kMinRows || !haveSameColumns(before, next))
     return false;
   const auto x = std::ranges::find_if(before.columns, [](const TextColumn& column) {
     return isPositionName(lowerCase(column.name));
@@ -245,7 +245,7 @@ HeightTable chooseHeightTable(const TextTable& table) {
 }
 
 std::size_t splitIntoParts(TextTable& table, std::size_t index, const SurfaceSource& source) {
-  constexpr std::size_t kFewestRows = 3;
+  constexpr std::size_t kMinRows = 3;
   const TextBlock& whole = table.blocks[index];
   std::vector<std::size_t> begins{0};  // of the parts, and the end of the last one
   for (const auto& [row, count] : whole.blanks) begins.push_back(row);
@@ -257,7 +257,7 @@ std::size_t splitIntoParts(TextTable& table, std::size_t index, const SurfaceSou
   bool areEqual = true;
   for (std::size_t i = 0; i < parts; ++i) {
     areEqual = areEqual && begins[i + 1] - begins[i] == rows;
-    if (begins[i + 1] - begins[i] < kFewestRows) return 1;
+    if (begins[i + 1] - begins[i] < kMinRows) return 1;
   }
   if (!areTables(whole, begins, areEqual)) return 1;
   const auto stated = statedCount(table, whole, Counted::Rows);

@@ -61,8 +61,8 @@ bool isAxis(const Lines& lines, std::size_t fewest) {
 bool numbersPoints(const TextBlock& block, bool isRow, std::size_t from,
                    const SurfaceSource& source) {
   const Lines lines(block, isRow, from);
-  constexpr std::size_t kFewest = 3, kMany = 8;
-  if (lines.size() < kFewest || !countByOne(lines.at(0))) return false;
+  constexpr std::size_t kMin = 3, kMany = 8;
+  if (lines.size() < kMin || !countByOne(lines.at(0))) return false;
   std::size_t alike = 0;
   bool areWhole = true;
   for (std::size_t line = 1; line < lines.count(); ++line) {
@@ -121,13 +121,13 @@ MatrixFrame readFrame(const TextBlock& block) {
   std::vector<double> first;
   for (std::size_t i = 1; i < columns; ++i) first.push_back(block.at(0, i));
   const bool inNames = named.size() + 1 == columns && uniformSpacing(named).has_value();
-  constexpr std::size_t kFewest = 5;  // fewer are even by chance
+  constexpr std::size_t kMin = 5;  // fewer are even by chance
   const bool isOpen = std::isnan(block.at(0, 0));
   const bool inRow =
       !inNames &&
       (isOpen ? std::ranges::none_of(first, [](double x) { return std::isnan(x); }) &&
                     uniformSpacing(first).has_value()
-              : isAxis(Lines(block, true, 1), kFewest) && isAxis(Lines(block, false, 1), kFewest));
+              : isAxis(Lines(block, true, 1), kMin) && isAxis(Lines(block, false, 1), kMin));
   if (!inNames && !inRow) return frame;
   std::vector<double> y;
   for (std::size_t i = inRow ? 1 : 0; i < block.rows; ++i) y.push_back(block.at(i, 0));

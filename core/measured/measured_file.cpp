@@ -199,11 +199,11 @@ void applyUnits(const SurfaceSource& source, SurfaceDraft& draft) {
 }
 
 void requireSound(const SurfaceSource& source, const Topography& grid, ReadingFacts& facts) {
-  constexpr std::int64_t kFewest = 3;
+  constexpr std::int64_t kMin = 3;
   if (grid.columns == 1)
-    source.fail(message("has one point along x; at least {} are needed", kFewest));
-  if (grid.columns < kFewest)
-    source.fail(message("has {} points along x; at least {} are needed", grid.columns, kFewest));
+    source.fail(message("has one point along x; at least {} are needed", kMin));
+  if (grid.columns < kMin)
+    source.fail(message("has {} points along x; at least {} are needed", grid.columns, kMin));
   const auto isLength = [](double length) { return std::isfinite(length) && length > 0; };
   if (!isLength(grid.columnSpacing) || (grid.rowSpacing != 0 && !isLength(grid.rowSpacing)))
     source.fail("its points are no length above 0 apart");
@@ -276,15 +276,15 @@ std::string readableFormats() {
 }
 
 std::optional<std::int64_t> wholeNumber(double number) {
-  if (!(std::abs(number) <= static_cast<double>(kMostPoints)) || number != std::floor(number))
+  if (!(std::abs(number) <= static_cast<double>(kMaxPoints)) || number != std::floor(number))
     return {};
   return static_cast<std::int64_t>(number);
 }
 
 void requireSize(const SurfaceSource& source, std::int64_t columns, std::int64_t rows,
                  std::size_t bytesThere, std::size_t bytesPerPoint) {
-  if (columns < 1 || rows < 1 || columns > kMostPoints / rows)
-    source.fail(message("has {} x {} points; at most {} are read", columns, rows, kMostPoints));
+  if (columns < 1 || rows < 1 || columns > kMaxPoints / rows)
+    source.fail(message("has {} x {} points; at most {} are read", columns, rows, kMaxPoints));
   const auto points = static_cast<std::size_t>(columns * rows);
   if (bytesThere / std::max<std::size_t>(bytesPerPoint, 1) < points && bytesPerPoint > 0)
     source.fail(message("ends too early: {} x {} points need {} bytes, and {} are there", columns,
@@ -299,7 +299,7 @@ std::optional<StatedUnit> statedUnit(const SurfaceSource& source, std::string_vi
   if ((ofHeights ? source.choices.heightUnit : source.choices.positionUnit) != "auto") return {};
   const char* key = ofHeights ? "surface.height_unit" : "surface.position_unit";
   throw InputError(source.name, key,
-                   message("the axis {} is in '{}', which is no unit of length; {} can name "
+                   message("the axis {} is in '{}', which is not a unit of length; {} can name "
                            "another one",
                            axis, shortened(unit), key));
 }

@@ -58,7 +58,7 @@ double fitCircle(Circle& circle, const Eigen::VectorXd& x, const Eigen::VectorXd
 
 double radiusOfRoundForm(std::span<const double> heights, double spacing) {
   constexpr std::size_t kEnoughPoints = 2048;  // a form needs no more
-  constexpr Eigen::Index kFewestPoints = 16;
+  constexpr Eigen::Index kMinPoints = 16;
   constexpr double kClear = 0.8;
   const std::size_t stride = heights.size() / kEnoughPoints + 1;
   // Lengths are in halves of the profile, so that one step serves all unknowns.
@@ -71,7 +71,7 @@ double radiusOfRoundForm(std::span<const double> heights, double spacing) {
   }
   const Eigen::Map<const Eigen::VectorXd> x(places.data(), std::ssize(places)),
       z(values.data(), std::ssize(values));
-  if (x.size() < kFewestPoints) return 0;
+  if (x.size() < kMinPoints) return 0;
   Eigen::MatrixXd powers(x.size(), 3);
   powers << Eigen::VectorXd::Ones(x.size()), x, x.array().square().matrix();
   const Eigen::Vector3d parabola = LeastSquares(powers).solve(z);

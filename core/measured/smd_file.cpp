@@ -30,9 +30,9 @@ struct Axis {
 /// Returns the axis that a line such as "CX I 22401 mm 1.0e0 D 2.5e-4" describes; empty where the
 /// line describes none.
 std::optional<Axis> axisIn(std::string_view line, std::string_view name) {
-  constexpr std::size_t kFewest = 5, kWithStep = 7;
+  constexpr std::size_t kMin = 5, kWithStep = 7;
   const std::vector<std::string_view> words = splitWords(line);
-  if (words.size() < kFewest || words[0] != name || words[1].size() != 1) return {};
+  if (words.size() < kMin || words[0] != name || words[1].size() != 1) return {};
   const auto points = parseFiniteNumber(words[2]), scale = parseFiniteNumber(words[4]);
   if (!points || !scale) return {};
   const auto step = words.size() >= kWithStep ? parseFiniteNumber(words[6]) : std::nullopt;
@@ -118,7 +118,7 @@ class Reader {
     const auto points = wholeNumber(axis.points);
     if (!points || *points < 1)
       source_.fail(message("the number of points of an axis is not a whole number from 1 to {}",
-                           kMostPoints));
+                           kMaxPoints));
     if (axis.scale == 0) source_.fail(message("{} in the header is not a number above 0", "scale"));
     return *points;
   }

@@ -71,10 +71,10 @@ double SpectralDensity::integral() const {
 }
 
 std::vector<double> findBinEdges(std::span<const double> waveNumbers) {
-  constexpr std::size_t kFewest = 4;
+  constexpr std::size_t kMin = 4;
   constexpr double kOfStep = 0.25, kOfMultiple = 0.05;
   const std::size_t count = waveNumbers.size();
-  if (count < kFewest) return {};
+  if (count < kMin) return {};
   std::vector<double> spacings;
   for (std::size_t i = 1; i < count; ++i) spacings.push_back(waveNumbers[i] - waveNumbers[i - 1]);
   const double middle = upperMedian(spacings);

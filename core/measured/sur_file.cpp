@@ -178,9 +178,9 @@ SurfaceDraft readSur(const SurfaceSource& source) {
   reader.skip(kHeaderSize);
   reader.skip(header.comment + header.privateZone);
   // Packed points may take any number of bytes; zlib cannot reach a thousandth of their size.
-  constexpr std::size_t kMostPacked = 1100;
+  constexpr std::size_t kMaxPacked = 1100;
   requireSize(source, header.columns, header.rows,
-              header.isPacked ? reader.left() * kMostPacked : reader.left(), bytesOfPoint);
+              header.isPacked ? reader.left() * kMaxPacked : reader.left(), bytesOfPoint);
   const std::size_t bytes = static_cast<std::size_t>(header.columns * header.rows) * bytesOfPoint;
 
   SurfaceDraft draft = makeDraft(source, header);

@@ -56,7 +56,7 @@ struct SurfaceDraft {
 inline constexpr std::string_view kUnitsOfKeys = "m, mm, \u00B5m, nm, in";
 
 /// The maximum number of points that are read: 512 MiB of heights.
-inline constexpr std::int64_t kMostPoints = std::int64_t{1} << 26;
+inline constexpr std::int64_t kMaxPoints = std::int64_t{1} << 26;
 
 /// Returns the number where it is whole and not larger than a possible number of points; else
 /// nothing.

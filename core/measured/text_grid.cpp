@@ -402,7 +402,7 @@ SurfaceDraft readTextPoints(const TextTable& table, const TextBlock& block,
   std::vector<bool> isTaken(grid.height.size());
   std::vector<RepeatedHeight> repeats;
   // More points may be those of another surface.
-  constexpr std::size_t kMostRepeats = 10;  // one of so many points
+  constexpr std::size_t kMaxRepeats = 10;  // one of so many points
   const auto gridIndex = [&](double value, const GridAxis& axis) -> std::int64_t {
     if (axis.count == 1) return 0;
     // A number of few digits may be anywhere as far as its rounding goes.
@@ -420,7 +420,7 @@ SurfaceDraft readTextPoints(const TextTable& table, const TextBlock& block,
     const double height = block.at(i, static_cast<std::size_t>(columns.z));
     if (isTaken[at]) {
       repeats.push_back({at, i, height});
-      if (kMostRepeats * repeats.size() > block.rows)
+      if (kMaxRepeats * repeats.size() > block.rows)
         source.fail(message("line {}: there is a point at this position already",
                             block.lines[repeats.front().row]));
       continue;

@@ -415,7 +415,7 @@ std::optional<StatedUnit> columnUnit(const SurfaceSource& source, const TextTabl
   if (isChosen) return {};
   const char* key = ofHeights ? "surface.height_unit" : "surface.position_unit";
   throw InputError(source.name, key,
-                   message("{} is in '{}', which is no unit of length; {} can name another one",
+                   message("{} is in '{}', which is not a unit of length; {} can name another one",
                            columnText(block, column), shortened(unit), key));
 }
 

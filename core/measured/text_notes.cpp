@@ -56,7 +56,7 @@ std::optional<double> numberAlone(std::string_view text) {
 /// Returns the factor that a name states: "z x100", "z * 0.01", "z (\u00D710)", "10*z", "z/100";
 /// nothing where there is none. "x 2" is a second x.
 std::optional<double> factorIn(std::string_view name) {
-  constexpr double kFewest = 10;
+  constexpr double kMin = 10;
   if (const auto front = parseQuantity(name);
       front && isOneOf(front->unit.substr(0, 1), WordList("* /")) && front->number > 0)
     return front->number;
@@ -70,7 +70,7 @@ std::optional<double> factorIn(std::string_view name) {
     const auto factor = numberAlone(trimmedBlanks(name.substr(at + mark.size())));
     if (!factor || !(*factor > 0) || *factor == 1) continue;
     if (mark == "/") return 1 / *factor;
-    if (!isLetter || *factor < 1 || *factor >= kFewest) return factor;
+    if (!isLetter || *factor < 1 || *factor >= kMin) return factor;
   }
   return {};
 }

@@ -34,7 +34,7 @@ bool beginsWithPositions(const TextBlock& block) {
   return true;
 }
 
-constexpr std::size_t kMostPointColumns = 12;  // positions, height, and what else a point has
+constexpr std::size_t kMaxPointColumns = 12;  // positions, height, and what else a point has
 
 /// Returns whether the columns after the heights are colours, intensities or normals, and no two
 /// points are at the same position: these are points and no matrix.
@@ -76,7 +76,7 @@ void refuseUnlikeColumns(const TextBlock& block, const SurfaceSource& source) {
   constexpr double kUnlikeRange = 1e3, kFarOff = 100;
   const std::size_t columns = block.columns.size();
   if (source.choices.format != "auto" && source.choices.format != "text") return;
-  if (columns > kMostPointColumns || block.rows < kLong * columns) return;
+  if (columns > kMaxPointColumns || block.rows < kLong * columns) return;
   Spread last = spreadOf(block.column(0));
   for (std::size_t i = 1; i < columns; ++i) {
     const Spread next = spreadOf(block.column(i));
@@ -112,7 +112,7 @@ Form detectForm(const TextTable& table, const TextBlock& block, const SurfaceSou
     return Form::Points;
   }
   if (source.choices.positionColumn > 0 || source.choices.heightColumn > 0) return Form::Profile;
-  if (columns <= kMostPointColumns && !roles.named && isPointsOfGrid(block, roles) &&
+  if (columns <= kMaxPointColumns && !roles.named && isPointsOfGrid(block, roles) &&
       (columns <= 5 || hasPointAttributes(block)))
     return Form::Points;
   if (roles.named || roles.validity >= 0) return Form::Profile;
@@ -137,7 +137,7 @@ void requireHeights(const std::vector<double>& heights, const TextBlock& block,
   constexpr double kNoHeight = 1e30;  // in any unit
   for (std::size_t i = 0; i < heights.size(); ++i)
     if (!std::isnan(heights[i]) && std::abs(heights[i]) > kNoHeight)
-      source.fail(message("line {}: {} is no height; a missing point is left empty or is NaN",
+      source.fail(message("line {}: {} is not a height; a missing point is left empty or is NaN",
                           block.lines[i], plain(heights[i])));
 }
 
@@ -237,8 +237,8 @@ SurfaceDraft readTextProfile(const TextTable& table, const TextBlock& block,
 /// Removes the first number of a single column where it is the number of those below it. Returns
 /// its line, 0 where there is none.
 std::uint32_t takeCount(TextBlock& block) {
-  constexpr std::size_t kFewest = 5;
-  if (block.columns.size() != 1 || block.rows <= kFewest ||
+  constexpr std::size_t kMin = 5;
+  if (block.columns.size() != 1 || block.rows <= kMin ||
       block.values.front() != static_cast<double>(block.rows - 1))
     return 0;
   const std::uint32_t line = block.lines.front();

@@ -134,12 +134,12 @@ class Reader {
 
  private:
   static constexpr std::uint64_t kSmall = std::uint64_t{1} << 24;
-  static constexpr std::uint64_t kMostPacking = 100;  // of a list of numbers as text
+  static constexpr std::uint64_t kMaxPacking = 100;  // of a list of numbers as text
 
   void parse() {
     // Lists of numbers may be long; a text that is packed more tightly than they can be is none.
-    const std::uint64_t limit = std::min<std::uint64_t>(
-        kSmall + kMostPacking * source_.bytes.size(), std::uint64_t{1} << 30);
+    const std::uint64_t limit = std::min<std::uint64_t>(kSmall + kMaxPacking * source_.bytes.size(),
+                                                        std::uint64_t{1} << 30);
     // Spreadsheets and arrays of NumPy are ZIP archives as well.
     const bool isMeant = source_.choices.format != "auto" ||
                          source_.bytes.find("main.xml") != std::string_view::npos;

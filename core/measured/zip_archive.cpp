@@ -65,9 +65,9 @@ std::string ZipArchive::read(const std::string& file, std::uint64_t limit) const
     source_.fail(
         message("'{}' in its archive is larger than the {} bytes allowed", shortened(file), limit));
   // Deflate packs at most about a thousand bytes into one: a directory that states more is wrong.
-  constexpr std::uint64_t kMostDeflated = 1100, kAllowance = 4096;
+  constexpr std::uint64_t kMaxDeflated = 1100, kAllowance = 4096;
   if ((stat.valid & ZIP_STAT_COMP_SIZE) == 0 ||
-      stat.size / kMostDeflated > stat.comp_size + kAllowance)
+      stat.size / kMaxDeflated > stat.comp_size + kAllowance)
     fail(file);
   const std::unique_ptr<zip_file_t, CloseFile> open(
       zip_fopen_index(archive_.get(), static_cast<zip_uint64_t>(index), 0));

@@ -31,7 +31,7 @@ namespace {
 using namespace std::string_view_literals;
 
 constexpr std::string_view kXyz = "Zygo XYZ Data File", kPhases = "Zygo ASCII Data File";
-constexpr std::size_t kHeaderLines = 13, kMostHeaderLines = 16;
+constexpr std::size_t kHeaderLines = 13, kMaxHeaderLines = 16;
 constexpr double kNoPhase = 2147483640;  // this number and those above it
 constexpr std::array kMagics{"\x88\x1B\x03\x6F"sv, "\x88\x1B\x03\x70"sv, "\x88\x1B\x03\x71"sv};
 
@@ -113,7 +113,7 @@ class Reader {
  private:
   /// Reads up to the line "#" and returns the first line.
   std::string_view readHeader() {
-    while (lines_.size() <= kMostHeaderLines && !reader_.atEnd()) {
+    while (lines_.size() <= kMaxHeaderLines && !reader_.atEnd()) {
       const std::string_view line = reader_.nextLine();
       if (line == "#" && lines_.size() >= kHeaderLines) return lines_.front();
       lines_.push_back(line);
@@ -132,7 +132,7 @@ class Reader {
     const auto value = wholeNumber(number(line, at));
     if (!value)
       source_.fail(message("line {}: number {} is not a whole number from 0 to {}", line, at + 1,
-                           kMostPoints));
+                           kMaxPoints));
     return *value;
   }
 

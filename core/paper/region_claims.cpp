@@ -94,8 +94,8 @@ GroupedMeans meansAtBorder(const Scene& scene, FigureWork& work, double cost) {
 /// Returns F_N / (4 eta v) over h where the curve falls below 95 % of its maximum.
 double heightAtBorder(const GroupedMeans& means, int out = GroupedMeans::kAll) {
   const double height =
-      climbedHeight(means.normalForce(0), elementLaw(means.scene().elastomer).viscosity,
-                    regionBorders(means, 0, out).offPlateau);
+      summedContactHeight(means.normalForce(0), elementLaw(means.scene().elastomer).viscosity,
+                          regionBorders(means, 0, out).offPlateau);
   return height / means.scene().surface.rmsHeight;
 }
 
@@ -149,7 +149,7 @@ Claim borderClaim(const std::vector<GroupedMeans>& forces,
   };
   claim.expected = kFewSummits;
   claim.criterion =
-      "0.03 to 0.3: the height that the contacts of one period climb together is "
+      "0.03 to 0.3: the sum of the heights climbed by all contacts of one period is "
       "about a tenth of h";
   decide(claim, jackknife(forces.front().groups(), mean), {0.03, 0.3});
   std::vector<Message> each;

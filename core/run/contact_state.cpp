@@ -45,13 +45,13 @@ Message motionInWords(const Frame& frame) {
                       : message("The rigid line slides to the left at {}.", speed);
 }
 
-/// Returns where the bodies touch. The stretches are those of the picture.
+/// Returns where the bodies touch. The contact spots are those of the picture.
 Message touchInWords(const Frame& frame, const ContactState& state) {
-  const std::vector<ContactStretch> contacts = findStretches(frame, false);
+  const std::vector<ContactInterval> contacts = findIntervals(frame, false);
   if (contacts.empty()) return message("The bodies do not touch.");
   if (state.contactFraction >= 1) return message("All of the surface is in contact.");
   double longest = 0;
-  for (const ContactStretch& contact : contacts) longest = std::max(longest, contact.length);
+  for (const ContactInterval& contact : contacts) longest = std::max(longest, contact.length);
   const PrintedNumber part = percent(state.contactFraction), period = printed(frame.length, "m"),
                       length = printed(longest, "m");
   // Between two nodes the picture may have a point more or fewer than the steady state.

@@ -25,18 +25,18 @@ double valueAt(const Frame& frame, const std::vector<double>& field, std::size_t
   return field.size() == frame.pressure.size() ? field[i] : kNotApplicable;
 }
 
-/// Calls `use` with each point of a stretch.
+/// Calls `use` with each point of a interval.
 template <class Use>
-void forEachPoint(const Frame& frame, const ContactStretch& stretch, const Use& use) {
+void forEachPoint(const Frame& frame, const ContactInterval& interval, const Use& use) {
   const std::size_t n = frame.pressure.size();
-  for (std::size_t k = 0; k < stretch.points; ++k) use((stretch.first + k) % n);
+  for (std::size_t k = 0; k < interval.points; ++k) use((interval.first + k) % n);
 }
 
 struct StretchForces {
   double normal = 0, tangential = 0, largest = 0;  // N, N, N/m
 };
 
-StretchForces forcesOf(const Frame& frame, const ContactStretch& contact) {
+StretchForces forcesOf(const Frame& frame, const ContactInterval& contact) {
   StretchForces forces;
   forEachPoint(frame, contact, [&](std::size_t i) {
     const double pressure = frame.pressure[i];
@@ -51,7 +51,7 @@ struct GapSize {
   double area = 0, largest = 0;  // m^2, m
 };
 
-GapSize sizeOf(const Frame& frame, const ContactStretch& gap) {
+GapSize sizeOf(const Frame& frame, const ContactInterval& gap) {
   GapSize size;
   forEachPoint(frame, gap, [&](std::size_t i) {
     size.area += gapAt(frame, i) * frame.spacing;
@@ -94,27 +94,27 @@ FrameFields fieldsForTables() {
   return {.lineSlope = true, .sinceContact = true, .power = true};
 }
 
-std::vector<ContactStretch> findStretches(const Frame& frame, bool isGap) {
+std::vector<ContactInterval> findIntervals(const Frame& frame, bool isGap) {
   const std::size_t n = frame.pressure.size();
-  std::vector<ContactStretch> stretches;
+  std::vector<ContactInterval> intervals;
   const auto belongs = [&](std::size_t i) { return touches(frame, i % n) != isGap; };
   for (std::size_t i = 0; i < n; ++i) {
-    if (!belongs(i) || belongs(i + n - 1)) continue;  // not the first point of a stretch
+    if (!belongs(i) || belongs(i + n - 1)) continue;  // not the first point of a interval
     std::size_t points = 1;
     while (points < n && belongs(i + points)) ++points;
-    stretches.push_back({(static_cast<double>(i) - 0.5) * frame.spacing,
+    intervals.push_back({(static_cast<double>(i) - 0.5) * frame.spacing,
                          static_cast<double>(points) * frame.spacing, i, points});
   }
-  if (stretches.empty() && n > 0 && belongs(0))
-    stretches.push_back({-0.5 * frame.spacing, static_cast<double>(n) * frame.spacing, 0, n});
-  return stretches;
+  if (intervals.empty() && n > 0 && belongs(0))
+    intervals.push_back({-0.5 * frame.spacing, static_cast<double>(n) * frame.spacing, 0, n});
+  return intervals;
 }
 
 std::vector<double> timeInContact(const Frame& frame) {
   const std::size_t n = frame.pressure.size();
   std::vector<double> times(n, 0);
   const bool isKnown = !frame.transient && !frame.isSettling && frame.velocity != 0;
-  for (const ContactStretch& contact : findStretches(frame, false)) {
+  for (const ContactInterval& contact : findIntervals(frame, false)) {
     const bool hasEdge = contact.points < n;
     for (std::size_t k = 0; k < contact.points; ++k) {
       // The line moves towards +x for v > 0, so its edge on that side meets the elastomer first.
@@ -143,7 +143,7 @@ DataTable contactsTable(const Frame& frame) {
   DataTable table{columnNames({"start", "length", "normal_force", "tangential_force",
                                "mean_line_load", "largest_line_load"}),
                   {}};
-  for (const ContactStretch& contact : findStretches(frame, false)) {
+  for (const ContactInterval& contact : findIntervals(frame, false)) {
     const StretchForces forces = forcesOf(frame, contact);
     table.rows.push_back({contact.start, contact.length, forces.normal, forces.tangential,
                           forces.normal / contact.length, forces.largest});
@@ -153,7 +153,7 @@ DataTable contactsTable(const Frame& frame) {
 
 DataTable gapsTable(const Frame& frame) {
   DataTable table{columnNames({"start", "length", "mean_gap", "largest_gap", "area"}), {}};
-  for (const ContactStretch& gap : findStretches(frame, true)) {
+  for (const ContactInterval& gap : findIntervals(frame, true)) {
     const GapSize size = sizeOf(frame, gap);
     table.rows.push_back({gap.start, gap.length, size.area / gap.length, size.largest, size.area});
   }
@@ -169,15 +169,15 @@ DataTable powerTable(const Frame& frame) {
 }
 
 Json derivedNumbers(const Frame& frame) {
-  const std::vector<ContactStretch> contacts = findStretches(frame, false);
-  const std::vector<ContactStretch> gaps = findStretches(frame, true);
+  const std::vector<ContactInterval> contacts = findIntervals(frame, false);
+  const std::vector<ContactInterval> gaps = findIntervals(frame, true);
   double largestLoad = 0, longest = 0, inContact = 0, largestGap = 0, area = 0;
-  for (const ContactStretch& contact : contacts) {
+  for (const ContactInterval& contact : contacts) {
     largestLoad = std::max(largestLoad, forcesOf(frame, contact).largest);
     longest = std::max(longest, contact.length);
     inContact += contact.length;
   }
-  for (const ContactStretch& gap : gaps) {
+  for (const ContactInterval& gap : gaps) {
     const GapSize size = sizeOf(frame, gap);
     largestGap = std::max(largestGap, size.largest);
     area += size.area;

@@ -1,4 +1,4 @@
-// The contact at one moment as tables: its shape point by point, the stretches in contact and the
+// The contact at one moment as tables: its shape point by point, the contact spots and the
 // gaps between them, and the balance of power. Everything is read from one frame: each point stands
 // for one spacing of the line (midpoint rule), so that sums over the shape give the other tables
 // exactly, and lengths are whole spacings. Pure; any thread.
@@ -16,20 +16,21 @@ namespace asperity {
 /// The optional values that a frame needs for these tables.
 FrameFields fieldsForTables();
 
-/// A stretch of the line, from the left edge of its first point's interval. It may pass the end of
-/// the period.
-struct ContactStretch {
+/// A contact spot or a gap, from the left edge of its first point's interval. It may pass the end
+/// of the period.
+struct ContactInterval {
   double start = 0, length = 0;  // m; start in [-spacing/2, period)
   std::size_t first = 0, points = 0;
 };
 
-/// Returns the stretches in contact, or with `isGap` those that are free, in order of their start.
-/// A contact or a gap that is the whole period starts at its first point.
-std::vector<ContactStretch> findStretches(const Frame& frame, bool isGap);
+/// Returns the contact spots, or with `isGap` the gaps between them, in order of their start. A
+/// spot or a gap that is the whole period starts at its first point.
+std::vector<ContactInterval> findIntervals(const Frame& frame, bool isGap);
 
-/// Returns for each point the time since it came into contact, s: in steady sliding the way to the
-/// edge of contact that moves ahead over the velocity; 0 outside of contact. Not applicable where
-/// nothing slides, in contact without an edge, and in a motion, whose march keeps no such times.
+/// Returns for each point the time (s) since it came into contact: in steady sliding the distance
+/// to the edge of contact that moves ahead over the velocity; 0 outside of contact. Not applicable
+/// where nothing slides, in contact without an edge, and in a motion, whose march keeps no such
+/// times.
 std::vector<double> timeInContact(const Frame& frame);
 
 /// position, rigid_height, surface_height, gap, line_load, time_in_contact, power,

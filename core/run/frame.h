@@ -53,11 +53,11 @@ struct TransientSample {
   double muInterface = 0;           // of local friction, 0 at rest
   double powerDissipated = 0;       // W, in the dashpots of all elements
   double contactFraction = 0;
-  double contactSpots = 0;   // stretches in contact
-  double contactLength = 0;  // m, mean of one stretch in contact
+  double contactSpots = 0;
+  double contactLength = 0;  // m, mean of one contact spot
   /// 1/s, rate at which friction is expected to relax: 1 / tau + |v| / contactLength. Exact to
   /// about 1 % for one contact of Kelvin elements at constant force; approximate on rough lines.
-  /// NaN for others.
+  /// NaN for elements of other kinds.
   double predictedRate = kNotApplicable;
 };
 

@@ -19,8 +19,8 @@ namespace {
 
 constexpr double kBandsPerDecade = 16;
 /// Densities that are smaller, relative to the greatest one, are rounding errors.
-constexpr double kLeastDensity = 1e-22;
-constexpr double kMostSlopes = 4;  // rms slopes shown
+constexpr double kMinDensity = 1e-22;
+constexpr double kMaxSlopes = 4;  // rms slopes shown
 
 struct Spectrum {
   std::vector<double> waveNumber, density;
@@ -41,7 +41,7 @@ Spectrum bandMeans(const FourierLine& modes) {
   std::map<int, Sum> bands;
   for (std::size_t j = 0; j < modes.coefficients.size(); ++j) {
     const double square = std::norm(modes.coefficients[j]);
-    if (!(square > kLeastDensity * greatest)) continue;
+    if (!(square > kMinDensity * greatest)) continue;
     const auto mode = static_cast<double>(j + 1);
     Sum& sum = bands[static_cast<int>(std::lround(kBandsPerDecade * std::log10(mode)))];
     sum.logWave += std::log(lowest * mode);
@@ -196,12 +196,12 @@ Diagram pressureDiagram(const Frame& frame) {
 
 Diagram slopeDiagram(const SlopeStatistics& slopes) {
   Diagram diagram{
-      .x = {"slope z\u2032 / rms slope", "", AxisScale::Linear, -kMostSlopes, kMostSlopes},
+      .x = {"slope z\u2032 / rms slope", "", AxisScale::Linear, -kMaxSlopes, kMaxSlopes},
       .y = {"share", "%", AxisScale::Linear},
       .series = {histogramSeries(slopes.whole, "whole line", 1)}};
   if (!slopes.contact.share.empty())
     diagram.series.push_back(histogramSeries(slopes.contact, "in contact", 0));
-  diagram.series.push_back(normalDistribution(kMostSlopes, slopes.whole.width()));
+  diagram.series.push_back(normalDistribution(kMaxSlopes, slopes.whole.width()));
   return diagram;
 }
 
@@ -334,11 +334,11 @@ DiagramSheet spectrumSheet(const Scene& scene) {
       hasExponent
           ? Message(
                 "C(q) ~ q\u207B\u00B2\u1D34\u207B\u00B9 is two-sided, h\u00B2 = 2 \u222B C dq; cut "
-                "off at \u03C0 over the element spacing. Points are means over equal stretches of "
+                "off at \u03C0 over the element spacing. Points are means over equal intervals of "
                 "log q.")
           : Message(
                 "C(q) is two-sided, h\u00B2 = 2 \u222B C dq; cut off at \u03C0 over the element "
-                "spacing. Points are means over equal stretches of log q.");
+                "spacing. Points are means over equal intervals of log q.");
   sheet.diagrams = {std::move(diagram)};
   return sheet;
 }
@@ -385,9 +385,9 @@ SlopeStatistics slopeStatistics(const Frame& frame) {
     climbing += slopes[i] > 0 ? 1 : 0;
   }
   const std::size_t bins = countBins(contact.empty() ? slopes.size() : contact.size());
-  statistics.whole = makeHistogram(slopes, -kMostSlopes, kMostSlopes, bins);
+  statistics.whole = makeHistogram(slopes, -kMaxSlopes, kMaxSlopes, bins);
   if (contact.empty()) return statistics;
-  statistics.contact = makeHistogram(contact, -kMostSlopes, kMostSlopes, bins);
+  statistics.contact = makeHistogram(contact, -kMaxSlopes, kMaxSlopes, bins);
   statistics.climbing = climbing / static_cast<double>(contact.size());
   statistics.rmsContact = std::sqrt(contactSquare / static_cast<double>(contact.size()));
   return statistics;

@@ -131,9 +131,9 @@ Diagram spectrumDiagram(const MeasuredSummary& summary) {
 
 /// Makes the diagram of the distribution of heights, in rms heights of the used profile.
 Diagram heightDistribution(const MeasuredSummary& summary) {
-  constexpr double kMost = 5;
+  constexpr double kMax = 5;
   Diagram diagram{.x = {summary.isRoughness ? "height z / Rq" : "height z / Pq", "",
-                        AxisScale::Linear, -kMost, kMost},
+                        AxisScale::Linear, -kMax, kMax},
                   .y = {"share", "%", AxisScale::Linear}};
   std::vector<double> heights;
   const double mean = meanWithoutGaps(summary.profile.used);
@@ -145,14 +145,14 @@ Diagram heightDistribution(const MeasuredSummary& summary) {
     heights.push_back((height - mean) / summary.used.pq);
   const auto bins = static_cast<std::size_t>(
       std::clamp(std::sqrt(static_cast<double>(heights.size())), 20.0, 100.0));
-  const Histogram histogram = makeHistogram(heights, -kMost, kMost, bins);
+  const Histogram histogram = makeHistogram(heights, -kMax, kMax, bins);
   DiagramSeries steps = seriesNamed("used", 0, {});
   for (std::size_t i = 0; i < histogram.share.size(); ++i) {
     const double from = histogram.from + histogram.width() * static_cast<double>(i);
     steps.points.push_back({from, 100 * histogram.share[i]});
     steps.points.push_back({from + histogram.width(), 100 * histogram.share[i]});
   }
-  diagram.series = {std::move(steps), normalDistribution(kMost, histogram.width())};
+  diagram.series = {std::move(steps), normalDistribution(kMax, histogram.width())};
   return diagram;
 }
 

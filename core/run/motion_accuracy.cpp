@@ -16,20 +16,22 @@ namespace asperity {
 namespace {
 
 constexpr double kPieceWork = 3e6;  // steps times elements of a piece for each region
-// marches of a pilot: two with halved steps, four with finer elements, two for settling
+// Marches of a pilot, in units of the march as given: that one, two with halved steps, four with
+// finer elements, two for settling.
 constexpr double kMarches = 9;
 /// Steps times elements of a pilot: a tenth of the motion, at least about 20 ms and at most 0.2 s.
-constexpr double kLeastWork = 2.5e6, kMostWork = 1.5e7;
-constexpr double kWindow = 16;       // number of steps over which friction is averaged
-constexpr double kLeastWindows = 8;  // of a piece, at least
-constexpr double kMemories = 6;      // number of memory distances after which the past is forgotten
-constexpr int kEnds = 2;             // number of windows at either end of settling
+constexpr double kMinWork = 2.5e6, kMaxWork = 1.5e7;
+constexpr double kWindow = 16;     // number of steps over which friction is averaged
+constexpr double kMinWindows = 8;  // of a piece, at least
+constexpr double kRetardationTimes =
+    6;  // longest retardation times after which the initial state no longer matters
+constexpr int kEnds = 2;  // number of windows at either end of settling
 
 /// A motion or its first part, cut so that steps keep their length.
 struct Piece {
   Scene scene;
   const Profile* profile = nullptr;  // replaces the one in the scene's file
-  std::int64_t leastSteps = Transient::kLeastSteps;
+  std::int64_t leastSteps = Transient::kMinSteps;
   double windows = 1;
 };
 
@@ -42,7 +44,7 @@ double nodesOf(const RigidLine& rigid) {
 /// a step.
 Piece pieceOf(const Scene& scene, double steps, double part, const Profile* profile = nullptr) {
   Piece piece{scene, profile};
-  const auto all = static_cast<double>(Transient::kLeastSteps);
+  const auto all = static_cast<double>(Transient::kMinSteps);
   const double kept = part * all < 1 ? part * all : std::min(std::ceil(part * all), all);
   piece.leastSteps = std::max<std::int64_t>(1, static_cast<std::int64_t>(kept));
   piece.scene.sliding.duration *= kept / all;
@@ -120,8 +122,8 @@ double settlingOf(const Scene& scene, const std::shared_ptr<const RigidLine>& ri
   const double step = sliding.duration / std::max(1.0, steady.countSteps());
   double memory = 0;
   for (const double rate : steady.march().modes().rate) memory = std::max(memory, 1 / rate);
-  const double wanted = std::max(kMemories * memory / step, kLeastWindows * kWindow);
-  const double steps = std::min(wanted, std::max(work / nodesOf(*rigid), kLeastWindows * kWindow));
+  const double wanted = std::max(kRetardationTimes * memory / step, kMinWindows * kWindow);
+  const double steps = std::min(wanted, std::max(work / nodesOf(*rigid), kMinWindows * kWindow));
   sliding.duration = steps * step;
   piece.leastSteps = std::max<std::int64_t>(1, static_cast<std::int64_t>(steps));
   piece.windows = std::max(2.0 * kEnds, std::floor(steps / kWindow));
@@ -148,7 +150,7 @@ Measured measure(const Scene& scene, const std::shared_ptr<const RigidLine>& rig
   const auto fineLine = std::make_shared<const RigidLine>(fine.scene, 0, piece.profile);
   const double difference = relativeDifference(mu, marchThrough(fine, fineLine, 1, stop).mu);
   (scene.accuracy.scheme == Scheme::Nodal ? error.modelDifference : error.resolution) = difference;
-  error.settling = settlingOf(scene, rigid, Transient::kLeastSteps,
+  error.settling = settlingOf(scene, rigid, Transient::kMinSteps,
                               2 * nodesOf(*rigid) * measured.march.steps, stop);
   return measured;
 }
@@ -166,7 +168,7 @@ double memoryOf(const Transient& transient, double elements) {
 PilotScene sampleFor(const PilotScene& whole, double weight, double allowed) {
   const Accuracy& accuracy = whole.scene.accuracy;
   const std::int64_t points = pointsPerElement(whole.scene);
-  PilotScene sample = sampleWithin(whole, kMarches * kLeastWindows * kWindow * weight,
+  PilotScene sample = sampleWithin(whole, kMarches * kMinWindows * kWindow * weight,
                                    static_cast<double>(points), allowed);
   if (accuracy.scheme != Scheme::Nodal) sample.scene.accuracy = {accuracy.scheme, points, 0};
   return sample;
@@ -193,15 +195,15 @@ struct Beginning {
 }  // namespace
 
 Prediction predictMotion(const Scene& scene, const std::stop_token& stop) {
-  const double weight = weightOf(elementLaw(scene.elastomer)), leastSteps = kLeastWindows * kWindow;
+  const double weight = weightOf(elementLaw(scene.elastomer)), leastSteps = kMinWindows * kWindow;
   const PilotScene whole(scene, lineExtent(scene));
   // A shorter line has the same number of steps; it first determines how much the pilot may do.
-  const double steps = Beginning(sampleFor(whole, weight, kLeastWork)).transient.countSteps();
+  const double steps = Beginning(sampleFor(whole, weight, kMinWork)).transient.countSteps();
   Prediction prediction;
   prediction.steps = steps;
   prediction.elements = whole.elements() * static_cast<double>(pointsPerElement(scene));
   prediction.runOperations = steps * prediction.elements * weight;
-  const double allowed = std::clamp(0.1 * prediction.runOperations, kLeastWork, kMostWork);
+  const double allowed = std::clamp(0.1 * prediction.runOperations, kMinWork, kMaxWork);
   const Beginning begin(sampleFor(whole, weight, allowed));
   const double elements = nodesOf(*begin.rigid), larger = prediction.elements / elements;
   prediction.lines = prediction.simulations = 1;
@@ -235,8 +237,7 @@ void addMarchErrors(WorkPrecision& comparison, const std::stop_token& stop) {
     sliding.velocity = std::sqrt(region.velocities.front() * region.velocities.back());
     sliding.velocityAfter = sliding.velocity;
     const auto rigid = std::make_shared<const RigidLine>(piece.scene);
-    const double steps =
-        std::max(std::floor(kPieceWork / nodesOf(*rigid)), kLeastWindows * kWindow);
+    const double steps = std::max(std::floor(kPieceWork / nodesOf(*rigid)), kMinWindows * kWindow);
     sliding.duration = steps * rigid->line->spacing / sliding.velocity;
     piece.leastSteps = 1;  // one node per step
     piece.windows = std::floor(steps / kWindow);

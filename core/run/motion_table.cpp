@@ -28,7 +28,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kMostRows = 5e6;     // of all lines
+constexpr double kMaxRows = 5e6;      // of all lines
 constexpr std::int64_t kParts = 400;  // parts of a motion's duration in its picture
 constexpr double kWorkToTell = 2e6;   // steps times nodes between two calls of `progress`
 
@@ -247,8 +247,8 @@ std::vector<std::int64_t> differentLines(const Scene& scene, std::int64_t lines)
 void checkOptions(const Scene& scene) {
   if (scene.sliding.kind == SlidingKind::Steady)
     throw InputError("", "sliding.kind",
-                     "is steady, where nothing changes in time; asperity motion is of start, step, "
-                     "oscillation and reversal");
+                     "is steady, so nothing changes in time; asperity motion needs start, step, "
+                     "oscillation or reversal");
 }
 
 }  // namespace
@@ -266,13 +266,13 @@ MotionTable marchMotion(const Scene& scene, const MotionOptions& options) {
         table.every,
         static_cast<std::int64_t>(std::ceil(steps / static_cast<double>(options.mostRows))));
   const double lines = static_cast<double>(options.lines);
-  if (const double rows = lines * steps / static_cast<double>(table.every); rows > kMostRows)
+  if (const double rows = lines * steps / static_cast<double>(table.every); rows > kMaxRows)
     throw InputError(
         "", "--every",
         message("{} time steps would give {} rows, more than {}; each {}th step gives fewer",
                 PrintedNumber{printedNumber(steps)}, PrintedNumber{printedNumber(rows)},
-                PrintedNumber{printedNumber(kMostRows)},
-                PrintedNumber{printedNumber(std::ceil(lines * steps / kMostRows))}));
+                PrintedNumber{printedNumber(kMaxRows)},
+                PrintedNumber{printedNumber(std::ceil(lines * steps / kMaxRows))}));
   table.spacing = first->line->spacing;
   table.length = first->line->length;
   table.hasInterface = hasLocalFriction(scene);

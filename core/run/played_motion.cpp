@@ -8,10 +8,10 @@ namespace asperity {
 namespace {
 
 // Samples of a motion, at least: as many as its march has steps.
-constexpr double kSamplesOfMotion = Transient::kLeastSteps;
+constexpr double kSamplesOfMotion = Transient::kMinSteps;
 
 // States of a motion that are kept for jumps in time: how many, and their size in bytes together.
-constexpr double kMostKept = 32, kKeptBytes = 64e6;
+constexpr double kMaxKept = 32, kKeptBytes = 64e6;
 
 }  // namespace
 
@@ -52,7 +52,7 @@ void PlayedMotion::keepState() {
   const double numbers = 4 + static_cast<double>(march.modes().modes());  // of an element
   // The coarser lines that estimate the error have one and a half times as many elements together.
   const double bytes = 2.5 * sizeof(double) * numbers * static_cast<double>(march.depth().size());
-  const double most = std::clamp(std::floor(kKeptBytes / bytes), 1.0, kMostKept);
+  const double most = std::clamp(std::floor(kKeptBytes / bytes), 1.0, kMaxKept);
   const double between = motion().duration() / (most + 1);
   const double last = kept_.empty() ? 0 : kept_.back().time();
   if (transient_.time() >= last + between) kept_.push_back(transient_);

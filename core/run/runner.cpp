@@ -69,14 +69,14 @@ using Clock = std::chrono::steady_clock;
 
 }  // namespace
 
-struct Runner::Body {
-  explicit Body(RunnerOptions wanted)
+struct Runner::Impl {
+  explicit Impl(RunnerOptions wanted)
       : options(wanted),
         pace(wanted.secondsPerPeriod),
         marchThread([this](std::stop_token stop) { march(stop); }),
         curveThread([this](std::stop_token stop) { average(stop); }) {}
 
-  ~Body() {
+  ~Impl() {
     marchThread.request_stop();
     curveThread.request_stop();
     {
@@ -152,7 +152,7 @@ struct Runner::Body {
     if (commands.seek) wantedMoment = commands.seek;
     if (wantedMoment) {
       next = Clock::now() + std::chrono::duration_cast<Clock::duration>(interval);
-      const double moment = *std::exchange(wantedMoment, {});  // a failure ends the way
+      const double moment = *std::exchange(wantedMoment, {});  // an exception ends the seek
       bool isThere = false;
       while (!isThere && Clock::now() < next)
         isThere = simulation->seek(moment, commands.part, interval.count());
@@ -260,95 +260,95 @@ struct Runner::Body {
   std::jthread marchThread, curveThread;  // last: they use all members above
 };
 
-Runner::Runner(RunnerOptions options) : body_(std::make_unique<Body>(options)) {}
+Runner::Runner(RunnerOptions options) : impl_(std::make_unique<Impl>(options)) {}
 Runner::~Runner() = default;
 
 std::uint64_t Runner::post(Scene scene) {
-  const std::lock_guard guard(body_->lock);
-  return body_->take(std::move(scene));
+  const std::lock_guard guard(impl_->lock);
+  return impl_->take(std::move(scene));
 }
 
 std::uint64_t Runner::open(Scene scene) {
-  const std::lock_guard guard(body_->lock);
-  body_->pending.reset = true;  // carried out together with the scene
-  return body_->take(std::move(scene));
+  const std::lock_guard guard(impl_->lock);
+  impl_->pending.reset = true;  // carried out together with the scene
+  return impl_->take(std::move(scene));
 }
 
 void Runner::requestFields(const FrameFields& fields) {
-  const std::lock_guard guard(body_->lock);
-  body_->pending.fields = fields;
-  body_->changed.notify_all();
+  const std::lock_guard guard(impl_->lock);
+  impl_->pending.fields = fields;
+  impl_->changed.notify_all();
 }
 
 void Runner::play() {
-  const std::lock_guard guard(body_->lock);
-  body_->playing = true;
-  body_->changed.notify_all();
+  const std::lock_guard guard(impl_->lock);
+  impl_->playing = true;
+  impl_->changed.notify_all();
 }
 
 void Runner::pause() {
-  const std::lock_guard guard(body_->lock);
-  body_->playing = false;
+  const std::lock_guard guard(impl_->lock);
+  impl_->playing = false;
 }
 
 bool Runner::isPlaying() const {
-  const std::lock_guard guard(body_->lock);
-  return body_->playing;
+  const std::lock_guard guard(impl_->lock);
+  return impl_->playing;
 }
 
 void Runner::singleStep(double part) {
-  const std::lock_guard guard(body_->lock);
-  body_->pending.steps.push_back(part);
-  body_->changed.notify_all();
+  const std::lock_guard guard(impl_->lock);
+  impl_->pending.steps.push_back(part);
+  impl_->changed.notify_all();
 }
 
 void Runner::setPace(double secondsPerPeriod) {
-  const std::lock_guard guard(body_->lock);
-  body_->pace = secondsPerPeriod;
+  const std::lock_guard guard(impl_->lock);
+  impl_->pace = secondsPerPeriod;
 }
 
 void Runner::seek(double time) {
-  const std::lock_guard guard(body_->lock);
-  body_->pending.seek = time;
-  body_->changed.notify_all();
+  const std::lock_guard guard(impl_->lock);
+  impl_->pending.seek = time;
+  impl_->changed.notify_all();
 }
 
 void Runner::setVisible(bool seen) {
-  const std::lock_guard guard(body_->lock);
-  body_->isVisible = seen;
-  body_->changed.notify_all();
+  const std::lock_guard guard(impl_->lock);
+  impl_->isVisible = seen;
+  impl_->changed.notify_all();
 }
 
 void Runner::reset() {
-  const std::lock_guard guard(body_->lock);
-  body_->pending.reset = true;
-  body_->changed.notify_all();
+  const std::lock_guard guard(impl_->lock);
+  impl_->pending.reset = true;
+  impl_->changed.notify_all();
 }
 
 void Runner::stopCurve() {
-  const std::lock_guard guard(body_->lock);
-  body_->curves.stop();
+  const std::lock_guard guard(impl_->lock);
+  impl_->curves.stop();
 }
 
 void Runner::startCurve() {
-  const std::lock_guard guard(body_->lock);
-  body_->curves.start();
-  body_->changed.notify_all();
+  const std::lock_guard guard(impl_->lock);
+  impl_->curves.start();
+  impl_->changed.notify_all();
 }
 
 std::shared_ptr<const Frame> Runner::newestFrame() const {
-  const std::lock_guard guard(body_->lock);
-  return body_->newest;
+  const std::lock_guard guard(impl_->lock);
+  return impl_->newest;
 }
 
 std::vector<CurveUpdate> Runner::takeCurveUpdates() {
-  const std::lock_guard guard(body_->lock);
-  return body_->curves.takeUpdates();
+  const std::lock_guard guard(impl_->lock);
+  return impl_->curves.takeUpdates();
 }
 
 std::vector<RunnerMessage> Runner::takeMessages() {
-  const std::lock_guard guard(body_->lock);
-  return std::exchange(body_->messages, {});
+  const std::lock_guard guard(impl_->lock);
+  return std::exchange(impl_->messages, {});
 }
 
 }  // namespace asperity

@@ -46,7 +46,7 @@ struct CurveWork {
   std::stop_token stop;
 };
 
-/// The requests for friction curves and their results so far: the orders of a window and the
+/// The requests for friction curves and their results so far: the commands of a window and the
 /// updates that it has not taken yet. A curve belongs to every scene that differs only in
 /// parameters on which the curve does not depend; a scene with another curve stops the present one,
 /// whose results are dropped. Threading: none of its own; its owner locks.
@@ -91,9 +91,10 @@ struct RunnerMessage {
 };
 
 struct RunnerOptions {
-  int threads = 0;               // for the curve; 0: as many as the machine has
-  double framesPerSecond = 60;   // maximum number of frames
-  double secondsPerPeriod = 12;  // on screen, in which the line passes once, or a motion ends
+  int threads = 0;              // for the curve; 0: as many as the machine has
+  double framesPerSecond = 60;  // maximum number of frames
+  /// The default pace: seconds on the screen for one period of the line, or for a whole motion.
+  double secondsPerPeriod = 12;
   /// Called on the curve's thread when there is a curve update; must return at once. May be empty.
   std::function<void()> curveUpdated{};
 
@@ -126,8 +127,8 @@ class Runner {
   /// if that is more; a motion advances by at least one time step.
   void singleStep(double part = 0);
 
-  /// Sets the pace: the seconds on the screen in which the line moves by its period, or a motion
-  /// takes place. Lines of very many elements move more slowly than wanted.
+  /// Sets the pace: the seconds on the screen for one period of the line, or for a whole motion.
+  /// Lines with very many elements move more slowly than requested.
   void setPace(double secondsPerPeriod);
 
   /// Goes to a moment of a motion (s), forward or back; frames on the way are shown. The newest
@@ -140,8 +141,8 @@ class Runner {
   /// Returns to the scene's steady state at time 0.
   void reset();
 
-  /// Stops the averaging of the present scene's curve, which keeps its results; the other function
-  /// begins it again. A new curve is averaged automatically.
+  /// Stops the averaging of the present curve and keeps its results; startCurve() begins it again.
+  /// A new curve is averaged automatically.
   void stopCurve();
   void startCurve();
 
@@ -156,8 +157,8 @@ class Runner {
   std::vector<RunnerMessage> takeMessages();
 
  private:
-  struct Body;
-  std::unique_ptr<Body> body_;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace asperity

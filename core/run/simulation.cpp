@@ -12,12 +12,12 @@
 namespace asperity {
 namespace {
 
-// A march's contact is as long as whole elements, at least one. Measured against the steady pass
-// on rough lines at 1e-6 to 10 N and 0.01 to 1000 m/s: the friction of contacts four elements long
-// is off by 5 %, of two by up to a third, of one by any factor. Waves as short as two elements,
-// which a rough line has without points between its elements, cost up to 17 % in long contacts,
-// too.
-constexpr double kLeastElements = 3.5;
+// In the time march a contact spot is a whole number of elements long, at least one. Measured
+// against the steady pass on rough lines at 1e-6 to 10 N and 0.01 to 1000 m/s: the friction of
+// contacts four elements long is off by 5 %, of two by up to a third, of one by any factor. Waves
+// as short as two elements, which a rough line has without points between its elements, cost up to
+// 17 % in long contacts, too.
+constexpr double kMinElements = 3.5;
 constexpr double kContactsKept =
     0.99;  // previous weight in the next step, so that contact borders do not flicker
 
@@ -56,9 +56,9 @@ std::shared_ptr<const RigidLine> rigidOf(const Scene& scene, const Scene* last,
   return same ? known : std::make_shared<RigidLine>(scene);
 }
 
-/// Returns whether two scenes of the same line slide alike: texts, sweep, realizations and
-/// comparisons may differ.
-bool slideAlike(const Scene& a, const Scene& b) {
+/// Returns whether two scenes of the same line slide in the same way: texts, sweep, realizations
+/// and comparisons may differ.
+bool haveSameSliding(const Scene& a, const Scene& b) {
   return a.elastomer == b.elastomer && a.load == b.load && a.sliding == b.sliding &&
          a.interface == b.interface;
 }
@@ -111,7 +111,8 @@ void Simulation::update(std::shared_ptr<const Scene> scene, std::uint64_t number
                       next->line().length == ready_->line().length;
   const bool isSameLine = next->rigid == ready_->rigid;
   const bool hasThatShape = shape == Shape::Present || !next->isSteady || showsSteadyState();
-  const bool isSamePicture = isSameLine && hasThatShape && slideAlike(*next->scene, *ready_->scene);
+  const bool isSamePicture =
+      isSameLine && hasThatShape && haveSameSliding(*next->scene, *ready_->scene);
   // A march continues with the visible state.
   if (!isSamePicture && goesOn && showsSteadyState()) settle(march_->distance());
   ready_ = next;
@@ -123,7 +124,7 @@ void Simulation::update(std::shared_ptr<const Scene> scene, std::uint64_t number
                   ready_->sliding->law());
   march.continueFrom(*march_);
   march_ = std::move(march);
-  settlesUntil_ = time_ + longestMemory();
+  settlesUntil_ = time_ + settlingTime();
   isChanged_ = true;
   settlesFrom_ = 0;
   framesNoNearer_ = 0;
@@ -133,7 +134,7 @@ void Simulation::update(std::shared_ptr<const Scene> scene, std::uint64_t number
   if (!isSameLine) {
     const double velocity = ready_->velocity();
     march_->step(marchLoad(ready_->scene->load, ready_->line().length),
-                 velocity > 0 ? naturalStep() / velocity : restingStep(), 0);
+                 velocity > 0 ? stepDistance() / velocity : restTimeStep(), 0);
   }
   clearReading();
 }
@@ -155,7 +156,7 @@ void Simulation::settle(double distance) {
   march_ = ready_->velocity() > 0 ? steadyMarch(*ready_->rigid, *ready_->sliding,
                                                 ready_->velocity(), ready_->steady, distance)
                                   : restingMarch(*ready_->rigid, *ready_->scene, distance);
-  timeScale_ = settlesUntil_ = touching_ = stretches_ = 0;
+  timeScale_ = settlesUntil_ = touching_ = contactSpots_ = 0;
   isChanged_ = false;
   recordFields();
   clearReading();
@@ -198,20 +199,20 @@ void Simulation::clearReading() {
   resolves_ = false;
 }
 
-/// Returns the step in which the line moves by one node, or by less where that resolves the
-/// relaxation.
-double Simulation::naturalStep() const {
+/// Returns the distance (m) that the line moves in a step: one node, or less where that resolves
+/// the relaxation.
+double Simulation::stepDistance() const {
   const RetardationModes& modes = march_->modes();
   const double spacing = ready_->line().spacing;
   if (modes.modes() == 0) return spacing;
-  const double memory = ready_->velocity() / modes.rate.back();
+  const double relaxationLength = ready_->velocity() / modes.rate.back();
   // An element without a dashpot of its own follows at once everything faster than a step.
   if (modes.glassyCompliance > 0) return spacing;
-  return std::clamp(memory / 2, spacing / 8, spacing);
+  return std::clamp(relaxationLength / 2, spacing / 8, spacing);
 }
 
-/// Returns a time step where nothing slides, s: a part of the middle relaxation time.
-double Simulation::restingStep() const {
+/// Returns the time step (s) where nothing slides: a part of the middle relaxation time.
+double Simulation::restTimeStep() const {
   const RetardationModes& modes = march_->modes();
   const double relaxation = modes.modes() == 0 ? 0 : 1 / modes.rate[modes.modes() / 2];
   return std::max(relaxation, 1e-6) / 30;
@@ -223,19 +224,19 @@ void Simulation::stepOnce(double dt, double distance) {
   lineWork_ += step.lineWork;
   normalWork_ += step.normalForce * distance;
   const RetardationModes& modes = march_->modes();
-  const double fastest = modes.modes() == 0 ? 0 : ready_->velocity() / modes.rate.back();
+  const double shortestLength = modes.modes() == 0 ? 0 : ready_->velocity() / modes.rate.back();
   const bool instant = modes.glassyCompliance > 0 && modes.modes() > 0;
-  resolves_ = distance > 0 && (instant || distance <= 2 * fastest);
+  resolves_ = distance > 0 && (instant || distance <= 2 * shortestLength);
   time_ += dt;
   ++steps_;
   isChanged_ = false;
   touching_ = kContactsKept * touching_ + step.contactLength / ready_->line().spacing;
-  stretches_ = kContactsKept * stretches_ + static_cast<double>(step.contacts);
+  contactSpots_ = kContactsKept * contactSpots_ + static_cast<double>(step.contacts);
 }
 
 bool Simulation::resolvesContacts() const {
   if (isRough(ready_->scene->surface) && pointsPerElement(*ready_->scene) < 2) return false;
-  return touching_ >= kLeastElements * stretches_;
+  return touching_ >= kMinElements * contactSpots_;
 }
 
 void Simulation::advance(double part, double wallSeconds) {
@@ -256,13 +257,13 @@ void Simulation::advanceSteadily(double part) {
   if (velocity > 0) {
     const double most = mostSteps();
     const double wanted = part * ready_->line().length;
-    const double finest = std::ceil(wanted / naturalStep());
+    const double finest = std::ceil(wanted / stepDistance());
     // Where the budget is the limit, steps grow up to one node; only then the line slows down.
     const double steps = std::min(finest, most);
     const double distance = std::min(wanted / steps, ready_->line().spacing);
     for (double i = 0; i < steps; ++i) stepOnce(distance / velocity, distance);
   } else {
-    stepOnce(restingStep(), 0);
+    stepOnce(restTimeStep(), 0);
   }
   watchSettling();
   if (hasArrived()) settlesUntil_ = 0;
@@ -291,11 +292,11 @@ void Simulation::takeTime() {
 /// the whole motion, which are limited by its fastest part, so fast parts appear fast.
 void Simulation::advanceMotion(double part, double wallSeconds, double end) {
   if (beginsAnew()) return;
-  const double stretch = std::min(part * motion_->motion().duration(),
-                                  mostSteps() * motion_->transient().shortestStep());
-  const double next = (std::round(time_ / stretch) + 1) * stretch;
+  const double duration = std::min(part * motion_->motion().duration(),
+                                   mostSteps() * motion_->transient().shortestStep());
+  const double next = (std::round(time_ / duration) + 1) * duration;
   marchMotion(std::min(next, end));
-  timeScale_ = stretch / wallSeconds;
+  timeScale_ = duration / wallSeconds;
   motion_->keepState();
 }
 
@@ -303,13 +304,13 @@ void Simulation::advanceMotion(double part, double wallSeconds, double end) {
 /// frames, which show the same moment.
 bool Simulation::awaitsStep(double part, double wallSeconds) {
   const double step = motion_->transient().nextStep();
-  const double stretch = part * motion_->motion().duration();
-  if (stretch >= step) {
+  const double duration = part * motion_->motion().duration();
+  if (duration >= step) {
     towardsStep_ = 0;
     return false;
   }
-  towardsStep_ += stretch;
-  timeScale_ = stretch / wallSeconds;
+  towardsStep_ += duration;
+  timeScale_ = duration / wallSeconds;
   if (towardsStep_ < step) return true;
   towardsStep_ -= step;
   return false;
@@ -345,10 +346,10 @@ void Simulation::singleStep(double part) {
   const double velocity = ready_->velocity();
   const double distance = part * ready_->line().length;
   if (motion_) return stepMotion(distance);
-  if (!(velocity > 0)) return stepOnce(restingStep(), 0);
-  const double wanted = std::max(distance, naturalStep());
+  if (!(velocity > 0)) return stepOnce(restTimeStep(), 0);
+  const double wanted = std::max(distance, stepDistance());
   const double steps =
-      std::min(std::ceil(wanted / naturalStep() - 1e-9), kBudgetByHand * mostSteps());
+      std::min(std::ceil(wanted / stepDistance() - 1e-9), kBudgetByHand * mostSteps());
   if (wanted > steps * ready_->line().spacing && !isSettling()) {
     const double timeScale = timeScale_;
     settle(march_->distance() + wanted);
@@ -447,9 +448,10 @@ ContactState Simulation::drawnState(const Frame& frame) const {
   return drawn;
 }
 
-/// Returns the time after which an element has forgotten the past, s: ten of its longest times,
-/// more where it was pressed far deeper, and at least one period of sliding.
-double Simulation::longestMemory() const {
+/// Returns the time (s) after which the initial state no longer matters: ten of the longest
+/// relaxation times of an element, more where it was pressed far deeper, and at least one period of
+/// sliding.
+double Simulation::settlingTime() const {
   const RetardationModes& modes = march_->modes();
   const double deeper = march_->indentation() / ready_->steady.result.indentation;
   const double times = 10 + (deeper > 1 && std::isfinite(deeper) ? std::log(deeper) : 0);
@@ -503,7 +505,7 @@ void Simulation::addMotion(Frame& frame) const {
     const Pressed pressed = pressedIn(frame);
     frame.normalForce = pressed.force;
     frame.contactFraction = pressed.fraction;
-    // What was only pressed in pushes to no side; a remainder is the error of the elements.
+    // Without sliding there is no tangential force; a remainder is the error of the elements.
     frame.tangentialForce = frame.velocity == 0 ? 0 : std::abs(march().slopeForce());
     if (pressed.force > 0) frame.muMarch = frame.tangentialForce / pressed.force;
     if (frame.velocity != 0)

@@ -75,7 +75,7 @@ class Simulation {
   void addFields(Frame& frame) const;
   void addSteady(Frame& frame) const;
   void addMotion(Frame& frame) const;
-  double longestMemory() const;
+  double settlingTime() const;
   bool isSettling() const;
   bool showsSteadyState() const;
   Frame steadyFrame() const;
@@ -87,8 +87,8 @@ class Simulation {
   void stepMotion(double distance);
   bool beginsAnew();
   void goTo(double time);
-  double naturalStep() const;
-  double restingStep() const;
+  double stepDistance() const;
+  double restTimeStep() const;
   bool resolvesContacts() const;
   const TimeMarch& march() const { return motion_ ? motion_->transient().march() : *march_; }
 
@@ -106,9 +106,10 @@ class Simulation {
   double nearest_ = 0;                    // smallest awayFromSteady() since then
   int framesNoNearer_ = 0;                // frames since nearest_
   double lineWork_ = 0, normalWork_ = 0;  // J, since the last frame: F_x and F_N times distance
-  double touching_ = 0, stretches_ = 0;   // elements and stretches in contact, in the newest steps
-  bool isChanged_ = false;                // the scene changed since the newest step
-  bool resolves_ = false;                 // steps were short enough for friction
+  double touching_ = 0,
+         contactSpots_ = 0;  // elements in contact and contact spots, in the newest steps
+  bool isChanged_ = false;   // the scene changed since the newest step
+  bool resolves_ = false;    // steps were short enough for friction
 };
 
 }  // namespace asperity

@@ -14,7 +14,7 @@ namespace {
 
 /// Minimum number of points across a picture, and maximum of a line: a frame's shift is rounded to
 /// one of them.
-constexpr double kPicturePoints = 8192, kMostPoints = 1 << 20;
+constexpr double kPicturePoints = 8192, kMaxPoints = 1 << 20;
 
 SteadyState solve(const SteadySolver& sliding, const PreparedProfile& line, double velocity) {
   SteadyState state = sliding.at(line, velocity);
@@ -43,7 +43,7 @@ std::vector<double> steadyPower(const SteadySolver& sliding, const SteadyShape& 
 std::int64_t pointsToDraw(const Scene& scene, const LineSource& own, double seen) {
   if (scene.accuracy.scheme == Scheme::Nodal) return 1;
   const double pictures = seen > 0 ? std::max(own.length() / seen, 1.0) : 1;
-  const double wanted = std::min(kPicturePoints * pictures, kMostPoints);
+  const double wanted = std::min(kPicturePoints * pictures, kMaxPoints);
   return std::max<std::int64_t>(
       pointsPerElement(scene),
       std::llround(std::ceil(wanted / static_cast<double>(own.elements()))));
@@ -61,10 +61,10 @@ void setSteadyFacts(Frame& frame, const SteadyResult& facts) {
 }
 
 double greatestPressure(const SteadyShape& shape, double spacing, double normalForce) {
-  constexpr double kLeast = 0.1;  // of the normal force
+  constexpr double kMin = 0.1;  // of the normal force
   const std::vector<double>& pressure = shape.nodes.pressure;
   const double force = spacing * std::accumulate(pressure.begin(), pressure.end(), 0.0);
-  return force < kLeast * normalForce ? kNotApplicable : std::ranges::max(pressure);
+  return force < kMin * normalForce ? kNotApplicable : std::ranges::max(pressure);
 }
 
 Frame stillFrame(std::shared_ptr<const Scene> scene, const RigidLine& rigid,

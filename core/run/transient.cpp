@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kRounding = 1e-9;  // of a step
 constexpr double kOrder = 1.8;  // order of friction in the spacing, as measured at 1 to 16 points
-constexpr std::size_t kLeastNodes = 8;
+constexpr std::size_t kMinNodes = 8;
 /// Factors from the differences to the error that is not exceeded in 95 of 100 random scenes: with
 /// lines of two coarser spacings, and with one line.
 constexpr double kFactorOfTwo = 1.2, kFactorOfOne = 1.6;
@@ -49,7 +49,7 @@ class Transient::Means {
     force_ += step.normalForce * dt;
     dissipated_ += step.dissipated + step.gapWork;
     contact_ += step.contactLength * dt;
-    stretches_ += static_cast<double>(step.contacts) * dt;
+    contactSpots_ += static_cast<double>(step.contacts) * dt;
   }
 
   TransientSample sample(double length) const {
@@ -62,15 +62,15 @@ class Transient::Means {
     sample.powerDissipated = dissipated_ / time_;
     sample.contactFraction = contact_ / time_ / length;
     // Sums over steps have rounding errors; a count that does not change stays a whole number.
-    const double spots = stretches_ / time_, whole = std::round(spots);
+    const double spots = contactSpots_ / time_, whole = std::round(spots);
     sample.contactSpots = std::abs(spots - whole) < kRounding * whole ? whole : spots;
-    if (stretches_ > 0) sample.contactLength = contact_ / stretches_;
+    if (contactSpots_ > 0) sample.contactLength = contact_ / contactSpots_;
     return sample;
   }
 
  private:
   double time_ = 0, distance_ = 0, tangential_ = 0, force_ = 0, dissipated_ = 0, contact_ = 0,
-         stretches_ = 0;
+         contactSpots_ = 0;
 };
 
 Transient::Transient(const Scene& scene, std::shared_ptr<const RigidLine> rigid,
@@ -95,9 +95,9 @@ void Transient::estimateErrors(const Scene& scene) {
   const std::size_t nodes = rigid_->line->nodes();
   if (!coarser_.empty() || scene.accuracy.scheme == Scheme::Nodal) return;
   for (const std::size_t every : {2U, 3U, 5U, 7U}) {
-    if (nodes % every != 0 || nodes / every < kLeastNodes) continue;
+    if (nodes % every != 0 || nodes / every < kMinNodes) continue;
     const std::size_t square = every * every;
-    const bool hasTwo = nodes % square == 0 && nodes / square >= kLeastNodes;
+    const bool hasTwo = nodes % square == 0 && nodes / square >= kMinNodes;
     addCoarser(scene, every, 1);
     if (hasTwo) addCoarser(scene, square, square);
     errorFactor_ = hasTwo ? kFactorOfTwo : kFactorOfOne;

@@ -23,9 +23,9 @@ class Transient {
   /// one node long and end at the jump of a velocity. division: number of parts into which each of
   /// those steps is cut.
   Transient(const Scene& scene, std::shared_ptr<const RigidLine> rigid,
-            std::int64_t leastSteps = kLeastSteps, int division = 1);
+            std::int64_t leastSteps = kMinSteps, int division = 1);
 
-  static constexpr std::int64_t kLeastSteps = Motion::kLeastSteps;
+  static constexpr std::int64_t kMinSteps = Motion::kMinSteps;
 
   /// Returns the shortest step, where the motion is fastest, s.
   double shortestStep() const;

@@ -18,7 +18,7 @@ namespace {
 
 // ripples; a strip then shows ripples as at most a third of it
 constexpr double kFrictionFloor = 10;
-constexpr double kMost = 0.5;                // maximum part of the value
+constexpr double kMax = 0.5;                 // maximum part of the value
 constexpr double kAir = 0.12;                // part of the range, on either side
 constexpr double kContactFloor = 0.2;        // part of a contact fraction
 constexpr std::size_t kLongestTrace = 2000;  // samples of a motion
@@ -417,8 +417,8 @@ MinimumSpan minimumSpan(std::span<const TransientSample> samples, double spacing
   length /= count;
   const double contacts = std::max(1.0, fraction / count * period / length);
   const double ripple = spacing / length / std::sqrt(contacts);
-  const double floor = std::min(kFrictionFloor * ripple, kMost);
-  return {floor, std::min(ripple, kMost), floor};
+  const double floor = std::min(kFrictionFloor * ripple, kMax);
+  return {floor, std::min(ripple, kMax), floor};
 }
 
 AxisEnds axisEnds(double low, double high, double least) {

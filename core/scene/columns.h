@@ -102,7 +102,7 @@ inline constexpr auto kColumns = std::to_array<Column>({
     {"notes", "",
      "What to know before the row is used, separated by blanks; only where there is something. "
      "unresolved_friction: the elements are too few in contact for the tangential force; "
-     "slope_above_0.3: the model takes slopes for small; few_contacts: single summits carry the "
+     "slope_above_0.3: the model assumes small slopes; few_contacts: single summits carry the "
      "load; seam_jump: the period repeats with a step; spikes: single points of the measured "
      "surface stand far out of their neighbours; coarse_heights: its heights have steps that make "
      "its lines too steep; round_form: it is part of a circle, which no parabola removes; "
@@ -128,7 +128,7 @@ inline constexpr auto kColumns = std::to_array<Column>({
     {"mean_pressure", "Pa", "Normal force over the area in contact: contact length times width.",
      "p_0 L/L_c", kCurveTables},
     {"contact_spots", "",
-     "Separate stretches in contact in one period: mean over the realizations; only in scenes with "
+     "Separate contact spots in one period: mean over the realizations; only in scenes with "
      "a measured surface or spectrum, a nominal pressure, or a measured material.",
      "", kCurveTables},
     {"exponent", "",
@@ -160,7 +160,7 @@ inline constexpr auto kColumns = std::to_array<Column>({
      "Time since the motion began, at the end of the time step. Velocity, forces and friction are "
      "means over the step: compare them with a formula at its middle, half a step earlier.",
      "t", "motion"},
-    {"displacement", "m", "Way that the line has moved along x since the beginning.",
+    {"displacement", "m", "Distance that the line has moved along x since the beginning.",
      "integral v dt", "motion"},
     {"velocity", "m/s", "Velocity of the line along x: mean over the time step.",
      "v = displacement in the step / dt", "motion"},
@@ -176,7 +176,7 @@ inline constexpr auto kColumns = std::to_array<Column>({
      "motion"},
     {"contact_fraction", "", "Share of the period that is in contact, in whole elements.", "L_c/L",
      "motion"},
-    {"contact_spots", "", "Separate stretches in contact in one period.", "", "motion"},
+    {"contact_spots", "", "Separate contact spots in one period.", "", "motion"},
     {"power_in", "W",
      "Power that sliding puts into the elastomer; below 0 where the elastomer pushes the line on.",
      "-F_x v", "motion"},
@@ -218,15 +218,15 @@ inline constexpr auto kColumns = std::to_array<Column>({
     {"time_since_contact", "s",
      "Time since the point was last in contact; 0 in contact, empty where it never was.", "",
      "shape"},
-    {"start", "m", "Left edge of the stretch; it may pass the end of the period.", "",
+    {"start", "m", "Left edge of the contact spot or gap; it may pass the end of the period.", "",
      "contacts, gaps"},
-    {"length", "m", "Length of the stretch, in whole spacings.", "", "contacts, gaps"},
-    {"normal_force", "N", "Normal force of the stretch.", "integral p dx", "contacts"},
+    {"length", "m", "Length of the contact spot or gap, in whole spacings.", "", "contacts, gaps"},
+    {"normal_force", "N", "Normal force of the contact spot.", "integral p dx", "contacts"},
     {"tangential_force", "N",
      "Force of the elastomer on the line along x, below 0 where it resists motion towards +x.",
      "-integral p z' dx", "contacts"},
-    {"mean_line_load", "N/m", "Normal force over the length of the stretch.", "", "contacts"},
-    {"largest_line_load", "N/m", "Largest line load of the stretch.", "max p", "contacts"},
+    {"mean_line_load", "N/m", "Normal force over the length of the contact spot.", "", "contacts"},
+    {"largest_line_load", "N/m", "Largest line load of the contact spot.", "max p", "contacts"},
     {"mean_gap", "m", "Area of the gap over its length.", "", "gaps"},
     {"largest_gap", "m", "Largest distance of line and surface in the gap.", "", "gaps"},
     {"area", "m^2", "Area between line and surface.", "integral (z - d - u) dx", "gaps"},
@@ -240,7 +240,7 @@ inline constexpr auto kColumns = std::to_array<Column>({
      "(friction_coefficient F_N + shear_stress L_c) |v|", "power"},
     {"power_dissipated", "W", "Sum of the three.", "", "power"},
     {"power_difference", "W",
-     "Power in less power dissipated: in steady sliding the error of the points, in a motion also "
+     "Power in minus power dissipated: in steady sliding the error of the points, in a motion also "
      "what the springs store.",
      "", "power"},
     {"realization", "", "Number of the random line, from 0 on.", "", "realizations"},
@@ -322,7 +322,7 @@ inline constexpr auto kColumns = std::to_array<Column>({
     {"velocity_from", "m/s", "Lowest velocity of the region.", "", "accuracy"},
     {"velocity_to", "m/s", "Highest velocity of the region.", "", "accuracy"},
     {"method", "", "How contact is computed.", "", "accuracy"},
-    {"oversampling", "", "Points to an element.", "", "accuracy"},
+    {"oversampling", "", "Points per element.", "", "accuracy"},
     {"relative_error", "",
      "Error of mu against the reference: root mean square over velocities and "
      "lines.",
@@ -380,11 +380,13 @@ inline constexpr auto kColumns = std::to_array<Column>({
     {"value", "", "The number itself.", "", "study"},
     {"key", "", "Scene key that is varied.", "", "study"},
     {"key_value", "", "Mean of the key in a part of its axis.", "", "study"},
-    {"first_order", "", "Share of the variance that goes where the key is known (Sobol index).",
+    {"first_order", "",
+     "Share of the variance that the key explains alone (first-order Sobol index).",
      "Var(E(y|x))/Var(y), Saltelli et al. (2010), Table 2 (b)", "study"},
     {"first_order_low", "", "Lower end of its 95 % confidence interval.", "", "study"},
     {"first_order_high", "", "Upper end of the same interval.", "", "study"},
-    {"total_effect", "", "Share of the variance that stays where all other keys are known.",
+    {"total_effect", "",
+     "Share of the variance that is left when all other keys are fixed (total-effect Sobol index).",
      "E(Var(y|others))/Var(y), Jansen (1999)", "study"},
     {"total_effect_low", "", "Lower end of its 95 % confidence interval.", "", "study"},
     {"total_effect_high", "", "Upper end of the same interval.", "", "study"},

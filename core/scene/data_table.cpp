@@ -106,10 +106,11 @@ ColumnChoice::ColumnChoice(const std::string& words, const std::vector<std::stri
       const std::string_view nearest = nearestWord(word, list);
       throw InputError(
           "", kOption,
-          nearest.empty() ? message("'{}' is no column of this table; 'asperity columns' lists all",
-                                    shortened(word))
-                          : message("'{}' is no column of this table; did you mean '{}'?",
-                                    shortened(word), nearest));
+          nearest.empty()
+              ? message("'{}' is not a column of this table; 'asperity columns' lists all",
+                        shortened(word))
+              : message("'{}' is not a column of this table; did you mean '{}'?", shortened(word),
+                        nearest));
     }
     if (isOneOf(word, columns_))
       throw InputError("", kOption, message("'{}' is given more than once", shortened(word)));

@@ -34,9 +34,9 @@ constexpr std::array<std::string_view, 20> kShown{kVelocityKey,
                                                   "interface.friction_coefficient"};
 
 /// If there are too many keys, these are left out, beginning with the last one.
-constexpr std::array<std::string_view, 4> kLeastImportant{"elastomer.equilibrium_modulus",
-                                                          "surface.hurst", "elastomer.temperature",
-                                                          "elastomer.relaxation_time"};
+constexpr std::array<std::string_view, 4> kMinImportant{"elastomer.equilibrium_modulus",
+                                                        "surface.hurst", "elastomer.temperature",
+                                                        "elastomer.relaxation_time"};
 
 bool hasMeaning(std::string_view key, const Scene& scene) {
   return isApplicable(*findParameter(key), scene);
@@ -63,9 +63,9 @@ std::vector<std::string_view> essentialKeys(const Scene& scene) {
   std::vector<std::string_view> keys;
   for (const std::string_view key : kShown)
     if (hasMeaning(key, scene) && isWanted(key, scene)) keys.push_back(key);
-  for (const std::string_view key : kLeastImportant)
-    if (keys.size() > kMostEssentials) std::erase(keys, key);
-  keys.resize(std::min(keys.size(), kMostEssentials));
+  for (const std::string_view key : kMinImportant)
+    if (keys.size() > kMaxEssentials) std::erase(keys, key);
+  keys.resize(std::min(keys.size(), kMaxEssentials));
   return keys;
 }
 

@@ -10,10 +10,10 @@
 
 namespace asperity {
 
-inline constexpr std::size_t kMostEssentials = 8;
+inline constexpr std::size_t kMaxEssentials = 8;
 
 /// Returns the keys that matter first: velocity, load, stiffness, roughness. Each one has a meaning
-/// in the scene; at most kMostEssentials, in the order in which they are shown.
+/// in the scene; at most kMaxEssentials, in the order in which they are shown.
 std::vector<std::string_view> essentialKeys(const Scene& scene);
 
 /// Returns the key of the number or the file that a note is about, which has a meaning in the

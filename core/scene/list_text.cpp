@@ -24,7 +24,7 @@ constexpr std::array<ArmMember, 2> kArmMembers{
 
 constexpr std::array<ListMember<ShiftPoint>, 2> kShiftMembers{
     {{"temperature", &ShiftPoint::temperature, 1, 2000, "K"},
-     {"log10_shift", &ShiftPoint::log10Shift, -kMostDecades, kMostDecades, ""}}};
+     {"log10_shift", &ShiftPoint::log10Shift, -kMaxDecades, kMaxDecades, ""}}};
 
 template <class Row>
 Message allowed(const ListMember<Row>& member) {
@@ -91,7 +91,7 @@ std::span<const ArmMember> armMembers() {
 
 std::vector<Arm> parseArms(std::string_view json, const std::string& key) {
   const Json list = parsedList(json, key, allowedArms());
-  if (list.size() > kMostArms)
+  if (list.size() > kMaxArms)
     throw InputError("", key, message("has {} arms; allowed is {}", list.size(), allowedArms()));
   const RowTexts texts{"needs an object of modulus and relaxation_time",
                        "unknown key; an arm has modulus and relaxation_time"};
@@ -103,7 +103,7 @@ std::vector<Arm> parseArms(std::string_view json, const std::string& key) {
 
 std::vector<ShiftPoint> parseShiftTable(std::string_view json, const std::string& key) {
   const Json list = parsedList(json, key, allowedShiftTable());
-  if (list.empty() || list.size() > kMostShiftPoints)
+  if (list.empty() || list.size() > kMaxShiftPoints)
     throw InputError("", key,
                      message("has {} rows; allowed is {}", list.size(), allowedShiftTable()));
   const RowTexts texts{"needs an object of temperature and log10_shift",
@@ -130,18 +130,18 @@ std::string listText(const std::vector<ShiftPoint>& table) {
 }
 
 Message allowedArms() {
-  return message("a list of 0 to {} {{modulus, relaxation_time}}, {} and {}", kMostArms,
+  return message("a list of 0 to {} {{modulus, relaxation_time}}, {} and {}", kMaxArms,
                  allowed(kArmMembers[0]), allowed(kArmMembers[1]));
 }
 
 Message allowedShiftTable() {
-  return message("a list of 1 to {} {{temperature, log10_shift}}, {} and {}", kMostShiftPoints,
+  return message("a list of 1 to {} {{temperature, log10_shift}}, {} and {}", kMaxShiftPoints,
                  allowed(kShiftMembers[0]), allowed(kShiftMembers[1]));
 }
 
 std::vector<DataFile> parseDataFiles(std::string_view json, const std::string& key) {
   const Json list = parsedList(json, key, allowedDataFiles());
-  if (list.size() > kMostDataFiles)
+  if (list.size() > kMaxDataFiles)
     throw InputError("", key,
                      message("has {} tables; allowed is {}", list.size(), allowedDataFiles()));
   std::vector<DataFile> files;
@@ -153,7 +153,7 @@ std::vector<DataFile> parseDataFiles(std::string_view json, const std::string& k
       if (name != "file" && name != "label")
         throw InputError("", path + "." + shortened(name),
                          "unknown key; a table has file and label");
-      if (!value.is_string()) throw InputError("", path + "." + name, "is no text");
+      if (!value.is_string()) throw InputError("", path + "." + name, "is not a text");
       (name == "file" ? data.file : data.label) = value.get<std::string>();
     }
     if (data.file.empty()) throw InputError("", path + ".file", "is missing");
@@ -203,7 +203,7 @@ std::string listText(const std::vector<Theory>& theories) {
 }
 
 Message allowedDataFiles() {
-  return message("a list of 0 to {} {{file, label}}", kMostDataFiles);
+  return message("a list of 0 to {} {{file, label}}", kMaxDataFiles);
 }
 
 Message allowedTheories() {

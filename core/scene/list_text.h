@@ -41,7 +41,7 @@ std::string listText(const std::vector<Arm>& arms);
 std::string listText(const std::vector<ShiftPoint>& table);
 
 /// Read and write tables of measured friction: [{"file": "mine.csv", "label": "compound A"}, ...].
-inline constexpr std::size_t kMostDataFiles = 32;
+inline constexpr std::size_t kMaxDataFiles = 32;
 std::vector<DataFile> parseDataFiles(std::string_view json, const std::string& key);
 std::string listText(const std::vector<DataFile>& files);
 

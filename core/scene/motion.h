@@ -10,7 +10,7 @@ namespace asperity {
 class Motion {
  public:
   /// The fewest steps in which a motion is marched, and those in a period of an oscillation.
-  static constexpr int kLeastSteps = 500, kStepsOfPeriod = 64;
+  static constexpr int kMinSteps = 500, kStepsOfPeriod = 64;
 
   explicit Motion(const Sliding& sliding) : sliding_(sliding) {}
 

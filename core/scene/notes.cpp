@@ -14,8 +14,8 @@ struct NoteText {
 
 constexpr std::array<NoteText, kNotes> kTexts{{
     {"slope_above_0.3",
-     "the rms slope of the line is above 0.3: the model takes slopes for small, and beyond this "
-     "its friction is an estimate"},
+     "the rms slope of the line is above 0.3: the model assumes small slopes, so its friction is "
+     "only an estimate"},
     {"few_contacts",
      "few contacts carry the load: results depend on the single summits of this line and on its "
      "period"},
@@ -26,7 +26,7 @@ constexpr std::array<NoteText, kNotes> kTexts{{
     {"strain_beyond_measured", "strains are larger than those that the elastomer was measured at"},
     {"seam_jump",
      "the end of the profile does not meet its beginning: the period repeats with a step, which "
-     "carries load like a sharp edge; surface.seam mirror or blend make none"},
+     "carries load like a sharp edge; surface.seam mirror or blend avoids it"},
     {"spikes",
      "single points of the measured surface stand far out of their neighbours, like spikes, and "
      "carry load: where they are errors of the measurement, surface.outliers=6 replaces them"},

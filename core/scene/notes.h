@@ -29,12 +29,12 @@ enum class Note : std::uint8_t {
 };
 inline constexpr std::size_t kNotes = static_cast<std::size_t>(Note::FasterThanTested) + 1;
 
-/// The model takes slopes for small: beyond this rms slope it is an estimate.
+/// The model assumes small slopes: above this rms slope its friction is an estimate.
 inline constexpr double kSmallSlope = 0.3;
 
-/// Velocity (m/s) above which nobody slides over rubber: waves in it are mostly slower. The model
-/// has no density and therefore no waves; tables of long curves, whose ends are limits, have no
-/// note.
+/// Velocity (m/s) above which rubber friction is not measured; elastic waves in rubber are mostly
+/// slower. The model has no density and therefore no waves; tables of long curves, whose ends are
+/// limits, have no note.
 inline constexpr double kFastestTested = 1000;
 
 /// Returns the word of a note in tables: "slope_above_0.3".

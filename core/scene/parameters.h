@@ -51,13 +51,13 @@ struct TextField {
 struct ArmsField {
   std::vector<Arm>& (*member)(Scene&);
 };
-inline constexpr std::size_t kMostArms = 64;
+inline constexpr std::size_t kMaxArms = 64;
 
 /// A table of temperature shifts; as a value: a JSON list of {"temperature", "log10_shift"}.
 struct ShiftTableField {
   std::vector<ShiftPoint>& (*member)(Scene&);
 };
-inline constexpr std::size_t kMostShiftPoints = 1000;
+inline constexpr std::size_t kMaxShiftPoints = 1000;
 
 /// Any other list; as a value: JSON text.
 struct ListField {
@@ -187,7 +187,7 @@ Message allowedText(const Parameter& parameter);
 
 /// Returns whether this number of the parameter means "as in the surface's file": a 0 of the length
 /// or the elements of a line that has a file, or of the realizations of a measured surface.
-bool isLeftToProfile(const Parameter& parameter, const Scene& scene, double number);
+bool isTakenFromSurfaceFile(const Parameter& parameter, const Scene& scene, double number);
 
 /// Returns one line for each key: key, allowed values, unit, default, sentence.
 std::string parameterTableText();

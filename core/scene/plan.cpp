@@ -109,10 +109,10 @@ Message whyShift(const Scene& scene, bool runs) {
 }
 
 Message whyFreeSurface(const Scene& scene, bool runs) {
-  if (!runs) return "the elastomer is elastic and has no memory";
+  if (!runs) return "the elastomer is elastic and responds at once";
   return elementLaw(scene.elastomer).kind() == ElementKind::Kelvin
-             ? "a free surface comes back with one relaxation time"
-             : "a free surface comes back with several relaxation times";
+             ? "a free surface recovers with one relaxation time"
+             : "a free surface recovers with several relaxation times";
 }
 
 Message whyArms(const Scene& scene, bool runs) {
@@ -184,9 +184,9 @@ Message whyMarch(const Scene& scene, bool runs) {
 Message whyInterface(const Scene& scene, bool runs) {
   if (!runs) return "local friction has no strength";
   return scene.interface.frictionCoefficient > 0
-             ? message("a local coefficient of {} is reported apart",
+             ? message("a local coefficient of {} is reported separately",
                        scene.interface.frictionCoefficient)
-             : message("{} N/m in contact are reported apart", scene.interface.shearStress);
+             : message("{} N/m in contact are reported separately", scene.interface.shearStress);
 }
 
 Message whySweep(const Scene& scene, bool runs) {

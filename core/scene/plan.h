@@ -18,22 +18,22 @@ namespace asperity {
 
 /// The stages in the order in which they run.
 enum class Stage {
-  Line,               // the rigid line from its spectrum, formula or file
-  RollOff,            // of its spectrum
-  SummitCorrelation,  // of its waves
-  TemperatureShift,   // of all relaxation times
-  FreeSurface,        // that remembers: one relaxation time or more
-  Arms,               // internal variables
-  StartFromRest,      // static equilibrium at v = 0
-  SteadyPass,         // one shape, stationary in the line's frame
-  ContactSearch,      // of its edges, where contact is not complete
-  Periodicity,        // of the arms: the same strains again after a period
-  ForceBalance,       // the indentation at which the force is carried
-  TimeMarch,          // step after step
-  Interface,          // local friction
-  Sweep,              // many velocities
-  Averaging,          // over realizations
-  Shape,              // of the elastomer at every point
+  Line,               // makes the rigid line from its spectrum, formula or file
+  RollOff,            // lets its spectrum end at long waves
+  SummitCorrelation,  // correlates the phases of its waves
+  TemperatureShift,   // shifts all relaxation times
+  FreeSurface,        // lets the free surface recover, with one relaxation time or more
+  Arms,               // computes the internal variables of Maxwell arms
+  StartFromRest,      // finds the static equilibrium at v = 0
+  SteadyPass,         // finds the one shape that is stationary in the line's frame
+  ContactSearch,      // finds the edges of contact, where contact is not complete
+  Periodicity,        // makes the strains of arms the same again after a period
+  ForceBalance,       // finds the indentation at which the force is carried
+  TimeMarch,          // advances the elastomer step after step
+  Interface,          // adds local friction
+  Sweep,              // computes many velocities
+  Averaging,          // averages over realizations
+  Shape,              // computes the elastomer's shape at every point
 };
 inline constexpr std::size_t kStages = static_cast<std::size_t>(Stage::Shape) + 1;
 

@@ -66,8 +66,8 @@ ParameterRange parseRange(std::string_view key, std::string_view text) {
   range.from = parseNumber(row, parts[0]);
   range.to = parseNumber(row, parts[1]);
   if (!readNumber(parts[2], range.points)) refuseText();
-  if (range.points < 1 || range.points > kMostRangePoints)
-    refuse(key, message("{} points are outside 1 to {}", range.points, kMostRangePoints));
+  if (range.points < 1 || range.points > kMaxRangePoints)
+    refuse(key, message("{} points are outside 1 to {}", range.points, kMaxRangePoints));
   if (parts.size() == 4) {
     if (parts[3] != "log" && parts[3] != "linear") refuseText();
     range.isLogarithmic = parts[3] == "log";

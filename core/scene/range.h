@@ -22,7 +22,7 @@ struct ParameterRange {
   bool operator==(const ParameterRange&) const = default;
 };
 
-inline constexpr std::int64_t kMostRangePoints = 100000;
+inline constexpr std::int64_t kMaxRangePoints = 100000;
 
 /// Returns x_i = from (to / from)^(i / (points - 1)), with the last one exactly `to`.
 std::vector<double> logSpaced(double from, double to, std::int64_t points);

@@ -22,14 +22,14 @@ constexpr std::int64_t kPointsOfOneLine = 4;
 constexpr std::int64_t kStraightPoints = 8;
 /// Elements that are marched in time converge at second order, and chance decides where a contact
 /// ends between two of them; so a small motion, which costs nothing, gets more of them.
-constexpr std::int64_t kMostPointsOfMarch = 32;
-constexpr double kSmallMarch = 5e6;                          // steps times points: some 25 ms
-constexpr std::int64_t kMostPoints = std::int64_t{1} << 25;  // of a line: 3 GB
+constexpr std::int64_t kMaxPointsOfMarch = 32;
+constexpr double kSmallMarch = 5e6;                         // steps times points: some 25 ms
+constexpr std::int64_t kMaxPoints = std::int64_t{1} << 25;  // of a line: 3 GB
 constexpr double kPartOfStandardError = 0.5;
 
 /// Limits the points so that the line fits the memory of usual machines.
 std::int64_t withinMemory(const Scene& scene, std::int64_t points) {
-  while (points > 1 && scene.surface.elements * points > kMostPoints) points /= 2;
+  while (points > 1 && scene.surface.elements * points > kMaxPoints) points /= 2;
   return points;
 }
 
@@ -87,7 +87,7 @@ std::int64_t marchedPoints(const Scene& scene) {
   const Motion motion(scene.sliding);
   const double slid = motion.fastest(0, motion.duration()) * motion.duration();
   const double periods = motion.isSmooth() ? scene.sliding.frequency * motion.duration() : 0;
-  const double leastSteps = std::max<double>(Motion::kLeastSteps, Motion::kStepsOfPeriod * periods);
+  const double leastSteps = std::max<double>(Motion::kMinSteps, Motion::kStepsOfPeriod * periods);
   const double modes = hasArms(scene.elastomer.rheology)
                            ? std::max(1.0, static_cast<double>(scene.elastomer.arms.size()))
                            : 1;
@@ -95,7 +95,7 @@ std::int64_t marchedPoints(const Scene& scene) {
     const double nodes = elements * static_cast<double>(pointsThere);
     return std::max(leastSteps, slid / scene.surface.length * nodes) * nodes * modes;
   };
-  while (points < kMostPointsOfMarch && workAt(2 * points) <= kSmallMarch) points *= 2;
+  while (points < kMaxPointsOfMarch && workAt(2 * points) <= kSmallMarch) points *= 2;
   return points;
 }
 

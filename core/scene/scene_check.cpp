@@ -43,7 +43,7 @@ void checkEffects(const Scene& scene) {
   if (scene.interface.frictionCoefficient > 0 && scene.interface.shearStress > 0)
     throw InputError(
         "", "interface.shear_stress",
-        "stands beside interface.friction_coefficient; only one of them may be above 0");
+        "cannot be combined with interface.friction_coefficient; only one of them may be above 0");
 }
 
 void requireSteadySliding(const Scene& scene, const Message& what) {
@@ -58,8 +58,8 @@ void requireSteadySliding(const Scene& scene, const Message& what) {
 void requireEquilibrium(const Scene& scene) {
   if (elementLaw(scene.elastomer).equilibriumModulus == 0)
     throw InputError("", "elastomer.equilibrium_modulus",
-                     "is 0: arms and dashpots carry nothing on average over a period, so sliding "
-                     "or not the elastomer sinks for ever; it needs more than 0");
+                     "is 0: without an equilibrium modulus an elastomer cannot carry a constant "
+                     "load; it must be above 0");
 }
 
 void requireNoTarget(const Scene& scene, const Message& why) {

@@ -15,7 +15,7 @@ void checkScene(const Scene& scene);
 void checkEffects(const Scene& scene);
 
 /// Throws InputError where the elastomer has no equilibrium. Over a steady period the strain of an
-/// arm has the mean 0, because what it yields must return, and so has the rate of the depth. The
+/// arm has the mean 0, because its creep must return, and so has the rate of the depth. The
 /// remaining force is F_N = 4G integral of y, which is 0 for G = 0 at any velocity: under a force
 /// the line sinks for ever.
 void requireEquilibrium(const Scene& scene);

@@ -1,6 +1,6 @@
 // What a scene inside a picture, film or table needs beyond being shown. Such a scene may come from
-// another user, so the reader is asked first where it reads a foreign file, or takes much memory or
-// time. Reads the sizes and places of files; any thread.
+// another user, so the user is asked first if it reads a file from another folder, or takes much
+// memory or time. Reads the sizes and places of files; any thread.
 #pragma once
 
 #include <filesystem>

@@ -91,7 +91,7 @@ void addRegions(const Scene& scene, const KnownCurve& curve, CurveFitValues& fit
       }
     if (number > 0 && region.from > curve.x.front())
       at(fits, after(CurveFit::BeginOfRegion2, number - 1)) = region.from;
-    if (x.size() >= kLeastFitted)
+    if (x.size() >= kMinFitted)
       at(fits, after(CurveFit::ExponentOfRegion1, number)) = fitPower(x, mu).slope;
     if (number == 2 && !x.empty())
       at(fits, CurveFit::Plateau) = sum / static_cast<double>(x.size());
@@ -106,7 +106,7 @@ CurveFitValues curveFits(const Scene& scene, std::span<const double> values,
   fits.fill(kNotApplicable);
   const KnownCurve curve(values, points);
   const bool isElastic = elementLaw(scene.elastomer).kind() == ElementKind::Elastic;
-  if (isElastic || curve.size() < kLeastFitted) return fits;
+  if (isElastic || curve.size() < kMinFitted) return fits;
   addMaximum(curve, fits);
   const LineFit power = fitPower(curve.x, curve.mu);
   at(fits, CurveFit::Exponent) = power.slope;

@@ -52,7 +52,7 @@ inline constexpr std::array<CurveFitEntry, 13> kCurveFits{{
 }};
 
 /// The minimum number of points of a fit.
-inline constexpr std::size_t kLeastFitted = 3;
+inline constexpr std::size_t kMinFitted = 3;
 
 using CurveFitValues = std::array<double, kCurveFits.size()>;
 

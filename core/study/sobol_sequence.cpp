@@ -20,7 +20,7 @@ struct Dimension {
 /// From the table new-joe-kuo-6.21201 of S. Joe and F. Y. Kuo, SIAM J. Sci. Comput. 30, 2635
 /// (2008), https://web.maths.unsw.edu.au/~fkuo/sobol/ (Copyright 2008 Frances Y. Kuo and Stephen
 /// Joe, BSD licence).
-constexpr Dimension kDimensions[kMostSobolDimensions - 1] = {
+constexpr Dimension kDimensions[kMaxSobolDimensions - 1] = {
     {1, 0, {1}},
     {2, 1, {1, 3}},
     {3, 1, {1, 3, 1}},
@@ -112,10 +112,10 @@ Directions directionNumbers(int dimension) {
   return v;
 }
 
-const std::array<Directions, kMostSobolDimensions>& allDirections() {
+const std::array<Directions, kMaxSobolDimensions>& allDirections() {
   static const auto all = [] {
-    std::array<Directions, kMostSobolDimensions> made{};
-    for (int d = 0; d < kMostSobolDimensions; ++d)
+    std::array<Directions, kMaxSobolDimensions> made{};
+    for (int d = 0; d < kMaxSobolDimensions; ++d)
       made[static_cast<std::size_t>(d)] = directionNumbers(d);
     return made;
   }();

@@ -6,11 +6,11 @@
 
 namespace asperity {
 
-inline constexpr int kMostSobolDimensions = 64;
+inline constexpr int kMaxSobolDimensions = 64;
 
 /// Returns one coordinate of a point, times 2^32. The points are in the order of Gray codes, in
 /// which the first 2^m of them are, for every m, the same set as in the original order. 0 <=
-/// dimension < kMostSobolDimensions. No earlier point is needed, so every process makes the same
+/// dimension < kMaxSobolDimensions. No earlier point is needed, so every process makes the same
 /// points.
 std::uint32_t sobolNumber(std::uint32_t index, int dimension);
 

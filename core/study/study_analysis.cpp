@@ -7,10 +7,10 @@
 namespace asperity {
 namespace {
 
-constexpr std::int64_t kParts = 20;           // of a continuous axis, equally likely
-constexpr std::int64_t kMostSeparate = 64;    // values of an axis that are kept apart
-constexpr std::int64_t kMostSampled = 20000;  // simulations for percentiles and ranks
-constexpr int kGroups = 20;                   // of the jackknife
+constexpr std::int64_t kParts = 20;          // of a continuous axis, equally likely
+constexpr std::int64_t kMaxSeparate = 64;    // values of an axis that are kept apart
+constexpr std::int64_t kMaxSampled = 20000;  // simulations for percentiles and ranks
+constexpr int kGroups = 20;                  // of the jackknife
 
 /// Mean and variance of two streams of numbers and their covariance (Welford's recurrence).
 struct RunningCovariance {
@@ -87,7 +87,7 @@ class ColumnParts {
       sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
       isLogarithmic_ = sorted.front() > 0 && hasLogarithmicSlider(*one.row);
       const auto count = static_cast<std::int64_t>(sorted.size());
-      const std::int64_t parts = std::min(count, count <= kMostSeparate ? count : kParts);
+      const std::int64_t parts = std::min(count, count <= kMaxSeparate ? count : kParts);
       for (std::int64_t i = 1; i < parts; ++i)
         edges_.push_back(sorted[static_cast<std::size_t>(i * count / parts)]);
     } else {
@@ -215,7 +215,7 @@ class Analysis {
     }
     // Statistics that need an order use only some simulations, at equal distances.
     const std::int64_t used = space.size() / members_ * (members_ > 1 ? 2 : 1);
-    stride_ = std::max<std::int64_t>(1, (used + kMostSampled - 1) / kMostSampled);
+    stride_ = std::max<std::int64_t>(1, (used + kMaxSampled - 1) / kMaxSampled);
   }
 
   void add(std::int64_t index, std::span<const double> numbers) {

@@ -18,7 +18,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kLargestTable = std::size_t{1} << 28;  // bytes of a table of rows
-constexpr std::int64_t kMostValues = 1000000;                // of one list, rows of a table
+constexpr std::int64_t kMaxValues = 1000000;                 // of one list, rows of a table
 
 constexpr NamedChoices<DistributionKind, 3> kDistributions{
     {{"normal", DistributionKind::Normal},
@@ -95,7 +95,7 @@ void readRange(StudyAxis& axis, const Json& spec, const std::string& where, bool
   }
   if (!spec.contains("points"))
     refuseMember(where + ".points", "is missing; a grid needs the number of values");
-  range.points = integerMember(spec, "points", 1, kMostRangePoints, where);
+  range.points = integerMember(spec, "points", 1, kMaxRangePoints, where);
   axis.columns.front().numbers = rangeValues(range);
 }
 
@@ -181,11 +181,11 @@ StudyAxis readRows(const Json& spec, const std::string& where,
       const Parameter* row = findParameter(column.name);
       if (!row) {
         const std::string_view nearest = nearestKey(column.name);
-        throw InputError(file.string(), "",
-                         nearest.empty()
-                             ? message("column '{}' is no scene key", shortened(column.name))
-                             : message("column '{}' is no scene key; the nearest known one is {}",
-                                       shortened(column.name), nearest));
+        throw InputError(
+            file.string(), "",
+            nearest.empty() ? message("column '{}' is not a scene key", shortened(column.name))
+                            : message("column '{}' is not a scene key; the nearest known one is {}",
+                                      shortened(column.name), nearest));
       }
       if (!column.unit.empty() && column.unit != row->unit)
         throw InputError(
@@ -213,8 +213,8 @@ StudyAxis readRows(const Json& spec, const std::string& where,
     refuseMember(where, "needs the name of a table with a column for each key");
   }
   if (axis.columns.empty() || axis.count() == 0) refuseMember(where, "has no row");
-  if (axis.count() > kMostValues)
-    refuseMember(where, message("has {} rows; at most {} are allowed", axis.count(), kMostValues));
+  if (axis.count() > kMaxValues)
+    refuseMember(where, message("has {} rows; at most {} are allowed", axis.count(), kMaxValues));
   return axis;
 }
 
@@ -229,9 +229,9 @@ StudyAxis readAxis(const std::string& key, const Json& spec, bool isGrid) {
   checkKey(*axis.columns.front().row, where);
   if (spec.is_array()) {
     if (spec.empty()) refuseMember(where, "has no value");
-    if (static_cast<std::int64_t>(spec.size()) > kMostValues)
+    if (static_cast<std::int64_t>(spec.size()) > kMaxValues)
       refuseMember(where,
-                   message("has {} values; at most {} are allowed", spec.size(), kMostValues));
+                   message("has {} values; at most {} are allowed", spec.size(), kMaxValues));
     for (const Json& value : spec) addValue(axis.columns.front(), value, where);
   } else if (!spec.is_object()) {
     refuseMember(where,

@@ -27,9 +27,9 @@ using Json = nlohmann::ordered_json;
 constexpr std::string_view kSchema = "asperity-study/1";
 constexpr std::size_t kLargest = std::size_t{1} << 24;  // bytes of a study file
 constexpr int kDeepest = 12;
-constexpr std::int64_t kMostSimulations = std::int64_t{1} << 40;
-constexpr std::int64_t kMostSobol = std::int64_t{1} << 32;
-constexpr std::int64_t kMostInChunk = 4096;
+constexpr std::int64_t kMaxSimulations = std::int64_t{1} << 40;
+constexpr std::int64_t kMaxSobol = std::int64_t{1} << 32;
+constexpr std::int64_t kMaxInChunk = 4096;
 constexpr std::string_view kRows = "rows";
 constexpr std::string_view kCurve = "curve.", kFit = "fit.";
 
@@ -84,7 +84,7 @@ std::int64_t usualChunk(const ParameterStudy& study) {
   const double elements = std::max<double>(100, static_cast<double>(scene.surface.elements));
   const double arms = 1 + 10 * static_cast<double>(scene.elastomer.arms.size());
   const double simulations = kNodesInSecond / (2 * elements * lines * states * arms);
-  const auto most = std::max<std::int64_t>(1, static_cast<std::int64_t>(kMostInChunk / states));
+  const auto most = std::max<std::int64_t>(1, static_cast<std::int64_t>(kMaxInChunk / states));
   std::int64_t chunk = 1;
   while (2 * chunk <= most && 2 * static_cast<double>(chunk) <= simulations) chunk *= 2;
   return chunk;
@@ -106,7 +106,7 @@ class StudyReader {
     readSpace();
     study_.title = textMember(root_, "title", study_.base.title);
     readOutputs();
-    study_.chunk = root_.contains("chunk") ? integerMember(root_, "chunk", 1, kMostInChunk)
+    study_.chunk = root_.contains("chunk") ? integerMember(root_, "chunk", 1, kMaxInChunk)
                                            : usualChunk(study_);
     checkSteady();
     setCanonical();
@@ -166,7 +166,7 @@ class StudyReader {
         const auto set = root_.find("set");
         if (set != root_.end() && set->contains(std::string(column.key())))
           refuseMember("space." + std::string(column.key()),
-                       "stands in set and in space; one of them is enough");
+                       "is in set and in space; one of them is enough");
         study_.isSlow |= column.hasWords() || isKind(*column.row);
       }
     }
@@ -179,21 +179,21 @@ class StudyReader {
     std::int64_t samples = 0, seed = 1;
     const std::size_t dimensions = sampling_ == Sampling::Saltelli ? 2 * axes.size() : axes.size();
     const bool isSobol = sampling_ == Sampling::Sobol || sampling_ == Sampling::Saltelli;
-    if (isSobol && dimensions > kMostSobolDimensions)
+    if (isSobol && dimensions > kMaxSobolDimensions)
       refuseMember("space", message("has {} keys; with this sampling at most {} are allowed",
-                                    axes.size(), kMostSobolDimensions * axes.size() / dimensions));
+                                    axes.size(), kMaxSobolDimensions * axes.size() / dimensions));
     for (const char* member : {"samples", "seed"})
       if (isGrid && root_.contains(member))
         refuseMember(member, "has no meaning for sampling grid; it belongs to all others");
     if (!isGrid) {
       if (!root_.contains("samples"))
         refuseMember("samples", "is missing; only sampling grid does without");
-      samples = integerMember(root_, "samples", 1, isSobol ? kMostSobol : kMostSimulations);
+      samples = integerMember(root_, "samples", 1, isSobol ? kMaxSobol : kMaxSimulations);
       if (root_.contains("seed")) seed = integerMember(root_, "seed", 0, std::int64_t{1} << 53);
     }
     study_.space = StudySpace(std::move(axes), sampling_, samples, seed);
-    if (study_.space.size() > kMostSimulations)
-      refuseMember("space", message("is of more than {} simulations", kMostSimulations));
+    if (study_.space.size() > kMaxSimulations)
+      refuseMember("space", message("is of more than {} simulations", kMaxSimulations));
   }
 
   void readOutputs() {
@@ -222,10 +222,10 @@ class StudyReader {
   /// be empty. Where kinds are varied, some simulations may have it.
   void checkFit(const StudyOutput& output) const {
     const std::size_t points = study_.curveValues().size();
-    if (points < kLeastFitted)
+    if (points < kMinFitted)
       refuseMember("outputs",
                    message("{} needs a curve of at least {} points; sweep.points gives {}",
-                           output.name, kLeastFitted, points));
+                           output.name, kMinFitted, points));
     const bool isOfRegions = kCurveFits[static_cast<std::size_t>(*output.fit)].isOfRegions;
     if (!isOfRegions || study_.isSlow) return;
     if (!study_.base.sweep.isOfVelocity())
@@ -367,7 +367,7 @@ ParameterStudy readStudy(std::string_view json, const std::string& name,
 }
 
 Message describeDifference(std::string_view expected, std::string_view found) {
-  constexpr std::size_t kMost = 3;
+  constexpr std::size_t kMax = 3;
   const Json before = jsonValue(expected).flatten(), now = jsonValue(found).flatten();
   const auto named = [](std::string path) {
     std::ranges::replace(path, '/', '.');
@@ -376,7 +376,7 @@ Message describeDifference(std::string_view expected, std::string_view found) {
   std::vector<Message> parts;
   std::size_t more = 0;
   const auto add = [&](Message part) {
-    if (parts.size() < kMost)
+    if (parts.size() < kMax)
       parts.push_back(std::move(part));
     else
       ++more;

@@ -132,7 +132,7 @@ std::string percentilesCsv(const StudyAnalysis& analysis) {
 
 namespace {
 
-constexpr std::size_t kMostDots = 1500;  // of one diagram of scattered points
+constexpr std::size_t kMaxDots = 1500;  // of one diagram of scattered points
 
 /// Every axis or column gets a position 1, 2, ... with its name above it.
 void addNames(Diagram& diagram, const std::vector<std::string>& names,
@@ -245,7 +245,7 @@ DiagramSheet effectsSheet(const ParameterStudy& study, const OutputAnalysis& out
                          .stroke = SeriesStroke::None,
                          .isFaded = true};
     DiagramSeries mean;
-    const std::size_t step = effect.sample.size() / kMostDots + 1;
+    const std::size_t step = effect.sample.size() / kMaxDots + 1;
     for (std::size_t i = 0; i < effect.sample.size(); i += step)
       single.points.push_back({effect.sample[i].first, effect.sample[i].second});
     mean.name = "mean";

@@ -10,7 +10,7 @@
 namespace asperity {
 namespace {
 
-constexpr std::int64_t kMostPoints = std::int64_t{1} << 62;
+constexpr std::int64_t kMaxPoints = std::int64_t{1} << 62;
 
 /// The finalizer of SplitMix64 (Steele, Lea and Flood, OOPSLA 2014): every bit of the result
 /// depends on every bit of the argument.
@@ -141,7 +141,7 @@ StudySpace::StudySpace(std::vector<StudyAxis> axes, Sampling sampling, std::int6
   for (const StudyAxis& axis : axes_) columns_ += axis.columns.size();
   if (sampling_ == Sampling::Grid) {
     for (const StudyAxis& axis : axes_)
-      size_ = axis.count() > kMostPoints / size_ ? kMostPoints : size_ * axis.count();
+      size_ = axis.count() > kMaxPoints / size_ ? kMaxPoints : size_ * axis.count();
     return;
   }
   size_ = samples_;

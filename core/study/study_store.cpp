@@ -89,17 +89,16 @@ fs::path claimsFile(const fs::path& file) {
 }  // namespace
 
 Shard parseShard(const std::string& text) {
-  constexpr std::int64_t kMostShards = 1000000;
+  constexpr std::int64_t kMaxShards = 1000000;
   Shard shard;
   const std::size_t stroke = text.find('/');
   if (stroke == text.npos || !readNumber(std::string_view(text).substr(0, stroke), shard.number) ||
       !readNumber(std::string_view(text).substr(stroke + 1), shard.count))
     throw InputError("", "--shard", message("'{}' is not I/N, such as 3/8", shortened(text)));
-  if (shard.count < 1 || shard.count > kMostShards || shard.number < 1 ||
-      shard.number > shard.count)
+  if (shard.count < 1 || shard.count > kMaxShards || shard.number < 1 || shard.number > shard.count)
     throw InputError(
         "", "--shard",
-        message("{} is outside 1/N to N/N, with N from 1 to {}", shortened(text), kMostShards));
+        message("{} is outside 1/N to N/N, with N from 1 to {}", shortened(text), kMaxShards));
   return shard;
 }
 

@@ -15,7 +15,7 @@
 namespace asperity {
 namespace {
 
-constexpr std::int64_t kMostNodes = std::int64_t{1} << 26;
+constexpr std::int64_t kMaxNodes = std::int64_t{1} << 26;
 constexpr std::int64_t kNodesOfProduct = 4;  // per element, of a product of waves: not aliased
 
 /// Returns the result of `read` for the scene's file; errors name the key that names the file.
@@ -115,7 +115,7 @@ std::vector<Message> bandFacts(const SpectralDensity& density, const LineExtent&
 /// The period is the longest wave, and the elements represent the shortest one, unless the scene
 /// states other values.
 LineExtent spectrumExtent(const Surface& surface, const SpectralDensity& density) {
-  constexpr double kFewest = 16, kMost = 1 << 20;
+  constexpr double kMin = 16, kMax = 1 << 20;
   const double lowest = density.waveNumber.front(), highest = density.waveNumber.back();
   LineExtent extent{surface.length, surface.elements, 0, 0};
   if (extent.length == 0) extent.length = 2 * std::numbers::pi / lowest;
@@ -127,7 +127,7 @@ LineExtent spectrumExtent(const Surface& surface, const SpectralDensity& density
                              plain(extent.length), allowedText(row)));
   if (extent.elements == 0) {
     const double waves = std::ceil(highest * extent.length / (2 * std::numbers::pi));
-    extent.elements = static_cast<std::int64_t>(std::clamp(2 * waves + 1, kFewest, kMost));
+    extent.elements = static_cast<std::int64_t>(std::clamp(2 * waves + 1, kMin, kMax));
   }
   const auto modes =
       modeMagnitudes(density, extent.length, modeCount(static_cast<std::size_t>(extent.elements)));
@@ -178,10 +178,10 @@ LineSource::LineSource(const Scene& scene, std::int64_t oversampling, const Prof
   if (surface_.kind == SurfaceKind::Spectrum) setSpectrum(scene);
   if (surface_.kind == SurfaceKind::Profile)
     setProfile(profile ? *profile : readFile(scene, readProfile));
-  if (elements_ * oversampling > kMostNodes)
+  if (elements_ * oversampling > kMaxNodes)
     throw InputError("", "surface.elements",
                      message("{} times oversampling {} is more than {} points", elements_,
-                             oversampling, kMostNodes));
+                             oversampling, kMaxNodes));
   nodes_ = static_cast<std::size_t>(elements_ * oversampling);
   if (surface_.kind == SurfaceKind::Sine && surface_.waves > (elements_ - 1) / 2)
     throw InputError("", "surface.waves",
@@ -199,7 +199,7 @@ LineSource::LineSource(const Scene& scene, std::int64_t oversampling, const Prof
     statistics_ = {rmsHeight(modes), rmsSlope(modes)};
   } else {
     if (transform_)
-      setFromSpectrum(profile_, Slopes::Wanted, only_, {});
+      setFromSpectrum(profile_, Slopes::Computed, only_, {});
     else
       only_ = makeShape();
     statistics_ = {only_.rmsHeight, only_.rmsSlope};
@@ -330,7 +330,7 @@ bool LineSource::setFromSpectrum(const FourierLine& modes, Slopes slopes, Line& 
   line.slopeAfter.clear();
   line.slopeBefore.clear();  // no corners; the line may have been another with some
   if (!transform_->evaluate(modes, line.height, stop)) return false;
-  if (slopes == Slopes::Wanted && !transform_->evaluateSlope(modes, line.slopeAfter, stop))
+  if (slopes == Slopes::Computed && !transform_->evaluateSlope(modes, line.slopeAfter, stop))
     return false;
   // The rms values are the same for every realization except with summit correlation, and of rows.
   const bool isKnown = isRandom() && !slopesDiffer() && statistics_.rmsHeight > 0;

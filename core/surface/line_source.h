@@ -21,7 +21,7 @@
 namespace asperity {
 
 /// Whether a line's slopes are computed; otherwise slopeAfter is empty.
-enum class Slopes { Wanted, NotWanted };
+enum class Slopes { Computed, Omitted };
 
 /// The size of the lines of a scene, known without making one.
 struct LineExtent {
@@ -47,7 +47,7 @@ class LineSource {
   /// Makes the line in memory that is used again. Straight segments need no slopes. Returns false
   /// where `stop` was requested, which is checked before and after each transform; the line is then
   /// incomplete.
-  bool makeInto(Line& line, std::int64_t realization, Slopes slopes = Slopes::Wanted,
+  bool makeInto(Line& line, std::int64_t realization, Slopes slopes = Slopes::Computed,
                 const std::stop_token& stop = {}) const;
 
   /// Returns whether realizations differ: those of random lines, or of several rows of a measured

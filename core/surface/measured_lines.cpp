@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::int64_t kFewestPoints = 3;
+constexpr std::int64_t kMinPoints = 3;
 
 [[noreturn]] void fail(const char* key, const Message& what) {
   throw InputError("", key, what);
@@ -156,7 +156,7 @@ MeasuredLines::MeasuredLines(const Scene& scene, std::shared_ptr<const MeasuredF
   transform_.emplace(periodPoints_);
   // Only the form is removed here: the filters act equally on a row and on its equivalent line.
   if (surface_.line == LineKind::IsotropicEquivalent && file_->topography.rowSpacing > 0 &&
-      file_->topography.rows >= kFewestPoints)
+      file_->topography.rows >= kMinPoints)
     equivalent_ = equivalentSpectra(stretches(stop), processing.form, stop, progress);
   throwIfStopped(stop);
   if (processing.seam == Seam::RandomPhases) setDensity(stop);
@@ -175,10 +175,10 @@ void MeasuredLines::chooseRows(const Scene& scene) {
     if (asked > 0 && row != asked - 1) continue;
     const std::span<const double> heights = topography.row(row);
     const std::int64_t gaps = gapCount(heights);
-    const bool hasTooFew = topography.columns - gaps < kFewestPoints;
+    const bool hasTooFew = topography.columns - gaps < kMinPoints;
     if (hasTooFew && asked > 0)
       fail("surface.row", message("row {} has {} measured points; a line needs {} or more", asked,
-                                  topography.columns - gaps, kFewestPoints));
+                                  topography.columns - gaps, kMinPoints));
     if (gaps > 0 && surface_.processing.gaps == GapHandling::Refuse) {
       if (hasTooFew && topography.rows > 1)
         fail("surface.gaps", message("row {} has {} measured points; interpolate leaves such rows "
@@ -199,14 +199,14 @@ void MeasuredLines::chooseRows(const Scene& scene) {
       rows_.push_back(row);
   }
   if (rows_.empty())
-    fail("surface.file", message("has no row with {} measured points or more", kFewestPoints));
+    fail("surface.file", message("has no row with {} measured points or more", kMinPoints));
   const std::int64_t realizations = scene.ensemble.realizations;
   if (asked > 0 || hasRandomPhases(scene.surface) || realizations <= rows()) return;
   if (leftOut_ > 0)
     fail("ensemble.realizations",
          message("{} is more than the rows of the file with {} measured points or more, which are "
                  "{} of {}; 0 is every one of them",
-                 realizations, kFewestPoints, rows(), topography.rows));
+                 realizations, kMinPoints, rows(), topography.rows));
   fail("ensemble.realizations",
        rows() == 1
            ? message("{} is more than the single profile of the file; 0 is every row", realizations)
@@ -240,9 +240,9 @@ void MeasuredLines::chooseStretch(const Scene& scene) {
       fail("surface.length",
            message("{} is more than the period of {} that the file gives with this seam",
                    quantity(period), quantity(mirrors ? 2 * there : there - blend)));
-    if (points < static_cast<double>(kFewestPoints))
+    if (points < static_cast<double>(kMinPoints))
       fail("surface.length",
-           message("{} has less than {} points of the file", quantity(period), kFewestPoints));
+           message("{} has less than {} points of the file", quantity(period), kMinPoints));
     usedPoints_ = static_cast<std::size_t>(points);
   } else if (blends && blend == 0) {
     blend = there / 10;
@@ -255,9 +255,9 @@ void MeasuredLines::chooseStretch(const Scene& scene) {
                                            quantity(blend), quantity(usedLength_)));
   }
   periodPoints_ = mirrors ? 2 * usedPoints_ : usedPoints_ - blendPoints_;
-  if (periodPoints_ < static_cast<std::size_t>(kFewestPoints))
+  if (periodPoints_ < static_cast<std::size_t>(kMinPoints))
     fail("surface.seam", message("leaves a period of {} points; at least {} are needed",
-                                 periodPoints_, kFewestPoints));
+                                 periodPoints_, kMinPoints));
   length_ = static_cast<double>(periodPoints_) * spacing;
 }
 
@@ -309,8 +309,8 @@ SpectrumLimits MeasuredLines::spectrumLimits(const ProcessedProfile& profile) co
 /// Examines a few rows, spread evenly: steps are those of the instrument, and rows are much alike.
 CoarseRows MeasuredLines::coarseRows() const {
   std::call_once(areStepsFound_, [this] {
-    constexpr std::int64_t kMostRows = 64;
-    coarseRows_.examined = std::min(rows(), kMostRows);
+    constexpr std::int64_t kMaxRows = 64;
+    coarseRows_.examined = std::min(rows(), kMaxRows);
     for (std::int64_t i = 0; i < coarseRows_.examined; ++i) {
       const std::int64_t row = rowOfRealization(i, coarseRows_.examined, rows());
       if (coarseSteps(stretch(row)).step > 0 && spectrumLimits(profile(row)).steps.step > 0)
@@ -328,8 +328,8 @@ double MeasuredLines::radiusOfForm() const {
     constexpr double kRemoves = 0.25;
     const ProcessingChoices& processing = surface_.processing;
     if (longWaves_ && processing.longWaveCut <= kRemoves * usedLength_) return;
-    constexpr std::int64_t kMostRows = 5;
-    const std::int64_t count = std::min(rows(), kMostRows);
+    constexpr std::int64_t kMaxRows = 5;
+    const std::int64_t count = std::min(rows(), kMaxRows);
     std::vector<double> radii;  // 0 where a row is no circle
     for (std::int64_t i = 0; i < count; ++i) {
       std::vector<double> heights = stretch(rowOfRealization(i, count, rows()));
@@ -420,8 +420,8 @@ Topography MeasuredLines::stretches(const std::stop_token& stop) const {
 
 /// Computes the mean spectrum of the rows in bands, from which random lines are made.
 void MeasuredLines::setDensity(const std::stop_token& stop) {
-  constexpr std::int64_t kMostRows = 512;  // more of them change the mean little
-  const std::int64_t count = std::min(rows(), kMostRows);
+  constexpr std::int64_t kMaxRows = 512;  // more of them change the mean little
+  const std::int64_t count = std::min(rows(), kMaxRows);
   std::vector<double> powers;
   double height = 0;  // mean square, which the window leaves as it is on average only
   for (std::int64_t i = 0; i < count; ++i) {

@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kLargestProfile = std::size_t{1} << 28;  // bytes
 constexpr double kFarthest = 1e6;                              // m, of positions and heights
 constexpr double kUniform = 1e-6;  // relative deviation of a spacing that is accepted
-constexpr std::size_t kMostRows = std::size_t{1} << 24;
+constexpr std::size_t kMaxRows = std::size_t{1} << 24;
 
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view blanks = " \t\r\n\"";
@@ -28,7 +28,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
-constexpr std::size_t kMostFields = 3;  // of a row that are looked at; more than two are refused
+constexpr std::size_t kMaxFields = 3;  // of a row that are looked at; more than two are refused
 
 /// Returns the line's first fields, split at commas, semicolons or tabs.
 std::vector<std::string_view> fieldsOf(std::string_view line) {
@@ -36,7 +36,7 @@ std::vector<std::string_view> fieldsOf(std::string_view line) {
   while (true) {
     const std::size_t end = line.find_first_of(",;\t");
     fields.push_back(trimmed(line.substr(0, end)));
-    if (end == std::string_view::npos || fields.size() == kMostFields) return fields;
+    if (end == std::string_view::npos || fields.size() == kMaxFields) return fields;
     line.remove_prefix(end + 1);
   }
 }
@@ -82,7 +82,7 @@ class Reader {
   }
 
   /// Returns the profile of all rows read, or of the first `most` of them.
-  Profile profile(std::size_t most = kMostRows) {
+  Profile profile(std::size_t most = kMaxRows) {
     if (height_.size() < 3)
       fail(message("has {} rows of numbers; at least 3 are needed", height_.size()));
     if (height_.size() > most) height_.resize(most);
@@ -130,13 +130,13 @@ class Reader {
     if (height_.empty()) columns_ = numbers.size();
     if (numbers.size() != columns_ || columns_ > 2)
       fail(
-          numbers.size() < kMostFields
+          numbers.size() < kMaxFields
               ? message("row {}: has {} columns; position and height, or height alone, are needed",
                         row_, numbers.size())
               : message("row {}: has {} columns or more; position and height, or height alone, are "
                         "needed",
                         row_, numbers.size()));
-    if (height_.size() == kMostRows) fail(message("has more than {} rows", kMostRows));
+    if (height_.size() == kMaxRows) fail(message("has more than {} rows", kMaxRows));
     if (columns_ == 2) position_.push_back(numbers.front());
     height_.push_back(numbers.back());
   }
@@ -256,7 +256,7 @@ std::optional<ProfileExtent> extentOfParts(const RegularFile& file, const std::s
     const double ofExpected = static_cast<double>(extent.rows) / expected;
     if (ofExpected < 0.5 || ofExpected > 2) return {};
   }
-  if (extent.rows > static_cast<std::int64_t>(kMostRows)) return {};
+  if (extent.rows > static_cast<std::int64_t>(kMaxRows)) return {};
   return extent;
 }
 

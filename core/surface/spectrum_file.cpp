@@ -140,7 +140,7 @@ class SpectrumReader {
                   shortened(wave.name), shortened(wave.unit)));
     if (contradicts(countsOf(density.unit)))
       fail(
-          message("{} in {} is no density over {}: over a wave number it is per rad/m, over a "
+          message("{} in {} is not a density over {}: over a wave number it is per rad/m, over a "
                   "spatial frequency or a wavelength per cycles/m",
                   shortened(density.name), shortened(density.unit), shortened(wave.name)));
   }

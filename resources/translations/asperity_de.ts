@@ -408,8 +408,8 @@
         <translation>und lässt aus</translation>
     </message>
     <message>
-        <source>above %1 few contacts carry the load (region IV): F_N / (4 eta v), the height that the contacts of one period climb together, is below 0.1 h; the border belongs to the finite period and moves with it</source>
-        <translation>über %1 tragen wenige Kontakte die Last (Bereich IV): F_N / (4 eta v), die Höhe, die alle Kontakte einer Periode zusammen erklimmen, liegt unter 0,1 h; die Grenze gehört zur endlichen Periode und wandert mit ihr</translation>
+        <source>above %1 few contacts carry the load (region IV): F_N / (4 eta v), the sum of the heights climbed by all contacts of one period, is below 0.1 h; the border belongs to the finite period and moves with it</source>
+        <translation>über %1 tragen wenige Kontakte die Last (Bereich IV): F_N / (4 eta v), die Summe der Höhen, die alle Kontakte einer Periode erklimmen, liegt unter 0,1 h; die Grenze gehört zur endlichen Periode und wandert mit ihr</translation>
     </message>
     <message>
         <source>predicted</source>
@@ -1103,12 +1103,12 @@
         <translation>Wiederherstellen</translation>
     </message>
     <message>
-        <source>Back to the scene as opened</source>
+        <source>Revert to the opened scene</source>
         <translation>Zurück zur geöffneten Fassung</translation>
     </message>
     <message>
-        <source>All parameters to their defaults</source>
-        <translation>Alle Parameter auf ihre Vorgaben setzen</translation>
+        <source>Reset all parameters</source>
+        <translation>Alle Parameter zurücksetzen</translation>
     </message>
     <message>
         <source>Open scene</source>
@@ -1119,8 +1119,8 @@
         <translation>Szenen und was aus einer entstand (*.json *.png *.svg *.pdf *.csv *.mp4 *.webm *.gif *.webp);;Szenen (*.json);;Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>It reads a file that does not lie beside it: %1</source>
-        <translation>Sie liest eine Datei, die nicht daneben liegt: %1</translation>
+        <source>It reads a file from another folder: %1</source>
+        <translation>Sie liest eine Datei aus einem anderen Ordner: %1</translation>
     </message>
     <message>
         <source>It takes about %1 GB of memory.</source>
@@ -1155,8 +1155,8 @@
         <translation>„%1“ wurde geändert. Änderungen speichern?</translation>
     </message>
     <message>
-        <source>They go into %1.</source>
-        <translation>Sie kommen nach %1.</translation>
+        <source>They are saved in %1.</source>
+        <translation>Sie werden in %1 gespeichert.</translation>
     </message>
     <message>
         <source>Otherwise they are lost.</source>
@@ -1277,8 +1277,8 @@
 <context>
     <name>asperity::ExportForm</name>
     <message>
-        <source>%1: the name of the file belongs into its own line.</source>
-        <translation>%1: Der Dateiname gehört in seine eigene Zeile.</translation>
+        <source>%1: enter the name of the file in its own field.</source>
+        <translation>%1: Der Dateiname gehört in sein eigenes Feld.</translation>
     </message>
     <message>
         <source>&amp;Kind</source>
@@ -3163,8 +3163,8 @@
         <translation>Neustart</translation>
     </message>
     <message>
-        <source>Time goes back to 0; parameters stay</source>
-        <translation>Die Zeit geht zurück auf 0; die Parameter bleiben</translation>
+        <source>Sets the time to 0 and keeps the parameters</source>
+        <translation>Setzt die Zeit auf 0 und behält die Parameter</translation>
     </message>
     <message>
         <source>Keyboard shortcuts</source>
@@ -4231,7 +4231,7 @@
         <translation>Alle Parameter</translation>
     </message>
     <message>
-        <source>Back to the scene as opened</source>
+        <source>Revert to the opened scene</source>
         <translation>Zurück zur geöffneten Fassung</translation>
     </message>
     <message>
@@ -4823,7 +4823,7 @@
         <translation>der Rechner kommt nicht nach</translation>
     </message>
     <message>
-        <source>The line has too many elements to move as fast as was asked for. The number is the pace that the picture has.</source>
+        <source>The line has too many elements to move as fast as requested. The number is the pace that the picture has.</source>
         <translation>Die Linie hat zu viele Elemente, um sich so schnell wie gewünscht zu bewegen. Die Zahl ist das Tempo, das das Bild hat.</translation>
     </message>
     <message>
@@ -4831,7 +4831,7 @@
         <translation>„%1“ kann das Bild nicht zeigen, nur %2 bis %3; gewählt ist %4</translation>
     </message>
     <message>
-        <source>“%1” is no pace; type 600, 600× slower or 20× faster</source>
+        <source>“%1” is not a pace; enter 600, 600× slower or 20× faster</source>
         <translation>„%1“ ist kein Tempo; möglich sind 600, 600× langsamer oder 20× schneller</translation>
     </message>
 </context>
@@ -5177,8 +5177,8 @@
         <translation>μ stationär</translation>
     </message>
     <message>
-        <source>What friction comes to in the steady state, as in the chart. The picture is still on its way there.</source>
-        <translation>Worauf die Reibung im stationären Zustand kommt, wie im Diagramm. Das Bild ist noch auf dem Weg dorthin.</translation>
+        <source>Friction in the steady state, as in the chart. The picture is still approaching it.</source>
+        <translation>Reibung im stationären Zustand, wie im Diagramm. Das Bild nähert sich ihm noch.</translation>
     </message>
     <message>
         <source>normal force F</source>

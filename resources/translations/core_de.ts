@@ -23,11 +23,11 @@
         <translation>Tangentialkraft Fₓ</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is no column of this table; &apos;asperity columns&apos; lists all</source>
+        <source>&apos;%1&apos; is not a column of this table; &apos;asperity columns&apos; lists all</source>
         <translation>„%1“ ist keine Spalte dieser Tabelle; „asperity columns“ nennt alle</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is no column of this table; did you mean &apos;%2&apos;?</source>
+        <source>&apos;%1&apos; is not a column of this table; did you mean &apos;%2&apos;?</source>
         <translation>„%1“ ist keine Spalte dieser Tabelle; ist „%2“ gemeint?</translation>
     </message>
     <message>
@@ -55,7 +55,7 @@
         <translation>„%1“ ist weder eine Achse (x, y) noch eine Kurve dieser Abbildung, die %2 mit einem Namen hat</translation>
     </message>
     <message>
-        <source>is no option of a style; did you mean %1?</source>
+        <source>is not an option of a style; did you mean %1?</source>
         <translation>ist keine Option eines Stils; ist %1 gemeint?</translation>
     </message>
     <message>
@@ -195,7 +195,7 @@
         <translation>mit lokaler Reibung</translation>
     </message>
     <message>
-        <source>%1:%2 is no range within %3</source>
+        <source>%1:%2 is not a range within %3</source>
         <translation>%1:%2 ist kein Bereich innerhalb von %3</translation>
     </message>
     <message>
@@ -235,7 +235,7 @@
         <translation>kein Parameter ist genannt</translation>
     </message>
     <message>
-        <source>the sum of squares is no parabola along %1: its range is where the profile rises by one standard error, and the standard error is half of that range</source>
+        <source>the sum of squares is not a parabola along %1: its range is where the profile rises by one standard error, and the standard error is half of that range</source>
         <translation>die Summe der Quadrate ist entlang von %1 keine Parabel: der Bereich reicht bis dorthin, wo das Profil um einen Standardfehler steigt, und der Standardfehler ist die Hälfte davon</translation>
     </message>
     <message>
@@ -283,8 +283,8 @@
         <translation>Bereiche: ein Standardfehler zu jeder Seite, aus den Fehlern der Punkte und der Streuung der Linien</translation>
     </message>
     <message>
-        <source>the ranges do not hold: they take for granted that the curve follows the points, and it misses them</source>
-        <translation>die Bereiche gelten nicht: sie setzen voraus, dass die Kurve den Punkten folgt, und sie verfehlt sie</translation>
+        <source>the ranges are not valid: they assume that the curve follows the points, but it misses them</source>
+        <translation>die Bereiche gelten nicht: sie setzen voraus, dass die Kurve den Punkten folgt, doch sie verfehlt sie</translation>
     </message>
     <message>
         <source>the points have no errors; they scatter by %1 % about the fit, with %2</source>
@@ -415,7 +415,7 @@
         <translation>unbekannter Schlüssel; eine Tabelle hat file und label</translation>
     </message>
     <message>
-        <source>is no text</source>
+        <source>is not a text</source>
         <translation>ist kein Text</translation>
     </message>
     <message>
@@ -499,7 +499,7 @@
         <translation>Persson (2001) für die isotrope Fläche, der diese Linie entspricht, bei ihrem nominellen Druck: ein anderes Modell, dessen Elemente einander spüren.</translation>
     </message>
     <message>
-        <source>the name has no ending; allowed is %1</source>
+        <source>the file name has no extension; allowed is %1</source>
         <translation>der Name hat keine Endung; erlaubt ist %1</translation>
     </message>
     <message>
@@ -539,7 +539,7 @@
         <translation>der Abstand %1 nach Datenzeile %2 unterscheidet sich von %3; die Orte müssen auf %4 gleichabständig sein</translation>
     </message>
     <message>
-        <source>is a link to &apos;%1&apos;, which is not there</source>
+        <source>is a link to &apos;%1&apos;, which does not exist</source>
         <translation>ist ein Verweis auf „%1“, das es nicht gibt</translation>
     </message>
     <message>
@@ -731,7 +731,7 @@
         <translation>%1 K verschiebt die Zeiten um %2 Dekaden; erlaubt sind %3</translation>
     </message>
     <message>
-        <source>%1 N/m in contact are reported apart</source>
+        <source>%1 N/m in contact are reported separately</source>
         <translation>%1 N/m im Kontakt werden getrennt ausgewiesen</translation>
     </message>
     <message>
@@ -855,12 +855,12 @@
         <translation>Bei %1 m/s. Zu beachten ist der Abfall schon bei dieser kleinen Kraft.</translation>
     </message>
     <message>
-        <source>C(q) is two-sided, h² = 2 ∫ C dq; cut off at π over the element spacing. Points are means over equal stretches of log q.</source>
-        <translation>C(q) ist zweiseitig, h² = 2 ∫ C dq; abgeschnitten bei π/Elementabstand. Punkte sind Mittel über gleiche Strecken von log q.</translation>
+        <source>C(q) is two-sided, h² = 2 ∫ C dq; cut off at π over the element spacing. Points are means over equal intervals of log q.</source>
+        <translation>C(q) ist zweiseitig, h² = 2 ∫ C dq; abgeschnitten bei π/Elementabstand. Punkte sind Mittel über gleiche Intervalle von log q.</translation>
     </message>
     <message>
-        <source>C(q) ~ q⁻²ᴴ⁻¹ is two-sided, h² = 2 ∫ C dq; cut off at π over the element spacing. Points are means over equal stretches of log q.</source>
-        <translation>C(q) ~ q⁻²ᴴ⁻¹ ist zweiseitig, h² = 2 ∫ C dq; abgeschnitten bei π/Elementabstand. Punkte sind Mittel über gleiche Strecken von log q.</translation>
+        <source>C(q) ~ q⁻²ᴴ⁻¹ is two-sided, h² = 2 ∫ C dq; cut off at π over the element spacing. Points are means over equal intervals of log q.</source>
+        <translation>C(q) ~ q⁻²ᴴ⁻¹ ist zweiseitig, h² = 2 ∫ C dq; abgeschnitten bei π/Elementabstand. Punkte sind Mittel über gleiche Intervalle von log q.</translation>
     </message>
     <message>
         <source>Circles: spread of the means over groups of so many lines. Lines: one over the square root.</source>
@@ -1067,8 +1067,8 @@
         <translation>bei %2 m/s ist der Kontakt ab d = %1 m vollständig</translation>
     </message>
     <message>
-        <source>contact is too short, or moduli are too far apart, for the digits that numbers have, %1</source>
-        <translation>für die Stellen, die Zahlen haben, ist %1 der Kontakt zu kurz, oder die Moduln liegen zu weit auseinander</translation>
+        <source>contact is too short, or the moduli differ too much, for double precision, %1</source>
+        <translation>der Kontakt ist zu kurz, oder die Moduln unterscheiden sich zu stark, für doppelte Genauigkeit, %1</translation>
     </message>
     <message>
         <source>edges of contact are found inside the segments: %1</source>
@@ -1111,7 +1111,7 @@
         <translation>ist keine Zahl; erlaubt ist %1</translation>
     </message>
     <message>
-        <source>is steady, where nothing changes in time; asperity motion is of start, step, oscillation and reversal</source>
+        <source>is steady, so nothing changes in time; asperity motion needs start, step, oscillation or reversal</source>
         <translation>ist stationär, und nichts ändert sich mit der Zeit; asperity motion ist für start, step, oscillation und reversal</translation>
     </message>
     <message>
@@ -1263,7 +1263,7 @@
         <translation>Höhe der Sinuskämme über dem Mittel.</translation>
     </message>
     <message>
-        <source>How the elastomer answers to deformation.</source>
+        <source>How the elastomer responds to deformation.</source>
         <translation>Wie das Elastomer auf Verformung antwortet.</translation>
     </message>
     <message>
@@ -1291,7 +1291,7 @@
         <translation>Letzte Geschwindigkeit der Reibungskurve.</translation>
     </message>
     <message>
-        <source>Local coefficient of friction in contact, added to what the deformation costs and reported apart; 0: none.</source>
+        <source>Local coefficient of friction in contact, added to the friction of deformation and reported separately; 0: none.</source>
         <translation>Lokale Reibungszahl im Kontakt; sie kommt zum Verformungsanteil hinzu und wird getrennt ausgewiesen; 0: keine.</translation>
     </message>
     <message>
@@ -1387,8 +1387,8 @@
         <translation>Geschwindigkeit ab der Hälfte der Dauer; unter 0 läuft die Linie zurück.</translation>
     </message>
     <message>
-        <source>Viscosity over shear modulus: how long the free surface takes to come back.</source>
-        <translation>Viskosität durch Schubmodul: wie lange die freie Oberfläche zur Rückkehr braucht.</translation>
+        <source>Viscosity over shear modulus: how long the free surface takes to recover.</source>
+        <translation>Viskosität durch Schubmodul: wie lange die freie Oberfläche braucht, um sich zu erholen.</translation>
     </message>
     <message>
         <source>Waves longer than this are all equally strong; 0: the roughness is self-affine up to the whole period.</source>
@@ -1655,15 +1655,15 @@
         <translation>%1 Geschwindigkeiten, nebeneinander, wo der Rechenkern es kann</translation>
     </message>
     <message>
-        <source>a free surface comes back with one relaxation time</source>
-        <translation>eine freie Oberfläche kehrt mit einer Relaxationszeit zurück</translation>
+        <source>a free surface recovers with one relaxation time</source>
+        <translation>eine freie Oberfläche erholt sich mit einer Relaxationszeit</translation>
     </message>
     <message>
-        <source>a free surface comes back with several relaxation times</source>
-        <translation>eine freie Oberfläche kehrt mit mehreren Relaxationszeiten zurück</translation>
+        <source>a free surface recovers with several relaxation times</source>
+        <translation>eine freie Oberfläche erholt sich mit mehreren Relaxationszeiten</translation>
     </message>
     <message>
-        <source>a local coefficient of %1 is reported apart</source>
+        <source>a local coefficient of %1 is reported separately</source>
         <translation>eine lokale Reibungszahl von %1 wird getrennt ausgewiesen</translation>
     </message>
     <message>
@@ -1775,8 +1775,8 @@
         <translation>das Elastomer hat seine Bezugstemperatur</translation>
     </message>
     <message>
-        <source>the elastomer is elastic and has no memory</source>
-        <translation>das Elastomer ist elastisch und hat kein Gedächtnis</translation>
+        <source>the elastomer is elastic and responds at once</source>
+        <translation>das Elastomer ist elastisch und antwortet sofort</translation>
     </message>
     <message>
         <source>the indentation is given</source>
@@ -2003,8 +2003,8 @@
         <translation>Wenige Kontakte der endlichen Periode tragen die Last, und die Steigung im Kontakt fällt, Gl. (15). Beginnt unter 95 % des Maximums.</translation>
     </message>
     <message>
-        <source>Tinted: Fₙ/(4ηv) is below 0.1 h (η: viscosity). It is the height that the contacts of one period climb together; the border moves with the period L.</source>
-        <translation>Getönt: Fₙ/(4ηv) liegt unter 0,1 h (η: Viskosität). Es ist die Höhe, die alle Kontakte einer Periode zusammen erklimmen; die Grenze wandert mit der Periode L.</translation>
+        <source>Tinted: Fₙ/(4ηv) is below 0.1 h (η: viscosity). It is the sum of the heights climbed by all contacts of one period; the border moves with the period L.</source>
+        <translation>Getönt: Fₙ/(4ηv) liegt unter 0,1 h (η: Viskosität). Es ist die Summe der Höhen, die alle Kontakte einer Periode erklimmen; die Grenze wandert mit der Periode L.</translation>
     </message>
     <message>
         <source>p. 3, after Eq. (9)</source>
@@ -2059,8 +2059,8 @@
         <translation>Fₙ / (4 η v), bezogen auf h, wo Bereich IV beginnt; geometrisches Mittel über vier Kräfte und drei Perioden</translation>
     </message>
     <message>
-        <source>0.03 to 0.3: the height that the contacts of one period climb together is about a tenth of h</source>
-        <translation>0,03 bis 0,3: Die Höhe, die alle Kontakte einer Periode zusammen erklimmen, ist etwa ein Zehntel von h</translation>
+        <source>0.03 to 0.3: the sum of the heights climbed by all contacts of one period is about a tenth of h</source>
+        <translation>0,03 bis 0,3: Die Summe der Höhen, die alle Kontakte einer Periode erklimmen, ist etwa ein Zehntel von h</translation>
     </message>
     <message>
         <source>The law of friction depends on the size of the system, which shifts the curves</source>
@@ -2623,8 +2623,8 @@
         <translation>das Kräftegleichgewicht ist nicht erfüllt</translation>
     </message>
     <message>
-        <source>stands beside interface.friction_coefficient; only one of them may be above 0</source>
-        <translation>steht neben interface.friction_coefficient; nur eines von beiden darf über 0 liegen</translation>
+        <source>cannot be combined with interface.friction_coefficient; only one of them may be above 0</source>
+        <translation>lässt sich nicht mit interface.friction_coefficient verbinden; nur eines von beiden darf über 0 liegen</translation>
     </message>
     <message>
         <source>%1 to %2</source>
@@ -2891,8 +2891,8 @@
         <translation>nodal ist die Regel der Arbeit für Kelvin-Elemente: Wo ihre Kraft springt, können sich Arme nicht über eine Periode schließen; sie brauchen linear oder kubisch</translation>
     </message>
     <message>
-        <source>is 0: arms and dashpots carry nothing on average over a period, so sliding or not the elastomer sinks for ever; it needs more than 0</source>
-        <translation>ist 0: Arme und Dämpfer tragen im Mittel über eine Periode nichts, daher sinkt das Elastomer gleitend oder nicht ohne Ende ein; nötig ist mehr als 0</translation>
+        <source>is 0: without an equilibrium modulus an elastomer cannot carry a constant load; it must be above 0</source>
+        <translation>ist 0: Ohne Gleichgewichtsmodul kann ein Elastomer keine konstante Last tragen; nötig ist mehr als 0</translation>
     </message>
     <message>
         <source>a standard solid has one arm, not %1</source>
@@ -2939,7 +2939,7 @@
         <translation>ein Schlüssel eines Abschnitts steht im Objekt seines Abschnitts</translation>
     </message>
     <message>
-        <source>stands twice in the same object</source>
+        <source>occurs twice in the same object</source>
         <translation>steht zweimal in demselben Objekt</translation>
     </message>
     <message>
@@ -3027,12 +3027,12 @@
         <translation>ist ein Ordner; nötig ist ein Dateiname</translation>
     </message>
     <message>
-        <source>is not a folder and cannot be made one</source>
+        <source>is not a folder and cannot be created</source>
         <translation>ist kein Ordner und lässt sich nicht anlegen</translation>
     </message>
     <message>
-        <source>is what is read, and would be replaced</source>
-        <translation>ist die gelesene Datei und würde ersetzt</translation>
+        <source>is also an input file and would be replaced</source>
+        <translation>ist auch eine Eingabedatei und würde ersetzt</translation>
     </message>
     <message>
         <source>is not a plain file and would be replaced</source>
@@ -3107,8 +3107,8 @@
         <translation>Gipfel sind oben wie in der Datei. C(q) ist zweiseitig, h² = 2 ∫ C dq, mit Hann-Fenster; getönt: nicht Rauheit, sondern die Länge des Profils, Rauschen oder zu wenige Punkte je Welle.</translation>
     </message>
     <message>
-        <source>the rms slope of the line is above 0.3: the model takes slopes for small, and beyond this its friction is an estimate</source>
-        <translation>die RMS-Steigung der Linie liegt über 0,3: Das Modell nimmt Steigungen als klein an, darüber ist seine Reibung eine Schätzung</translation>
+        <source>the rms slope of the line is above 0.3: the model assumes small slopes, so its friction is only an estimate</source>
+        <translation>die RMS-Steigung der Linie liegt über 0,3: Das Modell setzt kleine Steigungen voraus, daher ist seine Reibung nur eine Schätzung</translation>
     </message>
     <message>
         <source>few contacts carry the load: results depend on the single summits of this line and on its period</source>
@@ -3127,7 +3127,7 @@
         <translation>die Dehnungen sind größer als die, bei denen das Elastomer gemessen wurde</translation>
     </message>
     <message>
-        <source>the end of the profile does not meet its beginning: the period repeats with a step, which carries load like a sharp edge; surface.seam mirror or blend make none</source>
+        <source>the end of the profile does not meet its beginning: the period repeats with a step, which carries load like a sharp edge; surface.seam mirror or blend avoids it</source>
         <translation>das Ende des Profils trifft seinen Anfang nicht: Die Periode wiederholt sich mit einer Stufe, die wie eine scharfe Kante Last trägt; surface.seam mirror oder blend machen keine</translation>
     </message>
     <message>
@@ -3483,12 +3483,12 @@
         <translation>Zeile %1: %2</translation>
     </message>
     <message>
-        <source>%1 has no line: nowhere on this axis does it hold.</source>
-        <translation>%1 hat keine Linie: nirgends auf dieser Achse gilt die Theorie.</translation>
+        <source>%1 is not drawn: it does not apply anywhere on this axis.</source>
+        <translation>%1 ist nicht gezeichnet: die Theorie gilt nirgends auf dieser Achse.</translation>
     </message>
     <message>
-        <source>%1 has no line: it says nothing about this quantity in this scene.</source>
-        <translation>%1 hat keine Linie: die Theorie sagt nichts über diese Größe in dieser Szene.</translation>
+        <source>%1 is not drawn: it does not predict this quantity in this scene.</source>
+        <translation>%1 ist nicht gezeichnet: die Theorie sagt diese Größe in dieser Szene nicht voraus.</translation>
     </message>
     <message>
         <source>%1 tables are more than %2</source>
@@ -3567,7 +3567,7 @@
         <translation>nicht benutzt: %1</translation>
     </message>
     <message>
-        <source>line %1: '%2' is no number</source>
+        <source>line %1: '%2' is not a number</source>
         <translation>Zeile %1: „%2“ ist keine Zahl</translation>
     </message>
     <message>
@@ -3583,7 +3583,7 @@
         <translation>hat keine Zeilen mit Zahlen</translation>
     </message>
     <message>
-        <source>has no rows of numbers; line %1: '%2' is no number</source>
+        <source>has no rows of numbers; line %1: '%2' is not a number</source>
         <translation>hat keine Zeilen mit Zahlen; Zeile %1: „%2“ ist keine Zahl</translation>
     </message>
     <message>
@@ -3791,11 +3791,11 @@
         <translation>Die Höhe %1 (in %2) steht %3-mal da, weit von allen anderen: Wenn sie für fehlende Punkte steht, müssen diese leer sein oder surface.outliers gesetzt werden.</translation>
     </message>
     <message>
-        <source>Line %1 is left out: it begins with a number and is no row of the table.</source>
+        <source>Line %1 is left out: it begins with a number but is not a row of the table.</source>
         <translation>Zeile %1 bleibt weg: Sie beginnt mit einer Zahl und ist keine Zeile der Tabelle.</translation>
     </message>
     <message>
-        <source>%1 lines, the first is line %2, are left out: they begin with a number and are no rows of the table.</source>
+        <source>%1 lines, the first is line %2, are left out: they begin with a number but are not rows of the table.</source>
         <translation>%1 Zeilen, die erste ist Zeile %2, bleiben weg: Sie beginnen mit einer Zahl und sind keine Zeilen der Tabelle.</translation>
     </message>
     <message>
@@ -3811,7 +3811,7 @@
         <translation>Die Punkte sind so weit auseinander wie angegeben: %1 nummeriert sie.</translation>
     </message>
     <message>
-        <source>line %1: %2 is no height; a missing point is left empty or is NaN</source>
+        <source>line %1: %2 is not a height; a missing point is left empty or is NaN</source>
         <translation>Zeile %1: %2 ist keine Höhe; ein fehlender Punkt ist leer oder NaN</translation>
     </message>
     <message>
@@ -3839,7 +3839,7 @@
         <translation>endet zu früh: %1 × %2 Punkte brauchen %3 Bytes, und %4 sind da</translation>
     </message>
     <message>
-        <source>the axis %1 is in &apos;%2&apos;, which is no unit of length; %3 can name another one</source>
+        <source>the axis %1 is in &apos;%2&apos;, which is not a unit of length; %3 can name another one</source>
         <translation>die Achse %1 ist in „%2“, was keine Längeneinheit ist; %3 kann eine andere nennen</translation>
     </message>
     <message>
@@ -3907,7 +3907,7 @@
         <translation>der Kopf sagt %1 × %2 Pixel und ebenso viele, die jene ohne Höhe kennzeichnen; die Datei hat %3 × %4 Zahlen</translation>
     </message>
     <message>
-        <source>%1 is in &apos;%2&apos;, which is no unit of length; %3 can name another one</source>
+        <source>%1 is in &apos;%2&apos;, which is not a unit of length; %3 can name another one</source>
         <translation>%1 ist in „%2“, was keine Längeneinheit ist; %3 kann eine andere nennen</translation>
     </message>
     <message>
@@ -4555,7 +4555,7 @@
         <translation>%1: die Imaginärteile liegen in allen Zeilen unter 0, nach einer Vorzeichenregel; ihr Betrag wird genommen</translation>
     </message>
     <message>
-        <source>line %1: is no complex number, as others of the column are</source>
+        <source>line %1: is not a complex number, as others of the column are</source>
         <translation>Zeile %1: ist keine komplexe Zahl, wie andere der Spalte es sind</translation>
     </message>
     <message>
@@ -5207,11 +5207,11 @@
         <translation>Moduln G′, G″</translation>
     </message>
     <message>
-        <source>'%1' is no unit of temperature</source>
+        <source>'%1' is not a unit of temperature</source>
         <translation>„%1“ ist keine Einheit der Temperatur</translation>
     </message>
     <message>
-        <source>the unit '%1' is no unit of strain; known are %, ppm, mm/mm</source>
+        <source>the unit '%1' is not a unit of strain; known are %, ppm, mm/mm</source>
         <translation>die Einheit „%1“ ist keine Einheit einer Dehnung; bekannt sind %, ppm, mm/mm</translation>
     </message>
     <message>
@@ -5799,8 +5799,8 @@
         <translation>Achsenteilung</translation>
     </message>
     <message>
-        <source>The key over which the friction curve goes: any number that changes friction in the scene.</source>
-        <translation>Der Schlüssel, über dem die Reibungskurve verläuft: jede Zahl, die in der Szene die Reibung ändert.</translation>
+        <source>The key on the horizontal axis of the friction curve: any number that changes friction in the scene.</source>
+        <translation>Der Schlüssel auf der waagrechten Achse der Reibungskurve: jede Zahl, die in der Szene die Reibung ändert.</translation>
     </message>
     <message>
         <source>First value of another key than velocity, in its unit; from above to runs downwards.</source>
@@ -5967,7 +5967,7 @@
         <translation>%1 ist keine ganze Zahl von %2 bis %3</translation>
     </message>
     <message>
-        <source>needs a text</source>
+        <source>must be a text</source>
         <translation>verlangt einen Text</translation>
     </message>
     <message>
@@ -6047,11 +6047,11 @@
         <translation>verlangt Listen mit so vielen Werten, wie es Schlüssel gibt</translation>
     </message>
     <message>
-        <source>column '%1' is no scene key</source>
+        <source>column '%1' is not a scene key</source>
         <translation>Spalte „%1“ ist kein Schlüssel einer Szene</translation>
     </message>
     <message>
-        <source>column '%1' is no scene key; the nearest known one is %2</source>
+        <source>column '%1' is not a scene key; the nearest known one is %2</source>
         <translation>Spalte „%1“ ist kein Schlüssel einer Szene; der nächste bekannte ist %2</translation>
     </message>
     <message>
@@ -6107,7 +6107,7 @@
         <translation>wird zweimal variiert</translation>
     </message>
     <message>
-        <source>stands in set and in space; one of them is enough</source>
+        <source>is in set and in space; one of them is enough</source>
         <translation>steht in set und in space; eines von beiden genügt</translation>
     </message>
     <message>
@@ -6539,7 +6539,7 @@
         <translation>braucht eine Lektion; ohne eine werden die mitgelieferten aufgezählt</translation>
     </message>
     <message>
-        <source>is of a handout, not of results</source>
+        <source>applies only to handouts, not to results</source>
         <translation>gehört zu einem Arbeitsblatt, nicht zu Ergebnissen</translation>
     </message>
     <message>
@@ -6551,7 +6551,7 @@
         <translation>hat Ergebnisse von „%1“, aber %2 hat solche von „%3“; eine Tabelle gilt für eine Lektion</translation>
     </message>
     <message>
-        <source>is of a handout; give -o as well</source>
+        <source>applies only to handouts; give -o as well</source>
         <translation>gehört zu einem Arbeitsblatt; es braucht auch -o</translation>
     </message>
     <message>
@@ -6719,8 +6719,8 @@
         <translation>lange Grenzwellenlänge</translation>
     </message>
     <message>
-        <source>L-filter: cut-off wavelength above which waves are removed, likewise; long waves decide where the load is carried, so for friction there is usually none; 0: none.</source>
-        <translation>L-Filter: Grenzwellenlänge, über der Wellen ebenso entfernt werden; lange Wellen entscheiden, wo die Last getragen wird, daher hat man für Reibung meist keine; 0: keine.</translation>
+        <source>L-filter: cut-off wavelength above which waves are removed in the same way; 0: none, as friction usually needs, because long waves decide where the load is carried.</source>
+        <translation>L-Filter: Grenzwellenlänge, über der Wellen ebenso entfernt werden; 0: keine, wie es Reibung meist verlangt, weil lange Wellen entscheiden, wo die Last getragen wird.</translation>
     </message>
     <message>
         <source>file format</source>
@@ -6979,7 +6979,7 @@
         <translation>%1 in %2 widerspricht sich: Eine Wellenzahl steht in rad/m, eine Ortsfrequenz in cycles/m</translation>
     </message>
     <message>
-        <source>%1 in %2 is no density over %3: over a wave number it is per rad/m, over a spatial frequency or a wavelength per cycles/m</source>
+        <source>%1 in %2 is not a density over %3: over a wave number it is per rad/m, over a spatial frequency or a wavelength per cycles/m</source>
         <translation>%1 in %2 ist keine Dichte über %3: Über einer Wellenzahl ist sie je rad/m, über einer Ortsfrequenz oder Wellenlänge je cycles/m</translation>
     </message>
     <message>
@@ -7267,7 +7267,7 @@
         <translation>hat Ergebnisse einer anderen Fassung von „%1“ als %2; eine Tabelle gilt für eine Fassung</translation>
     </message>
     <message>
-        <source>The numbers of this scene leave what a computer can hold.</source>
+        <source>The numbers of this scene exceed the range of a computer&apos;s numbers.</source>
         <translation>Die Zahlen dieser Szene übersteigen, was ein Rechner fassen kann.</translation>
     </message>
     <message>
@@ -7650,8 +7650,8 @@
         <translation>Wie weit sich die Reibung ändert, wenn dieselben Linien mit einer anderen Einstellung berechnet werden.</translation>
     </message>
     <message>
-        <source>Coefficient of friction: what deforming the elastomer costs, over the normal force.</source>
-        <translation>Reibungszahl: was die Verformung des Elastomers kostet, durch die Normalkraft.</translation>
+        <source>Coefficient of friction: the tangential force that deforms the elastomer, over the normal force.</source>
+        <translation>Reibungszahl: die Tangentialkraft, die das Elastomer verformt, durch die Normalkraft.</translation>
     </message>
     <message>
         <source>Coefficient of friction over the rms slope of the line.</source>

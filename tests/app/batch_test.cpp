@@ -99,7 +99,7 @@ TEST_F(BatchTest, ABadEntryIsToldAndTheOthersGoOn) {
   EXPECT_EQ(std::count(said.err.begin(), said.err.end(), '\n'), 5) << said.err;
   EXPECT_THAT(said.err, AllOf(HasSubstr("asperity: b.json: gone: "), HasSubstr("gone.json"),
                               HasSubstr("1.5 is outside 0 to 1"), HasSubstr("swoop: unknown key"),
-                              HasSubstr("stands twice")));
+                              HasSubstr("occurs twice")));
   EXPECT_THAT(program.folder.names("out"), IsSupersetOf({"good.png", "partly_01.png"}));
   EXPECT_THAT(read("out/index.html"), HasSubstr("5 of them failed"));
 }
@@ -294,12 +294,12 @@ TEST_F(BatchTest, NamesThatWouldOverwriteAFileAreRefusedBeforeAnythingRuns) {
 
 TEST_F(BatchTest, NoOutputReplacesAFileThatIsRead) {
   write(R"({"name": "s", "scene": "s.json"})");
-  expectRefused("batch b.json -o .", 2, "s.json is what is read");
+  expectRefused("batch b.json -o .", 2, "s.json is also an input file");
   program.folder.write("p.csv", "0\n1e-6\n0\n-1e-6\n");
   program.folder.write("q.json",
                        R"({"surface": {"kind": "profile", "file": "p.csv", "length": 1e-3}})");
   write(R"({"name": "p", "scene": "q.json", "show": "contact"})");
-  expectRefused("batch b.json -o .", 2, "p.csv is what is read");
+  expectRefused("batch b.json -o .", 2, "p.csv is also an input file");
 }
 
 TEST_F(BatchTest, TallPicturesFindRoomOnTheSheet) {

@@ -100,7 +100,8 @@ TEST_F(CommandLineTest, OutputsThatCannotBeAreRefusedBeforeAnyWork) {
   expectRefused("curve s.json -o nowhere/a.csv", 2, "does not exist");
   expectRefused("curve s.json -o - -o -", 2, "- is given more than once");
   expectRefused("curve s.json -o a.txt", 2, "is not one of .csv, .json, .png, .svg, .pdf");
-  expectRefused("curve s.json -o a.csv -o b", 2, "b: the name has no ending; allowed is .csv");
+  expectRefused("curve s.json -o a.csv -o b", 2,
+                "b: the file name has no extension; allowed is .csv");
   expectRefused("curve s.json -o /dev/full", 2, "not a plain file");
   expectRefused("surface s.json -o a.txt", 2, "is not one of");
   expectRefused("render s.json -o a.jpg", 2, "neither a folder nor a .png, .svg, .pdf");

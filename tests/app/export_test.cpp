@@ -260,7 +260,7 @@ TEST_F(ExportTest, ADashIsNoFolder) {
   program.folder.write("b.json",
                        R"({"schema": "asperity-batch/1", "entries": [{"scene": "s.json"}]})");
   for (const char* call : {"accuracy s.json", "figure 1", "batch b.json"})
-    expectRefused(std::string(call) + " -o -", 2, "--output: '-' is no folder");
+    expectRefused(std::string(call) + " -o -", 2, "--output: '-' is not a folder");
 }
 
 TEST_F(ExportTest, AKilledSequenceLeavesWholeFramesAndIsResumed) {

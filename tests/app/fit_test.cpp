@@ -104,7 +104,7 @@ TEST_F(FitCommandTest, RefusesWhatItCannotFit) {
   expectRefused("fit s.json -o out --data data.csv", 2, "--vary");
   expectRefused(fit + "surface.seed", 2, "surface.seed: is not a real number");
   expectRefused(fit + "surface.hurts", 2, "the nearest known one is surface.hurst");
-  expectRefused(fit + "surface.hurst=0.9:0.2", 2, "0.9:0.2 is no range");
+  expectRefused(fit + "surface.hurst=0.9:0.2", 2, "0.9:0.2 is not a range");
   expectRefused(fit + "surface.hurst=0.5", 2, "is not KEY or KEY=LOW:HIGH");
   expectRefused(fit + "surface.hurst=a:b", 2, "surface.hurst: 'a' is not a number");
   expectRefused(fit + "surface.hurst --vary surface.hurst", 2, "more than once");
@@ -144,11 +144,11 @@ TEST_F(FitCommandTest, MeasuredFrictionAndTheoriesStandBesideACurve) {
 /// The folder is checked before the measured friction is read, and so before any fit.
 TEST_F(FitCommandTest, AFolderThatCannotBeWrittenIsRefusedBeforeTheWork) {
   const std::string call = "fit s.json --data data.csv --vary surface.hrust -o ";
-  expectRefused(call + "s.json", 2, "s.json: is not a folder and cannot be made one");
-  expectRefused(call + "s.json/a/b", 2, "s.json/a/b: is not a folder and cannot be made one");
+  expectRefused(call + "s.json", 2, "s.json: is not a folder and cannot be created");
+  expectRefused(call + "s.json/a/b", 2, "s.json/a/b: is not a folder and cannot be created");
   expectRefused(call + "new/folder", 2, "surface.hrust");  // which is not made, either
   std::filesystem::create_symlink("nowhere", program.folder / "link");
-  expectRefused(call + "link", 2, "link: is not a folder and cannot be made one");
+  expectRefused(call + "link", 2, "link: is not a folder and cannot be created");
   expectRefused("material data.csv -o s.json/d", 2, "s.json/d: is not a folder");
   expectRefused("render s.json --frames 2 -o s.json/d", 2, "s.json/d: is not a folder");
 }

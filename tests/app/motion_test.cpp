@@ -112,7 +112,7 @@ TEST_F(MotionCommandTest, RefusesWhatItCannotDo) {
                 "--lines: this surface has one line");
   expectRefused("motion m.json --set sliding.duration=1e5", 2, "--every: ");
   expectRefused("motion m.json -o a.csv --theme dark", 2, "--theme: belongs to pictures");
-  expectRefused("motion m.json -o m.json", 2, "m.json is what is read");
+  expectRefused("motion m.json -o m.json", 2, "m.json is also an input file");
   expectRefused("columns m.json", 2, "unexpected argument 'm.json' for 'asperity columns'");
   expectRefused("columns --set surface.hurst=1", 2, "--set: unknown option of 'asperity columns'");
 }

@@ -130,13 +130,13 @@ TEST_F(RemakeFolderTest, WhatTheNewFileCannotBeIsOneLine) {
   program.folder.write("kept.csv", "mine");
   expectRefused("open fit/curve.png --remake -o kept.csv", 2, "'.csv' is not one of .png, .svg");
   expectRefused("open fit/fit.csv --remake -o fit.png", 2, "'.png' is not one of .csv, .json");
-  expectRefused("open fit/fit.csv --remake -o data.csv", 2, "is what is read");
+  expectRefused("open fit/fit.csv --remake -o data.csv", 2, "is also an input file");
   expectRefused("open fit/curve.png --remake -o none/c.png", 2, "none");
   expectRefused("open fit/fit.csv --remake --size 500x400", 2, "--size: belongs to pictures");
   expectRefused("open fit/curve.png --remake --columns mu", 2, "--columns: belongs to tables");
   expectRefused("open fit/curve.png --remake --tables", 2, "unknown option of 'asperity fit'");
   expectRefused("open fit/curve.png --remake --from none", 2, "--from: none is not a folder");
-  expectRefused("open s.json --from .", 2, "--from: is of --remake");
+  expectRefused("open s.json --from .", 2, "--from: applies only with --remake");
   EXPECT_EQ(read("kept.csv"), "mine");
   EXPECT_EQ(read("data.csv"), kFriction);
 }
@@ -221,7 +221,8 @@ TEST_F(RemakeFolderTest, EveryFileOfAStudyIsTheSameAgain) {
   EXPECT_EQ(read("b.csv"), read("w.csv"));
   EXPECT_EQ(read("c.csv"), read("w.csv"));
   expectRefused("open w.csv --remake --from s.json", 2, "s.json: is not the store of a study");
-  expectRefused("open w.csv --remake --from away/renamed -o away/renamed", 2, "is what is read");
+  expectRefused("open w.csv --remake --from away/renamed -o away/renamed", 2,
+                "is also an input file");
   expectRefused("open w.csv --remake --from away --set surface.hurst=0.5", 2, "--set: sets keys");
   std::string other = kStudy;
   program.folder.write("study.json",

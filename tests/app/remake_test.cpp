@@ -71,7 +71,7 @@ TEST_F(RemakeTest, RefusesWhatCannotBeRemade) {
   expectRefused("open window.csv --remake", 2, "'asperity motion' makes a new one of its scene");
   expectRefused("open s.json --remake", 2, "is a scene");
   expectRefused("open s.json --size 5x5", 2, "unknown option");
-  expectRefused("open s.json -o x.png", 2, "--output: is of --remake");
+  expectRefused("open s.json -o x.png", 2, "--output: applies only with --remake");
   program.folder.write("e.json", program.run("explain s.json --json").out);
   expectRefused("open e.json --remake", 2,
                 "is a result of the kind 'explain', which cannot be remade");

@@ -161,7 +161,7 @@ TEST_F(StudyCommandTest, MistakesAreOneLine) {
 /// The folder is checked before the store is even opened.
 TEST_F(StudyCommandTest, AFolderThatCannotBeWrittenIsRefusedBeforeTheWork) {
   expectRefused("study analyse nothing -o study.json/d", 2,
-                "study.json/d: is not a folder and cannot be made one");
+                "study.json/d: is not a folder and cannot be created");
 }
 
 TEST_F(StudyCommandTest, AFullDiskIsOneLineAndTheRunGoesOn) {

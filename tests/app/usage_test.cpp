@@ -106,7 +106,7 @@ TEST_F(UsageTest, NumbersHaveLimitsAndAreFinite) {
 TEST_F(UsageTest, WhatDoesNotGoTogetherIsSaidOfTheOption) {
   for (const char* film : {"render s.json -o a.gif ", "render step.json -o out "}) {
     expectRefused(std::string(film) + "--frames 5 --duration 3", 2,
-                  "asperity: --duration: and --frames both say");
+                  "asperity: --duration: cannot be combined with --frames");
     expectRefused(std::string(film) + "--slow-motion 1e12", 2, "asperity: --slow-motion: ");
   }
   expectRefused("render step.json -o out --cycles 2", 2, "asperity: --cycles: belongs to steady");
@@ -160,12 +160,12 @@ TEST_F(UsageTest, AnOutputStandsOnceAndReplacesNothingThatIsRead) {
   expectRefused("curve s.json -o a.csv -o ./a.csv", 2, "--output: ./a.csv is given more than once");
   expectRefused("render s.json -o a.png -o b.png", 2, "--output: is given more than once");
   for (const char* verb : {"curve", "surface"}) {
-    expectRefused(std::string(verb) + " s.json -o s.json", 2, "s.json is what is read");
-    expectRefused(std::string(verb) + " p.json -o line.csv", 2, "line.csv is what is read");
+    expectRefused(std::string(verb) + " s.json -o s.json", 2, "s.json is also an input file");
+    expectRefused(std::string(verb) + " p.json -o line.csv", 2, "line.csv is also an input file");
   }
   std::filesystem::rename(program.folder / "s.json", program.folder / "accuracy.json");
-  expectRefused("accuracy accuracy.json -o .", 2, "accuracy.json is what is read");
-  expectRefused("batch b.json -o .", 2, "b.json is what is read");
+  expectRefused("accuracy accuracy.json -o .", 2, "accuracy.json is also an input file");
+  expectRefused("batch b.json -o .", 2, "b.json is also an input file");
   EXPECT_EQ(TemporaryFolder::read(program.folder / "line.csv"), line);
 }
 
@@ -176,7 +176,7 @@ TEST_F(UsageTest, ABatchIsToldWhereItsFileIsWrong) {
   expectRefused("batch b.json -o out", 2,
                 "b.json: sise: unknown key; the nearest known one is size");
   program.folder.write("b.json", batch(R"("title":"a","title":"b",)"));
-  expectRefused("batch b.json -o out", 2, "b.json: title: stands twice");
+  expectRefused("batch b.json -o out", 2, "b.json: title: occurs twice");
   program.folder.write("b.json", R"({"schema": )");
   expectRefused("batch b.json -o out", 2, "b.json: is not valid JSON: line 1, column ");
 }
@@ -251,7 +251,7 @@ TEST_F(UsageTest, MessagesQuotePrintableCharactersOnly) {
 }
 
 TEST_F(UsageTest, AnOutputWithoutAnEndingIsNamed) {
-  expectRefused("surface figure_1 -o x", 2, "x: the name has no ending; allowed is .csv");
+  expectRefused("surface figure_1 -o x", 2, "x: the file name has no extension; allowed is .csv");
 }
 
 TEST_F(UsageTest, AFileOfAnotherKindIsNamedAndNotQuoted) {
@@ -324,15 +324,15 @@ TEST_F(UsageTest, NoOutputReplacesAFileThatASceneOrAnOptionNames) {
            std::string("surface c.json -o d.csv"),
            std::string("batch b.json -o ."),
        })
-    expectRefused(line, 2, "d.csv is what is read");
+    expectRefused(line, 2, "d.csv is also an input file");
   expectRefused("curve s.json -o a.png --style style.json -o style.json", 2,
-                "style.json is what is read");
+                "style.json is also an input file");
   expectRefused("curve s.json --with 'surface.kind=profile;surface.file=line.csv' -o line.csv", 2,
-                "line.csv is what is read");
+                "line.csv is also an input file");
   // The fit writes files of its own names.
   std::filesystem::rename(program.folder / "d.csv", program.folder / "fit.csv");
   expectRefused("fit s.json --data fit.csv --vary surface.rms_height -o .", 2,
-                "fit.csv is what is read");
+                "fit.csv is also an input file");
   EXPECT_EQ(TemporaryFolder::read(program.folder / "fit.csv"), table);
   EXPECT_EQ(TemporaryFolder::read(program.folder / "style.json"), style);
 }

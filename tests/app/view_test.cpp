@@ -171,10 +171,10 @@ TEST_F(ViewTest, WhatCannotBeMeantIsRefused) {
     refused(std::string("--view ") + text, "--view: ");
   refused("--view 0:2", "--view: 0:2 is not 2e-11 to 1 m wide, of which the most are 50 periods");
   refused("--view 1e9:1000000000.01", " m is not within 20000 m of 0");
-  refused("--slid 0.005 --at 3", "--slid: and --at both say the moment");
+  refused("--slid 0.005 --at 3", "--slid: cannot be combined with --at");
   refused("--heights 1e-6", "--heights: 1e-6 is not FROM:TO in m");
   refused("--exaggeration 0", "--exaggeration");
-  refused("--exaggeration 10 --heights 0:1", "--exaggeration: and --heights both say");
+  refused("--exaggeration 10 --heights 0:1", "--exaggeration: cannot be combined with --heights");
   refused("--colours-to -1", "--colours-to");
   refused("--colours-to 1 --overlay none", "no colours");
   refused("--probe 1e9", "--probe");

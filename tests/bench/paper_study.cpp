@@ -88,7 +88,7 @@ class Study {
   void makeLine(const LineSource& source, Scheme scheme, std::int64_t realization,
                 PreparedProfile& line) {
     source.makeInto(points_, realization,
-                    scheme == Scheme::Linear ? Slopes::NotWanted : Slopes::Wanted);
+                    scheme == Scheme::Linear ? Slopes::Omitted : Slopes::Computed);
     prepareProfileInto(line, points_, scheme);
   }
 

@@ -50,7 +50,7 @@ std::vector<ArmCase> armCases() {
 }
 
 /// An ulp of a strain is this much of the pressure, and friction below the least is rounding.
-constexpr double kRelative = 1e-11, kPerStiffness = 1e-15, kLeastMu = 1e-80;
+constexpr double kRelative = 1e-11, kPerStiffness = 1e-15, kMinMu = 1e-80;
 
 Scene sceneOf(const ArmCase& row, Scheme scheme) {
   Scene scene;
@@ -160,7 +160,7 @@ TEST(ArmCases, Table) {
                  worst.invariant, worst.value, error, kRelative + rounding, row.why);
       EXPECT_FALSE(isRefused(result)) << result.residual;
       EXPECT_LE(reference.periodicityError, 1e-16L) << "of the reference itself";
-      EXPECT_TRUE(error <= kRelative + rounding || apart <= kLeastMu)
+      EXPECT_TRUE(error <= kRelative + rounding || apart <= kMinMu)
           << result.mu << " is not " << reference.mu;
       for (const Finding& finding : findings)
         EXPECT_TRUE(finding.holds()) << finding.invariant << ": " << finding.value;

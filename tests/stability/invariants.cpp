@@ -11,7 +11,7 @@ namespace asperity {
 namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-constexpr std::size_t kMostNodes = 100000;  // above, only what one result says
+constexpr std::size_t kMaxNodes = 100000;  // above, only what one result says
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double relative(double a, double b) {
@@ -211,7 +211,7 @@ std::vector<Finding> allFindings(const Situation& situation) {
     // Elements one by one may touch at a depth without being pressed: there is no mu then.
     if (isRefused(result) || result.normalForce == 0) return {};
     add(resultFindings(situation, result));
-    if (situation.line.nodes() > kMostNodes) continue;
+    if (situation.line.nodes() > kMaxNodes) continue;
     add({exactScaling(situation, path, result.mu), shiftSymmetry(situation, path, result)});
     if (path == Path::Lanes) continue;
     add(shapeFindings(situation, result.indentation));

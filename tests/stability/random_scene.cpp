@@ -11,8 +11,8 @@
 namespace asperity {
 namespace {
 
-constexpr std::int64_t kMostElements = 400, kMostPoints = 8;  // so that many scenes are tried
-constexpr double kLeastTime = std::numeric_limits<double>::denorm_min();  // s, above 0, of an arm
+constexpr std::int64_t kMaxElements = 400, kMaxPoints = 8;  // so that many scenes are tried
+constexpr double kMinTime = std::numeric_limits<double>::denorm_min();  // s, above 0, of an arm
 
 template <class... Handlers>
 struct Overloaded : Handlers... {
@@ -58,9 +58,9 @@ rc::Gen<ParameterValue> anyValue(const IntegerField& field, std::int64_t most) {
 }
 
 std::int64_t mostOf(std::string_view key) {
-  if (key == "surface.elements") return kMostElements;
-  if (key == "accuracy.oversampling") return kMostPoints;
-  if (key == "surface.waves") return kMostElements / 2;
+  if (key == "surface.elements") return kMaxElements;
+  if (key == "accuracy.oversampling") return kMaxPoints;
+  if (key == "surface.waves") return kMaxElements / 2;
   return std::int64_t{1} << 53;
 }
 
@@ -76,7 +76,7 @@ rc::Gen<ParameterValue> anyArms() {
       rc::gen::map(rc::gen::tuple(part(), part(), rc::gen::resize(100, rc::gen::inRange(0, 4))),
                    [](const std::tuple<double, double, int>& at) {
                      const auto [modulus, time, wide] = at;
-                     return wide == 0 ? Arm{upTo(1e15, 1e-6, modulus), upTo(1e12, kLeastTime, time)}
+                     return wide == 0 ? Arm{upTo(1e15, 1e-6, modulus), upTo(1e12, kMinTime, time)}
                                       : Arm{between(1e3, 1e9, modulus), between(1e-10, 1e3, time)};
                    });
   return rc::gen::map(rc::gen::resize(6, rc::gen::container<std::vector<Arm>>(arm)),

@@ -12,9 +12,9 @@ namespace {
 
 using Vector = std::vector<Wide>;
 
-constexpr int kLooks = 16;       // at a function along a piece
-constexpr int kMostEvents = 64;  // in a piece; more are rounding
-constexpr Wide kPoint = 1e-9;    // of a period
+constexpr int kLooks = 16;      // at a function along a piece
+constexpr int kMaxEvents = 64;  // in a piece; more are rounding
+constexpr Wide kPoint = 1e-9;   // of a period
 constexpr Wide kNearlyStill = 0.01;
 constexpr Wide kSmooth = 0.5;  // decays by Gauss's points, above in closed form
 
@@ -128,8 +128,8 @@ class ArmReference {
   Vector missing() const {
     Vector found;
     for (std::size_t i = 0; i < arms(); ++i) {
-      const Wide yielded = memory_[i] > line_.length ? yield_[i] : begin_[i] - strain_[i];
-      found.push_back(yielded / -std::expm1(-line_.length / memory_[i]));
+      const Wide creep = memory_[i] > line_.length ? creep_[i] : begin_[i] - strain_[i];
+      found.push_back(creep / -std::expm1(-line_.length / memory_[i]));
     }
     return found;
   }
@@ -139,7 +139,7 @@ class ArmReference {
     depthSum_ = dissipation_ = contact_ = 0;
     begin_.assign(strain.begin(), strain.end());
     strain_ = begin_;
-    yield_.assign(arms(), 0);
+    creep_.assign(arms(), 0);
     touching_ = true;
     for (const Piece& piece : line_.pieces) take(piece);
     if (!touching_) close(line_.length);
@@ -148,7 +148,7 @@ class ArmReference {
  private:
   void take(const Piece& piece) {
     Wide x = piece.from;
-    for (int event = 0; event < kMostEvents; ++event) {
+    for (int event = 0; event < kMaxEvents; ++event) {
       if (touching_) {
         const Wide end = whereContactEnds(piece, x);
         press(piece, x, std::min(end, piece.to));
@@ -197,7 +197,7 @@ class ArmReference {
     contact_ += way;
     for (std::size_t i = 0; i < arms(); ++i) {
       dissipation_ += modulus_[i] * driven[i].loss(way);
-      yield_[i] += driven[i].sum(way) / memory_[i];
+      creep_[i] += driven[i].sum(way) / memory_[i];
       strain_[i] = driven[i].at(way);
     }
   }
@@ -216,7 +216,7 @@ class ArmReference {
     amplitude_.clear();
     for (const ReferenceMode& mode : modes_) {
       Wide amplitude = mode.settled * depth;
-      for (std::size_t i = 0; i < arms(); ++i) amplitude -= mode.ofYield[i] * strain_[i];
+      for (std::size_t i = 0; i < arms(); ++i) amplitude -= mode.ofCreep[i] * strain_[i];
       amplitude_.push_back(amplitude);
     }
   }
@@ -238,7 +238,7 @@ class ArmReference {
       depthSum_ += a * gone / mode.rate;
       dissipation_ += a * a / mode.settled / 2 * gone * (2 - gone);
       for (std::size_t i = 0; i < arms(); ++i) {
-        yield_[i] -= a * gone * mode.toYield[i];
+        creep_[i] -= a * gone * mode.toCreep[i];
         strain_[i] += a * (1 - gone) * mode.toStrain[i];
       }
     }
@@ -249,7 +249,7 @@ class ArmReference {
   Wide dashpot_;             // m
   Vector modulus_, memory_;  // per G, m
   Wide depth_ = 0, depthSum_ = 0, dissipation_ = 0, contact_ = 0;
-  Vector begin_, strain_, yield_, amplitude_;  // m
+  Vector begin_, strain_, creep_, amplitude_;  // m
   Wide leftRise_ = 0, leftPosition_ = 0;
   bool touching_ = true;
 };

@@ -6,7 +6,7 @@
 namespace asperity {
 namespace {
 
-constexpr Wide kLeast = -5000, kMost = 5000;  // logarithms of numbers whose squares are numbers
+constexpr Wide kMin = -5000, kMax = 5000;  // logarithms of numbers whose squares are numbers
 
 /// A rate (1/s) beside that of an arm: (1 + sign exp(log)) / tau, or exp(log) / tau of the slowest
 /// arm where it is beside 0. No digits are lost next to an arm's.
@@ -48,17 +48,16 @@ std::vector<Place> places(const ElementLaw& law) {
   std::vector<Place> found;
   const auto half = std::log(Wide(0.5));
   const Place belowFirst{law, std::nullopt, 1, half};
-  found.push_back(belowFirst.force() < 0 ? free(belowFirst, kLeast, half)
-                                         : free({law, 0, -1, 0}, kLeast, half));
+  found.push_back(belowFirst.force() < 0 ? free(belowFirst, kMin, half)
+                                         : free({law, 0, -1, 0}, kMin, half));
   for (std::size_t right = 1; right < law.arms.size(); ++right) {
     const Wide ratio =
         std::sqrt(Wide(law.arms[right - 1].relaxationTime) / law.arms[right].relaxationTime);
     const Place middle{law, right - 1, 1, std::log(ratio - 1)};
-    found.push_back(middle.force() < 0
-                        ? free(middle, kLeast, middle.log)
-                        : free({law, right, -1, 0}, kLeast, std::log(1 - 1 / ratio)));
+    found.push_back(middle.force() < 0 ? free(middle, kMin, middle.log)
+                                       : free({law, right, -1, 0}, kMin, std::log(1 - 1 / ratio)));
   }
-  if (law.viscosity > 0) found.push_back(free({law, law.arms.size() - 1, 1, 0}, kLeast, kMost));
+  if (law.viscosity > 0) found.push_back(free({law, law.arms.size() - 1, 1, 0}, kMin, kMax));
   return found;
 }
 
@@ -73,8 +72,8 @@ std::vector<ReferenceMode> referenceModes(const ElementLaw& law, Wide velocity) 
     ReferenceMode mode{
         place.rate() / velocity, law.equilibriumModulus / (place.rate() * norm), {}, {}, {}};
     for (std::size_t i = 0; i < law.arms.size(); ++i) {
-      mode.ofYield.push_back(law.arms[i].modulus * place.tau(i) / place.apart(i) / norm);
-      mode.toYield.push_back(1 / place.apart(i));
+      mode.ofCreep.push_back(law.arms[i].modulus * place.tau(i) / place.apart(i) / norm);
+      mode.toCreep.push_back(1 / place.apart(i));
       mode.toStrain.push_back(-place.rate() * place.tau(i) / place.apart(i));
     }
     modes.push_back(mode);

@@ -9,12 +9,12 @@
 
 namespace asperity {
 
-/// y = sum of a_j exp(-rate_j s), with a_j = settled_j y - sum ofYield_ji e_i where it begins; then
-/// q_i = y - e_i = sum toYield_ji a_j and e_i = sum toStrain_ji a_j.
+/// y = sum of a_j exp(-rate_j s), with a_j = settled_j y - sum ofCreep_ji e_i where it begins; then
+/// q_i = y - e_i = sum toCreep_ji a_j and e_i = sum toStrain_ji a_j.
 struct ReferenceMode {
   Wide rate;     // 1/m of the way slid
   Wide settled;  // also the inverse of the spring that draws it back, per G
-  std::vector<Wide> ofYield, toYield, toStrain;
+  std::vector<Wide> ofCreep, toCreep, toStrain;
 };
 
 /// law: with an equilibrium modulus and arms; velocity > 0 (m/s).

@@ -25,7 +25,7 @@ AxisRange moved(const AxisRange& range, double by) {
   return {range.from + by, range.to + by};
 }
 
-AxisRange held(const AxisRange& range, const AxisRange& whole) {
+AxisRange clamped(const AxisRange& range, const AxisRange& whole) {
   if (range.isEmpty() || whole.isEmpty()) return range;
   const double least = std::min(0.5 * range.size(), whole.size());
   const double from = std::clamp(range.from, whole.from + least - range.size(), whole.to - least);
@@ -165,8 +165,8 @@ VisibleRange panned(const ChartGeometry& geometry, QPointF by) {
           moved(geometry.y, by.y() / area.height() * geometry.y.size())};
 }
 
-VisibleRange heldWithin(const VisibleRange& window, const VisibleRange& whole) {
-  return {held(window.x, whole.x), held(window.y, whole.y)};
+VisibleRange clampedTo(const VisibleRange& window, const VisibleRange& whole) {
+  return {clamped(window.x, whole.x), clamped(window.y, whole.y)};
 }
 
 const DiagramPoint* nextPoint(const Diagram& diagram, int id, double x, bool isForward) {

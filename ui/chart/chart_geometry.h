@@ -104,7 +104,7 @@ VisibleRange panned(const ChartGeometry& geometry, QPointF by);
 
 /// Moves the range as little as possible so that on each axis at least half of it lies within
 /// `whole`.
-VisibleRange heldWithin(const VisibleRange& window, const VisibleRange& whole);
+VisibleRange clampedTo(const VisibleRange& window, const VisibleRange& whole);
 
 /// Returns the nearest point beyond a value of x among the series with this id; null where there is
 /// none.

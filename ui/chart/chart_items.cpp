@@ -34,7 +34,7 @@ QString shadeText(const DiagramSpan& shade) {
 
 /// Returns whether the y-axis has no values, as that of a motion before its first step: its numbers
 /// would mean nothing.
-bool isOfNothing(const Diagram& diagram) {
+bool hasNoValues(const Diagram& diagram) {
   const auto hasValue = [](const DiagramSeries& series) {
     return std::ranges::any_of(series.points,
                                [](const DiagramPoint& point) { return std::isfinite(point.y); });
@@ -43,7 +43,7 @@ bool isOfNothing(const Diagram& diagram) {
 }
 
 /// Returns a title that is not broken within its unit: Qt would break "(m/s)" after the stroke.
-QString heldUnit(QString title) {
+QString withHardBlankUnit(QString title) {
   return title.replace('/', QStringLiteral("/\u2060"));
 }
 
@@ -63,8 +63,9 @@ OccupancyGrid coveredBySeries(const Diagram& diagram, const ChartGeometry& map,
   return covered;
 }
 
-void UnderItem::show(const Diagram& diagram, const ChartGeometry& map, const ChartStyle& style,
-                     const TickedAxis& xAxis, const TickedAxis& yAxis, const AxisTitles& titles) {
+void ChartBackground::show(const Diagram& diagram, const ChartGeometry& map,
+                           const ChartStyle& style, const TickedAxis& xAxis,
+                           const TickedAxis& yAxis, const AxisTitles& titles) {
   prepareGeometryChange();
   spans_ = diagram.spans;
   shades_ = diagram.shades;
@@ -74,18 +75,18 @@ void UnderItem::show(const Diagram& diagram, const ChartGeometry& map, const Cha
   covered_ = shades_.empty() ? OccupancyGrid({}, 1) : coveredBySeries(diagram, map, style);
   xAxis_ = xAxis;
   yAxis_ = yAxis;
-  if (isOfNothing(diagram)) yAxis_.ticks.clear();
+  if (hasNoValues(diagram)) yAxis_.ticks.clear();
   titles_ = titles;
   frame_ = map.frame();
   update();
 }
 
-QRectF UnderItem::boundingRect() const {
+QRectF ChartBackground::boundingRect() const {
   return frame_.adjusted(-frame_.left(), -map_.names - 2, titles_.beside + kBeside + 2,
                          3 * style_.line() + kBelow);
 }
 
-void UnderItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+void ChartBackground::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
   painter->setFont(style_.font);
   // Tints over the grid leave it equally strong in all regions.
   paintGrid(*painter);
@@ -101,32 +102,32 @@ void UnderItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidge
   paintTitles(*painter);
 }
 
-void UnderItem::avoid(double x) {
+void ChartBackground::avoid(double x) {
   if (x == line_ || (std::isnan(x) && std::isnan(line_))) return;
   const QList<QRectF> before = namesInside();
   line_ = x;
   if (namesInside() != before) update();
 }
 
-QList<QRectF> UnderItem::namesInside() const {
+QList<QRectF> ChartBackground::namesInside() const {
   QList<QRectF> boxes;
   for (const DiagramSpan& shade : shades_)
     if (const QRectF box = shadeName(shade).box; !box.isEmpty()) boxes += box;
   return boxes;
 }
 
-QString UnderItem::elidedTitle() const {
+QString ChartBackground::elidedTitle() const {
   const bool isShort = titles_.hasX && titles_.hasXLabels && xTitle().text != xAxis_.title;
   return isShort ? QString::fromStdString(xAxis_.title) : QString();
 }
 
-QRectF UnderItem::spanRect(const DiagramSpan& span) const {
-  const auto held = [this](double x) { return std::clamp(x, frame_.left(), frame_.right()); };
-  const double left = held(map_.mapX(span.from)), right = held(map_.mapX(span.to));
+QRectF ChartBackground::spanRect(const DiagramSpan& span) const {
+  const auto clamped = [this](double x) { return std::clamp(x, frame_.left(), frame_.right()); };
+  const double left = clamped(map_.mapX(span.from)), right = clamped(map_.mapX(span.to));
   return {left, frame_.top(), right - left, frame_.height()};
 }
 
-void UnderItem::paintSpans(QPainter& painter) const {
+void ChartBackground::paintSpans(QPainter& painter) const {
   const QFontMetricsF metrics(style_.font);
   bool isShaded = true;
   for (const DiagramSpan& span : spans_) {
@@ -146,7 +147,7 @@ void UnderItem::paintSpans(QPainter& painter) const {
   painter.setOpacity(1);
 }
 
-void UnderItem::paintShadeNames(QPainter& painter) const {
+void ChartBackground::paintShadeNames(QPainter& painter) const {
   for (const DiagramSpan& shade : shades_) {
     const Name name = shadeName(shade);
     if (name.box.isEmpty()) continue;
@@ -160,7 +161,7 @@ void UnderItem::paintShadeNames(QPainter& painter) const {
 /// Places a name in its shade where no curve and not the line of the marker passes through it: in
 /// the whole width, otherwise on either side of that line, otherwise in more lines in a part of the
 /// width. There is none where no place is free.
-UnderItem::Name UnderItem::shadeName(const DiagramSpan& shade) const {
+ChartBackground::Name ChartBackground::shadeName(const DiagramSpan& shade) const {
   const QRectF whole = spanRect(shade).adjusted(kAside, kAside, -kAside, -kAside);
   QRectF left = whole, right = whole;
   const bool isSplit = line_ > whole.left() && line_ < whole.right();
@@ -180,7 +181,8 @@ UnderItem::Name UnderItem::shadeName(const DiagramSpan& shade) const {
 
 /// Places a name at this side of a rectangle without a curve: at its foot, otherwise as high as
 /// possible; its box is empty where there is no such place.
-UnderItem::Name UnderItem::nameIn(const QRectF& area, int side, const DiagramSpan& shade) const {
+ChartBackground::Name ChartBackground::nameIn(const QRectF& area, int side,
+                                              const DiagramSpan& shade) const {
   if (!area.isValid()) return {};
   const QRectF head = labelBox(area, side | kWrapped, shade);
   if (head.isEmpty()) return {};
@@ -199,24 +201,25 @@ UnderItem::Name UnderItem::nameIn(const QRectF& area, int side, const DiagramSpa
 }
 
 /// Returns the box of a name inside a rectangle; empty where it does not fit.
-QRectF UnderItem::labelBox(const QRectF& area, int alignment, const DiagramSpan& shade) const {
+QRectF ChartBackground::labelBox(const QRectF& area, int alignment,
+                                 const DiagramSpan& shade) const {
   const QRectF box = QFontMetricsF(style_.font).boundingRect(area, alignment, shadeText(shade));
   return area.contains(box) ? box : QRectF();
 }
 
-QLineF UnderItem::upright(double position, double from, double to) const {
+QLineF ChartBackground::upright(double position, double from, double to) const {
   const double x = std::floor(map_.pixelX(position)) + 0.5;
   return {x, from, x, to};
 }
 
-QLineF UnderItem::level(double position, double from, double to) const {
+QLineF ChartBackground::level(double position, double from, double to) const {
   const double y = std::floor(map_.pixelY(position)) + 0.5;
   return {from, y, to, y};
 }
 
 /// Paints lines on whole pixels: smoothed lines between pixels would be faint, and take most of
 /// the time that painting a diagram takes.
-void UnderItem::paintGrid(QPainter& painter) const {
+void ChartBackground::paintGrid(QPainter& painter) const {
   const auto addX = [this](QList<QLineF>& lines, double position) {
     lines += upright(position, frame_.top(), frame_.bottom());
   };
@@ -239,7 +242,7 @@ void UnderItem::paintGrid(QPainter& painter) const {
 }
 
 /// Paints the frame with its tick marks, all lines alike.
-void UnderItem::paintFrame(QPainter& painter) const {
+void ChartBackground::paintFrame(QPainter& painter) const {
   const QRect frame = frame_.toRect();
   QList<QLineF> marks;
   for (const Tick& tick : xAxis_.ticks)
@@ -257,7 +260,7 @@ void UnderItem::paintFrame(QPainter& painter) const {
 }
 
 /// Paints the numbers of the y-axis.
-void UnderItem::paintNumbers(QPainter& painter) const {
+void ChartBackground::paintNumbers(QPainter& painter) const {
   const double line = style_.line();
   painter.setPen(style_.text());
   for (const Tick& tick : yAxis_.ticks) {
@@ -268,11 +271,11 @@ void UnderItem::paintNumbers(QPainter& painter) const {
   }
 }
 
-FittedTitle UnderItem::xTitle() const {
+FittedTitle ChartBackground::xTitle() const {
   return fittedTitle(xAxis_.title, tickSizes(style_).axis, static_cast<float>(frame_.width()));
 }
 
-void UnderItem::paintTitles(QPainter& painter) const {
+void ChartBackground::paintTitles(QPainter& painter) const {
   const double line = style_.line();
   painter.setPen(style_.text());
   const auto paintTitle = [&](const FittedTitle& title, const QRectF& place) {
@@ -291,7 +294,7 @@ void UnderItem::paintTitles(QPainter& painter) const {
     return painter.drawText(QRectF(frame_.right() + kBeside, frame_.top() - line, titles_.beside,
                                    frame_.height() + 2 * line),
                             Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap,
-                            heldUnit(QString::fromStdString(yAxis_.title)));
+                            withHardBlankUnit(QString::fromStdString(yAxis_.title)));
   if (titles_.isAbove)
     return paintText(painter, QRectF(frame_.left(), frame_.top() - line - 1, frame_.width(), line),
                      Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip,
@@ -307,7 +310,8 @@ void UnderItem::paintTitles(QPainter& painter) const {
 
 // ---- Over the series
 
-void OverItem::show(const Diagram& diagram, const ChartGeometry& map, const ChartStyle& style) {
+void ChartForeground::show(const Diagram& diagram, const ChartGeometry& map,
+                           const ChartStyle& style) {
   prepareGeometryChange();
   map_ = map;
   style_ = style;
@@ -326,11 +330,11 @@ void OverItem::show(const Diagram& diagram, const ChartGeometry& map, const Char
   update();
 }
 
-QRectF OverItem::boundingRect() const {
+QRectF ChartForeground::boundingRect() const {
   return map_.frame();
 }
 
-void OverItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+void ChartForeground::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
   painter->save();
   painter->setClipRect(boundingRect());
   for (const Bars& bars : bars_) {
@@ -347,14 +351,14 @@ void OverItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget
   painter->drawText(sentenceArea(), kSentence, blank_);
 }
 
-QRectF OverItem::sentence() const {
+QRectF ChartForeground::sentence() const {
   if (blank_.isEmpty()) return {};
   return QFontMetricsF(style_.font)
       .boundingRect(sentenceArea(), kSentence, blank_)
       .adjusted(-10, -6, 10, 6);
 }
 
-QRectF OverItem::sentenceArea() const {
+QRectF ChartForeground::sentenceArea() const {
   return map_.area.adjusted(12, 8, -12, -8);
 }
 

@@ -30,7 +30,7 @@ struct AxisTitles {
 };
 
 /// Paints regions with their names, shades, the grid, the frame and the titles of the axes.
-class UnderItem : public QGraphicsItem {
+class ChartBackground : public QGraphicsItem {
  public:
   using QGraphicsItem::QGraphicsItem;
 
@@ -81,7 +81,7 @@ class UnderItem : public QGraphicsItem {
 };
 
 /// Paints error bars, or the reason why there are no curves.
-class OverItem : public QGraphicsItem {
+class ChartForeground : public QGraphicsItem {
  public:
   using QGraphicsItem::QGraphicsItem;
 

@@ -149,7 +149,7 @@ namespace {
 /// within the bounds.
 QRectF placeBeside(QPointF point, QSizeF size, double away, const QRectF& bounds,
                    const QList<QRectF>& avoided) {
-  const auto held = [](double wanted, double from, double to) {
+  const auto clamped = [](double wanted, double from, double to) {
     return std::clamp(wanted, from, std::max(from, to));
   };
   QRectF best;
@@ -162,8 +162,8 @@ QRectF placeBeside(QPointF point, QSizeF size, double away, const QRectF& bounds
                          point.y() + down * (away + size.height() / 2));
     const QRectF box(
         QPointF(
-            held(centre.x() - size.width() / 2, bounds.left(), bounds.right() - size.width()),
-            held(centre.y() - size.height() / 2, bounds.top(), bounds.bottom() - size.height())),
+            clamped(centre.x() - size.width() / 2, bounds.left(), bounds.right() - size.width()),
+            clamped(centre.y() - size.height() / 2, bounds.top(), bounds.bottom() - size.height())),
         size);
     const qsizetype covered =
         (box.contains(point) ? 1 : 0) +

@@ -56,8 +56,8 @@ ChartPanel::ChartPanel(QGraphicsScene& scene)
     : chart_(new QChart),
       x_(new QCategoryAxis),
       y_(new QCategoryAxis),
-      under_(new UnderItem(chart_)),
-      over_(new OverItem(chart_)) {
+      under_(new ChartBackground(chart_)),
+      over_(new ChartForeground(chart_)) {
   scene.addItem(chart_);
   chart_->legend()->hide();
   chart_->layout()->setContentsMargins(0, 0, 0, 0);

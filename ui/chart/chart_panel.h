@@ -78,8 +78,8 @@ class ChartPanel {
   std::vector<QAreaSeries*> bands_;
   std::size_t linesUsed_ = 0, marksUsed_ = 0, bandsUsed_ = 0;
   QString xTitle_, yTitle_;
-  UnderItem* under_;
-  OverItem* over_;
+  ChartBackground* under_;
+  ChartForeground* over_;
 };
 
 }  // namespace asperity

@@ -133,7 +133,7 @@ void ChartView::setSheet(const DiagramSheet& english) {
   english_ = english;
   sheet_ = translated(english);
   if (markerPosition().first != before.first && gesture_ != Gesture::Marker) targetX_ = kNaN;
-  if (zoom_) zoom_ = heldWithin(*zoom_, whole());
+  if (zoom_) zoom_ = clampedTo(*zoom_, whole());
   showAll();
   // The scene reports its changes in a later event, in which a marker that comes with other axes
   // would be painted after the contact that shows the same moment.
@@ -346,7 +346,7 @@ void ChartView::pan(QPointF by) {
   const Diagram& diagram = sheet_.diagrams[0];
   const bool isEmpty = !showsCurves(visibleRange(), diagram);
   for (const QPointF displacement : {by, QPointF(by.x(), 0), QPointF(0, by.y())}) {
-    const VisibleRange next = heldWithin(panned(map, displacement), whole());
+    const VisibleRange next = clampedTo(panned(map, displacement), whole());
     if (isEmpty || showsCurves(next, diagram)) return setZoom(next);
   }
 }
@@ -423,7 +423,7 @@ void ChartView::setZoom(const std::optional<VisibleRange>& requested) {
   const bool isZoomable =
       !sheet_.diagrams.empty() && sheet_.diagrams[0].x.scale == AxisScale::Logarithmic;
   std::optional<VisibleRange> window = isZoomable ? requested : std::nullopt;
-  if (window) window = heldWithin(*window, whole());
+  if (window) window = clampedTo(*window, whole());
   if (window == zoom_) return;
   zoom_ = window;
   showAll();

@@ -73,12 +73,12 @@ class Clearance {
 };
 
 /// Returns the position inside the frame that is nearest to the requested position of the label.
-DrawPoint heldInside(const Box& area, DrawPoint at, float width, float height) {
-  const auto held = [](float value, float from, float to) {
+DrawPoint clampedInside(const Box& area, DrawPoint at, float width, float height) {
+  const auto clamped = [](float value, float from, float to) {
     return from < to ? std::clamp(value, from, to) : (from + to) / 2;
   };
-  return {held(at.x, area.x + width / 2, area.right() - width / 2),
-          held(at.y, area.y + height / 2, area.bottom() - height / 2)};
+  return {clamped(at.x, area.x + width / 2, area.right() - width / 2),
+          clamped(at.y, area.y + height / 2, area.bottom() - height / 2)};
 }
 
 std::vector<std::string> elidedLines(const std::string& text, float size, float width) {
@@ -169,7 +169,7 @@ std::vector<PlacedLabel> placeLabels(const Diagram& diagram, const DiagramAxes& 
           &other != &label && isFinite(its))
         targets.push_back(its);
     const Clearance clearance(placed, std::move(targets), 0.4F * size);
-    const DrawPoint wanted = heldInside(inside, at, width, height);
+    const DrawPoint wanted = clampedInside(inside, at, width, height);
     const int rings = hasArrow ? 24 : 14;
     auto box = boxNear(wanted, width, height, inside, map, 0.6F * size, rings, [&](const Box& one) {
       return clearance.isClear(one, hasArrow ? std::optional(target) : std::nullopt);

@@ -317,11 +317,11 @@ DrawPoint DiagramAxes::mapToPosition(double x, double y) const {
   const bool isUnder = isBelow(yAxis.scale, y);
   if (!std::isfinite(right) || !(std::isfinite(above) || isUnder))
     return {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::quiet_NaN()};
-  const auto held = [](float pixels) {
+  const auto clamped = [](float pixels) {
     return std::clamp(pixels, static_cast<float>(-kFarthest), static_cast<float>(kFarthest));
   };
-  return {held(px(right)),
-          isUnder ? box.bottom() + static_cast<float>(kBelowAxis) : held(py(above))};
+  return {clamped(px(right)),
+          isUnder ? box.bottom() + static_cast<float>(kBelowAxis) : clamped(py(above))};
 }
 
 float leftOfAxes(const DiagramAxes& axes, const DiagramSizes& sizes) {

@@ -19,14 +19,14 @@ struct Paragraph {
 };
 
 /// Makes blanks non-breaking unless they follow a comma or semicolon: "G = 10 MPa" stays together.
-std::string heldTogether(const std::string& text) {
-  std::string held;
+std::string withHardBlanks(const std::string& text) {
+  std::string joined;
   for (std::size_t i = 0; i < text.size(); ++i)
     if (text[i] == ' ' && i > 0 && text[i - 1] != ',' && text[i - 1] != ';')
-      held += kHardBlank;
+      joined += kHardBlank;
     else
-      held += text[i];
-  return held;
+      joined += text[i];
+  return joined;
 }
 
 bool isCut(const std::vector<std::string>& lines) {
@@ -47,7 +47,7 @@ Paragraph paragraph(const std::string& text, float size, float least, bool bold,
   Paragraph p{{}, size};
   if (text.empty() || most < 1) return p;
   for (;; p.size -= 1) {
-    for (const std::string& words : {heldTogether(text), text}) {
+    for (const std::string& words : {withHardBlanks(text), text}) {
       p.lines = wrapped(words, p.size, bold, width);
       if (p.lines.size() <= most && !isCut(p.lines)) break;
     }

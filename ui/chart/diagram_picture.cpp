@@ -36,7 +36,7 @@ DrawList emptyList(const DiagramOptions& options) {
 /// would lose much of its height, or names of its legend, stays.
 std::vector<DiagramPanel> withCommonTops(const std::vector<DiagramPanel>& panels,
                                          std::size_t columns) {
-  constexpr float kLeast = 0.6F;  // of the height
+  constexpr float kMin = 0.6F;  // of the height
   std::vector<DiagramPanel> aligned;
   for (std::size_t i = 0; i < panels.size(); ++i) {
     float top = 0;
@@ -46,7 +46,7 @@ std::vector<DiagramPanel> withCommonTops(const std::vector<DiagramPanel>& panels
     DiagramPanel lowered = panels[i];
     if (lowered.frame().y < top) lowered.lowerTo(top);
     const bool isAsGood = lowered.frame().y == top &&
-                          lowered.frame().height >= kLeast * panels[i].frame().height &&
+                          lowered.frame().height >= kMin * panels[i].frame().height &&
                           (lowered.hasWholeLegend() || !panels[i].hasWholeLegend());
     aligned.push_back(isAsGood ? lowered : panels[i]);
   }

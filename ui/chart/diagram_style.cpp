@@ -34,13 +34,13 @@ Rgba seriesColour(int index, const Theme& theme) {
 Rgba rampColour(double t, const Theme& theme) {
   const bool dark = isDark(theme);
   const double from = dark ? kDarkEnd : 0, to = dark ? 1 : kLightEnd;
-  const double held = std::clamp(std::isfinite(t) ? t : 0.0, 0.0, 1.0);
-  return fieldColour(from + held * (to - from));
+  const double clamped = std::clamp(std::isfinite(t) ? t : 0.0, 0.0, 1.0);
+  return fieldColour(from + clamped * (to - from));
 }
 
 Rgba fieldColour(double t) {
-  const double held = std::clamp(std::isfinite(t) ? t : 0.0, 0.0, 1.0);
-  const double position = held * (kViridis.size() - 1);
+  const double clamped = std::clamp(std::isfinite(t) ? t : 0.0, 0.0, 1.0);
+  const double position = clamped * (kViridis.size() - 1);
   const auto below = std::min(static_cast<std::size_t>(position), kViridis.size() - 2);
   return mix(kViridis[below], kViridis[below + 1],
              static_cast<float>(position - static_cast<double>(below)));
@@ -144,8 +144,8 @@ std::vector<SeriesStyle> seriesStyles(const Diagram& diagram, const DiagramSizes
       style.colour = rampColour(series.ramp, theme);
     else
       style.colour = seriesColour(series.colour >= 0 ? series.colour : next++, theme);
-    if (series.paint) {
-      style.colour = colourFrom(*series.paint);
+    if (series.rgb) {
+      style.colour = colourFrom(*series.rgb);
       next = before;
     }
     if (series.isFaded) style.colour = mix(theme.background, style.colour, kFaded);

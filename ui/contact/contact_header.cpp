@@ -90,8 +90,8 @@ std::vector<Reading> makeReadings(const Frame& frame) {
         {{{Words::tr("\u03BC when settled")}},
          shortNumber(frame.muSteady, 3, Zeros::Keep),
          isSettledAlone ? 0 : 7,
-         Words::tr("What friction comes to in the steady state, as in the chart. The "
-                   "picture is still on its way there."),
+         Words::tr(
+             "Friction in the steady state, as in the chart. The picture is still approaching it."),
          "mu"});
   addInterfaceReadings(readings, frame);
   readings.push_back({{{Words::tr("normal force F")}, {"N", false, true}},

@@ -25,7 +25,7 @@ ContactPictureOptions withMinimumSize(ContactPictureOptions options) {
 constexpr double kSpaceAbove = 0.24, kSpaceBelow = 0.30;
 // Largest part of the plot's height above the line that labels are given, and a part beyond what
 // they need, so that a line that moves up a little changes nothing.
-constexpr double kMostLabelSpace = 0.3, kSpareSpace = 0.03;
+constexpr double kMaxLabelSpace = 0.3, kSpareSpace = 0.03;
 constexpr double kMaxPeriods = 50;
 
 /// Returns the heights of both bodies, m; 0 where there are none.
@@ -117,7 +117,7 @@ double labelSpace(const Frame& frame, const ContactPictureOptions& asked) {
   const ContactLayout layout = prepareContact(frame, asked).layout;
   const double needed = labelRowBottom(layout) - layout.plot.y + 1;
   const double part = needed / layout.plot.height;
-  return part < kMostLabelSpace ? part : 0;
+  return part < kMaxLabelSpace ? part : 0;
 }
 
 float contactUnit(const ContactPictureOptions& options) {

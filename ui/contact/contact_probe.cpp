@@ -166,12 +166,12 @@ void leaveOneOut(std::vector<ProbeLine>& lines) {
 std::optional<std::pair<Readout, Box>> fittingReadout(const ProbeReading& reading,
                                                       Surroundings around,
                                                       const ContactLayout& layout) {
-  constexpr std::size_t kFewestLines = 3;
+  constexpr std::size_t kMinLines = 3;
   const Readout all = makeReadout(probeLines(reading), layout.sizes);
   for (const Box& taken : {around.taken, Box{}}) {
     around.taken = taken;
     std::vector<ProbeLine> lines = all.lines;
-    for (; lines.size() >= kFewestLines; leaveOneOut(lines)) {
+    for (; lines.size() >= kMinLines; leaveOneOut(lines)) {
       const Readout readout = makeReadout(lines, layout.sizes);
       if (const auto box = freeBox(readout, around, layout)) return {{readout, *box}};
     }

@@ -10,7 +10,7 @@ namespace asperity {
 namespace {
 
 constexpr double kHeights = 0.7;  // exponent of heights, a usual Hurst exponent
-constexpr double kFewest = 8;     // minimum number of elements across the plot
+constexpr double kMin = 8;        // minimum number of elements across the plot
 // The magnifier moves to another asperity only if its pressure is greater by the first factor;
 // within the second part of the period it is still the same asperity.
 constexpr double kMore = 1.25, kSame = 0.01;
@@ -98,7 +98,7 @@ ContactView ContactViewer::view() const {
 
 double ContactViewer::finest() const {
   const double points = frame_ ? static_cast<double>(frame_->lineHeight.size()) : 0;
-  return points > kFewest ? kFewest / points : 1;
+  return points > kMin ? kMin / points : 1;
 }
 
 ContactPictureOptions ContactViewer::options() const {

@@ -43,13 +43,13 @@ ViewNavigation ViewNavigation::fromText(const std::string& text) {
   if (!(view.width_ > 0 && view.top_ > view.bottom_)) return {};
   // Only what differs from an allowed view by more than rounding is changed.
   constexpr double kRounding = 1e-9;
-  const ViewNavigation held = view.within(0);
+  const ViewNavigation clamped = view.within(0);
   const auto isSame = [](double a, double b) {
     return std::abs(a - b) <= kRounding * std::max(1.0, std::abs(a));
   };
-  const bool isAllowed = isSame(view.left_, held.left_) && isSame(view.width_, held.width_) &&
-                         isSame(view.bottom_, held.bottom_) && isSame(view.top_, held.top_);
-  return isAllowed ? view : held;
+  const bool isAllowed = isSame(view.left_, clamped.left_) && isSame(view.width_, clamped.width_) &&
+                         isSame(view.bottom_, clamped.bottom_) && isSame(view.top_, clamped.top_);
+  return isAllowed ? view : clamped;
 }
 
 ContactView ViewNavigation::applied(const ContactView& fitted, double period,
@@ -68,18 +68,18 @@ ContactView ViewNavigation::applied(const ContactView& fitted, double period,
 /// Limits the view: never wider than the period; enlarged heights stay within the fitted ones,
 /// others contain them.
 ViewNavigation ViewNavigation::within(double finest) const {
-  ViewNavigation held = *this;
+  ViewNavigation clamped = *this;
   const double middle = left_ + 0.5 * width_;
-  held.width_ = std::clamp(width_, std::min(std::max(finest, 1e-12), 1.0), 1.0);
-  held.left_ = wrapped(held.width_ == width_ ? left_ : middle - 0.5 * held.width_);
+  clamped.width_ = std::clamp(width_, std::min(std::max(finest, 1e-12), 1.0), 1.0);
+  clamped.left_ = wrapped(clamped.width_ == width_ ? left_ : middle - 0.5 * clamped.width_);
   const double size = std::clamp(top_ - bottom_, kMinHeights, kMaxHeights);
   const double centre = 0.5 * (bottom_ + top_);
   const double low = std::min(0.0, 1 - size), high = std::max(0.0, 1 - size);
-  held.bottom_ = std::clamp(centre - 0.5 * size, low, high);
-  held.top_ = held.bottom_ + size;
+  clamped.bottom_ = std::clamp(centre - 0.5 * size, low, high);
+  clamped.top_ = clamped.bottom_ + size;
   // A view that differs from the fitted one only by rounding becomes exactly that one.
-  if (std::abs(size - 1) < 1e-9) held.bottom_ = 0, held.top_ = 1;
-  return held;
+  if (std::abs(size - 1) < 1e-9) clamped.bottom_ = 0, clamped.top_ = 1;
+  return clamped;
 }
 
 ViewNavigation ViewNavigation::zoomed(const ViewPosition& at, double xFactor, double yFactor,

@@ -257,9 +257,9 @@ std::string shortNumber(double value, int digits, Zeros zeros) {
 }
 
 std::string factorText(double factor) {
-  constexpr double kLeastGrouped = 1000, kLongest = 1e12;
+  constexpr double kMinGrouped = 1000, kLongest = 1e12;
   const double rounded = roundedToDigits(factor, 3);
-  if (!(rounded >= kLeastGrouped && rounded < kLongest)) return shortNumber(factor);
+  if (!(rounded >= kMinGrouped && rounded < kLongest)) return shortNumber(factor);
   return readingInLanguage(std::to_string(std::llround(rounded)));
 }
 

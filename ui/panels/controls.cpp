@@ -224,7 +224,7 @@ void SpinBox::wheelEvent(QWheelEvent* event) {
 
 namespace {
 
-constexpr int kFewestLines = 4, kMaxLines = 10;
+constexpr int kMinLines = 4, kMaxLines = 10;
 
 }  // namespace
 
@@ -264,8 +264,7 @@ double TextBox::textHeight() const {
 
 QSize TextBox::sizeHint() const {
   constexpr int kAround = 16;  // pixels, margins and frame
-  const double text =
-      std::clamp(textHeight(), kFewestLines * lineHeight(), kMaxLines * lineHeight());
+  const double text = std::clamp(textHeight(), kMinLines * lineHeight(), kMaxLines * lineHeight());
   return {120, static_cast<int>(std::ceil(text)) + kAround};
 }
 

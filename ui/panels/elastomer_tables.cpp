@@ -65,8 +65,8 @@ std::vector<Arm> armsFromTable(std::string_view text) {
   } else {
     arms = namelessArms(table.largest(), name);
   }
-  if (arms.size() > kMostArms)
-    throw InputError(name, "", message("has {} arms; allowed is {}", arms.size(), kMostArms));
+  if (arms.size() > kMaxArms)
+    throw InputError(name, "", message("has {} arms; allowed is {}", arms.size(), kMaxArms));
   for (const Arm& arm : arms)
     for (const ArmMember& member : armMembers())
       if (const double value = arm.*member.value; !(value > 0 && value <= member.most))
@@ -79,7 +79,7 @@ ArmsEditor::ArmsEditor(QWidget* parent)
                   {"armModulus", "armTime"},
                   {numberRule(armMembers()[0]), numberRule(armMembers()[1])},
                   1,
-                  kMostArms,
+                  kMaxArms,
                   true},
                  parent) {
   begin();
@@ -146,7 +146,7 @@ Unit columnUnit(const TextBlock& block, std::size_t column, const std::string& n
     stated = title.substr(open + 1, title.find_first_of(")]", open) - open - 1);
   if (!stated.empty()) {
     if (const auto unit = temperatureUnit(stated)) return *unit;
-    throw InputError(name, "", message("'{}' is no unit of temperature", stated));
+    throw InputError(name, "", message("'{}' is not a unit of temperature", stated));
   }
   double lowest = HUGE_VAL;
   for (std::size_t row = 0; row < block.rows; ++row)
@@ -177,9 +177,9 @@ std::vector<ShiftPoint> shiftsFromTable(std::string_view text) {
     table.push_back({unit.toSi(temperature), notation.log10Shift(shift)});
   }
   std::ranges::sort(table, {}, &ShiftPoint::temperature);
-  if (table.empty() || table.size() > kMostShiftPoints)
+  if (table.empty() || table.size() > kMaxShiftPoints)
     throw InputError(name, "",
-                     message("has {} rows; allowed is 1 to {}", table.size(), kMostShiftPoints));
+                     message("has {} rows; allowed is 1 to {}", table.size(), kMaxShiftPoints));
   for (const ShiftPoint& point : table)
     for (const auto& member : shiftMembers())
       if (const double value = point.*member.value;
@@ -198,7 +198,7 @@ ShiftEditor::ShiftEditor(QWidget* parent)
                   {"shiftTemperature", "shiftLog"},
                   {numberRule(shiftMembers()[0], true), numberRule(shiftMembers()[1], false)},
                   0,
-                  kMostShiftPoints,
+                  kMaxShiftPoints,
                   false},
                  parent) {
   begin();

@@ -29,7 +29,7 @@ class ArmsEditor : public PairEditor {
 /// Reads arms from a table of two columns, as a spreadsheet copies it: with names and units in the
 /// first row, or modulus in Pa and relaxation time in s, in any order that makes the larger numbers
 /// the moduli. Throws InputError where there is no such table, a value is not allowed, or there are
-/// more than kMostArms.
+/// more than kMaxArms.
 std::vector<Arm> armsFromTable(std::string_view text);
 
 class ShiftEditor : public PairEditor {

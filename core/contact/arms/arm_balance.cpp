@@ -11,7 +11,7 @@
 namespace asperity {
 
 std::shared_ptr<const ArmTable> ArmTables::at(double velocity, const PreparedProfile& line) {
-  constexpr std::size_t kMostKept = 256;  // velocities of a curve, with room
+  constexpr std::size_t kMaxKept = 256;  // velocities of a curve, with room
   const Key key{velocity, line.spacing, line.length, line.blocks.size()};
   {
     const std::scoped_lock lock(mutex_);
@@ -20,13 +20,13 @@ std::shared_ptr<const ArmTable> ArmTables::at(double velocity, const PreparedPro
   }
   auto made = std::make_shared<const ArmTable>(law_, modes_, velocity, line);
   const std::scoped_lock lock(mutex_);
-  if (known_.size() >= kMostKept) known_.clear();
+  if (known_.size() >= kMaxKept) known_.clear();
   return known_.try_emplace(key, std::move(made)).first->second;
 }
 
 namespace {
 
-constexpr int kMostArmPasses = 200;
+constexpr int kMaxArmPasses = 200;
 /// Below this relative residual only Broyden's update changes the Jacobian.
 constexpr double kQuasiNewtonBelow = 1e-3;
 /// Below this relative residual the next pass is expected to end the search.
@@ -73,7 +73,7 @@ class ArmSolver::Search {
     bool fresh = true;  // the Jacobian is that of this very pass
     if (!factorJacobian()) return best_;
     double contraction = 1;  // of the residual by the last step
-    while (passes_ < kMostArmPasses && bestWorst_ > kWantedResidual) {
+    while (passes_ < kMaxArmPasses && bestWorst_ > kWantedResidual) {
       const Vector from = unknown_, before = residual;
       const double worstBefore = worst_;
       Vector step = -applyInverse(residual);
@@ -165,7 +165,7 @@ class ArmSolver::Search {
     const double scale = strainScale(mean);
     periodicityError_ = 0;
     for (std::size_t i = 0; i < change_.size(); ++i) {
-      const double missing = work_.yieldChange[i] / change_[i];
+      const double missing = work_.creepChange[i] / change_[i];
       // NaN must not count as converged: std::max would skip it.
       const double share = std::abs(missing) / scale;
       periodicityError_ = std::max(periodicityError_, share >= 0 ? share : kInfinite);
@@ -206,7 +206,7 @@ class ArmSolver::Search {
       if (first_ > 0) matrix_(0, k) = jacobian_.ofDepthIntegral(unknown) / line_.length;
       for (std::size_t i = 0; i < change_.size(); ++i)
         matrix_(first_ + static_cast<Index>(i), k) =
-            jacobian_.ofYieldChange(i, unknown) / change_[i];
+            jacobian_.ofCreepChange(i, unknown) / change_[i];
     }
     updates_.clear();
     factors_.compute(matrix_);
@@ -265,7 +265,7 @@ class ArmSolver::Search {
   std::vector<Update> updates_;
   std::vector<double> change_;  // 1 - exp(-L / c_i)
   std::vector<double>
-      slowness_;  // 1: an arm hardly changes in a period; 0: it forgets the last one
+      slowness_;  // 1: the strain hardly changes in a period; 0: it does not depend on the last one
   double forceResidual_ = 0, periodicityError_ = 0;
   double worst_ = 0, bestWorst_ = 0;  // the larger of the two
   int passes_ = 0;
@@ -328,15 +328,15 @@ class Continuation {
   ArmBalance solve(double velocity, const ArmBalance* guess) {
     ArmBalance found = attempt(velocity, guess);
     if (!found.isMet() && guess) found = attempt(velocity, nullptr);
-    if (!found.isMet() && byForce_) found = byDepth(velocity, found);
-    if (!found.isMet()) found = follow(velocity, found);
-    if (!found.isMet()) found = lower(velocity, found);
+    if (!found.isMet() && byForce_) found = solveByBracketing(velocity, found);
+    if (!found.isMet()) found = continueFromLowerVelocity(velocity, found);
+    if (!found.isMet()) found = continueFromHigherLoad(velocity, found);
     found.force.passes = passes_;
     return found;
   }
 
  private:
-  static constexpr int kMostSteps = 60;
+  static constexpr int kMaxSteps = 60;
 
   ArmBalance attempt(double velocity, const ArmBalance* guess) {
     return attempt(velocity, value_, guess);
@@ -350,12 +350,13 @@ class Continuation {
   }
 
   /// The depth alone is sought between what carries too little and too much, and the strains are
-  /// closed at each depth. A search of depth and strains together begins many magnitudes above the
+  /// made periodic at each depth. A search of depth and strains together begins many orders of
+  /// magnitude above the
   /// depth of a contact that is much smaller than an element: there each step changes the contact
   /// so much that the strains are no longer those of its period, and shorter steps get nowhere. At
   /// a given depth the strains take a few passes, and the force only rises with the depth, nearly
   /// as a power of it. Close to the answer depth and strains move together again.
-  ArmBalance byDepth(double velocity, ArmBalance failed) {
+  ArmBalance solveByBracketing(double velocity, ArmBalance failed) {
     constexpr double kClose = 1e-2, kCloser = 1e-3;  // of ln F_N, for another common search
     constexpr double kNothing = -700;                // ln of a force that is 0
     struct End {
@@ -368,7 +369,7 @@ class Continuation {
     double close = kClose, at = high.depth;
     ArmBalance known;
     bool wasAbove = false;
-    for (int step = 0; step < kMostSteps; ++step) {
+    for (int step = 0; step < kMaxSteps; ++step) {
       ArmBalance found = solver.atDepth(std::exp(at));
       if (!found.isMet() && !known.strain.empty()) found = solver.atDepth(std::exp(at), &known);
       passes_ += found.force.passes + 1;
@@ -400,7 +401,7 @@ class Continuation {
   /// Continues from a load at which a search without a guess succeeds down to the given one, by
   /// steps that shrink where they fail: for a contact much smaller than an element, complete
   /// contact is no useful guess.
-  ArmBalance lower(double velocity, ArmBalance failed) {
+  ArmBalance continueFromHigherLoad(double velocity, ArmBalance failed) {
     constexpr double kHighest = 1e40;  // over the wanted load
     double over = 10;
     ArmBalance known = attempt(velocity, over * value_, nullptr);
@@ -408,7 +409,7 @@ class Continuation {
       known = attempt(velocity, over * value_, nullptr);
     if (!known.isMet()) return failed;
     double factor = 8;
-    for (int step = 0; step < kMostSteps && over > 1; ++step) {
+    for (int step = 0; step < kMaxSteps && over > 1; ++step) {
       const double next = std::max(over / factor, 1.0);
       ArmBalance found = attempt(velocity, next * value_, &known);
       if (found.isMet()) {
@@ -424,13 +425,13 @@ class Continuation {
 
   /// Continues from a velocity at which the slowest arm forgets within a hundredth of the period up
   /// to the given one, by steps that shrink where they fail.
-  ArmBalance follow(double velocity, ArmBalance failed) {
+  ArmBalance continueFromLowerVelocity(double velocity, ArmBalance failed) {
     double reached =
         std::min(0.01 * line_.length / tables_.law().arms.front().relaxationTime, 0.1 * velocity);
     ArmBalance known = attempt(reached, nullptr);
     if (!known.isMet()) return failed;
     double factor = 4;
-    for (int step = 0; step < kMostSteps && reached < velocity; ++step) {
+    for (int step = 0; step < kMaxSteps && reached < velocity; ++step) {
       const double next = std::min(reached * factor, velocity);
       ArmBalance found = attempt(next, &known);
       if (found.isMet()) {

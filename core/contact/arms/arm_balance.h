@@ -6,7 +6,7 @@
 // computes all sums.
 //
 // Complete contact is tried first where it is possible, because its solution is known and one pass
-// proves it. Without a guess (arm_guess.h), slow arms begin with the yield that belongs to the mean
+// proves it. Without a guess (arm_guess.h), slow arms begin with the creep that belongs to the mean
 // depth F_N / 4 G L, and fast arms follow the line, which is exact for both.
 // Threading: these are functions of their arguments; line and tables are shared freely. An
 // ArmSolver keeps its workspace, refers to the line, and belongs to one thread. Failure: no

@@ -8,14 +8,14 @@ namespace {
 
 constexpr double kSlowFrom = 10;  // relaxation length in periods
 /// Relaxation length, in elements, below which everything is forgotten to the last digit.
-constexpr double kLeastLength = 1e-150;
+constexpr double kMinLength = 1e-150;
 
 }  // namespace
 
 ArmCoefficients::ArmCoefficients(const ElementLaw& law, const RetardationModes& modes,
                                  double velocity, double spacing, double period, std::size_t levels)
     : dashpot(velocity * law.viscosity / law.equilibriumModulus), conversion(modes) {
-  const double shortest = kLeastLength * spacing;
+  const double shortest = kMinLength * spacing;
   for (const Arm& arm : law.arms) {
     const double g = arm.modulus / law.equilibriumModulus;
     const double inverseLength = 1 / std::max(velocity * arm.relaxationTime, shortest);
@@ -31,8 +31,8 @@ ArmCoefficients::ArmCoefficients(const ElementLaw& law, const RetardationModes& 
     loss.push_back(lossForm(z));
     if (period * inverseLength * kSlowFrom < 1) {
       ++slow;
-      yieldKept.push_back(z * moments[0]);
-      for (std::size_t k = 0; k < 3; ++k) yieldDriven[k].push_back(z * drivenBy[0][k]);
+      creepKept.push_back(z * moments[0]);
+      for (std::size_t k = 0; k < 3; ++k) creepDriven[k].push_back(z * drivenBy[0][k]);
     }
     for (std::size_t k = 0; k < 3; ++k) {
       driven[k].push_back(decayed.driven[k]);
@@ -73,7 +73,7 @@ void ArmTangent::begin() {
   for (std::size_t i = 0; i < coefficients_.arms(); ++i) strain_[i * unknowns_ + i + 1] = 1;
 }
 
-/// The strains decay, and the yield takes what they lose.
+/// The strains decay, and the creep takes what they lose.
 void ArmTangent::contact(double length) {
   volume_[0] += length;
   for (std::size_t i = 0; i < coefficients_.arms(); ++i) {
@@ -92,11 +92,11 @@ void ArmTangent::leave(double length) {
   for (std::size_t j = 0; j < coefficients_.modes(); ++j) {
     double* mode = &mode_[j * unknowns_];
     std::fill(mode, mode + unknowns_, 0);
-    const double* ofYield = &coefficients_.conversion.ofYield[j * arms];
+    const double* ofCreep = &coefficients_.conversion.ofCreep[j * arms];
     mode[0] = coefficients_.settled[j];
     for (std::size_t i = 0; i < arms; ++i) {
       const double* strain = &strain_[i * unknowns_];
-      for (std::size_t k = 0; k < unknowns_; ++k) mode[k] -= ofYield[i] * strain[k];
+      for (std::size_t k = 0; k < unknowns_; ++k) mode[k] -= ofCreep[i] * strain[k];
     }
   }
 }
@@ -112,10 +112,10 @@ void ArmTangent::arc(double length) {
       row_[k] = back * mode[k];
       mode[k] += row_[k];
     }
-    const double* toYield = &coefficients_.conversion.toYield[j * arms];
+    const double* toCreep = &coefficients_.conversion.toCreep[j * arms];
     for (std::size_t i = 0; i < arms; ++i) {
       double* change = &change_[i * unknowns_];
-      for (std::size_t k = 0; k < unknowns_; ++k) change[k] += toYield[i] * row_[k];
+      for (std::size_t k = 0; k < unknowns_; ++k) change[k] += toCreep[i] * row_[k];
     }
   }
 }

@@ -37,11 +37,11 @@ struct ArmCoefficients {
   std::array<std::array<double, 3>, 3> own{};  // sum g_i integral of u^k (what u^l has driven)
   std::vector<LossForm> loss;                  // 1/c_i integral of e_i^2
 
-  /// The number of slow arms, which come first and change little over a period. Their yield is
-  /// summed separately, as q_i(1) - q_i(0) = yieldKept_i e_i(0) + sum D_k yieldDriven_ki.
+  /// The number of slow arms, which come first and change little over a period. Their creep is
+  /// summed separately, as q_i(1) - q_i(0) = creepKept_i e_i(0) + sum D_k creepDriven_ki.
   std::size_t slow = 0;
-  std::vector<double> yieldKept;
-  std::array<std::vector<double>, 3> yieldDriven;
+  std::vector<double> creepKept;
+  std::array<std::vector<double>, 3> creepDriven;
 
   // These belong to the free surface, y = sum a_j exp(-rate_j s).
   std::vector<double> rate;                // 1/m
@@ -53,7 +53,7 @@ struct ArmCoefficients {
 };
 
 /// The derivatives of the result of a pass with respect to the indentation and to each arm's strain
-/// at the lowest point. Strains decay in contact, amplitudes decay in free arcs, and the yield is
+/// at the lowest point. Strains decay in contact, amplitudes decay in free arcs, and the creep is
 /// continuous through every event, so only the lengths between events are needed. The object refers
 /// to the coefficients.
 class ArmTangent {
@@ -74,8 +74,8 @@ class ArmTangent {
   std::size_t unknowns() const { return unknowns_; }
   /// Returns the derivative of the integral of y (m).
   double ofDepthIntegral(std::size_t unknown) const { return volume_[unknown]; }
-  /// Returns the derivative of the yield of arm i over the period.
-  double ofYieldChange(std::size_t i, std::size_t unknown) const {
+  /// Returns the derivative of the creep of arm i over the period.
+  double ofCreepChange(std::size_t i, std::size_t unknown) const {
     return change_[i * unknowns_ + unknown];
   }
 

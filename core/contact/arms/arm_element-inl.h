@@ -52,19 +52,19 @@ class ArmElement {
         trial_(work.rows.row(ArmWorkspace::Trial)),
         amplitude_(work.rows.row(ArmWorkspace::Amplitude)),
         arcAmplitude_(work.rows.row(ArmWorkspace::ArcAmplitude)),
-        yield_(work.rows.row(ArmWorkspace::Yield)),
+        creep_(work.rows.row(ArmWorkspace::Creep)),
         after_(work.rows.row(ArmWorkspace::After)),
         afterStride_(static_cast<std::size_t>(work.rows.row(ArmWorkspace::After + 1) - after_)) {}
 
   /// Takes the strains (m) that the pass begins with.
   HWY_INLINE void begin(const double* strain) {
     std::copy_n(strain, vectors_.arms, strain_);
-    std::fill_n(yield_, slowLanes_, 0.0);
+    std::fill_n(creep_, slowLanes_, 0.0);
     trialLength_ = -1;
     sumStrains();
   }
   const double* strains() const { return strain_; }
-  const double* yields() const { return yield_; }
+  const double* creep() const { return creep_; }
 
   // ---- In contact
 
@@ -115,7 +115,7 @@ class ArmElement {
     if (count == 0) return;
     const auto sumOfFirst = [count](One x) { return sumOf(onlyIn({hn::FirstN(kTag, count)}, x)); };
     const One d0 = One::load(batch.d0), d1 = One::load(batch.d1), d2 = One::load(batch.d2);
-    // This is what slow arms yield.
+    // The creep of slow arms.
     if (slowLanes_ > 0) {
       const One sum0 = One::all(sumOfFirst(d0)), sum1 = One::all(sumOfFirst(d1)),
                 sum2 = One::all(sumOfFirst(d2));
@@ -125,10 +125,10 @@ class ArmElement {
         for (std::size_t n = 0; n + 1 < count; ++n)
           strains = strains + One::load(after_ + n * afterStride_ + k);
         const One driven =
-            mulAdd(sum0, arm[ArmVectors::YieldDriven0],
-                   mulAdd(sum1, arm[ArmVectors::YieldDriven1],
-                          mulAdd(sum2, arm[ArmVectors::YieldDriven2], One::load(yield_ + k))));
-        mulAdd(arm[ArmVectors::YieldKept], strains, driven).store(yield_ + k);
+            mulAdd(sum0, arm[ArmVectors::CreepDriven0],
+                   mulAdd(sum1, arm[ArmVectors::CreepDriven1],
+                          mulAdd(sum2, arm[ArmVectors::CreepDriven2], One::load(creep_ + k))));
+        mulAdd(arm[ArmVectors::CreepKept], strains, driven).store(creep_ + k);
       }
     }
     if constexpr (Everything) {
@@ -219,7 +219,7 @@ class ArmElement {
   /// Moves on to u of the piece.
   HWY_INLINE void advance(const ContactPiece& piece, double u) {
     if (trialLength_ != piece.length * u) pressureAt(piece, u);
-    addYield(piece.until(u));
+    addCreep(piece.until(u));
     takeTrial();
   }
 
@@ -257,13 +257,13 @@ class ArmElement {
       std::size_t i = 0;
       for (; i + 1 < vectors_.arms; i += 2) {
         amplitude =
-            negMulAdd(One::all(strain_[i]), One::load(vectors_.ofYield.row(i) + k), amplitude);
+            negMulAdd(One::all(strain_[i]), One::load(vectors_.ofCreep.row(i) + k), amplitude);
         other =
-            negMulAdd(One::all(strain_[i + 1]), One::load(vectors_.ofYield.row(i + 1) + k), other);
+            negMulAdd(One::all(strain_[i + 1]), One::load(vectors_.ofCreep.row(i + 1) + k), other);
       }
       if (i < vectors_.arms)
         amplitude =
-            negMulAdd(One::all(strain_[i]), One::load(vectors_.ofYield.row(i) + k), amplitude);
+            negMulAdd(One::all(strain_[i]), One::load(vectors_.ofCreep.row(i) + k), amplitude);
       amplitude = amplitude + other;
       amplitude.store(amplitude_ + k);
       amplitude.store(arcAmplitude_ + k);
@@ -343,13 +343,13 @@ class ArmElement {
     }
     sums.depth += sumOf(volume) * length;
     if constexpr (Everything) sums.dissipation += 0.5 * sumOf(loss);
-    // This is what slow arms yield.
+    // The creep of slow arms.
     for (std::size_t k = 0; k < slowLanes_; k += One::kLanes) {
-      One yield = One::load(yield_ + k);
+      One creep = One::load(creep_ + k);
       for (std::size_t j = 0; j < vectors_.modes; ++j)
-        yield =
-            negMulAdd(One::all(arcAmplitude_[j]), One::load(vectors_.toYield.row(j) + k), yield);
-      yield.store(yield_ + k);
+        creep =
+            negMulAdd(One::all(arcAmplitude_[j]), One::load(vectors_.toCreep.row(j) + k), creep);
+      creep.store(creep_ + k);
     }
     // The strains follow from the amplitudes.
     for (std::size_t k = 0; k < armLanes_; k += One::kLanes) {
@@ -417,9 +417,9 @@ class ArmElement {
     lossSum_ = sums.y;
   }
 
-  /// Adds what slow arms yield on a piece: z times the integral of e, by the series that their
+  /// Adds the creep of slow arms on a piece: z times the integral of e, by the series that their
   /// small z allows.
-  HWY_INLINE void addYield(const ContactPiece& piece) {
+  HWY_INLINE void addCreep(const ContactPiece& piece) {
     const One d0 = One::all(piece.depth.c1), d1 = One::all(piece.depth.c2),
               d2 = One::all(piece.depth.c3), one = One::all(1);
     for (std::size_t k = 0; k < slowLanes_; k += One::kLanes) {
@@ -432,7 +432,7 @@ class ArmElement {
       const One driven0 = negMulAdd(z, driven1, one);
       const One integral = mulAdd(driven0, One::load(strain_ + k),
                                   mulAdd(driven1, d0, mulAdd(driven2, d1, driven3 * d2)));
-      mulAdd(z, integral, One::load(yield_ + k)).store(yield_ + k);
+      mulAdd(z, integral, One::load(creep_ + k)).store(creep_ + k);
     }
   }
 
@@ -440,7 +440,7 @@ class ArmElement {
   std::size_t armLanes_, slowLanes_, modeLanes_;
   double *strain_, *trial_;            // m; e_i, and where the pressure was last asked for
   double *amplitude_, *arcAmplitude_;  // m, a_j, and where the arc began
-  double* yield_;                      // m, of slow arms
+  double* creep_;                      // m, of slow arms
   double* after_;                      // m, e_i at the ends of a batch's segments
   std::size_t afterStride_;
   double strainSum_ = 0, lossSum_ = 0;            // sum g_i e_i (m), sum g_i e_i / c_i

@@ -79,13 +79,13 @@ double ArmPass::findSeparation(const Piece& piece) const {
                   [&](double u) { return pressureAt(piece, u); });
 }
 
-/// Adds the yield of slow arms over [0, u], before the strains advance.
-void ArmPass::addYield(const Piece& piece, double u) {
+/// Adds the creep of slow arms over [0, u], before the strains advance.
+void ArmPass::addCreep(const Piece& piece, double u) {
   const Cubic& w = piece.depth;
   for (std::size_t i = 0; i < coefficients_.slow; ++i) {
     const double z = piece.length * u * coefficients_.inverse[i];
     const auto drivenBy = drivenMoments(z);
-    yieldChange_[i] += z * (strain_[i] * decayMoments(z)[0] +
+    creepChange_[i] += z * (strain_[i] * decayMoments(z)[0] +
                             u * (w.c1 * drivenBy[0][0] +
                                  u * (2 * w.c2 * drivenBy[0][1] + u * 3 * w.c3 * drivenBy[0][2])));
   }
@@ -93,7 +93,7 @@ void ArmPass::addYield(const Piece& piece, double u) {
 
 /// Advances the strains to u of the piece.
 void ArmPass::advance(const Piece& piece, double u) {
-  addYield(piece, u);
+  addCreep(piece, u);
   const Cubic& w = piece.depth;
   for (std::size_t i = 0; i < strain_.size(); ++i) {
     const DrivenDecay decay = drivenDecay(piece.length * u * coefficients_.inverse[i]);

@@ -54,12 +54,12 @@ double ArmGuess::strainAt(const Known& known, double relaxationLength) const {
 }
 
 const ArmBalance* ArmGuess::at(double velocity) {
-  constexpr double kMostExtrapolation = 1.5;  // of the step before, to go on as it went
+  constexpr double kMaxExtrapolation = 1.5;  // of the step before, to go on as it went
   if (last_.velocity == 0) return nullptr;
   double ahead = 0;
   if (before_.velocity > 0 && before_.velocity != last_.velocity)
     ahead = std::log(velocity / last_.velocity) / std::log(last_.velocity / before_.velocity);
-  if (!(ahead > 0 && ahead < kMostExtrapolation)) ahead = 0;
+  if (!(ahead > 0 && ahead < kMaxExtrapolation)) ahead = 0;
   guess_.force.depth = last_.depth;
   if (ahead > 0) guess_.force.depth *= std::pow(last_.depth / before_.depth, ahead);
   guess_.strain.resize(last_.strain.size());

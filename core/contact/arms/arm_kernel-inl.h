@@ -90,10 +90,10 @@ class ArmKernel {
       // The lowest point takes over.
       endArc<Everything>(line_.length);
     }
-    // What the other arms yield, which change much in a period, follows from their strains.
-    for (std::size_t k = 0; k < vectors_.slow; ++k) work_.yieldChange[k] = element_.yields()[k];
+    // The creep of the other arms, which change much in a period, follows from their strains.
+    for (std::size_t k = 0; k < vectors_.slow; ++k) work_.creepChange[k] = element_.creep()[k];
     for (std::size_t k = vectors_.slow; k < vectors_.arms; ++k)
-      work_.yieldChange[k] = strain[k] - element_.strains()[k];
+      work_.creepChange[k] = strain[k] - element_.strains()[k];
     work_.sums = sums_;
   }
 
@@ -119,7 +119,7 @@ class ArmKernel {
   }
 
  private:
-  static constexpr int kMostEvents = 64;              // in one segment, as in arm_pass.cpp
+  static constexpr int kMaxEvents = 64;               // in one segment, as in arm_pass.cpp
   static constexpr double kPositionTolerance = 1e-6;  // of a last step, relative to the place
 
   /// A segment to look inside, as in arm_pass.h.
@@ -386,7 +386,7 @@ class ArmKernel {
     const bool onwards = inside.along > 0;
     double t = onwards ? 0 : 1;
     const double end = onwards ? 1 : 0;
-    for (int events = 0; events < kMostEvents; ++events) {
+    for (int events = 0; events < kMaxEvents; ++events) {
       if (touching_) {
         t = followContact<Everything>(inside, t, end, events == 0 ? atEnd : nullptr);
         if (touching_) return i + 1;

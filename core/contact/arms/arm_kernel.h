@@ -14,7 +14,7 @@
 namespace asperity {
 
 /// Runs one pass at an indentation (m), from these strains (m, one for each arm) at the lowest
-/// point. Output::Force: only sums.depth, lengths and yieldChange are computed.
+/// point. Output::Force: only sums.depth, lengths and creepChange are computed.
 void runArmPass(const PreparedProfile& line, const ArmVectors& vectors, double depth,
                 std::span<const double> strain, Output output, ArmWorkspace& work);
 
@@ -29,7 +29,7 @@ struct ArmJacobian {
   /// Return derivatives. Unknown 0 is the indentation, 1 + k the strain of arm k at the lowest
   /// point.
   double ofDepthIntegral(std::size_t unknown) const { return volume.row(0)[unknown]; }
-  double ofYieldChange(std::size_t i, std::size_t unknown) const { return change.row(i)[unknown]; }
+  double ofCreepChange(std::size_t i, std::size_t unknown) const { return change.row(i)[unknown]; }
 
   AlignedRows volume, change;      // [arm] over unknowns
   AlignedRows strain, mode, lost;  // [arm or mode] over unknowns, at one position of the pass

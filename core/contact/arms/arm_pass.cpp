@@ -7,7 +7,7 @@
 namespace asperity {
 namespace {
 
-constexpr int kMostEvents = 64;  // in one segment, which has a few; more are rounding
+constexpr int kMaxEvents = 64;  // in one segment, which has a few; more are rounding
 
 }  // namespace
 
@@ -18,7 +18,7 @@ ArmPass::ArmPass(const PreparedProfile& line, const ArmCoefficients& coefficient
       next_(coefficients.arms()),
       mode_(coefficients.modes()),
       arcMode_(coefficients.modes()),
-      yieldChange_(coefficients.arms()) {}
+      creepChange_(coefficients.arms()) {}
 
 void ArmPass::run(double depth, std::span<const double> strain, ArmTangent* tangent) {
   tangent_ = tangent;
@@ -43,7 +43,7 @@ void ArmPass::runPass(double depth, std::span<const double> strain, ArmShape* sh
   hasLeft_ = false;
   entryHeight_ = 0;
   contactStart_ = 0;
-  std::fill(yieldChange_.begin(), yieldChange_.end(), 0);
+  std::fill(creepChange_.begin(), creepChange_.end(), 0);
   std::copy(strain.begin(), strain.end(), strain_.begin());
   refreshSums();
   for (std::size_t i = 0; i < line_.segments();) {
@@ -57,7 +57,7 @@ void ArmPass::runPass(double depth, std::span<const double> strain, ArmShape* sh
     setStrainsFree();  // the lowest point takes over
   }
   for (std::size_t i = coefficients_.slow; i < strain_.size(); ++i)
-    yieldChange_[i] = strain[i] - strain_[i];
+    creepChange_[i] = strain[i] - strain_[i];
 }
 
 void ArmPass::completeStrains(std::span<double> strain) {
@@ -104,7 +104,7 @@ void ArmPass::setStrainsFree() {
 void ArmPass::setModes(double* modes, double depth) const {
   const std::size_t arms = strain_.size();
   for (std::size_t j = 0; j < mode_.size(); ++j) {
-    const double* row = coefficients_.conversion.ofYield.data() + j * arms;
+    const double* row = coefficients_.conversion.ofCreep.data() + j * arms;
     double amplitude = coefficients_.settled[j] * depth;
     for (std::size_t i = 0; i < arms; ++i) amplitude -= row[i] * strain_[i];
     modes[j] = amplitude;
@@ -157,8 +157,8 @@ std::size_t ArmPass::contactSegment(std::size_t i) {
   const double volume = depth_ * h - line_.bounds(i).heightIntegral;
   sums_.depth += volume;
   for (std::size_t k = 0; k < coefficients_.slow; ++k)
-    yieldChange_[k] += coefficients_.yieldKept[k] * now[k] + d0 * coefficients_.yieldDriven[0][k] +
-                       d1 * coefficients_.yieldDriven[1][k] + d2 * coefficients_.yieldDriven[2][k];
+    creepChange_[k] += coefficients_.creepKept[k] * now[k] + d0 * coefficients_.creepDriven[0][k] +
+                       d1 * coefficients_.creepDriven[1][k] + d2 * coefficients_.creepDriven[2][k];
   if constexpr (Everything) {
     std::array<double, 3> with{};
     for (std::size_t n = 0; n < 3; ++n)
@@ -225,7 +225,7 @@ void ArmPass::gatherArc(double position) {
       sums_.dissipation -=
           0.5 * coefficients_.stiffness[j] * arcMode_[j] * arcMode_[j] * back * (2 + back);
     for (std::size_t i = 0; i < coefficients_.slow; ++i)
-      yieldChange_[i] += coefficients_.conversion.toYield[j * arms + i] * arcMode_[j] * back;
+      creepChange_[i] += coefficients_.conversion.toCreep[j * arms + i] * arcMode_[j] * back;
   }
   sums_.depth += volume * length;
   free_.add(arcStart_ - contactStart_, length);
@@ -282,7 +282,7 @@ void ArmPass::inspectSegment(std::size_t i) {
   const bool onwards = inside.along > 0;
   double t = onwards ? 0 : 1;
   const double end = onwards ? 1 : 0;
-  for (int events = 0; events < kMostEvents; ++events) {
+  for (int events = 0; events < kMaxEvents; ++events) {
     if (touching_) {
       t = followContact<Everything>(inside, t, end);
       if (touching_) return;

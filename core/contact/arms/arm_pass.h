@@ -57,7 +57,7 @@ class ArmPass {
  public:
   ArmPass(const PreparedProfile& line, const ArmCoefficients& coefficients);
 
-  /// Computes what the balance needs: sums().depth and yieldChange(); with `tangent` also their
+  /// Computes what the balance needs: sums().depth and creepChange(); with `tangent` also their
   /// derivatives. depth and strain: m.
   void run(double depth, std::span<const double> strain, ArmTangent* tangent = nullptr);
   /// Computes all sums.
@@ -73,8 +73,8 @@ class ArmPass {
   /// Returns the sums per 4G, where G is the equilibrium modulus. Pressure, work and dissipation
   /// are summed separately; all terms of the last one are positive.
   const PassSums& sums() const { return sums_; }
-  /// Returns the yield of the arms over the period (m); it is 0 in steady sliding.
-  const std::vector<double>& yieldChange() const { return yieldChange_; }
+  /// Returns the creep of the arms over the period (m); it is 0 in steady sliding.
+  const std::vector<double>& creepChange() const { return creepChange_; }
 
  private:
   /// A segment that is examined inside: its height over t in [0, 1], s = start + t along. The last
@@ -123,7 +123,7 @@ class ArmPass {
   void setStrainsFree();
   void setModes(double* modes, double depth) const;
   double elasticWork(double height) const;
-  void addYield(const Piece& piece, double u);
+  void addCreep(const Piece& piece, double u);
   void record(std::size_t i, ArmShape& shape);
 
   const PreparedProfile& line_;
@@ -133,7 +133,7 @@ class ArmPass {
   std::size_t level_ = 0;               // of the block tried next
   std::vector<double> strain_, next_;   // m, e_i in contact
   std::vector<double> mode_, arcMode_;  // m, a_j now and where the arc began
-  std::vector<double> yieldChange_;     // m
+  std::vector<double> creepChange_;     // m
   double strainSum_ = 0, lossSum_ = 0;  // sum g_i e_i (m), sum g_i e_i / c_i
   double arcStart_ = 0;                 // m
   double contactStart_ = 0;             // m

@@ -44,7 +44,7 @@ class ArmTangentKernel {
     }
     for (std::size_t i = remembered; i < vectors_.arms; ++i)
       std::fill_n(jacobian_.strain.row(i), lanes_, 0.0);
-    // Arms that change much in a period yield what their strains lose.
+    // In arms that change much in a period, creep takes what their strains lose.
     for (std::size_t i = vectors_.slow; i < vectors_.arms; ++i) {
       double *change = jacobian_.change.row(i), *strain = jacobian_.strain.row(i);
       for (std::size_t k = 0; k < lanes_; k += One::kLanes)
@@ -77,7 +77,7 @@ class ArmTangentKernel {
     for (std::size_t i = 0; i < vectors_.arms; ++i) jacobian_.strain.row(i)[i + 1] = 1;
   }
 
-  /// Lets the strains decay over a contact; what slow arms lose is yielded.
+  /// Lets the strains decay over a contact; what slow arms lose is creep.
   void contact(double length, std::size_t remembered) {
     jacobian_.volume.row(0)[0] += length;
     const One way = One::all(length);
@@ -99,7 +99,7 @@ class ArmTangentKernel {
 
   /// Makes the rows of amplitudes from those of strains where contact ends.
   void leave(std::size_t remembered) {
-    product(vectors_.modes, remembered, vectors_.ofYield, jacobian_.strain, jacobian_.mode);
+    product(vectors_.modes, remembered, vectors_.ofCreep, jacobian_.strain, jacobian_.mode);
     for (std::size_t j = 0; j < vectors_.modes; ++j)
       jacobian_.mode.row(j)[0] += vectors_.mode.from(j)[ArmVectors::Settled * kWidestVector];
   }
@@ -124,13 +124,13 @@ class ArmTangentKernel {
         }
       }
     }
-    // This is what slow arms yield.
+    // The creep of slow arms.
     for (std::size_t i = 0; i < vectors_.slow; ++i) {
       double* change = jacobian_.change.row(i);
       for (std::size_t k = 0; k < lanes_; k += One::kLanes) {
         One sum = One::load(change + k);
         for (std::size_t j = 0; j < vectors_.modes; ++j)
-          sum = negMulAdd(One::all(vectors_.toYield.row(j)[i]),
+          sum = negMulAdd(One::all(vectors_.toCreep.row(j)[i]),
                           One::load(jacobian_.lost.row(j) + k), sum);
         sum.store(change + k);
       }
@@ -139,7 +139,7 @@ class ArmTangentKernel {
 
   /// Makes the rows of strains: those of the free surface, and what the line presses in beyond.
   void enter(std::size_t remembered) {
-    product(remembered, vectors_.modes, vectors_.toYield, jacobian_.mode, jacobian_.strain);
+    product(remembered, vectors_.modes, vectors_.toCreep, jacobian_.mode, jacobian_.strain);
     for (std::size_t i = 0; i < remembered; ++i) jacobian_.strain.row(i)[0] += 1;
   }
 

@@ -23,8 +23,8 @@ ArmVectors::ArmVectors(const ArmCoefficients& from)
       decay(from.decay.size(), modes),
       lost(from.lost.size(), modes),
       toStrain(modes, arms),
-      toYield(modes, arms),
-      ofYield(arms, modes) {
+      toCreep(modes, arms),
+      ofCreep(arms, modes) {
   for (std::size_t i = 0; i < arms; ++i) {
     const double g = from.modulus[i];
     arm.value(Inverse, i) = from.inverse[i];
@@ -41,8 +41,8 @@ ArmVectors::ArmVectors(const ArmCoefficients& from)
     for (std::size_t k = 0; k < 6; ++k) lossOfSlopes[k] += g * loss.dd[k];
   }
   for (std::size_t i = 0; i < slow; ++i) {
-    arm.value(YieldKept, i) = from.yieldKept[i];
-    for (std::size_t k = 0; k < 3; ++k) arm.value(YieldDriven0 + k, i) = from.yieldDriven[k][i];
+    arm.value(CreepKept, i) = from.creepKept[i];
+    for (std::size_t k = 0; k < 3; ++k) arm.value(CreepDriven0 + k, i) = from.creepDriven[k][i];
   }
   for (std::size_t j = 0; j < modes; ++j) {
     mode.value(Rate, j) = from.rate[j];
@@ -57,13 +57,13 @@ ArmVectors::ArmVectors(const ArmCoefficients& from)
   for (std::size_t j = 0; j < modes; ++j)
     for (std::size_t i = 0; i < arms; ++i) {
       toStrain.row(j)[i] = conversion.toStrain[j * arms + i];
-      toYield.row(j)[i] = conversion.toYield[j * arms + i];
-      ofYield.row(i)[j] = conversion.ofYield[j * arms + i];
+      toCreep.row(j)[i] = conversion.toCreep[j * arms + i];
+      ofCreep.row(i)[j] = conversion.ofCreep[j * arms + i];
     }
 }
 
 ArmWorkspace::ArmWorkspace(const ArmVectors& vectors)
-    : yieldChange(vectors.arms), rows(Rows, std::max(vectors.arms, vectors.modes)) {}
+    : creepChange(vectors.arms), rows(Rows, std::max(vectors.arms, vectors.modes)) {}
 
 // Not inline, so that what is compiled for one instruction set has no part in it.
 void ArmWorkspace::addLength(double length) {

@@ -70,10 +70,10 @@ struct ArmVectors {
     Driven0,
     Driven1,
     Driven2,
-    YieldKept,
-    YieldDriven0,
-    YieldDriven1,
-    YieldDriven2,
+    CreepKept,
+    CreepDriven0,
+    CreepDriven1,
+    CreepDriven2,
     Moment0,
     Moment1,
     Moment2,
@@ -94,8 +94,8 @@ struct ArmVectors {
   LaneTable<ArmRows> arm;
   LaneTable<ModeRows> mode;
   AlignedRows decay, lost;        // [level] over modes
-  AlignedRows toStrain, toYield;  // [mode] over arms
-  AlignedRows ofYield;            // [arm] over modes
+  AlignedRows toStrain, toCreep;  // [mode] over arms
+  AlignedRows ofCreep;            // [arm] over modes
 };
 
 /// The initial values, the working memory and the results of a pass, per 4G as in ArmPass.
@@ -105,7 +105,7 @@ struct ArmWorkspace {
   /// Lengths (m) along the period, in contact, free, in contact, and so on, from the lowest point
   /// on.
   std::vector<double> lengths;
-  std::vector<double> yieldChange;  // m, of each arm
+  std::vector<double> creepChange;  // m, of each arm
   PassSums sums;
   void addLength(double length);
   bool wasComplete() const { return lengths.size() == 1; }
@@ -115,7 +115,7 @@ struct ArmWorkspace {
     Trial,
     Amplitude,
     ArcAmplitude,
-    Yield,
+    Creep,
     After,
     Rows = After + kWidestVector
   };

@@ -24,7 +24,7 @@ class Spectrum {
     if (arms == 0) return found;
     found.push_back(slowest());
     for (int right = 1; right < arms; ++right) found.push_back(between(right - 1, right));
-    if (law_.viscosity > 0) found.push_back(halved({arms - 1, 1}, kLeast, kMost));
+    if (law_.viscosity > 0) found.push_back(halved({arms - 1, 1}, kMin, kMax));
     return found;
   }
 
@@ -43,7 +43,7 @@ class Spectrum {
  private:
   // Logarithms of offsets. Of a mode nearer to its arm's pole than this the depth has no part, and
   // squares of the distance would leave the numbers.
-  static constexpr double kLeast = -280, kMost = 600;
+  static constexpr double kMin = -280, kMax = 600;
 
   template <class Index>
   double tau(Index i) const {
@@ -61,14 +61,14 @@ class Spectrum {
   Rate slowest() const {
     if (law_.equilibriumModulus == 0) return {-1, 0};
     const bool fast = modulusAt({-1, 0.5}) > 0;
-    return fast ? halved({0, -1}, kLeast, std::log(0.5)) : halved({-1, 1}, kLeast, std::log(0.5));
+    return fast ? halved({0, -1}, kMin, std::log(0.5)) : halved({-1, 1}, kMin, std::log(0.5));
   }
 
   Rate between(int left, int right) const {
     const double step = std::sqrt(tau(left) / tau(right));  // to the geometric mean
     const double fromLeft = step - 1, fromRight = 1 - 1 / step;
-    return modulusAt({left, fromLeft}) > 0 ? halved({right, -1}, kLeast, std::log(fromRight))
-                                           : halved({left, 1}, kLeast, std::log(fromLeft));
+    return modulusAt({left, fromLeft}) > 0 ? halved({right, -1}, kMin, std::log(fromRight))
+                                           : halved({left, 1}, kMin, std::log(fromLeft));
   }
 
   /// Bisects the interval of log |offset|; the rate rises with it where the sign is positive.
@@ -91,16 +91,16 @@ void addMode(RetardationModes& modes, const ElementLaw& law, const Spectrum& spe
   const double value = spectrum.valueOf(rate);
   double norm = law.viscosity;
   for (std::size_t i = 0; i < law.arms.size(); ++i) {
-    const double yield = 1 / spectrum.distance(rate, i);
-    norm += law.arms[i].modulus * law.arms[i].relaxationTime * yield * yield;
+    const double creep = 1 / spectrum.distance(rate, i);
+    norm += law.arms[i].modulus * law.arms[i].relaxationTime * creep * creep;
   }
   modes.rate.push_back(value);
   modes.fluidity.push_back(1 / norm);
   modes.ofDepth.push_back(law.viscosity / norm);
   for (std::size_t i = 0; i < law.arms.size(); ++i) {
     const double distance = spectrum.distance(rate, i), tau = law.arms[i].relaxationTime;
-    modes.ofYield.push_back(law.arms[i].modulus * tau / distance / norm);
-    modes.toYield.push_back(1 / distance);
+    modes.ofCreep.push_back(law.arms[i].modulus * tau / distance / norm);
+    modes.toCreep.push_back(1 / distance);
     modes.toStrain.push_back(-value * tau / distance);
   }
 }

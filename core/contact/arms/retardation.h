@@ -16,12 +16,12 @@ struct RetardationModes {
   std::vector<double> rate;      // 1/s, rising; 0 only without an equilibrium modulus
   std::vector<double> fluidity;  // 1/(Pa s)
 
-  // From and to the arms: q_i = y - e_i is what the arm's dashpot has yielded. Row after row, one
-  // row a mode; `arms` entries in each.
+  // From and to the arms: q_i = y - e_i is the creep of arm i, the strain of its dashpot. Row after
+  // row, one row a mode; `arms` entries in each.
   std::size_t arms = 0;
-  std::vector<double> ofDepth;  // a_j = ofDepth_j y + sum_i ofYield_ji q_i
-  std::vector<double> ofYield;
-  std::vector<double> toYield;   // q_i = sum_j toYield_ji a_j, free
+  std::vector<double> ofDepth;  // a_j = ofDepth_j y + sum_i ofCreep_ji q_i
+  std::vector<double> ofCreep;
+  std::vector<double> toCreep;   // q_i = sum_j toCreep_ji a_j, free
   std::vector<double> toStrain;  // e_i = sum_j toStrain_ji a_j, free
 
   std::size_t modes() const { return rate.size(); }

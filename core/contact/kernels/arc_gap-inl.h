@@ -14,7 +14,7 @@ HWY_BEFORE_NAMESPACE();
 namespace asperity {
 namespace HWY_NAMESPACE {
 
-constexpr int kMostRootSteps = 100;
+constexpr int kMaxRootSteps = 100;
 /// The relative size of a root's last step, because a contact may be far shorter than its segment;
 /// the remaining error is its cube.
 constexpr double kRootStep = 1e-6;
@@ -65,7 +65,7 @@ HWY_INLINE WideRoot rootBetween(const Gap& gap, Wide low, Wide high, WideMask ne
   const Wide one = Wide::all(1);
   const Wide reach = select(gap.arc.depth > Wide::all(0), one / abs(gap.arc.rate), one);
   Wide t = guess, further = one, lost = one;
-  for (int step = 0; step < kMostRootSteps; ++step) {
+  for (int step = 0; step < kMaxRootSteps; ++step) {
     // The bracket shrinks from the side whose sign agrees.
     lost = gap.arc.lostAt(t);
     const Wide value = gap.valueAt(t, lost);

@@ -19,7 +19,7 @@ HWY_BEFORE_NAMESPACE();
 namespace asperity {
 namespace HWY_NAMESPACE {
 
-constexpr std::size_t kMostLevels = 16;
+constexpr std::size_t kMaxLevels = 16;
 
 class CubicKernel {
  public:
@@ -70,7 +70,7 @@ class CubicKernel {
     std::size_t from = kNone, nextCut = 0;  // where the next part begins, and may end
     double inverse = 0;
     // lost part of a depth over 0, 1, ... blocks of each level
-    double lost[kMostLevels][kWindow + 1];
+    double lost[kMaxLevels][kWindow + 1];
   };
   /// A part of a pass: segments up to `last`.
   struct Part {

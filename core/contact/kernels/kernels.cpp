@@ -16,7 +16,7 @@ namespace asperity {
 namespace HWY_NAMESPACE {
 
 void cubicPasses(const PreparedProfile& line, PassQueue& queue) {
-  static_assert(Wide::kLanes <= kMostStreams);
+  static_assert(Wide::kLanes <= kMaxStreams);
   CubicKernel(line, queue).run();
 }
 

@@ -15,7 +15,7 @@ namespace asperity {
 // ---- Resolved lines
 
 /// Maximum number of passes over a cubic line that run at once.
-inline constexpr std::size_t kMostStreams = 16;
+inline constexpr std::size_t kMaxStreams = 16;
 
 /// Runs passes over a line of cubic segments until no stream gets another one. Each lane of the
 /// vectors follows the line on its own pass. Whole blocks without contact edges are taken in one
@@ -51,10 +51,10 @@ struct NodalState {
 NodalState nodalPass(const PreparedProfile& line, double depth, double relaxationLength,
                      NodeShape* shape = nullptr);
 
-inline constexpr std::size_t kMostLanes = 8;
-using LaneValues = std::array<double, kMostLanes>;
+inline constexpr std::size_t kMaxLanes = 8;
+using LaneValues = std::array<double, kMaxLanes>;
 
-/// Returns the number of velocities in one pass of nodalLanePass, at most kMostLanes.
+/// Returns the number of velocities in one pass of nodalLanePass, at most kMaxLanes.
 std::size_t laneCount();
 
 /// Runs the same pass for laneCount() velocities at once, one in each lane of a vector: depth (m,
@@ -62,7 +62,7 @@ std::size_t laneCount();
 /// missing.
 void nodalLanePass(const PreparedProfile& line, const LaneValues& depth,
                    const LaneValues& relaxationLength, Output output,
-                   std::array<NodalState, kMostLanes>& states);
+                   std::array<NodalState, kMaxLanes>& states);
 
 // ---- The instruction set
 

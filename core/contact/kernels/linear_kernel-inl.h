@@ -32,8 +32,8 @@ struct WideStraight {
 /// free arc, and the last, if contact ends inside it. Lengths in m. A patch of zeros adds nothing;
 /// the first patch of the line begins with one, because no arc precedes it.
 struct alignas(64) Patches {
-  static constexpr std::size_t kMost = Summits::kMost;
-  using Values = double[kMost];
+  static constexpr std::size_t kMax = Summits::kMax;
+  using Values = double[kMax];
 
   // The free arc: w and height at its beginning, and its length to the lower end of the first
   // segment.
@@ -88,7 +88,7 @@ class LinearKernel {
   HWY_INLINE void addPatches() {
     // Find the summits that exceed all earlier ones.
     const Summits& summits = search_.summits();
-    std::size_t tops[Summits::kMost], count = 0;
+    std::size_t tops[Summits::kMax], count = 0;
     for (std::size_t k = 0; k < summits.count; ++k) {
       tops[count] = k;
       count += summits.order[k] >= highest_ ? 1 : 0;

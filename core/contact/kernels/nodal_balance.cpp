@@ -8,7 +8,7 @@
 namespace asperity {
 namespace {
 
-constexpr int kMostNodalPasses = 400;
+constexpr int kMaxNodalPasses = 400;
 constexpr int kPassesBeforeZero = 12;
 constexpr double kRounding = 1e-14;  // relative; closer depths are one edge
 
@@ -142,12 +142,11 @@ double NodalSearch::pointInside() const {
 
 void NodalSearch::chooseNext() {
   const double differing = upper_.loaded - lower_.loaded;
-  if (differing == 0 && passes_ < kMostNodalPasses) return ask(Stage::Answer, straightTo(upper_));
+  if (differing == 0 && passes_ < kMaxNodalPasses) return ask(Stage::Answer, straightTo(upper_));
   // The ends are neighbouring numbers except for rounding: the element that enters between them is
   // on the edge.
   const bool neighbours = upper_.depth - lower_.depth <= kRounding * upper_.depth;
-  if (neighbours || upper_.depth <= 0 || passes_ >= kMostNodalPasses)
-    return askAround(upper_.depth);
+  if (neighbours || upper_.depth <= 0 || passes_ >= kMaxNodalPasses) return askAround(upper_.depth);
   // Elements on the lowest level of the line are loaded at any depth: the bracket cannot shrink.
   if (lower_.depth < 0 && passes_ >= kPassesBeforeZero) return ask(Stage::Narrow, 0);
   if (halving_) return ask(Stage::Narrow, 0.5 * (lower_.depth + upper_.depth));
@@ -186,7 +185,7 @@ void NodalSearch::askAround(double edge) {
 
 void NodalSearch::takeAbove(const NodalState& found) {
   above_ = found;
-  if (!isEnough(found) && passes_ < kMostNodalPasses) {
+  if (!isEnough(found) && passes_ < kMaxNodalPasses) {
     if (!halving_ && found.depth < upper_.depth) {
       lower_ = found;
       return halve();
@@ -200,7 +199,7 @@ void NodalSearch::takeAbove(const NodalState& found) {
 }
 
 void NodalSearch::takeBelow(const NodalState& found) {
-  if (!isEnough(found) || passes_ >= kMostNodalPasses) return finishBetween(found, above_);
+  if (!isEnough(found) || passes_ >= kMaxNodalPasses) return finishBetween(found, above_);
   if (!halving_ && found.depth > lower_.depth) {
     upper_ = found;
     return halve();
@@ -211,7 +210,7 @@ void NodalSearch::takeBelow(const NodalState& found) {
 
 void NodalSearch::takeAnswer(const NodalState& found) {
   const double residual = std::abs(found.sums.pressure - load_) / load_;
-  if (residual > kAcceptedResidual && passes_ < kMostNodalPasses) {
+  if (residual > kAcceptedResidual && passes_ < kMaxNodalPasses) {
     // On the straight piece on which the solution was searched, neighbouring depths are too far
     // apart for this load: the solution lies between two of them.
     if (found.loaded == upper_.loaded || found.loaded == lower_.loaded)
@@ -241,7 +240,7 @@ void NodalSearch::finishBetween(const NodalState& less, const NodalState& more) 
 /// Runs one pass for all unfinished searches; returns false where all are finished.
 bool passOnce(const PreparedProfile& line, const LaneValues& relaxationLength,
               std::span<NodalSearch> searches, LaneValues& depth,
-              std::array<NodalState, kMostLanes>& states) {
+              std::array<NodalState, kMaxLanes>& states) {
   Output output = Output::Force;
   bool goesOn = false;
   for (std::size_t lane = 0; lane < searches.size(); ++lane) {
@@ -252,7 +251,7 @@ bool passOnce(const PreparedProfile& line, const LaneValues& relaxationLength,
   }
   if (!goesOn) return false;
   // Lanes without a search repeat the last one.
-  for (std::size_t lane = searches.size(); lane < kMostLanes; ++lane)
+  for (std::size_t lane = searches.size(); lane < kMaxLanes; ++lane)
     depth[lane] = depth[searches.size() - 1];
   nodalLanePass(line, depth, relaxationLength, output, states);
   for (std::size_t lane = 0; lane < searches.size(); ++lane)
@@ -274,9 +273,9 @@ bool balanceNodalLanes(const PreparedProfile& line, std::span<const double> rela
                        std::span<NodalBalance> balances) {
   const std::size_t used = relaxationLengths.size();
   LaneValues depth{}, relaxationLength{};
-  std::array<NodalState, kMostLanes> states;
-  std::array<NodalSearch, kMostLanes> searches;
-  for (std::size_t lane = 0; lane < kMostLanes; ++lane)
+  std::array<NodalState, kMaxLanes> states;
+  std::array<NodalSearch, kMaxLanes> searches;
+  for (std::size_t lane = 0; lane < kMaxLanes; ++lane)
     relaxationLength[lane] = relaxationLengths[std::min(lane, used - 1)];
   for (std::size_t lane = 0; lane < used; ++lane) searches[lane].start(line, load, guesses[lane]);
   while (passOnce(line, relaxationLength, {searches.data(), used}, depth, states))

@@ -58,7 +58,7 @@ class NodalKernel {
 
  private:
   static constexpr D d_{};
-  static constexpr int kMostLevels = 16;
+  static constexpr int kMaxLevels = 16;
 
   HWY_INLINE V set(double value) const { return hn::Set(d_, value); }
   HWY_INLINE V zero() const { return hn::Zero(d_); }
@@ -211,7 +211,7 @@ class NodalKernel {
   std::size_t count_;  // number of nodes
   NodeShape* shape_;
   V depth_, relaxationLength_;
-  V lost_[kMostLevels];       // lost part of a depth over a block of each level
+  V lost_[kMaxLevels];        // lost part of a depth over a block of each level
   V surface_ = hn::Zero(d_);  // height of the free surface at the next node
   V lastHeight_ = hn::Zero(d_), lostSinceTouch_ = hn::Zero(d_), arcStart_ = hn::Zero(d_);
   V pressure_ = hn::Zero(d_), loaded_ = hn::Zero(d_), depthSum_ = hn::Zero(d_);

@@ -14,7 +14,7 @@ HWY_BEFORE_NAMESPACE();
 namespace asperity {
 namespace HWY_NAMESPACE {
 
-using Lanes8 = hn::CappedTag<double, kMostLanes>;
+using Lanes8 = hn::CappedTag<double, kMaxLanes>;
 using OneLane = hn::CappedTag<double, 1>;
 
 void nodalLanesForce(const PreparedProfile& line, const double* depth, const double* length,
@@ -73,7 +73,7 @@ std::size_t laneCount() {
 
 void nodalLanePass(const PreparedProfile& line, const LaneValues& depth,
                    const LaneValues& relaxationLength, Output output,
-                   std::array<NodalState, kMostLanes>& states) {
+                   std::array<NodalState, kMaxLanes>& states) {
   const FlushDenormals flush(Traps::None);
   if (output == Output::Force) {
     HWY_DYNAMIC_DISPATCH(nodalLanesForce)
@@ -81,7 +81,7 @@ void nodalLanePass(const PreparedProfile& line, const LaneValues& depth,
   } else {
     HWY_DYNAMIC_DISPATCH(nodalLanes)(line, depth.data(), relaxationLength.data(), states.data());
   }
-  for (std::size_t lane = 0; lane < kMostLanes; ++lane)
+  for (std::size_t lane = 0; lane < kMaxLanes; ++lane)
     finish(states[lane], depth[lane], line.spacing);
 }
 

@@ -24,12 +24,12 @@ namespace HWY_NAMESPACE {
 
 /// A batch of summits in order of travel; lengths in m.
 struct alignas(64) Summits {
-  static constexpr std::size_t kMost = 128;
-  using Values = double[kMost];
+  static constexpr std::size_t kMax = 128;
+  using Values = double[kMax];
 
   std::size_t count = 0;
-  std::size_t segment[kMost];  // the segment that it ends; at a corner, the one that begins there
-  std::size_t start[kMost];    // segment in which, or at whose start, p rose through 0 before
+  std::size_t segment[kMax];  // the segment that it ends; at a corner, the one that begins there
+  std::size_t start[kMax];    // segment in which, or at whose start, p rose through 0 before
   // At the segment's start: s, height, and the slope dz/ds after it.
   Values position, nodeHeight, slope;
   Values inside;  // 1: inside the segment; 0: at its start
@@ -101,7 +101,7 @@ class SummitSearch {
   template <class Take>
   HWY_INLINE bool addWord(std::size_t first, std::size_t count, const Take& take) {
     addSegments(first, count);
-    return summits_.count + kWord < Summits::kMost || empty(take);
+    return summits_.count + kWord < Summits::kMax || empty(take);
   }
 
   template <class Take>
@@ -168,7 +168,7 @@ class SummitSearch {
   }
 
   HWY_INLINE void measure() {
-    constexpr double kLeast = 1e-300;
+    constexpr double kMin = 1e-300;
     const One d = One::all(depth_), c = One::all(relaxationLength_), inverse = One::all(inverse_);
     for (std::size_t k = 0; k < summits_.count; k += One::kLanes) {
       const One height = One::load(summits_.nodeHeight + k), slope = One::load(summits_.slope + k);
@@ -177,7 +177,7 @@ class SummitSearch {
       const One corner = d - height, vanishing = c * slope;
       const One along = onlyIn(inside, (corner - vanishing) / slope);
       const One depth = select(inside, vanishing, corner);
-      const One logarithm{hn::Log(kTag, max(depth, One::all(kLeast)).v)};
+      const One logarithm{hn::Log(kTag, max(depth, One::all(kMin)).v)};
       along.store(summits_.along + k);
       mulAdd(along, slope, height).store(summits_.height + k);
       depth.store(summits_.depth + k);

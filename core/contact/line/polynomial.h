@@ -124,7 +124,7 @@ double firstZero(double from, ValueAndSlope first, double to, ValueAndSlope last
                  const Function& function, const ZeroIn& zeroIn) {
   constexpr double kShortest = 1e-9;
   // Only a function that is 0 to rounding over a whole stretch needs more; it counts as positive.
-  constexpr int kMostHalvings = 200;
+  constexpr int kMaxHalvings = 200;
   struct End {
     double at;
     ValueAndSlope value;
@@ -140,7 +140,7 @@ double firstZero(double from, ValueAndSlope first, double to, ValueAndSlope last
     if (std::isnan(next + previous)) return kNoZero;  // halving would not end before the limit
     const bool isPositive = next > 0 && previous > 0 && end.value.value > 0;
     const bool falls = first.value >= next && next >= previous && previous >= end.value.value;
-    const bool isShort = std::abs(width) <= kShortest || halvings == kMostHalvings;
+    const bool isShort = std::abs(width) <= kShortest || halvings == kMaxHalvings;
     if (end.value.value <= 0 && (falls || isShort)) return zeroIn(from, first, end.at, end.value);
     if (isPositive || isShort) {
       from = end.at;

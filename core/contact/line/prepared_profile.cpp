@@ -124,11 +124,11 @@ bool addBlocksOver(PreparedProfile& profile, std::size_t level, const std::stop_
 /// Finds a cut in each of equal parts of the line except for the first, at its lowest node. Parts
 /// of long lines fit the cache of a core.
 void addCuts(PreparedProfile& profile) {
-  constexpr std::size_t kFewestSegments = 16, kMostSegments = 8192, kFewestParts = 16;
+  constexpr std::size_t kMinSegments = 16, kMaxSegments = 8192, kMinParts = 16;
   profile.cuts.clear();
-  const std::size_t parts = std::max(kFewestParts, profile.segments() / kMostSegments);
+  const std::size_t parts = std::max(kMinParts, profile.segments() / kMaxSegments);
   const std::size_t size = profile.segments() / parts;
-  if (size < kFewestSegments) return;
+  if (size < kMinSegments) return;
   for (std::size_t k = 1; k < parts; ++k) {
     const std::size_t segment =
         k * size + lowestIndex({&profile.heightAboveMinimum[k * size], size});

@@ -77,8 +77,8 @@ struct Fours {
   }
 };
 
-constexpr auto kLeast = [](One x, One y) { return min(x, y); };
-constexpr auto kMost = [](One x, One y) { return max(x, y); };
+constexpr auto kMin = [](One x, One y) { return min(x, y); };
+constexpr auto kMax = [](One x, One y) { return max(x, y); };
 constexpr auto kSum = [](One x, One y) { return x + y; };
 
 /// Calls take(k, row) for every vector of fours of a row of `count` fours; `more` numbers after
@@ -101,10 +101,10 @@ HWY_INLINE void mergeRow(const double* from, double* to, std::size_t count, cons
 }
 
 void leastOfFours(const double* from, double* to, std::size_t count) {
-  mergeRow(from, to, count, kLeast);
+  mergeRow(from, to, count, kMin);
 }
 void mostOfFours(const double* from, double* to, std::size_t count) {
-  mergeRow(from, to, count, kMost);
+  mergeRow(from, to, count, kMax);
 }
 void sumOfFours(const double* from, double* to, std::size_t count) {
   mergeRow(from, to, count, kSum);
@@ -114,8 +114,8 @@ void heightOfFours(const double* height, std::size_t count, double length, doubl
                    double* highest, double* heightIntegral) {
   forFours<1>(height, count, [&](std::size_t k, const double* row) {
     const Fours begins = Fours::load(row), ends = Fours::load(row + 1);
-    min(begins.merged(kLeast), ends.d).store(lowest + k);
-    max(begins.merged(kMost), ends.d).store(highest + k);
+    min(begins.merged(kMin), ends.d).store(lowest + k);
+    max(begins.merged(kMax), ends.d).store(highest + k);
     const One inner = (begins.b + begins.c) + begins.d;
     (One::all(length) * (One::all(0.5) * (begins.a + ends.d) + inner)).store(heightIntegral + k);
   });
@@ -125,7 +125,7 @@ void slopeOfFours(const double* slope, std::size_t count, double length, double*
                   double* slopeSquared) {
   forFours<0>(slope, count, [&](std::size_t k, const double* row) {
     const Fours m = Fours::load(row);
-    m.merged(kMost).store(steepest + k);
+    m.merged(kMax).store(steepest + k);
     const Fours squares{m.a * m.a, m.b * m.b, m.c * m.c, m.d * m.d};
     (One::all(length) * squares.merged(kSum)).store(slopeSquared + k);
   });

@@ -13,7 +13,7 @@ namespace {
 
 // Minimum distance in nodes that counts as a movement in a step. Over a shorter one the differences
 // of heights are rounding errors, and no slope changes.
-constexpr double kLeastMove = 1e-6;
+constexpr double kMinMove = 1e-6;
 
 /// Relative to the terms of a balance: smaller values are rounding errors.
 constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
@@ -301,7 +301,7 @@ MarchStep TimeMarch::step(const MarchLoad& load, double dt, double distance) {
   MarchStep result =
       modes_.glassyCompliance == 0 ? finishStep<true>(climb) : finishStep<false>(climb);
   countContacts(result);
-  const bool moves = std::abs(distance) > kLeastMove * line_->spacing;
+  const bool moves = std::abs(distance) > kMinMove * line_->spacing;
   result.slopeForce = moves ? result.lineWork / distance : slopeForce();
   recordStep(dt);
   return result;

@@ -50,7 +50,7 @@ struct MarchStep {
   double slopeForce = 0;     // N, integral of p dz/dx, which is -F_x: the slopes are means over the
                              // distance of the step (lineWork over distance), at rest local slopes
   double contactLength = 0;  // m
-  std::size_t contacts = 0;  // stretches in contact
+  std::size_t contacts = 0;  // contact spots
 };
 
 /// Optional records of each element, which cost extra time.

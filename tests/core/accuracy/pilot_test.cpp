@@ -65,10 +65,10 @@ TEST(Pilot, TakesATenthOfTheRunOrVeryLittle) {
       const PilotPlan plan = planPilot(scene, threads);
       const double parallel =
           std::min<double>(threads, static_cast<double>(scene.ensemble.realizations));
-      EXPECT_LE(plan.operations, std::max(kLeastPilot, 0.1 * plan.runOperations / parallel) * 1.001)
+      EXPECT_LE(plan.operations, std::max(kMinPilot, 0.1 * plan.runOperations / parallel) * 1.001)
           << scene.surface.elements << " elements, " << scene.sweep.points << " points, "
           << scene.ensemble.realizations << " lines";
-      EXPECT_LE(plan.operations, kMostPilot);
+      EXPECT_LE(plan.operations, kMaxPilot);
       EXPECT_LE(plan.velocities.size(), 9U);
       EXPECT_EQ(plan.velocities.front(), scene.sweep.velocityFrom);
     }
@@ -194,7 +194,7 @@ TEST(Pilot, OfAProfileTakesATenthOfTheRunOrVeryLittle) {
   for (const std::int64_t rows : {100, 2000, 300000}) {
     const Scene scene = profileScene(folder, rows);
     const PilotPlan plan = planPilot(scene, 1);
-    EXPECT_LE(plan.operations, std::max(kLeastPilot, 0.1 * plan.runOperations)) << rows;
+    EXPECT_LE(plan.operations, std::max(kMinPilot, 0.1 * plan.runOperations)) << rows;
     EXPECT_EQ(plan.run.scene.surface.elements, rows);
     EXPECT_EQ(predictCurve(scene, 1).operations, plan.operations);
   }
@@ -251,8 +251,8 @@ TEST(Pilot, ThePlanOfALongLineMakesNoLine) {
   EXPECT_TRUE(explanation.predicted.has_value());
   EXPECT_EQ(explanation.predicted->simulations, 100000);
   EXPECT_LE(explanation.predicted->operations,
-            std::max(kLeastPilot, 0.1 * explanation.predicted->runOperations));
-  EXPECT_LE(explanation.predicted->operations, kMostPilot);
+            std::max(kMinPilot, 0.1 * explanation.predicted->runOperations));
+  EXPECT_LE(explanation.predicted->operations, kMaxPilot);
   EXPECT_EQ(stageCounts()[static_cast<std::size_t>(Stage::TimeMarch)],
             before[static_cast<std::size_t>(Stage::TimeMarch)]);
 }

@@ -11,15 +11,17 @@ namespace {
 /// Two-sided quantiles 0.95 and 0.99 (Abramowitz and Stegun, table 26.10).
 TEST(Statistics, StudentsDistributionIsThatOfTheTables) {
   struct Row {
-    int freedom;
+    int degreesOfFreedom;
     double t95, t99;
   };
   constexpr double kRounding = 5.1e-4;  // of the table
   for (const Row& row : {Row{1, 12.706, 63.657}, Row{2, 4.303, 9.925}, Row{3, 3.182, 5.841},
                          Row{4, 2.776, 4.604}, Row{9, 2.262, 3.250}, Row{30, 2.042, 2.750}}) {
     for (const auto& [t, probability] : {std::pair{row.t95, 0.95}, std::pair{row.t99, 0.99}}) {
-      EXPECT_LT(studentProbability(t - kRounding, row.freedom), probability) << row.freedom;
-      EXPECT_GT(studentProbability(t + kRounding, row.freedom), probability) << row.freedom;
+      EXPECT_LT(studentProbability(t - kRounding, row.degreesOfFreedom), probability)
+          << row.degreesOfFreedom;
+      EXPECT_GT(studentProbability(t + kRounding, row.degreesOfFreedom), probability)
+          << row.degreesOfFreedom;
     }
   }
 }
@@ -31,8 +33,8 @@ TEST(Statistics, FewResidualsNeedMoreStandardErrors) {
   EXPECT_NEAR(studentDeviations(3, 1), std::tan(0.5 * std::numbers::pi * p), 1e-6);
   EXPECT_NEAR(studentDeviations(3, 2), p * std::sqrt(2 / (1 - p * p)), 1e-9);
   EXPECT_NEAR(studentDeviations(3, 100000), 3, 1e-3);
-  for (int freedom = 1; freedom < 40; ++freedom)
-    EXPECT_GT(studentDeviations(3, freedom), studentDeviations(3, freedom + 1));
+  for (int degreesOfFreedom = 1; degreesOfFreedom < 40; ++degreesOfFreedom)
+    EXPECT_GT(studentDeviations(3, degreesOfFreedom), studentDeviations(3, degreesOfFreedom + 1));
 }
 
 /// Where degrees of freedom are those of rows that are alike, their number is small and not whole.
@@ -48,20 +50,22 @@ TEST(Statistics, QuantilesAreThoseOfTheTables) {
 
 /// Between whole freedoms the distribution is continuous and, by quadrature of its density, exact.
 TEST(Statistics, TheFreedomIsAnyPositiveNumber) {
-  for (const double freedom : {1.0, 2.0, 3.0, 9.0})
+  for (const double degreesOfFreedom : {1.0, 2.0, 3.0, 9.0})
     for (const double t : {0.5, 2.0, 12.0})
-      EXPECT_NEAR(studentProbability(t, freedom + 1e-9), studentProbability(t, freedom), 1e-8);
-  for (const double freedom : {0.7, 1.5, 2.5, 6.9}) {
-    const double t = studentQuantile(freedom);
+      EXPECT_NEAR(studentProbability(t, degreesOfFreedom + 1e-9),
+                  studentProbability(t, degreesOfFreedom), 1e-8);
+  for (const double degreesOfFreedom : {0.7, 1.5, 2.5, 6.9}) {
+    const double t = studentQuantile(degreesOfFreedom);
     constexpr int kSteps = 100000;
     double sum = 0;
     for (int i = 0; i < kSteps; ++i) {
       const double at = t * (i + 0.5) / kSteps;
-      sum += std::pow(1 + at * at / freedom, -0.5 * (freedom + 1)) * t / kSteps;
+      sum += std::pow(1 + at * at / degreesOfFreedom, -0.5 * (degreesOfFreedom + 1)) * t / kSteps;
     }
-    const double density = std::exp(std::lgamma(0.5 * (freedom + 1)) - std::lgamma(0.5 * freedom)) /
-                           std::sqrt(freedom * std::numbers::pi);
-    EXPECT_NEAR(2 * density * sum, 0.95, 1e-6) << freedom;
+    const double density =
+        std::exp(std::lgamma(0.5 * (degreesOfFreedom + 1)) - std::lgamma(0.5 * degreesOfFreedom)) /
+        std::sqrt(degreesOfFreedom * std::numbers::pi);
+    EXPECT_NEAR(2 * density * sum, 0.95, 1e-6) << degreesOfFreedom;
   }
 }
 

@@ -82,8 +82,9 @@ TEST(StyleFile, HasTheSameWords) {
   EXPECT_FALSE(style.hasTitle);
   EXPECT_EQ(style.labels.size(), 2U);
   EXPECT_EQ(style.letters, PanelLetters::Bracketed);
-  EXPECT_THAT(refusedFile(R"({"fontsize": 8})"),
-              HasSubstr("mine.json: fontsize: is no option of a style; did you mean font_size?"));
+  EXPECT_THAT(
+      refusedFile(R"({"fontsize": 8})"),
+      HasSubstr("mine.json: fontsize: is not an option of a style; did you mean font_size?"));
   EXPECT_THAT(refusedFile(R"({"font_size": "x"})"), HasSubstr("mine.json: font_size: 'x' is not"));
   EXPECT_THAT(refusedFile(R"({"font_size": [1]})"), HasSubstr("mine.json: font_size"));
   EXPECT_THAT(refusedFile(R"([])"), HasSubstr("mine.json"));
@@ -126,7 +127,7 @@ TEST(StyledSheet, CurvesAreNumberedAsInTheLegend) {
   FigureStyle style = with("curve-style", "2=#d55e00,diamond,dotted");
   const DiagramSheet sheet = styled(twoCurves(), style);
   const DiagramSeries& second = sheet.diagrams.front().series[2];
-  EXPECT_EQ(second.paint, 0xD55E00U);
+  EXPECT_EQ(second.rgb, 0xD55E00U);
   EXPECT_EQ(second.mark, SeriesMark::Diamond);
   EXPECT_EQ(second.stroke, SeriesStroke::Dotted);
   style.curves.front().first = 4;  // one, two, Eq. (11)
@@ -145,7 +146,7 @@ TEST(StyledSheet, PartsWithoutANameTakeTheColourOfTheirCurve) {
   FigureStyle style = with("curve-style", "2=#d55e00,diamond");
   style.labels = {{"2", "renamed"}};
   const DiagramSeries& part = styled(sheet, style).diagrams.front().series.back();
-  EXPECT_EQ(part.paint, 0xD55E00U);
+  EXPECT_EQ(part.rgb, 0xD55E00U);
   EXPECT_EQ(part.mark, SeriesMark::Triangle);
   EXPECT_TRUE(part.name.empty());
 }

@@ -72,9 +72,9 @@ TEST(FitReport, NamesTheSumOfSquaresByItsSign) {
     return std::ranges::any_of(describeFit(fit),
                                [text](const Message& line) { return line.english() == text; });
   };
-  fit.freedom = 11;
+  fit.degreesOfFreedom = 11;
   EXPECT_TRUE(hasLine("\u03C7\u00B2 = 12.5 for 11 degrees of freedom"));
-  fit.freedom = 1;
+  fit.degreesOfFreedom = 1;
   EXPECT_TRUE(hasLine("\u03C7\u00B2 = 12.5 for one degree of freedom"));
 }
 

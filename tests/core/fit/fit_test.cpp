@@ -512,7 +512,7 @@ TEST(Fit, FollowsAValleyFromItsHollows) {
       widened += parameter.isWidened;
     }
     for (const Message& note : fit.notes)
-      notes += note.english().find("is no parabola") != std::string::npos;
+      notes += note.english().find("is not a parabola") != std::string::npos;
   }
   EXPECT_GT(hollows, 0);
   EXPECT_GT(widened, 0);

@@ -278,7 +278,7 @@ TEST(FrictionHeader, SaysWhichLinesBelowTheTableAreNoRows) {
   const FrictionData data = parsed("v;mu\n1;0.2\n10;0.3\n100;<0.1\n");
   EXPECT_EQ(data.points.size(), 2U);
   EXPECT_EQ(data.notes.back().english(),
-            "Line 4 is left out: it begins with a number and is no row of the table.");
+            "Line 4 is left out: it begins with a number but is not a row of the table.");
 }
 
 }  // namespace

@@ -93,7 +93,7 @@ TEST(Excitation, CurvesMarkWhatWasNotMeasured) {
   const Excitation excitation = computeExcitation(scene);
   int inside = 0, outside = 0;
   for (const CurvePoint& point : curve.points) {
-    const bool expected = excitation.shareNotMeasured(point.velocity) > kMostNotMeasured;
+    const bool expected = excitation.shareNotMeasured(point.velocity) > kMaxNotMeasured;
     EXPECT_EQ(point.extrapolated, expected ? 1 : 0) << point.velocity;
     EXPECT_EQ(pointNoteSet(point).has(Note::ExtrapolatedMaterial), expected);
     EXPECT_TRUE(pointNoteSet(point).has(Note::StrainBeyondMeasured));

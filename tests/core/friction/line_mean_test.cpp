@@ -47,7 +47,7 @@ Rows movingAverage(std::mt19937_64& random, std::size_t count, std::size_t width
 
 /// The mean square of the stated error, and how often the 95 % interval has the true mean 0.
 struct Trial {
-  double variance = 0, coverage = 0, freedom = 0;
+  double variance = 0, coverage = 0, degreesOfFreedom = 0;
 };
 
 Trial tryMany(int surfaces, const std::function<Rows(std::mt19937_64&)>& make) {
@@ -57,10 +57,10 @@ Trial tryMany(int surfaces, const std::function<Rows(std::mt19937_64&)>& make) {
     const Rows rows = make(random);
     RunningMean mean;
     for (const double row : rows) mean.add(row);
-    const MeanError error = meanErrorInOrder(rows);
+    const MeanError error = errorOfCorrelatedMean(rows);
     trial.variance += error.standardError * error.standardError / surfaces;
-    trial.freedom += error.freedom / surfaces;
-    if (std::abs(mean.mean()) < studentQuantile(error.freedom) * error.standardError)
+    trial.degreesOfFreedom += error.degreesOfFreedom / surfaces;
+    if (std::abs(mean.mean()) < studentQuantile(error.degreesOfFreedom) * error.standardError)
       trial.coverage += 1.0 / surfaces;
   }
   return trial;
@@ -89,7 +89,7 @@ TEST(MeanErrorInOrder, FindsACorrelationOfAnyForm) {
 TEST(MeanErrorInOrder, HasFewDegreesOfFreedomForFewIndependentRows) {
   const Trial trial =
       tryMany(600, [](std::mt19937_64& random) { return movingAverage(random, 150, 24); });
-  EXPECT_LT(trial.freedom, kFewFreedom);
+  EXPECT_LT(trial.degreesOfFreedom, kFewDegreesOfFreedom);
   EXPECT_GT(trial.coverage, 0.89);
 }
 
@@ -128,14 +128,14 @@ TEST(MeanErrorInOrder, OfIndependentRowsIsTheUsualOne) {
   const Rows alternating{1, -1, 1, -1, 1, -1};
   RunningMean usual;
   for (const double row : alternating) usual.add(row);
-  EXPECT_EQ(meanErrorInOrder(alternating).standardError, usual.standardError());
-  EXPECT_EQ(meanErrorInOrder(alternating).freedom, 5);
+  EXPECT_EQ(errorOfCorrelatedMean(alternating).standardError, usual.standardError());
+  EXPECT_EQ(errorOfCorrelatedMean(alternating).degreesOfFreedom, 5);
 }
 
 TEST(MeanErrorInOrder, NeedsTwoNumbersThatDiffer) {
-  EXPECT_TRUE(std::isnan(meanErrorInOrder({}).standardError));
-  EXPECT_TRUE(std::isnan(meanErrorInOrder(Rows{3.0}).standardError));
-  EXPECT_EQ(meanErrorInOrder(Rows(50, 3.0)).standardError, 0);
+  EXPECT_TRUE(std::isnan(errorOfCorrelatedMean({}).standardError));
+  EXPECT_TRUE(std::isnan(errorOfCorrelatedMean(Rows{3.0}).standardError));
+  EXPECT_EQ(errorOfCorrelatedMean(Rows(50, 3.0)).standardError, 0);
 }
 
 TEST(LineMean, OfRepeatedRowsIsNoMoreCertain) {
@@ -150,9 +150,9 @@ TEST(LineMean, OfRepeatedRowsIsNoMoreCertain) {
     }
   EXPECT_EQ(twice.count(), 200);
   EXPECT_EQ(once.error().standardError, twice.error().standardError);
-  EXPECT_EQ(once.error().standardError, meanErrorInOrder(rows).standardError);
+  EXPECT_EQ(once.error().standardError, errorOfCorrelatedMean(rows).standardError);
   EXPECT_GT(once.error().standardError, 1.5 * lines.error().standardError);
-  EXPECT_EQ(lines.error().freedom, 199);
+  EXPECT_EQ(lines.error().degreesOfFreedom, 199);
 }
 
 /// Leaving out one number at a time, the pseudo-values of a mean are the numbers.
@@ -165,7 +165,7 @@ TEST(Jackknife, OfRowsHasTheErrorOfRows) {
       if (static_cast<int>(i) != leftOut) sum += rows[i];
     return sum / static_cast<double>(leftOut < 0 ? rows.size() : rows.size() - 1);
   };
-  const double expected = meanErrorInOrder(rows).standardError;
+  const double expected = errorOfCorrelatedMean(rows).standardError;
   EXPECT_NEAR(jackknife(80, read, 80).standardError / expected, 1, 1e-9);
   EXPECT_LT(jackknife(80, read).standardError, 0.8 * expected);
 }
@@ -189,9 +189,9 @@ TEST(PairedMeans, OfRowsHaveTheErrorOfTheDifferencesInOrder) {
   const double ratio = pairs.ratio().value;
   Rows left;
   for (std::size_t i = 0; i < 200; ++i) left.push_back(b[i] - ratio * a[i]);
-  EXPECT_NEAR(pairs.ratio().standardError, meanErrorInOrder(left).standardError / pairs.meanA(),
-              1e-12);
-  EXPECT_NEAR(pairs.standardErrorB(), meanErrorInOrder(b).standardError, 1e-12);
+  EXPECT_NEAR(pairs.ratio().standardError,
+              errorOfCorrelatedMean(left).standardError / pairs.meanA(), 1e-12);
+  EXPECT_NEAR(pairs.standardErrorB(), errorOfCorrelatedMean(b).standardError, 1e-12);
   EXPECT_GT(different.ratio().standardError, pairs.ratio().standardError);
 }
 

@@ -467,7 +467,7 @@ TEST(DmaFile, WhatIsWrongIsSaidInOneLine) {
   EXPECT_THAT(errorOf("f (Hz),T (K),G' (MPa),G'' (MPa)\n1,293,2,0.2\n10,3000,3,0.4\n"),
               HasSubstr("line 3: the temperature is 3000 K, at which no rubber is measured"));
   EXPECT_THAT(errorOf("f (Hz),T (C),G' (Pa),G'' (Pa)\n1,20,2.0e6x,2e5\n10,20,3.0e6x,4e5\n"),
-              HasSubstr("G': line 2: '2.0e6x' is no number"));
+              HasSubstr("G': line 2: '2.0e6x' is not a number"));
   const std::string rows = "1,20,2e6,2e5\n10,20,3e6,4e5\n";
   EXPECT_THAT(errorOf("a,b,c,d\n" + rows), HasSubstr("has no columns that are known"));
   EXPECT_THAT(errorOf("f (Hz),T (C),storage modulus (Pa),loss modulus (Pa)\n" + rows),
@@ -862,7 +862,7 @@ TEST(DmaFile, DamagedRowsBelowABlockAreSaid) {
   const DmaFile file = read("T = 20 C\n" + names + good + "100;4;<1\n\nT = 40 C\n" + names + good);
   EXPECT_EQ(file.rows.size(), 4u);
   EXPECT_EQ(file.facts.notes.back().english(),
-            "Line 5 is left out: it begins with a number and is no row of the table.");
+            "Line 5 is left out: it begins with a number but is not a row of the table.");
 }
 
 /// A header in pascals above numbers in megapascals is a common slip.

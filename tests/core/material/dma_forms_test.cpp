@@ -60,7 +60,7 @@ TEST(DmaForms, ComplexNumbersAreTwoModuli) {
   EXPECT_THAT(errorOf("f (Hz);T (C);G* (MPa)\n1;20;2+0.2i\n10;20;3-0.4i\n"),
               HasSubstr("line 3: G* imaginary part is \u22120.4 MPa, which must be above 0"));
   EXPECT_THAT(errorOf("f (Hz);T (C);G* (MPa)\n1;20;2+0.2i\n10;20;3\n"),
-              HasSubstr("G*: line 3: is no complex number, as others of the column are"));
+              HasSubstr("G*: line 3: is not a complex number, as others of the column are"));
 }
 
 TEST(DmaForms, ErrorsAndUnitsInCellsLeaveTheNumbers) {

@@ -137,8 +137,8 @@ TEST(PronyTable, UnitsAndRowsAreNotLost) {
   const auto damaged = readSeries(top + rows + "100,<1\n");
   expectSeries(damaged);
   EXPECT_THAT(seriesNotes(damaged),
-              testing::Contains("Line 5 is left out: it begins with a number and is no row of the "
-                                "table."));
+              testing::Contains(
+                  "Line 5 is left out: it begins with a number but is not a row of the table."));
 }
 
 TEST(PronyTable, RowsWithoutAValueAreCountedOrRefused) {

@@ -75,7 +75,8 @@ TEST(SmdFile, NamesWhatIsWrong) {
   const std::string good = smd(SmdForm::Spacing);
   EXPECT_THAT(errorOf(replaced(good, "SPACING", "SPEEDING")),
               HasSubstr("surface.point_spacing: is needed"));
-  EXPECT_THAT(errorOf(replaced(good, " UM ", " V ")), HasSubstr("'V', which is no unit of length"));
+  EXPECT_THAT(errorOf(replaced(good, " UM ", " V ")),
+              HasSubstr("'V', which is not a unit of length"));
   EXPECT_THAT(errorOf(replaced(good, "7.000000e+00", "8.000000e+00")), HasSubstr("7 points"));
   EXPECT_THAT(errorOf(replaced(good, "-2000000\r\n", "")), HasSubstr("ends after 6 of 7 heights"));
   EXPECT_THAT(errorOf(replaced(good, "-2000000\r\n", "two\r\n")),

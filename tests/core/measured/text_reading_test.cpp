@@ -83,7 +83,7 @@ TEST(Assumptions, AreToldApart) {
 
 TEST(Heights, BeyondEveryLengthAreRefused) {
   EXPECT_THAT(errorOf("x [um];z [um]\n0;1\n2;1.70141e38\n4;1\n6;2\n"),
-              HasSubstr("line 3: 1.70141e38 is no height"));
+              HasSubstr("line 3: 1.70141e38 is not a height"));
 }
 
 /// Steps of 1.3 in whole numbers look like missing points, and nothing tells them apart.

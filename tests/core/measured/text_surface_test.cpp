@@ -140,7 +140,7 @@ TEST(TextProfile, AsksForUnitsThatCannotBeMetres) {
   choices.heightUnit = "furlong";
   EXPECT_THAT(errorOf(text(1, 1), choices), HasSubstr("surface.height_unit"));
   EXPECT_THAT(errorOf("x (s),z (um)\n0,1\n1,2\n2,3\n"),
-              HasSubstr("'s', which is no unit of length; surface.position_unit can name"));
+              HasSubstr("'s', which is not a unit of length; surface.position_unit can name"));
 }
 
 TEST(TextProfile, FindsTheColumnsAmongOthers) {

@@ -41,10 +41,10 @@ bool says(const std::string& text, const std::string& part) {
 TEST(ContactState, NamesVelocityForceContactsAndFriction) {
   const Frame frame = frameOf();
   const std::string text = said(frame);
-  const std::vector<ContactStretch> contacts = findStretches(frame, false);
+  const std::vector<ContactInterval> contacts = findIntervals(frame, false);
   ASSERT_GT(contacts.size(), 3U);
   double longest = 0;
-  for (const ContactStretch& contact : contacts) longest = std::max(longest, contact.length);
+  for (const ContactInterval& contact : contacts) longest = std::max(longest, contact.length);
   for (const std::string& part :
        {std::string("slides to the right at 1 m/s"), std::string("presses with 20 mN"),
         printedQuantity(frame.indentation, "m") + " below",
@@ -59,7 +59,7 @@ TEST(ContactState, NamesVelocityForceContactsAndFriction) {
 
 TEST(ContactState, SpeaksOfOneContactInTheSingular) {
   const Frame frame = frameOf([](Scene& scene) { scene.surface.kind = SurfaceKind::Parabola; });
-  ASSERT_EQ(findStretches(frame, false).size(), 1U);
+  ASSERT_EQ(findIntervals(frame, false).size(), 1U);
   const std::string length = printedQuantity(frame.contactFraction * frame.length, "m");
   EXPECT_TRUE(says(said(frame), "at one contact of " + length + ", which is ")) << said(frame);
 }

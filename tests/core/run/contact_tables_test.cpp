@@ -72,7 +72,7 @@ TEST(ContactTables, GapsAreTheDistanceBetweenLineAndSurface) {
 TEST(ContactTables, TimeInContactIsTheWayToTheEdgeAhead) {
   const Frame frame = frameOf();
   const std::vector<double> times = timeInContact(frame);
-  for (const ContactStretch& contact : findStretches(frame, false)) {
+  for (const ContactInterval& contact : findIntervals(frame, false)) {
     const std::size_t n = times.size(), last = (contact.first + contact.points - 1) % n;
     EXPECT_NEAR(times[last], 0.5 * frame.spacing / frame.velocity, 1e-15);
     EXPECT_NEAR(times[contact.first], (contact.length - 0.5 * frame.spacing) / frame.velocity,

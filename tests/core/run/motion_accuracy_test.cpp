@@ -29,7 +29,7 @@ std::shared_ptr<const RigidLine> lineOf(const Scene& scene) {
 
 /// mu in `windows` equal parts of the duration.
 std::vector<double> marched(const Scene& scene, int windows, int division) {
-  Transient transient(scene, lineOf(scene), Transient::kLeastSteps, division);
+  Transient transient(scene, lineOf(scene), Transient::kMinSteps, division);
   std::vector<double> mu;
   for (int i = 1; i <= windows; ++i)
     mu.push_back(transient.marchTo(scene.sliding.duration * i / windows).mu);
@@ -43,7 +43,7 @@ TEST(MotionSteps, AreCountedAsTheyAreMarched) {
     scene.sliding.kind = kind;
     scene.sliding.amplitude = 0.05;
     for (const int division : {1, 2}) {
-      Transient transient(scene, lineOf(scene), Transient::kLeastSteps, division);
+      Transient transient(scene, lineOf(scene), Transient::kMinSteps, division);
       const double counted = transient.countSteps();
       while (!transient.isOver()) transient.marchTo(scene.sliding.duration);
       EXPECT_EQ(counted, static_cast<double>(transient.steps()));
@@ -54,7 +54,7 @@ TEST(MotionSteps, AreCountedAsTheyAreMarched) {
 TEST(MotionSteps, ADivisionCutsEachOne) {
   const Scene scene = stepScene();
   const double whole = Transient(scene, lineOf(scene)).countSteps();
-  const double halves = Transient(scene, lineOf(scene), Transient::kLeastSteps, 2).countSteps();
+  const double halves = Transient(scene, lineOf(scene), Transient::kMinSteps, 2).countSteps();
   EXPECT_NEAR(halves / whole, 2, 0.01);
 }
 

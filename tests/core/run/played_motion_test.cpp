@@ -32,7 +32,7 @@ TEST(PlayedMotion, HasAsManySamplesAtAnyPace) {
   for (int i = 1; i <= 50; ++i) inSmall.marchTo(duration * i / 50);
   ASSERT_TRUE(inOne.transient().isOver());
   EXPECT_EQ(inOne.samples().front().time, 0);
-  EXPECT_GE(inOne.samples().size(), static_cast<std::size_t>(Transient::kLeastSteps));
+  EXPECT_GE(inOne.samples().size(), static_cast<std::size_t>(Transient::kMinSteps));
   EXPECT_EQ(frictions(inSmall), frictions(inOne));
 }
 

@@ -14,7 +14,7 @@ namespace asperity {
 /// its first step.
 inline std::vector<TransientSample> transientSamples(const Scene& scene, std::int64_t count) {
   Transient transient(scene, std::make_shared<RigidLine>(scene),
-                      std::max(count, Transient::kLeastSteps));
+                      std::max(count, Transient::kMinSteps));
   std::vector<TransientSample> samples{transient.singleStep()};
   samples.front().time = 0;
   for (std::int64_t i = 1; i <= count && !transient.isOver(); ++i)

@@ -56,9 +56,10 @@ TEST(ColumnChoice, RefusesWhatTheTableNeverHas) {
   const auto refusal = [](const std::string& words) {
     return errorFrom([&] { ColumnChoice(words, {"curve", "curves"}); });
   };
-  EXPECT_THAT(refusal("velocty"), HasSubstr("--columns: 'velocty' is no column of this table; did "
-                                            "you mean 'velocity'?"));
-  EXPECT_THAT(refusal("line_load"), HasSubstr("is no column of this table"));
+  EXPECT_THAT(refusal("velocty"),
+              HasSubstr("--columns: 'velocty' is not a column of this table; did "
+                        "you mean 'velocity'?"));
+  EXPECT_THAT(refusal("line_load"), HasSubstr("is not a column of this table"));
   EXPECT_THAT(refusal("mu,mu"), HasSubstr("more than once"));
   EXPECT_THAT(refusal("mu,"), HasSubstr("''"));
   EXPECT_EQ(refusal("temperature"), "no error");  // the last word of a key that may be swept

@@ -37,7 +37,7 @@ TEST(Essentials, AreFewAndHaveAMeaningInEveryKindOfScene) {
     for (const char* material : {"", "sylgard_184"}) {
       scene.elastomer.material = material;
       const std::vector<std::string_view> keys = essentialKeys(scene);
-      EXPECT_LE(keys.size(), kMostEssentials);
+      EXPECT_LE(keys.size(), kMaxEssentials);
       for (const std::string_view key : keys) {
         ASSERT_NE(findParameter(key), nullptr) << key;
         EXPECT_TRUE(isApplicable(*findParameter(key), scene)) << key;

@@ -144,7 +144,7 @@ TEST(SceneFile, ErrorsNameFileKeyAndWhatIsAllowed) {
   EXPECT_THAT(errorOf(R"({"surface.hurst":0.5})"), HasSubstr("inside its section's object"));
   EXPECT_THAT(errorOf(R"({"schema":"asperity-scene/2"})"), HasSubstr("is not asperity-scene/1"));
   EXPECT_THAT(errorOf(R"({"surface":{"hurst":0.1,"hurst":0.2}})"),
-              HasSubstr("s.json: surface.hurst: stands twice"));
+              HasSubstr("s.json: surface.hurst: occurs twice"));
   EXPECT_THAT(errorOf("{\"schema\":" + std::string(400000, '[') + std::string(400000, ']') + "}"),
               HasSubstr("nested too deeply"));
   EXPECT_LT(errorOf("{\"" + std::string(500000, 'x') + "\":1}").size(), 200U);

@@ -22,7 +22,7 @@ TEST(SobolSequence, BeginsAsThatOfJoeAndKuo) {
 
 TEST(SobolSequence, PutsOnePointInEachPartOfEveryAxis) {
   constexpr std::uint32_t kCount = 1024;
-  for (int d = 0; d < kMostSobolDimensions; ++d) {
+  for (int d = 0; d < kMaxSobolDimensions; ++d) {
     std::set<std::uint32_t> parts;
     for (std::uint32_t i = 0; i < kCount; ++i) parts.insert(sobolNumber(i, d) >> 22);
     EXPECT_EQ(parts.size(), kCount) << d;

@@ -180,7 +180,7 @@ TEST(StudyFile, MistakesAreNamed) {
        "s.json: scene: none.json: cannot"},
       {R"("scene":7,"space":{"surface.hurst":[0.5]})", "s.json: scene: needs an object"},
       {R"("space":{"rows":"nowhere.csv"})", "nowhere.csv"},
-      {R"("space":{"surface.hurst":[0.5],"surface.hurst":[0.6]})", "stands twice"},
+      {R"("space":{"surface.hurst":[0.5],"surface.hurst":[0.6]})", "occurs twice"},
   };
   for (const auto& [members, says] : cases)
     EXPECT_THAT(refusal(members), HasSubstr(says)) << members;

@@ -119,11 +119,11 @@ TEST(LineSource, StopsBeforeItsTransforms) {
   const LineSource source(roughScene(500), 1);
   std::stop_source stop;
   Line line;
-  EXPECT_TRUE(source.makeInto(line, 0, Slopes::Wanted, stop.get_token()));
+  EXPECT_TRUE(source.makeInto(line, 0, Slopes::Computed, stop.get_token()));
   EXPECT_EQ(line.height, source.make(0).height);
   stop.request_stop();
   Line none;
-  EXPECT_FALSE(source.makeInto(none, 0, Slopes::Wanted, stop.get_token()));
+  EXPECT_FALSE(source.makeInto(none, 0, Slopes::Computed, stop.get_token()));
   EXPECT_TRUE(none.height.empty());
 }
 
@@ -187,7 +187,7 @@ TEST(LineSource, ALineMadeOverAnotherHasNothingOfIt) {
   for (const LineSource& before : sources)
     for (const LineSource& after : sources) {
       Line line = before.make(0);
-      ASSERT_TRUE(after.makeInto(line, 3, Slopes::Wanted, {}));
+      ASSERT_TRUE(after.makeInto(line, 3, Slopes::Computed, {}));
       const Line fresh = after.make(3);
       EXPECT_EQ(line.height, fresh.height);
       EXPECT_EQ(line.slopeAfter, fresh.slopeAfter);

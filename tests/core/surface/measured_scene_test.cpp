@@ -238,7 +238,7 @@ TEST_F(MeasuredScene, StatesTheErrorOfRowsThatAreAlike) {
     for (std::size_t i = 0; i < mu.size(); ++i) {
       RunningMean usual;
       for (const double value : mu[i]) usual.add(value);
-      EXPECT_EQ(curve.points[i].muStandardError, meanErrorInOrder(mu[i]).standardError);
+      EXPECT_EQ(curve.points[i].muStandardError, errorOfCorrelatedMean(mu[i]).standardError);
       ratio +=
           curve.points[i].muStandardError / usual.standardError() / static_cast<double>(mu.size());
     }

@@ -144,7 +144,7 @@ TEST(SpectrumFile, RefusesWhatContradictsTheKindOrIsUnknown) {
       {"wave_number (1/m),whatever", "s: its column whatever is not known as a spectrum"},
       {"wave_number (1/m),c1 (foo)", "s: foo is not a unit of c1"},
       {"wave_number (1/m),c1_one_sided (m^3)", "s: its column c1_one_sided is one-sided"},
-      {"spatial_frequency (1/m),psd [m^2/(rad/m)]", "s: psd in m^2/(rad/m) is no density over"},
+      {"spatial_frequency (1/m),psd [m^2/(rad/m)]", "s: psd in m^2/(rad/m) is not a density over"},
   };
   for (const auto& one : cases) {
     try {

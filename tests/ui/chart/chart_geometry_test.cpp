@@ -99,10 +99,10 @@ TEST(ChartGeometryTest, PanningMovesWithThePointer) {
 
 TEST(ChartGeometryTest, AWindowIsHeldWhereThereIsSomethingToShow) {
   const VisibleRange whole{{-3, 3}, {-4, -1}};
-  EXPECT_EQ(heldWithin(whole, whole), whole);
+  EXPECT_EQ(clampedTo(whole, whole), whole);
   const VisibleRange inside{{-1, 1}, {-3, -2}};
-  EXPECT_EQ(heldWithin(inside, whole), inside);
-  const VisibleRange far = heldWithin({{100, 102}, {-200, -190}}, whole);
+  EXPECT_EQ(clampedTo(inside, whole), inside);
+  const VisibleRange far = clampedTo({{100, 102}, {-200, -190}}, whole);
   EXPECT_NEAR(far.x.from, 2, 1e-12) << "half of it beyond the end";
   EXPECT_NEAR(far.x.size(), 2, 1e-12);
   EXPECT_NEAR(far.y.to, -1, 1e-12) << "wider than all: all of it is seen";

@@ -186,7 +186,7 @@ TEST_F(ArmsEditorTest, AStandardSolidKeepsItsOne) {
 }
 
 TEST_F(ArmsEditorTest, AFullListTakesNoMore) {
-  panel_.setScene(prony(std::vector<Arm>(kMostArms)));
+  panel_.setScene(prony(std::vector<Arm>(kMaxArms)));
   EXPECT_FALSE(control<QToolButton>("armsAdd").isEnabled());
 }
 

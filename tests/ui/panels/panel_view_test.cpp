@@ -45,7 +45,7 @@ class PanelViewTest : public ParameterPanelTest {
 };
 
 TEST_F(PanelViewTest, EssentialsAreAFewRowsWithoutHeadings) {
-  EXPECT_LE(rowsShown(), static_cast<int>(kMostEssentials));
+  EXPECT_LE(rowsShown(), static_cast<int>(kMaxEssentials));
   EXPECT_TRUE(hasRow("sliding.velocity"));
   EXPECT_TRUE(hasRow("load.normal_force"));
   EXPECT_FALSE(hasRow("surface.seed"));

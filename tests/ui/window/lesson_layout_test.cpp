@@ -40,8 +40,8 @@ namespace {
 using testing::IsEmpty;
 
 constexpr QSize kSmall(1024, 700);
-constexpr QSize kLeastChart(300, 100);    // pixels of a chart that can be read
-constexpr QSize kLeastContact(300, 150);  // and of the contact
+constexpr QSize kMinChart(300, 100);    // pixels of a chart that can be read
+constexpr QSize kMinContact(300, 150);  // and of the contact
 
 constexpr int kLayoutPatience = 1500;  // ms, until a layout has settled
 
@@ -105,11 +105,11 @@ void findWhatIsOutOfSight(MainWindow& window, Faults& faults) {
   if (rows->isVisible() && scroll->verticalScrollBar()->maximum() > 0 && room > kRoom)
     faults.push_back("the text is scrolled beside free room");
   // What the step speaks of is to be seen beside it.
-  if (window.tabs().width() < kLeastChart.width() || window.tabs().height() < kLeastChart.height())
+  if (window.tabs().width() < kMinChart.width() || window.tabs().height() < kMinChart.height())
     faults.push_back("the chart is too small");
   const auto* contact = window.findChild<QWidget*>("contactPage");
-  if (!contact->isVisible() || contact->width() < kLeastContact.width() ||
-      contact->height() < kLeastContact.height())
+  if (!contact->isVisible() || contact->width() < kMinContact.width() ||
+      contact->height() < kMinContact.height())
     faults.push_back("the contact is too small");
 }
 

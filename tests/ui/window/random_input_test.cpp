@@ -33,9 +33,9 @@ namespace asperity {
 namespace {
 
 constexpr int kUsualSeconds = 4;
-constexpr int kAtRest = 20;                    // actions after which the window may answer in peace
-constexpr std::int64_t kMostElements = 20000;  // of a scene with which it goes on
-constexpr std::int64_t kMostLines = 2000;
+constexpr int kAtRest = 20;                   // actions after which the window may answer in peace
+constexpr std::int64_t kMaxElements = 20000;  // of a scene with which it goes on
+constexpr std::int64_t kMaxLines = 2000;
 
 int wished(const char* name, int usual) {
   bool isNumber = false;
@@ -168,8 +168,8 @@ class Person : public QObject {
   /// Goes on with a scene that runs fast, wherever sliders have led.
   void keepSmall() {
     const Scene& scene = window_.document().scene();
-    const bool isLarge = scene.surface.elements > kMostElements ||
-                         scene.ensemble.realizations > kMostLines || scene.sweep.points > 200 ||
+    const bool isLarge = scene.surface.elements > kMaxElements ||
+                         scene.ensemble.realizations > kMaxLines || scene.sweep.points > 200 ||
                          scene.accuracy.targetRelativeError > 0;
     if (!isLarge || QApplication::activeModalWidget()) return;
     note("small scene");

@@ -390,12 +390,12 @@ QStringList readingFaults(QWidget& window) {
 }
 
 QStringList tabFaults(QWidget& window) {
-  constexpr int kMost = 600;  // more than any window has controls
+  constexpr int kMax = 600;  // more than any window has controls
   window.activateWindow();
   if (!QTest::qWaitForWindowActive(&window)) return {"the window does not become active"};
   QStringList faults;
   QSet<QWidget*> reached;
-  for (int i = 0; i < kMost; ++i) {
+  for (int i = 0; i < kMax; ++i) {
     QWidget* before = QApplication::focusWidget();
     if (before) {
       if (reached.contains(before) && i > 0 && reached.size() > 1) break;

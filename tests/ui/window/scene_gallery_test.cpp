@@ -64,17 +64,17 @@ TEST(ScenePicture, EverySceneHasOneInBothThemes) {
 /// The tick marks of both axes are equally long, so that marks of points are round.
 TEST(ScenePicture, ACurveIsNotStretched) {
   const QImage image = drawScenePicture({}, SceneView::Curve, lightTheme());
-  constexpr int kAside = 20, kMost = 40;  // pixels: from corners, and of a tick mark
+  constexpr int kAside = 20, kMax = 40;  // pixels: from corners, and of a tick mark
   const auto isDark = [&](int x, int y) { return image.pixelColor(x, y).value() < 140; };
   int level = 0, upright = 0;
   for (int y = kAside; y < image.height() - kAside; ++y) {
     int length = 0;
-    while (length < kMost && isDark(image.width() - 1 - length, y)) ++length;
+    while (length < kMax && isDark(image.width() - 1 - length, y)) ++length;
     level = std::max(level, length);
   }
   for (int x = kAside; x < image.width() - kAside; ++x) {
     int length = 0;
-    while (length < kMost && isDark(x, image.height() - 1 - length)) ++length;
+    while (length < kMax && isDark(x, image.height() - 1 - length)) ++length;
     upright = std::max(upright, length);
   }
   EXPECT_GE(level, 4);

@@ -165,9 +165,9 @@ void TimeBar::showTexts() {
   factor_->setAccessibleName(tr("pace of the picture, times slower or faster than in reality"));
   name_->setText(tr("pace"));
   behindText_->setAccessibleName(tr("the computer cannot keep up"));
-  behindText_->setToolTip(wrappedTip(
-      tr("The line has too many elements to move as fast as was asked for. The number is "
-         "the pace that the picture has.")));
+  behindText_->setToolTip(
+      wrappedTip(tr("The line has too many elements to move as fast as requested. The number is "
+                    "the pace that the picture has.")));
   keep_->setText(tr("constant pace"));
   keep_->setToolTip(wrappedTip(
       tr("The picture moves as fast as before when the velocity changes. Without it a faster line "
@@ -376,7 +376,8 @@ void TimeBar::readFactor() {
               .arg(text.left(kLongestQuote), paceText(kFastest / simulatedTime()),
                    paceText(kSlowest / simulatedTime()), paceText(slowMotion())));
   } else {
-    say(tr("“%1” is no pace; type 600, 600× slower or 20× faster").arg(text.left(kLongestQuote)));
+    say(tr("“%1” is not a pace; enter 600, 600× slower or 20× faster")
+            .arg(text.left(kLongestQuote)));
   }
   showPace();
 }

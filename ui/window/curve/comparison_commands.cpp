@@ -33,14 +33,14 @@ QString theoryWord(Theory theory) {
 /// Returns a fitted value with at least four digits, and with more where its error is smaller.
 /// Further digits mean nothing and overflow the entries. A value at a limit is exact.
 double roundedValue(const FittedParameter& parameter) {
-  constexpr double kFewest = 4, kMost = 17;
+  constexpr double kMin = 4, kMax = 17;
   if (parameter.isAtLimit || parameter.value == 0) return parameter.value;
   const double part = parameter.isLogarithmic ? parameter.standardError
                                               : std::abs(parameter.standardError / parameter.value);
-  const double digits = part > 0 ? std::ceil(-std::log10(part)) + 1 : kMost;
+  const double digits = part > 0 ? std::ceil(-std::log10(part)) + 1 : kMax;
   // Without an error the value is kept as it is.
   if (!std::isfinite(digits)) return parameter.value;
-  return roundedToDigits(parameter.value, static_cast<int>(std::clamp(digits, kFewest, kMost)));
+  return roundedToDigits(parameter.value, static_cast<int>(std::clamp(digits, kMin, kMax)));
 }
 
 bool isShown(const Scene& scene, Theory theory) {

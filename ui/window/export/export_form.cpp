@@ -466,8 +466,7 @@ QString ExportForm::errorText() const {
   // The preview, too, would write such a file, and ask nobody.
   for (const QString& typed : request().further)
     if (typed.section('=', 0, 0) == "--output" || typed.startsWith("-o"))
-      return tr("%1: the name of the file belongs into its own line.")
-          .arg(further_->accessibleName());
+      return tr("%1: enter the name of the file in its own field.").arg(further_->accessibleName());
   for (const QLineEdit* entry : numbers())
     if (!(machineNumber(*entry).toDouble() > 0))
       return tr("%1: “%2” is not a number above 0.").arg(entry->accessibleName(), entry->text());

@@ -237,9 +237,9 @@ void FitPage::take(std::shared_ptr<const FittedCurve> fitted) {
 
 /// Gives the texts the height that they need, up to a part of the page: the diagram takes the rest.
 void FitPage::giveTextsHeight() {
-  constexpr double kMost = 0.42;  // of the page
+  constexpr double kMax = 0.42;  // of the page
   const int needed = texts_->layout()->totalHeightForWidth(scroll_->width());
-  scroll_->setFixedHeight(std::min(needed, static_cast<int>(kMost * height())));
+  scroll_->setFixedHeight(std::min(needed, static_cast<int>(kMax * height())));
 }
 
 void FitPage::resizeEvent(QResizeEvent* event) {

@@ -124,7 +124,7 @@ QString fittedNotes(const Fit& fit) {
   else
     lines += FitPage::tr("χ² = %1 for %2, %3 evaluations")
                  .arg(readingLabel(fit.chiSquared, 4))
-                 .arg(translatedText(degreesOfFreedom(fit.freedom)))
+                 .arg(translatedText(degreesOfFreedom(fit.degreesOfFreedom)))
                  .arg(fit.evaluations);
   if (fit.parameters.size() > 1) lines += correlationsText(fit);
   const bool isOpen = !std::ranges::all_of(fit.parameters, &FittedParameter::isDetermined);
@@ -199,7 +199,7 @@ QStringList writeFitReport(const std::string& folder, const FittedCurve& fitted)
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error || !std::filesystem::is_directory(folder))
-    throw InputError(folder, "", "is not a folder and cannot be made one");
+    throw InputError(folder, "", "is not a folder and cannot be created");
   const FitReport report = [&] {
     const ProvenanceOptions options(optionsOf(fitted, "fit"));
     return fitReport(fitted, folder);

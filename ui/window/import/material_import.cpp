@@ -213,7 +213,7 @@ void MaterialImport::buildChoices() {
                      tr("automatic"), {"wlf", "arrhenius", "table"});
   heading(tr("Prony series"));
   terms_ = named<SpinBox>("dmaTerms");
-  terms_->setRange(0, kMostTerms);
+  terms_->setRange(0, kMaxTerms);
   terms_->setSpecialValueText(tr("as few as needed"));
   terms_->setToolTip(tr("Relaxation times, evenly spaced in their logarithm"));
   terms_->setAccessibleName(tr("number of terms"));

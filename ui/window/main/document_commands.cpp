@@ -78,9 +78,9 @@ void DocumentCommands::addTo(Commands& commands) {
                 [this] { document_.history().redo(); }, redoKeys, Symbol::Redo,
                 [] { return tr("Redo"); }});
   commands.add(
-      {"revert", [] { return tr("Back to the scene as opened"); }, [this] { document_.revert(); }});
-  commands.add({"resetAll", [] { return tr("All parameters to their defaults"); },
-                [this] { document_.resetAll(); }});
+      {"revert", [] { return tr("Revert to the opened scene"); }, [this] { document_.revert(); }});
+  commands.add(
+      {"resetAll", [] { return tr("Reset all parameters"); }, [this] { document_.resetAll(); }});
   // The list of shortcuts shows the general meaning of a key, without the name of the next step.
   keepTranslated(*this, [&commands] {
     commands.get("undo")->setProperty("shortText", tr("Undo"));
@@ -141,7 +141,7 @@ bool DocumentCommands::confirmOpen(const QString& file, const FoundScene& found)
   if (!demands.any()) return true;
   QStringList reasons;
   if (!demands.file.empty())
-    reasons += tr("It reads a file that does not lie beside it: %1")
+    reasons += tr("It reads a file from another folder: %1")
                    .arg(QDir::toNativeSeparators(QString::fromStdString(demands.file.string())));
   if (demands.memory > 0)
     reasons +=
@@ -216,7 +216,7 @@ bool DocumentCommands::maybeSave(const SceneState& state) {
   if (name.isEmpty()) name = QFileInfo(file).fileName();
   switch (askSaveChanges(&window_, "saveQuestion", tr("Asperity"),
                          tr("“%1” was changed. Save the changes?").arg(name),
-                         tr("They go into %1.").arg(QDir::toNativeSeparators(file)) + ' ' +
+                         tr("They are saved in %1.").arg(QDir::toNativeSeparators(file)) + ' ' +
                              tr("Otherwise they are lost."))) {
     case SaveAnswer::Save:
       return isPresent ? saveTo(state.origin.file) : write(file, state.scene);

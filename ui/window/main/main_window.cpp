@@ -213,7 +213,7 @@ void MainWindow::buildCommands() {
                   [this] { session_->reset(); },
                   {Qt::Key_R},
                   Symbol::Reset});
-  commands_->setTip("reset", [] { return tr("Time goes back to 0; parameters stay"); });
+  commands_->setTip("reset", [] { return tr("Sets the time to 0 and keeps the parameters"); });
   commands_->add({"describe",
                   [] { return tr("Describe the contact in words"); },
                   [this] { ContactWords::showFor(*session_, *canvas_, *this); },

@@ -220,7 +220,7 @@ void SceneDocument::resetAll() {
 }
 
 void SceneDocument::revert() {
-  edit(origin_.scene, QT_TR_NOOP("Back to the scene as opened"));
+  edit(origin_.scene, QT_TR_NOOP("Revert to the opened scene"));
 }
 
 /// Names all steps again in the current language.

@@ -48,7 +48,7 @@ Message frameError(const Frame& frame) {
                                              frame.contactFraction}) &&
                         areFinite(frame.lineHeight) && areFinite(frame.surfaceHeight) &&
                         areFinite(frame.pressure);
-  if (!isFinite) return "The numbers of this scene leave what a computer can hold.";
+  if (!isFinite) return "The numbers of this scene exceed the range of a computer's numbers.";
   if (!std::isfinite(frame.muSteady) && !frame.transient)
     return "No steady sliding was found at this load and velocity.";
   return {};

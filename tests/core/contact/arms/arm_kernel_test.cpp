@@ -64,10 +64,10 @@ void expectPlain(const PreparedProfile& line, ArmTables& tables, double velocity
   for (std::size_t i = 0; i < arms; ++i) {
     // As the search scales it: how far the arm is from where its period closes.
     const double change = -std::expm1(-line.length * table->coefficients.inverse[i]);
-    EXPECT_NEAR(work.yieldChange[i] / change, plain.yieldChange()[i] / change, 1e-11 * depth);
+    EXPECT_NEAR(work.creepChange[i] / change, plain.creepChange()[i] / change, 1e-11 * depth);
     for (std::size_t k = 0; k <= arms; ++k) {
-      const double expected = tangent.ofYieldChange(i, k) / change;
-      EXPECT_NEAR(jacobian.ofYieldChange(i, k) / change, expected,
+      const double expected = tangent.ofCreepChange(i, k) / change;
+      EXPECT_NEAR(jacobian.ofCreepChange(i, k) / change, expected,
                   1e-8 * std::max(1.0, std::abs(expected)));
     }
   }
@@ -177,7 +177,7 @@ TEST_P(ArmKernel, ItsBalancesAreThoseOfThePlainPass) {
         for (const double strain : found.balance.strain) scale = std::max(scale, std::abs(strain));
         for (std::size_t i = 0; i < law.arms.size(); ++i) {
           const double c = velocity * law.arms[i].relaxationTime;
-          EXPECT_LT(std::abs(plain.yieldChange()[i]) / -std::expm1(-line.length / c),
+          EXPECT_LT(std::abs(plain.creepChange()[i]) / -std::expm1(-line.length / c),
                     1e-10 * scale);
         }
       }

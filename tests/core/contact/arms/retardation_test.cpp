@@ -48,35 +48,35 @@ TEST(Retardation, RatesAndArmsAlternate) {
   }
 }
 
-/// What arms have yielded, as amplitudes and back, wherever no pressure acts.
-TEST(Retardation, AmplitudesAndYieldsAreTheSameState) {
+/// The creep of arms, as amplitudes and back, wherever no pressure acts.
+TEST(Retardation, AmplitudesAndCreepAreTheSameState) {
   for (const auto& [name, elastomer] : allElastomers()) {
     const ElementLaw law = elementLaw(elastomer);
     const std::size_t arms = law.arms.size();
     if (arms == 0) continue;
     const RetardationModes modes = retardationModes(law);
-    std::vector<double> yield, back(arms), strain(arms);
+    std::vector<double> creep, back(arms), strain(arms);
     double weighted = 0;
     for (std::size_t i = 0; i < arms; ++i) {
-      yield.push_back(1 + 0.3 * std::sin(1.0 + static_cast<double>(i)));
-      weighted += law.arms[i].modulus * yield[i];
+      creep.push_back(1 + 0.3 * std::sin(1.0 + static_cast<double>(i)));
+      weighted += law.arms[i].modulus * creep[i];
     }
     // Without a dashpot the depth follows from no pressure; with one it is free.
     const double depth = law.viscosity > 0 ? 0.7 : weighted / law.glassyModulus();
     double sum = 0;
     for (std::size_t j = 0; j < modes.modes(); ++j) {
       double amplitude = modes.ofDepth[j] * depth;
-      for (std::size_t i = 0; i < arms; ++i) amplitude += modes.ofYield[j * arms + i] * yield[i];
+      for (std::size_t i = 0; i < arms; ++i) amplitude += modes.ofCreep[j * arms + i] * creep[i];
       sum += amplitude;
       for (std::size_t i = 0; i < arms; ++i) {
-        back[i] += modes.toYield[j * arms + i] * amplitude;
+        back[i] += modes.toCreep[j * arms + i] * amplitude;
         strain[i] += modes.toStrain[j * arms + i] * amplitude;
       }
     }
     EXPECT_NEAR(sum, depth, 1e-11) << name;
     for (std::size_t i = 0; i < arms; ++i) {
-      EXPECT_NEAR(back[i], yield[i], 1e-10) << name;
-      EXPECT_NEAR(strain[i], depth - yield[i], 1e-10) << name;
+      EXPECT_NEAR(back[i], creep[i], 1e-10) << name;
+      EXPECT_NEAR(strain[i], depth - creep[i], 1e-10) << name;
     }
   }
 }
