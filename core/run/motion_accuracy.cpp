@@ -16,13 +16,14 @@ namespace asperity {
 namespace {
 
 constexpr double kPieceWork = 3e6;  // steps times elements of a piece for each region
-// marches of a pilot: two with halved steps, four with finer elements, two for settling
+// Work of a pilot in units of the march as it is: 1 for itself, 2 with half the step, 4 with twice
+// the elements, 2 for settling.
 constexpr double kMarches = 9;
 /// Steps times elements of a pilot: a tenth of the motion, at least about 20 ms and at most 0.2 s.
 constexpr double kLeastWork = 2.5e6, kMostWork = 1.5e7;
 constexpr double kWindow = 16;       // number of steps over which friction is averaged
 constexpr double kLeastWindows = 8;  // of a piece, at least
-constexpr double kMemories = 6;      // number of memory distances after which the past is forgotten
+constexpr double kMemories = 6;      // longest retardation times after which the past is forgotten
 constexpr int kEnds = 2;             // number of windows at either end of settling
 
 /// A motion or its first part, cut so that steps keep their length.
@@ -211,7 +212,6 @@ Prediction predictMotion(const Scene& scene, const std::stop_token& stop) {
   const Measured measured = measure(begin.scene, begin.rigid, piece, stop);
   prediction.operations = kMarches * measured.march.steps * elements * weight;
   prediction.error = measured.error;
-  prediction.pilotLines = 1;
   prediction.seconds =
       larger * (begin.seconds + measured.march.seconds / measured.march.steps * steps);
   return prediction;
@@ -232,7 +232,7 @@ void addMarchErrors(WorkPrecision& comparison, const std::stop_token& stop) {
                               0};
     Sliding& sliding = piece.scene.sliding;
     sliding.kind = SlidingKind::Step;  // with a step that changes nothing
-    sliding.velocity = std::sqrt(region.velocities.front() * region.velocities.back());
+    sliding.velocity = region.middleVelocity();
     sliding.velocityAfter = sliding.velocity;
     const auto rigid = std::make_shared<const RigidLine>(piece.scene);
     const double steps =
