@@ -37,7 +37,7 @@ Message inWords(const Parameter& row, const Scene& scene) {
   const ParameterValue value = parameterValue(row, scene);
   const auto* real = std::get_if<double>(&value);
   const auto* whole = std::get_if<std::int64_t>(&value);
-  if (real && *real == 0 && (value == defaultValue(row) || isLeftToProfile(row, scene, 0)))
+  if (real && *real == 0 && (value == defaultValue(row) || isTakenFromSurfaceFile(row, scene, 0)))
     return {};
   if (real) return message("{} = {}", printed(row.symbol), printedValue(*real, row));
   if (whole && *whole > 0) return message("{} = {}", printed(row.symbol), *whole);
@@ -62,7 +62,7 @@ bool isLeftToFile(const Parameter& row, const Scene& scene) {
   const auto* whole = std::get_if<std::int64_t>(&value);
   const auto* real = std::get_if<double>(&value);
   return (whole || real) &&
-         isLeftToProfile(row, scene, whole ? static_cast<double>(*whole) : *real);
+         isTakenFromSurfaceFile(row, scene, whole ? static_cast<double>(*whole) : *real);
 }
 
 /// Returns "seed 3", "linear", "local shear = 2 N/m": rows without a symbol.
@@ -92,7 +92,7 @@ bool isOfNoCurve(const Parameter& row, const Scene& scene) {
 bool differs(const Parameter& row, const Scene& scene, const Scene& from) {
   if (isOfNoCurve(row, scene) || !isApplicable(row, scene)) return false;
   // Only beside a line with a file is a length or a number left to the file a change.
-  if (isLeftToFile(row, scene) && !isLeftToProfile(row, from, 0)) return false;
+  if (isLeftToFile(row, scene) && !isTakenFromSurfaceFile(row, from, 0)) return false;
   if (isShiftIdle(row, scene) && isShiftIdle(row, from)) return false;
   // A curve without a target has points per element and lines instead.
   if (row.key == "accuracy.target_relative_error" && !choosesAccuracy(scene)) return false;

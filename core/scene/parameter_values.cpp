@@ -44,7 +44,7 @@ double numberFrom(const Parameter& parameter, const ParameterValue& value) {
 
 void checkRange(const Parameter& parameter, const Scene& scene, double number, double minimum,
                 double maximum) {
-  if ((number < minimum || number > maximum) && !isLeftToProfile(parameter, scene, number))
+  if ((number < minimum || number > maximum) && !isTakenFromSurfaceFile(parameter, scene, number))
     refuse(parameter, message("{} is outside {}", plain(number), allowedText(parameter)));
 }
 
@@ -111,7 +111,7 @@ bool isList(const Parameter& parameter) {
          std::holds_alternative<ListField>(parameter.field);
 }
 
-bool isLeftToProfile(const Parameter& parameter, const Scene& scene, double number) {
+bool isTakenFromSurfaceFile(const Parameter& parameter, const Scene& scene, double number) {
   if (number != 0) return false;
   if (parameter.key == "ensemble.realizations")
     return scene.surface.kind == SurfaceKind::Measured && !hasRandomPhases(scene.surface);

@@ -187,7 +187,7 @@ Message allowedText(const Parameter& parameter);
 
 /// Returns whether this number of the parameter means "as in the surface's file": a 0 of the length
 /// or the elements of a line that has a file, or of the realizations of a measured surface.
-bool isLeftToProfile(const Parameter& parameter, const Scene& scene, double number);
+bool isTakenFromSurfaceFile(const Parameter& parameter, const Scene& scene, double number);
 
 /// Returns one line for each key: key, allowed values, unit, default, sentence.
 std::string parameterTableText();

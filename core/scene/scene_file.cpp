@@ -305,7 +305,7 @@ bool isEveryRow(const Assignment& assignment, const Parameter& row, const Scene&
   measured.surface.kind = SurfaceKind::Measured;
   const bool isZero = assignment.value == ParameterValue(std::int64_t{0});
   return isZero && assignment.fromFile && !changedKinds.empty() &&
-         isLeftToProfile(row, measured, 0) && !isLeftToProfile(row, scene, 0) &&
+         isTakenFromSurfaceFile(row, measured, 0) && !isTakenFromSurfaceFile(row, scene, 0) &&
          row.key.starts_with("ensemble.");
 }
 

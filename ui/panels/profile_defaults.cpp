@@ -21,7 +21,7 @@ constexpr int kDigits = 6;
 
 /// Returns whether 0 means that the profile's file or the scene determines the value.
 bool mayBeLeftOpen(const Parameter& parameter, const Scene& scene) {
-  return isChosenWhereOpen(parameter) || isLeftToProfile(parameter, scene, 0);
+  return isChosenWhereOpen(parameter) || isTakenFromSurfaceFile(parameter, scene, 0);
 }
 
 void clearValue(const Parameter& parameter, Scene& scene) {
@@ -68,7 +68,7 @@ std::optional<Placeholder> placeholderFor(const Parameter& parameter, const Scen
                                           const LineSize& known) {
   if (parameter.key == kRealizations && !mayHaveManyLines(scene.surface))
     return Placeholder{QStringLiteral("1"), 1, true};
-  if (parameter.key == kRealizations && isLeftToProfile(parameter, scene, 0))
+  if (parameter.key == kRealizations && isTakenFromSurfaceFile(parameter, scene, 0))
     return scene.ensemble.realizations == 0
                ? std::optional(Placeholder{ParameterPanel::tr("every row"), {}, false})
                : std::nullopt;
@@ -161,7 +161,8 @@ void RememberedSizes::update(const Surface& before, Surface& next) {
 
 void updateRealizations(const Scene& before, Scene& next) {
   const Parameter& row = *findParameter(kRealizations);
-  const bool wasOpen = isLeftToProfile(row, before, 0), isOpen = isLeftToProfile(row, next, 0);
+  const bool wasOpen = isTakenFromSurfaceFile(row, before, 0),
+             isOpen = isTakenFromSurfaceFile(row, next, 0);
   if (wasOpen != isOpen) next.ensemble.realizations = isOpen ? 0 : Ensemble{}.realizations;
   // One row is one line.
   if (isOpen && next.surface.reading.row > 0)
