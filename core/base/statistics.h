@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <optional>
@@ -36,6 +37,7 @@ inline double upperMedian(std::vector<double> values) {
 
 /// Returns the root mean square; NaN of no values.
 inline double rms(std::span<const double> values) {
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
   double squares = 0;
   for (const double value : values) squares += value * value;
   return std::sqrt(squares / static_cast<double>(values.size()));
