@@ -75,10 +75,8 @@ void checkOutputs(const std::vector<std::string>& files,
 }
 
 void checkNoInput(const std::string& output, const std::vector<std::filesystem::path>& inputs) {
-  std::error_code ignored;  // a missing file counts as an empty one
-  for (const std::filesystem::path& input : inputs)
-    if (std::filesystem::equivalent(output, input, ignored))
-      throw InputError("", "--output", output + " is also an input file and would be replaced");
+  if (isAnyOf(output, inputs))
+    throw InputError("", "--output", output + " is also an input file and would be replaced");
 }
 
 void checkFolderName(const std::string& folder) {

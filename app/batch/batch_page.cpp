@@ -122,15 +122,11 @@ std::string withError(double value, double standardError) {
   return std::isfinite(standardError) ? text + " \u00B1 " + shortNumber(standardError, 2) : text;
 }
 
-std::string percent(double fraction) {
-  return shortNumber(100 * fraction) + " %";
-}
-
 /// Returns the means, each with its standard error where it has one, and beside them the results of
 /// the line that is shown. A scene of one line has only the latter.
 std::string readings(const BatchResult& result) {
   const std::string mu = shortNumber(result.lineMu, 4);
-  const std::string contact = percent(result.lineContactFraction);
+  const std::string contact = shortPercent(result.lineContactFraction);
   const std::string indentation = quantity(result.lineIndentation, "m", 4);
   const auto& mean = result.mean;
   if (!mean || mean->realizations <= 1)
@@ -144,7 +140,7 @@ std::string readings(const BatchResult& result) {
   return row(filled(Words::tr("coefficient of friction, mean of %1 lines"),
                     {std::to_string(mean->realizations)}),
              both(withError(mean->mu, mean->muStandardError), mu)) +
-         row(Words::tr("in contact"), both(percent(mean->contactFraction), contact)) +
+         row(Words::tr("in contact"), both(shortPercent(mean->contactFraction), contact)) +
          row(Words::tr("indentation"), both(quantity(mean->indentation, "m", 4), indentation));
 }
 

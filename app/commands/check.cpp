@@ -26,18 +26,6 @@
 namespace asperity {
 namespace {
 
-LawInput makeLawInput(const Scene& scene, const LineSource& source) {
-  const SlidingConditions conditions = slidingConditions(scene, scene.sliding.velocity);
-  return {conditions.shearModulus,
-          conditions.relaxationTime,
-          source.length(),
-          source.statistics().rmsHeight,
-          source.statistics().rmsSlope,
-          scene.surface.hurst,
-          loadOn(scene.load, source.length()).normalForce,
-          scene.sliding.velocity};
-}
-
 std::string summaryText(const Scene& scene, const LineSource& source, const LawInput& in,
                         const std::vector<Message>& reading) {
   const auto number = [](double value) { return answerNumber(value, 6); };
@@ -102,7 +90,9 @@ void checkScene(const CommonOptions& command, bool isOneOfMany,
     // The solver throws where there is no steady state; such a scene is not valid.
     if (scene.sliding.kind == SlidingKind::Steady) const SteadySolver solver(scene);
     const LineSource source(scene, pointsPerElement(scene));
-    const LawInput in = makeLawInput(scene, source);
+    const LawInput in = lawInput(
+        elementLaw(scene.elastomer), source.statistics(), source.length(), scene.surface.hurst,
+        loadOn(scene.load, source.length()).normalForce, scene.sliding.velocity);
     const std::vector<Message> reading = readingFacts(scene);
     const std::optional<Message> warning = costWarning(scene, command.threads);
     const std::string name = isOneOfMany ? command.scene + ": " : "";

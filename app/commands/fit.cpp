@@ -34,8 +34,7 @@ int runFit(const FitCommand& command) {
   const ColumnChoice columns(command.columns, {"fit", "curve"});
   const ComparedScene compared = withCurveOptions(loadScene(command.common), beside);
   const Scene& scene = compared.scene;
-  if (scene.comparison.data.empty())
-    throw InputError("", "--data", "no measured friction is given, nor named by the scene");
+  if (scene.comparison.data.empty()) throw missingFrictionData();
   OutputFolder output(command.output, inputFiles(command.common, scene), settings);
   return withSceneContext(command.common, [&] {
     requireVelocityAxis(scene, "asperity fit");

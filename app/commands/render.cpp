@@ -19,6 +19,7 @@
 #include "core/base/json_text.h"
 #include "core/run/contact_tables.h"
 #include "core/scene/provenance.h"
+#include "core/scene/scene_check.h"
 #include "core/surface/measured_summary.h"
 #include "core/surface/surface_file.h"
 #include "ui/contact/contact_overlay.h"
@@ -208,11 +209,8 @@ class Rendering {
   }
 
   void checkLayout() const {
-    const bool isSteady = scene_.sliding.kind == SlidingKind::Steady;
-    if (layout_ == PictureLayout::Transient && isSteady)
-      throw InputError("", "sliding.kind",
-                       "is steady, so nothing changes in time; --layout transient needs start, "
-                       "step, oscillation or reversal");
+    if (layout_ == PictureLayout::Transient)
+      requireMotion(scene_, Message::name("--layout transient"));
     if (layout_ == PictureLayout::Curve && kind_ != Kind::Picture)
       throw InputError(
           "", "--layout",

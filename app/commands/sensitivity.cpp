@@ -16,9 +16,6 @@ int runSensitivity(const TableCommand& command) {
   withSceneContext(command.common, [&] { requireSteadySliding(scene, "asperity sensitivity"); });
   const PictureSettings settings = checkTableOutputs(command, scene, {1200, 800, "print"});
   const std::vector<Exponent> exponents = withSceneContext(command.common, [&] {
-    requireNoTarget(scene,
-                    "differences need the same lines on both sides; give accuracy.scheme and "
-                    "ensemble.realizations instead of a target");
     ProgressBar bar(Words::tr("states"), command.common.quiet);
     StateOptions options{.threads = command.common.threads,
                          .progress = [&bar](double part) { bar.showPart(part); }};

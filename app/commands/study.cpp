@@ -107,13 +107,6 @@ Json planJson(const ParameterStudy& study, const StudyBudget& budget) {
   return answer;
 }
 
-/// Returns the number of simulations of a shard.
-std::int64_t shardSimulations(const ParameterStudy& study, const Shard& shard) {
-  const std::int64_t chunks = study.chunks(), last = chunks - 1;
-  const std::int64_t own = chunks / shard.count + (chunks % shard.count >= shard.number ? 1 : 0);
-  return shard.has(last) ? (own - 1) * study.chunk + study.sizeOfChunk(last) : own * study.chunk;
-}
-
 /// Returns how the surface of the base scene is read; nothing where only a simulation's own values
 /// make it readable.
 std::vector<Message> readingFactsOfBase(const ParameterStudy& study) {
@@ -132,7 +125,7 @@ int plan(const StudyCommand& command, const ParameterStudy& study, const Shard& 
     if (store.study().digest == study.digest) done = store.simulationsDone();
   }
   const StudyBudget budget =
-      studyBudget(study, shardSimulations(study, shard), done, command.common.threads);
+      studyBudget(study, shard.simulations(study), done, command.common.threads);
   const std::vector<Message> reading = readingFactsOfBase(study);
   printSummary(command.common, planText(budget) + factLines(reading));
   if (command.common.json) {
@@ -214,7 +207,7 @@ int runStudyRun(const StudyCommand& command) {
   checkNoInput(command.output, filesReadBy(study.base));
   StudyStore store(command.output, study, shard);
   checkReadable(store);
-  const std::int64_t total = shardSimulations(study, shard), before = store.simulationsDone();
+  const std::int64_t total = shard.simulations(study), before = store.simulationsDone();
   if (!command.common.quiet && before < total) {
     constexpr double kTrial = 0.1;  // s; a study of less time is simply run
     const StudyBudget budget = studyBudget(study, total, before, command.common.threads, kTrial);
@@ -307,7 +300,7 @@ int runStudyShow(const StudyCommand& command) {
   const StudyStore store(command.study);
   store.check();
   const ParameterStudy& study = store.study();
-  const std::int64_t total = shardSimulations(study, store.shard()), done = store.simulationsDone();
+  const std::int64_t total = store.shard().simulations(study), done = store.simulationsDone();
   const double seconds = store.secondsSpent();
   std::int64_t failed = 0;
   const std::map<std::string, FailureCount> failures = countFailures(store, failed);

@@ -113,9 +113,7 @@ py::tuple friction(const Scene& scene, const Texts& keys, const std::vector<Numb
                    int threads, const py::object& progress) {
   checkThreads(threads);
   requireSteadySliding(scene, "asperity.friction");
-  requireNoTarget(scene,
-                  "states side by side have the same lines; give accuracy.scheme and "
-                  "ensemble.realizations instead of a target");
+  requireNoTarget(scene, "states side by side have the same lines");
   std::vector<Override> overrides;
   std::size_t count = 1;
   for (std::size_t k = 0; k < keys.size(); ++k) {
@@ -172,9 +170,6 @@ std::shared_ptr<SensitivityOfScene> runSensitivity(const Scene& scene, int threa
                                                    const py::object& progress) {
   checkThreads(threads);
   requireSteadySliding(scene, "asperity.sensitivity");
-  requireNoTarget(scene,
-                  "differences need the same lines on both sides; give accuracy.scheme and "
-                  "ensemble.realizations instead of a target");
   return compute(progress, [scene, threads](const Call& call) {
     const auto options = callOptions<StateOptions>(call, threads);
     std::vector<Sensitivity> all = sensitivities(scene, options);
@@ -224,10 +219,7 @@ std::shared_ptr<FitOfScene> runFit(const Scene& given, const Texts& files,
   checkThreads(threads);
   Scene scene = given;
   const std::vector<FrictionData> read = addComparisonData(scene, files);
-  if (scene.comparison.data.empty() && tables.empty())
-    throw InputError("", "--data", "no measured friction is given, nor named by the scene");
-  requireSteadySliding(scene, "a fit");
-  requireNoTarget(scene, "a fit needs the same lines everywhere, not a target");
+  if (scene.comparison.data.empty() && tables.empty()) throw missingFrictionData();
   const std::vector<VariedParameter> parameters = parseVariedParameters(varied, scene);
   std::vector<FrictionData> data = readComparisonData(scene, read);
   for (const auto& [name, text] : tables) data.push_back(parseFrictionData(text, name));

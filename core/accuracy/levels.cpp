@@ -76,7 +76,7 @@ struct CostedPlan {
 
 CostedPlan planBetween(const Halves& halves, int first, int last, double relative,
                        double resolution) {
-  LevelPlan plan{first, last, {}, 0, 0, resolution};
+  LevelPlan plan{.first = first, .last = last, .resolutionError = resolution};
   Work work;
   for (const std::size_t half : {0U, 1U}) {
     const std::size_t other = 1 - half;

@@ -42,11 +42,11 @@ using Halves = std::array<std::vector<LevelSums>, 2>;
 
 /// The levels that are used at one velocity, with their numbers of lines.
 struct LevelPlan {
-  int first = 0, last = 0;                         // s and the finest level
-  std::array<std::vector<std::int64_t>, 2> lines;  // of each half on level first, ... last
-  double operations = 0;                           // nodes passed over in the whole plan
-  double plainOperations = 0;                      // for plain averaging on the finest level
-  double resolutionError = 0;                      // absolute error of the finest level
+  int first = 0, last = 0;                           // s and the finest level
+  std::array<std::vector<std::int64_t>, 2> lines{};  // of each half on level first, ... last
+  double operations = 0;                             // nodes passed over in the whole plan
+  double plainOperations = 0;                        // for plain averaging on the finest level
+  double resolutionError = 0;                        // absolute error of the finest level
 };
 
 /// Minimum number of lines of each half, for the mean of a level and for the difference from the

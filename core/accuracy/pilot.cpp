@@ -66,11 +66,6 @@ constexpr PilotSize kPilotSizes[] = {{24, 12, 9}, {16, 8, 9}, {8, 4, 9}, {8, 4, 
 /// How alike neighbouring rows of a topography are shows in two pairs at least (varianceOfMean).
 constexpr double kMinRows = 4;
 
-/// Returns whether lines of the surface may be rows of a topography.
-bool hasRows(const Surface& surface) {
-  return mayHaveManyLines(surface) && !hasRandomPhases(surface);
-}
-
 }  // namespace
 
 PilotScene::PilotScene(const Scene& runScene, const LineExtent& extent)
@@ -180,7 +175,7 @@ PilotPlan planPilot(const Scene& scene, int threads) {
     plan.velocities = logSpaced(scene.sweep.velocityFrom, scene.sweep.velocityTo,
                                 static_cast<std::int64_t>(fitting.velocities));
     perPoint = fitting.perPoint(balance);
-    const bool isFewest = hasRows(scene.surface) && shape.lines == kMinRows;
+    const bool isFewest = mayHaveRows(scene.surface) && shape.lines == kMinRows;
     if (isFewest || whole.operations(perPoint, points) <= allowed) break;
   }
   plan.sample = sampleWithin(whole, perPoint, points, allowed);

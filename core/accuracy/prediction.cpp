@@ -97,12 +97,6 @@ double remainder(const Scene& scene, std::int64_t factor) {
   return 1 / (1 - std::pow(static_cast<double>(factor), -order));
 }
 
-double rms(const std::vector<double>& values) {
-  double squares = 0;
-  for (const double value : values) squares += value * value;
-  return std::sqrt(squares / static_cast<double>(values.size()));
-}
-
 /// Returns means of mu at each velocity over these lines.
 std::vector<RunningMean> meansOver(Pilot& pilot, std::size_t velocities,
                                    const std::vector<std::int64_t>& lines,
@@ -208,7 +202,6 @@ Prediction predictTarget(const Scene& scene, int threads, const std::stop_token&
   prediction.seconds = longer * (reading + plan.secondsOfSources + more * sliding);
   prediction.lines = plan.mostLines;
   prediction.simulations = plan.simulations * more;
-  prediction.pilotLines = isAveraged ? kPilotLines : 1;
   prediction.error.standardError = plan.standardError;
   prediction.error.resolution = plan.resolutionError;
   prediction.error.forceBalance = plan.largestResidual;
@@ -255,7 +248,6 @@ Prediction predictCurve(const Scene& scene, int threads, const std::stop_token& 
   Pilot pilot(plan.sample.scene, profile.get(), plan.velocities);
   const double planning = reading + threadSeconds() - planned;
   const auto lines = static_cast<double>(plan.run.lines);
-  prediction.pilotLines = plan.lines;
   prediction.operations = plan.operations;
   prediction.runOperations = plan.runOperations;
   prediction.error = errorOf(plan, profile.get(), pilot, lines, stop);

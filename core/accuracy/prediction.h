@@ -38,7 +38,6 @@ struct Prediction {
   double lines = 0;
   double simulations = 0;          // number of balances: one line at one velocity
   double steps = 0, elements = 0;  // of a motion's march; 0 for a curve
-  std::int64_t pilotLines = 0;
   /// Number of prepared points of lines, or for a motion of elements times steps: counted in the
   /// pilot, and in the run on one thread.
   double operations = 0, runOperations = 0;

@@ -236,7 +236,9 @@ class TargetSampling {
   /// Accepts the best possible result where even the finest allowed line is not sufficient.
   void exhaust(VelocityState& state) const {
     const int last = state.known - 1;
-    state.plan = {last, last, {}, 0, 0, estimateResolutionError(state.halves, last)};
+    state.plan = {.first = last,
+                  .last = last,
+                  .resolutionError = estimateResolutionError(state.halves, last)};
     for (auto& lines : state.plan.lines) lines = {kMinDirect};
     state.isPlanned = state.isExhausted = true;
   }

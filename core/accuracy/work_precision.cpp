@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "core/base/processor_time.h"
 #include "core/base/statistics.h"
@@ -29,10 +30,12 @@ constexpr std::int64_t kTimedSteps = 50;       // of a longer march that are tim
 constexpr std::int64_t kLinesOfMarch = 2;
 constexpr std::int64_t kMaxLinesOfSpread = 512;
 
-double quantile(std::vector<double> values, double part) {
-  std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(
-      std::llround(part * static_cast<double>(values.size() - 1)))];
+/// Adds median and quartiles of repeated runs (s).
+void addSeconds(WorkPrecisionPoint& point, std::vector<double> seconds) {
+  std::ranges::sort(seconds);
+  point.seconds = quantile(seconds, 0.5);
+  point.lowerQuartile = quantile(seconds, 0.25);
+  point.upperQuartile = quantile(seconds, 0.75);
 }
 
 /// All lines at one resolution, prepared for sliding.
@@ -225,9 +228,7 @@ class Comparison {
                            const std::vector<double>& reference) const {
     const Errors errors = errorsOf(slideAll(prepared, region.velocities), reference);
     WorkPrecisionPoint point{choice, errors.rms, errors.largest, choice.method == Method::Nodal};
-    point.seconds = median(seconds);
-    point.lowerQuartile = quantile(seconds, 0.25);
-    point.upperQuartile = quantile(seconds, 0.75);
+    addSeconds(point, seconds);
     point.lineSeconds = prepared.lineSeconds;
     return point;
   }
@@ -260,9 +261,7 @@ class Comparison {
     const Errors errors = errorsOf(found, expected);
     point.error = point.isExtrapolated ? kNotApplicable : errors.rms;
     point.largest = point.isExtrapolated ? kNotApplicable : errors.largest;
-    point.seconds = median(seconds);
-    point.lowerQuartile = quantile(seconds, 0.25);
-    point.upperQuartile = quantile(seconds, 0.75);
+    addSeconds(point, std::move(seconds));
     point.lineSeconds = median(lineSeconds);
     return point;
   }
@@ -285,8 +284,7 @@ class Comparison {
     scene.accuracy.oversampling = curvePointsPerElement(scene_);
     const LineSource source(scene, curvePointsPerElement(scene));
     const SteadySolver sliding(scene);
-    const std::vector<double> velocity{
-        std::sqrt(region.velocities.front() * region.velocities.back())};
+    const std::vector<double> velocity{region.middleVelocity()};
     const std::int64_t count =
         std::min({kMaxLinesOfSpread, std::max<std::int64_t>(scene.ensemble.realizations, 64),
                   std::max<std::int64_t>(16, kMaxNodes * 4 / source.elements())});

@@ -13,6 +13,7 @@
 // steady sliding or without a region; StopRequested where `stop` was requested.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <stop_token>
@@ -69,6 +70,9 @@ struct RegionPrecision {
   /// friction from half the step, and of its beginning from a longer march. NaN: not measured.
   double timeStepError = kNotApplicable;
   double settlingError = kNotApplicable;
+
+  /// Returns the geometric mean (m/s) of the lowest and the highest velocity.
+  double middleVelocity() const { return std::sqrt(velocities.front() * velocities.back()); }
 };
 
 struct WorkPrecision {

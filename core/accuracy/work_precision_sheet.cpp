@@ -10,6 +10,7 @@
 #include "core/base/number_text.h"
 #include "core/friction/curve_file.h"
 #include "core/scene/columns.h"
+#include "core/scene/data_table.h"
 #include "core/scene/provenance.h"
 #include "core/surface/line_source.h"
 #include "core/surface/measured_summary.h"
@@ -157,15 +158,15 @@ std::string workPrecisionCsv(const WorkPrecision& comparison) {
                      "seconds_with_line", "is_extrapolated", "is_on_front", "is_present_choice",
                      "reference_error"}) +
       "\n";
+  const auto flag = [](bool is) { return std::int64_t{is}; };
   for (const RegionPrecision& region : comparison.regions)
     for (const WorkPrecisionPoint& point : region.points)
-      text += fmt::format(
-          "{},{},{},{},{},{},{},{:d},{},{},{},{},{},{:d},{:d},{:d},{}\n", region.region,
-          region.velocities.front(), region.velocities.back(), methodWord(point.choice.method),
-          point.choice.oversampling, csvNumber(point.error), csvNumber(point.largest),
-          point.isDifference, point.seconds, point.lowerQuartile, point.upperQuartile,
-          point.lineSeconds, point.secondsWithLine, point.isExtrapolated, point.isOnFront,
-          point.choice == comparison.present, region.referenceError);
+      text += csvLine({region.region, region.velocities.front(), region.velocities.back(),
+                       std::string(methodWord(point.choice.method)), point.choice.oversampling,
+                       point.error, point.largest, flag(point.isDifference), point.seconds,
+                       point.lowerQuartile, point.upperQuartile, point.lineSeconds,
+                       point.secondsWithLine, flag(point.isExtrapolated), flag(point.isOnFront),
+                       flag(point.choice == comparison.present), region.referenceError});
   return text;
 }
 

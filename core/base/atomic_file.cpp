@@ -162,11 +162,15 @@ void checkWritable(const fs::path& file) {
     throw InputError(file.string(), "", message("folder {} cannot be written to", folder.string()));
 }
 
+bool isAnyOf(const fs::path& file, std::span<const fs::path> inputs) {
+  std::error_code ignored;  // A file that does not exist is not equivalent to any other.
+  return std::any_of(inputs.begin(), inputs.end(),
+                     [&](const fs::path& input) { return fs::equivalent(file, input, ignored); });
+}
+
 void checkReplacesNone(const fs::path& file, std::span<const fs::path> inputs) {
-  std::error_code ignored;  // a missing file counts as an empty one
-  for (const fs::path& input : inputs)
-    if (fs::equivalent(file, input, ignored))
-      throw InputError(file.string(), "", "is also an input file and would be replaced");
+  if (isAnyOf(file, inputs))
+    throw InputError(file.string(), "", "is also an input file and would be replaced");
 }
 
 AtomicFile::AtomicFile(const fs::path& file) {

@@ -14,8 +14,10 @@ namespace asperity {
 /// long work.
 void checkWritable(const std::filesystem::path& file);
 
-/// Throws InputError (file, "", why) where the file is one of those that are read, which writing
-/// would replace.
+/// Returns whether the file is one of these inputs, which writing would replace.
+bool isAnyOf(const std::filesystem::path& file, std::span<const std::filesystem::path> inputs);
+
+/// Throws InputError (file, "", why) where the file is one of these inputs.
 void checkReplacesNone(const std::filesystem::path& file,
                        std::span<const std::filesystem::path> inputs);
 

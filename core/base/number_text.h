@@ -38,6 +38,11 @@ std::string printedPower(double value, int digits = 3);
 std::string printedQuantity(double value, std::string_view unit, int digits = 3,
                             Zeros zeros = Zeros::Drop);
 
+/// Returns a part of a whole in percent, without the sign.
+inline PrintedNumber printedPercent(double part, int digits = 3) {
+  return {printedNumber(100 * part, digits)};
+}
+
 /// Returns "10\u207B\u00B3".
 std::string powerOfTen(int exponent);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <optional>
@@ -32,6 +33,45 @@ inline double upperMedian(std::vector<double> values) {
   const auto middle = values.begin() + std::ssize(values) / 2;
   std::ranges::nth_element(values, middle);
   return *middle;
+}
+
+/// Returns the root mean square; NaN of no values.
+inline double rms(std::span<const double> values) {
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+  double squares = 0;
+  for (const double value : values) squares += value * value;
+  return std::sqrt(squares / static_cast<double>(values.size()));
+}
+
+/// Returns a quantile of ascending values by linear interpolation between them, as R's type 7. It
+/// needs at least one value. part: 0 to 1.
+inline double quantile(std::span<const double> ascending, double part) {
+  const double rank = part * static_cast<double>(ascending.size() - 1);
+  const auto below = static_cast<std::size_t>(rank);
+  const std::size_t above = std::min(below + 1, ascending.size() - 1);
+  return std::lerp(ascending[below], ascending[above], rank - static_cast<double>(below));
+}
+
+/// Indices [begin, end) of values.
+struct IndexRange {
+  std::size_t begin = 0, end = 0;
+
+  std::size_t size() const { return end - begin; }
+};
+
+/// Groups ascending values, all above 0, by equal intervals of their logarithm: interval k is from
+/// 10^((k - shift) / perDecade) to the beginning of the next one. Empty intervals are left out.
+inline std::vector<IndexRange> logBands(std::span<const double> ascending, double perDecade,
+                                        double shift = 0) {
+  std::vector<IndexRange> bands;
+  double last = 0;
+  for (std::size_t i = 0; i < ascending.size(); ++i) {
+    const double interval = std::floor(perDecade * std::log10(ascending[i]) + shift);
+    if (bands.empty() || interval != last) bands.push_back({i, i});
+    bands.back().end = i + 1;
+    last = interval;
+  }
+  return bands;
 }
 
 /// Returns the upper median of ratios of two statements of one quantity where they contradict each

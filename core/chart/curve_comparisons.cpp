@@ -14,7 +14,6 @@ namespace {
 constexpr double kStripHeight = 0.42;                           // relative to the curves' height
 constexpr double kLowestPercent = -100, kHighestPercent = 200;  // of the axis of a difference
 constexpr double kMinPercent = 0.1;
-constexpr double kRatioAir = 1.3;  // factor between the outermost ratios and the frame
 
 /// Returns the shown quantity by a theory; NaN where the theory does not apply.
 double ordinate(const TheoryPoint& point, const CurveSet& set) {
@@ -89,8 +88,8 @@ void fixRatioAxis(DiagramAxis& axis, const std::vector<DiagramSeries>& series) {
   constexpr double kDecade = 10, kMargin = 0.08;
   if (ratios.least > 0 && ratios.most >= kDecade * ratios.least) {
     axis.scale = AxisScale::Logarithmic;
-    axis.from = std::pow(kDecade, std::floor(std::log10(ratios.least / kRatioAir)));
-    axis.to = std::pow(kDecade, std::ceil(std::log10(ratios.most * kRatioAir)));
+    axis.from = std::pow(kDecade, std::floor(std::log10(ratios.least / kLogMargin)));
+    axis.to = std::pow(kDecade, std::ceil(std::log10(ratios.most * kLogMargin)));
     return;
   }
   const double margin = kMargin * std::max(bars.size(), kMargin);

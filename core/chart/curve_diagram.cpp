@@ -17,7 +17,6 @@
 namespace asperity {
 namespace {
 
-constexpr double kAir = 1.3;  // factor between the outermost points and the frame
 constexpr int kLawPoints = 160;
 
 /// Returns the name of the mean. But for the axis of mu_total, curves show the friction of the
@@ -301,8 +300,8 @@ void fixAlong(Diagram& diagram) {
         along.add(point.x);
   if (!(along.most > along.least)) return;
   const double margin = kMargin * along.size();
-  diagram.x.from = isLinear ? along.least - margin : along.least / kAir;
-  diagram.x.to = isLinear ? along.most + margin : along.most * kAir;
+  diagram.x.from = isLinear ? along.least - margin : along.least / kLogMargin;
+  diagram.x.to = isLinear ? along.most + margin : along.most * kLogMargin;
 }
 
 /// Sets the ranges of axes that show no point, as of a body without friction.
@@ -367,6 +366,20 @@ DiagramSheet curveSheet(const CurveSet& set) {
   if (set.difference) sheet.diagrams.push_back(differenceDiagram(set, x));
   sheet.columns = 1;
   sheet.sharesAxis = true;
+  return sheet;
+}
+
+DiagramSheet withoutCurve(DiagramSheet sheet, double from, double to) {
+  sheet.diagrams.resize(1);
+  sheet.note = {};
+  Diagram& diagram = sheet.diagrams.front();
+  std::erase_if(diagram.series,
+                [](const DiagramSeries& series) { return series.id <= kPresentCurve; });
+  diagram.spans.clear();
+  diagram.shades.clear();
+  diagram.blank = {};
+  diagram.y.from = from;
+  diagram.y.to = to;
   return sheet;
 }
 

@@ -28,4 +28,8 @@ DiagramSheet curveSheet(const Scene& scene, std::span<const CurvePoint> points);
 /// settings where there is one. The rows of the points count CurvePoint and DifferencePoint.
 DiagramSheet curveSheet(const CurveSet& set);
 
+/// Returns the sheet without the present curve and everything that reveals it, for a student who
+/// predicts it, with these ends of the vertical axis. Pinned curves stay.
+DiagramSheet withoutCurve(DiagramSheet sheet, double from, double to);
+
 }  // namespace asperity

@@ -43,6 +43,9 @@ inline double axisValue(AxisScale scale, double position) {
   return scale == AxisScale::Logarithmic ? std::pow(10, position) : position;
 }
 
+/// Factor between the outermost values and the ends of a logarithmic axis.
+inline constexpr double kLogMargin = 1.3;
+
 struct DiagramAxis {
   Message title{};     // "sliding velocity"
   std::string unit{};  // "m/s"; empty: a pure number

@@ -17,7 +17,6 @@
 #include "core/scene/columns.h"
 #include "core/scene/parameters.h"
 #include "core/scene/provenance.h"
-#include "core/scene/scene_check.h"
 #include "core/scene/scene_file.h"
 #include "core/surface/measured_summary.h"
 #include "core/surface/surface_file.h"
@@ -284,8 +283,6 @@ DiagramSheet profileSheet(const Fit& fit) {
 
 FittedCurve fitWithCurve(const Scene& scene, const std::vector<FrictionData>& data,
                          std::span<const VariedParameter> parameters, const FitOptions& options) {
-  requireSteadySliding(scene, "a fit");
-  requireNoTarget(scene, "a fit needs the same lines everywhere, not a target");
   FittedCurve fitted;
   fitted.start = scene;
   fitted.hasProfiles = options.hasProfiles;

@@ -138,10 +138,9 @@ DiagramSheet cutoffSheet(const Scene& scene, const std::vector<CutoffPoint>& poi
   friction.series = {std::move(mu)};
   share.series = {std::move(zero), std::move(shares)};
   if (!points.empty()) {
-    constexpr double kAir = 1.3;
     for (DiagramAxis* axis : {&friction.x, &share.x}) {
-      axis->from = points.back().wavelength / kAir;
-      axis->to = points.front().wavelength * kAir;
+      axis->from = points.back().wavelength / kLogMargin;
+      axis->to = points.front().wavelength * kLogMargin;
     }
   }
   sheet.diagrams = {std::move(friction), std::move(share)};

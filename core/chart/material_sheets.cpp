@@ -175,12 +175,11 @@ NamedSheet masterSheet(const Material& material) {
                      .columns = 1};
   if (material.isMeasured()) {
     const FrequencyRange range = fittedRange(material);
-    sheet.subtitle =
-        message("{}, G\u221E = {}, rms residual {} % of G\u2032 and {} % of G\u2033",
-                describeArms(material.series.arms.size()),
-                PrintedNumber{printedQuantity(material.series.equilibriumModulus, "Pa")},
-                PrintedNumber{printedNumber(100 * material.series.rmsStorage, 2)},
-                PrintedNumber{printedNumber(100 * material.series.rmsLoss, 2)});
+    sheet.subtitle = message(
+        "{}, G\u221E = {}, rms residual {} % of G\u2032 and {} % of G\u2033",
+        describeArms(material.series.arms.size()),
+        PrintedNumber{printedQuantity(material.series.equilibriumModulus, "Pa")},
+        printedPercent(material.series.rmsStorage, 2), printedPercent(material.series.rmsLoss, 2));
     Diagram& master = sheet.diagrams.front();
     master.x.from = range.from / 1.5;
     master.x.to = range.to * 1.5;
@@ -410,8 +409,7 @@ Message describeExcitation(const Scene& scene, const Excitation& excitation) {
   const double outside = excitation.shareNotMeasured(velocity);
   if (!measured || std::isnan(outside)) return excited;
   return message("{}; measured were {} to {}, {} % of the loss is extrapolated", excited,
-                 hertz(measured->from), hertz(measured->to),
-                 PrintedNumber{printedNumber(100 * outside, 2)});
+                 hertz(measured->from), hertz(measured->to), printedPercent(outside, 2));
 }
 
 }  // namespace asperity

@@ -146,8 +146,7 @@ SteadyResult slideAtDepth(const PreparedProfile& line, const SlidingConditions& 
   return steadyResult(line, conditions, depth, sumsAt(line, depth, c, isComplete));
 }
 
-SlidingConditions slidingConditions(const Scene& scene, double velocity) {
-  const ElementLaw law = elementLaw(scene.elastomer);
+SlidingConditions slidingConditions(const ElementLaw& law, double velocity) {
   return {law.equilibriumModulus, law.relaxationTime, velocity};
 }
 

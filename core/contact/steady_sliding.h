@@ -13,6 +13,7 @@
 #include "core/contact/kernels/nodal_balance.h"
 #include "core/contact/kernels/pass.h"
 #include "core/contact/line/prepared_profile.h"
+#include "core/material/element_law.h"
 #include "core/scene/scene.h"
 
 namespace asperity {
@@ -28,6 +29,8 @@ struct SlidingConditions {
   double velocity = 0;        // m/s, >= 0; the direction is the PreparedProfile's
 
   double relaxationLength() const { return velocity * relaxationTime; }  // m, c
+  /// Returns the same elastomer at another velocity (m/s).
+  SlidingConditions at(double other) const { return {shearModulus, relaxationTime, other}; }
 };
 
 struct SteadyResult {
@@ -83,9 +86,12 @@ SteadyResult slideAtForce(const PreparedProfile& line, const SlidingConditions& 
 SteadyResult slideAtDepth(const PreparedProfile& line, const SlidingConditions& conditions,
                           double depth);
 
-/// Returns the properties of the scene's elastomer at this velocity, without its arms, which only
+/// Returns the properties of an element at this velocity, without its arms, which only
 /// core/contact/steady_solver.h uses.
-SlidingConditions slidingConditions(const Scene& scene, double velocity);
+SlidingConditions slidingConditions(const ElementLaw& law, double velocity);
+inline SlidingConditions slidingConditions(const Scene& scene, double velocity) {
+  return slidingConditions(elementLaw(scene.elastomer), velocity);
+}
 
 /// Slides at the scene's load of either kind.
 SteadyResult slideAtLoad(const PreparedProfile& line, const SlidingConditions& conditions,

@@ -27,7 +27,7 @@ SteadySolver::SteadySolver(const Scene& scene)
 }
 
 SlidingConditions SteadySolver::conditions(double velocity) const {
-  return {law_.equilibriumModulus, law_.relaxationTime, velocity};
+  return slidingConditions(law_, velocity);
 }
 
 /// Returns whether arms matter at this velocity; at rest every arm has relaxed.

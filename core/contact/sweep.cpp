@@ -126,14 +126,33 @@ bool takeComplete(const PreparedProfile& line, double depth, double relaxationLe
   return true;
 }
 
+/// The passes of one line at many velocities (m/s).
+class SteadyQueue : public PassQueue {
+ public:
+  SteadyQueue(const PreparedProfile& line, const SlidingConditions& conditions,
+              std::span<const double> velocities, const std::stop_token& stop)
+      : line_(line), conditions_(conditions), velocities_(velocities), stop_(stop) {}
+
+  bool isStopped() const override { return stop_.stop_requested(); }
+  /// Returns whether any pass searched for contact, because contact was not complete.
+  bool hasSearched() const { return hasSearched_; }
+
+ protected:
+  SlidingConditions at(std::size_t column) const { return conditions_.at(velocities_[column]); }
+
+  const PreparedProfile& line_;
+  SlidingConditions conditions_;
+  std::span<const double> velocities_;
+  std::stop_token stop_;
+  bool hasSearched_ = false;
+};
+
 /// All balances of a table, each in the first free lane.
-class SweepQueue final : public PassQueue {
+class SweepQueue final : public SteadyQueue {
  public:
   SweepQueue(const PreparedProfile& line, const SlidingConditions& conditions,
              const InitialGuess& table, const std::stop_token& stop)
-      : line_(line), conditions_(conditions), table_(table), stop_(stop) {}
-
-  bool isStopped() const override { return stop_.stop_requested(); }
+      : SteadyQueue(line, conditions, table.velocities, stop), table_(table) {}
 
   bool begin(std::size_t lane, PassRequest& request) override {
     Lane& one = lanes_[lane];
@@ -146,8 +165,6 @@ class SweepQueue final : public PassQueue {
     request = requestFor(one);
     return true;
   }
-
-  bool hasSearched() const { return hasSearched_; }
 
   bool next(std::size_t lane, const PassSums& sums, PassRequest& request) override {
     Lane& one = lanes_[lane];
@@ -197,10 +214,6 @@ class SweepQueue final : public PassQueue {
     result.depthAtRest = one.rest;
   }
 
-  SlidingConditions at(std::size_t column) const {
-    return {conditions_.shearModulus, conditions_.relaxationTime, table_.velocities[column]};
-  }
-
   /// Returns the request. Long passes are cut according to the cost of the last one at this
   /// velocity, or its estimate.
   PassRequest requestFor(const Lane& one) {
@@ -212,30 +225,19 @@ class SweepQueue final : public PassQueue {
   }
   double& segmentsInspected(std::size_t column) { return inspected_[column % inspected_.size()]; }
 
-  const PreparedProfile& line_;
-  SlidingConditions conditions_;
   InitialGuess table_;
-  std::stop_token stop_;
   std::size_t begun_ = 0, restRow_ = std::numeric_limits<std::size_t>::max();
-  bool hasSearched_ = false;
   std::array<Lane, kMaxStreams> lanes_;
   std::array<double, 64> inspected_{};  // in the last pass at each velocity
 };
 
 /// One pass for each velocity at a given depth.
-class DepthQueue final : public PassQueue {
+class DepthQueue final : public SteadyQueue {
  public:
   DepthQueue(const PreparedProfile& line, const SlidingConditions& conditions, double depth,
              std::span<const double> velocities, std::span<SteadyResult> results,
              const std::stop_token& stop)
-      : line_(line),
-        conditions_(conditions),
-        depth_(depth),
-        velocities_(velocities),
-        results_(results),
-        stop_(stop) {}
-
-  bool isStopped() const override { return stop_.stop_requested(); }
+      : SteadyQueue(line, conditions, velocities, stop), depth_(depth), results_(results) {}
 
   bool begin(std::size_t lane, PassRequest& request) override {
     for (; begun_ < velocities_.size() && !isStopped(); ++begun_) {
@@ -258,24 +260,13 @@ class DepthQueue final : public PassQueue {
     return begin(lane, request);
   }
 
-  bool hasSearched() const { return hasSearched_; }
-
  private:
   void finish(std::size_t column, const PassSums& sums) {
     results_[column] = steadyResult(line_, at(column), depth_, sums);
   }
-  SlidingConditions at(std::size_t column) const {
-    return {conditions_.shearModulus, conditions_.relaxationTime, velocities_[column]};
-  }
-
-  const PreparedProfile& line_;
-  SlidingConditions conditions_;
   double depth_;
-  std::span<const double> velocities_;
   std::span<SteadyResult> results_;
-  std::stop_token stop_;
   std::size_t begun_ = 0;
-  bool hasSearched_ = false;
   std::array<std::size_t, kMaxStreams> columns_{};
 };
 
@@ -323,8 +314,7 @@ bool sweepNodal(const PreparedProfile& line, const SlidingConditions& conditions
                            {balances.data(), count}))
       return false;
     for (std::size_t lane = 0; lane < count; ++lane)
-      results[i + lane] = steadyResult(
-          line, {conditions.shearModulus, conditions.relaxationTime, group[lane]}, balances[lane]);
+      results[i + lane] = steadyResult(line, conditions.at(group[lane]), balances[lane]);
   }
   return true;
 }
@@ -361,8 +351,7 @@ bool slideSweep(const PreparedProfile& line, const SlidingConditions& conditions
   if (line.scheme == Scheme::Nodal) {
     // At a given depth no search is needed.
     for (std::size_t i = 0; i < velocities.size(); ++i)
-      results[i] = slideAtDepth(
-          line, {conditions.shearModulus, conditions.relaxationTime, velocities[i]}, load.depth);
+      results[i] = slideAtDepth(line, conditions.at(velocities[i]), load.depth);
     return true;
   }
   DepthQueue queue(line, conditions, load.depth, velocities, results, stop);

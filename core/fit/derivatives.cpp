@@ -7,6 +7,7 @@
 #include "core/base/number_text.h"
 #include "core/base/stop.h"
 #include "core/base/text.h"
+#include "core/scene/scene_check.h"
 #include "core/scene/sweep.h"
 
 namespace asperity {
@@ -165,6 +166,7 @@ FrictionWithDerivatives frictionWithDerivatives(std::span<const Scene> states,
 }
 
 std::vector<Sensitivity> sensitivities(const Scene& scene, const StateOptions& options) {
+  requireNoTarget(scene, "differences need the same lines on both sides");
   const std::vector<VariedParameter> parameters = activeParameters(scene);
   const FrictionWithDerivatives found = frictionWithDerivatives({&scene, 1}, parameters, options);
   std::vector<Sensitivity> all;

@@ -82,7 +82,7 @@ struct Sensitivity {
 };
 
 /// Returns the sensitivity to every number that has a meaning in the scene and influences its
-/// friction at one velocity.
+/// friction at one velocity. Throws InputError where the scene has a target accuracy.
 std::vector<Sensitivity> sensitivities(const Scene& scene, const StateOptions& options = {});
 
 }  // namespace asperity

@@ -10,6 +10,7 @@
 #include "core/fit/fit_objective.h"
 #include "core/fit/fit_profiles.h"
 #include "core/fit/fit_search.h"
+#include "core/scene/scene_check.h"
 
 namespace asperity {
 namespace {
@@ -261,6 +262,8 @@ Message degreesOfFreedom(std::int64_t count) {
 
 Fit fitFriction(const Scene& scene, std::span<const FrictionData> data,
                 std::span<const VariedParameter> parameters, const FitOptions& options) {
+  requireSteadySliding(scene, "a fit");
+  requireNoTarget(scene, "a fit needs the same lines everywhere");
   return Fitting(scene, data, parameters, options).run();
 }
 

@@ -192,6 +192,10 @@ FrictionData readPoints(const TextTable& table, const std::string& name) {
 
 }  // namespace
 
+InputError missingFrictionData() {
+  return {"", "--data", "no measured friction is given, nor named by the scene"};
+}
+
 bool isFrictionTable(std::string_view bytes) {
   try {
     const TextTable table = readTable(bytes, {});

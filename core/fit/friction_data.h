@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/input_error.h"
 #include "core/base/message.h"
 #include "core/friction/curve_point.h"
 #include "core/scene/scene.h"
@@ -45,6 +46,9 @@ struct FrictionData {
 /// label: replaces the file's name.
 FrictionData readFrictionData(const std::filesystem::path& file, const std::string& label = {});
 FrictionData parseFrictionData(std::string_view bytes, const std::string& name);
+
+/// Returns the error of a fit without any table.
+InputError missingFrictionData();
 
 /// Returns whether a text has a table with named columns of a velocity and of a coefficient of
 /// friction, or another one that is read as friction by its names.

@@ -117,7 +117,7 @@ Scene withSetting(Scene scene, const CurveSetting& setting) {
 CurveDifference curveDifference(const Scene& scene, const CurveSetting& setting,
                                 const DifferenceOptions& options) {
   requireSteadySliding(scene, "a comparison of curves");
-  requireNoTarget(scene, "a comparison needs the same resolution at every velocity, not a target");
+  requireNoTarget(scene, "a comparison needs the same resolution at every velocity");
   const std::vector<double> velocities = sweepVelocities(scene.sweep);
   Side own(scene, velocities), other(withSetting(scene, setting), velocities);
   CurveDifference difference{

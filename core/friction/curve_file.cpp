@@ -95,18 +95,6 @@ bool hasNotes(const std::vector<CurvePoint>& points) {
 
 }  // namespace
 
-std::string curveHeader() {
-  std::string text;
-  for (const CurveColumn& column : kCurveColumns) text += column.name.text() + ",";
-  return text + kRealizations.text() + "\n";
-}
-
-std::string curveRow(const CurvePoint& point) {
-  std::string text;
-  for (const CurveColumn& column : kCurveColumns) text += csvNumber(point.*column.member) + ",";
-  return text + (point.realizations > 0 ? fmt::format("{}\n", point.realizations) : "\n");
-}
-
 NoteSet pointNoteSet(const CurvePoint& point) {
   NoteSet notes = point.notes;
   notes.add(Note::UnresolvedFriction, isUnresolved(point));

@@ -18,10 +18,6 @@
 
 namespace asperity {
 
-/// Return the names of the columns and the cells of a point, each with a line end.
-std::string curveHeader();
-std::string curveRow(const CurvePoint& point);
-
 /// Return the notes on a point, in words of the column `notes` (core/scene/notes.h) separated by
 /// blanks; empty for most points.
 /// `unresolved_friction`: more than half of the friction by Eq. (4) is the work of the elastic
@@ -55,6 +51,8 @@ CurveColumns columnsFor(const Scene& scene, bool hasForces = false);
 /// ones (local friction, an interval, notes, ...) where one of the curves needs them.
 class CurveTable {
  public:
+  /// Makes the columns of every curve alone, those of the files of figures.
+  CurveTable() = default;
   explicit CurveTable(std::span<const std::vector<CurvePoint>* const> curves,
                       CurveColumns columns = {});
   /// Makes the columns for rows that are no curve, because they differ in more than one key: a

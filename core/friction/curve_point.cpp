@@ -194,19 +194,12 @@ void LawColumns::addTo(CurvePoint& point, const CurveAverages& averages) const {
       point.meanPressure = point.nominalPressure / point.contactFraction;
   }
   if (!(rmsHeight_ > 0)) return;
-  const SlidingConditions conditions = slidingConditions(scene_, point.velocity);
   const double force = scene_.load.kind == LoadKind::Indentation
                            ? averages.normalForce.mean()
                            : loadOn(scene_.load, length_).normalForce;
   const double slope = slopesDiffer_ ? averages.rmsSlope.mean() : rmsSlope_;
-  const LawInput in{conditions.shearModulus,
-                    conditions.relaxationTime,
-                    length_,
-                    rmsHeight_,
-                    slope,
-                    scene_.surface.hurst,
-                    force,
-                    point.velocity};
+  const LawInput in = lawInput(elementLaw(scene_.elastomer), {rmsHeight_, slope}, length_,
+                               scene_.surface.hurst, force, point.velocity);
   point.normalizedMu = normalized(point.mu, averages);
   point.dimensionlessForce = dimensionlessForce(in);
   if (hasArms_) return;  // Eqs. (5) to (14) have one relaxation time

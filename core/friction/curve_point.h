@@ -25,7 +25,7 @@ struct SteadyResult;
 /// Not applicable: empty in CSV, null in JSON, not drawn.
 inline constexpr double kNotApplicable = std::numeric_limits<double>::quiet_NaN();
 
-/// One row of a friction curve; curve_file.h has its columns.
+/// One row of a friction curve. The columns of its tables are in core/friction/curve_file.cpp.
 struct CurvePoint {
   double velocity = 0;                      // m/s
   double mu = 0;                            // mean over realizations
@@ -111,8 +111,8 @@ struct CurveAverages {
 /// The properties of the lines that the columns of a state need; computed once for many states on
 /// the same lines.
 struct LineProperties {
-  double rmsHeight = 0;  // m, of the lines
-  double rmsSlope = 0;
+  double rmsHeight = 0;       // m, of the lines
+  double rmsSlope = 0;        // of the lines
   double length = 0;          // m
   bool slopesDiffer = false;  // from line to line
   bool hasRows = false;       // lines are rows of a topography

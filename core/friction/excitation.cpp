@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numbers>
 #include <utility>
 
+#include "core/base/statistics.h"
 #include "core/material/temperature_shift.h"
 #include "core/surface/line_source.h"
 #include "core/surface/spectrum.h"
@@ -56,27 +56,26 @@ NoteSet elastomerNotes(const Elastomer& elastomer, double rmsSlope, double share
 ExcitedWaves excitedWaves(const LineSource& source) {
   const FourierLine modes = modesOf(source);
   const double lowest = 2 * std::numbers::pi / modes.length;
-  // Logarithms of wave numbers are averaged by strength.
-  struct Sum {
-    double strength = 0, logWave = 0;
-    std::size_t count = 0;
-  };
-  std::map<int, Sum> sums;
+  std::vector<double> numbers, strengths;  // of the modes that the line has
   for (std::size_t j = 0; j < modes.coefficients.size(); ++j) {
     const auto number = static_cast<double>(j + 1);
     const double strength = lowest * number * std::norm(modes.coefficients[j]);
     if (!(strength > 0)) continue;
-    Sum& sum = sums[static_cast<int>(std::floor(kBandsPerDecade * std::log10(number)))];
-    sum.strength += strength;
-    sum.logWave += strength * std::log(lowest * number);
-    ++sum.count;
+    numbers.push_back(number);
+    strengths.push_back(strength);
   }
   std::vector<WaveBand> bands;
-  for (const auto& [interval, sum] : sums) {
-    const double wave = std::exp(sum.logWave / sum.strength);
+  for (const IndexRange& range : logBands(numbers, kBandsPerDecade)) {
+    // Logarithms of wave numbers are averaged by strength.
+    double sum = 0, logWave = 0;
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+      sum += strengths[i];
+      logWave += strengths[i] * std::log(lowest * numbers[i]);
+    }
+    const double wave = std::exp(logWave / sum);
     // A single mode of the long waves covers the distance to its neighbours.
-    const double decades = static_cast<double>(sum.count) * lowest / wave / std::numbers::ln10;
-    bands.push_back({wave, sum.strength, decades});
+    const double decades = static_cast<double>(range.size()) * lowest / wave / std::numbers::ln10;
+    bands.push_back({wave, sum, decades});
   }
   return std::make_shared<const std::vector<WaveBand>>(std::move(bands));
 }

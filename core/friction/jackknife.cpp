@@ -117,9 +117,8 @@ double GroupedMeans::marginalFraction(std::size_t j, std::size_t i) const {
 }
 
 LawInput GroupedMeans::lawInput(std::size_t j, std::size_t i) const {
-  const SlidingConditions conditions = slidingConditions(scene_, velocities(j)[i]);
-  return {conditions.shearModulus, conditions.relaxationTime, length_,        line_.rmsHeight,
-          line_.rmsSlope,          scene_.surface.hurst,      normalForce(j), velocities(j)[i]};
+  return asperity::lawInput(elementLaw(scene_.elastomer), line_, length_, scene_.surface.hurst,
+                            normalForce(j), velocities(j)[i]);
 }
 
 CurvePoint GroupedMeans::point(std::size_t j, std::size_t i) const {

@@ -9,6 +9,9 @@
 
 #include <span>
 
+#include "core/material/element_law.h"
+#include "core/surface/line.h"
+
 namespace asperity {
 
 struct LawInput {
@@ -21,6 +24,21 @@ struct LawInput {
   double normalForce = 0;     // N
   double velocity = 0;        // m/s
 };
+
+/// Returns the input for lines with these statistics, of length (m) and Hurst exponent, under a
+/// normal force (N) on one period. For an element with arms, Eq. (14) holds with its equilibrium
+/// modulus; Eqs. (5) to (13) need the only relaxation time of Kelvin's element.
+inline LawInput lawInput(const ElementLaw& law, const LineStatistics& lines, double length,
+                         double hurst, double normalForce, double velocity) {
+  return {law.equilibriumModulus,
+          law.relaxationTime,
+          length,
+          lines.rmsHeight,
+          lines.rmsSlope,
+          hurst,
+          normalForce,
+          velocity};
+}
 
 /// Eq. (5): mu = beta tau v grad^2 / h (G h L / F_N)^alpha, at low velocities and partial contact.
 double lowVelocityFriction(const LawInput& in, double alpha, double beta);

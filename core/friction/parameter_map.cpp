@@ -85,9 +85,7 @@ void checkMap(const Scene& scene, const MapAxis& x, const MapAxis& y) {
     throw InputError("", std::string(y.key()),
                      message("{} times {} points are more than {} cells", x.values.size(),
                              y.values.size(), kMaxCells));
-  requireNoTarget(scene,
-                  "a map has the same lines in every cell; give accuracy.scheme and "
-                  "ensemble.realizations instead of a target");
+  requireNoTarget(scene, "a map has the same lines in every cell");
 }
 
 StateOptions stateOptions(const MapOptions& options) {
@@ -171,7 +169,6 @@ MapAxis mapAxis(const Scene& scene, const ParameterRange& range, const Parameter
 }
 
 ParameterRange usualMapRange(const Scene& scene, const Parameter& row, std::int64_t points) {
-  constexpr double kFactor = 100;  // two decades to each side
   const AllowedRange allowed = *allowedRange(row);
   const double now = parameterNumber(row, scene);
   const SliderRange slider = *sliderRange(row);
@@ -181,12 +178,12 @@ ParameterRange usualMapRange(const Scene& scene, const Parameter& row, std::int6
     range.from = scene.sweep.velocityFrom;
     range.to = scene.sweep.velocityTo;
   } else if (range.isLogarithmic) {
-    range.from = std::max(range.from, now / kFactor);
-    range.to = std::min(range.to, now * kFactor);
+    range.from = std::max(range.from, now / kUsualRangeFactor);
+    range.to = std::min(range.to, now * kUsualRangeFactor);
   }
   if (range.isLogarithmic && !(range.from < range.to)) {  // the value lies beyond its slider
-    range.from = now / kFactor;
-    range.to = now * kFactor;
+    range.from = now / kUsualRangeFactor;
+    range.to = now * kUsualRangeFactor;
   }
   range.from = std::max(std::min(range.from, now), allowed.minimum);
   range.to = std::min(std::max(range.to, now), allowed.maximum);

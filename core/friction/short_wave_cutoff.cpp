@@ -58,9 +58,7 @@ std::vector<CutoffPoint> frictionOverCutoff(const Scene& scene, const StateOptio
     throw InputError("", "surface.kind",
                      "has no short waves to remove; a random line, a profile, a spectrum or a "
                      "measured surface has");
-  requireNoTarget(scene,
-                  "all cut-offs have the same lines; give accuracy.scheme and "
-                  "ensemble.realizations instead of a target");
+  requireNoTarget(scene, "all cut-offs have the same lines");
   const LineExtent extent = lineExtent(scene);
   const std::size_t all = modeCount(static_cast<std::size_t>(extent.elements));
   const double before = hasSurfaceFile(scene.surface) && scene.surface.kind != SurfaceKind::Profile

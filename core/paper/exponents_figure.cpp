@@ -162,24 +162,20 @@ Claim prefactorClaim(const std::vector<Coefficients>& all) {
 }  // namespace
 
 void addExponentsFigure(Figure& figure, const FigureOptions& options) {
-  const std::vector<double> exponents = elevenHurstExponents();
-  FigureWork work(options, static_cast<double>(exponents.size()));
   std::vector<Coefficients> all;
   figure.csv = joinedColumns({"hurst", "alpha", "alpha_standard_error", "alpha_law", "beta",
                               "beta_standard_error", "alpha_up_to_1",
                               "alpha_up_to_1_standard_error", "realizations"}) +
                "\n";
-  for (const double hurst : exponents) {
-    Scene scene = figure.scene;
-    scene.surface.hurst = hurst;
-    const double slope = LineSource(scene, 1).statistics().rmsSlope;
-    const GroupedMeans means(scene, zone1Cases(scene, slope), work.next(1));
-    const Coefficients& one = all.emplace_back(fitCoefficients(means));
-    figure.csv += fmt::format(
-        "{},{},{},{},{},{},{},{},{}\n", hurst, one.alpha.value, csvNumber(one.alpha.standardError),
-        forceExponent(hurst), one.beta.value, csvNumber(one.beta.standardError),
-        one.wideAlpha.value, csvNumber(one.wideAlpha.standardError), means.realizations());
-  }
+  forEachHurst(figure.scene, elevenHurstExponents(), options, zone1Cases,
+               [&](double hurst, const GroupedMeans& means) {
+                 const Coefficients& one = all.emplace_back(fitCoefficients(means));
+                 figure.csv += fmt::format(
+                     "{},{},{},{},{},{},{},{},{}\n", hurst, one.alpha.value,
+                     csvNumber(one.alpha.standardError), forceExponent(hurst), one.beta.value,
+                     csvNumber(one.beta.standardError), one.wideAlpha.value,
+                     csvNumber(one.wideAlpha.standardError), means.realizations());
+               });
   figure.sheet.diagrams = {alphaDiagram(all), betaDiagram(all)};
   figure.sheet.note = sentences(
       {"In the limit of low velocity. \u03B1 depends on the range of forces that it is fitted to; "

@@ -6,6 +6,7 @@
 
 #include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"
+#include "core/surface/line_source.h"
 
 namespace asperity {
 namespace {
@@ -176,6 +177,19 @@ GroupedMeans FigureWork::computeMeans(const Scene& scene, const std::vector<doub
   return {scene, normalForces, velocities, next(cost)};
 }
 
+void forEachHurst(const Scene& scene, std::span<const double> exponents,
+                  const FigureOptions& options,
+                  const std::function<std::vector<LoadCase>(const Scene&, double rmsSlope)>& cases,
+                  const std::function<void(double hurst, GroupedMeans means)>& use) {
+  FigureWork work(options, static_cast<double>(exponents.size()));
+  for (const double hurst : exponents) {
+    Scene one = scene;
+    one.surface.hurst = hurst;
+    const double slope = LineSource(one, 1).statistics().rmsSlope;
+    use(hurst, GroupedMeans(one, cases(one, slope), work.next(1)));
+  }
+}
+
 DiagramSeries frictionSeries(const GroupedMeans& means, std::size_t j, Message name) {
   DiagramSeries series;
   series.name = std::move(name);
@@ -214,7 +228,7 @@ Diagram frictionDiagram() {
 std::string tableRows(const GroupedMeans& means, std::size_t j, const std::string& lead) {
   std::string text;
   for (std::size_t i = 0; i < means.velocities(j).size(); ++i)
-    text += lead + curveRow(means.point(j, i));
+    text += lead + CurveTable().row(means.point(j, i)) + "\n";
   return text;
 }
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -107,6 +108,13 @@ class FigureWork {
   const FigureOptions& options_;
   double total_, done_ = 0;
 };
+
+/// Computes means for each Hurst exponent of the scene's lines, under the loads that `cases`
+/// returns for a scene and the rms slope of its lines, and passes them to `use`.
+void forEachHurst(const Scene& scene, std::span<const double> exponents,
+                  const FigureOptions& options,
+                  const std::function<std::vector<LoadCase>(const Scene&, double rmsSlope)>& cases,
+                  const std::function<void(double hurst, GroupedMeans means)>& use);
 
 /// Returns mu / rms slope over velocity with one standard error; the other function returns Eq.
 /// (11) over the same velocities.

@@ -43,7 +43,7 @@ void addForcesFigure(Figure& figure, const FigureOptions& options) {
   FigureWork work(options, 20 + kZoneClaimsCost);
   const GroupedMeans means =
       work.computeMeans(figure.scene, paperForces(), sweepVelocities(figure.scene.sweep), 20);
-  figure.csv = joinedColumns({"normal_force"}) + "," + curveHeader();
+  figure.csv = joinedColumns({"normal_force"}) + "," + CurveTable().header() + "\n";
   for (std::size_t j = 0; j < means.forces(); ++j)
     figure.csv += tableRows(means, j, fmt::format("{},", means.normalForce(j)));
   figure.sheet.diagrams.push_back(forcesDiagram(means));

@@ -131,7 +131,7 @@ void addHurstFigure(Figure& figure, const FigureOptions& options) {
   FigureWork work(options, static_cast<double>(exponents.size()));
   std::vector<GroupedMeans> allMeans;
   Diagram diagram = frictionDiagram();
-  figure.csv = joinedColumns({"hurst"}) + "," + curveHeader();
+  figure.csv = joinedColumns({"hurst"}) + "," + CurveTable().header() + "\n";
   for (std::size_t k = 0; k < exponents.size(); ++k) {
     Scene scene = figure.scene;
     scene.surface.hurst = exponents[k];

@@ -246,7 +246,8 @@ void addMasterFigure(Figure& figure, const FigureOptions& options) {
   after.series.push_back(law);
 
   std::vector<GroupedMeans> allMeans;
-  figure.csv = joinedColumns({"variant", "velocity_shift", "friction_shift"}) + "," + curveHeader();
+  figure.csv = joinedColumns({"variant", "velocity_shift", "friction_shift"}) + "," +
+               CurveTable().header() + "\n";
   for (const Variant& variant : variants) {
     const GroupedMeans& means = allMeans.emplace_back(work.computeMeans(
         variant.scene, {variant.scene.load.normalForce}, sweepVelocities(variant.scene.sweep), 1));

@@ -8,7 +8,6 @@
 #include "core/base/number_text.h"
 #include "core/paper/figure_parts.h"
 #include "core/scene/columns.h"
-#include "core/surface/line_source.h"
 
 namespace asperity {
 namespace {
@@ -161,29 +160,27 @@ Claim strongerClaim(const std::vector<Tops>& all) {
 }  // namespace
 
 void addPlateauFigure(Figure& figure, const FigureOptions& options) {
-  const std::vector<double> exponents = sixHurstExponents();
-  FigureWork work(options, static_cast<double>(exponents.size()));
   std::vector<Tops> all;
   figure.csv = joinedColumns({"hurst", "normal_force", "dimensionless_force", "plateau",
                               "plateau_standard_error", "velocity_of_plateau", "contact_fraction",
                               "slope_in_contact_over_slope", "realizations"}) +
                "\n";
-  for (const double hurst : exponents) {
-    Scene scene = figure.scene;
-    scene.surface.hurst = hurst;
-    const double slope = LineSource(scene, 1).statistics().rmsSlope;
-    GroupedMeans means(scene, plateauCases(scene, slope, paperForces()), work.next(1));
-    std::vector<Top> tops;
-    for (std::size_t j = 0; j < means.forces(); ++j) {
-      const Top& top = tops.emplace_back(findTop(means, j));
-      figure.csv += fmt::format("{},{},{},{},{},{},{},{},{}\n", hurst, means.normalForce(j),
-                                top.force, top.normalizedMu.value,
-                                csvNumber(top.normalizedMu.standardError), top.plateau.velocity,
-                                top.contactFraction, top.slopeRatio, means.realizations());
-    }
-    const int groups = means.groups();
-    all.push_back({hurst, groups, std::move(means), std::move(tops)});
-  }
+  const auto cases = [](const Scene& scene, double rmsSlope) {
+    return plateauCases(scene, rmsSlope, paperForces());
+  };
+  forEachHurst(
+      figure.scene, sixHurstExponents(), options, cases, [&](double hurst, GroupedMeans means) {
+        std::vector<Top> tops;
+        for (std::size_t j = 0; j < means.forces(); ++j) {
+          const Top& top = tops.emplace_back(findTop(means, j));
+          figure.csv += fmt::format("{},{},{},{},{},{},{},{},{}\n", hurst, means.normalForce(j),
+                                    top.force, top.normalizedMu.value,
+                                    csvNumber(top.normalizedMu.standardError), top.plateau.velocity,
+                                    top.contactFraction, top.slopeRatio, means.realizations());
+        }
+        const int groups = means.groups();
+        all.push_back({hurst, groups, std::move(means), std::move(tops)});
+      });
   figure.sheet.diagrams = {plateauDiagram(all)};
   figure.sheet.note =
       "The maximum of each averaged curve \u03BC(v), with one standard error. \u221A2 assumes "

@@ -75,7 +75,7 @@ void addSpacingFigure(Figure& figure, const FigureOptions& options) {
   plain.title = "coefficient of friction";
   plain.y.title = "friction \u03BC";
   normalized.title = "over the rms slope";
-  figure.csv = joinedColumns({"spacing", "rms_slope"}) + "," + curveHeader();
+  figure.csv = joinedColumns({"spacing", "rms_slope"}) + "," + CurveTable().header() + "\n";
   std::vector<GroupedMeans> allMeans;
   for (std::size_t k = 0; k < spacings.size(); ++k) {
     Scene scene = figure.scene;

@@ -85,7 +85,7 @@ Diagram velocityDiagram(const Curves& curves) {
 }
 
 std::string curvesTable(const Curves& curves) {
-  std::string text = joinedColumns({"curve"}) + "," + curveHeader();
+  std::string text = joinedColumns({"curve"}) + "," + CurveTable().header() + "\n";
   text += tableRows(curves.resolved, 0, "resolved,");
   const LawInput in = curves.resolved.lawInput(0, 0);
   const auto add = [&](const std::vector<ElementPoint>& points, const char* lead) {
@@ -103,7 +103,7 @@ std::string curvesTable(const Curves& curves) {
       point.dimensionlessVelocity = dimensionlessVelocity(at);
       point.dimensionlessForce = dimensionlessForce(at);
       point.realizations = static_cast<std::int64_t>(element.normalizedMu.size());
-      text += lead + curveRow(point);
+      text += lead + CurveTable().row(point) + "\n";
     }
   };
   add(curves.literal, "literal,");

@@ -19,10 +19,6 @@ PrintedNumber coefficient(double mu) {
   return {printedNumber(mu, 3, Zeros::Keep)};
 }
 
-PrintedNumber percent(double part, int digits = 3) {
-  return {printedNumber(100 * part, digits)};
-}
-
 /// Returns the velocity at this moment, m/s; above 0 the line moves to the right.
 double velocityOf(const Frame& frame) {
   return frame.transient ? frame.velocity : frame.scene->sliding.velocity;
@@ -52,8 +48,8 @@ Message touchInWords(const Frame& frame, const ContactState& state) {
   if (state.contactFraction >= 1) return message("All of the surface is in contact.");
   double longest = 0;
   for (const ContactInterval& contact : contacts) longest = std::max(longest, contact.length);
-  const PrintedNumber part = percent(state.contactFraction), period = printed(frame.length, "m"),
-                      length = printed(longest, "m");
+  const PrintedNumber part = printedPercent(state.contactFraction),
+                      period = printed(frame.length, "m"), length = printed(longest, "m");
   // Between two nodes the picture may have a point more or fewer than the steady state.
   if (contacts.size() == 1)
     return message("They touch at one contact of {}, which is {} % of the period of {}.",
@@ -97,7 +93,7 @@ Message curveInWords(const CurveAtVelocity& curve) {
   const double share = std::abs(curve.error / curve.mu);
   if (curve.lines > 1 && std::isfinite(curve.mu) && share > kRounding)
     mean = message("The mean of {} lines is {} ± {} %.", curve.lines, coefficient(curve.mu),
-                   percent(share, 1));
+                   printedPercent(share, 1));
   if (!curve.region.empty())
     region = message("This is region {} of the friction curve, {}.", curve.region,
                      Message(regionWord(curve.region)));

@@ -10,9 +10,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "core/friction/curve_point.h"
+#include "core/friction/law.h"
 #include "core/scene/scene.h"
 
 namespace asperity {
@@ -57,7 +59,7 @@ struct TransientSample {
   double contactLength = 0;  // m, mean of one contact spot
   /// 1/s, rate at which friction is expected to relax: 1 / tau + |v| / contactLength. Exact to
   /// about 1 % for one contact of Kelvin elements at constant force; approximate on rough lines.
-  /// NaN for elements of other kinds.
+  /// NaN for elements of another kind than Kelvin's.
   double predictedRate = kNotApplicable;
 };
 
@@ -119,6 +121,13 @@ struct Frame {
   std::shared_ptr<const std::vector<TransientSample>> later;
 };
 
+/// Returns the normal force (N) of line loads (N/m) at points with this spacing (m).
+inline double normalForce(std::span<const double> lineLoads, double spacing) {
+  double force = 0;
+  for (const double load : lineLoads) force += load * spacing;
+  return force;
+}
+
 /// Returns dz/dx of the rigid line at a point; of a frame without slopes the central difference of
 /// the heights.
 inline double lineSlopeAt(const Frame& frame, std::size_t point) {
@@ -126,6 +135,13 @@ inline double lineSlopeAt(const Frame& frame, std::size_t point) {
   if (frame.lineSlope.size() == n) return frame.lineSlope[point];
   const double rise = frame.lineHeight[(point + 1) % n] - frame.lineHeight[(point + n - 1) % n];
   return rise / (2 * frame.spacing);
+}
+
+/// Returns the input of Eqs. (13) and (14) for the line in a frame, at a velocity (m/s).
+inline LawInput lawInput(const Frame& frame, double velocity) {
+  const Scene& scene = *frame.scene;
+  return lawInput(elementLaw(scene.elastomer), {frame.rmsHeight, frame.rmsSlope}, frame.length,
+                  scene.surface.hurst, frame.normalForce, velocity);
 }
 
 }  // namespace asperity

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/base/number_text.h"
+#include "core/base/statistics.h"
 #include "core/contact/line/polynomial.h"
 #include "core/surface/line_source.h"
 #include "core/surface/spectrum.h"
@@ -35,23 +36,23 @@ Spectrum bandMeans(const FourierLine& modes) {
   const double lowest = lowestWave(modes.length);
   double greatest = 0;
   for (const auto& c : modes.coefficients) greatest = std::max(greatest, std::norm(c));
-  struct Sum {
-    double logWave = 0, logDensity = 0, count = 0;
-  };
-  std::map<int, Sum> bands;
+  std::vector<double> numbers, logWaves, logDensities;
   for (std::size_t j = 0; j < modes.coefficients.size(); ++j) {
     const double square = std::norm(modes.coefficients[j]);
     if (!(square > kMinDensity * greatest)) continue;
-    const auto mode = static_cast<double>(j + 1);
-    Sum& sum = bands[static_cast<int>(std::lround(kBandsPerDecade * std::log10(mode)))];
-    sum.logWave += std::log(lowest * mode);
-    sum.logDensity += std::log(square / lowest);
-    sum.count += 1;
+    const auto number = static_cast<double>(j + 1);
+    numbers.push_back(number);
+    logWaves.push_back(std::log(lowest * number));
+    logDensities.push_back(std::log(square / lowest));
   }
+  constexpr double kCentred = 0.5;  // each power of ten is in the middle of a band
   Spectrum spectrum;
-  for (const auto& [band, sum] : bands) {
-    spectrum.waveNumber.push_back(std::exp(sum.logWave / sum.count));
-    spectrum.density.push_back(std::exp(sum.logDensity / sum.count));
+  for (const IndexRange& band : logBands(numbers, kBandsPerDecade, kCentred)) {
+    const auto meanOf = [&band](const std::vector<double>& values) {
+      return mean(std::span(values).subspan(band.begin, band.size()));
+    };
+    spectrum.waveNumber.push_back(std::exp(meanOf(logWaves)));
+    spectrum.density.push_back(std::exp(meanOf(logDensities)));
   }
   return spectrum;
 }
@@ -370,18 +371,13 @@ SlopeStatistics slopeStatistics(const Frame& frame) {
   std::vector<double> slopes = slopesOf(frame), contact;
   if (slopes.empty()) return statistics;
   const double way = frame.velocity < 0 ? -1 : 1;
-  double square = 0, contactSquare = 0, climbing = 0;
-  for (double& slope : slopes) {
-    slope *= way;
-    square += slope * slope;
-  }
-  const double rms = std::sqrt(square / static_cast<double>(slopes.size()));
-  if (!(rms > 0)) return statistics;
+  const double rmsSlope = rms(slopes);
+  if (!(rmsSlope > 0)) return statistics;
+  double climbing = 0;
   for (std::size_t i = 0; i < slopes.size(); ++i) {
-    slopes[i] /= rms;
+    slopes[i] = way * slopes[i] / rmsSlope;
     if (!(frame.pressure[i] > 0)) continue;
     contact.push_back(slopes[i]);
-    contactSquare += slopes[i] * slopes[i];
     climbing += slopes[i] > 0 ? 1 : 0;
   }
   const std::size_t bins = countBins(contact.empty() ? slopes.size() : contact.size());
@@ -389,7 +385,7 @@ SlopeStatistics slopeStatistics(const Frame& frame) {
   if (contact.empty()) return statistics;
   statistics.contact = makeHistogram(contact, -kMaxSlopes, kMaxSlopes, bins);
   statistics.climbing = climbing / static_cast<double>(contact.size());
-  statistics.rmsContact = std::sqrt(contactSquare / static_cast<double>(contact.size()));
+  statistics.rmsContact = rms(contact);
   return statistics;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/number_text.h"
+#include "core/base/statistics.h"
 #include "core/run/line_diagrams.h"
 
 namespace asperity {
@@ -77,22 +78,17 @@ std::vector<Diagram> profileDiagrams(const MeasuredSummary& summary) {
 
 /// Returns means over intervals of log q, as the eye would average them.
 std::vector<DiagramPoint> spectrumPoints(const SpectralDensity& spectrum) {
-  constexpr double kToDecade = 24;
+  constexpr double kPointsPerDecade = 24;
   std::vector<DiagramPoint> points;
-  double wave = 0, density = 0, count = 0, stretch = -1e9;
-  const auto finish = [&] {
-    if (count > 0 && density > 0) points.push_back({std::exp(wave / count), density / count});
-    wave = density = count = 0;
-  };
-  for (std::size_t i = 0; i < spectrum.waveNumber.size(); ++i) {
-    const double interval = std::floor(kToDecade * std::log10(spectrum.waveNumber[i]));
-    if (interval != stretch) finish();
-    stretch = interval;
-    wave += std::log(spectrum.waveNumber[i]);
-    density += spectrum.density[i];
-    count += 1;
+  for (const IndexRange& band : logBands(spectrum.waveNumber, kPointsPerDecade)) {
+    double wave = 0, density = 0;
+    for (std::size_t i = band.begin; i < band.end; ++i) {
+      wave += std::log(spectrum.waveNumber[i]);
+      density += spectrum.density[i];
+    }
+    const auto count = static_cast<double>(band.size());
+    if (density > 0) points.push_back({std::exp(wave / count), density / count});
   }
-  finish();
   return points;
 }
 

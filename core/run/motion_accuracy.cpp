@@ -16,8 +16,8 @@ namespace asperity {
 namespace {
 
 constexpr double kPieceWork = 3e6;  // steps times elements of a piece for each region
-// Marches of a pilot, in units of the march as given: that one, two with halved steps, four with
-// finer elements, two for settling.
+// Work of a pilot in units of the march as it is: 1 for itself, 2 with half the step, 4 with twice
+// the elements, 2 for settling.
 constexpr double kMarches = 9;
 /// Steps times elements of a pilot: a tenth of the motion, at least about 20 ms and at most 0.2 s.
 constexpr double kMinWork = 2.5e6, kMaxWork = 1.5e7;
@@ -213,7 +213,6 @@ Prediction predictMotion(const Scene& scene, const std::stop_token& stop) {
   const Measured measured = measure(begin.scene, begin.rigid, piece, stop);
   prediction.operations = kMarches * measured.march.steps * elements * weight;
   prediction.error = measured.error;
-  prediction.pilotLines = 1;
   prediction.seconds =
       larger * (begin.seconds + measured.march.seconds / measured.march.steps * steps);
   return prediction;
@@ -234,7 +233,7 @@ void addMarchErrors(WorkPrecision& comparison, const std::stop_token& stop) {
                               0};
     Sliding& sliding = piece.scene.sliding;
     sliding.kind = SlidingKind::Step;  // with a step that changes nothing
-    sliding.velocity = std::sqrt(region.velocities.front() * region.velocities.back());
+    sliding.velocity = region.middleVelocity();
     sliding.velocityAfter = sliding.velocity;
     const auto rigid = std::make_shared<const RigidLine>(piece.scene);
     const double steps = std::max(std::floor(kPieceWork / nodesOf(*rigid)), kMinWindows * kWindow);

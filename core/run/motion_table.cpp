@@ -8,6 +8,8 @@
 #include <limits>
 #include <mutex>
 #include <set>
+#include <utility>
+#include <variant>
 
 #include "core/base/input_error.h"
 #include "core/base/jobs.h"
@@ -20,7 +22,9 @@
 #include "core/run/transient.h"
 #include "core/run/transient_diagram.h"
 #include "core/scene/columns.h"
+#include "core/scene/data_table.h"
 #include "core/scene/provenance.h"
+#include "core/scene/scene_check.h"
 #include "core/surface/line_source.h"
 
 namespace asperity {
@@ -61,8 +65,27 @@ constexpr std::array<MotionColumn, 11> kMotionColumns{{
 }};
 constexpr ColumnName kMuInterface = "mu_interface", kRealization = "realization";
 
-double muInterface(const MotionTable& table, const TransientSample& row) {
-  return table.hasInterface && row.velocity != 0 ? row.muInterface : kNotApplicable;
+std::vector<std::string> columnNames() {
+  std::vector<std::string> names;
+  for (const MotionColumn& column : kMotionColumns) names.push_back(column.name.text());
+  names.push_back(kMuInterface.text());
+  names.push_back(kRealization.text());
+  return names;
+}
+
+/// Calls a function with the cells of every row, line after line. A table of millions of rows is
+/// too long to keep all its cells.
+template <class Function>
+void forEachRow(const MotionTable& table, const Function& function) {
+  for (std::size_t line = 0; line < table.lines.size(); ++line)
+    for (const TransientSample& sample : table.lines[line]) {
+      std::vector<TableCell> row;
+      for (const MotionColumn& column : kMotionColumns) row.emplace_back(column.value(sample));
+      const bool slides = table.hasInterface && sample.velocity != 0;
+      row.emplace_back(slides ? sample.muInterface : kNotApplicable);
+      row.emplace_back(static_cast<std::int64_t>(line));
+      function(row);
+    }
 }
 
 /// Computes means of single steps over parts of the duration, and sums of their errors.
@@ -244,17 +267,10 @@ std::vector<std::int64_t> differentLines(const Scene& scene, std::int64_t lines)
   return realizations;
 }
 
-void checkOptions(const Scene& scene) {
-  if (scene.sliding.kind == SlidingKind::Steady)
-    throw InputError("", "sliding.kind",
-                     "is steady, so nothing changes in time; asperity motion needs start, step, "
-                     "oscillation or reversal");
-}
-
 }  // namespace
 
 MotionTable marchMotion(const Scene& scene, const MotionOptions& options) {
-  checkOptions(scene);
+  requireMotion(scene, Message::name("asperity motion"));
   const std::vector<std::int64_t> realizations = differentLines(scene, options.lines);
   const auto first = std::make_shared<const RigidLine>(scene);
   Transient beginning(scene, first);
@@ -302,25 +318,18 @@ MotionTable marchMotion(const Scene& scene, const MotionOptions& options) {
 
 std::vector<MotionValues> motionColumns(const MotionTable& table) {
   std::vector<MotionValues> columns;
-  const auto add = [&](const ColumnName& name, const auto& value) {
-    std::vector<double>& values = columns.emplace_back(MotionValues{name.text(), {}}).values;
-    for (const std::vector<TransientSample>& line : table.lines)
-      for (const TransientSample& row : line) values.push_back(value(row));
-  };
-  for (const MotionColumn& column : kMotionColumns) add(column.name, column.value);
-  add(kMuInterface, [&](const TransientSample& row) { return muInterface(table, row); });
+  for (std::string& name : columnNames()) columns.push_back({std::move(name), {}});
+  columns.pop_back();  // the realization
+  forEachRow(table, [&](const std::vector<TableCell>& row) {
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      columns[i].values.push_back(std::get<double>(row[i]));
+  });
   return columns;
 }
 
 std::string motionCsv(const MotionTable& table) {
-  std::string text;
-  for (const MotionColumn& column : kMotionColumns) text += column.name.text() + ",";
-  text += joinedColumns({kMuInterface, kRealization}) + "\n";
-  for (std::size_t line = 0; line < table.lines.size(); ++line)
-    for (const TransientSample& row : table.lines[line]) {
-      for (const MotionColumn& column : kMotionColumns) text += csvNumber(column.value(row)) + ",";
-      text += csvNumber(muInterface(table, row)) + fmt::format(",{}\n", line);
-    }
+  std::string text = fmt::format("{}\n", fmt::join(columnNames(), ","));
+  forEachRow(table, [&](const std::vector<TableCell>& row) { text += csvLine(row); });
   return text;
 }
 
@@ -338,15 +347,9 @@ Json motionProvenance(const std::string& verb, const Scene& scene, const MotionT
 
 std::string motionJson(const Scene& scene, const MotionTable& table) {
   Json rows = Json::array();
-  for (std::size_t line = 0; line < table.lines.size(); ++line)
-    for (const TransientSample& sample : table.lines[line]) {
-      Json row;
-      for (const MotionColumn& column : kMotionColumns)
-        row[column.name.text()] = numberOrNull(column.value(sample));
-      row[kMuInterface.text()] = numberOrNull(muInterface(table, sample));
-      row[kRealization.text()] = line;
-      rows.push_back(std::move(row));
-    }
+  const std::vector<std::string> names = columnNames();
+  forEachRow(table,
+             [&](const std::vector<TableCell>& row) { rows.push_back(jsonObject(names, row)); });
   Json root = motionProvenance("motion", scene, table);
   root["points"] = std::move(rows);
   return jsonFile(root);

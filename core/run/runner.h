@@ -90,11 +90,14 @@ struct RunnerMessage {
   Message text;     // one sentence
 };
 
+/// The pace is the time (s) on the screen in which the line moves by one period, or a whole motion
+/// takes place: the one of a new window, and the slowest one with which an opened scene begins.
+inline constexpr double kDefaultPace = 12, kSlowestFirstPace = 60;
+
 struct RunnerOptions {
   int threads = 0;              // for the curve; 0: as many as the machine has
   double framesPerSecond = 60;  // maximum number of frames
-  /// The default pace: seconds on the screen for one period of the line, or for a whole motion.
-  double secondsPerPeriod = 12;
+  double secondsPerPeriod = kDefaultPace;
   /// Called on the curve's thread when there is a curve update; must return at once. May be empty.
   std::function<void()> curveUpdated{};
 

@@ -21,16 +21,35 @@ constexpr double kMinElements = 3.5;
 constexpr double kContactsKept =
     0.99;  // previous weight in the next step, so that contact borders do not flicker
 
-// A picture closer than this to the steady state, in indentation and normal force, shows the steady
-// state.
-constexpr double kSettled = 0.02;
-// A picture that gets no closer for this many frames oscillates about the steady state of its
-// elements.
-constexpr int kFramesOfRipple = 60;
-
 // Limits of a single step: this many times the element-steps of a frame, and for a motion at most
 // this part of its duration.
 constexpr double kBudgetByHand = 10, kMotionByHand = 0.005;
+
+}  // namespace
+
+void Settling::begin(double latestEnd) {
+  latestEnd_ = latestEnd;
+  first_ = 0;
+  framesNoNearer_ = 0;
+}
+
+void Settling::take(double distance) {
+  if (first_ == 0) first_ = smallest_ = distance;
+  // With a slow arm the state creeps closer by more than rounding.
+  const bool isNearer = std::abs(distance) < (1 - 1e-9) * std::abs(smallest_);
+  if (isNearer) smallest_ = distance;
+  framesNoNearer_ = isNearer ? 0 : framesNoNearer_ + 1;
+  if (isNear(distance)) end();
+}
+
+bool Settling::isNear(double distance) const {
+  constexpr double kSettled = 0.02;  // in indentation and normal force
+  constexpr int kFramesOfRipple = 60;
+  return std::abs(distance) <= kSettled || distance * first_ < 0 ||
+         framesNoNearer_ > kFramesOfRipple;
+}
+
+namespace {
 
 /// The normal force (N) and contact fraction of the elements as they are drawn.
 struct Pressed {
@@ -38,14 +57,9 @@ struct Pressed {
 };
 
 Pressed pressedIn(const Frame& frame) {
-  Pressed pressed;
-  std::size_t touching = 0;
-  for (const double pressure : frame.pressure) {
-    pressed.force += pressure * frame.spacing;
-    touching += pressure > 0 ? 1 : 0;
-  }
-  pressed.fraction = static_cast<double>(touching) / static_cast<double>(frame.pressure.size());
-  return pressed;
+  const auto touching = std::ranges::count_if(frame.pressure, [](double load) { return load > 0; });
+  return {normalForce(frame.pressure, frame.spacing),
+          static_cast<double>(touching) / static_cast<double>(frame.pressure.size())};
 }
 
 std::shared_ptr<const RigidLine> rigidOf(const Scene& scene, const Scene* last,
@@ -124,10 +138,8 @@ void Simulation::update(std::shared_ptr<const Scene> scene, std::uint64_t number
                   ready_->sliding->law());
   march.continueFrom(*march_);
   march_ = std::move(march);
-  settlesUntil_ = time_ + settlingTime();
+  settling_.begin(time_ + settlingTime());
   isChanged_ = true;
-  settlesFrom_ = 0;
-  framesNoNearer_ = 0;
   recordFields();
   // Another line may penetrate the present shape, or be above it: the load presses it in before it
   // is shown.
@@ -156,7 +168,8 @@ void Simulation::settle(double distance) {
   march_ = ready_->velocity() > 0 ? steadyMarch(*ready_->rigid, *ready_->sliding,
                                                 ready_->velocity(), ready_->steady, distance)
                                   : restingMarch(*ready_->rigid, *ready_->scene, distance);
-  timeScale_ = settlesUntil_ = touching_ = contactSpots_ = 0;
+  timeScale_ = touching_ = contactSpots_ = 0;
+  settling_.end();
   isChanged_ = false;
   recordFields();
   clearReading();
@@ -265,8 +278,7 @@ void Simulation::advanceSteadily(double part) {
   } else {
     stepOnce(restTimeStep(), 0);
   }
-  watchSettling();
-  if (hasArrived()) settlesUntil_ = 0;
+  settling_.take(awayFromSteady());
 }
 
 bool Simulation::beginsAnew() {
@@ -432,10 +444,10 @@ void Simulation::addSteady(Frame& frame) const {
   frame.steadyPressure =
       isSettling() && std::isnan(ready_->greatestPressure) ? 0 : ready_->greatestPressure;
   frame.isSettling = isSettling();
-  if (frame.isSettling) frame.drawn = drawnState(frame);
+  if (frame.isSettling) frame.drawn = marchedState(frame);
 }
 
-ContactState Simulation::drawnState(const Frame& frame) const {
+ContactState Simulation::marchedState(const Frame& frame) const {
   const Pressed pressed = pressedIn(frame);
   ContactState drawn{.indentation = march_->indentation(),
                      .normalForce = pressed.force,
@@ -460,27 +472,10 @@ double Simulation::settlingTime() const {
   return element + (velocity > 0 ? ready_->line().length / velocity : 0);
 }
 
-/// Returns whether the picture is settling. The march of a coarse line never reaches the
-/// indentation of the resolved one: therefore the time is limited. At the end the steady state
-/// invisibly replaces the march in the picture.
+/// Returns whether the picture is settling. At the end the steady state invisibly replaces the
+/// march in the picture.
 bool Simulation::isSettling() const {
-  return time_ < settlesUntil_ && !hasArrived();
-}
-
-/// Returns whether the state is near the steady state, past it, or no longer gets closer: few
-/// elements in contact oscillate about their own steady state.
-bool Simulation::hasArrived() const {
-  const double away = awayFromSteady();
-  return std::abs(away) <= kSettled || away * settlesFrom_ < 0 || framesNoNearer_ > kFramesOfRipple;
-}
-
-void Simulation::watchSettling() {
-  const double away = awayFromSteady();
-  if (settlesFrom_ == 0) settlesFrom_ = nearest_ = away;
-  // With a slow arm the state creeps closer by more than rounding.
-  const bool isNearer = std::abs(away) < (1 - 1e-9) * std::abs(nearest_);
-  if (isNearer) nearest_ = away;
-  framesNoNearer_ = isNearer ? 0 : framesNoNearer_ + 1;
+  return settling_.isOn(time_) && !settling_.isNear(awayFromSteady());
 }
 
 /// Returns the distance to the steady state. Either indentation or normal force is held constant
@@ -489,9 +484,7 @@ double Simulation::awayFromSteady() const {
   const SteadyResult& steady = ready_->steady.result;
   if (ready_->scene->load.kind != LoadKind::Indentation)
     return march_->indentation() / steady.indentation - 1;
-  double force = 0;
-  for (const double pressure : march_->pressure()) force += pressure * ready_->line().spacing;
-  return force / steady.normalForce - 1;
+  return normalForce(march_->pressure(), ready_->line().spacing) / steady.normalForce - 1;
 }
 
 void Simulation::addMotion(Frame& frame) const {

@@ -15,6 +15,30 @@
 
 namespace asperity {
 
+/// The way of a picture to the steady state after a change of the scene. Its distance from that
+/// state is relative, with a sign.
+class Settling {
+ public:
+  /// Begins at a change. It ends at this time (s) at the latest, because the march of a coarse line
+  /// never reaches the indentation of the resolved one.
+  void begin(double latestEnd);
+  void end() { latestEnd_ = 0; }
+  /// Takes the distance of the next frame, and ends where it is near.
+  void take(double distance);
+
+  bool isOn(double time) const { return time < latestEnd_; }
+  /// Returns whether this distance is so small that the steady state may replace the picture, is on
+  /// the other side of it, or has not become smaller for many frames: few elements in contact
+  /// oscillate about their own steady state.
+  bool isNear(double distance) const;
+
+ private:
+  double latestEnd_ = 0;    // s; 0 once settled
+  double first_ = 0;        // distance after the first frame; 0 before
+  double smallest_ = 0;     // distance since then
+  int framesNoNearer_ = 0;  // frames since the smallest distance
+};
+
 class Simulation {
  public:
   /// stepsPerFrame: maximum number of element-steps per frame; they are counted, so that frames do
@@ -80,10 +104,8 @@ class Simulation {
   bool showsSteadyState() const;
   Frame steadyFrame() const;
   Frame marchedFrame() const;
-  bool hasArrived() const;
-  void watchSettling();
   double awayFromSteady() const;
-  ContactState drawnState(const Frame& frame) const;
+  ContactState marchedState(const Frame& frame) const;
   void stepMotion(double distance);
   bool beginsAnew();
   void goTo(double time);
@@ -100,11 +122,8 @@ class Simulation {
   std::uint64_t steps_ = 0;
   double stepsPerFrame_;
   double time_ = 0, timeScale_ = 0;
-  double towardsStep_ = 0;                // s, passed by slow frames of a motion's next step
-  double settlesUntil_ = 0;               // s, the latest end after a change; 0 once settled
-  double settlesFrom_ = 0;                // awayFromSteady() after its first frame; 0 before
-  double nearest_ = 0;                    // smallest awayFromSteady() since then
-  int framesNoNearer_ = 0;                // frames since nearest_
+  double towardsStep_ = 0;  // s, passed by slow frames of a motion's next step
+  Settling settling_;
   double lineWork_ = 0, normalWork_ = 0;  // J, since the last frame: F_x and F_N times distance
   double touching_ = 0,
          contactSpots_ = 0;  // elements in contact and contact spots, in the newest steps

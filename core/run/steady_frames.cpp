@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "core/contact/march/time_march.h"
 #include "core/contact/steady_sliding.h"
@@ -63,8 +62,8 @@ void setSteadyFacts(Frame& frame, const SteadyResult& facts) {
 double greatestPressure(const SteadyShape& shape, double spacing, double normalForce) {
   constexpr double kMin = 0.1;  // of the normal force
   const std::vector<double>& pressure = shape.nodes.pressure;
-  const double force = spacing * std::accumulate(pressure.begin(), pressure.end(), 0.0);
-  return force < kMin * normalForce ? kNotApplicable : std::ranges::max(pressure);
+  return asperity::normalForce(pressure, spacing) < kMin * normalForce ? kNotApplicable
+                                                                       : std::ranges::max(pressure);
 }
 
 Frame stillFrame(std::shared_ptr<const Scene> scene, const RigidLine& rigid,

@@ -215,11 +215,8 @@ AxesFactors axesFactors(const Frame& frame, CurveAxes axes) {
   factors.friction = 1 / frame.rmsSlope;
   const ElementLaw law = elementLaw(frame.scene->elastomer);
   if (law.kind() != ElementKind::Kelvin) return factors;
-  LawInput in{.relaxationTime = law.relaxationTime,
-              .rmsHeight = frame.rmsHeight,
-              .rmsSlope = frame.rmsSlope,
-              .velocity = 1};
-  factors.velocity = dimensionlessVelocity(in);
+  const double velocity = 1;
+  factors.velocity = dimensionlessVelocity(lawInput(frame, velocity));
   return factors;
 }
 

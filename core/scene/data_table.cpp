@@ -75,22 +75,28 @@ std::string csvCell(std::string_view text) {
   return quoted + "\"";
 }
 
+std::string csvLine(const std::vector<TableCell>& row) {
+  std::string text;
+  for (std::size_t i = 0; i < row.size(); ++i) text += (i > 0 ? "," : "") + cellText(row[i]);
+  return text + "\n";
+}
+
+Json jsonObject(const std::vector<std::string>& columns, const std::vector<TableCell>& row) {
+  Json object;
+  for (std::size_t i = 0; i < row.size(); ++i) object[columns[i]] = jsonCell(row[i]);
+  return object;
+}
+
 std::string tableCsv(const DataTable& table) {
   std::string text = fmt::format("{}\n", fmt::join(table.columns, ","));
-  for (const std::vector<TableCell>& row : table.rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) text += (i > 0 ? "," : "") + cellText(row[i]);
-    text += "\n";
-  }
+  for (const std::vector<TableCell>& row : table.rows) text += csvLine(row);
   return text;
 }
 
 Json tableJson(const DataTable& table) {
   Json rows = Json::array();
-  for (const std::vector<TableCell>& row : table.rows) {
-    Json object;
-    for (std::size_t i = 0; i < row.size(); ++i) object[table.columns[i]] = jsonCell(row[i]);
-    rows.push_back(std::move(object));
-  }
+  for (const std::vector<TableCell>& row : table.rows)
+    rows.push_back(jsonObject(table.columns, row));
   return rows;
 }
 

@@ -24,6 +24,12 @@ struct DataTable {
 /// (RFC 4180), or "#", which begins a comment for R and pandas.
 std::string csvCell(std::string_view text);
 
+/// Return one row as a line of CSV and as an object, for tables that are too long to keep all their
+/// cells.
+std::string csvLine(const std::vector<TableCell>& row);
+nlohmann::ordered_json jsonObject(const std::vector<std::string>& columns,
+                                  const std::vector<TableCell>& row);
+
 /// Returns a line of names and one line for each row.
 std::string tableCsv(const DataTable& table);
 

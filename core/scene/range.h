@@ -24,6 +24,9 @@ struct ParameterRange {
 
 inline constexpr std::int64_t kMaxRangePoints = 100000;
 
+/// A usual range reaches from the scene's own value over this factor, two decades, to each side.
+inline constexpr double kUsualRangeFactor = 100;
+
 /// Returns x_i = from (to / from)^(i / (points - 1)), with the last one exactly `to`.
 std::vector<double> logSpaced(double from, double to, std::int64_t points);
 

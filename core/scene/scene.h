@@ -213,11 +213,16 @@ inline bool hasRandomPhases(const Surface& surface) {
          (surface.kind == SurfaceKind::Measured && surface.processing.seam == Seam::RandomPhases);
 }
 
+/// Returns whether lines may be rows of a topography.
+inline bool mayHaveRows(const Surface& surface) {
+  return surface.kind == SurfaceKind::Measured && surface.reading.row == 0 &&
+         !hasRandomPhases(surface);
+}
+
 /// Returns whether results are means over several lines: random ones, or all rows of a measured
 /// surface, which may turn out to have only one.
 inline bool mayHaveManyLines(const Surface& surface) {
-  return hasRandomPhases(surface) ||
-         (surface.kind == SurfaceKind::Measured && surface.reading.row == 0);
+  return hasRandomPhases(surface) || mayHaveRows(surface);
 }
 
 /// Returns whether the scene has local friction in contact in addition to that of the deformation.

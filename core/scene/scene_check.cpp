@@ -62,8 +62,19 @@ void requireEquilibrium(const Scene& scene) {
                      "load; it must be above 0");
 }
 
+void requireMotion(const Scene& scene, const Message& what) {
+  if (scene.sliding.kind == SlidingKind::Steady)
+    throw InputError("", "sliding.kind",
+                     message("is steady, so nothing changes in time; {} needs start, step, "
+                             "oscillation or reversal",
+                             what));
+}
+
 void requireNoTarget(const Scene& scene, const Message& why) {
-  if (choosesAccuracy(scene)) throw InputError("", "accuracy.target_relative_error", why);
+  if (choosesAccuracy(scene))
+    throw InputError(
+        "", "accuracy.target_relative_error",
+        message("{}; give accuracy.scheme and ensemble.realizations instead of a target", why));
 }
 
 }  // namespace asperity

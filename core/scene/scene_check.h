@@ -24,8 +24,12 @@ void requireEquilibrium(const Scene& scene);
 /// elastomer would sink for ever; `what` needs steady sliding, e.g. "asperity curve".
 void requireSteadySliding(const Scene& scene, const Message& what);
 
+/// Throws InputError (sliding.kind) where sliding is steady; `what` needs a motion in time, e.g.
+/// "asperity motion".
+void requireMotion(const Scene& scene, const Message& what);
+
 /// Throws InputError (accuracy.target_relative_error) where the scene has a target, with the reason
-/// why there can be none.
+/// why there can be none and what to give instead.
 void requireNoTarget(const Scene& scene, const Message& why);
 
 }  // namespace asperity

@@ -147,15 +147,15 @@ bool canBe(const Parameter& parameter, const Scene& scene, double value) {
 
 ParameterRange usualRange(const Parameter& parameter, const Scene& scene) {
   constexpr std::int64_t kPoints = 41;
-  constexpr double kAround = 100;
   constexpr int kAttempts = 8;
   const AllowedRange allowed = *allowedRange(parameter);
   const double own = parameterNumber(parameter, scene);
   const auto [from, to, scale] = *sliderRange(parameter);
   ParameterRange range{&parameter, 0, 0, kPoints, scale != Scale::Linear};
   const bool isAround = range.isLogarithmic && own > 0;
-  range.from = std::clamp(isAround ? own / kAround : from, allowed.minimum, allowed.maximum);
-  range.to = std::clamp(isAround ? own * kAround : to, allowed.minimum, allowed.maximum);
+  range.from =
+      std::clamp(isAround ? own / kUsualRangeFactor : from, allowed.minimum, allowed.maximum);
+  range.to = std::clamp(isAround ? own * kUsualRangeFactor : to, allowed.minimum, allowed.maximum);
   // A logarithmic slider may begin at "none", which has no logarithm.
   if (range.isLogarithmic && !(range.from > 0)) range.from = from;
   for (double* end : {&range.from, &range.to})

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/base/statistics.h"
+
 namespace asperity {
 namespace {
 
@@ -28,19 +30,11 @@ struct RunningCovariance {
   double correlation() const { return xx > 0 && yy > 0 ? xy / std::sqrt(xx * yy) : kNotApplicable; }
 };
 
-/// Returns a percentile by linear interpolation between the order statistics, as R's type 7.
-double percentile(const std::vector<double>& ascending, double percent) {
-  if (ascending.empty()) return kNotApplicable;
-  const double rank = percent / 100 * static_cast<double>(ascending.size() - 1);
-  const auto below = static_cast<std::size_t>(rank);
-  const std::size_t above = std::min(below + 1, ascending.size() - 1);
-  return std::lerp(ascending[below], ascending[above], rank - static_cast<double>(below));
-}
-
 std::array<double, kPercentiles.size()> computePercentiles(std::vector<double> values) {
   std::ranges::sort(values);
   std::array<double, kPercentiles.size()> found{};
-  for (std::size_t i = 0; i < found.size(); ++i) found[i] = percentile(values, kPercentiles[i]);
+  for (std::size_t i = 0; i < found.size(); ++i)
+    found[i] = values.empty() ? kNotApplicable : quantile(values, kPercentiles[i] / 100);
   return found;
 }
 

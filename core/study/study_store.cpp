@@ -88,6 +88,12 @@ fs::path claimsFile(const fs::path& file) {
 
 }  // namespace
 
+std::int64_t Shard::simulations(const ParameterStudy& study) const {
+  const std::int64_t chunks = study.chunks(), last = chunks - 1;
+  const std::int64_t own = chunks / count + (chunks % count >= number ? 1 : 0);
+  return has(last) ? (own - 1) * study.chunk + study.sizeOfChunk(last) : own * study.chunk;
+}
+
 Shard parseShard(const std::string& text) {
   constexpr std::int64_t kMaxShards = 1000000;
   Shard shard;

@@ -24,12 +24,15 @@
 
 namespace asperity {
 
-/// Part `number` of `count`, counted from 1; 1 of 1 is all of a study.
+/// Part `number` of `count`, counted from 1, of a study, computed by runStudy(): every count-th
+/// chunk of it. 1 of 1 is all of the study.
 struct Shard {
   std::int64_t number = 1, count = 1;
 
   bool isWhole() const { return count == 1; }
   bool has(std::int64_t chunk) const { return chunk % count == number - 1; }
+  /// Returns the number of its simulations.
+  std::int64_t simulations(const ParameterStudy& study) const;
   bool operator==(const Shard&) const = default;
 };
 

@@ -1111,8 +1111,8 @@
         <translation>ist keine Zahl; erlaubt ist %1</translation>
     </message>
     <message>
-        <source>is steady, so nothing changes in time; asperity motion needs start, step, oscillation or reversal</source>
-        <translation>ist stationär, und nichts ändert sich mit der Zeit; asperity motion ist für start, step, oscillation und reversal</translation>
+        <source>is steady, so nothing changes in time; %1 needs start, step, oscillation or reversal</source>
+        <translation>ist stationär, daher ändert sich nichts mit der Zeit; %1 braucht start, step, oscillation oder reversal</translation>
     </message>
     <message>
         <source>n is %1 on the resolved line, which falls on as 1/√v. The level is one node&apos;s own slope: the line moves one spacing per step, so the last contact is a single node, and more power goes in than is dissipated. %2</source>
@@ -2899,8 +2899,8 @@
         <translation>ein Standardkörper hat einen Arm, nicht %1</translation>
     </message>
     <message>
-        <source>a comparison needs the same resolution at every velocity, not a target</source>
-        <translation>ein Vergleich braucht dieselbe Auflösung bei jeder Geschwindigkeit, kein Ziel</translation>
+        <source>a comparison needs the same resolution at every velocity</source>
+        <translation>ein Vergleich braucht dieselbe Auflösung bei jeder Geschwindigkeit</translation>
     </message>
     <message>
         <source>%1 times oversampling %2 is more than %3 points</source>
@@ -5743,16 +5743,24 @@
         <translation>%1 mal %2 Punkte sind mehr als %3 Zellen</translation>
     </message>
     <message>
-        <source>a map has the same lines in every cell; give accuracy.scheme and ensemble.realizations instead of a target</source>
-        <translation>eine Karte hat in jeder Zelle dieselben Linien; statt eines Ziels accuracy.scheme und ensemble.realizations angeben</translation>
+        <source>a map has the same lines in every cell</source>
+        <translation>eine Karte hat in jeder Zelle dieselben Linien</translation>
     </message>
     <message>
-        <source>all cut-offs have the same lines; give accuracy.scheme and ensemble.realizations instead of a target</source>
-        <translation>alle Grenzwellenlängen haben dieselben Linien; statt eines Ziels accuracy.scheme und ensemble.realizations angeben</translation>
+        <source>all cut-offs have the same lines</source>
+        <translation>alle Grenzwellenlängen haben dieselben Linien</translation>
     </message>
     <message>
-        <source>differences need the same lines on both sides; give accuracy.scheme and ensemble.realizations instead of a target</source>
-        <translation>Differenzen brauchen auf beiden Seiten dieselben Linien; statt eines Ziels accuracy.scheme und ensemble.realizations angeben</translation>
+        <source>differences need the same lines on both sides</source>
+        <translation>Differenzen brauchen auf beiden Seiten dieselben Linien</translation>
+    </message>
+    <message>
+        <source>a fit needs the same lines everywhere</source>
+        <translation>eine Anpassung braucht überall dieselben Linien</translation>
+    </message>
+    <message>
+        <source>%1; give accuracy.scheme and ensemble.realizations instead of a target</source>
+        <translation>%1; statt eines Ziels accuracy.scheme und ensemble.realizations angeben</translation>
     </message>
     <message>
         <source>has no short waves to remove; a random line, a profile, a spectrum or a measured surface has</source>

@@ -6,6 +6,7 @@
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
+#include "core/chart/curve_diagram.h"
 #include "core/chart/curve_words.h"
 #include "core/fit/derivatives.h"
 #include "core/run/transient_diagram.h"
@@ -305,22 +306,11 @@ DiagramSheet FrictionChartModel::sheet() const {
   diagram.marker = marker();
   sheet.status = status();
   sheet.isGrowing = curve_ && !isStale() && !curve_->isComplete;
-  if (concealed_) hideCurve(sheet);
+  if (concealed_) {
+    sheet = withoutCurve(std::move(sheet), concealed_->from, concealed_->to);
+    sheet.status = "the lesson hides the curve";
+  }
   return sheet;
-}
-
-void FrictionChartModel::hideCurve(DiagramSheet& sheet) const {
-  sheet.diagrams.resize(1);
-  sheet.note = {};
-  sheet.status = "the lesson hides the curve";
-  Diagram& diagram = sheet.diagrams.front();
-  std::erase_if(diagram.series,
-                [](const DiagramSeries& series) { return series.id <= kPresentCurve; });
-  diagram.spans.clear();
-  diagram.shades.clear();
-  diagram.blank = {};
-  diagram.y.from = concealed_->from;
-  diagram.y.to = concealed_->to;
 }
 
 double FrictionChartModel::progress() const {

@@ -124,7 +124,6 @@ class FrictionChartModel {
   CurveSet view() const;
   bool isOnThisAxis(const Scene& scene) const;
   Message status() const;
-  void hideCurve(DiagramSheet& sheet) const;
   void fitRanges(bool newCurve);
   AxisRange neededCoefficients(const AxisRange& data) const;
 

@@ -29,10 +29,6 @@ float readingWidth(const Reading& reading, const Sizes& s) {
   return std::max(textWidth(reading.label, s.small), textWidth(reading.value, s.body, true));
 }
 
-std::string percent(double fraction) {
-  return std::isfinite(fraction) ? shortNumber(100 * fraction) + " %" : "\u2013";
-}
-
 /// Adds interface and total friction, where the scene has local friction.
 void addInterfaceReadings(std::vector<Reading>& readings, const Frame& frame) {
   if (!hasInterface(frame)) return;
@@ -107,7 +103,7 @@ std::vector<Reading> makeReadings(const Frame& frame) {
                                 "u that of the surface."),
                       "indentation"});
   readings.push_back({{{Words::tr("in contact")}},
-                      percent(state.contactFraction),
+                      shortPercent(state.contactFraction),
                       4,
                       Words::tr("Share of the line's length that touches the elastomer."),
                       "contact_fraction"});

@@ -256,6 +256,10 @@ std::string shortNumber(double value, int digits, Zeros zeros) {
   return readingInLanguage(printedNumber(value, digits, zeros));
 }
 
+std::string shortPercent(double part) {
+  return std::isfinite(part) ? shortNumber(100 * part) + " %" : shortNumber(part);
+}
+
 std::string factorText(double factor) {
   constexpr double kMinGrouped = 1000, kLongest = 1e12;
   const double rounded = roundedToDigits(factor, 3);

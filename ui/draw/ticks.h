@@ -77,6 +77,9 @@ std::string shortNumber(double value, int digits = 3, Zeros zeros = Zeros::Drop)
 std::string quantity(double value, std::string_view unit, int digits = 3,
                      Zeros zeros = Zeros::Drop);
 
+/// Returns a part of a whole as "12.3 %", or "\u2013".
+std::string shortPercent(double part);
+
 /// Returns "0.00116 \u00B1 0.00012" or "(2.637 \u00B1 0.012)\u00D710\u207B\u2077": two digits of
 /// the error, and the value to the same place, with at least three digits of the larger one.
 /// Without an error above 0 it is shortNumber().

@@ -37,11 +37,9 @@ double gaussianLoad(double delta) {
 double gaussianDepth(double load) {
   // Newton's method on the logarithm of the load, which is a concave function of the depth; from
   // the left of the root it does not overshoot.
-  double delta = load > 1 ? load : -1;
+  double delta = load > 1 ? load - 1 : -1;
   if (load <= 1)
     while (gaussianLoad(delta) > load) delta *= 2;
-  else
-    delta = load - 1;
   for (int i = 0; i < 200; ++i) {
     const double now = gaussianLoad(delta);
     const double step = now / gaussianContactFraction(delta) * std::log(load / now);

@@ -81,7 +81,6 @@ TEST(Pilot, IsWhatThePredictionDoes) {
     const PilotPlan plan = planPilot(scene, 2);
     const Prediction prediction = predictCurve(scene, 2);
     EXPECT_EQ(prediction.operations, plan.operations);
-    EXPECT_EQ(prediction.pilotLines, plan.lines);
     EXPECT_EQ(prediction.simulations, 20 * 41);
     EXPECT_GT(prediction.error.resolution, 0);
     EXPECT_GT(prediction.error.standardError, 0);

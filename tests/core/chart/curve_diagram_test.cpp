@@ -191,6 +191,26 @@ TEST(CurveDiagram, ADifferenceStandsBelowOverTheSameAxis) {
   EXPECT_NEAR(drawn.y - drawn.low, 100 * computed.standardError, 1e-9);
 }
 
+/// A student who predicts a curve sees those beside it, and nothing that the curve itself adds.
+TEST(CurveDiagram, AHiddenCurveLeavesThePinnedOnes) {
+  Scene scene = smallScene();
+  CurveSet set;
+  set.present = curveOf(scene);
+  set.pinned = {curveOf(sceneOfSize(500, 17, 1), "one line", 0)};
+  set.difference = curveDifference(scene, {Scheme::Linear, 2, 3});
+  const DiagramSheet whole = curveSheet(set), hidden = withoutCurve(whole, 1e-4, 1e-1);
+  ASSERT_EQ(hidden.diagrams.size(), 1U);
+  const Diagram& diagram = hidden.diagrams.front();
+  ASSERT_EQ(diagram.series.size(), 1U);
+  EXPECT_EQ(diagram.series.front().name, "one line");
+  EXPECT_FALSE(whole.diagrams.front().spans.empty());
+  EXPECT_TRUE(diagram.spans.empty());
+  EXPECT_TRUE(diagram.shades.empty());
+  EXPECT_TRUE(hidden.note.empty());
+  EXPECT_EQ(diagram.y.from, 1e-4);
+  EXPECT_EQ(diagram.y.to, 1e-1);
+}
+
 /// A curve over another key: the axis is that of the key, and regions, which are of friction over
 /// velocity, are not named.
 TEST(CurveDiagram, AnyNumberMayBeTheAxis) {

@@ -74,5 +74,27 @@ TEST(SceneCheck, ARowIsOneLine) {
   EXPECT_EQ(keyRefused(scene), "");
 }
 
+TEST(SceneCheck, WorkThatNeedsStatedLinesOrAMotionSaysSo) {
+  const auto refusal = [](const auto& check) {
+    try {
+      check();
+    } catch (const InputError& error) {
+      return error.key() + ": " + error.message().english();
+    }
+    return std::string();
+  };
+  Scene scene;
+  EXPECT_EQ(refusal([&] { requireNoTarget(scene, "a"); }), "");
+  scene.accuracy.targetRelativeError = 0.01;
+  EXPECT_EQ(refusal([&] { requireNoTarget(scene, "a fit needs the same lines everywhere"); }),
+            "accuracy.target_relative_error: a fit needs the same lines everywhere; give "
+            "accuracy.scheme and ensemble.realizations instead of a target");
+  EXPECT_EQ(refusal([&] { requireMotion(scene, Message::name("asperity motion")); }),
+            "sliding.kind: is steady, so nothing changes in time; asperity motion needs start, "
+            "step, oscillation or reversal");
+  scene.sliding.kind = SlidingKind::Start;
+  EXPECT_EQ(refusal([&] { requireMotion(scene, Message::name("asperity motion")); }), "");
+}
+
 }  // namespace
 }  // namespace asperity

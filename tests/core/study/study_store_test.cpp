@@ -280,5 +280,23 @@ TEST(Shard, IsReadAndRefused) {
   }
 }
 
+/// The last chunk is a short one.
+TEST(Shard, CountsItsSimulations) {
+  const ParameterStudy study = smallStudy();
+  ASSERT_NE(study.simulations() % study.chunk, 0);
+  EXPECT_EQ(Shard().simulations(study), study.simulations());
+  for (const std::int64_t count : {2, 3, 5, 7}) {
+    std::int64_t all = 0;
+    for (std::int64_t number = 1; number <= count; ++number) {
+      std::int64_t own = 0;
+      for (std::int64_t chunk = 0; chunk < study.chunks(); ++chunk)
+        if (Shard{number, count}.has(chunk)) own += study.sizeOfChunk(chunk);
+      EXPECT_EQ((Shard{number, count}.simulations(study)), own) << number << '/' << count;
+      all += own;
+    }
+    EXPECT_EQ(all, study.simulations());
+  }
+}
+
 }  // namespace
 }  // namespace asperity

@@ -556,14 +556,26 @@ TEST_F(LayoutTest, TheNextWindowIsAsTheLastWas) {
 }
 
 TEST_F(LayoutTest, ChosenColoursAreKeptAlsoWhenTheProgramIsKilled) {
-  const auto kept = [] { return QSettings().value("window/colours").toInt(); };
+  const auto kept = [] { return QSettings().value("window/colours").toString(); };
   action("light").trigger();
-  EXPECT_EQ(kept(), 0) << "of a window that remembers nothing";
+  EXPECT_EQ(kept(), "") << "of a window that remembers nothing";
   window_.windowLayout().remember();
   action("colours:2").trigger();
-  EXPECT_EQ(kept(), 2);
+  EXPECT_EQ(kept(), "dark");
   action("light").trigger();
-  EXPECT_EQ(kept(), 1);
+  EXPECT_EQ(kept(), "light");
+}
+
+TEST_F(LayoutTest, ColoursOfEarlierSettingsAreRead) {
+  const std::pair<QVariant, Colours> saved[] = {{0, Colours::System},      {1, Colours::Light},
+                                                {2, Colours::Dark},        {"dark", Colours::Dark},
+                                                {"light", Colours::Light}, {"7", Colours::System},
+                                                {"pink", Colours::System}};
+  for (const auto& [value, colours] : saved) {
+    QSettings().setValue("window/colours", value);
+    window_.windowLayout().remember();
+    EXPECT_EQ(window_.appearance().colours(), colours) << value.toString().toStdString();
+  }
 }
 
 /// The window with what a window manager draws around it.

@@ -28,7 +28,6 @@ namespace asperity {
 namespace {
 
 constexpr double kFastest = 2, kSlowest = 600;       // s on the screen for a period
-constexpr double kSlowestStart = 60;                 // s, the same for a scene that was just opened
 constexpr int kPositions = 240;                      // of the slider of the pace
 constexpr int kMoments = 1000;                       // of the slider of the moment
 constexpr int kLongestQuote = 60;                    // letters of what was typed, in a message
@@ -79,7 +78,7 @@ QString momentText(const QString& time, const QString& duration) {
 
 TimeBar::TimeBar(QWidget* parent)
     : QWidget(parent),
-      pace_(RunnerOptions{}.secondsPerPeriod),
+      pace_(kDefaultPace),
       chosen_(pace_),
       moment_(named<QSlider>("moment", Qt::Horizontal)),
       slider_(named<QSlider>("paceSlider", Qt::Horizontal)),
@@ -273,7 +272,7 @@ void TimeBar::showScene(const Scene& scene) {
 void TimeBar::showOtherScene(const Scene& scene) {
   takeScene(scene);
   // Its slow motion has nothing to do with that of the previous scene.
-  chosen_ = std::min(chosen_, kSlowestStart);
+  chosen_ = std::min(chosen_, kSlowestFirstPace);
   setLimitedPace(chosen_);
 }
 

@@ -188,13 +188,8 @@ class HandoutMaker {
     }
     DiagramSheet sheet = curveSheet(set);
     if (isHidden) {
+      sheet = withoutCurve(std::move(sheet), step.show.hiddenFrom, step.show.hiddenTo);
       Diagram& diagram = sheet.diagrams.front();
-      std::erase_if(diagram.series,
-                    [](const DiagramSeries& series) { return series.id <= kPresentCurve; });
-      diagram.spans.clear();
-      diagram.shades.clear();
-      diagram.y.from = step.show.hiddenFrom;
-      diagram.y.to = step.show.hiddenTo;
       diagram.marker =
           frameMarker(makeFrame(scene), CurveAxes::Physical, set.y);  // a guess begins there
       if (diagram.x.from == diagram.x.to) {

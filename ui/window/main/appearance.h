@@ -10,6 +10,7 @@
 #include <QSizeF>
 #include <QString>
 
+#include "core/base/named_choices.h"
 #include "ui/contact/contact_picture.h"
 #include "ui/draw/fonts.h"
 
@@ -22,6 +23,10 @@ namespace asperity {
 class Commands;
 
 enum class Colours { System, Light, Dark };
+
+/// The choices by their words in the settings.
+inline constexpr NamedChoices<Colours, 3> kColourChoices{
+    {{"system", Colours::System}, {"light", Colours::Light}, {"dark", Colours::Dark}}};
 
 class Appearance : public QObject {
   Q_OBJECT

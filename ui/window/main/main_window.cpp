@@ -447,10 +447,10 @@ void MainWindow::connectCurve() {
   };
   connect(documents_, &DocumentCommands::saved, this,
           [showSaved](const QString& file) { showSaved(file, {}); });
-  connect(curveCommands_, &CurveCommands::exported, this, [this, showSaved](const QString& file) {
+  connect(curveCommands_, &CurveCommands::exported, this, [showSaved](const QString& file) {
     showSaved(file, tr("The curve's picture is on the clipboard"));
-    emit exports_->exported(file);
   });
+  connect(curveCommands_, &CurveCommands::exported, exports_, &Exports::exported);
   connect(tabs_, &SceneTabs::saved, this, [this, showSaved](const QString& file) {
     messages_->end(MessageBar::Failure::Export);
     showSaved(file, tr("The picture is on the clipboard"));

@@ -15,6 +15,7 @@
 #include <mutex>
 #include <utility>
 
+#include "core/base/statistics.h"
 #include "core/chart/material_sheets.h"
 #include "core/run/line_diagrams.h"
 #include "core/scene/provenance.h"
@@ -44,14 +45,10 @@ constexpr int kOnePlot = 170, kTwoPlots = 300;  // minimum heights, pixels
 
 /// Returns the root mean square over the points that have such a value; NaN where none has one.
 double rootMeanSquare(const std::vector<CurvePoint>& points, double (*value)(const CurvePoint&)) {
-  double squares = 0;
-  int count = 0;
+  std::vector<double> values;
   for (const CurvePoint& point : points)
-    if (const double one = value(point); std::isfinite(one)) {
-      squares += one * one;
-      ++count;
-    }
-  return count > 0 ? std::sqrt(squares / count) : kNotApplicable;
+    if (const double one = value(point); std::isfinite(one)) values.push_back(one);
+  return rms(values);
 }
 
 }  // namespace

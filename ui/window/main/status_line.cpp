@@ -164,16 +164,13 @@ Work currentWork(const Session& session) {
 }  // namespace
 
 double dimensionlessForce(const Frame& frame) {
-  return orMissing(frame.normalForce / (elementLaw(frame.scene->elastomer).equilibriumModulus *
-                                        frame.rmsHeight * frame.length));
+  return orMissing(dimensionlessForce(lawInput(frame, frame.velocity)));
 }
 
 double dimensionlessVelocity(const Frame& frame) {
-  const ElementLaw law = elementLaw(frame.scene->elastomer);
-  if (law.kind() != ElementKind::Kelvin) return kNotApplicable;
+  if (elementLaw(frame.scene->elastomer).kind() != ElementKind::Kelvin) return kNotApplicable;
   const double velocity = frame.transient ? frame.velocity : frame.scene->sliding.velocity;
-  return orMissing(law.relaxationTime * velocity * frame.rmsSlope /
-                   (std::sqrt(2.0) * frame.rmsHeight));
+  return orMissing(dimensionlessVelocity(lawInput(frame, velocity)));
 }
 
 StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {

@@ -13,6 +13,8 @@
 #include <QTimer>
 #include <QToolBar>
 #include <algorithm>
+#include <string>
+#include <string_view>
 
 #include "ui/panels/controls.h"
 #include "ui/panels/parameter_panel.h"
@@ -36,6 +38,14 @@ constexpr int kLayoutVersion = 1;     // version of the layout of docks and tool
 constexpr QMargins kFrame{8, 40, 8, 8};
 
 const QString kColours = QStringLiteral("window/colours");
+
+/// Reads the word of the choice, or its number, as which it was saved earlier.
+Colours savedColours() {
+  const std::string word = QSettings().value(kColours).toString().toStdString();
+  for (std::size_t i = 0; i < kColourChoices.size(); ++i)
+    if (word == std::to_string(i)) return kColourChoices[i].second;
+  return findChoice(kColourChoices, word).value_or(Colours::System);
+}
 
 const QList<int>& defaultSplit() {
   static const QList<int> sizes{600, 400};
@@ -265,8 +275,7 @@ void WindowLayout::remember() {
   const PanelView usual = ParameterPanel::defaultView();
   parts_.panel.setView({settings.value("showsAllParameters", usual.showsAll).toBool(),
                         settings.value("foldedSections", usual.folded).toStringList()});
-  const int colours = std::clamp(QSettings().value(kColours, 0).toInt(), 0, 2);
-  parts_.appearance.setColours(static_cast<Colours>(colours));
+  parts_.appearance.setColours(savedColours());
   remembers_ = true;
   showScreenMode();
 }
@@ -299,7 +308,9 @@ void WindowLayout::save() {
 /// Saves the colours as soon as they are chosen: the program may end in another way than by closing
 /// the window.
 void WindowLayout::saveColours() {
-  if (remembers_) QSettings().setValue(kColours, static_cast<int>(parts_.appearance.colours()));
+  if (!remembers_) return;
+  const std::string_view word = choiceWord(kColourChoices, parts_.appearance.colours());
+  QSettings().setValue(kColours, QString::fromUtf8(word.data(), std::ssize(word)));
 }
 
 /// Fits the window, including its frame, to the screen.
