@@ -31,6 +31,7 @@ constexpr std::array<Interruption, 2> kInterruptions{
      {SIGTERM, kTerminated, "asperity: terminated; no unfinished file is left\n"}}};
 
 std::atomic<bool> isInterrupted{false};
+constexpr const char* kNoOutput = "standard output cannot be written";
 std::string_view eraseLine;  // escape sequence that erases the progress bar of a terminal
 
 void writeError(std::string_view text) {
@@ -90,8 +91,7 @@ int runProgram(int argc, char** argv) {
     chooseVectorTarget();
     const int status = runCommandLine(argc, argv);
     // A full disk may appear only when the last bytes are written.
-    if (std::fflush(stdout) != 0 || std::ferror(stdout))
-      return reportError("standard output cannot be written", kRunFailed);
+    if (std::fflush(stdout) != 0 || std::ferror(stdout)) return reportError(kNoOutput, kRunFailed);
     return status;
   } catch (const InputError& error) {
     return reportError(error.what(), kBadInput);
@@ -100,7 +100,8 @@ int runProgram(int argc, char** argv) {
   } catch (const std::filesystem::filesystem_error& error) {
     return reportError(error.path1().string() + ": " + error.code().message(), kRunFailed);
   } catch (const std::exception& error) {
-    return reportError(error.what(), kRunFailed);
+    // The library that prints throws where it cannot write.
+    return reportError(std::ferror(stdout) != 0 ? kNoOutput : error.what(), kRunFailed);
   }
 }
 

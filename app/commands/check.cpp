@@ -40,12 +40,7 @@ std::string summaryText(const Scene& scene, const LineSource& source, const LawI
   if (in.rmsHeight > 0 && scene.load.kind != LoadKind::Indentation)
     add(filled(Words::tr("dimensionless force F_N / G h L = %1 (Eq. 14)"),
                {number(dimensionlessForce(in))}));
-  if (scene.load.kind == LoadKind::Pressure) {
-    CurvePoint point;
-    point.normalForce = in.normalForce;
-    point.nominalPressure = scene.load.nominalPressure;
-    if (const auto note = pressureNote({&point, 1}, scene.load.width)) add(translated(*note));
-  }
+  if (const auto note = pressureNote(scene)) add(translated(*note));
   // Eq. (13) has one relaxation time. (The literal has two parts because lupdate takes 2 for a
   // digit of the root's code.)
   if (in.rmsHeight > 0 && elementLaw(scene.elastomer).kind() != ElementKind::Arms)

@@ -3,10 +3,12 @@
 #include "app/progress_bar.h"
 #include "app/result_files.h"
 #include "core/chart/influence_sheets.h"
+#include "core/friction/curve_point.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_check.h"
 #include "core/surface/measured_summary.h"
 #include "ui/language/language.h"
+#include "ui/language/translated.h"
 
 namespace asperity {
 
@@ -20,12 +22,14 @@ int runCutoff(const TableCommand& command) {
                          .progress = [&bar](double part) { bar.showPart(part); }};
     return frictionOverCutoff(scene, options);
   });
+  const auto pressure = pressureNote(scene);
   const auto origin = [&] { return provenance("cutoff", scene); };
   writeResult(command, settings,
               {.csv = [&] { return provenanceComment(origin()) + cutoffCsv(points); },
                .json = [&] { return cutoffJson(scene, points); },
                .sheet = [&] { return cutoffSheet(scene, points); },
                .origin = origin,
+               .summary = pressure ? translated(*pressure) + "\n" : "",
                .reading = readingFacts(scene)});
   return kDone;
 }

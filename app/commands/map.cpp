@@ -11,6 +11,7 @@
 #include "core/scene/scene_check.h"
 #include "core/surface/measured_summary.h"
 #include "ui/language/language.h"
+#include "ui/language/translated.h"
 
 namespace asperity {
 namespace {
@@ -38,6 +39,14 @@ std::string summaryText(const ParameterMap& map) {
   return text;
 }
 
+/// Returns by which width a nominal pressure became a force; nothing in a map over the width.
+std::string pressureText(const ParameterMap& map) {
+  constexpr std::string_view kWidth = "load.width";
+  const auto note = pressureNote(map.points, map.scene.load.width);
+  if (!note || map.x.key() == kWidth || map.y.key() == kWidth) return {};
+  return translated(*note) + "\n";
+}
+
 }  // namespace
 
 int runMap(const MapCommand& command) {
@@ -59,7 +68,7 @@ int runMap(const MapCommand& command) {
                .json = [&] { return withColumns(mapJson(map, quantity), columns); },
                .sheet = [&] { return mapSheet(map, quantity); },
                .origin = [&] { return mapProvenance(map, quantity); },
-               .summary = summaryText(map),
+               .summary = summaryText(map) + pressureText(map),
                .reading = readingFacts(scene)});
   return kDone;
 }

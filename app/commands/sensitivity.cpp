@@ -4,10 +4,12 @@
 #include "app/result_files.h"
 #include "core/base/input_error.h"
 #include "core/chart/influence_sheets.h"
+#include "core/friction/curve_point.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_check.h"
 #include "core/surface/measured_summary.h"
 #include "ui/language/language.h"
+#include "ui/language/translated.h"
 
 namespace asperity {
 
@@ -21,12 +23,14 @@ int runSensitivity(const TableCommand& command) {
                          .progress = [&bar](double part) { bar.showPart(part); }};
     return sensitivityExponents(scene, sensitivities(scene, options));
   });
+  const auto pressure = pressureNote(scene);
   const auto origin = [&] { return provenance("sensitivity", scene); };
   writeResult(command, settings,
               {.csv = [&] { return provenanceComment(origin()) + sensitivityCsv(exponents); },
                .json = [&] { return sensitivityJson(scene, exponents); },
                .sheet = [&] { return sensitivitySheet(scene, exponents); },
                .origin = origin,
+               .summary = pressure ? translated(*pressure) + "\n" : "",
                .reading = readingFacts(scene),
                .printed = sensitivityText(exponents, {Words::tr("parameter"), Words::tr("value"),
                                                       Words::tr("exponent"), Words::tr("error")})});

@@ -22,8 +22,8 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kMaxKeys = 256;
 
 /// Returns the parser's message without its own name in front, with the place of the error as
-/// values, and with the middle of a long quotation cut.
-Message parserMessage(const std::exception& error) {
+/// values, and with the middle of a long quotation cut. parsed: the text up to that place.
+Message parserMessage(const std::exception& error, std::string_view parsed) {
   constexpr std::size_t kMax = 300, kKept = 120;
   std::string text = error.what();
   const std::size_t bracket = text.find("] ");
@@ -36,7 +36,8 @@ Message parserMessage(const std::exception& error) {
       std::from_chars(text.data() + at + words.size(), text.data() + text.size(), number);
     return number;
   };
-  std::size_t line = 0, column = 0;
+  std::size_t line = static_cast<std::size_t>(std::ranges::count(parsed, '\n')) + 1;
+  std::size_t column = parsed.size() - (parsed.rfind('\n') + 1);  // npos + 1 is 0
   if (text.starts_with("parse error at line ")) {
     line = numberAfter(" line ");
     column = numberAfter(", column ");
@@ -48,8 +49,7 @@ Message parserMessage(const std::exception& error) {
     while (!beginsCharacter(text[to])) ++to;
     text.replace(from, to - from, " ... ");
   }
-  return line > 0 ? message("is not valid JSON: line {}, column {}: {}", line, column, text)
-                  : message("is not valid JSON: {}", text);
+  return message("is not valid JSON: line {}, column {}: {}", line, column, text);
 }
 
 /// Makes values from the parser's events. (With the library's own callback, the time would grow
@@ -60,7 +60,8 @@ class Reader : public nlohmann::json_sax<Json> {
  public:
   /// `wanted`: a member of the outermost object after which the parser stops; null: everything is
   /// read.
-  Reader(int deepest, const std::string* wanted) : deepest_(deepest), wanted_(wanted) {}
+  Reader(std::string_view text, int deepest, const std::string* wanted)
+      : text_(text), deepest_(deepest), wanted_(wanted) {}
 
   bool null() override { return take(nullptr); }
   bool boolean(bool value) override { return take(value); }
@@ -85,9 +86,9 @@ class Reader : public nlohmann::json_sax<Json> {
     return true;
   }
 
-  bool parse_error(std::size_t, const std::string&,
+  bool parse_error(std::size_t position, const std::string&,
                    const nlohmann::detail::exception& error) override {
-    throw InputError("", "", parserMessage(error));
+    throw InputError("", "", parserMessage(error, text_.substr(0, position)));
   }
 
   /// Returns everything that was read; a wanted member is the last one in it.
@@ -139,6 +140,7 @@ class Reader : public nlohmann::json_sax<Json> {
     return path;
   }
 
+  std::string_view text_;
   int deepest_;
   const std::string* wanted_;
   Json root_;
@@ -170,13 +172,13 @@ nlohmann::ordered_json parseJson(std::string_view text, int deepest, std::string
   if (beginning.empty()) refuseKind("an empty file", wanted);
   if (beginning != "{" && beginning != "[" && !Json::accept(text))
     refuseKind("text that is not JSON", wanted);
-  Reader reader(deepest, nullptr);
+  Reader reader(text, deepest, nullptr);
   Json::sax_parse(text, &reader);
   return std::move(reader.root());
 }
 
 nlohmann::ordered_json membersUpTo(std::string_view text, const std::string& name, int deepest) {
-  Reader reader(deepest, &name);
+  Reader reader(text, deepest, &name);
   Json::sax_parse(text, &reader);
   return reader.root().is_object() ? std::move(reader.root()) : Json();
 }

@@ -186,6 +186,10 @@ TextColumn makeColumn(std::string_view name, std::string_view unit) {
 /// and "v_mm_per_s" are in mm/s, "p_N_mm2" in N/mm2, "eta_Pa_s" in Pa s. Empty where a name has
 /// none.
 std::optional<TextColumn> splitSpelledUnit(std::string_view text) {
+  // "tau in min" is no speed.
+  if (const std::size_t at = text.find_last_of(' '); at != text.npos)
+    if (const std::size_t before = text.substr(0, at).find_last_of(' '); before != text.npos)
+      if (isOneOf(text.substr(before + 1, at - before - 1), kBeforeUnits)) return {};
   const auto takeWord = [&text] {
     const std::size_t at = text.find_last_of("_ ");
     if (at == text.npos) return std::string_view();

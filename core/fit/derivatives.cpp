@@ -15,12 +15,22 @@ namespace {
 
 constexpr double kStep = 1e-3;
 
+/// Returns the keys of the numbers on which friction depends in the scene.
+Message keysToVary(const Scene& scene) {
+  std::vector<std::string_view> keys;
+  for (const VariedParameter& parameter : activeParameters(scene)) keys.push_back(parameter.key());
+  return namesWithCommas(keys);
+}
+
 const Parameter& realRow(std::string_view key, const Scene& scene) {
   const Parameter& row = knownParameter(key);
   if (!std::holds_alternative<RealField>(row.field))
-    throw InputError("", std::string(key), "is not a real number, which alone can be varied");
+    throw InputError("", std::string(key),
+                     message("is not a real number, which alone can be varied; this scene has {}",
+                             keysToVary(scene)));
   if (!isApplicable(row, scene))
-    throw InputError("", std::string(key), "has no meaning in this scene");
+    throw InputError("", std::string(key),
+                     message("has no meaning in this scene, which has {}", keysToVary(scene)));
   return row;
 }
 

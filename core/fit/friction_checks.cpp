@@ -105,8 +105,8 @@ void refuseFrictionForce(const std::vector<MeasuredPoint>& points, const TextBlo
 
 /// Throws InputError for two points that nothing tells apart.
 [[noreturn]] void refuseRepeat(const MeasuredPoint& first, const MeasuredPoint& second,
-                               const FrictionRoles& roles, const std::string& name) {
-  if (!roles.find(FrictionQuantity::Velocity))
+                               bool haveVelocities, const std::string& name) {
+  if (!haveVelocities)
     throw InputError(
         name, "",
         message("rows {} and {} have the velocity above the table, and no load, temperature or "
@@ -151,19 +151,27 @@ std::optional<Message> slipOf(const std::vector<const MeasuredPoint*>& series) {
 
 }  // namespace
 
-void checkPoints(const std::vector<MeasuredPoint>& points, const TextBlock& block,
-                 const FrictionRoles& roles, const std::string& name) {
+void requirePoints(const std::vector<MeasuredPoint>& points, const std::string& name) {
   if (points.size() < 2)
     throw InputError(name, "",
                      message("has {} row of numbers; at least 2 are needed", points.size()));
+}
+
+void checkColumns(const std::vector<MeasuredPoint>& points, const TextBlock& block,
+                  const FrictionRoles& roles, const std::string& name) {
+  if (points.empty()) return;
   refusePercent(points, block, roles, name);
   refuseFactor(points, block, roles, name);
-  refuseImpossible(points, name);
   refuseFrictionForce(points, block, roles, name);
+}
+
+void checkPoints(const std::vector<MeasuredPoint>& points, bool haveVelocities,
+                 const std::string& name) {
+  refuseImpossible(points, name);
   for (std::size_t i = 0; i < points.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       if (points[i].velocity == points[j].velocity && areOfOneSeries(points[i], points[j]))
-        refuseRepeat(points[j], points[i], roles, name);
+        refuseRepeat(points[j], points[i], haveVelocities, name);
 }
 
 std::vector<Message> slipNotes(const std::vector<MeasuredPoint>& points) {

@@ -13,9 +13,17 @@
 
 namespace asperity {
 
-/// Throws InputError for points that cannot be what the columns of their table say.
-void checkPoints(const std::vector<MeasuredPoint>& points, const TextBlock& block,
-                 const FrictionRoles& roles, const std::string& name);
+/// Throws InputError for fewer than two points.
+void requirePoints(const std::vector<MeasuredPoint>& points, const std::string& name);
+
+/// Throws InputError for points of one table that cannot be what its columns say.
+void checkColumns(const std::vector<MeasuredPoint>& points, const TextBlock& block,
+                  const FrictionRoles& roles, const std::string& name);
+
+/// Throws InputError for points that no test of rubber gives, and for two that nothing tells apart.
+/// haveVelocities: each row of the file has its own velocity.
+void checkPoints(const std::vector<MeasuredPoint>& points, bool haveVelocities,
+                 const std::string& name);
 
 /// Returns a note on each point that is many times higher or lower than its neighbours: one slip of
 /// a decimal mark moves a whole fit.

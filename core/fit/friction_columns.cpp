@@ -31,6 +31,8 @@ constexpr QuantityNames kKnownNames[] = {
      "geschwindigkeit "
      "gleitgeschwindigkeit gleitgeschw geschw vgleit vitesse vitessedeglissement velocit\u00E0 "
      "velocita velocit\u00E0distrisciamento velocidad velocidaddedeslizamiento "
+     "velocidade velocidadededeslizamento snelheid glijsnelheid pr\u0119dko\u015B\u0107 "
+     "\uC18D\uB3C4 "
      "\u901F\u5EA6 \u3059\u3079\u308A\u901F\u5EA6 \u6ED1\u308A\u901F\u5EA6"},
     {Quantity::Mu, "coefficient of friction",
      "mu mue m\u00FC \u00B5 \u03BC cof friction frictioncoefficient frictioncoeff frictioncoef "
@@ -44,7 +46,9 @@ constexpr QuantityNames kKnownNames[] = {
      "gleitreibung gleitreibwert gleitreibungszahl "
      "gleitreibungskoeffizient coefficientdefrottement coefdefrottement coefficientediattrito "
      "coeffdiattrito coeficientedefricci\u00F3n coeficientedefriccion coeficientederozamiento "
-     "\u6469\u64E6\u4FC2\u6570"},
+     "coeficientedeatrito wrijvingsco\u00EBffici\u00EBnt wrijvingscoefficient "
+     "wsp\u00F3\u0142czynniktarcia "
+     "\u6469\u64E6\u4FC2\u6570 \u6469\u64E6\u7CFB\u6570 \uB9C8\uCC30\uACC4\uC218"},
     {Quantity::Force, "normal force",
      "normalforce fn fz f force load normalload w n normalkraft kraft last normallast belastung "
      "auflast anpresskraft radlast wheelload verticalforce verticalload vertikalkraft "
@@ -60,6 +64,7 @@ constexpr QuantityNames kKnownNames[] = {
      "tsample tspecimen trubber probentemperatur gummitemperatur tprobe tgummi testtemperature "
      "temperaturerubber temperaturesample temperaturespecimen pr\u00FCftemperatur prueftemperatur "
      "temp\u00E9rature temperatura \u6E29\u5EA6 temperaturgummi temperaturprobe messtemperatur "
+     "temperatuur \uC628\uB3C4 "
      "versuchstemperatur"},
     {Quantity::Label, "label",
      "run lauf wiederholung label sample name set series specimen probe bezeichnung comment track "
@@ -82,9 +87,10 @@ std::optional<std::string> withoutError(std::string word) {
     if (index == std::string::npos) continue;
     if (sign.size() == 2 && sign[0] < 'z' && index != 0 && index + 2 != word.size()) continue;
     word.erase(index, sign.size());
-    if (word.ends_with("of")) word.resize(word.size() - 2);
     if (word.starts_with("of")) word.erase(0, 2);
     if (word.starts_with("in")) word.erase(0, 2);
+    // "COF" is no "of".
+    if (word.ends_with("of") && !quantityNamed(word)) word.resize(word.size() - 2);
     return word;
   }
   return {};

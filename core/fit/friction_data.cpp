@@ -129,61 +129,97 @@ std::vector<Message> fillGroups(TextBlock& block, const FrictionRoles& roles) {
   return notes;
 }
 
-/// Returns the tables of friction; the largest table where there is none by its names.
+/// Returns the tables of friction by their names; the largest table where there is none.
 std::vector<const TextBlock*> tablesOfFriction(const TextTable& table) {
   std::vector<const TextBlock*> found;
   for (const TextBlock& block : table.blocks)
     if (hasFriction(block)) found.push_back(&block);
-  return found.size() > 1 ? found : std::vector{&table.largest()};
+  return found.empty() ? std::vector{&table.largest()} : found;
 }
 
+/// A table of friction that has been read.
+struct ReadTable {
+  TextBlock block{};
+  FrictionRoles roles{};
+  HeaderMark mark{};
+  HeaderStatements header{};
+  std::vector<Message> ofGroups{};
+  FrictionRows rows{};
+};
+
 /// Completes what the lines above a further table state by those above the first one, except for
-/// what its columns give. Returns whether they tell the tables apart: each states the same loads or
-/// temperatures as the first.
-bool completeStatements(HeaderStatements& header, const HeaderStatements& first,
-                        const FrictionRoles& roles) {
-  if (header.common.empty() || !std::ranges::all_of(header.common, [&](const HeaderStatement& one) {
-        return first.hasCommon(*one.quantity);
+/// what its columns give. Throws InputError where they do not tell the tables apart: each has to
+/// state the same loads or temperatures as the first.
+void completeStatements(ReadTable& further, const ReadTable& first, const std::string& name) {
+  std::vector<HeaderStatement>& common = further.header.common;
+  if (common.empty() || !std::ranges::all_of(common, [&](const HeaderStatement& one) {
+        return first.header.hasCommon(*one.quantity);
       }))
-    return false;
-  for (const HeaderStatement& one : first.common)
-    if (!header.hasCommon(*one.quantity) && !roles.isGiven(*one.quantity))
-      header.common.push_back(one);
-  return true;
+    throw InputError(name, "",
+                     message("has several tables of friction, at lines {} and {}; each needs a "
+                             "file of its own, or all one table with a column that tells them "
+                             "apart, such as temperature or label",
+                             first.block.lines.front(), further.block.lines.front()));
+  for (const HeaderStatement& one : first.header.common)
+    if (!further.header.hasCommon(*one.quantity) && !further.roles.isGiven(*one.quantity))
+      common.push_back(one);
+}
+
+/// Reads one table of friction. first: the one before it; null where it is the first one.
+ReadTable readOne(const TextTable& table, const TextBlock& written, const ReadTable* first,
+                  const std::string& name) {
+  ReadTable one{.block = written};
+  unifyUnits(one.block, name);
+  one.roles = findRoles(one.block, name);
+  refuseUnitsElsewhere(table, written, one.roles, name);
+  one.mark = decimalMark(one.block, table.dialect);
+  one.header = readHeader(
+      one.block.header, one.mark, [&](Quantity quantity) { return one.roles.isGiven(quantity); },
+      name);
+  if (first) completeStatements(one, *first, name);
+  requireQuantities(
+      one.block, one.roles, [&](Quantity quantity) { return one.header.hasCommon(quantity); },
+      name);
+  one.ofGroups = fillGroups(one.block, one.roles);
+  one.rows = readRows(one.block, one.roles, one.header.common, name);
+  return one;
+}
+
+/// Returns the lines at which tables begin that are not read; empty where there is none.
+std::string otherTables(const TextTable& table, const std::vector<const TextBlock*>& read) {
+  std::string lines;
+  for (const TextBlock& block : table.blocks)
+    if (std::ranges::find(read, &block) == read.end())
+      appendItem(lines, std::to_string(block.lines.front()));
+  return lines;
 }
 
 FrictionData readPoints(const TextTable& table, const std::string& name) {
-  const std::vector<const TextBlock*> tables = tablesOfFriction(table);
+  const std::vector<const TextBlock*> ofFriction = tablesOfFriction(table);
   for (const TextBlock& block : table.blocks)
-    if (std::ranges::find(tables, &block) == tables.end()) refuseStatements(block, name);
+    if (std::ranges::find(ofFriction, &block) == ofFriction.end()) refuseStatements(block, name);
   FrictionData data{name};
-  std::optional<HeaderStatements> first;
-  for (const TextBlock* one : tables) {
-    TextBlock block = *one;
-    unifyUnits(block, name);
-    const FrictionRoles roles = findRoles(block, name);
-    refuseUnitsElsewhere(table, *one, roles, name);
-    const HeaderMark mark = decimalMark(block, table.dialect);
-    HeaderStatements header = readHeader(
-        block.header, mark, [&](Quantity quantity) { return roles.isGiven(quantity); }, name);
-    if (first && !completeStatements(header, *first, roles))
-      throw InputError(name, "",
-                       message("has several tables of friction, at lines {} and {}; each needs a "
-                               "file of its own, or all one table with a column that tells them "
-                               "apart, such as temperature or label",
-                               tables.front()->lines.front(), block.lines.front()));
-    requireQuantities(
-        block, roles, [&](Quantity quantity) { return header.hasCommon(quantity); }, name);
-    std::vector<Message> ofGroups = fillGroups(block, roles);
-    FrictionRows rows = readRows(block, roles, header.common, name);
-    std::ranges::move(rows.points, std::back_inserter(data.points));
-    std::ranges::move(notesOn(block, roles, header, mark, tables.size() == 1),
-                      std::back_inserter(data.notes));
-    std::ranges::move(ofGroups, std::back_inserter(data.notes));
-    std::ranges::move(rows.notes, std::back_inserter(data.notes));
-    if (one == tables.back()) checkPoints(data.points, block, roles, name);
-    if (!first) first = std::move(header);
+  std::vector<ReadTable> tables;
+  for (const TextBlock* block : ofFriction) {
+    tables.push_back(readOne(table, *block, tables.empty() ? nullptr : tables.data(), name));
+    const ReadTable& one = tables.back();
+    data.points.insert(data.points.end(), one.rows.points.begin(), one.rows.points.end());
+    for (const std::vector<Message>& notes :
+         {notesOn(one.block, one.roles, one.header, one.mark, ofFriction.size() == 1), one.ofGroups,
+          one.rows.notes})
+      data.notes.insert(data.notes.end(), notes.begin(), notes.end());
   }
+  requirePoints(data.points, name);
+  for (const ReadTable& one : tables) checkColumns(one.rows.points, one.block, one.roles, name);
+  checkPoints(data.points,
+              std::ranges::all_of(tables,
+                                  [](const ReadTable& one) {
+                                    return one.roles.find(Quantity::Velocity) != nullptr;
+                                  }),
+              name);
+  if (const std::string lines = otherTables(table, ofFriction); !lines.empty())
+    data.notes.push_back(message("tables of numbers that are not used: at line {}",
+                                 PrintedNumber{shortened(lines)}));
   std::ranges::move(slipNotes(data.points), std::back_inserter(data.notes));
   std::ranges::move(doubtsAbout(table), std::back_inserter(data.notes));
   if (table.dialect.isUnclear) data.notes.push_back(unclearMark(table.dialect.decimal));
@@ -199,10 +235,9 @@ InputError missingFrictionData() {
 bool isFrictionTable(std::string_view bytes) {
   try {
     const TextTable table = readTable(bytes, {});
-    const TextBlock& block = table.largest();
-    if (hasFriction(block)) return true;
+    if (std::ranges::any_of(table.blocks, hasFriction)) return true;
     // A line above the table may state the velocity, and forces give friction.
-    return block.hasNames() && !readPoints(table, {}).points.empty();
+    return table.largest().hasNames() && !readPoints(table, {}).points.empty();
   } catch (const InputError&) {
     return false;
   }

@@ -89,6 +89,15 @@ std::optional<Message> pressureNote(std::span<const CurvePoint> points, double w
                          pressures.inUnit("Pa"), forces.inUnit("N"), periods.inUnit("m"));
 }
 
+std::optional<Message> pressureNote(const Scene& scene) {
+  if (scene.load.kind != LoadKind::Pressure) return {};
+  const LineSource source(scene, pointsPerElement(scene));
+  CurvePoint point;
+  point.normalForce = loadOn(scene.load, source.length()).normalForce;
+  point.nominalPressure = scene.load.nominalPressure;
+  return pressureNote({&point, 1}, scene.load.width);
+}
+
 double totalMu(const CurvePoint& point) {
   return std::isnan(point.muInterface) ? point.mu : point.mu + point.muInterface;
 }

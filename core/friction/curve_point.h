@@ -80,6 +80,9 @@ double totalMu(const CurvePoint& point);
 /// point has a nominal pressure.
 std::optional<Message> pressureNote(std::span<const CurvePoint> points, double width);
 
+/// Returns the same for the scene itself; nothing where its load is no pressure.
+std::optional<Message> pressureNote(const Scene& scene);
+
 /// Returns whether so few separate stretches bear the load that friction is that of single summits:
 /// fewer than kFewContacts in a period that is less than half in contact. Beyond half of it
 /// stretches are few because they have grown together. With four of them friction scatters by about

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/text.h"
 #include "core/base/text_cell.h"
+#include "core/base/text_header.h"
 #include "core/base/text_number.h"
 #include "core/material/dma_columns.h"
 
@@ -80,7 +82,65 @@ bool haveOneUnit(TextBlock& block, std::size_t column, const std::string& name) 
   }
 }
 
+/// Returns the numbers in the names of all columns but the first; empty where one is no number.
+std::vector<double> numbersInNames(const TextBlock& block, char decimal) {
+  std::vector<double> numbers;
+  for (std::size_t i = 1; i < block.columns.size(); ++i) {
+    double number = 0;
+    if (!readTextNumber(block.columns[i].name, decimal, number)) return {};
+    numbers.push_back(number);
+  }
+  return numbers;
+}
+
+/// Returns the table of which each row is a column of this one: names stand in the first column,
+/// and the line of names is a row, too, or numbers the points. Nothing where the rows are no moduli
+/// over a frequency.
+std::optional<TextBlock> transposed(const TextBlock& block, char decimal) {
+  if (block.columns.size() < 3 || !block.columns.front().isText) return {};
+  const std::vector<double> first = numbersInNames(block, decimal);
+  if (first.empty()) return {};
+  TextBlock made;
+  made.header = block.header;
+  made.rows = first.size();
+  made.lines.assign(made.rows, block.lines.front());
+  std::vector<std::vector<double>> columns;
+  std::size_t moduli = 0;
+  bool hasFrequency = false;
+  const auto add = [&](TextColumn name, std::vector<double> numbers) {
+    const DmaQuantity quantity = dmaColumn(name.name, name.unit).quantity;
+    moduli += isMeasured(quantity) ? 1 : 0;
+    hasFrequency = hasFrequency || quantity == DmaQuantity::Frequency;
+    name.isText = false;
+    made.columns.push_back(std::move(name));
+    columns.push_back(std::move(numbers));
+  };
+  if (const TextColumn& name = block.columns.front();
+      dmaColumn(name.name, name.unit).quantity != DmaQuantity::None)
+    add(name, first);
+  for (std::size_t row = 0; row < block.rows; ++row) {
+    std::vector<double> numbers;
+    for (std::size_t i = 1; i < block.columns.size(); ++i) numbers.push_back(block.at(row, i));
+    add(parseColumnName(block.texts.front()[row]), std::move(numbers));
+  }
+  if (!hasFrequency || moduli < 2) return {};
+  for (std::size_t row = 0; row < made.rows; ++row)
+    for (const std::vector<double>& column : columns) made.values.push_back(column[row]);
+  made.texts.resize(columns.size());
+  made.cells.resize(columns.size());
+  return made;
+}
+
 }  // namespace
+
+void transposeRows(TextTable& table, std::vector<Message>& notes) {
+  for (TextBlock& block : table.blocks) {
+    auto made = transposed(block, table.dialect.decimal);
+    if (!made) continue;
+    block = std::move(*made);
+    notes.emplace_back("the table has one row for each quantity, and its columns are the points");
+  }
+}
 
 void separateCells(TextTable& table, const std::string& name, std::vector<Message>& notes) {
   std::string withErrors;

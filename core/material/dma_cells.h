@@ -10,6 +10,9 @@
 
 namespace asperity {
 
+/// Makes columns of the rows of a table of moduli that has one row for each quantity, with a note.
+void transposeRows(TextTable& table, std::vector<Message>& notes);
+
 /// Leaves each cell with a number alone: its unit becomes that of the column, the parts of complex
 /// numbers become two columns, "G* real part" and "G* imaginary part", and errors are dropped,
 /// because every point counts the same. Numbers by which instruments say that a value is out of

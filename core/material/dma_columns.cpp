@@ -45,7 +45,7 @@ bool namesTemperature(std::string_view word) {
   if (word == "temps" || word.starts_with("tempsde")) return false;
   if (isOneOf(word,
               "\u6E29\u5EA6 \u6E2C\u5B9A\u6E29\u5EA6 \u8A66\u9A13\u6E29\u5EA6 "
-              "\u8A66\u6599\u6E29\u5EA6 \u6D4B\u8BD5\u6E29\u5EA6"))
+              "\u8A66\u6599\u6E29\u5EA6 \u6D4B\u8BD5\u6E29\u5EA6 \uC628\uB3C4"))
     return true;
   return word.find("temp") != word.npos && word.find("ref") == word.npos &&
          !containsOneOf(word, "attempt template tempor contemp");
@@ -93,13 +93,16 @@ DmaQuantity dmaQuantity(std::string_view word) {
       containsOneOf(word,
                     "tandelta tand tan\u03B4 losstangent lossfactor losstan dampingfactor "
                     "verlustfaktor daempfungsfaktor tangentdelta facteurdeperte fattorediperdita "
-                    "factordeperdida \u640D\u5931\u6B63\u63A5 \u640D\u5931\u4FC2\u6570") ||
+                    "factordeperdida \u640D\u5931\u6B63\u63A5 \u640D\u5931\u4FC2\u6570 "
+                    "\u635F\u8017\u56E0\u5B50 \uC190\uC2E4\uACC4\uC218") ||
       word == "tan";
   if (isLossTangent) return LossTangent;
   if (containsOneOf(word, "strainrate energy energie stiffness torque")) return None;
   if (const MeasuredForm form = formOfName(word); form != MeasuredForm::Modulus)
     return partOf(word, form);
-  if (containsOneOf(word, "freq frecuenc \u5468\u6CE2\u6570 \u9891\u7387") ||
+  if (containsOneOf(
+          word,
+          "freq frecuenc frekven stotliwo \u5468\u6CE2\u6570 \u9891\u7387 \uC8FC\uD30C\uC218") ||
       isOneOf(word, "f nu omega w angular"))
     return isReducedFrequency(word) ? ReducedFrequency : Frequency;
   if (isOneOf(word, kReducedSymbols) || isOneOf(word, kReducedAngularSymbols))
@@ -113,16 +116,19 @@ DmaQuantity dmaQuantity(std::string_view word) {
       modulusKind(word) != ModulusKind::Unknown || word.find("modul") != word.npos;
   if (isOfModulus && containsOneOf(word, "imaginarypart imagpart imaginaerteil")) return Loss;
   if (isOfModulus && containsOneOf(word, "realpart realteil")) return Storage;
-  if (containsOneOf(word,
-                    "'' lossmod gloss eloss verlustmodul doubleprime viscousmod modulusloss dprime "
-                    "moduledeperte modulevisqueux modulodiperdita modulodissipativo moduloviscoso "
-                    "modulodeperdida \u640D\u5931\u5F3E\u6027\u7387") ||
+  if (containsOneOf(
+          word,
+          "'' lossmod gloss eloss verlustmodul doubleprime viscousmod modulusloss dprime "
+          "moduledeperte modulevisqueux modulodiperdita modulodissipativo moduloviscoso "
+          "modulodeperdida modulodeperda verliesmod stratno \u640D\u5931\u5F3E\u6027\u7387 "
+          "\u635F\u8017\u6A21\u91CF \uC190\uC2E4\uD0C4\uC131\uB960") ||
       isOneOf(word, "loss g2 e2 gpp epp lossg losse gimag eimag"))
     return Loss;
   if (containsOneOf(word,
                     "g' e' m' storage speicher gprime eprime elasticmod moduledeconservation "
                     "moduleelastique moduloelastico moduloconservativo modulodealmacenamiento "
-                    "\u8CAF\u8535\u5F3E\u6027\u7387") ||
+                    "modulodearmazenamento opslagmod zachowawcz \u8CAF\u8535\u5F3E\u6027\u7387 "
+                    "\u50A8\u80FD\u6A21\u91CF \uC800\uC7A5\uD0C4\uC131\uB960") ||
       isOneOf(word, "g1 e1 gp ep greal ereal"))
     return Storage;
   if (containsOneOf(word, "phase phasen lossangle verlustwinkel") || word == "delta") return Phase;
@@ -195,7 +201,9 @@ bool isMadeOfKnownWords(std::string_view word) {
       "conservativo dissipativo elastico el\u00E1stico viscoso \u00E9lastique elastique visqueux "
       "perdita p\u00E9rdida perdida almacenamiento viscosity viskosit\u00E4t "
       "compliance nachgiebigkeit eta \u03B7 "
-      "\u8CAF\u8535\u5F3E\u6027\u7387 \u640D\u5931\u5F3E\u6027\u7387");
+      "armazenamento perda opslag verlies modu\u0142 zachowawczy stratno\u015Bci "
+      "\u8CAF\u8535\u5F3E\u6027\u7387 \u640D\u5931\u5F3E\u6027\u7387 \u50A8\u80FD\u6A21\u91CF "
+      "\u635F\u8017\u6A21\u91CF \uC800\uC7A5\uD0C4\uC131\uB960 \uC190\uC2E4\uD0C4\uC131\uB960");
   return word.empty() || std::ranges::any_of(kParts, [word](std::string_view part) {
            return word.starts_with(part) && isMadeOfKnownWords(word.substr(part.size()));
          });

@@ -317,6 +317,7 @@ std::vector<Message> factsOf(const DmaFacts& facts) {
 
 DmaFile readDmaFile(TextTable table, const std::string& name, const DmaChoices& choices) {
   std::vector<Message> ofCells;
+  transposeRows(table, ofCells);
   separateCells(table, name, ofCells);
   undoLogarithms(
       table, [](const std::string& quantity) { return dmaColumn(quantity, {}).quantity != None; });

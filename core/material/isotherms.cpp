@@ -101,7 +101,7 @@ std::vector<Isotherm> groupIsotherms(std::vector<MeasuredModulus> rows, double t
     sweeps.push_back(gathered({rows.begin() + static_cast<std::ptrdiff_t>(begin),
                                rows.begin() + static_cast<std::ptrdiff_t>(i)}));
     // A slow temperature ramp has no gaps, and all its sweeps would become one.
-    const bool isWide = rows[i - 1].temperature - rows[begin].temperature > 6 * tolerance;
+    const bool isWide = rows[i - 1].temperature - rows[begin].temperature > kWideSweep * tolerance;
     const Isotherm& sweep = sweeps.back().isotherm;
     if (isWide || sweep.points.size() < 2) {
       std::vector<Isotherm> ofRamp = isothermsOfRamp(rows, tolerance);

@@ -66,6 +66,8 @@ double chooseStrain(std::vector<MeasuredModulus>& rows, std::optional<double> ch
 /// Rows belong to one sweep while neighbouring temperatures differ by at most this, unless a user
 /// chooses another tolerance.
 inline constexpr double kIsothermTolerance = 0.6;  // K
+/// Rows over more than so many tolerances are no sweep at a constant temperature.
+inline constexpr double kWideSweep = 6;
 
 /// Groups rows into sweeps, by rising temperature and frequency whatever the order of the rows.
 /// Rows whose temperatures follow each other within `tolerance` (K) are one isotherm; several

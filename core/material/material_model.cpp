@@ -278,6 +278,9 @@ Material makeMaterial(std::string_view bytes, const std::string& fileName,
                                file.rows.size(), kMaxRows));
     const double strain =
         chooseStrain(file.rows, choices.strainAmplitude, choices.temperatureTolerance, fileName);
+    if (const std::size_t left = leaveOutRamps(file.rows, choices.temperatureTolerance); left > 0)
+      file.facts.notes.push_back(message(
+          "ramps of temperature at one frequency, beside the sweeps: {} rows are not used", left));
     try {
       material =
           fitMaterial(groupIsotherms(std::move(file.rows), choices.temperatureTolerance), choices);

@@ -127,12 +127,56 @@ double widestGap(const std::vector<double>& temperatures, double from, double to
   return widest;
 }
 
+constexpr double kNominal = 0.01;  // by which instruments miss a frequency
+constexpr double kWidestGap = 6;   // K, between neighbours in a ramp
+
+/// Returns whether rows are at least two isotherms, each of at least two frequencies.
+bool areIsotherms(std::vector<MeasuredModulus> rows, double tolerance) {
+  std::ranges::stable_sort(rows, {}, &MeasuredModulus::temperature);
+  std::size_t isotherms = 0;
+  for (std::size_t begin = 0, end = 0; begin < rows.size(); begin = end) {
+    double lowest = rows[begin].modulus.frequency, highest = lowest;
+    for (++end; end < rows.size() && rows[end].temperature - rows[end - 1].temperature <= tolerance;
+         ++end) {
+      lowest = std::min(lowest, rows[end].modulus.frequency);
+      highest = std::max(highest, rows[end].modulus.frequency);
+    }
+    const bool isWide =
+        rows[end - 1].temperature - rows[begin].temperature > kWideSweep * tolerance;
+    if (isWide || highest <= (1 + kNominal) * lowest) return false;
+    ++isotherms;
+  }
+  return isotherms > 1;
+}
+
 }  // namespace
 
+std::size_t leaveOutRamps(std::vector<MeasuredModulus>& rows, double tolerance) {
+  constexpr std::ptrdiff_t kMin = 5;
+  std::vector<MeasuredModulus> rest;
+  for (auto begin = rows.begin(), end = begin; begin != rows.end(); begin = end) {
+    const double frequency = begin->modulus.frequency;
+    for (++end; end != rows.end() &&
+                std::abs(end->modulus.frequency - frequency) <= kNominal * frequency &&
+                std::abs(end->temperature - (end - 1)->temperature) <= kWidestGap;)
+      ++end;
+    const auto [coldest, warmest] =
+        std::minmax_element(begin, end, [](const MeasuredModulus& a, const MeasuredModulus& b) {
+          return a.temperature < b.temperature;
+        });
+    const bool isRamp =
+        end - begin >= kMin && warmest->temperature - coldest->temperature > kWideSweep * tolerance;
+    if (!isRamp) rest.insert(rest.end(), begin, end);
+  }
+  const std::size_t left = rows.size() - rest.size();
+  if (left == 0 || !areIsotherms(rest, tolerance)) return 0;
+  rows = std::move(rest);
+  return left;
+}
+
 std::vector<Isotherm> isothermsOfRamp(const std::vector<MeasuredModulus>& rows, double tolerance) {
-  constexpr double kNominal = 0.01;                 // by which instruments miss a frequency
-  constexpr double kUsualStep = 3, kWidestGap = 6;  // K
-  constexpr std::size_t kMin = 4;                   // temperatures of one frequency
+  constexpr double kUsualStep = 3;  // K
+  constexpr std::size_t kMin = 4;   // temperatures of one frequency
   std::vector<MeasuredModulus> byFrequency = rows;
   std::ranges::stable_sort(byFrequency, {},
                            [](const MeasuredModulus& row) { return row.modulus.frequency; });

@@ -3,6 +3,7 @@
 // sweeps at all. Pure functions; any thread; equal input gives equal bits.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "core/base/message.h"
@@ -31,6 +32,12 @@ void removeDrift(std::vector<MeasuredSweep>& sweeps, double tolerance);
 /// (K) count as one, their geometric mean. Empty where there are fewer than two frequencies, or one
 /// of them has too few temperatures or a gap among them.
 std::vector<Isotherm> isothermsOfRamp(const std::vector<MeasuredModulus>& rows, double tolerance);
+
+/// Leaves out the ramps of temperature at one frequency that stand beside sweeps in one file, whose
+/// rows are in its order; returns how many rows these are. A ramp is a run of rows of one frequency
+/// over more than six tolerances (K). Nothing is left out unless the other rows are at least two
+/// isotherms.
+std::size_t leaveOutRamps(std::vector<MeasuredModulus>& rows, double tolerance);
 
 /// Says which isotherms were interpolated between ramps, in which ones the temperature drifts, and
 /// whether this was removed.

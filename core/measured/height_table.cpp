@@ -139,6 +139,35 @@ std::size_t rowsOfProfile(const TextBlock& block) {
   return 0;
 }
 
+/// Returns where profiles begin that a column numbers, each with equally many rows and the same
+/// positions in another column; empty where there are none.
+std::vector<std::size_t> beginsOfNumbered(const TextBlock& block) {
+  for (std::size_t column = 0; column < block.columns.size(); ++column) {
+    if (!numbersProfiles(block, column)) continue;
+    std::vector<std::size_t> begins{0};
+    for (std::size_t row = 1; row < block.rows; ++row)
+      if (block.at(row, column) != block.at(row - 1, column)) begins.push_back(row);
+    const std::size_t rows = begins.size() > 1 ? begins[1] : block.rows;
+    const bool areEqual = block.rows == rows * begins.size() && begins.back() == block.rows - rows;
+    for (std::size_t x = 0; areEqual && rows < block.rows && x < block.columns.size(); ++x) {
+      bool isAgain = isPositionName(lowerCase(block.columns[x].name));
+      for (std::size_t row = rows; isAgain && row < block.rows; ++row)
+        isAgain = block.at(row, x) == block.at(row - rows, x);
+      if (isAgain) return begins;
+    }
+  }
+  return {};
+}
+
+/// Returns where parts of a table begin that blank lines separate, or positions that begin anew.
+std::vector<std::size_t> beginsOfParts(const TextBlock& block) {
+  std::vector<std::size_t> begins{0};
+  for (const auto& [row, count] : block.blanks) begins.push_back(row);
+  if (const std::size_t rows = block.blanks.empty() ? rowsOfProfile(block) : 0; rows > 0)
+    for (std::size_t row = rows; row < block.rows; row += rows) begins.push_back(row);
+  return begins;
+}
+
 /// Returns whether blank lines separate tables, and no parts of one: those of profiles, whose
 /// positions begin anew, or of equally many rows.
 bool areTables(const TextBlock& block, const std::vector<std::size_t>& begins, bool areEqual) {
@@ -247,19 +276,17 @@ HeightTable chooseHeightTable(const TextTable& table) {
 std::size_t splitIntoParts(TextTable& table, std::size_t index, const SurfaceSource& source) {
   constexpr std::size_t kMinRows = 3;
   const TextBlock& whole = table.blocks[index];
-  std::vector<std::size_t> begins{0};  // of the parts, and the end of the last one
-  for (const auto& [row, count] : whole.blanks) begins.push_back(row);
-  if (const std::size_t rows = whole.blanks.empty() ? rowsOfProfile(whole) : 0; rows > 0)
-    for (std::size_t row = rows; row < whole.rows; row += rows) begins.push_back(row);
+  const std::vector<std::size_t> numbered = beginsOfNumbered(whole);
+  std::vector<std::size_t> begins = numbered.empty() ? beginsOfParts(whole) : numbered;
   if (begins.size() == 1 || whole.columns.size() < 2) return 1;
-  begins.push_back(whole.rows);
+  begins.push_back(whole.rows);  // the end of the last part
   const std::size_t parts = begins.size() - 1, rows = begins[1];
   bool areEqual = true;
   for (std::size_t i = 0; i < parts; ++i) {
     areEqual = areEqual && begins[i + 1] - begins[i] == rows;
     if (begins[i + 1] - begins[i] < kMinRows) return 1;
   }
-  if (!areTables(whole, begins, areEqual)) return 1;
+  if (numbered.empty() && !areTables(whole, begins, areEqual)) return 1;
   const auto stated = statedCount(table, whole, Counted::Rows);
   if (source.choices.format == "matrix" || stated == static_cast<std::int64_t>(whole.rows))
     return 1;
@@ -268,7 +295,8 @@ std::size_t splitIntoParts(TextTable& table, std::size_t index, const SurfaceSou
     TextBlock& part = split.emplace_back();
     part.columns = whole.columns;
     part.rows = begins[i + 1] - begins[i];
-    if (i > 0 && !whole.blanks.empty()) part.blanks = {{0, whole.blanks[i - 1].second}};
+    if (i > 0 && numbered.empty() && !whole.blanks.empty())
+      part.blanks = {{0, whole.blanks[i - 1].second}};
     const auto first = static_cast<std::ptrdiff_t>(begins[i]),
                last = static_cast<std::ptrdiff_t>(begins[i + 1]),
                width = static_cast<std::ptrdiff_t>(whole.columns.size());

@@ -27,8 +27,8 @@ std::size_t joinContinued(TextTable& table);
 HeightTable chooseHeightTable(const TextTable& table);
 
 /// Replaces a table by several where blank lines separate it into parts of equally many rows, or
-/// into profiles, or where the positions of a profile begin anew, and returns their number; 1:
-/// there are no such parts. The lines of points of one grid stay together,
+/// into profiles, or where the positions of a profile begin anew or a column numbers them, and
+/// returns their number; 1: there are no such parts. The lines of points of one grid stay together,
 /// and so do the rows of a matrix where the header states their number, or the user that they are
 /// one.
 std::size_t splitIntoParts(TextTable& table, std::size_t index, const SurfaceSource& source);

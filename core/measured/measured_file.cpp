@@ -88,6 +88,12 @@ bool holdsBinary(const SurfaceSource& source) {
   return static_cast<std::size_t>(controls) > rest.size() / kOneIn;
 }
 
+/// Returns whether one of the readers reads the file; Gwyddion may read the others.
+bool isReadable(const SurfaceSource& source) {
+  return source.choices.format != "auto" || detectFormat(source) != nullptr ||
+         (canBeText(source) && !holdsBinary(source));
+}
+
 SurfaceDraft readDraft(const SurfaceSource& source) {
   const std::string& word = source.choices.format;
   const SurfaceFormat* format = nullptr;
@@ -96,7 +102,6 @@ SurfaceDraft readDraft(const SurfaceSource& source) {
     if (chosen != kFormats.end()) format = chosen;
   } else {
     format = detectFormat(source);
-    if (format == nullptr && (!canBeText(source) || holdsBinary(source))) refuseKind(source);
   }
   return format != nullptr ? format->read(source) : readTextSurface(source);
 }
@@ -231,6 +236,14 @@ MeasuredFile finished(const SurfaceSource& source, SurfaceDraft draft) {
   return {std::move(draft.grid), std::move(draft.facts)};
 }
 
+/// Reads a file of which isReadable is known.
+MeasuredFile readReadable(const SurfaceSource& source) {
+  requireChoices(source);
+  source.report(0);
+  if (source.bytes.empty()) source.fail("is empty");
+  return finished(source, readDraft(source));
+}
+
 /// Reads the file in parts, so that reading can be stopped.
 std::string readInParts(const RegularFile& regular, const std::stop_token& stop) {
   constexpr std::size_t kPart = std::size_t{1} << 24;
@@ -308,10 +321,8 @@ MeasuredFile readMeasuredBytes(std::string_view bytes, const std::string& name,
                                const ReadingChoices& choices, const std::stop_token& stop,
                                const ReadingProgress& progress) {
   const SurfaceSource source{bytes, name, choices, stop, progress};
-  requireChoices(source);
-  source.report(0);
-  if (bytes.empty()) source.fail("is empty");
-  return finished(source, readDraft(source));
+  if (!bytes.empty() && !isReadable(source)) refuseKind(source);
+  return readReadable(source);
 }
 
 MeasuredFile readMeasuredFile(const std::filesystem::path& file, const ReadingChoices& choices,
@@ -329,8 +340,7 @@ MeasuredFile readMeasuredFile(const std::filesystem::path& file, const ReadingCh
     if (choices.format != "gwyddion" && !isOther) {
       const std::string bytes = readInParts(regular, stop);
       const SurfaceSource whole{bytes, name, choices, stop, progress};
-      if (choices.format != "auto" || detectFormat(whole) != nullptr || !holdsBinary(whole))
-        return readMeasuredBytes(bytes, name, choices, stop, progress);
+      if (isReadable(whole)) return readReadable(whole);
     }
   }
   const std::string converted = convertWithGwyddion(file, stop);

@@ -5,6 +5,7 @@
 
 #include "core/base/text.h"
 #include "core/base/text_number.h"
+#include "core/base/text_units.h"
 #include "core/base/units.h"
 #include "core/measured/uniform_positions.h"
 
@@ -226,7 +227,8 @@ class RoleFinder {
       if (i == positionChoice_ || i == heightChoice_) continue;
       if (isRowName(name) && !name.starts_with("y.") && !name.starts_with("y("))
         lateral.push_back(roles_.y = i);
-      else if ((roles_.x < 0 || i < heightChoice_) && isPositionName(name))
+      else if (isPositionName(name) &&
+               (roles_.x < 0 || i < heightChoice_ || (mayBeOther(roles_.x) && !mayBeOther(i))))
         roles_.x = i;  // of several profiles, each with its positions, those of the chosen one
       else if (isHeightName(name))
         roles_.heights.push_back(i);
@@ -283,6 +285,7 @@ class RoleFinder {
       if (roles_.x < 0) roles_.x = onlyOne(block_, roles_.heights, Course::Monotone);
     }
     std::erase(roles_.heights, roles_.x);
+    dropNumbers();
     preferPrimary();
     if (heightChoice_ >= 0)
       roles_.z = heightChoice_;
@@ -290,6 +293,14 @@ class RoleFinder {
       roles_.z = firstHeights();
     else if (roles_.x >= 0 && positionChoice_ < 0)
       std::swap(roles_.x, roles_.z);  // a single column holds heights, whatever its name
+  }
+
+  /// Removes columns that number the profiles from the heights where others remain.
+  void dropNumbers() {
+    const auto isNumber = [this](int column) {
+      return numbersProfiles(block_, static_cast<std::size_t>(column));
+    };
+    if (!std::ranges::all_of(roles_.heights, isNumber)) std::erase_if(roles_.heights, isNumber);
   }
 
   /// Returns the first column of heights that has different ones, such as "Z" behind "Z-Pos" of the
@@ -339,6 +350,12 @@ class RoleFinder {
   }
   const std::string& nameOf(int column) const { return columnAt(column).name; }
   const std::string& unitOf(int column) const { return columnAt(column).unit; }
+  /// Returns whether a column named as positions may hold something else: its unit is none of
+  /// length, as counts of an encoder, or it numbers the profiles.
+  bool mayBeOther(int column) const {
+    return (!unitOf(column).empty() && !metresPer(unitOf(column))) ||
+           numbersProfiles(block_, static_cast<std::size_t>(column));
+  }
   bool isCount(int column) const { return countsRows(block_, static_cast<std::size_t>(column)); }
 
   const TextBlock& block_;
@@ -357,6 +374,21 @@ ColumnRoles columnRoles(const TextBlock& block, const SurfaceSource& source) {
 bool hasNoNumber(const TextBlock& block, std::size_t column) {
   for (std::size_t row = 0; row < block.rows; ++row)
     if (!std::isnan(block.at(row, column))) return false;
+  return true;
+}
+
+bool numbersProfiles(const TextBlock& block, std::size_t column) {
+  constexpr WordList kProfiles(
+      "profile profil perfil profilo scan track trace line linie spur section measurement messung "
+      "run");
+  const TextColumn& one = block.columns[column];
+  if (one.isText || !one.unit.empty() || !begins(kProfiles, lowerCase(one.name))) return false;
+  double last = 0;
+  for (std::size_t row = 0; row < block.rows; ++row) {
+    const double number = block.at(row, column);
+    if (number != std::floor(number) || (row > 0 && number < last)) return false;
+    last = number;
+  }
   return true;
 }
 

@@ -29,6 +29,10 @@ ColumnRoles columnRoles(const TextBlock& block, const SurfaceSource& source);
 /// Returns whether a column has no number at all, as one of dates.
 bool hasNoNumber(const TextBlock& block, std::size_t column);
 
+/// Returns whether a column numbers the profiles that follow each other, by its name and its
+/// numbers: "Profile", "Track no.".
+bool numbersProfiles(const TextBlock& block, std::size_t column);
+
 /// Returns whether the positions in a column are in pixels: they number the points.
 bool isInPixels(const TextColumn& column);
 

@@ -150,7 +150,13 @@ void takeSpacings(const TextTable& table, const TextBlock& block, const SurfaceS
           "The header states one length without an axis: rows are taken to be as far apart as "
           "points.");
   }
-  if (hasY && !hasX) grid.columnSpacing = grid.rowSpacing;
+  if (hasY && !hasX) {
+    grid.columnSpacing = grid.rowSpacing;
+    if (!isChosen)
+      draft.facts.notes.emplace_back(
+          "The header states the length along y alone: points are taken to be as far apart as "
+          "rows.");
+  }
   draft.hasPositions = (hasX || hasY) && !isChosen;
   if ((hasX || hasY) && isChosen)
     draft.facts.notes.emplace_back(

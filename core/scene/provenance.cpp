@@ -280,6 +280,8 @@ FoundScene sceneIn(std::string_view bytes, const std::string& name,
               resultFrom(part.is_object() ? part : Json::object(), name, folders));
       return result;
     }
+    if (!isText && origin.contains("origin") && origin["origin"].contains("file"))
+      throw InputError("", "", "holds no scene: it was made from a table of moduli");
   } catch (const InputError& error) {
     throw error.withFile(name);
   }

@@ -173,8 +173,14 @@ StudyAxis readRows(const Json& spec, const std::string& where,
     const std::filesystem::path file = folder / spec.get<std::string>();
     TextTableOptions options;
     options.keepsTexts = true;
-    const TextTable table =
-        readTextTable(readRegularFile(file, kLargestTable), file.string(), options);
+    const std::string bytes = [&] {
+      try {
+        return readRegularFile(file, kLargestTable);
+      } catch (const InputError& error) {
+        refuseMember(where, errorMessage(error));
+      }
+    }();
+    const TextTable table = readTextTable(bytes, file.string(), options);
     refuseUnclearMark(table, file.string());
     const TextBlock& block = table.largest();
     for (const TextColumn& column : block.columns) {

@@ -207,12 +207,12 @@
         <translation>unbekannter Schlüssel</translation>
     </message>
     <message>
-        <source>is not a real number, which alone can be varied</source>
-        <translation>ist keine reelle Zahl; nur solche lassen sich variieren</translation>
+        <source>is not a real number, which alone can be varied; this scene has %1</source>
+        <translation>ist keine reelle Zahl, und nur solche lassen sich variieren; diese Szene hat %1</translation>
     </message>
     <message>
-        <source>has no meaning in this scene</source>
-        <translation>hat in dieser Szene keine Bedeutung</translation>
+        <source>has no meaning in this scene, which has %1</source>
+        <translation>hat in dieser Szene keine Bedeutung; sie hat %1</translation>
     </message>
     <message>
         <source>is 0, which means none; it needs a value to begin from</source>
@@ -557,10 +557,6 @@
     <message>
         <source>The numbers begin with their highest byte (big-endian), against the standard, and are read so.</source>
         <translation>Die Zahlen beginnen mit ihrem höchsten Byte (Big-Endian), gegen die Norm, und werden so gelesen.</translation>
-    </message>
-    <message>
-        <source>is not valid JSON: %1</source>
-        <translation>ist kein gültiges JSON: %1</translation>
     </message>
     <message>
         <source>cannot be opened: %1</source>
@@ -3047,6 +3043,10 @@
         <translation>enthält keine Szene: Asperity hat diese Datei nicht geschrieben, oder die Szene darin wurde entfernt</translation>
     </message>
     <message>
+        <source>holds no scene: it was made from a table of moduli</source>
+        <translation>enthält keine Szene: Die Datei entstand aus einer Tabelle von Moduln</translation>
+    </message>
+    <message>
         <source>shows many scenes; open the picture or the table of one of them</source>
         <translation>zeigt viele Szenen; zu öffnen ist das Bild oder die Tabelle einer davon</translation>
     </message>
@@ -3567,6 +3567,10 @@
         <translation>nicht benutzt: %1</translation>
     </message>
     <message>
+        <source>tables of numbers that are not used: at line %1</source>
+        <translation>Tabellen mit Zahlen, die nicht verwendet werden: in Zeile %1</translation>
+    </message>
+    <message>
         <source>line %1: '%2' is not a number</source>
         <translation>Zeile %1: „%2“ ist keine Zahl</translation>
     </message>
@@ -3781,6 +3785,10 @@
     <message>
         <source>One point has no height.</source>
         <translation>Ein Punkt hat keine Höhe.</translation>
+    </message>
+    <message>
+        <source>All heights are the same: the surface is flat.</source>
+        <translation>Alle Höhen sind gleich: Die Oberfläche ist eben.</translation>
     </message>
     <message>
         <source>The height %1 (in %2) is far from all others: if it means a missing point, it has to be left empty, or surface.outliers has to be set.</source>
@@ -4025,6 +4033,10 @@
     <message>
         <source>The header states one length without an axis: rows are taken to be as far apart as points.</source>
         <translation>Der Kopf nennt eine Länge ohne Achse: der Abstand der Zeilen wird gleich dem der Punkte angenommen.</translation>
+    </message>
+    <message>
+        <source>The header states the length along y alone: points are taken to be as far apart as rows.</source>
+        <translation>Der Kopf nennt nur die Länge längs y: Für die Punkte wird der Abstand der Zeilen angenommen.</translation>
     </message>
     <message>
         <source>is needed (%1): the numbers are named &apos;%2&apos;, which are no heights</source>
@@ -4563,8 +4575,16 @@
         <translation>Fehler in Zellen, nicht gelesen, weil jeder Punkt gleich viel zählt: %1</translation>
     </message>
     <message>
+        <source>the table has one row for each quantity, and its columns are the points</source>
+        <translation>die Tabelle hat eine Zeile für jede Größe, und ihre Spalten sind die Punkte</translation>
+    </message>
+    <message>
         <source>the temperature rises or falls slowly at each of %1 frequencies: their moduli are interpolated to isotherms %2 K apart</source>
         <translation>die Temperatur steigt oder fällt langsam bei jeder von %1 Frequenzen: ihre Moduln werden zwischen den Temperaturen auf Isothermen im Abstand von %2 K interpoliert</translation>
+    </message>
+    <message>
+        <source>ramps of temperature at one frequency, beside the sweeps: %1 rows are not used</source>
+        <translation>Temperaturrampen bei einer Frequenz neben den Frequenzgängen: %1 Zeilen werden nicht verwendet</translation>
     </message>
     <message>
         <source>has no unit and adds up to %1; parts of the instantaneous modulus add up to at most 1, and moduli need their unit: correct the parts, or say with --modulus-unit which unit the moduli have</source>

@@ -121,6 +121,8 @@ TEST_F(CommandLineTest, AFullDiskIsExitOneAndLeavesNoPart) {
 
 TEST_F(CommandLineTest, StandardOutputThatIsFullIsExitOne) {
   EXPECT_EQ(program.run("curve s.json > /dev/full; exit $?").status, 1);
+  EXPECT_EQ(program.run("columns > /dev/full 2> said; exit $?").status, 1);
+  EXPECT_EQ(read("said"), "asperity: standard output cannot be written\n");
   EXPECT_EQ(program.run("check s.json --json > /dev/full; exit $?").status, 1);
 }
 

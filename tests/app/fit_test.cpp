@@ -84,7 +84,10 @@ TEST_F(FitCommandTest, SaysWhatItsNumbersMean) {
 /// Without a width a nominal pressure acts on the square of the period, which nobody chose.
 TEST_F(FitCommandTest, SaysWhichForceANominalPressureIs) {
   const std::string pressure = " s.json --set load.kind=pressure --set load.nominal_pressure=8.5";
-  for (const std::string& verb : {"check" + pressure, "curve" + pressure + " -o p.csv"}) {
+  for (const std::string& verb :
+       {"check" + pressure, "curve" + pressure + " -o p.csv", "cutoff" + pressure + " -o p.csv",
+        "sensitivity" + pressure + " -o p.csv",
+        "map" + pressure + " --x surface.hurst=0.5:0.8:2 --y sliding.velocity=0.1:1:2 -o p.csv"}) {
     const auto ran = program.run(verb);
     ASSERT_EQ(ran.status, 0) << ran.err;
     EXPECT_THAT(ran.out + ran.err,
@@ -109,7 +112,8 @@ TEST_F(FitCommandTest, RefusesWhatItCannotFit) {
   expectRefused(fit + "surface.hurst=a:b", 2, "surface.hurst: 'a' is not a number");
   expectRefused(fit + "surface.hurst --vary surface.hurst", 2, "more than once");
   expectRefused(fit + "surface.rms_height=0.1Pa:1mm", 2, "is a modulus or pressure");
-  expectRefused(fit + "surface.slope", 2, "has no meaning in this scene");
+  expectRefused(fit + "surface.slope", 2, "has no meaning in this scene, which has surface.");
+  expectRefused(fit + "surface.seed", 2, "surface.rms_height");
   program.folder.write("bad.csv", "velocity,mu\n1,0.2\n2,-1\n");
   expectRefused("fit s.json -o out --data bad.csv --vary surface.hurst", 2,
                 "bad.csv: row 3: the coefficient of friction is -1");

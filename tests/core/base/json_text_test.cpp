@@ -64,6 +64,18 @@ TEST(JsonText, AnErrorNamesItsLineAndColumn) {
   }
 }
 
+/// The library states no place of a number that is too large.
+TEST(JsonText, ANumberThatIsTooLargeHasALine) {
+  try {
+    parseJson("{\"a\": 1,\n \"b\": 1e999}", 8);
+    FAIL();
+  } catch (const InputError& error) {
+    ASSERT_EQ(error.message().values.size(), 3U);
+    EXPECT_EQ(error.message().values[0].text, "2");
+    EXPECT_EQ(error.message().values[1].text, "11");
+  }
+}
+
 TEST(JsonText, MembersUpToOneAreReadWithoutWhatFollows) {
   const std::string text = R"({"a":1,"b":{"c":2},"d": no JSON)";
   EXPECT_EQ(membersUpTo(text, "b", 4), (Json{{"a", 1}, {"b", {{"c", 2}}}}));

@@ -139,6 +139,43 @@ TEST(FrictionData, ReadsSeveralTablesWithTheirStates) {
               HasSubstr("line 7: temperature of the points below it (Temperature: 25 \u00B0C)"));
 }
 
+/// Each table is checked by its own columns: their units may differ.
+TEST(FrictionData, SeveralTablesMayHaveDifferentColumns) {
+  const std::string percent = "Temperature: 5 \u00B0C\nv (mm/s),mu (%)\n1,20\n2,30\n\n",
+                    plain = "Temperature: 25 \u00B0C\nv (m/s),mu\n1,0.1\n2,0.2\n\n";
+  for (const std::string& text : {percent + plain, plain + percent}) {
+    const FrictionData data = parsed(text);
+    ASSERT_EQ(data.points.size(), 4U);
+    for (const MeasuredPoint& point : data.points) EXPECT_LT(point.mu, 0.4);
+  }
+  // Without its unit friction in per cent is refused in each of them.
+  const std::string hidden = "Temperature: 5 \u00B0C\nv (mm/s),mu\n1,20\n2,30\n\n";
+  for (const std::string& text : {hidden + plain, plain + hidden})
+    EXPECT_THAT(errorOf(text), HasSubstr("the coefficients of friction are 20 to 30"));
+}
+
+/// A table of friction by its names is read, whatever else is in the file.
+TEST(FrictionData, ALargerTableOfOtherNumbersIsNotRead) {
+  std::string raw = "t (s),Fx (N),x (mm)\n";
+  for (int i = 0; i < 40; ++i) raw += std::to_string(i) + ",20,3\n";
+  const std::string friction = "v (mm/s),mu\n1,0.2\n2,0.3\n";
+  for (const std::string& text : {raw + "\n" + friction, friction + "\n" + raw}) {
+    ASSERT_TRUE(isFrictionTable(text));
+    const FrictionData data = parsed(text);
+    ASSERT_EQ(data.points.size(), 2U);
+    EXPECT_DOUBLE_EQ(data.points[1].mu, 0.3);
+    EXPECT_THAT(data.notes.back().english(),
+                HasSubstr("tables of numbers that are not used: at line"));
+  }
+}
+
+TEST(FrictionData, ReadsErrorsOfACof) {
+  for (const std::string name : {"StDev COF", "COF_std", "COF error", "SD of COF"}) {
+    const FrictionData data = parsed("v (m/s),COF," + name + "\n1,0.2,0.01\n2,0.3,0.02\n");
+    EXPECT_DOUBLE_EQ(data.points[1].muError, 0.02) << name;
+  }
+}
+
 /// A point has one load: that of a column and not the one above another table.
 TEST(FrictionData, AColumnReplacesWhatStandsAboveAnotherTable) {
   const FrictionData data = parsed(

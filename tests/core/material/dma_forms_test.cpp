@@ -218,6 +218,37 @@ TEST(DmaForms, NamesAndLinesMayStateTheFrequency) {
         << line;
 }
 
+/// One row for each quantity; the line of names is the first row, or numbers the points.
+TEST(DmaForms, RowsMayBeTheQuantities) {
+  for (const std::string text :
+       {"Frequency (Hz);1;10;100\nT (\u00B0C);20;20;20\nG' (MPa);2;3;4\nG'' (MPa);0,2;0,4;0,5\n",
+        "Quantity,1,2,3\nf (Hz),1,10,100\nTemperature (K),293.15,293.15,293.15\nG' (MPa),2,3,4\n"
+        "tan delta,0.1,0.13333333333333333,0.125\n"}) {
+    const DmaFile file = read(text);
+    ASSERT_EQ(file.rows.size(), 3U) << text;
+    expectRow(file.rows[1], 293.15, 10, 3e6, 4e5);
+    EXPECT_THAT(notesOf(file), Contains("the table has one row for each quantity, and its columns "
+                                        "are the points"));
+  }
+}
+
+TEST(DmaForms, NamesMayBeInManyLanguages) {
+  for (const std::string names :
+       {"Cz\u0119stotliwo\u015B\u0107 (Hz);Temperatura (\u00B0C);Modu\u0142 zachowawczy G' "
+        "(MPa);Modu\u0142 stratno\u015Bci G'' (MPa)",
+        "Frequentie (Hz);Temperatuur (\u00B0C);Opslagmodulus G' (MPa);Verliesmodulus G'' (MPa)",
+        "Frequ\u00EAncia (Hz);Temperatura (\u00B0C);M\u00F3dulo de armazenamento G' "
+        "(MPa);M\u00F3dulo de perda G'' (MPa)",
+        "\u9891\u7387 (Hz);\u6E29\u5EA6 (\u00B0C);\u50A8\u80FD\u6A21\u91CF G' "
+        "(MPa);\u635F\u8017\u6A21\u91CF G'' (MPa)",
+        "\uC8FC\uD30C\uC218 (Hz);\uC628\uB3C4 (\u00B0C);\uC800\uC7A5\uD0C4\uC131\uB960 G' "
+        "(MPa);\uC190\uC2E4\uD0C4\uC131\uB960 G'' (MPa)"}) {
+    const DmaFile file = read(names + "\n1;20;2;0,2\n10;20;3;0,4\n");
+    ASSERT_EQ(file.rows.size(), 2U) << names;
+    expectRow(file.rows[1], 293.15, 10, 3e6, 4e5);
+  }
+}
+
 TEST(DmaForms, LostValuesAreLeftOut) {
   for (const char* lost : {"9.9E+30", "9.91E37", "-9.9e+37", "OVER", "+OVER", "Overload", "OVFL"}) {
     const DmaFile file = read(std::string("f (Hz),T (C),G' (MPa),G'' (MPa)\n1,20,2,0.2\n2,20,") +

@@ -37,6 +37,13 @@ TEST(PronyTable, ViscositiesOfArmsAreRead) {
                         "in the median it is 2 times their product"));
 }
 
+TEST(PronyTable, TimesMayBeInMinutes) {
+  for (const std::string name : {"tau in min", "tau (min.)", "Relaxation time [Min.]", "tau_min"})
+    expectSeriesNearly(readSeries("G_inf = 1 MPa\n" + name +
+                                  ",G_i (MPa)\n0.0016666666666666668,2\n"
+                                  "0.16666666666666666,1\n"));
+}
+
 TEST(PronyTable, ViscositiesNeedAUnitAndARelaxationTime) {
   EXPECT_THAT(seriesError("G_inf = 1 MPa\ntau (s),eta_i\n0.1,0.2\n10,10\n"),
               HasSubstr("eta_i: has no unit; write it after the name, as in eta_i (Pa s)"));

@@ -174,5 +174,28 @@ TEST(TemperatureDrift, ARampWithAGapIsRefused) {
   EXPECT_THAT(errorFrom([&] { groupIsotherms(rows); }), HasSubstr("without a gap"));
 }
 
+/// A ramp at one frequency beside sweeps, in front of them or behind them.
+TEST(TemperatureDrift, RampsAtOneFrequencyGiveWayToSweeps) {
+  std::vector<MeasuredModulus> ramp, sweeps;
+  for (int i = 0; i < 80; ++i) ramp.push_back({260.0 + i, {10, 1e6 - 1e3 * i, 1e5}});
+  for (const double kelvin : {273.0, 293.0, 313.0})
+    for (const double frequency : {10.0, 1.0, 10.0, 100.0})
+      sweeps.push_back({kelvin, {frequency, 1e6, 1e5}});
+  for (const bool isFirst : {true, false}) {
+    std::vector<MeasuredModulus> rows = isFirst ? ramp : sweeps;
+    rows.insert(rows.end(), isFirst ? sweeps.begin() : ramp.begin(),
+                isFirst ? sweeps.end() : ramp.end());
+    EXPECT_EQ(leaveOutRamps(rows, kIsothermTolerance), ramp.size()) << isFirst;
+    EXPECT_EQ(rows.size(), sweeps.size());
+    EXPECT_EQ(groupIsotherms(rows).size(), 3U);
+  }
+  // Ramps alone stay, and so do sweeps that are listed frequency by frequency.
+  std::vector<MeasuredModulus> byFrequency;
+  for (const double frequency : {1.0, 10.0, 100.0})
+    for (int i = 0; i < 8; ++i) byFrequency.push_back({263.0 + 5 * i, {frequency, 1e6, 1e5}});
+  EXPECT_EQ(leaveOutRamps(ramp, kIsothermTolerance), 0U);
+  EXPECT_EQ(leaveOutRamps(byFrequency, kIsothermTolerance), 0U);
+}
+
 }  // namespace
 }  // namespace asperity

@@ -49,6 +49,13 @@ TEST(ReadingNotes, BeginWithTheSizeAndEndWithTheGaps) {
             "2 points have no height.\n");
 }
 
+TEST(ReadingNotes, NameAFlatSurface) {
+  const double none = std::nan("");
+  const std::string flat = "All heights are the same: the surface is flat.";
+  EXPECT_THAT(notesOf(profile({none, 2, 2, 2}, "um", 1e-6)), HasSubstr(flat));
+  EXPECT_THAT(notesOf(profile({2, 2, 2.1}, "um", 1e-6)), testing::Not(HasSubstr(flat)));
+}
+
 /// What the file does not state was chosen or assumed, and each is said as such.
 TEST(ReadingNotes, TellTheSourcesOfUnitsAndDistancesApart) {
   SurfaceDraft draft = profile({1, 2, 3}, "um", 1e-6);

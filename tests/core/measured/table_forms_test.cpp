@@ -339,6 +339,15 @@ TEST(SeveralColumns, OfOneHeightAloneGiveWayToOthers) {
   EXPECT_NEAR(read(text).topography.height[4], 4e-6, 1e-15);
 }
 
+/// A position in counts of an encoder is none beside one in a unit of length.
+TEST(SeveralColumns, OfPositionsGiveTheOneInAUnitOfLength) {
+  std::string text = "Encoder (counts),Distance (um),Z (um)\n";
+  for (int i = 0; i < 20; ++i) text += fmt::format("{},{},{}\n", 40 * i, 0.5 * i, i % 5);
+  const MeasuredFile file = read(text);
+  EXPECT_NEAR(file.topography.columnSpacing, 5e-7, 1e-15);
+  EXPECT_NEAR(file.topography.height[4], 4e-6, 1e-15);
+}
+
 TEST(SeveralTables, OfOneSizeWithoutANameAreTold) {
   const std::string head = "Spacing: 2 um\nZ unit: um\nz: um\n";
   const MeasuredFile file = read(head + "A\n" + tableOf(true) + "B\n" + tableOf(false));

@@ -277,6 +277,38 @@ TEST(Dates, AreNoPositions) {
   EXPECT_THAT(errorOf(times), HasSubstr("surface.point_spacing: is needed"));
 }
 
+// ---- Numbers of profiles -----------------------------------------------------------------------
+
+/// The rows of the known heights, each with its number, in this order of the columns.
+std::string numbered(const std::string& names, const std::vector<int>& rows) {
+  std::string text = names + "\n";
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (int column = 0; column < kColumns; ++column)
+      text += fmt::format("{};{};{:.6f}\n", i + 1, 2 * column, micrometres(rows[i], column));
+  return text;
+}
+
+TEST(NumbersOfProfiles, AreNoHeightsAndNoPositions) {
+  std::vector<int> all;
+  for (int row = 0; row < kRows; ++row) all.push_back(row);
+  for (const std::string name : {"Profile", "Profil Nr.", "Track", "Scan", "Line no."}) {
+    const std::string names = name + ";x (um);z (um)";
+    const MeasuredFile one = read(numbered(names, {0}));
+    EXPECT_TRUE(one.topography.isProfile()) << name;
+    EXPECT_NEAR(one.topography.at(0, 3), 1e-6 * micrometres(0, 3), 1e-12) << name;
+    const MeasuredFile several = read(numbered(names, all));
+    ASSERT_EQ(several.topography.rows, kRows) << name;
+    EXPECT_NEAR(several.topography.columnSpacing, kColumnSpacing, 1e-15);
+    EXPECT_NEAR(several.topography.at(2, 3), 1e-6 * micrometres(2, 3), 1e-12) << name;
+    EXPECT_TRUE(says(several, "profiles, which are the rows of the surface")) << name;
+  }
+  // A profile with a number for each point.
+  std::string points = "Profile;x (um);z (um)\n";
+  for (int column = 0; column < kColumns; ++column)
+    points += fmt::format("{};{};{:.6f}\n", column + 1, 2 * column, micrometres(0, column));
+  EXPECT_NEAR(read(points).topography.at(0, 3), 1e-6 * micrometres(0, 3), 1e-12);
+}
+
 // ---- Other quantities --------------------------------------------------------------------------
 
 TEST(OtherQuantities, AreNoHeights) {

@@ -71,6 +71,9 @@ TEST(AxesOfAHeader, MayBeOneOfBothOrNone) {
   EXPECT_NEAR(rowSpacing("Spacing: 2 um", true), 2e-6, 1e-15);
   EXPECT_NEAR(rowSpacing("XY calibration: 2 um", false), 2e-6, 1e-15);
   EXPECT_FALSE(says(read("Spacing: 2 um\nZ unit: um\n1 2 3 2 1 4 3 2 1\n"), said));
+  const MeasuredFile ofRows = read("dy: 2 um\nZ unit: um\n" + field());
+  EXPECT_NEAR(ofRows.topography.columnSpacing, 2e-6, 1e-15);
+  EXPECT_TRUE(says(ofRows, "along y alone: points are taken to be as far apart as rows"));
 }
 
 TEST(AxesOfAHeader, FollowWidthAndLength) {

@@ -127,6 +127,10 @@ TEST(Provenance, RefusesFilesWithoutAScene) {
         pngWith("nothing"), svgWith("{\"schema\":\"asperity-x/1\"}")})
     EXPECT_THAT(refusal(folder.write("a.png", text)),
                 AllOf(HasSubstr("a.png"), HasSubstr("no scene")));
+  EXPECT_THAT(refusal(folder.write("prony.csv",
+                                   "# asperity: {\"schema\":\"asperity-material/1\",\"origin\":"
+                                   "{\"file\":\"dma.csv\"}}\nrelaxation_time,modulus\n1,2\n")),
+              HasSubstr("holds no scene: it was made from a table of moduli"));
   EXPECT_THAT(refusal(folder.write("b.json", "{\"surface\": ")), HasSubstr("not valid JSON"));
   EXPECT_THAT(refusal(folder.write("c.json", R"({"schema": 3})")), HasSubstr("schema"));
   EXPECT_THAT(refusal(folder.write("d.json", R"({"scene": {"load": {"normal_force": -1}}})")),

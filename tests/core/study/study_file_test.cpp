@@ -114,6 +114,7 @@ TEST(StudyFile, MistakesAreNamed) {
   const std::pair<const char*, const char*> cases[] = {
       {R"("spcae":{})", "s.json: spcae: unknown key; the nearest known one is space"},
       {R"("space":{})", "space: needs an object"},
+      {R"("space":{"rows":"gone.csv"})", "s.json: space.rows: "},
       {R"("space":3)", "space: needs an object"},
       {R"("space":{"surface.hrust":[1]})", "the nearest known one is surface.hurst"},
       {R"("space":{"surface.hurst":[]})", "space.surface.hurst: has no value"},
