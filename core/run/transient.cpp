@@ -81,14 +81,12 @@ Transient::Transient(const Scene& scene, std::shared_ptr<const RigidLine> rigid,
       hasInterface_(needsStage(scene, Purpose::Picture, Stage::Interface)),
       startsAtRest_(needsStage(scene, Purpose::Picture, Stage::StartFromRest)),
       motion_(scene.sliding),
-      longestStep_(scene.sliding.duration / static_cast<double>(leastSteps)),
+      longestStep_(motion_.longestStep(leastSteps)),
       division_(division),
       rigid_(std::move(rigid)),
       march_(beginning(scene, *rigid_)),
       relaxation_(relaxationOf(march_.law())) {
   countStage(Stage::TimeMarch);
-  if (scene.sliding.kind == SlidingKind::Oscillation)
-    longestStep_ = std::min(longestStep_, 1 / (Motion::kStepsOfPeriod * scene.sliding.frequency));
 }
 
 void Transient::estimateErrors(const Scene& scene) {
@@ -129,15 +127,8 @@ void Transient::record(MarchRecords wanted) {
   startRecords(march_, wanted, isSteady ? motion_.velocityAt(0) : 0);
 }
 
-/// Returns the step, s. At a constant velocity it is a node or an integer fraction of one, so that
-/// elements meet the line's nodes always at the same places: other steps cause beats.
 double Transient::stepAt(double time) const {
-  const double fastest = motion_.fastest(time, time);
-  if (!(fastest > 0)) return longestStep_ / division_;
-  const double node = rigid_->line->spacing / fastest;
-  const double step =
-      motion_.isSmooth() ? std::min(longestStep_, node) : node / std::ceil(node / longestStep_);
-  return step / division_;
+  return motion_.stepAt(time, rigid_->line->spacing, longestStep_) / division_;
 }
 
 /// Returns the time of the next jump of the velocity, or of the motion's end, s.

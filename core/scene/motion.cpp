@@ -24,6 +24,18 @@ double Motion::jump() const {
   return jumps() ? 0.5 * sliding_.duration : sliding_.duration;
 }
 
+double Motion::longestStep(std::int64_t leastSteps) const {
+  const double step = sliding_.duration / static_cast<double>(leastSteps);
+  return isSmooth() ? std::min(step, 1 / (kStepsOfPeriod * sliding_.frequency)) : step;
+}
+
+double Motion::stepAt(double time, double spacing, double longest) const {
+  const double velocity = fastest(time, time);
+  if (!(velocity > 0)) return longest;
+  const double node = spacing / velocity;
+  return isSmooth() ? std::min(longest, node) : node / std::ceil(node / longest);
+}
+
 double Motion::velocityAt(double time) const {
   if (sliding_.kind == SlidingKind::Oscillation) {
     const double velocity =

@@ -3,6 +3,8 @@
 // last velocity, and an oscillation continues forever.
 #pragma once
 
+#include <cstdint>
+
 #include "core/scene/scene.h"
 
 namespace asperity {
@@ -24,6 +26,12 @@ class Motion {
   /// Returns the time at which the velocity jumps, s, or the duration if it does not.
   double jump() const;
   double duration() const { return sliding_.duration; }
+  /// Returns the longest step of a march that takes at least this many for the duration, s.
+  double longestStep(std::int64_t leastSteps = kMinSteps) const;
+  /// Returns the step at a time (s) on a line with this distance between nodes (m), s: no longer
+  /// than the longest one. At a constant velocity it is a node or an integer fraction of one, so
+  /// that elements meet the line's nodes always at the same places: other steps cause beats.
+  double stepAt(double time, double spacing, double longest) const;
   /// Returns whether the velocity changes continuously.
   bool isSmooth() const { return sliding_.kind == SlidingKind::Oscillation; }
 

@@ -1052,8 +1052,8 @@
         <translation>Bild kopieren</translation>
     </message>
     <message>
-        <source>Save diagram…</source>
-        <translation>Diagramm speichern…</translation>
+        <source>Save picture or data</source>
+        <translation>Bild oder Daten speichern</translation>
     </message>
     <message>
         <source>Pictures (*.png *.svg *.pdf)</source>
@@ -1064,8 +1064,8 @@
         <translation>Tabellen (*.csv)</translation>
     </message>
     <message>
-        <source>Save diagram</source>
-        <translation>Diagramm speichern</translation>
+        <source>Save picture</source>
+        <translation>Bild speichern</translation>
     </message>
 </context>
 <context>
@@ -2687,7 +2687,7 @@
     </message>
 </context>
 <context>
-    <name>asperity::LessonPlayer</name>
+    <name>asperity::LessonDock</name>
     <message>
         <source>Lesson</source>
         <translation>Lektion</translation>
@@ -2697,6 +2697,10 @@
         <translation>Bewahrt deine Antworten in einer Datei deiner Wahl auf</translation>
     </message>
     <message>
+        <source>Save results…</source>
+        <translation>Ergebnisse speichern…</translation>
+    </message>
+    <message>
         <source>Ends the lesson; your own scene comes back</source>
         <translation>Beendet die Lektion; deine eigene Szene kommt zurück</translation>
     </message>
@@ -2704,6 +2708,13 @@
         <source>end the lesson</source>
         <translation>Lektion beenden</translation>
     </message>
+    <message>
+        <source>Lesson: %1</source>
+        <translation>Lektion: %1</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::LessonPlayer</name>
     <message>
         <source>Lesson: back</source>
         <translation>Lektion: zurück</translation>
@@ -2729,20 +2740,12 @@
         <translation>Du hattest bei %1 von %2 Vorhersagen recht; %3 hast du dir zeigen lassen.</translation>
     </message>
     <message>
-        <source>Lesson: %1</source>
-        <translation>Lektion: %1</translation>
-    </message>
-    <message>
         <source>“%1” is locked in this step.</source>
         <translation>„%1“ ist in diesem Schritt gesperrt.</translation>
     </message>
     <message>
         <source>First make your guess; then you can try it.</source>
         <translation>Erst rate; dann kannst du es probieren.</translation>
-    </message>
-    <message>
-        <source>Save results…</source>
-        <translation>Ergebnisse speichern…</translation>
     </message>
 </context>
 <context>
@@ -4590,11 +4593,11 @@
     <name>asperity::StatusLine</name>
     <message>
         <source>, mean of %1: %2 ± %3 %</source>
-        <translation>, Mittel von %1: %2 ± %3 %</translation>
+        <translation>, Mittel über %1: %2 ± %3 %</translation>
     </message>
     <message>
         <source>, mean of %1 ≈ %2 ± %3 %</source>
-        <translation>, Mittel von %1 ≈ %2 ± %3 %</translation>
+        <translation>, Mittel über %1 ≈ %2 ± %3 %</translation>
     </message>
     <message>
         <source>Eq. (13) of the paper: relaxation time × velocity × rms slope / (√2 × rms height); of a motion at this moment</source>
@@ -4665,12 +4668,12 @@
         <translation>%1 Simulationen/s</translation>
     </message>
     <message>
-        <source>friction μ = %1</source>
-        <translation>Reibungszahl μ = %1</translation>
+        <source>friction</source>
+        <translation>Reibungszahl</translation>
     </message>
     <message>
-        <source>this line μ = %1</source>
-        <translation>Linie μ = %1</translation>
+        <source>this line</source>
+        <translation>Linie</translation>
     </message>
     <message>
         <source>force F̄ = %1</source>
@@ -4713,12 +4716,12 @@
         <translation>Hinweise, wie weit die Ergebnisse gelten</translation>
     </message>
     <message>
-        <source>deformation μ = %1</source>
-        <translation>Verformung μ = %1</translation>
+        <source>deformation</source>
+        <translation>Verformung</translation>
     </message>
     <message>
-        <source>this line, deformation μ = %1</source>
-        <translation>diese Linie, Verformung μ = %1</translation>
+        <source>this line, deformation</source>
+        <translation>diese Linie, Verformung</translation>
     </message>
     <message>
         <source>settling</source>

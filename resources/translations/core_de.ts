@@ -6704,7 +6704,7 @@
     </message>
     <message>
         <source>The mean of %1 lines is %2 ± %3 %.</source>
-        <translation>Das Mittel von %1 Linien ist %2 ± %3 %.</translation>
+        <translation>Das Mittel über %1 Linien ist %2 ± %3 %.</translation>
     </message>
     <message>
         <source>This is region %1 of the friction curve, %2.</source>

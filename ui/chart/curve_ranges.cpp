@@ -19,6 +19,13 @@ void addCurve(const NamedCurve& curve, const CurveSet& set, CurveExtents& extent
   }
 }
 
+/// Returns the range that contains both; the other one where one is empty.
+AxisRange united(const AxisRange& a, const AxisRange& b) {
+  if (a.isEmpty()) return b;
+  if (b.isEmpty()) return a;
+  return {std::min(a.from, b.from), std::max(a.to, b.to)};
+}
+
 }  // namespace
 
 CurveExtents curveExtents(const CurveSet& set) {
@@ -61,10 +68,14 @@ AxisRange rangeAround(const Extent& positions, AxisScale scale, double factor) {
   return range;
 }
 
-AxisRange united(const AxisRange& a, const AxisRange& b) {
-  if (a.isEmpty()) return b;
-  if (b.isEmpty()) return a;
-  return {std::min(a.from, b.from), std::max(a.to, b.to)};
+AxisRange grownRange(const AxisRange& shown, const AxisRange& needed) {
+  constexpr double kSpare = 0.15;  // of the whole range
+  AxisRange next = united(shown, needed);
+  if (shown.isEmpty()) return next;
+  const double spare = kSpare * (next.to - next.from);
+  if (next.to > shown.to) next.to += spare;
+  if (next.from < shown.from && next.from != 0) next.from -= spare;
+  return next;
 }
 
 AxisRange steadyRange(const AxisRange& shown, const AxisRange& needed, bool mayShrink) {

@@ -26,8 +26,9 @@ AxisRange rangeAround(const Extent& positions, AxisScale scale, double factor = 
 /// `mayShrink` is set and an end lies two decades or more outside the data.
 AxisRange steadyRange(const AxisRange& shown, const AxisRange& needed, bool mayShrink);
 
-/// Returns the range that contains both; the other one where one is empty.
-AxisRange united(const AxisRange& a, const AxisRange& b);
+/// Returns the range of a linear axis that contains both. An end that moves leaves some room, so
+/// that a marker which goes on moving does not change the axis with each frame.
+AxisRange grownRange(const AxisRange& shown, const AxisRange& needed);
 
 /// Sets the range of an axis; one for which none is known finds its own.
 void setRange(DiagramAxis& axis, const AxisRange& range);

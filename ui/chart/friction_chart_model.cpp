@@ -409,7 +409,8 @@ void FrictionChartModel::fitRanges(bool newCurve) {
   velocities_ = knownRange(rangeAround(along, set.scaleOfX()), velocities_);
   if (set.scaleOfY() == AxisScale::Linear) {
     const AxisRange needed = rangeAround(up, AxisScale::Linear);
-    coefficients_ = newCurve ? knownRange(needed, coefficients_) : united(coefficients_, needed);
+    coefficients_ =
+        newCurve ? knownRange(needed, coefficients_) : grownRange(coefficients_, needed);
     return;
   }
   const AxisRange needed = rangeAround(up, AxisScale::Logarithmic, kMarginFactor);

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/contact/contact_forces.h"
 #include "ui/contact/contact_parts.h"
+#include "ui/contact/frame_curves.h"
 #include "ui/draw/fonts.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"

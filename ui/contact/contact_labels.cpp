@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "ui/contact/contact_forces.h"
 #include "ui/contact/contact_parts.h"
 #include "ui/contact/contact_tags.h"
 #include "ui/contact/frame_curves.h"

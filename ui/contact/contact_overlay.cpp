@@ -7,7 +7,6 @@
 
 #include "core/contact/arms/retardation.h"
 #include "core/material/element_law.h"
-#include "ui/contact/contact_forces.h"
 #include "ui/contact/frame_curves.h"
 #include "ui/draw/theme.h"
 #include "ui/draw/ticks.h"

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "core/material/element_law.h"
-#include "ui/contact/contact_forces.h"
 #include "ui/contact/frame_curves.h"
 #include "ui/draw/shapes.h"
 #include "ui/draw/theme.h"

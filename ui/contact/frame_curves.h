@@ -1,5 +1,6 @@
-// What a picture takes from the points of a frame: long curves reduced to what a pixel column can
-// show, stretches in contact, contacts too narrow to be visible as lines. Pure; any thread.
+// What a picture takes from a frame: the forces on the rigid line and its velocity, and of the
+// points long curves reduced to what a pixel column can show, stretches in contact, contacts too
+// narrow to be visible as lines. Pure; any thread.
 #pragma once
 
 #include <cstddef>
@@ -7,9 +8,25 @@
 #include <optional>
 #include <vector>
 
-#include "core/run/frame.h"
+#include "core/run/contact_state.h"
 
 namespace asperity {
+
+/// Returns whether the friction force on the line points to the right. It points against the
+/// motion, except shortly after a stop or a reversal, when contact is still on the other side.
+bool pushesRight(const Frame& frame);
+
+/// Returns the present velocity, m/s; 0 without a scene.
+double frameVelocity(const Frame& frame);
+
+/// Returns whether there is local friction in addition to that of the deformation.
+bool hasInterface(const Frame& frame);
+
+/// Returns the friction coefficient including the interface's part.
+double totalFriction(const ContactState& state);
+
+/// Returns the magnitude of the friction force on the line, N, including the interface's part.
+double frictionForce(const ContactState& state);
 
 /// Maps positions to pixel columns; column 0 starts at `left`.
 struct Columns {

@@ -49,6 +49,16 @@ TEST(Motion, JumpsAtHalfOfItsDuration) {
   EXPECT_NEAR(oscillation.distanceAt(0.04), 0.3 * 0.04, 1e-15);
 }
 
+TEST(Motion, StepsShowItsDurationAndEachPeriod) {
+  Sliding sliding = motionOf(SlidingKind::Step);
+  EXPECT_EQ(Motion(sliding).longestStep(), 0.1 / 500);
+  EXPECT_EQ(Motion(sliding).longestStep(100), 0.1 / 100);
+  sliding = motionOf(SlidingKind::Oscillation);
+  EXPECT_EQ(Motion(sliding).longestStep(), 0.1 / 500);
+  sliding.frequency = 1000;
+  EXPECT_EQ(Motion(sliding).longestStep(), 1.0 / 64000);
+}
+
 TEST(Motion, AnOscillationStandsStillWhereItTurns) {
   Sliding sliding;
   sliding.kind = SlidingKind::Oscillation;

@@ -40,5 +40,22 @@ TEST(LinearRanges, LeaveAMargin) {
   EXPECT_EQ(rangeAround({0, 0}, AxisScale::Linear), (AxisRange{-0.5, 0.5}));
 }
 
+/// A value that rises frame by frame moves the axis a few times, not each time.
+TEST(LinearRanges, GrowInSteps) {
+  AxisRange shown{0, 1};
+  int changes = 0;
+  for (double value = 1; value < 3; value *= 1.01) {
+    const AxisRange next = grownRange(shown, rangeAround({0, value}, AxisScale::Linear));
+    ASSERT_GE(next.to, value);
+    changes += next == shown ? 0 : 1;
+    shown = next;
+  }
+  EXPECT_LE(changes, 8);
+  EXPECT_EQ(shown.from, 0) << "an end that did not move stays";
+  EXPECT_LT(shown.to, 3.6);
+  EXPECT_EQ(grownRange({}, {1, 2}), (AxisRange{1, 2}));
+  EXPECT_EQ(grownRange({1, 2}, {}), (AxisRange{1, 2}));
+}
+
 }  // namespace
 }  // namespace asperity

@@ -8,10 +8,10 @@
 
 #include "tests/ui/contact/sample_frame.h"
 #include "tests/ui/contact/tidy_texts.h"
-#include "ui/contact/contact_forces.h"
 #include "ui/contact/contact_overlay.h"
 #include "ui/contact/contact_picture.h"
 #include "ui/contact/contact_signs.h"
+#include "ui/contact/frame_curves.h"
 #include "ui/draw/ticks.h"
 
 namespace asperity {

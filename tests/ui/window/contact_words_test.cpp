@@ -75,7 +75,7 @@ TEST_F(ContactWordsTest, IsInTheLanguageOfTheWindow) {
   action("describe").trigger();
   ASSERT_TRUE(words());
   EXPECT_TRUE(words()->text().contains("Die starre Linie gleitet mit 1 m/s nach rechts."));
-  EXPECT_TRUE(words()->text().contains("Das Mittel von 3 Linien"));
+  EXPECT_TRUE(words()->text().contains("Das Mittel über 3 Linien"));
   window_.setLanguage("en");
   EXPECT_FALSE(words());
   EXPECT_TRUE(window_.canvas().accessibleDescription().isEmpty());

@@ -139,6 +139,32 @@ TEST_F(MapPanelTest, NamesAreWholeWhereThereIsRoom) {
   }
 }
 
+TEST_F(MapPanelTest, TheWordBeforeTheQuantityGivesWayToNames) {
+  const auto& quantity = *panel_.findChild<ChoiceBox*>("mapQuantity");
+  const auto isNamed = [&] {
+    for (const auto* label : panel_.findChildren<QLabel*>())
+      if (label->buddy() == &quantity) return label->isVisible();
+    return false;
+  };
+  const auto areWhole = [&] {
+    for (const char* name : {"mapX", "mapY", "mapQuantity"}) {
+      const auto& box = *panel_.findChild<ChoiceBox*>(name);
+      if (box.width() < box.sizeHint().width()) return false;
+    }
+    return true;
+  };
+  int narrowest = 900;  // in which all is whole
+  for (panel_.resize(900, 300); isNamed(); panel_.resize(panel_.width() - 4, 300)) {
+    QTest::qWait(1);
+    ASSERT_TRUE(!isNamed() || areWhole()) << panel_.width();
+    narrowest = panel_.width();
+  }
+  QTest::qWait(1);
+  EXPECT_TRUE(areWhole()) << "without the word there is room";
+  panel_.resize(narrowest, 300);
+  EXPECT_TRUE(isNamed());
+}
+
 TEST_F(MapPanelTest, ALabelIsNearerToItsListThanToTheOneBefore) {
   int before = 0, labels = 0;  // right end of the list before; number of labels with one
   for (const auto* label : panel_.findChildren<QLabel*>()) {

@@ -613,17 +613,25 @@ TEST(StatusLine, TheMeanIsWholeAndApartFromWhatFollows) {
   useLanguage("en");
 }
 
+/// While the picture settles its friction is another one than that of the steady state, however
+/// narrow the line is; the word is there where it has room.
 TEST(StatusLine, ASettlingPictureIsNamed) {
   StatusLine line;
-  line.setFixedWidth(1280);
   line.show();
   Frame frame = movingFrame(1);
-  auto& settling = *line.findChild<QLabel*>("factSettling");
-  for (const bool settles : {true, false}) {
-    frame.isSettling = settles;
-    line.showFrame(frame, {});
-    EXPECT_EQ(settling.isVisible(), settles);
-  }
+  frame.transient.reset();
+  frame.muSteady = 0.25;
+  const auto& mu = *line.findChild<QLabel*>("factMu");
+  const auto& word = *line.findChild<QLabel*>("factSettling");
+  for (const int width : {300, 1280})
+    for (const bool settles : {true, false}) {
+      line.setFixedWidth(width);
+      frame.isSettling = settles;
+      line.showFrame(frame, {});
+      EXPECT_EQ(mu.text().toStdString(), settles ? "this line μ → 0.250" : "this line μ = 0.250");
+      EXPECT_EQ(mu.toolTip().contains("steady state that these numbers"), settles);
+      EXPECT_EQ(word.isVisible(), settles && width > 1000);
+    }
 }
 
 /// A confirmation has the room of the facts at the right, and where that is not enough it is

@@ -17,8 +17,11 @@
 #include <QToolTip>
 #include <fstream>
 #include <sstream>
+#include <utility>
 
 #include "core/base/number_text.h"
+#include "core/run/runner.h"
+#include "core/run/simulation.h"
 #include "main_window_fixture.h"
 #include "qt_application.h"
 #include "ui/chart/friction_chart_model.h"
@@ -114,6 +117,40 @@ TEST_F(TimeBarTest, AnotherSceneMovesVisibly) {
   const double fast = bar_.pace();
   bar_.showOtherScene(scene_);
   EXPECT_DOUBLE_EQ(bar_.pace(), fast);
+}
+
+/// The contact of a motion is known at whole steps: at the usual 12 s many frames would repeat the
+/// one before. In a slow motion the least number of steps is the limit, in a fast one the distance
+/// between nodes.
+TEST_F(TimeBarTest, EachFrameOfAMotionIsAStep) {
+  scene_.surface.elements = 60;
+  scene_.sliding.velocity = 0;
+  scene_.sliding.frequency = 100;
+  scene_.sliding.kind = SlidingKind::Oscillation;
+  const RunnerOptions options;
+  for (const double amplitude : {0.001, 10.0})
+    for (const double periods : {2.0, 12.0, 40.0}) {
+      scene_.sliding.amplitude = amplitude;
+      scene_.sliding.duration = periods / scene_.sliding.frequency;
+      bar_.showOtherScene(scene_);
+      Simulation simulation(std::make_shared<const Scene>(scene_), 1);
+      bar_.showFrame(simulation.frame());
+      EXPECT_NEAR(bar_.pace(), 12, 6) << amplitude << " m/s, " << periods;
+      const double part = options.secondsPerFrame() / bar_.pace();
+      double before = 0, shortest = 1, longest = 0;
+      for (int i = 0; i < 100; ++i) {
+        simulation.advance(part, options.secondsPerFrame());
+        const double time = simulation.frame().time, step = time - std::exchange(before, time);
+        if (i < 2) continue;  // rounding may delay the first one
+        shortest = std::min(shortest, step);
+        longest = std::max(longest, step);
+      }
+      EXPECT_GT(shortest, 0.999 * longest) << amplitude << " m/s, " << periods << " periods";
+    }
+  type("100");
+  EXPECT_NEAR(bar_.slowMotion(), 100, 1e-9) << "a pace that was chosen is kept";
+  bar_.showOtherScene(scene_);
+  EXPECT_NEAR(bar_.slowMotion(), 100, 1e-9);
 }
 
 TEST_F(TimeBarTest, AFactorIsTypedOrChosen) {
@@ -405,7 +442,8 @@ TEST_F(TimeInTheWindow, StripsAndLoopReadMomentsAndSaveThem) {
   EXPECT_EQ(loop.series[0].points.size(), samples.size());
   EXPECT_NEAR(loop.series[0].points[5].y, samples[5].tangentialForce / samples[5].normalForce,
               1e-15);
-  // What is saved are the samples that are shown.
+  // What is saved are the samples that are shown, but for the one at time 0, which is the beginning
+  // of the curves and has the values of the next one.
   QTemporaryDir folder;
   QSignalSpy saved(&motion.stripFiles(), &DiagramView::saved);
   QSignalSpy loopSaved(&motion.loopFiles(), &DiagramView::saved);
@@ -421,7 +459,8 @@ TEST_F(TimeInTheWindow, StripsAndLoopReadMomentsAndSaveThem) {
   // It names the command of motions, and no options: its rows are not those of the command.
   EXPECT_NE(record.find("\"verb\":\"motion\""), record.npos) << record;
   EXPECT_EQ(record.find("\"options\""), record.npos) << record;
-  EXPECT_EQ(rows, samples.size() + 1);
+  ASSERT_EQ(samples.front().time, 0);
+  EXPECT_EQ(rows, samples.size()) << "with the names of the columns";
   EXPECT_GT(QFileInfo(folder.path() + "/a.png").size(), 5000);
   EXPECT_GT(QFileInfo(folder.path() + "/loop.pdf").size(), 1000);
   openMotion(SlidingKind::Step);

@@ -167,6 +167,25 @@ TEST_F(TourTest, IsOfferedUntilTaken) {
   EXPECT_FALSE(hint.isVisible());
 }
 
+/// In a low window the offer and a long description would leave the contact too low for its labels.
+TEST_F(TourTest, TheOfferShortensTheDescriptionInALowWindow) {
+  window_.resize(1024, 700);
+  window_.document().open({"figure_1", {}, findLibraryScene("figure_1")->scene});
+  auto& description = control<MessageBar>("descriptionBar");
+  const auto height = [&] { return description.sizeHint().height(); };
+  ASSERT_TRUE(waitFor([&] { return description.isVisible(); }));
+  const int whole = height();
+  window_.tour().offer();
+  EXPECT_LT(height(), whole);
+  window_.resize(1024, 900);
+  EXPECT_TRUE(waitFor([&] { return height() == whole; })) << "there is room for both";
+  window_.resize(1024, 700);
+  EXPECT_TRUE(waitFor([&] { return height() < whole; }));
+  QTest::mouseClick(control<MessageBar>("hintBar").findChild<QToolButton*>("closeMessage"),
+                    Qt::LeftButton);
+  EXPECT_EQ(height(), whole);
+}
+
 TEST_F(TourTest, IsOfferedUntilPutAway) {
   auto& hint = control<MessageBar>("hintBar");
   window_.tour().offer();

@@ -3,6 +3,7 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QFile>
 #include <QLineEdit>
@@ -132,8 +133,24 @@ std::vector<WindowState> windowStates() {
   for (const char* go : {"go:spectrumView", "go:statisticsView", "go:materialView",
                          "go:accuracyPanel", "go:planList", "go:mapPanel", "go:influencePage"})
     add("tab_" + std::string(go).substr(3), kUsualScene, running(go));
+  const auto compare = [](MainWindow& window, bool isOn) {
+    run(window, "go:accuracyPanel");
+    window.findChild<QAbstractButton*>("comparisonWanted")->setChecked(isOn);
+  };
+  add(
+      "tab_accuracy_compared", kUsualScene, [=](MainWindow& window) { compare(window, true); },
+      [=](MainWindow& window) { compare(window, false); });
   for (const QString& section : sectionNames())
     add("panel_" + section.toStdString(), kUsualScene, panelOf(section));
+  add(
+      "panel_comparison_open", kUsualScene,
+      [](MainWindow& window) {
+        panelOf("comparison")(window);
+        window.findChild<QComboBox*>("list:comparison.theory")->showPopup();
+      },
+      [](MainWindow&) {
+        if (QWidget* list = QApplication::activePopupWidget()) list->close();
+      });
   add("panel_all", kUsualScene, panelOf({}));
   add("panel_all_middle", kUsualScene, panelOf({}, 0.5));
   add("panel_all_end", kUsualScene, panelOf({}, 1));

@@ -128,6 +128,8 @@ void MotionView::showFrame(const Frame& frame) {
     MotionTable rows;
     rows.lines = {*samples};
     if (later) rows.lines[0].insert(rows.lines[0].end(), later->begin(), later->end());
+    // The sample at time 0, where the curves begin, repeats the means of the first step.
+    std::erase_if(rows.lines[0], [](const TransientSample& sample) { return sample.time == 0; });
     rows.hasInterface = hasLocalFriction(*scene);
     return provenanceComment("motion", *scene) + motionCsv(rows);
   };

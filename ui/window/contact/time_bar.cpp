@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "core/run/runner.h"
+#include "core/scene/motion.h"
 #include "ui/draw/ticks.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
@@ -79,7 +80,6 @@ QString momentText(const QString& time, const QString& duration) {
 TimeBar::TimeBar(QWidget* parent)
     : QWidget(parent),
       pace_(kDefaultPace),
-      chosen_(pace_),
       moment_(named<QSlider>("moment", Qt::Horizontal)),
       slider_(named<QSlider>("paceSlider", Qt::Horizontal)),
       momentText_(named<QLabel>("momentText")),
@@ -119,7 +119,7 @@ TimeBar::TimeBar(QWidget* parent)
   connect(slider_, &QSlider::valueChanged, this,
           [this](int position) { choosePace(paceAt(position)); });
   connect(keep_, &QCheckBox::toggled, this, [this](bool keeps) {
-    if (keeps) setLimitedPace(chosen_);
+    if (keeps) setLimitedPace(preferredPace());
   });
   connect(factor_, &QLineEdit::editingFinished, this, &TimeBar::readFactor);
   connect(moment_, &QSlider::valueChanged, this, [this](int position) {
@@ -253,6 +253,23 @@ double TimeBar::slowMotion() const {
   return time > 0 ? pace_ / time : 0;
 }
 
+/// Returns the pace that the user chose; until then the usual one, or, of a motion, the nearest one
+/// at which each frame shows the same number of its steps. Other paces would repeat frames, because
+/// the contact is known at whole steps alone.
+double TimeBar::preferredPace() const {
+  if (chosen_) return *chosen_;
+  const RunnerOptions usual;
+  if (!(duration_ > 0)) return usual.secondsPerPeriod;
+  const Motion motion(scene_.sliding);
+  double step = motion.longestStep();
+  // Where the velocity jumps, the longer steps decide: of the shorter ones a frame shows more.
+  if (spacing_ > 0)
+    step = std::max(motion.stepAt(0, spacing_, step), motion.stepAt(motion.jump(), spacing_, step));
+  const double steps = duration_ / step;
+  const double stepsPerFrame = std::max(1.0, std::round(steps * usual.partPerFrame()));
+  return steps / stepsPerFrame * usual.secondsPerFrame();
+}
+
 void TimeBar::takeScene(const Scene& scene) {
   scene_ = scene;
   duration_ = scene.sliding.kind == SlidingKind::Steady ? 0 : scene.sliding.duration;
@@ -263,7 +280,9 @@ void TimeBar::takeScene(const Scene& scene) {
 void TimeBar::showScene(const Scene& scene) {
   const double before = slowMotion();
   takeScene(scene);
-  if (!keepsPace() && before > 0 && simulatedTime() > 0)
+  if (keepsPace())
+    setLimitedPace(preferredPace());
+  else if (before > 0 && simulatedTime() > 0)
     setLimitedPace(before * simulatedTime());
   else
     showPace();
@@ -272,14 +291,18 @@ void TimeBar::showScene(const Scene& scene) {
 void TimeBar::showOtherScene(const Scene& scene) {
   takeScene(scene);
   // Its slow motion has nothing to do with that of the previous scene.
-  chosen_ = std::min(chosen_, kSlowestFirstPace);
-  setLimitedPace(chosen_);
+  if (chosen_) chosen_ = std::min(*chosen_, kSlowestFirstPace);
+  setLimitedPace(preferredPace());
 }
 
 void TimeBar::showFrame(const Frame& frame, std::optional<double> requested) {
-  if (frame.length != length_) {
+  if (frame.length != length_ || frame.spacing != spacing_) {
     length_ = frame.length;
-    showPace();
+    spacing_ = frame.spacing;
+    if (keepsPace())
+      setLimitedPace(preferredPace());
+    else
+      showPace();
   }
   showDelay(frame);
   if (!(duration_ > 0) || !frame.transient) return;

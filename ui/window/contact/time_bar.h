@@ -34,7 +34,8 @@ class TimeBar : public QWidget {
   /// pictures of other moments do not take it back.
   void showFrame(const Frame& frame, std::optional<double> requested = {});
 
-  /// Returns the seconds on the screen for one period, or for a motion.
+  /// Returns the seconds on the screen for one period, or for a motion. Until the user chooses a
+  /// pace, that of a motion shows as many of its steps in each frame, so that no frame repeats.
   double pace() const { return pace_; }
   /// Returns the slow motion: seconds on the screen for a simulated one; 0 where nothing moves.
   double slowMotion() const;
@@ -69,6 +70,7 @@ class TimeBar : public QWidget {
   void fit();
   QString momentWords() const;
   void showMoment();
+  double preferredPace() const;
   void takeScene(const Scene& scene);
   void setLimitedPace(double pace);
   void choosePace(double pace);
@@ -79,9 +81,10 @@ class TimeBar : public QWidget {
   double simulatedTime() const;
 
   Scene scene_;
-  double length_ = 0;  // m, period of the line; 0: not known yet
+  double length_ = 0, spacing_ = 0;  // m, period of the line and its nodes; 0: not known yet
   double pace_;
-  double chosen_;        // pace that the user set last, s; pace_ may follow the velocity instead
+  /// The pace that the user set last, s; pace_ may follow the velocity instead.
+  std::optional<double> chosen_;
   double duration_ = 0;  // s, of a motion; 0: steady sliding
   double time_ = 0;      // s, the moment that is shown
   bool showsDuration_ = false;

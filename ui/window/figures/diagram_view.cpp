@@ -164,14 +164,19 @@ void DiagramView::contextMenuEvent(QContextMenuEvent* event) {
   if (export_.name.isEmpty() || !maker_) return QWidget::contextMenuEvent(event);
   QMenu menu(this);
   menu.addAction(tr("Copy picture"), this, &DiagramView::copy);
-  menu.addAction(tr("Save diagram…"), this, &DiagramView::saveAs);
+  menu.addAction(saveText() + QStringLiteral("…"), this, &DiagramView::saveAs);
   menu.exec(event->globalPos());
+}
+
+/// Returns what is saved, for the menu and the title of the dialog behind it.
+QString DiagramView::saveText() const {
+  return export_.table ? tr("Save picture or data") : tr("Save picture");
 }
 
 void DiagramView::saveAs() {
   QString filters = tr("Pictures (*.png *.svg *.pdf)");
   if (export_.table) filters += ";;" + tr("Tables (*.csv)");
-  const QString file = askSaveFile(this, tr("Save diagram"), export_.name + ".png", filters);
+  const QString file = askSaveFile(this, saveText(), export_.name + ".png", filters);
   if (!file.isEmpty()) save(file);
 }
 

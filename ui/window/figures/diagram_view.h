@@ -88,6 +88,7 @@ class DiagramView : public QWidget {
   const Theme& theme() const { return theme_; }
 
  private:
+  QString saveText() const;
   void requestSoon();
   void request();
   bool hasFrame() const;

@@ -3,13 +3,8 @@
 #include <QAction>
 #include <QApplication>
 #include <QDateTime>
-#include <QDockWidget>
-#include <QHBoxLayout>
 #include <QMainWindow>
-#include <QResizeEvent>
-#include <QScrollArea>
 #include <QTimer>
-#include <QToolButton>
 #include <algorithm>
 #include <utility>
 
@@ -21,6 +16,7 @@
 #include "ui/panels/parameter_panel.h"
 #include "ui/window/contact/contact_canvas.h"
 #include "ui/window/curve/curve_commands.h"
+#include "ui/window/lesson/lesson_dock.h"
 #include "ui/window/lesson/lesson_pane.h"
 #include "ui/window/lesson/lesson_text.h"
 #include "ui/window/lesson/prediction_point.h"
@@ -32,24 +28,6 @@ namespace asperity {
 
 namespace {
 
-// The heights in pixels of the pane and of the parameters below it at the start: a step frees only
-// a few of them.
-constexpr int kDefaultHeight = 430, kParametersHeight = 230;
-constexpr int kMinHeight = 260;  // of the pane
-
-/// Returns the height in pixels that the content of an area needs.
-int neededHeight(const QScrollArea& area) {
-  const QLayout& layout = *area.widget()->layout();
-  return layout.hasHeightForWidth() ? layout.totalHeightForWidth(area.viewport()->width())
-                                    : layout.minimumSize().height();
-}
-
-/// Returns by how many pixels the content of an area is higher than what is shown of it; below 0
-/// there is room left.
-int hiddenHeight(const QScrollArea& area) {
-  return neededHeight(area) - area.viewport()->height();
-}
-
 /// The commands of a running lesson.
 const std::initializer_list<const char*> kStepCommands = {"lessonBackStep", "lessonNextStep",
                                                           "lessonEnd"};
@@ -59,15 +37,18 @@ const std::initializer_list<const char*> kStepCommands = {"lessonBackStep", "les
 LessonPlayer::LessonPlayer(const Parts& parts)
     : QObject(&parts.window),
       parts_(parts),
-      dock_(new QDockWidget),
-      title_(new WrappedLabel),
-      keep_(new QToolButton),
-      close_(new QToolButton),
-      pane_(new LessonPane),
-      point_(new PredictionPoint(parts.tabs.plot())),
-      rows_(parts.panel.findChild<QScrollArea*>()) {
-  buildDock();
-  rows_->widget()->installEventFilter(this);
+      dock_(new LessonDock(parts.window, parts.parameters, parts.panel)),
+      pane_(&dock_->pane()),
+      point_(new PredictionPoint(parts.tabs.plot())) {
+  connect(dock_, &LessonDock::savingRequested, this, &LessonPlayer::savingRequested);
+  connect(dock_, &LessonDock::endRequested, this, &LessonPlayer::endRequested);
+  keepTranslated(*dock_, [this] {
+    if (isRunning()) {
+      translateStep();
+      dock_->shareHeightSoon();
+    }
+    showTitle();
+  });
   connect(pane_, &LessonPane::backRequested, this, [this] { show(step_ - 1); });
   connect(pane_, &LessonPane::nextRequested, this, &LessonPlayer::next);
   connect(pane_, &LessonPane::answered, this,
@@ -75,74 +56,13 @@ LessonPlayer::LessonPlayer(const Parts& parts)
   connect(pane_, &LessonPane::solutionRequested, this, [this] { answer({}, true); });
   connect(point_, &PredictionPoint::placed, this, [this] { pane_->setPointPlaced(true); });
   connect(point_, &PredictionPoint::returnPressed, pane_, &LessonPane::goOn);
-  // The rows and the texts of the step get their heights with the next events.
-  connect(this, &LessonPlayer::stepShown, this,
-          [this] { QTimer::singleShot(0, this, [this] { shareHeight(); }); });
+  connect(this, &LessonPlayer::stepShown, dock_, &LessonDock::shareHeightSoon);
   connect(&parts_.document, &SceneDocument::sceneChanged, this,
           [this](const Scene&, SceneChange change) {
             // It runs later: the document is in the middle of its step.
             if (change == SceneChange::Edited)
               QTimer::singleShot(0, this, &LessonPlayer::lockControls);
           });
-}
-
-void LessonPlayer::buildDock() {
-  dock_->setObjectName("lessonDock");
-  dock_->setFeatures(QDockWidget::DockWidgetClosable);
-  pane_->setMinimumHeight(kMinHeight);
-  dock_->setWidget(pane_);
-  auto* bar = new QWidget;
-  bar->setObjectName("dockTitle");
-  bar->setAttribute(Qt::WA_StyledBackground);
-  auto* line = new QHBoxLayout(bar);
-  line->setContentsMargins(14, 5, 8, 5);
-  title_->setObjectName("lessonTitle");
-  constexpr double kTitleScale = 1.2;  // above that of the steps
-  keepHeading(*title_, *bar, kTitleScale);
-  title_->installEventFilter(this);
-  keep_->setObjectName("lessonKeep");
-  keep_->setProperty("role", "framed");
-  close_->setObjectName("lessonEnd");
-  close_->setText(QStringLiteral("✕"));
-  line->addWidget(title_, 1);
-  line->addWidget(keep_);
-  line->addWidget(close_);
-  dock_->setTitleBarWidget(bar);
-  connect(keep_, &QToolButton::clicked, this, &LessonPlayer::savingRequested);
-  connect(close_, &QToolButton::clicked, this, &LessonPlayer::endRequested);
-  parts_.window.addDockWidget(Qt::RightDockWidgetArea, dock_);
-  parts_.window.splitDockWidget(dock_, &parts_.parameters, Qt::Vertical);
-  dock_->hide();
-  dock_->toggleViewAction()->setVisible(false);  // it comes and goes with a lesson
-  keepTranslated(*dock_, [this] {
-    dock_->setWindowTitle(tr("Lesson"));
-    keep_->setToolTip(tr("Keeps your answers in a file of your choice"));
-    keep_->setText(tr("Save results…").replace(' ', '\n'));  // it leaves the title its width
-    keep_->setAccessibleName(keep_->toolTip());
-    close_->setToolTip(tr("Ends the lesson; your own scene comes back"));
-    close_->setAccessibleName(tr("end the lesson"));
-    if (isRunning()) {
-      translateStep();
-      QTimer::singleShot(0, this, [this] { shareHeight(); });
-    }
-    showTitle();
-  });
-}
-
-/// Shares the height again where the title or the parameters need another one. The warning of a
-/// parameter appears some time after the step. Nothing moves while the student uses a parameter.
-bool LessonPlayer::eventFilter(QObject* watched, QEvent* event) {
-  bool isHeightOther = false;
-  if (watched == title_ && event->type() == QEvent::Resize) {
-    const auto& resized = *static_cast<const QResizeEvent*>(event);
-    isHeightOther = resized.size().height() != resized.oldSize().height();
-  } else if (watched == rows_->widget() && event->type() == QEvent::LayoutRequest && isRunning()) {
-    const int before = std::exchange(rowsHeight_, neededHeight(*rows_));
-    isHeightOther =
-        before != rowsHeight_ && !parts_.panel.isAncestorOf(QApplication::focusWidget());
-  }
-  if (isHeightOther) QTimer::singleShot(0, this, [this] { shareHeight(); });
-  return QObject::eventFilter(watched, event);
 }
 
 /// Shows the step in another language. What the student has changed, placed or entered stays.
@@ -191,11 +111,7 @@ void LessonPlayer::start(const Lesson& lesson, int step, const LessonResults& kn
   answers_.clear();
   results_ = known;
   isTrial_ = isTrial;
-  // A lesson may begin while the panel is closed; a step that frees parameters opens it.
-  parts_.parameters.show();
-  dock_->show();
-  parts_.window.resizeDocks({dock_, &parts_.parameters}, {kDefaultHeight, kParametersHeight},
-                            Qt::Vertical);
+  dock_->begin();
   commands_->get("lessonEnd")->setEnabled(true);
   parts_.session.setPlaying(true);
   show(std::clamp(step, 0, static_cast<int>(lesson_->steps.size()) - 1));
@@ -260,10 +176,7 @@ QString LessonPlayer::summary() const {
 }
 
 void LessonPlayer::showTitle() {
-  const QString title = isRunning() ? plainText(lesson_->title) : QString();
-  title_->setText(title);
-  title_->setToolTip(title);
-  pane_->setAccessibleName(title.isEmpty() ? tr("Lesson") : tr("Lesson: %1").arg(title));
+  dock_->showTitle(isRunning() ? plainText(lesson_->title) : QString());
 }
 
 void LessonPlayer::showScene() {
@@ -281,29 +194,6 @@ Scene LessonPlayer::shownScene() const {
   scene.title = shown(present().title);
   scene.description.clear();
   return scene;
-}
-
-/// Moves the border between the pane and the parameters where one of them has to be scrolled while
-/// the other has room. Where both have to be, the parameters are shown whole if the pane can give
-/// the height: the text may tell the student to move one of them. Elsewhere the border stays, and
-/// with it the buttons.
-void LessonPlayer::shareHeight(int corrections) {
-  const auto* text = pane_->findChild<QScrollArea*>();
-  if (!isRunning() || !parts_.parameters.isVisible() || !text) return;
-  const int hiddenText = hiddenHeight(*text), hiddenRows = hiddenHeight(*rows_);
-  const int most = std::max(0, pane_->height() - kMinHeight);
-  int toRows = 0;
-  if (hiddenRows > 0)
-    toRows = hiddenRows <= most ? hiddenRows : std::clamp(-hiddenText, 0, most);
-  else if (hiddenText > 0)
-    toRows = -std::min(hiddenText, -hiddenRows);
-  if (toRows == 0) return;
-  parts_.window.resizeDocks({dock_, &parts_.parameters},
-                            {dock_->height() - toRows, parts_.parameters.height() + toRows},
-                            Qt::Vertical);
-  // A scroll bar that came or went has changed the width, and with it the height of the texts.
-  if (corrections > 0)
-    QTimer::singleShot(0, this, [this, corrections] { shareHeight(corrections - 1); });
 }
 
 /// Frees and locks the controls. Before the prediction is made all are locked: trying them would

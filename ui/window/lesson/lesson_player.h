@@ -20,13 +20,11 @@
 
 class QDockWidget;
 class QMainWindow;
-class QLabel;
-class QScrollArea;
-class QToolButton;
 
 namespace asperity {
 
 class Commands;
+class LessonDock;
 class LessonPane;
 class ParameterPanel;
 class PredictionPoint;
@@ -82,19 +80,13 @@ class LessonPlayer : public QObject {
   void endRequested();
   void ended();
 
- protected:
-  /// Shares the height again where the title takes more lines, or fewer.
-  bool eventFilter(QObject* watched, QEvent* event) override;
-
  private:
   const LessonStep& present() const { return lesson_->steps[static_cast<std::size_t>(step_)]; }
-  void buildDock();
   void translateStep();
   void showPage();
   void showTitle();
   void showScene();
   Scene shownScene() const;
-  void shareHeight(int corrections = 1);
   void showControls();
   void lockControls();
   void showChart();
@@ -111,9 +103,7 @@ class LessonPlayer : public QObject {
   void restoreWindow();
 
   Parts parts_;
-  QDockWidget* dock_;
-  QLabel* title_;
-  QToolButton *keep_, *close_;
+  LessonDock* dock_;
   LessonPane* pane_;
   PredictionPoint* point_;
   Commands* commands_ = nullptr;
@@ -124,8 +114,6 @@ class LessonPlayer : public QObject {
   std::map<int, LessonAnswer> answers_;  // computed ones, by step
   std::optional<GivenAnswer> waiting_;   // given, while the right answer is computed
   LessonResults results_;
-  QScrollArea* rows_;   // of the parameters, which belong to the panel
-  int rowsHeight_ = 0;  // pixels that the rows need
 
   /// The state before the lesson, which its end restores; the document keeps the user's scene.
   struct Before {

@@ -233,7 +233,7 @@ void MainWindow::buildCommands() {
   exports_->addTo(*commands_);
   appearance_->addTo(*commands_);
   windowLayout_ = new WindowLayout({*this, *dock_, *panel_, *splitter_, *canvas_, *tabs_, *figures_,
-                                    *appearance_, *messages_, *description_});
+                                    *appearance_, *messages_, *description_, *hint_});
   windowLayout_->addTo(*commands_);
   tabs_->addTo(*commands_);
   tour_ = new Tour(*document_, *tourBar_, *hint_, *this);

@@ -191,7 +191,7 @@ void MessageBar::showText(const LiveText& text) {
 }
 
 void MessageBar::setLineLimit(int lines) {
-  lineLimit_ = lines;
+  if (std::exchange(lineLimit_, lines) == lines) return;
   fitText();
 }
 

@@ -238,6 +238,7 @@ bool SceneTabs::event(QEvent* event) {
 
 void SceneTabs::resizeEvent(QResizeEvent* event) {
   fitTitles();
+  updatePlotHeight();
   QTabWidget::resizeEvent(event);
 }
 
@@ -269,10 +270,13 @@ void SceneTabs::addMenu(QMenu& menu) {
   for (const Page& page : pages_) menu_->addAction(page.action);
 }
 
-/// Sets the minimum height of the chart: two plots need more than one.
+/// Sets the minimum height of the chart: two plots need more than one, but leave a low window a
+/// contact with room for its labels.
 void SceneTabs::updatePlotHeight() {
+  constexpr double kShare = 0.36;  // of the height of the window
   const bool hasTwo = accuracy_->comparison() || hasMeasuredFriction_;
-  plot_->setMinimumHeight(hasTwo ? kTwoPlots : kOnePlot);
+  const int most = static_cast<int>(kShare * window()->height());
+  plot_->setMinimumHeight(hasTwo ? std::clamp(most, kOnePlot, kTwoPlots) : kOnePlot);
 }
 
 void SceneTabs::setTabRequested(int index, bool isRequested) {

@@ -94,16 +94,16 @@ QString meanText(const CurveReading& reading) {
            shownNumber(roundedToDigits(100 * share, 1)));
 }
 
-/// Returns the friction of the drawn line, "this line μ = 0.00123", in words that tell it from the
-/// mean of all lines, where there may be several.
-QString frictionText(const Scene& scene, const QString& value) {
-  const bool isOneOfMany = mayHaveManyLines(scene.surface);
-  if (hasLocalFriction(scene))
-    return (isOneOfMany ? StatusLine::tr("this line, deformation μ = %1")
-                        : StatusLine::tr("deformation μ = %1"))
-        .arg(value);
-  return (isOneOfMany ? StatusLine::tr("this line μ = %1") : StatusLine::tr("friction μ = %1"))
-      .arg(value);
+/// Returns "this line μ = 0.00123", or "this line μ → 0.00123" while the picture is still on its
+/// way there, in words that tell it from the mean of all lines, where there may be several.
+QString frictionText(const Scene& scene, const QString& value, bool isSettling) {
+  QString name;
+  if (mayHaveManyLines(scene.surface))
+    name = hasLocalFriction(scene) ? StatusLine::tr("this line, deformation")
+                                   : StatusLine::tr("this line");
+  else
+    name = hasLocalFriction(scene) ? StatusLine::tr("deformation") : StatusLine::tr("friction");
+  return name + (isSettling ? QStringLiteral(" μ → ") : QStringLiteral(" μ = ")) + value;
 }
 
 /// Returns a rate with two significant digits: "12,000".
@@ -129,6 +129,12 @@ QString velocityTip() {
 QString forceTip() {
   return StatusLine::tr(
       "Eq. (14) of the paper: normal force / (shear modulus × rms height × period)");
+}
+
+QString settlingTip() {
+  return StatusLine::tr(
+      "The picture is moving from the previous scene to the steady state that these numbers and "
+      "the chart describe. R shows that state at once.");
 }
 
 /// Returns why there is no dimensionless velocity; empty where there is one.
@@ -226,9 +232,7 @@ void StatusLine::showTips() {
   showFrictionTip();
   force_->setToolTip(wrappedTip(forceTip()));
   velocity_->setToolTip(wrappedTip(velocityTip()));
-  settling_->setToolTip(wrappedTip(
-      tr("The picture is moving from the previous scene to the steady state that these numbers and "
-         "the chart describe. R shows that state at once.")));
+  settling_->setToolTip(wrappedTip(settlingTip()));
   simulations_->setToolTip(tr("Lines computed per second for the curve, each at one velocity"));
   rate_->setToolTip(tr("Pictures of the contact shown in the last second"));
   backend_->setToolTip(
@@ -236,13 +240,13 @@ void StatusLine::showTips() {
 }
 
 /// Sets the tip of the friction, which is always in sight: it has the readings that the window has
-/// no room for.
+/// no room for, and says that the picture is not there yet.
 void StatusLine::showFrictionTip() {
-  QString tip =
-      tr("Coefficient of friction of this line, of a motion at this moment; then the mean "
-         "of all lines at this velocity with its standard error. After ≈ it is "
-         "interpolated between two points of the curve.") +
-      ' ' + errorsInWords();
+  QString tip = isSettling_ ? settlingTip() + ' ' : QString();
+  tip += tr("Coefficient of friction of this line, of a motion at this moment; then the mean "
+            "of all lines at this velocity with its standard error. After ≈ it is "
+            "interpolated between two points of the curve.") +
+         ' ' + errorsInWords();
   QStringList hidden;
   for (const StatusReading* reading : {regime_, force_, velocity_})
     if (std::ranges::find(leftOut_, reading) != leftOut_.end() && !reading->text().isEmpty())
@@ -269,7 +273,7 @@ void StatusLine::reserveWidths() {
   const auto reserve = [](StatusReading* reading, const QStringList& texts) {
     reading->reserve(texts, texts);
   };
-  reserve(mu_, {tr("this line μ = %1").arg(friction) + mean});
+  reserve(mu_, {frictionText({}, friction, false) + mean, frictionText({}, friction, true) + mean});
   reserve(regime_, regions);
   reserve(simulations_, {tr("%1 simulations/s").arg(rateText(8800000))});
   reserve(rate_, {tr("%1 frames/s").arg(888)});
@@ -372,13 +376,15 @@ void StatusLine::showFrame(const Frame& frame, const CurveReading& reading) {
   regime_->setForm(reading.regime);
   QString mean;
   if (std::isfinite(reading.mu) && std::isfinite(reading.error)) mean = meanText(reading);
-  mu_->setForm(frictionText(*frame.scene, readingLabel(presentFriction(frame), 3, Zeros::Keep)) +
+  isSettling_ = frame.isSettling;
+  mu_->setForm(frictionText(*frame.scene, readingLabel(presentFriction(frame), 3, Zeros::Keep),
+                            isSettling_) +
                mean);
   const QStringList force = forceForms(readingLabel(dimensionlessForce(frame)));
   force_->setForms(force[0], force[1]);
   showVelocity(frame);
   showNotes(reading);
-  settling_->setForm(frame.isSettling ? tr("settling") : QString());
+  settling_->setForm(isSettling_ ? tr("settling") : QString());
   fitReadings();
 }
 

@@ -77,7 +77,7 @@ class StatusLine : public QWidget {
   void chooseForms(int available);
 
   Work work_;
-  bool isOfMotion_ = false;  // the frame that is shown
+  bool isOfMotion_ = false, isSettling_ = false;  // the frame that is shown
   int framesPerSecond_ = 0;
   ElidedLabel* message_;
   QTimer* messageTimer_;

@@ -30,8 +30,8 @@ namespace asperity {
 
 namespace {
 
-constexpr int kDescriptionLines = 2;  // more would take the height of the contact
-constexpr int kLayoutVersion = 1;     // version of the layout of docks and tool bars
+constexpr int kLow = 800;          // pixels, of a screen or window whose views are low
+constexpr int kLayoutVersion = 1;  // version of the layout of docks and tool bars
 
 /// The largest usual frame of a window manager around a window; the true frame is known only when
 /// the window is shown.
@@ -60,7 +60,9 @@ QString panelNote() {
 
 WindowLayout::WindowLayout(const LayoutParts& parts) : QObject(&parts.window), parts_(parts) {
   parts_.splitter.setSizes(defaultSplit());
-  parts_.description.setLineLimit(kDescriptionLines);
+  fitDescription();
+  for (QObject* watched : std::initializer_list<QObject*>{&parts_.offer, &parts_.window})
+    watched->installEventFilter(this);
   connect(&parts_.figures, &FigurePages::pageChanged, this, &WindowLayout::hideDocksForFigures);
   connect(&parts_.dock, &QDockWidget::visibilityChanged, this, [this](bool isVisible) {
     if (isVisible) endPanelNote();
@@ -70,6 +72,22 @@ WindowLayout::WindowLayout(const LayoutParts& parts) : QObject(&parts.window), p
 
 WindowLayout::~WindowLayout() {
   if (presentation_) QApplication::setFont(presentation_->font);  // for other windows, too
+}
+
+/// Leaves the height of a low window to the contact: the description of the scene has one line
+/// where the offer of the tour stands above it, or letters are large, and otherwise two.
+void WindowLayout::fitDescription() {
+  const int height =
+      isPresenting() ? parts_.window.screen()->size().height() : parts_.window.height();
+  const bool isCrowded = isPresenting() || !parts_.offer.isHidden();
+  parts_.description.setLineLimit(isCrowded && height < kLow ? 1 : 2);
+}
+
+bool WindowLayout::eventFilter(QObject* watched, QEvent* event) {
+  const bool isOfOffer =
+      watched == &parts_.offer && (event->type() == QEvent::Show || event->type() == QEvent::Hide);
+  if (isOfOffer || (watched == &parts_.window && event->type() == QEvent::Resize)) fitDescription();
+  return QObject::eventFilter(watched, event);
 }
 
 void WindowLayout::addTo(Commands& commands) {
@@ -192,11 +210,8 @@ void WindowLayout::beginPresentation() {
   // The style sheet is set again for what was painted with the other font.
   parts_.appearance.setDark(parts_.appearance.isDark());
   // On a low screen large letters around the chart leave it little height.
-  constexpr int kLow = 800;  // pixels
-  if (window.screen()->size().height() < kLow) {
-    parts_.splitter.setSizes({540, 460});
-    parts_.description.setLineLimit(1);
-  }
+  if (window.screen()->size().height() < kLow) parts_.splitter.setSizes({540, 460});
+  fitDescription();
   setFullScreen(true);
 }
 
@@ -220,7 +235,7 @@ void WindowLayout::endPresentation() {
   const Presentation before = *std::exchange(presentation_, std::nullopt);
   QApplication::setFont(before.font);
   parts_.canvas.setTextScale(1);
-  parts_.description.setLineLimit(kDescriptionLines);
+  fitDescription();
   parts_.tabs.setMayScroll(false);
   window.menuBar()->show();
   window.statusBar()->setVisible(before.hasStatus);

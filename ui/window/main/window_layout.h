@@ -51,6 +51,7 @@ struct LayoutParts {
   Appearance& appearance;
   MessageBar& messages;
   MessageBar& description;  // of the scene
+  MessageBar& offer;        // of the tour, at a first start
 };
 
 class WindowLayout : public QObject {
@@ -87,7 +88,12 @@ class WindowLayout : public QObject {
   void setPresenting(bool presenting);
   bool isPresenting() const { return presentation_.has_value(); }
 
+ protected:
+  /// Watches the offer of the tour, and the size of the window.
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
+  void fitDescription();
   void beginPresentation();
   void endPresentation();
   void showPanelNote();

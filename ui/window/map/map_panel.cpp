@@ -96,6 +96,7 @@ DiagramSheet mapSheetWithSection(const ParameterMap& map, const std::string& qua
 
 MapPanel::MapPanel(QWidget* parent)
     : QWidget(parent),
+      row_(new QHBoxLayout),
       x_(named<ChoiceBox>("mapX")),
       y_(named<ChoiceBox>("mapY")),
       quantity_(named<ChoiceBox>("mapQuantity")),
@@ -111,29 +112,28 @@ MapPanel::MapPanel(QWidget* parent)
   save_->setEnabled(false);  // until there is a map
   view_->setPause(kMapPause);
   for (ChoiceBox* box : {x_, y_, quantity_}) box->setMaximumWidth(kWidestList);
-  auto* row = new QHBoxLayout;
-  row->setContentsMargins(8, 4, 8, 0);
+  row_->setContentsMargins(8, 4, 8, 0);
   for (const auto& [label, box] :
        {std::pair{xLabel_, x_}, {yLabel_, y_}, {quantityLabel_, quantity_}}) {
-    if (row->count() > 0) row->addSpacing(kBeforeLabel);
+    if (row_->count() > 0) row_->addSpacing(kBeforeLabel);
     label->setBuddy(box);
     // Each list is as wide as its present name; only where that is too much are names shortened.
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setMinimumContentsLength(6);
-    row->addWidget(label);
-    row->addWidget(box);
+    row_->addWidget(label);
+    row_->addWidget(box);
   }
-  row->addStretch();  // what the lists leave over is not for the labels
+  row_->addStretch();  // what the lists leave over is not for the labels
   message_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   message_->hide();  // the lists use its space while there is none
-  row->addWidget(message_, kErrorShare);
+  row_->addWidget(message_, kErrorShare);
   progressLabel_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   end_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
   end_->addWidget(save_);
   end_->addWidget(progressLabel_);
-  row->addWidget(end_);
+  row_->addWidget(end_);
   auto* column = marginless<QVBoxLayout>(this, 2);
-  column->addLayout(row);
+  column->addLayout(row_);
   column->addWidget(view_, 1);
   for (const std::string_view name : mapQuantities()) quantity_->addItem(QString(), fromUtf8(name));
   quantity_->setCurrentIndex(quantity_->findData("mu"));
@@ -397,6 +397,20 @@ void MapPanel::showTips() {
     box->setShownText(box->currentText());
     box->setToolTip(box->currentText());
   }
+  fitRow();
+}
+
+/// Leaves out the word before the list of quantities, which names itself, where names would be
+/// shortened.
+void MapPanel::fitRow() {
+  const bool isLeftOut = quantityLabel_->isHidden();
+  const int label = isLeftOut ? quantityLabel_->sizeHint().width() + row_->spacing() : 0;
+  quantityLabel_->setVisible(row_->sizeHint().width() + label <= width());
+}
+
+void MapPanel::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  fitRow();
 }
 
 /// Returns the two values and the friction of the nearest cell.

@@ -15,6 +15,7 @@
 #include "ui/language/language.h"
 #include "ui/window/tasks/background_work.h"
 
+class QHBoxLayout;
 class QLabel;
 class QPushButton;
 class QStackedWidget;
@@ -44,6 +45,7 @@ class MapPanel : public QWidget {
  protected:
   void showEvent(QShowEvent* event) override;
   void hideEvent(QHideEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void showTexts();
@@ -61,11 +63,13 @@ class MapPanel : public QWidget {
   void updateMessage();
   void showProgress();
   void showTips();
+  void fitRow();
   QString quantity() const;
 
   Scene scene_;        // without its target accuracy
   double target_ = 0;  // of the document: the relative error; 0: none
   bool hasScene_ = false;
+  QHBoxLayout* row_;  // of the lists
   ChoiceBox *x_, *y_, *quantity_;
   QLabel *xLabel_, *yLabel_, *quantityLabel_;
   QLabel *message_, *progressLabel_;

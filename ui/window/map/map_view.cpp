@@ -149,17 +149,17 @@ void MapView::paintReading(QPainter& painter, const QRectF& frame) const {
     painter.setPen(toQColor(theme().text));
     return painter.drawText(place, kLines, text);
   }
-  constexpr qreal kAround = 4;                               // pixels
+  constexpr qreal kBorder = 4;                               // pixels
   constexpr int kFlags = Qt::AlignRight | Qt::TextWordWrap;  // a narrow map has it in two lines
-  const QRectF available = frame.adjusted(2 * kAround, 0, -2 * kAround, 0);
+  const QRectF available = frame.adjusted(2 * kBorder, 0, -2 * kBorder, 0);
   const QSizeF size = QFontMetricsF(font()).boundingRect(available, kFlags, text).size();
-  QRectF box(frame.topLeft() + QPointF(0, kAround), size + QSizeF(2 * kAround, kAround));
-  box.moveRight(frame.right() - kAround);
+  QRectF box(frame.topLeft() + QPointF(0, kBorder), size + QSizeF(2 * kBorder, kBorder));
+  box.moveRight(frame.right() - kBorder);
   QColor ground = toQColor(theme().background);
   ground.setAlphaF(0.85F);
   painter.fillRect(box, ground);
   painter.setPen(toQColor(theme().text));
-  painter.drawText(box.adjusted(kAround, 0.5 * kAround, -kAround, 0), kFlags, text);
+  painter.drawText(box.adjusted(kBorder, 0.5 * kBorder, -kBorder, 0), kFlags, text);
 }
 
 }  // namespace asperity
