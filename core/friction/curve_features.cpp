@@ -52,7 +52,6 @@ Peak findPeak(std::span<const double> velocities, std::span<const double> values
 }  // namespace
 
 LineFit fitLine(std::span<const double> x, std::span<const double> y) {
-  const auto count = static_cast<double>(x.size());
   const double meanX = mean(x), meanY = mean(y);
   double squaresOfX = 0, products = 0, largest = 0;
   for (std::size_t i = 0; i < x.size(); ++i) {
@@ -67,9 +66,7 @@ LineFit fitLine(std::span<const double> x, std::span<const double> y) {
   double squares = 0;
   for (std::size_t i = 0; i < x.size(); ++i)
     squares += std::pow(y[i] - intercept - slope * x[i], 2);
-  const double variance =
-      count > 2 ? squares / (count - 2) : std::numeric_limits<double>::quiet_NaN();
-  return {intercept, slope, std::sqrt(variance / squaresOfX), std::sqrt(squares / count)};
+  return {intercept, slope, std::sqrt(squares / static_cast<double>(x.size()))};
 }
 
 LineFit fitPower(std::span<const double> x, std::span<const double> y) {

@@ -12,11 +12,9 @@
 
 namespace asperity {
 
-/// y = intercept + slope x. The standard error comes from the scatter about the line (Numerical
-/// Recipes, 15.2, with the errors of the points unknown); NaN with two points, which have none.
+/// y = intercept + slope x.
 struct LineFit {
   double intercept = 0, slope = 0;
-  double slopeError = 0;
   double rmsResidual = 0;
 };
 

@@ -263,7 +263,6 @@ MarchStep TimeMarch::finishStep(const Climb& climb) {
   result.work = h * (HasDashpot ? work : stored + dissipated);
   result.stored = h * stored;
   result.dissipated = h * dissipated;
-  result.slidingWork = result.work - result.normalForce * climb.whole();
   result.lineWork = h * advance;
   result.gapWork = h * closing;
   result.contactLength = line_->spacing * static_cast<double>(touching);

@@ -1,10 +1,9 @@
-// Least squares: exact lines, and uncertainties that mean what they say.
+// Least squares: exact lines and power laws, and plateaus.
 #include "core/friction/curve_features.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 #include <vector>
 
 namespace asperity {
@@ -15,15 +14,7 @@ TEST(Fit, FindsAnExactLine) {
   const LineFit fit = fitLine(x, y);
   EXPECT_NEAR(fit.intercept, 3, 1e-12);
   EXPECT_NEAR(fit.slope, -2, 1e-12);
-  EXPECT_NEAR(fit.slopeError, 0, 1e-12);
   EXPECT_NEAR(fit.rmsResidual, 0, 1e-12);
-}
-
-TEST(Fit, TwoPointsHaveNoError) {
-  const std::vector<double> x{1, 2}, y{1, 3};
-  const LineFit fit = fitLine(x, y);
-  EXPECT_NEAR(fit.slope, 2, 1e-12);
-  EXPECT_TRUE(std::isnan(fit.slopeError));
 }
 
 /// Least squares leave some 1e-17 of the values; a slope that moves a value by a part in 1e12 is
@@ -48,23 +39,6 @@ TEST(Fit, PowerLaw) {
   const LineFit fit = fitPower(x, y);
   EXPECT_NEAR(fit.slope, -0.4, 1e-12);
   EXPECT_NEAR(std::exp(fit.intercept), 2.5, 1e-12);
-}
-
-/// Over many noisy lines the scatter of the fitted slope is the stated standard error.
-TEST(Fit, StandardErrorIsTheScatterOfTheSlope) {
-  std::mt19937 generator(5);
-  std::normal_distribution<double> noise(0, 0.3);
-  const std::vector<double> x{0, 1, 2, 3, 4, 5, 6, 7, 8, 9};
-  double squares = 0, stated = 0;
-  constexpr int kTrials = 2000;
-  for (int trial = 0; trial < kTrials; ++trial) {
-    std::vector<double> y;
-    for (const double value : x) y.push_back(1 + 0.5 * value + noise(generator));
-    const LineFit fit = fitLine(x, y);
-    squares += (fit.slope - 0.5) * (fit.slope - 0.5);
-    stated += fit.slopeError * fit.slopeError;
-  }
-  EXPECT_NEAR(std::sqrt(squares / stated), 1, 0.08);
 }
 
 }  // namespace
