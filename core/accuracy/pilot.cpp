@@ -73,8 +73,8 @@ bool hasRows(const Surface& surface) {
 
 }  // namespace
 
-PilotScene::PilotScene(const Scene& its, const LineExtent& extent)
-    : scene(its), rows(extent.rows), rowsOfFile(extent.rows), lines(extent.lines) {
+PilotScene::PilotScene(const Scene& given, const LineExtent& extent)
+    : scene(given), rows(extent.rows), rowsOfFile(extent.rows), lines(extent.lines) {
   scene.surface.length = extent.length;
   scene.surface.elements = extent.elements;
   scene.load = loadOn(scene.load, extent.length);

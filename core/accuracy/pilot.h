@@ -27,7 +27,7 @@ struct PilotScene {
   std::int64_t lines = 1;  // number of lines of the scene's means
 
   /// Makes the run's own line, with the size in `extent`.
-  PilotScene(const Scene& its, const LineExtent& extent);
+  PilotScene(const Scene& given, const LineExtent& extent);
 
   /// Returns the number of elements per period.
   double elements() const { return static_cast<double>(scene.surface.elements); }
