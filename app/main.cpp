@@ -13,10 +13,10 @@
 #include <string_view>
 
 #include "app/command_line.h"
+#include "app/output.h"
 #include "app/vector_target.h"
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
-#include "core/base/text.h"
 
 namespace asperity {
 namespace {
@@ -68,11 +68,9 @@ void endCleanlyOnInterruption() {
   }
 }
 
-/// Prints an error to stderr. Errors of stderr itself (closed, full) are ignored: nothing else can
-/// report them.
 int reportError(const std::string& sentence, int status) {
   while (isInterrupted) ::pause();  // the interruption was the reason, and has been reported
-  std::fputs(("asperity: " + printable(sentence) + "\n").c_str(), stderr);
+  printError(sentence);
   return status;
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdio>
 #include <filesystem>
 #include <set>
 
@@ -131,6 +132,10 @@ std::string wroteLines(const std::vector<std::string>& files) {
   for (const std::string& file : files)
     if (file != "-") text += wroteLine(file);
   return text;
+}
+
+void printError(const std::string& sentence) {
+  std::fputs(("asperity: " + printable(sentence) + "\n").c_str(), stderr);
 }
 
 void printJson(const nlohmann::ordered_json& answer) {

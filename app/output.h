@@ -79,6 +79,10 @@ std::string wroteLine(const std::string& file);
 /// Returns such a line for each file, without standard output.
 std::string wroteLines(const std::vector<std::string>& files);
 
+/// Prints an error as one line to stderr. Errors of stderr itself (closed, full) are ignored:
+/// nothing else can report them.
+void printError(const std::string& sentence);
+
 /// Prints an answer in JSON to stdout.
 void printJson(const nlohmann::ordered_json& answer);
 

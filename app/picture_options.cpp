@@ -299,12 +299,12 @@ double drawnExaggeration(const Frame& frame, const ContactPictureOptions& option
 }  // namespace
 
 const char* ViewArguments::firstOption() const {
-  if (!xRange.empty()) return kView;
-  if (!heights.empty()) return kHeights;
-  if (exaggeration) return kExaggeration;
-  if (coloursTo) return kColours;
-  if (probe) return kProbe;
-  return magnified ? kMagnify : nullptr;
+  return firstGiven({{kView, !xRange.empty()},
+                     {kHeights, !heights.empty()},
+                     {kExaggeration, exaggeration.has_value()},
+                     {kColours, coloursTo.has_value()},
+                     {kProbe, probe.has_value()},
+                     {kMagnify, magnified.has_value()}});
 }
 
 double ViewArguments::width() const {

@@ -1,6 +1,5 @@
 // asperity batch: runs many scenes and sweeps; writes pictures, data and a page with all of them.
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <set>
@@ -353,10 +352,7 @@ class BatchRun {
       if (!result.fault().empty()) {
         ++(result.item.error.empty() ? missed : bad);
         entry["error"] = result.fault().english();
-        std::fputs("asperity: ", stderr);
-        std::fputs(InputError(command_.common.scene, result.item.name, result.fault()).what(),
-                   stderr);
-        std::fputs("\n", stderr);
+        printError(InputError(command_.common.scene, result.item.name, result.fault()).what());
       }
       if (result.item.error.empty()) {
         const CurvePoint none{.mu = kNotApplicable};

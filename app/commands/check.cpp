@@ -1,5 +1,4 @@
 // asperity check: reads and validates scenes and lessons, and prints a summary of a few lines.
-#include <cstdio>
 #include <optional>
 #include <vector>
 
@@ -139,7 +138,7 @@ int runCheck(const CheckCommand& command) {
         checkScene(common, isOneOfMany, answers);
     } catch (const InputError& error) {
       if (!isOneOfMany) throw;
-      std::fputs(("asperity: " + printable(error.what()) + "\n").c_str(), stderr);
+      printError(error.what());
       answers.push_back({{"schema", "asperity-check/1"},
                          {"file", scene},
                          {"valid", false},

@@ -8,6 +8,7 @@
 #include "app/output.h"
 #include "core/accuracy/explanation.h"
 #include "core/base/text.h"
+#include "core/friction/parameter_map.h"
 #include "core/friction/theories/theory.h"
 #include "core/run/motion_accuracy.h"
 #include "core/scene/scene_check.h"

@@ -14,8 +14,8 @@
 #include "core/base/json_text.h"
 #include "core/base/text.h"
 #include "core/lesson/lesson_answers.h"
-#include "core/lesson/lesson_class.h"
 #include "core/lesson/lesson_file.h"
+#include "core/lesson/lesson_results.h"
 #include "ui/language/language.h"
 #include "ui/window/lesson/handout.h"
 #include "ui/window/lesson/lesson_results_page.h"
@@ -158,8 +158,7 @@ int showClass(const LessonCommand& command) {
     checkNoInput(output, {command.lessons.begin(), command.lessons.end()});
   const ClassResults results = readClasses(command.lessons);
   if (!command.outputs.empty() || common.json) onlyClass(results);
-  for (const InputError& error : results.refused)
-    std::fputs(("asperity: " + printable(error.what()) + "\n").c_str(), stderr);
+  for (const InputError& error : results.refused) printError(error.what());
   const std::vector<StudentResults>& students = results.classes.front();
   const LessonResults& first = students.front().results;
   std::string summary = classesText(results);

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <QApplication>
-#include <cstdio>
 #include <cstdlib>
 #include <optional>
 #include <stdexcept>
 
 #include "app/command_line.h"
+#include "app/output.h"
 #include "core/lesson/lesson_file.h"
 #include "core/lesson/lesson_results.h"
 #include "core/run/runner.h"
@@ -33,8 +33,7 @@ bool hasDisplay() {
 /// and hides Qt's messages about earlier attempts.
 void endOnFatal(QtMsgType type, const QMessageLogContext&, const QString&) {
   if (type != QtFatalMsg) return;
-  std::fputs("asperity: the display cannot be reached; 'asperity render SCENE -o DIR' needs none\n",
-             stderr);
+  printError("the display cannot be reached; 'asperity render SCENE -o DIR' needs none");
   std::_Exit(kRunFailed);
 }
 

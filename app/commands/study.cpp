@@ -283,11 +283,8 @@ int runStudyTable(const StudyCommand& command) {
                            print);
   const std::int64_t all = store.study().simulations();
   if (rows < all)
-    std::fputs(fmt::format("asperity: {}\n", message("{}: {} of {} simulations are not there yet",
-                                                     command.study, all - rows, all)
-                                                 .english())
-                   .c_str(),
-               stderr);
+    printError(message("{}: {} of {} simulations are not there yet", command.study, all - rows, all)
+                   .english());
   if (!isStdout) {
     printSummary(command.common,
                  filledLine(Words::tr("%1 simulations"), rows) + wroteLines(command.outputs),

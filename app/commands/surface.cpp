@@ -83,6 +83,16 @@ constexpr NamedChoices<SurfaceTable, 3> kSurfaceTables{{{"line", SurfaceTable::L
                                                         {"spectrum", SurfaceTable::Spectrum},
                                                         {"statistics", SurfaceTable::Statistics}}};
 
+SurfaceTable chosenTable(const SurfaceCommand& command) {
+  return chosen(kSurfaceTables, command.table, "--table");
+}
+
+/// Throws InputError for a column that the chosen table does not have.
+ColumnChoice columnChoice(const SurfaceCommand& command) {
+  const bool isLine = chosenTable(command) == SurfaceTable::Line;
+  return {command.columns, {isLine ? "surface" : command.table}};
+}
+
 std::string csvText(SurfaceTable table, const Scene& scene, const LineSource& source,
                     const Line& line) {
   if (table == SurfaceTable::Spectrum) return tableCsv(spectrumTable(source));
@@ -92,28 +102,25 @@ std::string csvText(SurfaceTable table, const Scene& scene, const LineSource& so
 
 void writeSurface(const std::string& output, const SurfaceCommand& command, const Scene& scene,
                   const LineSource& source, const Line& line) {
-  const SurfaceTable table = chosen(kSurfaceTables, command.table, "--table");
-  const std::string columnTable = table == SurfaceTable::Line ? "surface" : command.table;
   const ProvenanceOptions given(optionsFor(command.common.given, output));
   const std::string extension = fileExtension(output);
   if (extension == ".csv" || output == "-")
     writeTable(output, provenanceComment("surface", scene) +
-                           ColumnChoice(command.columns, {columnTable})
-                               .select(csvText(table, scene, source, line)));
+                           columnChoice(command).select(
+                               csvText(chosenTable(command), scene, source, line)));
   if (extension == ".json") writeFileAtomically(output, surfaceJson(scene, source, line));
   if (isPictureFile(output)) writePicture(output, command, scene, source, line);
 }
 
 /// Throws for unknown options of tables, and for any of them where no output is a table.
 void checkTable(const SurfaceCommand& command) {
-  const SurfaceTable table = chosen(kSurfaceTables, command.table, "--table");
-  const std::string columnTable = table == SurfaceTable::Line ? "surface" : command.table;
-  ColumnChoice(command.columns, {columnTable});
+  columnChoice(command);
   const bool hasTable = std::ranges::any_of(command.outputs, [](const std::string& output) {
     return output == "-" || fileExtension(output) == ".csv";
   });
   if (!hasTable)
-    refuseGiven({{"--table", table != SurfaceTable::Line}, {"--columns", !command.columns.empty()}},
+    refuseGiven({{"--table", chosenTable(command) != SurfaceTable::Line},
+                 {"--columns", !command.columns.empty()}},
                 "belongs to .csv tables, and no output is one");
 }
 

@@ -184,10 +184,10 @@ std::shared_ptr<SensitivityOfScene> runSensitivity(const Scene& scene, int threa
 py::list sensitivityRows(const SensitivityOfScene& found) {
   py::list rows;
   for (const Exponent& one : found.exponents) {
-    const auto its = std::ranges::find(found.all, one.key, &Sensitivity::key);
+    const auto sensitivity = std::ranges::find(found.all, one.key, &Sensitivity::key);
     rows.append(py::make_tuple(std::string(one.key), one.value, one.exponent.value,
-                               one.exponent.standardError, its->slope.value,
-                               its->slope.standardError, its->isLogarithmic));
+                               one.exponent.standardError, sensitivity->slope.value,
+                               sensitivity->slope.standardError, sensitivity->isLogarithmic));
   }
   return rows;
 }

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "core/accuracy/map_cost.h"
 #include "core/accuracy/prediction.h"
 #include "core/friction/curve_point.h"
 #include "core/scene/plan.h"

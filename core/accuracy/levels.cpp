@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/base/processor_time.h"
+#include "core/base/jobs.h"
 #include "core/friction/realizations.h"
 
 namespace asperity {

@@ -9,12 +9,12 @@
 #include "core/accuracy/target_curve.h"
 #include "core/base/jobs.h"
 #include "core/base/number_text.h"
-#include "core/base/processor_time.h"
 #include "core/base/statistics.h"
 #include "core/base/stop.h"
 #include "core/contact/steady_solver.h"
 #include "core/friction/ensemble.h"
 #include "core/friction/line_mean.h"
+#include "core/friction/parameter_map.h"
 #include "core/surface/line_source.h"
 
 namespace asperity {
@@ -309,6 +309,51 @@ ErrorBudget measureError(const Scene& scene, std::int64_t lines, int threads) {
   (scene.accuracy.scheme == Scheme::Nodal ? error.modelDifference : error.resolution) =
       rms(differences);
   return error;
+}
+
+namespace {
+
+constexpr double kMaxTrial = 0.5;        // s, of one line in all cells
+constexpr double kMaxSecondTrial = 0.1;  // s, of one line, where more lines are tried, too
+
+/// A stage of a map on one thread.
+struct MapTrial {
+  ParameterMap map;
+  double seconds = 0;  // of the processor
+
+  double cells() const { return static_cast<double>(map.points.size()); }
+};
+
+MapTrial runTrial(MapStage stage, const Scene& scene, const MapAxis& x, const MapAxis& y) {
+  MapOptions options{.threads = 1};
+  const double begin = threadSeconds();
+  MapTrial trial{mapStage(stage, scene, x, y, options)};
+  trial.seconds = threadSeconds() - begin;
+  return trial;
+}
+
+}  // namespace
+
+MapCost predictMap(const Scene& scene, const MapAxis& x, const MapAxis& y, int threads) {
+  MapCost cost{x.values.size(), y.values.size()};
+  cost.threads = threadCount(threads);
+  const auto cells = static_cast<double>(cost.columns * cost.rows);
+  MapTrial trial = runTrial(MapStage::Coarse, scene, x, y);
+  // Which cells are equal is known only where all are tried.
+  if (trial.cells() < cells && trial.seconds * cells / trial.cells() < kMaxTrial)
+    trial = runTrial(MapStage::OneLine, scene, x, y);
+  if (trial.cells() == cells) cost.different = trial.map.computed;
+  cost.lines = static_cast<double>(planPilot(scene, cost.threads).run.lines);
+  double perLine = trial.seconds * cells / trial.cells();
+  double once = 0;  // to find equal states and to gather them, whatever the number of lines is
+  if (cost.lines > 1 && trial.cells() == cells && trial.seconds < kMaxSecondTrial) {
+    const MapTrial few = runTrial(MapStage::FewLines, scene, x, y);
+    const auto more = static_cast<double>(few.map.lines - trial.map.lines);
+    perLine = std::clamp((few.seconds - trial.seconds) / more, 0.0, trial.seconds);
+    once = trial.seconds - perLine;
+  }
+  cost.seconds = once + perLine * cost.lines / cost.threads;
+  return cost;
 }
 
 }  // namespace asperity

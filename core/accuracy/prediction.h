@@ -1,10 +1,12 @@
-// Cost and accuracy of a friction curve, predicted before the run. A pilot on a few lines
-// (core/accuracy/pilot.h) gives time, spread and resolution, and the rest is arithmetic; the parts
-// of the error are separate. Time depends on the machine and is shown to users, but never decides
-// what is computed.
-// Threading: one thread at a time (time is measured). Failure: as frictionCurve; StopRequested.
+// Cost and accuracy of a friction curve, and the cost of a map of friction, predicted before the
+// run. A pilot on a few lines (core/accuracy/pilot.h) gives time, spread and resolution of a curve,
+// and the rest is arithmetic; the parts of the error are separate. For a map a few of its lines are
+// tried. Time depends on the machine and is shown to users, but never decides what is computed.
+// Threading: one thread at a time (time is measured). Failure: as frictionCurve and parameterMap;
+// StopRequested.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <stop_token>
@@ -14,6 +16,8 @@
 #include "core/scene/scene.h"
 
 namespace asperity {
+
+struct MapAxis;
 
 /// Errors relative to mu, root mean square over the velocities of the sweep, or over the time of a
 /// motion. NaN: does not apply.
@@ -55,5 +59,21 @@ Prediction predictCurve(const Scene& scene, int threads = 0, const std::stop_tok
 /// difference from a line with four times the points that the run used, on at most `lines` lines;
 /// NaN where such a fine line needs too much memory.
 ErrorBudget measureError(const Scene& scene, std::int64_t lines, int threads = 0);
+
+struct MapCost {
+  std::size_t columns = 0, rows = 0;  // cells along x and y
+  /// The number of cells that have to be computed; the others equal one of them. 0: not known,
+  /// because the trial used only some cells.
+  std::size_t different = 0;
+  double lines = 1;    // number of lines of the mean in each cell
+  double seconds = 0;  // wall clock, on `threads`
+  int threads = 1;
+};
+
+/// Predicts `parameterMap` for these axes from a trial: of all cells on one line or, where that
+/// takes long, of some of them. Where the trial is short, all cells are also computed on a few
+/// lines, which shows the part of the time that does not grow with the lines. threads: 0 means as
+/// many as the machine has.
+MapCost predictMap(const Scene& scene, const MapAxis& x, const MapAxis& y, int threads = 0);
 
 }  // namespace asperity

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "core/accuracy/pilot.h"
-#include "core/base/processor_time.h"
+#include "core/base/jobs.h"
 #include "core/base/statistics.h"
 #include "core/base/stop.h"
 #include "core/friction/realizations.h"
@@ -19,8 +19,8 @@ struct RowsAsLines {
   LineSource source;
   LoadCase sweep;
 
-  RowsAsLines(const Scene& its, const std::vector<double>& velocities)
-      : scene(withEveryRow(its)), source(scene, 1), sweep{its.load, velocities} {}
+  RowsAsLines(const Scene& given, const std::vector<double>& velocities)
+      : scene(withEveryRow(given)), source(scene, 1), sweep{given.load, velocities} {}
 
   static Scene withEveryRow(Scene scene) {
     scene.accuracy = {Scheme::Cubic, 1, 0};

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "core/accuracy/row_errors.h"
+#include "core/base/jobs.h"
 #include "core/base/number_text.h"
-#include "core/base/processor_time.h"
 #include "core/base/statistics.h"
 #include "core/base/stop.h"
 #include "core/contact/steady_sliding.h"
@@ -64,24 +64,11 @@ class TargetSampling {
     plan.largestResidual = sampler_.cost().largestResidual;
     double standard = 0, resolution = 0;
     for (const VelocityState& state : states_) {
-      plan.operations += state.plan.operations;
-      double lines = 0;
-      for (const auto& half : state.plan.lines)
-        for (const std::int64_t count : half) lines += static_cast<double>(count);
-      plan.mostLines = std::max(plan.mostLines, lines);
-      plan.simulations += lines;
-      plan.finest = std::max(plan.finest, levelOversampling(state.plan.last));
+      addWork(state.plan, plan);
       if (isFrictionless_) continue;
       const double relative = state.plan.resolutionError / std::abs(sampledValue(state));
       resolution += relative * relative;
-      if (!isRandom_) continue;
-      const double drawn = drawnError(state), ofRows = state.ofRows.standardError;
-      double random = std::sqrt(std::max(0.0, drawn * drawn - relative * relative));
-      if (isComplete(state)) {  // the fewest lines are already better than the target
-        const LevelEstimate estimate = estimateMean(state.halves, state.plan);
-        random = std::min(random, estimate.standardError / std::abs(estimate.mean));
-      }
-      standard += random * random + ofRows * ofRows;
+      if (isRandom_) standard += squaredStandardError(state, relative);
     }
     const auto count = static_cast<double>(states_.size());
     if (isRandom_ && !isFrictionless_) plan.standardError = std::sqrt(standard / count);
@@ -90,6 +77,28 @@ class TargetSampling {
   }
 
  private:
+  static void addWork(const LevelPlan& ofVelocity, TargetPlan& plan) {
+    plan.operations += ofVelocity.operations;
+    double lines = 0;
+    for (const auto& half : ofVelocity.lines)
+      for (const std::int64_t count : half) lines += static_cast<double>(count);
+    plan.mostLines = std::max(plan.mostLines, lines);
+    plan.simulations += lines;
+    plan.finest = std::max(plan.finest, levelOversampling(ofVelocity.last));
+  }
+
+  /// Returns the square of the relative standard error that the planned lines will have; both
+  /// errors are relative.
+  double squaredStandardError(const VelocityState& state, double resolutionError) const {
+    const double drawn = drawnError(state), ofRows = state.ofRows.standardError;
+    double random = std::sqrt(std::max(0.0, drawn * drawn - resolutionError * resolutionError));
+    if (isComplete(state)) {  // the fewest lines are already better than the target
+      const LevelEstimate estimate = estimateMean(state.halves, state.plan);
+      random = std::min(random, estimate.standardError / std::abs(estimate.mean));
+    }
+    return random * random + ofRows * ofRows;
+  }
+
   static Scene resolved(Scene scene) {
     scene.accuracy.scheme = Scheme::Cubic;
     return scene;

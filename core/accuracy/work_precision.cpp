@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/base/processor_time.h"
+#include "core/base/jobs.h"
 #include "core/base/statistics.h"
 #include "core/base/stop.h"
 #include "core/contact/steady_sliding.h"

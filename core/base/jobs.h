@@ -1,4 +1,5 @@
-// The number of threads to use, and numbered jobs on oneTBB's threads and the caller's.
+// The number of threads to use, numbered jobs on oneTBB's threads and the caller's, and the
+// processor time of a thread.
 // Every job sees the caller's earlier writes, and the caller and later jobs see the writes of jobs:
 // an atomic of this class ensures it, because race detectors cannot see the synchronization inside
 // oneTBB's library.
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
+#include <ctime>
 #include <memory>
 #include <thread>
 
@@ -17,6 +19,14 @@ namespace asperity {
 /// Returns the number of threads to use: `wanted`, or as many as the machine has for 0.
 inline int threadCount(int wanted) {
   return wanted > 0 ? wanted : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+/// Returns the processor time of the calling thread, s: the cost of work, whatever else the machine
+/// does.
+inline double threadSeconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 class Jobs {

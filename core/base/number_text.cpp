@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::array<std::string_view, 11> kSiPrefixes = {"f", "p", "n", "\u00B5", "m", "",
                                                           "k", "M", "G", "T",      "P"};
-constexpr int kSmallestPrefix = -15;       // power of ten of the first prefix
-constexpr int kFirstPower = -4, kMax = 6;  // plain decimals from 10^-4 to below 10^6
+constexpr int kSmallestPrefix = -15;             // power of ten of the first prefix
+constexpr int kFirstPower = -4, kLastPower = 6;  // plain decimals from 10^-4 to below 10^6
 
 std::string withoutTrailingZeros(std::string text) {
   if (text.find('.') == std::string::npos) return text;
@@ -82,11 +82,11 @@ std::string printedNumber(double value, int digits, Zeros zeros) {
   if (!std::isfinite(value)) return "\u2013";
   if (value == 0) return "0";
   const int power = leadingPower(value, digits);
-  if (power >= digits && power < kMax) {  // integers are rounded, too
+  if (power >= digits && power < kLastPower) {  // integers are rounded, too
     const double unit = std::pow(10.0, power - digits + 1);
     return printedDecimals(std::round(value / unit) * unit, 0);
   }
-  if (power < kFirstPower || power >= kMax) return withPower(value, power, digits, zeros);
+  if (power < kFirstPower || power >= kLastPower) return withPower(value, power, digits, zeros);
   std::string text = printedDecimals(value, digits - 1 - power);
   return zeros == Zeros::Drop ? withoutTrailingZeros(std::move(text)) : text;
 }

@@ -1,4 +1,4 @@
-// Means and medians of a few numbers, and Student's distribution. Pure; any thread.
+// Means, medians and the extent of a few numbers, and Student's distribution. Pure; any thread.
 #pragma once
 
 #include <algorithm>
@@ -82,6 +82,22 @@ inline std::optional<double> contradictingRatio(std::vector<double> ratios) {
   const double ratio = upperMedian(std::move(ratios));
   return std::abs(ratio - 1) > kSame ? std::optional(ratio) : std::nullopt;
 }
+
+/// The smallest and the largest of the numbers that were added; empty at first.
+struct Extent {
+  double least = std::numeric_limits<double>::infinity();
+  double most = -std::numeric_limits<double>::infinity();
+
+  /// Adds a number. One that is not finite changes nothing.
+  void add(double value) {
+    if (!std::isfinite(value)) return;
+    least = std::min(least, value);
+    most = std::max(most, value);
+  }
+  bool isEmpty() const { return !(least <= most); }
+  /// Returns the distance between the ends; the extent must not be empty.
+  double size() const { return most - least; }
+};
 
 /// Returns the probability that a value deviates by less than t standard errors, which were
 /// estimated from residuals with this many degrees of freedom (Student's distribution). For a whole

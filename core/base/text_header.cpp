@@ -6,7 +6,6 @@
 #include <cctype>
 #include <iterator>
 
-#include "core/base/power_of_ten.h"
 #include "core/base/text.h"
 #include "core/base/text_number.h"
 #include "core/base/text_units.h"

@@ -1,5 +1,6 @@
 // Reads fields of text tables: numbers as instruments, spreadsheets and people write them, the
-// words for a missing value, and quantities with a unit. Pure; any thread.
+// words for a missing value, quantities with a unit, and powers of ten in front of units. Pure; any
+// thread.
 #pragma once
 
 #include <algorithm>
@@ -80,5 +81,28 @@ struct TextQuantity {
 /// "minus 5 C". The sign may be any dash, with a blank after it. decimal: the decimal mark of the
 /// file where it is known; the other mark, a blank or an apostrophe may then separate thousands.
 std::optional<TextQuantity> parseQuantity(std::string_view text, std::optional<char> decimal = {});
+
+/// A power of ten in front of a unit.
+struct PowerOfTen {
+  double value = 1;
+  int exponent = 0;
+  bool isWritten = false;  // as a power, "10^-3"; otherwise as a number, "100"
+};
+
+/// Reads a power of ten: "1e-6", "100", "1/100", "10^-6", "\u00D710\u207B\u2076", "x10-6"; empty
+/// where the text is none.
+std::optional<PowerOfTen> powerOfTenIn(std::string_view text);
+
+/// Returns whether a text is a power of ten that is written as such: "10^-3", "1e-3".
+bool isWrittenPower(std::string_view text);
+
+/// A unit and the power of ten in front of it.
+struct ScaledUnit {
+  PowerOfTen power{};
+  std::string_view unit{};
+};
+
+/// Reads "1e-6 m", "10^-9*m", "x 10^3 Pa s". Empty where there is no power of ten in front.
+std::optional<ScaledUnit> scaledUnit(std::string_view text);
 
 }  // namespace asperity

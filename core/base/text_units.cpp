@@ -6,7 +6,6 @@
 #include <string>
 #include <utility>
 
-#include "core/base/power_of_ten.h"
 #include "core/base/text.h"
 #include "core/base/text_number.h"
 #include "core/base/units.h"

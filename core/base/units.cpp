@@ -9,7 +9,6 @@
 #include <numbers>
 
 #include "core/base/number_text.h"
-#include "core/base/power_of_ten.h"
 #include "core/base/text.h"
 #include "core/base/text_number.h"
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/statistics.h"
 #include "core/chart/curve_diagram.h"
-#include "core/chart/extent.h"
 
 namespace asperity {
 namespace {

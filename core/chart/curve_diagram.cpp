@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "core/base/number_text.h"
+#include "core/base/statistics.h"
 #include "core/chart/curve_comparisons.h"
 #include "core/chart/curve_regions.h"
 #include "core/chart/curve_words.h"
-#include "core/chart/extent.h"
 #include "core/fit/derivatives.h"
 #include "core/scene/sweep.h"
 

@@ -108,111 +108,166 @@ std::string familyColumn(const CurveSet& set, const std::string& header) {
   return ("," + header + ",").find("," + word + ",") == std::string::npos ? word : set.familyKey;
 }
 
-}  // namespace
-
-std::string curveSetCsv(const CurveSet& set) {
+std::vector<const std::vector<CurvePoint>*> pointsOfCurves(const CurveSet& set) {
   std::vector<const std::vector<CurvePoint>*> curves{&set.present.points};
   for (const NamedCurve& curve : set.pinned) curves.push_back(&curve.points);
-  const CurveTable table(curves, columnsFor(set.present.scene, showsForces(set)));
-  std::string text = joinedColumns({"series"}) + ",";
-  const std::string family = familyColumn(set, table.header());
-  const bool isOfTemperature = family == "temperature";
-  const bool isReduced = set.isReduced && set.isOfVelocity();
-  if (!family.empty()) text += family + ",";
-  text += table.header();
-  if (isReduced) text += "," + joinedColumns({"reduced_velocity"});
-  if (isReduced && !isOfTemperature) text += "," + joinedColumns({"temperature"});
-  if (set.difference)
-    text += "," + joinedColumns({"relative_difference", "relative_difference_standard_error"});
-  text += "\n";
+  return curves;
+}
+
+/// The table of a set, written series by series.
+class CurveSetTable {
+ public:
+  explicit CurveSetTable(const CurveSet& set)
+      : set_(set),
+        table_(pointsOfCurves(set), columnsFor(set.present.scene, showsForces(set))),
+        family_(familyColumn(set, table_.header())),
+        isReduced_(set.isReduced && set.isOfVelocity()),
+        present_(sharedBy(set.present.scene, valueInFamily(set.present.scene))),
+        factors_(axesFactors(set.present.points, CurveAxes::Dimensionless)) {}
+
+  std::string csv() {
+    addHeader();
+    const std::string& title = set_.present.scene.title;
+    addCurve(title.empty() ? "this scene" : title, set_.present, present_);
+    addLaw();
+    for (const TheoryCurve& theory : set_.theories)
+      if (theory.theory != Theory::Eq11) addTheory(theory);
+    for (const MeasuredCurve& measured : set_.measured) addMeasured(measured);
+    for (const NamedCurve& curve : set_.pinned)
+      addCurve(curve.name.english(), curve,
+               sharedBy(curve.scene,
+                        std::isnan(curve.familyValue) ? present_.familyValue : curve.familyValue));
+    if (set_.difference) addDifference(*set_.difference);
+    return text_;
+  }
+
+ private:
   /// What the points of a series share.
   struct Shared {
     double familyValue = kNotApplicable, temperature = kNotApplicable;
     double reduction = 1;  // from velocities to those of the reduced axis
   };
-  const auto sharedBy = [&](const Scene& scene, double familyValue) {
-    return Shared{familyValue, scene.elastomer.temperature,
-                  shiftTo(set.present.scene.elastomer.temperature, scene.elastomer)};
-  };
-  const Shared present =
-      sharedBy(set.present.scene,
-               family.empty() ? kNotApplicable
-                              : parameterNumber(*findParameter(set.familyKey), set.present.scene));
-  const auto addRow = [&](const std::string& series, const CurvePoint& point, const Shared& shared,
-                          const DifferencePoint* difference = nullptr) {
+
+  Shared sharedBy(const Scene& scene, double familyValue) const {
+    return {familyValue, scene.elastomer.temperature,
+            shiftTo(set_.present.scene.elastomer.temperature, scene.elastomer)};
+  }
+
+  double valueInFamily(const Scene& scene) const {
+    return family_.empty() ? kNotApplicable
+                           : parameterNumber(*findParameter(set_.familyKey), scene);
+  }
+
+  bool isOfTemperature() const { return family_ == "temperature"; }
+
+  void addHeader() {
+    text_ = joinedColumns({"series"}) + ",";
+    if (!family_.empty()) text_ += family_ + ",";
+    text_ += table_.header();
+    if (isReduced_) text_ += "," + joinedColumns({"reduced_velocity"});
+    if (isReduced_ && !isOfTemperature()) text_ += "," + joinedColumns({"temperature"});
+    if (set_.difference)
+      text_ += "," + joinedColumns({"relative_difference", "relative_difference_standard_error"});
+    text_ += "\n";
+  }
+
+  void addRow(const std::string& series, const CurvePoint& point, const Shared& shared,
+              const DifferencePoint* difference = nullptr) {
     if (!std::isfinite(point.mu)) return;
-    text += csvCell(series) + ",";
-    if (!family.empty()) text += csvNumber(shared.familyValue) + ",";
-    text += table.row(point);
-    if (isReduced) text += "," + csvNumber(point.velocity * shared.reduction);
-    if (isReduced && !isOfTemperature) text += "," + csvNumber(shared.temperature);
-    if (set.difference)
-      text += difference ? fmt::format(",{},{}", csvNumber(difference->relative),
-                                       csvNumber(difference->standardError))
-                         : ",,";
-    text += "\n";
-  };
-  const auto addCurve = [&](const std::string& series, const NamedCurve& curve,
-                            const Shared& shared) {
+    text_ += csvCell(series) + ",";
+    if (!family_.empty()) text_ += csvNumber(shared.familyValue) + ",";
+    text_ += table_.row(point);
+    if (isReduced_) text_ += "," + csvNumber(point.velocity * shared.reduction);
+    if (isReduced_ && !isOfTemperature()) text_ += "," + csvNumber(shared.temperature);
+    if (set_.difference)
+      text_ += difference ? fmt::format(",{},{}", csvNumber(difference->relative),
+                                        csvNumber(difference->standardError))
+                          : ",,";
+    text_ += "\n";
+  }
+
+  void addCurve(const std::string& series, const NamedCurve& curve, const Shared& shared) {
     for (const CurvePoint& point : curve.points)
       if (point.realizations > 0) addRow(series, point, shared);
-  };
-  const std::string& title = set.present.scene.title;
-  addCurve(title.empty() ? "this scene" : title, set.present, present);
-  const AxesFactors factors = axesFactors(set.present.points, CurveAxes::Dimensionless);
-  // x: in the unit of the horizontal axis.
-  const auto pointAt = [&](double x, double mu) {
+  }
+
+  /// Returns a point with this friction at a position (in the unit of the horizontal axis), at
+  /// which no line was slid.
+  CurvePoint pointAt(double position, double mu) const {
     CurvePoint point;
-    const double velocity = set.isOfVelocity() ? x : set.present.scene.sliding.velocity;
-    if (!set.isOfVelocity()) point.swept = x;
-    point.velocity = velocity;
+    if (set_.isOfVelocity()) {
+      point.velocity = position;
+    } else {
+      point.velocity = set_.present.scene.sliding.velocity;
+      point.swept = position;
+    }
     point.mu = mu;
     point.contactFraction = point.indentation = kNotApplicable;
-    point.dimensionlessVelocity = velocity * factors.velocity;
-    point.normalizedMu = mu * factors.friction;
+    point.dimensionlessVelocity = point.velocity * factors_.velocity;
+    point.normalizedMu = mu * factors_.friction;
     return point;
-  };
-  const auto sweptBy = [&](const auto& point) {
-    return set.isOfVelocity() ? point.velocity : point.swept;
-  };
-  if (showsLaw(set.present.scene))
-    for (const CurvePoint& point : set.present.points)
-      addRow("Eq. (11)", pointAt(sweptBy(point), point.muLaw), present);
-  for (const TheoryCurve& theory : set.theories)
+  }
+
+  template <class Point>
+  double positionOf(const Point& point) const {
+    return set_.isOfVelocity() ? point.velocity : point.swept;
+  }
+
+  void addLaw() {
+    if (!showsLaw(set_.present.scene)) return;
+    for (const CurvePoint& point : set_.present.points)
+      addRow("Eq. (11)", pointAt(positionOf(point), point.muLaw), present_);
+  }
+
+  void addTheory(const TheoryCurve& theory) {
     for (const TheoryPoint& point : theory.points) {
-      if (!point.isInRange || theory.theory == Theory::Eq11) continue;
-      CurvePoint row = pointAt(sweptBy(point), point.mu);
+      if (!point.isInRange) continue;
+      CurvePoint row = pointAt(positionOf(point), point.mu);
       row.contactFraction = point.contactFraction;
-      if (!set.isOfVelocity()) {
+      if (!set_.isOfVelocity()) {
         row.normalizedMu = point.value(CurveQuantity::NormalizedMu);
         row.dimensionlessVelocity = kNotApplicable;
       }
-      addRow(theoryEntry(theory.theory).name, row, present);
+      addRow(theoryEntry(theory.theory).name, row, present_);
     }
-  for (const MeasuredCurve& measured : set.measured)
+  }
+
+  void addMeasured(const MeasuredCurve& measured) {
     for (std::size_t i = 0; i < measured.abscissas.size(); ++i) {
       const MeasuredPoint& seen = measured.data.points[i];
       CurvePoint point = pointAt(measured.abscissas[i], seen.mu);
       point.velocity = seen.velocity;
       point.muStandardError = seen.muError;
-      Shared shared = present;
+      Shared shared = present_;
       shared.reduction = measured.abscissas[i] / seen.velocity;
       if (!std::isnan(seen.temperature)) shared.temperature = seen.temperature;
-      if (isOfTemperature) shared.familyValue = shared.temperature;
+      if (isOfTemperature()) shared.familyValue = shared.temperature;
       addRow(measured.data.name, point, shared);
     }
-  for (const NamedCurve& curve : set.pinned)
-    addCurve(curve.name.english(), curve,
-             sharedBy(curve.scene,
-                      std::isnan(curve.familyValue) ? present.familyValue : curve.familyValue));
-  if (!set.difference) return text;
-  for (const DifferencePoint& difference : set.difference->points) {
-    CurvePoint point = pointAt(difference.velocity, difference.mu);
-    point.muStandardError = difference.muStandardError;
-    point.realizations = set.difference->setting.realizations;
-    addRow(settingName(set.difference->setting).english(), point, present, &difference);
   }
-  return text;
+
+  void addDifference(const CurveDifference& difference) {
+    for (const DifferencePoint& one : difference.points) {
+      CurvePoint point = pointAt(one.velocity, one.mu);
+      point.muStandardError = one.muStandardError;
+      point.realizations = difference.setting.realizations;
+      addRow(settingName(difference.setting).english(), point, present_, &one);
+    }
+  }
+
+  const CurveSet& set_;
+  CurveTable table_;
+  std::string family_;  // the column of the family; empty: none
+  bool isReduced_;
+  Shared present_;  // of the present curve, and of what is compared with it
+  AxesFactors factors_;
+  std::string text_;
+};
+
+}  // namespace
+
+std::string curveSetCsv(const CurveSet& set) {
+  return CurveSetTable(set).csv();
 }
 
 namespace {

@@ -12,7 +12,6 @@
 #include "core/chart/contours.h"
 #include "core/chart/curve_regions.h"
 #include "core/chart/curve_words.h"
-#include "core/chart/extent.h"
 
 namespace asperity {
 namespace {

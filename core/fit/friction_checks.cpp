@@ -7,8 +7,8 @@
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
-#include "core/base/power_of_ten.h"
 #include "core/base/text.h"
+#include "core/base/text_number.h"
 
 namespace asperity {
 namespace {

@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/power_of_ten.h"
 #include "core/base/text.h"
 #include "core/base/text_cell.h"
 #include "core/base/text_clause.h"

@@ -102,10 +102,10 @@ NoteSet pointNoteSet(const CurvePoint& point) {
 }
 
 std::string pointNotes(const CurvePoint& point) {
-  NoteSet said;
+  NoteSet listed;
   for (const Note note : pointNoteSet(point).list())
-    said.add(note, note != Note::FewContacts || point.listsContacts);
-  return said.words();
+    listed.add(note, note != Note::FewContacts || point.listsContacts);
+  return listed.words();
 }
 
 std::vector<std::string_view> curveColumns() {

@@ -233,7 +233,7 @@ std::string withValues(const std::string& text, const LessonPrediction& predicti
                : prediction.choices[static_cast<std::size_t>(choice)].text.in(language);
   };
   // "{part%}" is the value in per cent.
-  const auto said = [&](LessonNumber number, bool inPercent) {
+  const auto formatted = [&](LessonNumber number, bool inPercent) {
     if (!inPercent) return formatNumber(number);
     number.value *= 100;
     return formatNumber(number) + "\u00A0%";
@@ -243,13 +243,13 @@ std::string withValues(const std::string& text, const LessonPrediction& predicti
     if (inPercent) name.remove_suffix(1);
     if (name == "given") {
       if (prediction.kind == PredictionKind::Choice) return choiceText(given.choice);
-      return said({given.number, answer.number.unit}, inPercent);
+      return formatted({given.number, answer.number.unit}, inPercent);
     }
     if (name == "answer" && prediction.kind == PredictionKind::Choice && !prediction.answer)
       return choiceText(answer.choice);
-    if (name == "answer") return said(answer.number, inPercent);
+    if (name == "answer") return formatted(answer.number, inPercent);
     for (const auto& [known, number] : answer.values)
-      if (known == name) return said(number, inPercent);
+      if (known == name) return formatted(number, inPercent);
     return std::nullopt;
   };
   std::string filled;

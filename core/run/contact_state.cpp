@@ -115,22 +115,22 @@ ContactState drawnState(const Frame& frame) {
 std::vector<Message> describeContact(const Frame& frame, const CurveAtVelocity& curve) {
   if (!frame.scene) return {};
   const ContactState state = drawnState(frame);
-  std::vector<Message> said;
-  said.push_back(motionInWords(frame));
-  said.push_back(message("It presses with {}; its lowest point is {} below the undeformed surface.",
+  std::vector<Message> text;
+  text.push_back(motionInWords(frame));
+  text.push_back(message("It presses with {}; its lowest point is {} below the undeformed surface.",
                          printed(state.normalForce, "N"), printed(state.indentation, "m")));
-  said.push_back(touchInWords(frame, state));
-  said.push_back(frictionInWords(frame, state));
-  if (Message of = curveInWords(curve); !of.empty()) said.push_back(std::move(of));
+  text.push_back(touchInWords(frame, state));
+  text.push_back(frictionInWords(frame, state));
+  if (Message of = curveInWords(curve); !of.empty()) text.push_back(std::move(of));
   if (frame.isSettling)
-    said.push_back(
+    text.push_back(
         std::isfinite(frame.muSteady)
             ? message("The picture still moves to the steady state, whose coefficient is {}.",
                       coefficient(frame.muSteady))
             : message("The picture still moves to the steady state."));
   for (const Note note : curve.notes.list())
-    said.push_back(message("Note: {}.", noteSentence(note)));
-  return said;
+    text.push_back(message("Note: {}.", noteSentence(note)));
+  return text;
 }
 
 }  // namespace asperity

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/accuracy/pilot.h"
-#include "core/base/processor_time.h"
+#include "core/base/jobs.h"
 #include "core/base/statistics.h"
 #include "core/base/stop.h"
 #include "core/material/element_law.h"

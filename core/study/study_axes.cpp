@@ -137,6 +137,90 @@ void readDistribution(StudyAxis& axis, const Json& spec, const std::string& wher
   axis.distribution = made;
 }
 
+/// Adds a column of a key to rows. Throws InputError where the key cannot be varied, or has one.
+void addColumn(StudyAxis& rows, const std::string& key, const std::string& where) {
+  const Parameter& row = knownParameter(key);
+  checkKey(row, where);
+  for (const StudyColumn& other : rows.columns)
+    if (other.row == &row) refuseMember(where, message("has two columns of {}", key));
+  rows.columns.push_back({&row, {}, {}});
+}
+
+/// Reads rows from the lists "keys" and "values" of an object.
+StudyAxis readListedRows(const Json& spec, const std::string& where) {
+  checkMembers(spec, where, {"keys", "values"});
+  if (!spec.contains("keys") || !spec.contains("values") || !spec["keys"].is_array() ||
+      !spec["values"].is_array())
+    refuseMember(where, "needs the lists keys and values, or the name of a table");
+  StudyAxis rows;
+  for (const Json& key : spec["keys"]) {
+    if (!key.is_string()) refuseMember(where + ".keys", "needs texts");
+    addColumn(rows, key.get<std::string>(), where);
+  }
+  for (const Json& row : spec["values"]) {
+    if (!row.is_array() || row.size() != rows.columns.size())
+      refuseMember(where + ".values", "needs lists of as many values as there are keys");
+    for (std::size_t i = 0; i < row.size(); ++i)
+      addValue(rows.columns[i], row[i], where + ".values");
+  }
+  return rows;
+}
+
+/// Throws InputError where the name of a column is no key, or its unit not that of the key.
+void checkColumn(const TextColumn& column, const std::string& file) {
+  const Parameter* row = findParameter(column.name);
+  if (!row) {
+    const std::string_view nearest = nearestKey(column.name);
+    throw InputError(file, "",
+                     nearest.empty()
+                         ? message("column '{}' is not a scene key", shortened(column.name))
+                         : message("column '{}' is not a scene key; the nearest known one is {}",
+                                   shortened(column.name), nearest));
+  }
+  if (!column.unit.empty() && column.unit != row->unit)
+    throw InputError(file, "",
+                     message("column {} is in {}; a study takes plain numbers in {}", column.name,
+                             shortened(column.unit), row->unit.empty() ? "1" : row->unit));
+}
+
+/// Returns the bytes of a table that `where` of the study names.
+std::string tableBytes(const std::filesystem::path& path, const std::string& where) {
+  try {
+    return readRegularFile(path, kLargestTable);
+  } catch (const InputError& error) {
+    refuseMember(where, errorMessage(error));
+  }
+}
+
+/// Reads rows from a table whose columns have the names of keys.
+StudyAxis readTabulatedRows(const std::filesystem::path& path, const std::string& where) {
+  const std::string file = path.string();
+  TextTableOptions options;
+  options.keepsTexts = true;
+  const TextTable table = readTextTable(tableBytes(path, where), file, options);
+  refuseUnclearMark(table, file);
+  const TextBlock& block = table.largest();
+  StudyAxis rows;
+  for (const TextColumn& column : block.columns) {
+    checkColumn(column, file);
+    addColumn(rows, column.name, where);
+  }
+  for (std::size_t r = 0; r < block.rows; ++r)
+    for (std::size_t c = 0; c < block.columns.size(); ++c) {
+      const TextColumn& column = block.columns[c];
+      if (!column.isText && std::isnan(block.at(r, c)))
+        throw InputError(file, "", message("line {}: {} is missing", block.lines[r], column.name));
+      try {
+        addValue(rows.columns[c], column.isText ? Json(block.texts[c][r]) : Json(block.at(r, c)),
+                 "");
+      } catch (const InputError& error) {
+        throw InputError(file, "",
+                         message("line {}: {}: {}", block.lines[r], column.name, error.message()));
+      }
+    }
+  return rows;
+}
+
 Json valueJson(const StudyColumn& column, std::size_t index) {
   if (!column.hasWords()) return column.numbers[index];
   return column.words[index];
@@ -146,82 +230,14 @@ Json valueJson(const StudyColumn& column, std::size_t index) {
 
 StudyAxis readRows(const Json& spec, const std::string& where,
                    const std::filesystem::path& folder) {
-  StudyAxis axis;
-  const auto addColumn = [&](const std::string& key) {
-    const Parameter& row = knownParameter(key);
-    checkKey(row, where);
-    for (const StudyColumn& other : axis.columns)
-      if (other.row == &row) refuseMember(where, message("has two columns of {}", key));
-    axis.columns.push_back({&row, {}, {}});
-  };
-  if (spec.is_object()) {
-    checkMembers(spec, where, {"keys", "values"});
-    if (!spec.contains("keys") || !spec.contains("values") || !spec["keys"].is_array() ||
-        !spec["values"].is_array())
-      refuseMember(where, "needs the lists keys and values, or the name of a table");
-    for (const Json& key : spec["keys"]) {
-      if (!key.is_string()) refuseMember(where + ".keys", "needs texts");
-      addColumn(key.get<std::string>());
-    }
-    for (const Json& row : spec["values"]) {
-      if (!row.is_array() || row.size() != axis.columns.size())
-        refuseMember(where + ".values", "needs lists of as many values as there are keys");
-      for (std::size_t i = 0; i < row.size(); ++i)
-        addValue(axis.columns[i], row[i], where + ".values");
-    }
-  } else if (spec.is_string()) {
-    const std::filesystem::path file = folder / spec.get<std::string>();
-    TextTableOptions options;
-    options.keepsTexts = true;
-    const std::string bytes = [&] {
-      try {
-        return readRegularFile(file, kLargestTable);
-      } catch (const InputError& error) {
-        refuseMember(where, errorMessage(error));
-      }
-    }();
-    const TextTable table = readTextTable(bytes, file.string(), options);
-    refuseUnclearMark(table, file.string());
-    const TextBlock& block = table.largest();
-    for (const TextColumn& column : block.columns) {
-      const Parameter* row = findParameter(column.name);
-      if (!row) {
-        const std::string_view nearest = nearestKey(column.name);
-        throw InputError(
-            file.string(), "",
-            nearest.empty() ? message("column '{}' is not a scene key", shortened(column.name))
-                            : message("column '{}' is not a scene key; the nearest known one is {}",
-                                      shortened(column.name), nearest));
-      }
-      if (!column.unit.empty() && column.unit != row->unit)
-        throw InputError(
-            file.string(), "",
-            message("column {} is in {}; a study takes plain numbers in {}", column.name,
-                    shortened(column.unit), row->unit.empty() ? "1" : row->unit));
-      addColumn(column.name);
-    }
-    for (std::size_t r = 0; r < block.rows; ++r)
-      for (std::size_t c = 0; c < block.columns.size(); ++c) {
-        const bool isText = block.columns[c].isText;
-        if (!isText && std::isnan(block.at(r, c)))
-          throw InputError(
-              file.string(), "",
-              message("line {}: {} is missing", block.lines[r], block.columns[c].name));
-        try {
-          addValue(axis.columns[c], isText ? Json(block.texts[c][r]) : Json(block.at(r, c)), "");
-        } catch (const InputError& error) {
-          throw InputError(
-              file.string(), "",
-              message("line {}: {}: {}", block.lines[r], block.columns[c].name, error.message()));
-        }
-      }
-  } else {
+  if (!spec.is_object() && !spec.is_string())
     refuseMember(where, "needs the name of a table with a column for each key");
-  }
-  if (axis.columns.empty() || axis.count() == 0) refuseMember(where, "has no row");
-  if (axis.count() > kMaxValues)
-    refuseMember(where, message("has {} rows; at most {} are allowed", axis.count(), kMaxValues));
-  return axis;
+  StudyAxis rows = spec.is_object() ? readListedRows(spec, where)
+                                    : readTabulatedRows(folder / spec.get<std::string>(), where);
+  if (rows.columns.empty() || rows.count() == 0) refuseMember(where, "has no row");
+  if (rows.count() > kMaxValues)
+    refuseMember(where, message("has {} rows; at most {} are allowed", rows.count(), kMaxValues));
+  return rows;
 }
 
 StudyAxis readAxis(const std::string& key, const Json& spec, bool isGrid) {

@@ -6,7 +6,6 @@
 #include <cstring>
 #include <thread>
 
-#include "core/base/input_error.h"
 #include "core/base/regular_file.h"
 #include "core/base/text.h"
 #include "core/base/text_encoding.h"
@@ -64,17 +63,22 @@ StudyDatabase::StudyDatabase(fs::path file, Access access) : file_(std::move(fil
   execute("PRAGMA synchronous=NORMAL");
 }
 
+InputError damagedStore(const std::filesystem::path& file, const std::string& reason) {
+  return {file.string(), "",
+          message("is damaged ({}); the study has to be run into another store, or merged from "
+                  "intact ones",
+                  Message::name(reason))};
+}
+
 void StudyDatabase::fail(int status) const {
   const std::string file = file_.string();
-  const std::string said = connection_ ? sqlite3_errmsg(connection_.get()) : sqlite3_errstr(status);
+  const std::string reason =
+      connection_ ? sqlite3_errmsg(connection_.get()) : sqlite3_errstr(status);
   switch (status & 0xFF) {
     case SQLITE_NOTADB:
       throw InputError(file, "", "is not the store of a study");
     case SQLITE_CORRUPT:
-      throw InputError(file, "",
-                       message("is damaged ({}); the study has to be run into another store, or "
-                               "merged from intact ones",
-                               Message::name(said)));
+      throw damagedStore(file_, reason);
     case SQLITE_FULL:
       throw TextError(
           "cannot be written, the disk is full; what is done stays, and the same "
@@ -88,11 +92,11 @@ void StudyDatabase::fail(int status) const {
     case SQLITE_PERM:
     case SQLITE_AUTH:
     case SQLITE_READONLY:
-      throw InputError(file, "", message("cannot be opened: {}", Message::name(said)));
+      throw InputError(file, "", message("cannot be opened: {}", Message::name(reason)));
     default:
       throw TextError(message("cannot be written: {}; what is done stays, and the same command "
                               "goes on afterwards",
-                              Message::name(said)),
+                              Message::name(reason)),
                       {printable(file)});
   }
 }

@@ -11,6 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/input_error.h"
+
 struct sqlite3;
 struct sqlite3_stmt;
 
@@ -76,5 +78,8 @@ class StudyDatabase {
   std::filesystem::path file_;
   std::unique_ptr<sqlite3, Close> connection_;
 };
+
+/// Returns the error for a store whose file is damaged.
+InputError damagedStore(const std::filesystem::path& file, const std::string& reason);
 
 }  // namespace asperity

@@ -150,50 +150,65 @@ class StudyReader {
   }
 
   void readSpace() {
+    std::vector<StudyAxis> axes = readAxes();
+    const Samples samples = readSamples(axes.size());
+    study_.space = StudySpace(std::move(axes), sampling_, samples.count, samples.seed);
+    if (study_.space.size() > kMaxSimulations)
+      refuseMember("space", message("is of more than {} simulations", kMaxSimulations));
+  }
+
+  std::vector<StudyAxis> readAxes() {
     const auto space = root_.find("space");
     if (space == root_.end() || !space->is_object() || space->empty())
       refuseMember("space", "needs an object of keys and what they are varied over");
-    const bool isGrid = sampling_ == Sampling::Grid;
     std::vector<StudyAxis> axes;
     std::set<std::string_view> keys;
     for (const auto& [key, spec] : space->items()) {
       axes.push_back(key == kRows ? readRows(spec, "space.rows", folder_)
-                                  : readAxis(key, spec, isGrid));
+                                  : readAxis(key, spec, sampling_ == Sampling::Grid));
       hasRows_.push_back(key == kRows);
       for (const StudyColumn& column : axes.back().columns) {
-        if (!keys.insert(column.key()).second)
-          refuseMember("space." + std::string(column.key()), "is varied twice");
+        if (!keys.insert(column.key()).second) refuseColumn(column, "is varied twice");
         const auto set = root_.find("set");
         if (set != root_.end() && set->contains(std::string(column.key())))
-          refuseMember("space." + std::string(column.key()),
-                       "is in set and in space; one of them is enough");
+          refuseColumn(column, "is in set and in space; one of them is enough");
         study_.isSlow |= column.hasWords() || isKind(*column.row);
       }
     }
-    if (!study_.isSlow)
-      for (const StudyAxis& axis : axes)
-        for (const StudyColumn& column : axis.columns)
-          if (!isApplicable(*column.row, study_.base))
-            refuseMember("space." + std::string(column.key()),
-                         "has no meaning in this scene, so nothing depends on it");
-    std::int64_t samples = 0, seed = 1;
-    const std::size_t dimensions = sampling_ == Sampling::Saltelli ? 2 * axes.size() : axes.size();
+    if (study_.isSlow) return axes;
+    for (const StudyAxis& axis : axes)
+      for (const StudyColumn& column : axis.columns)
+        if (!isApplicable(*column.row, study_.base))
+          refuseColumn(column, "has no meaning in this scene, so nothing depends on it");
+    return axes;
+  }
+
+  [[noreturn]] static void refuseColumn(const StudyColumn& column, const Message& why) {
+    refuseMember("space." + std::string(column.key()), why);
+  }
+
+  struct Samples {
+    std::int64_t count = 0, seed = 1;  // a grid has none
+  };
+
+  Samples readSamples(std::size_t axes) const {
+    const bool isGrid = sampling_ == Sampling::Grid;
     const bool isSobol = sampling_ == Sampling::Sobol || sampling_ == Sampling::Saltelli;
+    const std::size_t dimensions = sampling_ == Sampling::Saltelli ? 2 * axes : axes;
     if (isSobol && dimensions > kMaxSobolDimensions)
-      refuseMember("space", message("has {} keys; with this sampling at most {} are allowed",
-                                    axes.size(), kMaxSobolDimensions * axes.size() / dimensions));
+      refuseMember("space", message("has {} keys; with this sampling at most {} are allowed", axes,
+                                    kMaxSobolDimensions * axes / dimensions));
     for (const char* member : {"samples", "seed"})
       if (isGrid && root_.contains(member))
         refuseMember(member, "has no meaning for sampling grid; it belongs to all others");
-    if (!isGrid) {
-      if (!root_.contains("samples"))
-        refuseMember("samples", "is missing; only sampling grid does without");
-      samples = integerMember(root_, "samples", 1, isSobol ? kMaxSobol : kMaxSimulations);
-      if (root_.contains("seed")) seed = integerMember(root_, "seed", 0, std::int64_t{1} << 53);
-    }
-    study_.space = StudySpace(std::move(axes), sampling_, samples, seed);
-    if (study_.space.size() > kMaxSimulations)
-      refuseMember("space", message("is of more than {} simulations", kMaxSimulations));
+    Samples samples;
+    if (isGrid) return samples;
+    if (!root_.contains("samples"))
+      refuseMember("samples", "is missing; only sampling grid does without");
+    samples.count = integerMember(root_, "samples", 1, isSobol ? kMaxSobol : kMaxSimulations);
+    if (root_.contains("seed"))
+      samples.seed = integerMember(root_, "seed", 0, std::int64_t{1} << 53);
+    return samples;
   }
 
   void readOutputs() {
@@ -212,7 +227,7 @@ class StudyReader {
     if (study_.wantsCurve())
       for (std::size_t c = 0; c < study_.space.columns(); ++c)
         if (study_.space.column(c).key() == study_.base.sweep.key)
-          refuseMember("space." + study_.base.sweep.key,
+          refuseColumn(study_.space.column(c),
                        "is what the curve goes over, so it cannot be varied as well");
     for (const StudyOutput& output : study_.outputs)
       if (output.fit) checkFit(output);

@@ -257,10 +257,36 @@ StudyBudget studyBudget(const ParameterStudy& study, std::int64_t all, std::int6
   return budget;
 }
 
+namespace {
+
 namespace fs = std::filesystem;
 
-MergedStores mergeStores(const std::vector<fs::path>& inputs, const fs::path& output) {
-  checkWritable(output);
+/// The file into which stores are merged, beside the one that gets its place in the end.
+class PartOfStore {
+ public:
+  explicit PartOfStore(const fs::path& output) : file_(output) {
+    file_ += fmt::format(".{}.part", ::getpid());
+    remove();  // what an earlier process of this number has left
+  }
+  ~PartOfStore() { remove(); }
+  PartOfStore(const PartOfStore&) = delete;
+  PartOfStore& operator=(const PartOfStore&) = delete;
+
+  const fs::path& file() const { return file_; }
+
+ private:
+  void remove() const {
+    std::error_code ignored;
+    for (const char* end : {"", "-wal", "-shm", "-journal"})
+      fs::remove(fs::path(file_) += end, ignored);
+  }
+
+  fs::path file_;
+};
+
+/// Opens the inputs, and the output where there is one. Throws InputError where there are none, or
+/// they are not of the same study.
+std::vector<StudyStore> openStores(const std::vector<fs::path>& inputs, const fs::path& output) {
   std::vector<StudyStore> stores;
   std::error_code ignored;
   for (const fs::path& input : inputs) {
@@ -276,51 +302,56 @@ MergedStores mergeStores(const std::vector<fs::path>& inputs, const fs::path& ou
           store.file().string(), "",
           message("is of another study than {}: {}", first.file().string(),
                   describeDifference(first.study().canonical, store.study().canonical)));
+  return stores;
+}
 
-  fs::path part = output;
-  part += fmt::format(".{}.part", ::getpid());
-  const auto removePart = [&] {
-    for (const char* end : {"", "-wal", "-shm", "-journal"}) {
-      fs::path file = part;
-      file += end;
-      fs::remove(file, ignored);
-    }
-  };
-  removePart();
-  MergedStores merged;
-  try {
-    StudyStore joined(part, first.study(), {});
-    constexpr std::size_t kTogether = 64;
-    for (const StudyStore& store : stores) {
-      std::vector<StudyChunk> chunks;
-      store.eachChunk([&](const StudyChunk& chunk) {
-        chunks.push_back(chunk);
-        if (chunks.size() == kTogether) {
-          joined.addEqual(chunks, store.file());
-          chunks.clear();
-        }
-        return true;
-      });
+/// Adds the chunks of a store, some at a time.
+void addChunks(StudyStore& joined, const StudyStore& store) {
+  constexpr std::size_t kTogether = 64;
+  std::vector<StudyChunk> chunks;
+  store.eachChunk([&](const StudyChunk& chunk) {
+    chunks.push_back(chunk);
+    if (chunks.size() == kTogether) {
       joined.addEqual(chunks, store.file());
+      chunks.clear();
     }
-    merged.chunks = joined.chunksDone();
-    merged.chunksWanted = joined.chunksWanted();
-    merged.missingChunks = joined.missing(8);
-    joined.finish();
-  } catch (...) {
-    removePart();
-    throw;
-  }
+    return true;
+  });
+  joined.addEqual(chunks, store.file());
+}
+
+/// Returns the first shards of which there is no store, where the study was divided into shards.
+std::vector<Shard> missingShards(const std::vector<StudyStore>& stores) {
+  constexpr std::size_t kMax = 16;
   std::int64_t count = 1;
   std::set<std::int64_t> known;
   for (const StudyStore& store : stores) count = std::max(count, store.shard().count);
   for (const StudyStore& store : stores)
     if (store.shard().count == count) known.insert(store.shard().number);
-  if (!merged.isWhole() && count > 1)
-    for (std::int64_t i = 1; i <= count && merged.missingShards.size() < 16; ++i)
-      if (!known.contains(i)) merged.missingShards.push_back({i, count});
+  std::vector<Shard> missing;
+  for (std::int64_t i = 1; count > 1 && i <= count && missing.size() < kMax; ++i)
+    if (!known.contains(i)) missing.push_back({i, count});
+  return missing;
+}
+
+}  // namespace
+
+MergedStores mergeStores(const std::vector<fs::path>& inputs, const fs::path& output) {
+  checkWritable(output);
+  std::vector<StudyStore> stores = openStores(inputs, output);
+  const PartOfStore part(output);
+  MergedStores merged;
+  {
+    StudyStore joined(part.file(), stores.front().study(), {});
+    for (const StudyStore& store : stores) addChunks(joined, store);
+    merged.chunks = joined.chunksDone();
+    merged.chunksWanted = joined.chunksWanted();
+    merged.missingChunks = joined.missing(8);
+    joined.finish();
+  }
+  if (!merged.isWhole()) merged.missingShards = missingShards(stores);
   stores.clear();
-  fs::rename(part, output);
+  fs::rename(part.file(), output);
   return merged;
 }
 

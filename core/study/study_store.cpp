@@ -362,12 +362,8 @@ void StudyStore::eachChunk(const std::function<bool(const StudyChunk&)>& use) co
 
 void StudyStore::check() const {
   Statement statement(database_, "PRAGMA quick_check(1)");
-  const std::string said = statement.step() ? statement.text(0) : "no answer";
-  if (said != "ok")
-    throw InputError(file().string(), "",
-                     message("is damaged ({}); the study has to be run into another store, or "
-                             "merged from intact ones",
-                             Message::name(said)));
+  const std::string answer = statement.step() ? statement.text(0) : "no answer";
+  if (answer != "ok") throw damagedStore(file(), answer);
 }
 
 }  // namespace asperity

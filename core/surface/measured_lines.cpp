@@ -427,14 +427,15 @@ void MeasuredLines::setDensity(const std::stop_token& stop) {
   for (std::int64_t i = 0; i < count; ++i) {
     throwIfStopped(stop);
     const ProcessedProfile one = profile(rowOfRealization(i, count, rows()));
-    const std::vector<double> its = hannPowers(one.used);
-    powers.resize(its.size());
+    const std::vector<double> powersOfRow = hannPowers(one.used);
+    powers.resize(powersOfRow.size());
     double mean = 0;
     for (const double z : one.used) mean += z / static_cast<double>(one.used.size());
     for (const double z : one.used)
       height += (z - mean) * (z - mean) /
                 static_cast<double>(one.used.size() * static_cast<std::size_t>(count));
-    for (std::size_t k = 1; k < its.size(); ++k) powers[k] += its[k] / static_cast<double>(count);
+    for (std::size_t k = 1; k < powersOfRow.size(); ++k)
+      powers[k] += powersOfRow[k] / static_cast<double>(count);
   }
   BandPowers bands = inBands(powers, usedLength_);
   const double total = bands.total();

@@ -325,10 +325,6 @@ SpectrumTable parseSpectrumTable(std::string_view text, const std::string& name,
   return SpectrumReader(table.largest(), name, kind).read();
 }
 
-SpectralDensity parseSpectrum(std::string_view text, const std::string& name, SpectrumKind kind) {
-  return parseSpectrumTable(text, name, kind).density;
-}
-
 SpectrumTable readSpectrumTable(const std::filesystem::path& file, SpectrumKind kind) {
   return parseSpectrumTable(readRegularFile(file, kLargestTable), file.string(), kind);
 }

@@ -15,21 +15,17 @@
 #include <vector>
 
 #include "core/base/message.h"
-
 #include "core/measured/roughness_spectrum.h"
 #include "core/scene/scene.h"
 
 namespace asperity {
 
-/// Return the spectrum of the line, C1 two-sided per wave number; of a `c2` that of the equivalent
-/// line, C_line = pi q C2. It is given in bins where findBinEdges finds some, else in power laws
-/// between its points.
-SpectralDensity parseSpectrum(std::string_view text, const std::string& name, SpectrumKind kind);
-
-/// The same spectrum, and how its columns, units and numbers were understood, one sentence each.
+/// The spectrum of the line, C1 two-sided per wave number; of a `c2` that of the equivalent line,
+/// C_line = pi q C2. It is given in bins where findBinEdges finds some, else in power laws between
+/// its points.
 struct SpectrumTable {
   SpectralDensity density{};
-  std::vector<Message> facts{};
+  std::vector<Message> facts{};  // how columns, units and numbers were understood
 };
 SpectrumTable parseSpectrumTable(std::string_view text, const std::string& name, SpectrumKind kind);
 SpectrumTable readSpectrumTable(const std::filesystem::path& file, SpectrumKind kind);

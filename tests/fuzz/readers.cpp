@@ -118,7 +118,7 @@ void readSpectrumFile(std::string_view text) {
   for (const SpectrumKind kind :
        {SpectrumKind::C1TwoSided, SpectrumKind::C1OneSided, SpectrumKind::C2})
     readOrRefuse([text, kind] {
-      const SpectralDensity density = parseSpectrum(text, "spectrum", kind);
+      const SpectralDensity density = parseSpectrumTable(text, "spectrum", kind).density;
       const std::vector<double>& wave = density.waveNumber;
       require(wave.size() >= 2 && density.density.size() == wave.size(),
               "a spectrum has at least two values");

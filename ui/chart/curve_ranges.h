@@ -2,8 +2,8 @@
 // follows while lines arrive and the scene changes. Pure; any thread.
 #pragma once
 
+#include "core/base/statistics.h"
 #include "core/chart/curve_set.h"
-#include "core/chart/extent.h"
 #include "ui/chart/chart_geometry.h"
 
 namespace asperity {

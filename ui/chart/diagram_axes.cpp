@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <optional>
 #include <string_view>
 #include <utility>
 
+#include "core/base/statistics.h"
 #include "core/base/text_encoding.h"
-#include "core/chart/extent.h"
 #include "ui/draw/fonts.h"
 #include "ui/draw/theme.h"
 
@@ -108,57 +109,92 @@ TickedAxis logarithmicAxis(const DiagramAxis& axis, const AxisRange& range, int 
   return ticked;
 }
 
-/// Returns a logarithmic axis with up to `most` ticks whose labels leave space between each other:
-/// are neighbours apart, at this distance in pixels? Where these are fewer than three, it has more
-/// of them if they are apart, too. A small axis has the two farthest from each other that do
-/// not touch: a single tick does not show the scale.
-template <class AreApart, class DoNotTouch>
-TickedAxis sparseLogarithmicAxis(const DiagramAxis& axis, const AxisRange& range, int most,
-                                 float pixels, float unit, const AreApart& areApart,
-                                 const DoNotTouch& doNotTouch) {
-  const auto hasRoom = [&](const std::vector<Tick>& ticks, const auto& test) {
+/// Whether the labels of two neighbouring ticks at this distance in pixels have room.
+using HaveRoom = std::function<bool(const Tick&, const Tick&, double distance)>;
+
+/// A logarithmic axis whose ticks are chosen by the room that their labels have.
+class SparseLogarithmicAxis {
+ public:
+  SparseLogarithmicAxis(const DiagramAxis& axis, const AxisRange& range, float pixels, float unit)
+      : axis_(axis), range_(range), pixels_(pixels), unit_(unit) {}
+
+  /// Returns the axis with up to `most` ticks that are apart. Where these are fewer than three, it
+  /// has more of them if they are apart, too. A small axis has the two farthest from each other
+  /// that do not touch: a single tick does not show the scale.
+  TickedAxis ticked(int most, const HaveRoom& areApart, const HaveRoom& doNotTouch) const {
+    const std::optional<TickedAxis> usual = atMost(most, areApart);
+    if (usual && std::ssize(usual->ticks) >= kFewTicks) return *usual;
+    if (const auto closer = moreThan(most, areApart)) return *closer;
+    if (usual) return *usual;
+    if (const auto ends = farthestTwo(doNotTouch)) return *ends;
+    return singleTick();
+  }
+
+ private:
+  static constexpr int kMany = 16;
+
+  TickedAxis withTicks(int most) const {
+    return logarithmicAxis(axis_, range_, most, pixels_, unit_);
+  }
+
+  bool haveRoom(const std::vector<Tick>& ticks, const HaveRoom& test) const {
     for (std::size_t i = 0; i + 1 < ticks.size(); ++i)
       if (!test(ticks[i], ticks[i + 1],
-                (ticks[i + 1].value - ticks[i].value) / range.size() * pixels))
+                (ticks[i + 1].value - ticks[i].value) / range_.size() * pixels_))
         return false;
     return ticks.size() > 1;
-  };
-  constexpr int kMany = 16;
-  std::optional<TickedAxis> two;
-  for (int count = most; count > 1; --count) {
-    TickedAxis ticked = logarithmicAxis(axis, range, count, pixels, unit);
-    if (ticked.ticks.size() < 2) break;
-    if (!hasRoom(ticked.ticks, areApart)) continue;
-    if (std::ssize(ticked.ticks) >= kFewTicks) return ticked;
-    two = std::move(ticked);
-    break;
   }
-  for (const bool isLinear : {false, true}) {
-    if (isLinear && range.size() > 1) break;  // they would all be at its upper end
-    for (int count = isLinear ? kFewTicks : most + 1; count <= kMany; ++count) {
-      TickedAxis closer = logarithmicAxis(axis, range, count, pixels, unit);
-      if (isLinear) closer = withLinearTicks(closer, axis, count);
-      if (std::ssize(closer.ticks) >= kFewTicks && hasRoom(closer.ticks, areApart)) return closer;
+
+  std::optional<TickedAxis> atMost(int most, const HaveRoom& areApart) const {
+    for (int count = most; count > 1; --count) {
+      TickedAxis axis = withTicks(count);
+      if (axis.ticks.size() < 2) break;
+      if (haveRoom(axis.ticks, areApart)) return axis;
     }
+    return {};
   }
-  if (two) return *two;
-  for (int count = 2; count <= kMany; ++count) {
-    const TickedAxis ticked = logarithmicAxis(axis, range, count, pixels, unit);
-    for (TickedAxis ends : {ticked, withLinearTicks(ticked, axis, count)}) {
-      const std::vector<Tick> all = ends.ticks;
-      for (std::size_t span = all.size(); span-- > 1;)
-        for (std::size_t i = 0; i + span < all.size(); ++i) {
-          ends.ticks = {all[i], all[i + span]};
-          if (hasRoom(ends.ticks, doNotTouch)) return ends;
-        }
+
+  /// Returns three or more ticks that are closer than usual, within a decade also those of a linear
+  /// axis; on a longer axis these would all be at its upper end.
+  std::optional<TickedAxis> moreThan(int most, const HaveRoom& areApart) const {
+    const auto isGood = [&](const TickedAxis& axis) {
+      return std::ssize(axis.ticks) >= kFewTicks && haveRoom(axis.ticks, areApart);
+    };
+    for (int count = most + 1; count <= kMany; ++count)
+      if (TickedAxis axis = withTicks(count); isGood(axis)) return axis;
+    for (int count = kFewTicks; count <= kMany && range_.size() <= 1; ++count)
+      if (TickedAxis axis = withLinearTicks(withTicks(count), axis_, count); isGood(axis))
+        return axis;
+    return {};
+  }
+
+  std::optional<TickedAxis> farthestTwo(const HaveRoom& doNotTouch) const {
+    for (int count = 2; count <= kMany; ++count) {
+      const TickedAxis usual = withTicks(count);
+      for (TickedAxis ends : {usual, withLinearTicks(usual, axis_, count)}) {
+        const std::vector<Tick> all = ends.ticks;
+        for (std::size_t span = all.size(); span-- > 1;)
+          for (std::size_t i = 0; i + span < all.size(); ++i) {
+            ends.ticks = {all[i], all[i + span]};
+            if (haveRoom(ends.ticks, doNotTouch)) return ends;
+          }
+      }
     }
+    return {};
   }
-  const TickedAxis single = logarithmicAxis(axis, range, 1, pixels, unit);
-  if (!single.ticks.empty()) return single;
-  TickedAxis first = logarithmicAxis(axis, range, 2, pixels, unit);
-  if (first.ticks.size() > 1) first.ticks.resize(1);
-  return first;
-}
+
+  TickedAxis singleTick() const {
+    const TickedAxis single = withTicks(1);
+    if (!single.ticks.empty()) return single;
+    TickedAxis first = withTicks(2);
+    if (first.ticks.size() > 1) first.ticks.resize(1);
+    return first;
+  }
+
+  const DiagramAxis& axis_;
+  const AxisRange& range_;
+  float pixels_, unit_;
+};
 
 /// Fits "velocity v (m/s)" in the largest size down to `least`, otherwise "v (m/s)" in the same
 /// way. Returns nothing where neither fits.
@@ -288,7 +324,7 @@ TickedAxis tickedXAxis(const DiagramAxis& axis, const AxisRange& range, float pi
     return distance > 0.5 * (textWidth(a.label, size) + textWidth(b.label, size)) + 0.8 * size;
   };
   const int most = std::clamp(static_cast<int>(pixels / (3.5F * size)), 2, 20);
-  return sparseLogarithmicAxis(axis, range, most, pixels, sizes.unit, areApart, areApart);
+  return SparseLogarithmicAxis(axis, range, pixels, sizes.unit).ticked(most, areApart, areApart);
 }
 
 TickedAxis tickedYAxis(const DiagramAxis& axis, const AxisRange& range, float pixels,
@@ -297,10 +333,10 @@ TickedAxis tickedYAxis(const DiagramAxis& axis, const AxisRange& range, float pi
   if (axis.scale == AxisScale::Linear)
     return linearAxis(axis, range, yTicks(range.from, range.to, pixels, 4 * size, size, axis.unit));
   const int most = std::clamp(static_cast<int>(pixels / (2 * size)), 2, 16);
-  return sparseLogarithmicAxis(
-      axis, range, most, pixels, sizes.unit,
-      [&](const Tick&, const Tick&, double distance) { return distance > 1.3 * size; },
-      [&](const Tick&, const Tick&, double distance) { return distance >= size; });
+  return SparseLogarithmicAxis(axis, range, pixels, sizes.unit)
+      .ticked(
+          most, [&](const Tick&, const Tick&, double distance) { return distance > 1.3 * size; },
+          [&](const Tick&, const Tick&, double distance) { return distance >= size; });
 }
 
 float DiagramAxes::px(double x) const {

@@ -41,8 +41,8 @@ struct MarchStep {
   double work = 0;           // J, done on the elements: integral of p du
   double dissipated = 0;     // J, in the dashpots, each computed separately: never below 0
   double stored = 0;         // J, increase in the springs
-  double lineWork = 0;       // J, pressure times the line's own advance: F_x times distance. Second
-                             // order in dx everywhere
+  double lineWork = 0;       // J, pressure times the line's own advance: F_x times distance, to
+                             // second order in dx everywhere
   double gapWork = 0;        // J, their difference: pressure times the gap closed in the step
   double slopeForce = 0;     // N, integral of p dz/dx, which is -F_x: the slopes are means over the
                              // distance of the step (lineWork over distance), at rest local slopes

@@ -10,7 +10,7 @@
 
 #include "core/accuracy/explanation.h"
 #include "core/base/input_error.h"
-#include "core/base/processor_time.h"
+#include "core/base/jobs.h"
 #include "core/contact/line/prepared_profile.h"
 #include "core/contact/steady_sliding.h"
 #include "core/friction/ensemble.h"

@@ -1,4 +1,4 @@
-// Least squares through points: exact lines, plateaus and power laws.
+// Least squares: exact lines and power laws, and plateaus.
 #include "core/friction/curve_features.h"
 
 #include <gtest/gtest.h>

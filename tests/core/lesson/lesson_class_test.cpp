@@ -1,5 +1,5 @@
 // The results of a class as a table.
-#include "core/lesson/lesson_class.h"
+#include "core/lesson/lesson_results.h"
 
 #include <gmock/gmock.h>
 

@@ -10,7 +10,7 @@
 #include <fstream>
 #include <map>
 
-#include "core/base/processor_time.h"
+#include "core/base/jobs.h"
 #include "core/base/stop.h"
 #include "tests/core/error_from.h"
 #include "tests/core/measured/binary_writers.h"

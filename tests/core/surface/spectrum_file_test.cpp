@@ -11,6 +11,10 @@
 namespace asperity {
 namespace {
 
+SpectralDensity parseSpectrum(std::string_view text, const std::string& name, SpectrumKind kind) {
+  return parseSpectrumTable(text, name, kind).density;
+}
+
 constexpr double kTwoPi = 2 * std::numbers::pi;
 
 double squareHeight(const SpectralDensity& density) {

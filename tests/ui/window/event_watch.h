@@ -8,7 +8,7 @@
 #include <QString>
 #include <vector>
 
-#include "core/base/processor_time.h"
+#include "core/base/jobs.h"
 
 namespace asperity {
 

@@ -25,7 +25,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/processor_time.h"
+#include "core/base/jobs.h"
 #include "core/friction/ensemble.h"
 #include "core/surface/line_source.h"
 #include "qt_application.h"

@@ -10,7 +10,6 @@
 #include <optional>
 #include <vector>
 
-#include "core/lesson/lesson_class.h"
 #include "core/lesson/lesson_results.h"
 
 class QWidget;

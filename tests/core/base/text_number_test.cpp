@@ -1,4 +1,5 @@
-#include "core/base/power_of_ten.h"
+// Powers of ten in front of units.
+#include "core/base/text_number.h"
 
 #include <gtest/gtest.h>
 

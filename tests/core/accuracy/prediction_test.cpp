@@ -1,5 +1,5 @@
 // The predicted cost of a map against what the map then costs.
-#include "core/accuracy/map_cost.h"
+#include "core/accuracy/prediction.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,8 @@
 #include <string>
 
 #include "core/base/input_error.h"
-#include "core/base/processor_time.h"
+#include "core/base/jobs.h"
+#include "core/friction/parameter_map.h"
 
 namespace asperity {
 namespace {

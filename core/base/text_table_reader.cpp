@@ -1,0 +1,524 @@
+// Reads the lines of a text table, block by block.
+#include "core/base/text_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "core/base/input_error.h"
+#include "core/base/text.h"
+#include "core/base/text_clause.h"
+#include "core/base/text_encoding.h"
+#include "core/base/text_header.h"
+#include "core/base/text_number.h"
+
+namespace asperity {
+namespace {
+
+constexpr std::size_t kMaxNumbers = std::size_t{1} << 27;
+constexpr std::size_t kMaxHeaderLines = 10000;               // that are kept for one block
+constexpr std::size_t kProgressStep = std::size_t{1} << 20;  // bytes
+
+class TableReader {
+ public:
+  TableReader(std::string_view text, const std::string& name, const TextTableOptions& options,
+              TextTable& table)
+      : whole_(text), rest_(text), name_(name), options_(options), table_(table) {}
+
+  void read() {
+    while (!rest_.empty()) {
+      const TextLine line{takeLine(rest_), ++number_};
+      if (whole_.size() - rest_.size() >= nextReport_) report();
+      take(line);
+    }
+    for (const TextLine& line : above_) addEntry(line, table_.trailer);
+    if (table_.blocks.empty()) refuseWithoutRows();
+    for (const TextLine& line : above_)
+      if (!isComment(line.text) && beginsAsNumber(line.text)) leaveOut(line);
+    endBlock();
+  }
+
+ private:
+  [[noreturn]] void fail(const Message& message) const { throw InputError(name_, "", message); }
+
+  /// Throws InputError that names the line most similar to a row.
+  [[noreturn]] void refuseWithoutRows() {
+    const auto eachField = [this](const auto& use) {
+      for (const TextLine& line : above_) {
+        if (isComment(line.text)) continue;
+        readRow(line.text);
+        if (fields_.size() < 2) continue;
+        for (std::size_t i = 0; i < fields_.size(); ++i) use(line.number, i);
+      }
+    };
+    eachField([this](std::size_t number, std::size_t i) {
+      if (kinds_[i].kind == FieldKind::Text &&
+          fields_[i].find_first_of("0123456789") != std::string_view::npos)
+        fail(message("has no rows of numbers; line {}: '{}' is not a number", number,
+                     shortened(trimmedField(fields_[i]))));
+    });
+    // A row that would be one with a number in its empty field.
+    eachField([this](std::size_t number, std::size_t i) {
+      if (kinds_[i].kind == FieldKind::Missing)
+        fail(message("has no rows of numbers; line {}: the value in column {} is missing", number,
+                     i + 1));
+    });
+    fail("has no rows of numbers");
+  }
+
+  void report() {
+    nextReport_ += kProgressStep;
+    if (options_.progress)
+      options_.progress(1 - static_cast<double>(rest_.size()) / static_cast<double>(whole_.size()));
+  }
+
+  void take(const TextLine& line) {
+    if (isOpen_ && appendPlain(line)) return;
+    if (trimmedBlanks(line.text).empty()) {
+      isDirect_ = false;
+      ++blankLines_;
+      return;
+    }
+    if (isComment(line.text)) return keep(line);
+    readRow(line.text);
+    if (isOpen_ && fits()) return append(line);
+    if (isOpen_ && isRemark(line)) return keep(line);
+    if (isOpen_) refuseAmidRows(line);
+    if (startsBlock(line)) return start(line);
+    keep(line);
+  }
+
+  /// Keeps a line that is no row; it may belong to a header.
+  void keep(const TextLine& line) {
+    if (above_.size() < kMaxHeaderLines) above_.push_back(line);
+  }
+
+  /// Returns whether rows continue after kept lines: comments may stand between rows, but a header
+  /// begins a new block.
+  bool goesOn() const {
+    return std::ranges::all_of(above_, [this](const TextLine& line) {
+      return (isComment(line.text) || isRemark(line)) &&
+             parseEntry(line, table_.dialect).key.empty() && !isNextHeading(line);
+    });
+  }
+
+  /// Returns whether a line is the heading of the next profile, as one stands above the open block.
+  bool isNextHeading(const TextLine& line) const {
+    return !block().header.empty() &&
+           isNextProfile(block().header.back().written, parseEntry(line, table_.dialect).written);
+  }
+
+  /// Returns whether a line begins with a mark of comments that are known as such only between
+  /// rows. An empty first field is none.
+  bool isRemark(const TextLine& line) const {
+    const std::string_view text = trimmedBlanks(line.text);
+    if (!text.starts_with(';')) return withoutRemarkMark(text).size() != text.size();
+    std::vector<std::string_view> fields;
+    splitFields(text, table_.dialect.separator, fields);
+    return table_.dialect.separator != TextDialect::Separator::Semicolon ||
+           fields.size() != block().columns.size();
+  }
+
+  TextBlock& block() const { return table_.blocks.back(); }
+
+  bool appendPlain(const TextLine& line) {
+    if (hasTexts_) return false;
+    row_.resize(block().columns.size());
+    if (!readPlainRow(line.text, table_.dialect, row_)) return false;
+    if (!above_.empty() && !goesOn()) return false;  // begins a block, the slow way
+    hasNumbers_.assign(row_.size(), true);
+    cells_.clear();
+    addRow(line);
+    return true;
+  }
+
+  void leaveOut(const TextLine& line) {
+    table_.leftOut.push_back(static_cast<std::uint32_t>(line.number));
+  }
+
+  void addRow(const TextLine& line) {
+    if (blankLines_ > 0 && block().rows > 0)
+      block().blanks.emplace_back(block().rows, above_.empty() ? blankLines_ : 0);
+    blankLines_ = 0;
+    above_.clear();
+    isDirect_ = true;
+    if (count_ + row_.size() > kMaxNumbers) fail(message("has more than {} numbers", kMaxNumbers));
+    count_ += row_.size();
+    for (std::size_t i = 0; i < block().cells.size(); ++i) {
+      std::vector<TextCell>& cells = block().cells[i];
+      const bool isThere = isCell(i) && !block().columns[i].isText;
+      if (!isThere && cells.empty()) continue;
+      cells.resize(block().rows);
+      cells.push_back(isThere ? cells_[i] : TextCell{});
+    }
+    block().values.insert(block().values.end(), row_.begin(), row_.end());
+    block().lines.push_back(static_cast<std::uint32_t>(line.number));
+    ++block().rows;
+  }
+
+  /// Returns the fields of the line after this one.
+  std::vector<std::string_view> fieldsOfNextLine() const {
+    std::string_view rest = rest_;
+    std::vector<std::string_view> fields;
+    split(takeLine(rest), fields);
+    return fields;
+  }
+
+  /// Splits a line; where labels are kept, "#" belongs to them.
+  void split(std::string_view line, std::vector<std::string_view>& fields) const {
+    if (options_.keepsTexts)
+      splitFields(line, table_.dialect.separator, fields);
+    else
+      splitRow(line, table_.dialect, fields);
+    if (options_.readsCells && !table_.dialect.isExact()) joinCells(fields);
+  }
+
+  /// Fills fields_, kinds_ and cells_.
+  void readRow(std::string_view line) {
+    split(line, fields_);
+    kinds_.clear();
+    cells_.clear();
+    for (const std::string_view field : fields_) {
+      TextCell rest;
+      kinds_.push_back(read(field, &rest));
+      if (rest.text.empty()) continue;
+      cells_.resize(fields_.size());
+      cells_[kinds_.size() - 1] = std::move(rest);
+    }
+  }
+
+  /// Reads a field; rest: set where it is more than a number.
+  Field read(std::string_view text, TextCell* rest = nullptr) const {
+    const Field field = readField(text, table_.dialect.decimal);
+    if (field.kind != FieldKind::Text) return field;
+    if (options_.datesAreMissing && isDateOrTime(text))
+      return {FieldKind::Missing, std::numeric_limits<double>::quiet_NaN()};
+    if (!options_.readsCells) return field;
+    auto cell = readCell(text, table_.dialect.decimal);
+    if (!cell) return field;
+    if (rest != nullptr) *rest = std::move(cell->rest);
+    return {FieldKind::Number, cell->number};
+  }
+
+  /// Returns whether a field of the row is more than a number.
+  bool isCell(std::size_t i) const { return i < cells_.size() && !cells_[i].text.empty(); }
+
+  std::size_t countOf(FieldKind kind) const {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(kinds_, [kind](const Field& field) { return field.kind == kind; }));
+  }
+
+  /// Returns whether the fields are a row of the open block.
+  bool fits() const {
+    const std::vector<TextColumn>& columns = block().columns;
+    std::size_t size = fields_.size();
+    while (size > columns.size() && trimmedBlanks(fields_[size - 1]).empty()) --size;
+    if (size > columns.size()) return false;
+    for (std::size_t i = size; i < columns.size(); ++i)
+      if (!columns[i].isText) return false;
+    bool anyValue = false;
+    for (std::size_t i = 0; i < size; ++i) {
+      if (columns[i].isText) continue;
+      if (kinds_[i].kind == FieldKind::Text) {
+        if (hasNumbers_[i]) return false;
+        continue;  // a column of remarks, empty so far
+      }
+      anyValue = anyValue || !trimmedBlanks(fields_[i]).empty();
+    }
+    // A line of separators alone is a row of gaps if it stands among rows.
+    return anyValue || (size == columns.size() && nextLineFits());
+  }
+
+  /// Returns whether the next line that is not blank is a row of the open block.
+  bool nextLineFits() const {
+    std::string_view rest = rest_;
+    while (!rest.empty()) {
+      const std::string_view line = takeLine(rest);
+      if (trimmedBlanks(line).empty()) continue;
+      std::vector<std::string_view> fields;
+      split(line, fields);
+      const std::vector<TextColumn>& columns = block().columns;
+      while (fields.size() > columns.size() && trimmedBlanks(fields.back()).empty())
+        fields.pop_back();
+      if (fields.size() != columns.size()) return false;
+      bool anyNumber = false;
+      for (std::size_t i = 0; i < fields.size(); ++i) {
+        const FieldKind kind = read(fields[i]).kind;
+        if (kind == FieldKind::Text && !columns[i].isText && hasNumbers_[i]) return false;
+        anyNumber = anyNumber || kind == FieldKind::Number;
+      }
+      return anyNumber;
+    }
+    return false;
+  }
+
+  /// Returns whether the next line has numbers and texts where this one has them; values may be
+  /// missing.
+  bool nextLineIsAlike() const {
+    const std::vector<std::string_view> fields = fieldsOfNextLine();
+    if (fields.size() != fields_.size()) return false;
+    bool anyNumber = false;
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      const FieldKind kind = read(fields[i]).kind;
+      anyNumber = anyNumber || kind == FieldKind::Number;
+      if (kind != kinds_[i].kind && kind != FieldKind::Missing) return false;
+    }
+    return anyNumber;
+  }
+
+  /// Returns whether a field is a number or looks like one; "1. Ra" in a list does not.
+  bool isLikeNumber(std::string_view field) const {
+    return readField(field, table_.dialect.decimal).kind == FieldKind::Number ||
+           (beginsAsNumber(field) &&
+            trimmedField(field).find_first_of(" \t") == std::string_view::npos);
+  }
+
+  /// Returns whether the next line has this number of fields and begins like a number, as damaged
+  /// rows do.
+  bool nextLineResembles(std::size_t size) const {
+    const std::vector<std::string_view> fields = fieldsOfNextLine();
+    return fields.size() == size && isLikeNumber(fields.front());
+  }
+
+  /// Throws InputError for a row with a wrong field or another width where rows continue. Several
+  /// such rows are an error, too: results that a program writes below its rows begin with a word.
+  void refuseAmidRows(const TextLine& line) const {
+    constexpr std::size_t kManyRows = 10;  // of no header such as "60 40"
+    const std::vector<TextColumn>& columns = block().columns;
+    const bool isEntry = keyEnd(line.text) != std::string_view::npos;
+    const bool isRow = std::ranges::any_of(fields_, beginsAsNumber);
+    if (!isRow || isEntry || !above_.empty() || isNextHeading(line)) return;
+    const bool isWide = fields_.size() != columns.size();
+    const bool goOnBroken = isDirect_ && isLikeNumber(fields_.front()) &&
+                            (!isWide || block().rows >= kManyRows) &&
+                            nextLineResembles(fields_.size());
+    if (!goOnBroken && !nextLineFits()) return;
+    if (isWide && countOf(FieldKind::Text) == 0)
+      fail(fields_.size() == 1 ? message("line {}: has one field where the lines before have {}",
+                                         line.number, columns.size())
+                               : message("line {}: has {} fields where the lines before have {}",
+                                         line.number, fields_.size(), columns.size()));
+    for (std::size_t i = 0; i < std::min(columns.size(), fields_.size()); ++i)
+      if (kinds_[i].kind == FieldKind::Text && !columns[i].isText)
+        fail(message("line {}: '{}' in column {} is not a number", line.number,
+                     shortened(trimmedField(fields_[i])), i + 1));
+  }
+
+  /// Turns a column without plain numbers so far into one of texts.
+  void keepAsTexts(std::size_t column) {
+    block().columns[column].isText = true;
+    std::vector<std::string>& texts = block().texts[column];
+    for (const TextCell& cell : block().cells[column]) texts.push_back(cell.text);
+    texts.resize(block().rows);
+    block().cells[column].clear();
+  }
+
+  void append(const TextLine& line) {
+    if (!above_.empty() && !goesOn()) return start(line);
+    const std::size_t columns = block().columns.size();
+    row_.assign(columns, std::numeric_limits<double>::quiet_NaN());
+    for (std::size_t i = 0; i < columns; ++i) {
+      const bool isThere = i < fields_.size();
+      if (isThere && kinds_[i].kind == FieldKind::Text && options_.keepsTexts &&
+          !block().columns[i].isText) {
+        keepAsTexts(i);
+        hasTexts_ = true;
+      }
+      if (isThere && kinds_[i].kind == FieldKind::Number && !isCell(i)) hasNumbers_[i] = true;
+      if (block().columns[i].isText)
+        block().texts[i].emplace_back(isThere ? trimmedField(fields_[i]) : std::string_view{});
+      else if (isThere && kinds_[i].kind != FieldKind::Text)
+        row_[i] = kinds_[i].value;
+      if (isThere && kinds_[i].kind == FieldKind::Flag)
+        flags_.push_back(block().rows * columns + i);
+    }
+    addRow(line);
+  }
+
+  /// Words such as "invalid" become 0 or 1 in a column of such words; among other numbers they mark
+  /// missing values.
+  void clearFlags() {
+    if (flags_.empty()) return;
+    TextBlock& last = block();
+    const std::size_t columns = last.columns.size();
+    std::vector<bool> hasNumbers(columns);
+    for (std::size_t i = 0; i < last.values.size(); ++i) {
+      const double value = last.values[i];
+      if (!std::isnan(value) && value != 0 && value != 1) hasNumbers[i % columns] = true;
+    }
+    for (const std::size_t index : flags_)
+      if (hasNumbers[index % columns])
+        last.values[index] = std::numeric_limits<double>::quiet_NaN();
+    flags_.clear();
+  }
+
+  /// Turns blank lines within a single column into rows without a value, unless such a line follows
+  /// every row.
+  void fillBlankLines() {
+    TextBlock& last = block();
+    const bool isSpaced = last.blanks.size() + 1 >= last.rows;
+    if (!options_.blankLinesAreGaps || last.columns.size() != 1 || isSpaced) return;
+    const auto blanks = std::exchange(last.blanks, {});
+    for (const auto& [row, count] : blanks) count_ += count;
+    if (count_ > kMaxNumbers) fail(message("has more than {} numbers", kMaxNumbers));
+    std::vector<double> values;
+    std::vector<std::uint32_t> lines;
+    auto blank = blanks.begin();
+    for (std::size_t row = 0; row < last.rows; ++row) {
+      if (blank != blanks.end() && blank->first == row) {
+        values.insert(values.end(), blank->second, std::numeric_limits<double>::quiet_NaN());
+        lines.insert(lines.end(), blank->second, last.lines[row]);
+        ++blank;
+      }
+      values.push_back(last.values[row]);
+      lines.push_back(last.lines[row]);
+    }
+    last.rows = values.size();
+    last.values = std::move(values);
+    last.lines = std::move(lines);
+  }
+
+  void endBlock() {
+    clearFlags();
+    fillBlankLines();
+    blankLines_ = 0;
+  }
+
+  /// Returns whether the fields can be the first row of a block.
+  bool startsBlock(const TextLine& line) {
+    if (countOf(FieldKind::Number) == 0) return false;
+    if (countOf(FieldKind::Text) == 0 && cells_.empty()) return true;
+    // "Load; 30 N" states something of the rows below.
+    const std::size_t fewestCells = options_.keepsTexts ? 2 : 1;
+    const auto cells = static_cast<std::size_t>(
+        std::ranges::count_if(cells_, [](const TextCell& cell) { return !cell.text.empty(); }));
+    if (countOf(FieldKind::Number) == cells && (cells < fewestCells || !nextLineIsAlike()))
+      return false;
+    if (!options_.keepsTexts) return countOf(FieldKind::Text) == 0;
+    // "mm/s; 1" are the units of a velocity and of a pure number.
+    const auto ones = static_cast<std::size_t>(std::ranges::count(fields_, "1"));
+    if (ones == countOf(FieldKind::Number) && areUnits({fields_.begin(), fields_.end()}))
+      return false;
+    if (keyEnd(line.text) != std::string_view::npos) return false;
+    const auto named = namedColumns(above_, table_.dialect, kinds_);
+    return std::ranges::none_of(named,
+                                [](const TextColumn& column) { return column.name.empty(); });
+  }
+
+  /// Returns whether the line above a first row has equally many fields and begins with a number.
+  bool isDamagedRow(const TextLine& above, const TextLine& first) const {
+    std::vector<std::string_view> fields;
+    split(above.text, fields);
+    return above.number + 1 == first.number && fields.size() == fields_.size() &&
+           !isComment(above.text) &&
+           readField(fields.front(), table_.dialect.decimal).kind == FieldKind::Number;
+  }
+
+  /// Leaves out damaged rows right below the open block.
+  void leaveOutBelow() {
+    std::size_t next = block().lines.back() + 1;
+    for (const TextLine& line : above_) {
+      std::vector<std::string_view> fields;
+      split(line.text, fields);
+      if (line.number != next++ || isComment(line.text) || !beginsAsNumber(line.text) ||
+          fields.size() != block().columns.size())
+        return;
+      leaveOut(line);
+    }
+  }
+
+  /// Returns whether the last of so many columns has a name above the first row.
+  bool isNamed(std::size_t columns) const {
+    for (auto above = above_.rbegin(); above != above_.rend(); ++above) {
+      const std::string_view names = withoutCommentMark(above->text, table_.dialect);
+      if (!splitNames(names, table_.dialect, columns).empty()) return true;
+      // Names stand above their units, and the last column may have none.
+      std::vector<std::string_view> fields;
+      splitFields(names, table_.dialect.separator, fields);
+      const bool isEmpty = std::ranges::all_of(
+          fields, [](std::string_view field) { return trimmedField(field).empty(); });
+      if (!isEmpty && !areUnits({fields.begin(), fields.end()})) return false;
+    }
+    return false;
+  }
+
+  void start(const TextLine& line) {
+    // Separators at the ends of all lines make no column, unless it has a name.
+    while (fields_.size() > 1 && trimmedBlanks(fields_.back()).empty() &&
+           !isNamed(fields_.size())) {
+      fields_.pop_back();
+      kinds_.pop_back();
+    }
+    if (isOpen_) {
+      leaveOutBelow();
+      endBlock();
+    }
+    if (!above_.empty() && isDamagedRow(above_.back(), line)) leaveOut(above_.back());
+    addBlock(line);
+    isOpen_ = true;
+    append(line);
+  }
+
+  /// Adds a block whose columns are those of the fields, without rows. line: its first row.
+  void addBlock(const TextLine& line) {
+    hasNumbers_.assign(fields_.size(), false);
+    TextBlock fresh;
+    fresh.columns = namedColumns(above_, table_.dialect, kinds_);
+    fresh.texts.resize(fields_.size());
+    fresh.cells.resize(fields_.size());
+    hasTexts_ = false;
+    for (std::size_t i = 0; i < fields_.size(); ++i) {
+      TextColumn& column = fresh.columns[i];
+      column.isText =
+          options_.keepsTexts && (kinds_[i].kind == FieldKind::Text ||
+                                  isOneOf(lowerCase(column.name), options_.textColumns));
+      hasTexts_ = hasTexts_ || column.isText;
+    }
+    for (const TextLine& kept : above_) addEntry(kept, fresh.header);
+    above_.clear();
+    if (!table_.blocks.empty()) block().values.shrink_to_fit();
+    // Memory for all possible rows is reserved, so that large tables are not copied.
+    const std::size_t rows = rest_.size() / (line.text.size() + 1) + 1;
+    fresh.values.reserve(std::min(rows * fields_.size(), kMaxNumbers - count_));
+    table_.blocks.push_back(std::move(fresh));
+  }
+
+  void addEntry(const TextLine& line, std::vector<TextEntry>& entries) const {
+    entries.push_back(parseEntry(line, table_.dialect));
+  }
+
+  std::string_view whole_, rest_;
+  const std::string& name_;
+  const TextTableOptions& options_;
+  TextTable& table_;
+  std::size_t number_ = 0, count_ = 0;
+  std::size_t nextReport_ = kProgressStep;
+  bool isOpen_ = false;           // the last block may go on
+  bool hasTexts_ = false;         // of the last block
+  bool isDirect_ = false;         // no blank line since the last row
+  std::vector<bool> hasNumbers_;  // each column of the last block, in its first rows at least
+  std::vector<TextLine> above_;   // lines since the last row
+  std::vector<std::string_view> fields_;
+  std::vector<Field> kinds_;
+  std::vector<TextCell> cells_;  // of the row; empty where it has numbers alone
+  std::vector<double> row_;
+  std::vector<std::size_t> flags_;  // indices in the last block's values of words such as "valid"
+  std::size_t blankLines_ = 0;      // since the last row
+};
+
+}  // namespace
+
+TextTable readTextTable(std::string_view bytes, const std::string& name,
+                        const TextTableOptions& options) {
+  if (bytes.empty()) throw InputError(name, "", "is empty");
+  TextTable table;
+  const DecodedText decoded(bytes, name);
+  table.encoding = decoded.encoding;
+  table.dialect = detectDialect(decoded.text, options.readsCells);
+  TableReader(decoded.text, name, options, table).read();
+  return table;
+}
+
+}  // namespace asperity
