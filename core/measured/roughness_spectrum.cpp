@@ -143,7 +143,15 @@ SpectralDensity BandPowers::density() const {
       density.density.push_back(value);
     }
   }
-  // Between the centres of two bands the density is a power law, whose integral is known.
+  // Between the centres of two bands the density is a power law, so a band of a steep spectrum gets
+  // another power than it has. One step of correction returns it.
+  std::vector<double> factor(bands(), 1.0);
+  for (std::size_t j = 0; j < bands(); ++j) {
+    const double its = 2 * (density.integralTo(to(j)) - density.integralTo(from(j)));
+    if (its > 0) factor[j] = power[j] / its;
+  }
+  for (std::size_t i = 0; i < density.density.size(); ++i)
+    density.density[i] *= factor[std::clamp<std::size_t>(i, 1, bands()) - 1];
   const double whole = 2 * density.integral();
   if (whole > 0)
     for (double& value : density.density) value *= total() / whole;

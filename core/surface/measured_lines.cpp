@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <mutex>
 #include <numbers>
+#include <numeric>
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
@@ -418,12 +419,35 @@ Topography MeasuredLines::stretches(const std::stop_token& stop) const {
   return part;
 }
 
+namespace {
+
+/// Scales powers under a Hann window so that their sum is the mean square height of the rows. The
+/// window mixes the first waves with the mean height and weighs the middle of the row, and so
+/// changes the sum by the power of these waves alone: they are scaled, and the short waves keep
+/// their power, and with it the slope.
+void giveHeight(std::vector<double>& powers, double height) {
+  constexpr std::size_t kMixed = 2;  // waves below the band that a spectrum describes
+  const auto sumFrom = [&powers](std::size_t first) {
+    return std::accumulate(powers.begin() + static_cast<std::ptrdiff_t>(first), powers.end(), 0.0);
+  };
+  const std::size_t first = std::min<std::size_t>(1, powers.size());
+  const std::size_t end = std::min(first + kMixed, powers.size());
+  const double kept = sumFrom(end), mixed = sumFrom(first) - kept;
+  for (std::size_t k = first; k < end; ++k)
+    powers[k] *= mixed > 0 ? std::max(height - kept, 0.0) / mixed : 0;
+  // Where the others alone are too much, or none of the first waves has power, all are scaled.
+  const double sum = sumFrom(first);
+  for (double& power : powers) power *= sum > 0 ? height / sum : 0;
+}
+
+}  // namespace
+
 /// Computes the mean spectrum of the rows in bands, from which random lines are made.
 void MeasuredLines::setDensity(const std::stop_token& stop) {
   constexpr std::int64_t kMaxRows = 512;  // more of them change the mean little
   const std::int64_t count = std::min(rows(), kMaxRows);
   std::vector<double> powers;
-  double height = 0;  // mean square, which the window leaves as it is on average only
+  double height = 0;  // mean square of the rows
   for (std::int64_t i = 0; i < count; ++i) {
     throwIfStopped(stop);
     const ProcessedProfile one = profile(rowOfRealization(i, count, rows()));
@@ -437,9 +461,8 @@ void MeasuredLines::setDensity(const std::stop_token& stop) {
     for (std::size_t k = 1; k < powersOfRow.size(); ++k)
       powers[k] += powersOfRow[k] / static_cast<double>(count);
   }
+  giveHeight(powers, height);
   BandPowers bands = inBands(powers, usedLength_);
-  const double total = bands.total();
-  for (double& power : bands.power) power *= total > 0 ? height / total : 0;
   const double slope = bands.rmsSlope(), powerBefore = bands.total();
   if (surface_.line == LineKind::IsotropicEquivalent) {
     const EquivalentSpectra spectra = equivalent_ ? *equivalent_ : equivalentSpectra(bands);

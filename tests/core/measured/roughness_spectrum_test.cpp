@@ -214,6 +214,21 @@ double squareSlope(const BandPowers& bands) {
   return bands.rmsSlope() * bands.rmsSlope();
 }
 
+/// A steep spectrum in bands has the power of each band, and not only that of all.
+TEST(Bands, HaveADensityWithTheirPowers) {
+  for (const double exponent : {0.0, -1.6, -2.6, -3.0}) {
+    std::vector<double> powers{0};
+    for (int k = 1; k <= 512; ++k) powers.push_back(std::pow(k, exponent));
+    const BandPowers bands = inBands(powers, 1e-3);
+    const SpectralDensity density = bands.density();
+    EXPECT_NEAR(2 * density.integral() / bands.total(), 1, 1e-12);
+    for (std::size_t j = 0; j < bands.bands(); ++j) {
+      const double its = 2 * (density.integralTo(bands.to(j)) - density.integralTo(bands.from(j)));
+      EXPECT_NEAR(its / bands.power[j], 1, 0.03) << exponent << ", band " << j;
+    }
+  }
+}
+
 TEST(EquivalentLine, OfTopographiesHasTheirHeightAndGradient) {
   const IsotropicSurface surface;
   double height = 0, slope = 0;

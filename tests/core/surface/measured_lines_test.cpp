@@ -287,6 +287,44 @@ TEST(MeasuredLines, OfRandomPhasesKeepTheSpectrum) {
   EXPECT_EQ(lines.modes(3).coefficients, lines.modes(3).coefficients);
 }
 
+/// A piece of a long self-affine line, which has no beginning and no end. slope: that of the line.
+std::vector<double> cutProfile(double hurst, unsigned seed, double& slope) {
+  constexpr std::size_t kWaves = 2047, kPoints = 512;
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> phase(0, 2 * std::numbers::pi);
+  std::vector<double> heights(kPoints);
+  double square = 0;
+  for (std::size_t k = 1; k <= kWaves; ++k) {
+    const double wave = 2 * std::numbers::pi * static_cast<double>(k) / (2 * kWaves + 2);
+    const double amplitude = 1e-6 * std::pow(k, -hurst - 0.5), begin = phase(random);
+    square += std::pow(amplitude * wave / 1e-6, 2) / 2;
+    for (std::size_t i = 0; i < kPoints; ++i)
+      heights[i] += amplitude * std::cos(wave * static_cast<double>(i) + begin);
+  }
+  slope = std::sqrt(square);
+  return heights;
+}
+
+/// The window takes from the long waves of one profile alone, in which most of its height may be:
+/// what it took must not be given to the short ones, which make the slope and so the friction.
+TEST(MeasuredLines, OfRandomPhasesKeepTheSlopeOfAProfile) {
+  constexpr unsigned kProfiles = 30;
+  for (const double hurst : {0.3, 0.8}) {
+    double mean = 0, square = 0;
+    for (unsigned seed = 1; seed <= kProfiles; ++seed) {
+      double slope = 0;
+      std::vector<double> heights = cutProfile(hurst, seed, slope);
+      const MeasuredLines lines(measuredScene(Seam::RandomPhases),
+                                fileOf(topographyOf(std::move(heights))));
+      const double ratio = rmsSlope(lines.modes(0)) / slope;
+      mean += ratio / kProfiles;
+      square += std::pow(ratio - 1, 2) / kProfiles;
+    }
+    EXPECT_NEAR(mean, 1, 0.04) << hurst;
+    EXPECT_LT(std::sqrt(square), 0.1) << hurst;
+  }
+}
+
 struct Squares {
   double height = 0, slope = 0;
 };
