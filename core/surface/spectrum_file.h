@@ -15,7 +15,6 @@
 #include <vector>
 
 #include "core/base/message.h"
-
 #include "core/measured/roughness_spectrum.h"
 #include "core/scene/scene.h"
 
