@@ -14,7 +14,7 @@
 #include "core/base/units.h"
 #include "core/material/dma_columns.h"
 #include "core/material/temperature_shift.h"
-#include "core/material/text_frequency.h"
+#include "core/material/text_quantities.h"
 
 namespace asperity {
 namespace {

@@ -12,7 +12,6 @@
 #include "core/base/input_error.h"
 #include "core/base/regular_file.h"
 #include "core/chart/material_sheets.h"
-#include "core/material/material_json.h"
 #include "core/material/material_model.h"
 #include "core/material/material_summary.h"
 #include "core/scene/data_table.h"

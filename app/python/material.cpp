@@ -8,7 +8,6 @@
 #include "app/python/module.h"
 #include "core/base/input_error.h"
 #include "core/base/text.h"
-#include "core/material/material_json.h"
 #include "core/material/material_summary.h"
 #include "core/scene/material_tables.h"
 

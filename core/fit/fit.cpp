@@ -8,8 +8,6 @@
 #include "core/base/linear_algebra.h"
 #include "core/fit/fit_errors.h"
 #include "core/fit/fit_objective.h"
-#include "core/fit/fit_profiles.h"
-#include "core/fit/fit_search.h"
 #include "core/scene/scene_check.h"
 
 namespace asperity {

@@ -109,4 +109,6 @@ Minimum minimize(const Objective& objective, const Eigen::VectorXd& start,
                  const std::vector<int>& free, int iterations,
                  Distance distance = Distance::Difference);
 
+Minimum findMinimum(const Objective& objective, const Eigen::VectorXd& start);
+
 }  // namespace asperity

@@ -1,4 +1,4 @@
-#include "core/fit/friction_checks.h"
+#include "core/fit/friction_rows.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "core/fit/friction_conversion.h"
+#include "core/fit/friction_roles.h"
 
 #include <algorithm>
 #include <optional>

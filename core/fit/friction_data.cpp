@@ -10,7 +10,6 @@
 #include "core/base/regular_file.h"
 #include "core/base/text.h"
 #include "core/base/text_table.h"
-#include "core/fit/friction_checks.h"
 #include "core/fit/friction_columns.h"
 #include "core/fit/friction_header.h"
 #include "core/fit/friction_preparation.h"

@@ -1,6 +1,7 @@
 // Which columns of a table of measured friction give what: the velocity, the coefficient of
-// friction or what it is computed from, their errors, the load and the temperature. A column that
-// may be one of these, and is not understood, is refused. Pure functions; any thread. Failure:
+// friction or what it is computed from, their errors, the load and the temperature; and how their
+// numbers become SI units and standard errors, by the unit and the name of the column. A column
+// that may be one of these, and is not understood, is refused. Pure functions; any thread. Failure:
 // InputError that names the file and the column.
 #pragma once
 
@@ -8,14 +9,33 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/message.h"
 #include "core/base/text_table.h"
+#include "core/base/units.h"
 #include "core/fit/friction_columns.h"
-#include "core/fit/friction_conversion.h"
 
 namespace asperity {
+
+/// The conversion of the numbers of a column to SI units.
+struct FrictionConversion {
+  Unit unit{};
+  bool isShare = false;  // of the quantity that it is the error of
+  double divisor = 1;    // of an error, for one standard error
+  bool isVariance = false;
+  bool isForce = false;  // of friction, to be divided by the normal force
+  Message unitText{};    // for the notes; empty: as the column writes it
+};
+
+/// Returns whether a unit is that of a pure number, or missing.
+bool isPureUnit(std::string_view unit);
+
+/// Returns the conversion of a column of a table; one without a unit is in SI units. name: of the
+/// file. Throws InputError for a unit of another quantity.
+FrictionConversion findConversion(FrictionQuantity quantity, const TextColumn& column,
+                                  const TextBlock& block, const std::string& name);
 
 /// A column that is used.
 struct FrictionRole {

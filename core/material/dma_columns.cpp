@@ -14,7 +14,7 @@
 #include "core/base/text_cell.h"
 #include "core/base/text_clause.h"
 #include "core/base/text_number.h"
-#include "core/material/text_frequency.h"
+#include "core/material/text_quantities.h"
 
 namespace asperity {
 namespace {

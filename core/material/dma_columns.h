@@ -11,7 +11,7 @@
 #include "core/base/message.h"
 #include "core/base/text.h"
 #include "core/base/units.h"
-#include "core/material/text_temperature.h"
+#include "core/material/text_quantities.h"
 
 namespace asperity {
 

@@ -11,7 +11,7 @@
 #include "core/base/text_header.h"
 #include "core/base/text_number.h"
 #include "core/material/dma_moduli.h"
-#include "core/material/text_frequency.h"
+#include "core/material/text_quantities.h"
 
 namespace asperity {
 namespace {

@@ -91,36 +91,45 @@ Message celsius(double kelvin) {
   return message("{} \u00B0C", PrintedNumber{printedDecimals(kelvin - kZeroCelsius, 1)});
 }
 
+std::vector<std::span<const MeasuredModulus>> sweepsOf(std::span<const MeasuredModulus> rows,
+                                                       double tolerance) {
+  std::vector<std::span<const MeasuredModulus>> sweeps;
+  for (std::size_t begin = 0, end = 0; begin < rows.size(); begin = end) {
+    for (++end;
+         end < rows.size() && rows[end].temperature - rows[end - 1].temperature <= tolerance;)
+      ++end;
+    sweeps.push_back(rows.subspan(begin, end - begin));
+  }
+  return sweeps;
+}
+
 std::vector<Isotherm> groupIsotherms(std::vector<MeasuredModulus> rows, double tolerance) {
   if (rows.empty()) throw InputError("", "", "holds no row of frequency and moduli");
   for (const MeasuredModulus& row : rows) checkRow(row);
   std::ranges::stable_sort(rows, {}, &MeasuredModulus::temperature);
   std::vector<MeasuredSweep> sweeps;
-  for (std::size_t begin = 0, i = 1; i <= rows.size(); ++i) {
-    if (i < rows.size() && rows[i].temperature - rows[i - 1].temperature <= tolerance) continue;
-    sweeps.push_back(gathered({rows.begin() + static_cast<std::ptrdiff_t>(begin),
-                               rows.begin() + static_cast<std::ptrdiff_t>(i)}));
+  for (const std::span<const MeasuredModulus> ofSweep : sweepsOf(rows, tolerance)) {
+    sweeps.push_back(gathered({ofSweep.begin(), ofSweep.end()}));
+    const double coldest = ofSweep.front().temperature, warmest = ofSweep.back().temperature;
     // A slow temperature ramp has no gaps, and all its sweeps would become one.
-    const bool isWide = rows[i - 1].temperature - rows[begin].temperature > kWideSweep * tolerance;
+    const bool isWide = warmest - coldest > kWideSweep * tolerance;
     const Isotherm& sweep = sweeps.back().isotherm;
     if (isWide || sweep.points.size() < 2) {
       std::vector<Isotherm> ofRamp = isothermsOfRamp(rows, tolerance);
       if (!ofRamp.empty()) return ofRamp;
     }
     if (isWide)
-      throw InputError(
-          "", "temperature",
-          message("runs from {} to {} without a gap of more than {} K; sweeps at "
-                  "constant temperatures are needed (--temperature-tolerance says how "
-                  "far the rows of one sweep may lie apart)",
-                  celsius(rows[begin].temperature), celsius(rows[i - 1].temperature), tolerance));
+      throw InputError("", "temperature",
+                       message("runs from {} to {} without a gap of more than {} K; sweeps at "
+                               "constant temperatures are needed (--temperature-tolerance says how "
+                               "far the rows of one sweep may lie apart)",
+                               celsius(coldest), celsius(warmest), tolerance));
     if (sweep.points.size() < 2)
       throw InputError(
           "", "frequency",
           message("there is one frequency alone at {}, {} Hz; a shift needs sweeps of at "
                   "least two frequencies at each temperature",
                   celsius(sweep.temperature), sweep.points.front().frequency));
-    begin = i;
   }
   removeDrift(sweeps, tolerance);
   std::vector<Isotherm> isotherms;
@@ -161,16 +170,17 @@ bool areMixed(std::vector<MeasuredModulus> rows, const std::vector<std::vector<d
     double from, to;
   };
   std::ranges::sort(rows, {}, &MeasuredModulus::temperature);
-  std::map<std::size_t, Span> spans;  // of the isotherm so far
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (i > 0 && rows[i].temperature - rows[i - 1].temperature > tolerance) spans.clear();
-    if (!std::isfinite(rows[i].strainAmplitude)) continue;
-    const double frequency = rows[i].modulus.frequency;
-    const std::size_t own = groupIndex(groups, rows[i].strainAmplitude);
-    Span& span = spans.try_emplace(own, Span{frequency, frequency}).first->second;
-    span = {std::min(span.from, frequency), std::max(span.to, frequency)};
-    for (const auto& [group, other] : spans)
-      if (group != own && other.from <= span.to && span.from <= other.to) return true;
+  for (const std::span<const MeasuredModulus> sweep : sweepsOf(rows, tolerance)) {
+    std::map<std::size_t, Span> spans;  // of the sweep so far
+    for (const MeasuredModulus& row : sweep) {
+      if (!std::isfinite(row.strainAmplitude)) continue;
+      const double frequency = row.modulus.frequency;
+      const std::size_t own = groupIndex(groups, row.strainAmplitude);
+      Span& span = spans.try_emplace(own, Span{frequency, frequency}).first->second;
+      span = {std::min(span.from, frequency), std::max(span.to, frequency)};
+      for (const auto& [group, other] : spans)
+        if (group != own && other.from <= span.to && span.from <= other.to) return true;
+    }
   }
   return false;
 }

@@ -6,6 +6,7 @@
 
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -68,6 +69,9 @@ double chooseStrain(std::vector<MeasuredModulus>& rows, std::optional<double> ch
 inline constexpr double kIsothermTolerance = 0.6;  // K
 /// Rows over more than so many tolerances are no sweep at a constant temperature.
 inline constexpr double kWideSweep = 6;
+/// Returns the rows of each sweep. rows: by rising temperature; tolerance: K.
+std::vector<std::span<const MeasuredModulus>> sweepsOf(std::span<const MeasuredModulus> rows,
+                                                       double tolerance);
 
 /// Groups rows into sweeps, by rising temperature and frequency whatever the order of the rows.
 /// Rows whose temperatures follow each other within `tolerance` (K) are one isotherm; several

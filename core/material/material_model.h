@@ -1,6 +1,6 @@
-// Makes a material from a file of measurements. material_json.h writes it, material_summary.h says
-// in sentences what it is, core/scene/material_tables.h has its tables and
-// core/chart/material_sheets.h its charts.
+// Makes a material from a file of measurements. material_summary.h writes it and says in sentences
+// what it is, core/scene/material_tables.h has its tables and core/chart/material_sheets.h its
+// charts.
 // Pure; any thread; equal bytes and choices give the same material to the last bit.
 #pragma once
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/material/overlap_residuals.h"
+#include "core/material/isotherm_overlap.h"
 
 namespace asperity {
 

@@ -1,4 +1,3 @@
-#include "core/material/prony_arms.h"
 
 #include <fmt/format.h>
 
@@ -11,7 +10,7 @@
 #include "core/base/text.h"
 #include "core/base/text_clause.h"
 #include "core/base/text_number.h"
-#include "core/material/prony_names.h"
+#include "core/material/prony_table.h"
 
 namespace asperity {
 namespace {

@@ -133,20 +133,14 @@ constexpr double kWidestGap = 6;   // K, between neighbours in a ramp
 /// Returns whether rows are at least two isotherms, each of at least two frequencies.
 bool areIsotherms(std::vector<MeasuredModulus> rows, double tolerance) {
   std::ranges::stable_sort(rows, {}, &MeasuredModulus::temperature);
-  std::size_t isotherms = 0;
-  for (std::size_t begin = 0, end = 0; begin < rows.size(); begin = end) {
-    double lowest = rows[begin].modulus.frequency, highest = lowest;
-    for (++end; end < rows.size() && rows[end].temperature - rows[end - 1].temperature <= tolerance;
-         ++end) {
-      lowest = std::min(lowest, rows[end].modulus.frequency);
-      highest = std::max(highest, rows[end].modulus.frequency);
-    }
-    const bool isWide =
-        rows[end - 1].temperature - rows[begin].temperature > kWideSweep * tolerance;
-    if (isWide || highest <= (1 + kNominal) * lowest) return false;
-    ++isotherms;
-  }
-  return isotherms > 1;
+  const auto sweeps = sweepsOf(rows, tolerance);
+  return sweeps.size() > 1 && std::ranges::all_of(sweeps, [&](const auto& sweep) {
+           const auto [lowest, highest] = std::ranges::minmax(
+               sweep, {}, [](const MeasuredModulus& row) { return row.modulus.frequency; });
+           const double width = sweep.back().temperature - sweep.front().temperature;
+           return width <= kWideSweep * tolerance &&
+                  highest.modulus.frequency > (1 + kNominal) * lowest.modulus.frequency;
+         });
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include "core/base/text_header.h"
 #include "core/base/text_number.h"
 #include "core/material/dma_columns.h"
-#include "core/material/text_temperature.h"
+#include "core/material/text_quantities.h"
 
 namespace asperity {
 namespace {

@@ -12,7 +12,7 @@
 #include "core/base/text_number.h"
 #include "core/base/text_units.h"
 #include "core/measured/text_columns.h"
-#include "core/measured/text_steps.h"
+#include "core/measured/text_lengths.h"
 
 namespace asperity {
 namespace {

@@ -14,8 +14,8 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/measured/height_steps.h"
 #include "core/measured/processing_choices.h"
+#include "core/measured/profile_flaws.h"
 #include "core/measured/spectral_density.h"
 #include "core/measured/topography.h"
 

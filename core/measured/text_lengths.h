@@ -1,6 +1,7 @@
 // The lengths and the units of lengths that a text table states beside its numbers: steps and
 // extents above them, units in the names of columns, in lines of their own and in the corner of a
-// matrix. Only the readers of text in this folder use it.
+// matrix; and the step between points by other quantities: counts and lengths, the ends of an axis,
+// a speed and a rate (text_steps.cpp). Only the readers of text in this folder use it.
 #pragma once
 
 #include <cstdint>
@@ -70,5 +71,24 @@ struct CornerUnits {
   std::string unknownPosition{}, unknownHeight{};
 };
 CornerUnits cornerUnits(const TextBlock& block);
+
+/// What a header counts: the points of a profile, those of a row of a field, or its rows.
+enum class Counted { Points, Columns, Rows };
+
+/// Returns the number that the header states for it: "Number of points: 800", "Zeilen: 40", "800
+/// points" in a line of several statements.
+std::optional<std::int64_t> statedCount(const TextTable& table, const TextBlock& block,
+                                        Counted counted);
+
+/// Returns the step between `count` points where the header states their number and the length from
+/// the first to the last one: "Axis X", 60, "59.00 um", as MountainsMap writes it, or "Points: 60"
+/// and "Traverse length: 59 um". It is also stated by "Points per mm: 1000", and by the first and
+/// the last position, "x from 0 to 59 um" or, in two lines, "Start X = 0 um" and "End X = 59 um".
+std::optional<HeaderLength> countedStep(const TextTable& table, const TextBlock& block,
+                                        std::int64_t count, char axis);
+
+/// Returns the way of a stylus between two samples where the header states its speed and their
+/// rate: "Scan speed: 0.5 mm/s", "Sampling rate: 1000 Hz".
+std::optional<HeaderLength> sampledStep(const TextTable& table, const TextBlock& block);
 
 }  // namespace asperity

@@ -1,4 +1,4 @@
-#include "core/measured/text_steps.h"
+#include "core/measured/text_lengths.h"
 
 #include <algorithm>
 #include <string>

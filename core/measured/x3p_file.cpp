@@ -58,7 +58,9 @@ struct Axis {
   bool isWhole() const { return type == 'I' || type == 'L'; }
 };
 
-Axis readAxis(const SurfaceSource& source, const pugi::xml_node& root, const std::string& name) {
+/// mayBeZero: an increment of 0 is none, as across a profile.
+Axis readAxis(const SurfaceSource& source, const pugi::xml_node& root, const std::string& name,
+              bool mayBeZero = false) {
   const pugi::xml_node node = nodeAt(root, "Record1/Axes/" + name);
   if (!node) source.fail(message("main.xml has no {}", "Record1/Axes/" + name));
   Axis axis;
@@ -84,7 +86,8 @@ Axis readAxis(const SurfaceSource& source, const pugi::xml_node& root, const std
   };
   axis.hasIncrement = number("Increment", axis.increment);
   number("Offset", axis.offset);
-  if (axis.isIncremental && axis.increment == 0)
+  if (axis.increment == 0 && mayBeZero) axis.hasIncrement = false;
+  if (axis.isIncremental && axis.increment == 0 && !mayBeZero)
     source.fail(message("main.xml: {} is not a number above 0", name + "/Increment"));
   // The whole numbers of an absolute axis count its increments; for other axes the increment has no
   // meaning.
@@ -118,10 +121,11 @@ class Reader {
       source_.fail("is a cloud of points (PCL); only profiles and surfaces on a grid are read");
     if (feature != "SUR" && feature != "PRF")
       source_.fail(message("main.xml: {} is neither {}", "FeatureType", "PRF, SUR"));
-    axes_ = {readAxis(source_, root_, "CX"), readAxis(source_, root_, "CY"),
+    const bool isProfile = feature == "PRF";
+    axes_ = {readAxis(source_, root_, "CX"), readAxis(source_, root_, "CY", isProfile),
              readAxis(source_, root_, "CZ")};
     noteRotation();
-    readSizes(feature == "PRF");
+    readSizes(isProfile);
     const auto count = static_cast<std::size_t>(columns_ * rows_);
     if (nodeAt(root_, "Record3/DataLink"))
       readBinary(count);

@@ -10,7 +10,7 @@
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/stop.h"
-#include "core/measured/round_form.h"
+#include "core/measured/profile_flaws.h"
 #include "core/surface/random_phases.h"
 
 namespace asperity {

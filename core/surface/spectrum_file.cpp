@@ -12,6 +12,7 @@
 #include "core/base/regular_file.h"
 #include "core/base/text.h"
 #include "core/base/text_encoding.h"
+#include "core/base/text_header.h"
 #include "core/base/text_number.h"
 #include "core/base/text_table.h"
 #include "core/base/text_units.h"
@@ -36,14 +37,23 @@ std::string plainName(std::string_view name) {
 }
 
 std::optional<Abscissa> abscissaOf(std::string_view name) {
-  constexpr std::array waveNumbers{"wave_number", "wavenumber", "angular_wave_number", "q", "k"};
-  constexpr std::array frequencies{"spatial_frequency", "frequency", "f", "nu"};
-  constexpr std::array wavelengths{"wavelength", "wave_length", "lambda"};
-  if (std::ranges::find(waveNumbers, name) != waveNumbers.end()) return Abscissa::WaveNumber;
-  if (std::ranges::find(frequencies, name) != frequencies.end()) return Abscissa::SpatialFrequency;
-  if (std::ranges::find(wavelengths, name) != wavelengths.end()) return Abscissa::Wavelength;
+  if (isOneOf(name, "wave_number wavenumber angular_wave_number q k wellenzahl nombre_d'onde"))
+    return Abscissa::WaveNumber;
+  if (isOneOf(name,
+              "spatial_frequency frequency f nu ortsfrequenz raumfrequenz "
+              "fr\u00E9quence_spatiale"))
+    return Abscissa::SpatialFrequency;
+  if (isOneOf(name, "wavelength wave_length lambda wellenl\u00E4nge longueur_d'onde"))
+    return Abscissa::Wavelength;
   return {};
 }
+
+/// Names of the spectrum of a line, of an area, and of either.
+constexpr WordList kOfLines("c1 c_1d psd_1d");
+constexpr WordList kOfAreas("c2 c_iso c2_iso ciso c_2d psd_2d");
+constexpr WordList kOfEither(
+    "c psd spectrum power_spectral_density density leistungsdichte spektrale_leistungsdichte "
+    "leistungsdichtespektrum spektrum densit\u00E9_spectrale");
 
 /// Returns the size of the column's unit in SI; the power of the length must be the required one.
 double factorOf(const TextColumn& column, int power, const std::string& file) {
@@ -167,22 +177,19 @@ class SpectrumReader {
   /// Finds the column with the name of the wanted spectrum, else one with any name of a spectrum,
   /// else the neighbour of the abscissa.
   void findDensity() {
-    constexpr std::array lines{"c1", "c_1d", "psd_1d"};
-    constexpr std::array areas{"c2", "c_iso", "c2_iso", "ciso", "c_2d", "psd_2d"};
-    constexpr std::array any{"c", "psd", "spectrum", "power_spectral_density", "density"};
     const std::vector<TextColumn>& columns = block_.columns;
-    const auto find = [&](const auto& words) {
+    const auto find = [&](const WordList& words) {
       return std::ranges::find_if(columns, [&](const TextColumn& column) {
         std::string name = plainName(column.name);
         takeSides(name);
-        return std::ranges::find(words, name) != words.end();
+        return isOneOf(name, words);
       });
     };
     const bool isOfArea = kind_ == SpectrumKind::C2;
-    auto column = isOfArea ? find(areas) : find(lines);
-    if (column == columns.end()) column = find(any);
+    auto column = find(isOfArea ? kOfAreas : kOfLines);
+    if (column == columns.end()) column = find(kOfEither);
     if (column == columns.end()) {
-      if (const auto other = isOfArea ? find(lines) : find(areas); other != columns.end())
+      if (const auto other = find(isOfArea ? kOfLines : kOfAreas); other != columns.end())
         fail(isOfArea
                  ? message("its column {} is a spectrum of a line, which surface.spectrum_kind "
                            "does not say",
@@ -318,9 +325,16 @@ class SpectrumReader {
 
 SpectrumTable parseSpectrumTable(std::string_view text, const std::string& name,
                                  SpectrumKind kind) {
-  if (const std::string_view foreign = detectNonText(text); !foreign.empty())
+  if (const std::string_view foreign = detectNonText(text);
+      !foreign.empty() && foreign != "text in UTF-16")
     throw InputError(name, "", message("is {}; {}", Message(foreign), Message(kWanted)));
-  const TextTable table = readTextTable(text, name);
+  TextTable table = readTextTable(text, name);
+  undoLogarithms(table, [](const std::string& quantity) {
+    std::string plain = plainName(parseColumnName(quantity).name);
+    takeSides(plain);
+    return abscissaOf(plain) || isOneOf(plain, kOfLines) || isOneOf(plain, kOfAreas) ||
+           isOneOf(plain, kOfEither);
+  });
   refuseUnclearMark(table, name);
   return SpectrumReader(table.largest(), name, kind).read();
 }

@@ -115,6 +115,8 @@ TEST(X3pFile, ReadsProfiles) {
       options.absoluteX = absolute;
       options.listed = listed;
       expectKnown(read(x3p(options)), "x3p", false, 1e-12, 1e-9, 1);
+      options.rowSpacing = 0;  // there is no other row
+      expectKnown(read(x3p(options)), "x3p", false, 1e-12, 1e-9, 1);
     }
 }
 

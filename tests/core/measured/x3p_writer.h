@@ -28,6 +28,7 @@ struct X3pOptions {
   int claimedColumns = kColumns, claimedRows = kRows;
   std::string extra{};                    // in Record2
   double columnSpacing = kColumnSpacing;  // as the file states it
+  double rowSpacing = kRowSpacing;
   // The file of the heights, as main.xml names it and as the directory of the archive does.
   std::string link = "bindata/data.bin", entry = "bindata/data.bin";
 };
@@ -109,7 +110,7 @@ inline X3pParts x3pParts(const X3pOptions& options) {
       "<Record4><ChecksumFile>md5checksum.hex</ChecksumFile></Record4></{1}ISO5436_2>\n",
       options.prologue, options.prefix, options.feature,
       axis("CX", !options.absoluteX, 'D', options.absoluteX ? 0 : options.columnSpacing),
-      axis("CY", !options.absoluteY, 'D', options.absoluteY ? 0 : kRowSpacing),
+      axis("CY", !options.absoluteY, 'D', options.absoluteY ? 0 : options.rowSpacing),
       axis("CZ", options.zIncremental, options.zType, step), options.extra, columns,
       isProfile ? 1 : rows, isProfile ? rows : 1, data);
   return parts;

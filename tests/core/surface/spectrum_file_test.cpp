@@ -37,10 +37,19 @@ TEST(SpectrumFile, MeansTheSameHeightInEveryConvention) {
       {"Sample: asphalt\nq / \u00B5m^-1\tPSD / \u00B5m\u00B3\n0.01\t1\n0.1\t1\n",
        SpectrumKind::C1TwoSided},
       {"Wave number [1/\xB5m];C1 [\xB5m^3]\r\n0,01;1\r\n0,1;1\r\n", SpectrumKind::C1TwoSided},
+      {"Wellenzahl (1/m);Leistungsdichte (m\u00B3)\n1e4;1e-18\n1e5;1e-18\n",
+       SpectrumKind::C1TwoSided},
+      {"log10 q (1/m),log10 C1 (m^3)\n4,-18\n5,-18\n", SpectrumKind::C1TwoSided},
   };
   for (const auto& one : cases)
     EXPECT_NEAR(squareHeight(parseSpectrum(one.text, "s", one.kind)) / expected, 1, 1e-12)
         << one.text;
+}
+
+TEST(SpectrumFile, MayBeInUtf16) {
+  std::string text = "\xFF\xFE";
+  for (const char letter : std::string_view("q,C1\n1e4,1e-18\n1e5,1e-18\n")) text += {letter, '\0'};
+  EXPECT_NEAR(squareHeight(parseSpectrum(text, "s", SpectrumKind::C1TwoSided)) / 1.8e-13, 1, 1e-12);
 }
 
 /// Per spatial frequency: <h^2> = 2 integral C df, so numbers are 2 pi times those over q.

@@ -24,7 +24,6 @@
 #include "core/base/regular_file.h"
 #include "core/base/stop.h"
 #include "core/chart/material_sheets.h"
-#include "core/material/material_json.h"
 #include "core/material/material_summary.h"
 #include "core/scene/columns.h"
 #include "ui/language/language.h"

@@ -1,6 +1,6 @@
-// Whether the heights of a profile have steps that are too coarse for it: an instrument or a file
-// rounds each height to a multiple of one step, which makes a stair of a gentle slope. Pure; any
-// thread.
+// Flaws of measured profiles: heights with steps that are too coarse, because an instrument or a
+// file rounds each of them to a multiple of one step, which makes a stair of a gentle slope, and a
+// form that a parabola does not follow, as of a tyre or a roller. Pure; any thread.
 #pragma once
 
 #include <cstdint>
@@ -20,5 +20,12 @@ struct HeightSteps {
 /// triangle, is exact, although its heights are multiples of a step. heights: as in the file,
 /// before any processing; NaN where nothing was measured.
 HeightSteps coarseSteps(std::span<const double> heights);
+
+/// Returns the radius (m) of a profile that is a circle with roughness on it: a circle leaves at
+/// most 0.8 of the rms heights that a parabola leaves, which has as many unknowns. 0: it is none.
+/// Long waves of a rough surface may look like a form of any kind, but they are no circle whose
+/// slope becomes large, and a flat circle is a parabola. heights: m; NaN where nothing was
+/// measured.
+double radiusOfRoundForm(std::span<const double> heights, double spacing);
 
 }  // namespace asperity

@@ -1,5 +1,5 @@
-// Temperatures in texts, as people write them: "20 \u00B0C", "-20 deg. C", "293 K", "68F". Pure
-// functions; any thread.
+// Temperatures and frequencies in texts, as people write them: "20 \u00B0C", "-20 deg. C", "293 K",
+// "68F", "10 Hz". Pure functions; any thread.
 #pragma once
 
 #include <cstddef>
@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/text_table.h"
 #include "core/base/units.h"
 
 namespace asperity {
@@ -41,5 +42,23 @@ std::optional<double> parseTemperature(std::string_view text);
 /// Returns a unit of temperature: "\u00B0C", "deg. C", "c", "K", "Fahrenheit"; nothing where the
 /// text is none.
 std::optional<Unit> temperatureUnit(std::string_view unit);
+
+/// Returns one unit of frequency in Hz; nothing where the text is none. An empty text means Hz, or
+/// rad/s for omega.
+std::optional<double> frequencyUnit(std::string_view unit, bool isAngular);
+
+/// A frequency with its unit in a text.
+struct TextFrequency {
+  double hertz = 0;
+  std::size_t begin = 0, end = 0;
+};
+
+/// Returns the first frequency with its unit in a text: that of "E' 10 Hz". Nothing where there is
+/// none.
+std::optional<TextFrequency> firstFrequency(std::string_view text);
+
+/// Returns the one frequency (Hz) that the lines above a block state, "Frequency: 1 Hz", "10 Hz";
+/// nothing where they state none, or several.
+std::optional<double> statedFrequency(const TextBlock& block);
 
 }  // namespace asperity
