@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "core/base/number_text.h"
-#include "core/base/power_of_ten.h"
 #include "core/base/text.h"
 #include "core/base/text_header.h"
 #include "core/base/text_number.h"
