@@ -1,4 +1,4 @@
-// Means, medians, quantiles and bands of numbers, and Student's distribution. Pure; any thread.
+// Means and medians of a few numbers, and Student's distribution. Pure; any thread.
 #pragma once
 
 #include <algorithm>
