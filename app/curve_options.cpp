@@ -297,9 +297,8 @@ void checkCurves(const CurveArguments& arguments, const Scene& scene) {
     settingFrom(arguments.compare, scene);
     requireVelocityAxis(scene, kCompare);
   }
-  if (!arguments.compare.empty() && choosesAccuracy(scene))
-    throw InputError("", "accuracy.target_relative_error",
-                     "--compare needs the same resolution at every velocity, not a target");
+  if (!arguments.compare.empty())
+    requireNoTarget(scene, "--compare needs the same resolution at every velocity");
   familyMembers(arguments, scene);
   for (const std::string& assignments : arguments.with) sceneWith(scene, assignments);
 }

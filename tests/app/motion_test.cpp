@@ -104,7 +104,7 @@ TEST_F(MotionCommandTest, WithoutAnOutputTheTableGoesToStdout) {
 }
 
 TEST_F(MotionCommandTest, RefusesWhatItCannotDo) {
-  expectRefused("motion s.json", 2, "s.json: sliding.kind: is steady, where nothing changes");
+  expectRefused("motion s.json", 2, "s.json: sliding.kind: is steady, so nothing changes");
   expectRefused("motion m.json -o a.gif", 2, "a.gif: '.gif' is not one of");
   expectRefused("motion m.json --every 0", 2, "--every: 0 is outside 1 to ");
   expectRefused("motion m.json --lines 0", 2, "--lines: 0 is outside 1 to ");

@@ -100,7 +100,7 @@ TEST(Statistics, LogBandsDivideEachDecadeEqually) {
     return all;
   };
   EXPECT_EQ(ends(1, 0), (std::vector<std::size_t>{2, 5, 6, 7, 8}));
-  EXPECT_EQ(ends(1, 0.5), (std::vector<std::size_t>{3, 6, 8}));
+  EXPECT_EQ(ends(1, 0.5), (std::vector<std::size_t>{4, 6, 8}));
   EXPECT_TRUE(logBands({}, 16).empty());
 }
 
