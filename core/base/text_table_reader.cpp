@@ -65,6 +65,16 @@ class TableReader {
         fail(message("has no rows of numbers; line {}: the value in column {} is missing", number,
                      i + 1));
     });
+    // A name and numbers behind it, as where each row is a quantity.
+    eachField([this](std::size_t number, std::size_t i) {
+      const auto isNumber = [](const Field& field) { return field.kind == FieldKind::Number; };
+      if (i == 0 && fields_.size() > 2 && kinds_[0].kind == FieldKind::Text &&
+          std::all_of(kinds_.begin() + 1, kinds_.end(), isNumber))
+        fail(
+            message("has no rows of numbers; line {} has '{}' in front of its numbers: write each "
+                    "quantity in a column, with its name above it",
+                    number, shortened(trimmedField(fields_[0]))));
+    });
     fail("has no rows of numbers");
   }
 

@@ -7031,6 +7031,10 @@
         <translation>hat keine Zeilen mit Zahlen; Zeile %1: Der Wert in Spalte %2 fehlt</translation>
     </message>
     <message>
+        <source>has no rows of numbers; line %1 has &apos;%2&apos; in front of its numbers: write each quantity in a column, with its name above it</source>
+        <translation>hat keine Zeilen mit Zahlen; in Zeile %1 steht „%2“ vor den Zahlen: jede Größe in eine Spalte schreiben, mit ihrem Namen darüber</translation>
+    </message>
+    <message>
         <source>%1 as in the file</source>
         <translation>%1 wie in der Datei</translation>
     </message>

@@ -333,6 +333,10 @@ TEST(TextTable, NamesTheLineOfWhatIsWrong) {
               "table.txt: line 3: has one field where the lines before have 2");
   EXPECT_THAT(errorOf("1;2\n2;3\n3;1.2.3\n4;5\n"), HasSubstr("line 3: '1.2.3' in column 2"));
   EXPECT_THAT(errorOf("only\nwords\n"), "table.txt: has no rows of numbers");
+  EXPECT_THAT(
+      errorOf("x (mm);0;1;2\nz (um);3;4;5\n"),
+      "table.txt: has no rows of numbers; line 1 has 'x (mm)' in front of its numbers: write "
+      "each quantity in a column, with its name above it");
   EXPECT_THAT(errorOf(""), "table.txt: is empty");
   EXPECT_THAT(errorOf(std::string("\x89PNG\r\n", 6)), HasSubstr("is a PNG picture"));
   EXPECT_THAT(errorOf(std::string("\x00\x01\x02\x03\x05\x07", 6)), HasSubstr("binary file"));
