@@ -81,8 +81,8 @@ std::string escaped(const std::string& value) {
   return text;
 }
 
-}  // namespace
-
+/// Returns the arguments of ffmpeg, its own name first. It reads pictures in RGBA from its standard
+/// input. extension: for example ".gif". metadata: the file of filmMetadata, or empty.
 std::vector<std::string> ffmpegArguments(const std::string& extension, const FilmOptions& options,
                                          const std::string& output, const std::string& metadata) {
   // clang-format off
@@ -105,6 +105,9 @@ std::vector<std::string> ffmpegArguments(const std::string& extension, const Fil
   return words;
 }
 
+/// Returns the title and metadata of a film as the content of a file for ffmpeg, because the length
+/// of an argument is limited. Empty where ffmpeg takes none for the format, or there is nothing to
+/// write.
 std::string filmMetadata(const std::string& extension, const FilmOptions& options) {
   if (extension == ".gif" || extension == ".webp") return {};
   std::string text;
@@ -113,8 +116,6 @@ std::string filmMetadata(const std::string& extension, const FilmOptions& option
     if (!value->empty()) text += fmt::format("{}={}\n", key, escaped(*value));
   return text.empty() ? text : ";FFMETADATA1\n" + text;
 }
-
-namespace {
 
 namespace fs = std::filesystem;
 // file descriptors of the film and of its metadata in ffmpeg
@@ -173,6 +174,34 @@ FilmOptions withFilmSides(FilmOptions options, const std::string& extension) {
 
 void putLittleEndian(std::string& bytes, std::size_t at, std::size_t number) {
   for (std::size_t i = 0; i < 4; ++i) bytes[at + i] = static_cast<char>(number >> (8 * i) & 255U);
+}
+
+/// Returns the bytes of a film with an XMP packet, which these formats define.
+std::string gifWithXmp(const std::string& gif, const std::string& packet) {
+  if (!gif.starts_with("GIF89a") || gif.size() < 13)
+    throw std::runtime_error("ffmpeg wrote no GIF");
+  const auto flags = static_cast<unsigned char>(gif[10]);
+  const std::size_t palette = (flags & 0x80U) != 0 ? std::size_t{3} << ((flags & 7U) + 1) : 0;
+  // The packet is stored uncut; a reader that skips it by block lengths arrives in the trailer.
+  std::string extension = "\x21\xFF\x0BXMP DataXMP" + packet + '\x01';
+  for (int length = 255; length >= 0; --length) extension += static_cast<char>(length);
+  extension += '\0';
+  return std::string(gif).insert(13 + palette, extension);
+}
+
+std::string webpWithXmp(const std::string& webp, const std::string& packet) {
+  constexpr std::size_t kFlags = 20;  // flags byte in VP8X, the first chunk of an animation
+  constexpr char kHasXmp = 4;
+  if (!webp.starts_with("RIFF") || webp.size() < 30 || webp.substr(12, 4) != "VP8X")
+    throw std::runtime_error("ffmpeg wrote no animated WebP");
+  std::string bytes = webp;
+  bytes[kFlags] = static_cast<char>(bytes[kFlags] | kHasXmp);
+  bytes += "XMP " + std::string(4, '\0');
+  putLittleEndian(bytes, bytes.size() - 4, packet.size());
+  bytes += packet;
+  if (bytes.size() % 2 != 0) bytes += '\0';
+  putLittleEndian(bytes, 4, bytes.size() - 8);
+  return bytes;
 }
 
 }  // namespace
@@ -349,33 +378,6 @@ void FilmFile::finish() {
   body_->checkContent();
   body_->addMetadata();
   body_->film.commit();
-}
-
-std::string gifWithXmp(const std::string& gif, const std::string& packet) {
-  if (!gif.starts_with("GIF89a") || gif.size() < 13)
-    throw std::runtime_error("ffmpeg wrote no GIF");
-  const auto flags = static_cast<unsigned char>(gif[10]);
-  const std::size_t palette = (flags & 0x80U) != 0 ? std::size_t{3} << ((flags & 7U) + 1) : 0;
-  // The packet is stored uncut; a reader that skips it by block lengths arrives in the trailer.
-  std::string extension = "\x21\xFF\x0BXMP DataXMP" + packet + '\x01';
-  for (int length = 255; length >= 0; --length) extension += static_cast<char>(length);
-  extension += '\0';
-  return std::string(gif).insert(13 + palette, extension);
-}
-
-std::string webpWithXmp(const std::string& webp, const std::string& packet) {
-  constexpr std::size_t kFlags = 20;  // flags byte in VP8X, the first chunk of an animation
-  constexpr char kHasXmp = 4;
-  if (!webp.starts_with("RIFF") || webp.size() < 30 || webp.substr(12, 4) != "VP8X")
-    throw std::runtime_error("ffmpeg wrote no animated WebP");
-  std::string bytes = webp;
-  bytes[kFlags] = static_cast<char>(bytes[kFlags] | kHasXmp);
-  bytes += "XMP " + std::string(4, '\0');
-  putLittleEndian(bytes, bytes.size() - 4, packet.size());
-  bytes += packet;
-  if (bytes.size() % 2 != 0) bytes += '\0';
-  putLittleEndian(bytes, 4, bytes.size() - 8);
-  return bytes;
 }
 
 }  // namespace asperity

@@ -8,7 +8,6 @@
 #include <QImage>
 #include <memory>
 #include <string>
-#include <vector>
 
 namespace asperity {
 
@@ -20,16 +19,6 @@ struct FilmOptions {
   std::string title;     // empty: none
   std::string metadata;  // one line of ASCII without markup; empty: none
 };
-
-/// Returns the arguments of ffmpeg, its own name first. It reads pictures in RGBA from its standard
-/// input. extension: for example ".gif". metadata: the file of filmMetadata, or empty.
-std::vector<std::string> ffmpegArguments(const std::string& extension, const FilmOptions& options,
-                                         const std::string& output, const std::string& metadata);
-
-/// Returns the title and metadata of a film as the content of a file for ffmpeg, because the length
-/// of an argument is limited. Empty where ffmpeg takes none for the format, or there is nothing to
-/// write.
-std::string filmMetadata(const std::string& extension, const FilmOptions& options);
 
 /// Returns whether a file is a film by its extension: .mp4, .webm, .gif or .webp.
 bool isFilmFile(const std::string& file);
@@ -54,9 +43,5 @@ class FilmFile {
   struct Body;
   std::unique_ptr<Body> body_;
 };
-
-/// Returns the bytes of a film with an XMP packet where the format defines it.
-std::string gifWithXmp(const std::string& gif, const std::string& packet);
-std::string webpWithXmp(const std::string& webp, const std::string& packet);
 
 }  // namespace asperity

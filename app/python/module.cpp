@@ -56,8 +56,6 @@ py::list columnDictionary() {
   return all;
 }
 
-}  // namespace
-
 void addErrors(py::module_& module) {
   py::dict members;
   members["file"] = py::none();
@@ -82,6 +80,7 @@ void addErrors(py::module_& module) {
   });
 }
 
+}  // namespace
 }  // namespace asperity
 
 PYBIND11_MODULE(_core, module) {

@@ -6,7 +6,6 @@
 
 namespace asperity {
 
-void addErrors(pybind11::module_& module);
 void addScene(pybind11::module_& module);
 void addFriction(pybind11::module_& module);
 void addContact(pybind11::module_& module);

@@ -209,6 +209,20 @@ Row summaryCells(const LessonResults& results) {
           std::to_string(results.shown())};
 }
 
+/// Returns the given answer as a cell of a table: the number of the choice from 1, or the number in
+/// SI with all its digits, of a point with its place; empty where none was given.
+std::string givenText(const LessonResult& result) {
+  const GivenAnswer& given = result.given;
+  if (!given.isGiven()) return {};
+  if (result.kind == PredictionKind::Choice) return std::to_string(given.choice + 1);
+  if (result.kind == PredictionKind::Number) return plainNumber(given.number);
+  return plainNumber(given.number) + " at " + plainNumber(given.x);
+}
+
+std::string verdictWord(const LessonResult& result) {
+  return !result.given.isGiven() ? "shown" : result.isRight ? "right" : "wrong";
+}
+
 }  // namespace
 
 ClassResults readClasses(const std::vector<std::string>& filesAndFolders) {
@@ -252,18 +266,6 @@ const std::vector<StudentResults>& onlyClass(const ClassResults& results) {
                     other.results.title, first.file)
           : message("has results of '{}', but {} has those of '{}'; a table is of one lesson",
                     other.results.title, first.file, first.results.title));
-}
-
-std::string givenText(const LessonResult& result) {
-  const GivenAnswer& given = result.given;
-  if (!given.isGiven()) return {};
-  if (result.kind == PredictionKind::Choice) return std::to_string(given.choice + 1);
-  if (result.kind == PredictionKind::Number) return plainNumber(given.number);
-  return plainNumber(given.number) + " at " + plainNumber(given.x);
-}
-
-std::string verdictWord(const LessonResult& result) {
-  return !result.given.isGiven() ? "shown" : result.isRight ? "right" : "wrong";
 }
 
 std::string classCsv(const std::vector<StudentResults>& students) {

@@ -81,16 +81,9 @@ ClassResults readClasses(const std::vector<std::string>& filesAndFolders);
 /// another lesson, or of another version of it.
 const std::vector<StudentResults>& onlyClass(const ClassResults& results);
 
-/// Returns the given answer as a cell of a table: the number of the choice from 1, or the number in
-/// SI with all its digits, of a point with its place; empty where none was given.
-std::string givenText(const LessonResult& result);
-
-/// Returns "right", "wrong" or "shown".
-std::string verdictWord(const LessonResult& result);
-
 /// Returns the table as CSV: a row for each student with file, date, the numbers of right, wrong
-/// and shown answers, and for each step that somebody answered `step_N` (verdictWord) and
-/// `step_N_given`; both are empty where this student has not come so far.
+/// and shown answers, and for each step that somebody answered `step_N` ("right", "wrong" or
+/// "shown") and `step_N_given`; both are empty where this student has not come so far.
 std::string classCsv(const std::vector<StudentResults>& students);
 
 }  // namespace asperity

@@ -83,6 +83,9 @@ std::size_t decideByAll(Claim& claim, std::span<const Estimate> measured, const 
   return deciding;
 }
 
+namespace {
+
+/// Returns "yes", "no", "undecided" or "only for scheme ...".
 std::string holdsText(const Claim& claim) {
   switch (claim.holds) {
     case Verdict::Yes:
@@ -96,6 +99,8 @@ std::string holdsText(const Claim& claim) {
   }
   return "only for scheme " + claim.scheme.english();
 }
+
+}  // namespace
 
 nlohmann::ordered_json claimJson(const Claim& claim) {
   nlohmann::ordered_json json;

@@ -60,9 +60,6 @@ void decideExactly(Claim& claim, double value, const Bounds& bounds);
 /// verdicts the one with the smallest margin.
 std::size_t decideByAll(Claim& claim, std::span<const Estimate> measured, const Bounds& bounds);
 
-/// Returns "yes", "no", "undecided" or "only for scheme ...".
-std::string holdsText(const Claim& claim);
-
 /// Returns {id, where, claim, quantity, measured, uncertainty, expected, criterion, holds_from,
 /// holds_to, holds, note}; a value that does not apply is null.
 nlohmann::ordered_json claimJson(const Claim& claim);

@@ -18,6 +18,14 @@ std::vector<double> normalizedCurve(const GroupedMeans& means, std::size_t j, in
   return values;
 }
 
+/// Returns mu / (tau v grad^2 / h) in the limit of low velocity, at velocity i: beta Fbar^-alpha of
+/// Eq. (5).
+double lowVelocityFactor(const GroupedMeans& means, std::size_t j, std::size_t i, int leftOut) {
+  const LawInput in = means.lawInput(j, i);
+  return means.mu(j, i, leftOut) * in.rmsHeight /
+         (in.relaxationTime * in.velocity * in.rmsSlope * in.rmsSlope);
+}
+
 }  // namespace
 
 double velocityExponent(const GroupedMeans& means, std::size_t j, std::size_t first,
@@ -49,12 +57,6 @@ double normalizedMuAt(const GroupedMeans& means, std::size_t j, double velocity,
       std::log(velocity / velocities[i - 1]) / std::log(velocities[i] / velocities[i - 1]);
   const double before = means.normalizedMu(j, i - 1, leftOut);
   return before * std::pow(means.normalizedMu(j, i, leftOut) / before, part);
-}
-
-double lowVelocityFactor(const GroupedMeans& means, std::size_t j, std::size_t i, int leftOut) {
-  const LawInput in = means.lawInput(j, i);
-  return means.mu(j, i, leftOut) * in.rmsHeight /
-         (in.relaxationTime * in.velocity * in.rmsSlope * in.rmsSlope);
 }
 
 double velocityAt(double dimensionlessVelocity, const Scene& scene, double rmsSlope) {
@@ -212,17 +214,8 @@ DiagramSeries lawSeries(const GroupedMeans& means, std::size_t j, Message name) 
   return series;
 }
 
-DiagramAxis velocityAxis() {
-  return {"sliding velocity v", "m/s"};
-}
-
-DiagramAxis normalizedFrictionAxis() {
-  return {"normalized friction \u03BC/\u2207z", ""};
-}
-
 Diagram frictionDiagram() {
-  Diagram diagram{.x = velocityAxis(), .y = normalizedFrictionAxis()};
-  return diagram;
+  return {.x = {"sliding velocity v", "m/s"}, .y = {"normalized friction \u03BC/\u2207z", ""}};
 }
 
 std::string tableRows(const GroupedMeans& means, std::size_t j, const std::string& lead) {

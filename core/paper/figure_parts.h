@@ -41,11 +41,6 @@ RegionBorders regionBorders(const GroupedMeans& means, std::size_t j,
 double normalizedMuAt(const GroupedMeans& means, std::size_t j, double velocity,
                       int leftOut = GroupedMeans::kAll);
 
-/// Returns mu / (tau v grad^2 / h) in the limit of low velocity, at velocity i: beta Fbar^-alpha of
-/// Eq. (5).
-double lowVelocityFactor(const GroupedMeans& means, std::size_t j, std::size_t i,
-                         int leftOut = GroupedMeans::kAll);
-
 /// mu compared with Eq. (8), where the whole line is in contact on every realization.
 struct FullContact {
   int points = 0;
@@ -121,9 +116,8 @@ void forEachHurst(const Scene& scene, std::span<const double> exponents,
 DiagramSeries frictionSeries(const GroupedMeans& means, std::size_t j, Message name);
 DiagramSeries lawSeries(const GroupedMeans& means, std::size_t j, Message name);
 
-DiagramAxis velocityAxis();
-DiagramAxis normalizedFrictionAxis();
-Diagram frictionDiagram();  // both axes, no series yet
+/// Returns a diagram with the axes of these series, and no series yet.
+Diagram frictionDiagram();
 
 /// Returns the rows of a table for force j; each begins with `lead` ("0.7,").
 std::string tableRows(const GroupedMeans& means, std::size_t j, const std::string& lead);
