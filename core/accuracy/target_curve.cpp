@@ -326,7 +326,12 @@ class TargetSampling {
     const double resolution =
         levels > kFirstAccepted ? lineError(state.friction) : std::abs(result.mu - last);
     const double digits = (kRounding + result.residual) * std::abs(result.mu);
-    state.plan = {level, level, {}, 0, 0, std::max(resolution, digits)};
+    // All waves of a sine are alike. Where only some of them touch, the points do not resolve their
+    // heights, and friction of these few may converge to another value on the way.
+    const bool isUneven = scene_.surface.kind == SurfaceKind::Sine && result.contactFraction < 1 &&
+                          result.contactSpots < static_cast<double>(scene_.surface.waves);
+    const double few = isUneven ? std::abs(result.mu) : 0;
+    state.plan = {level, level, {}, 0, 0, std::max({resolution, digits, few})};
     state.plan.lines[0] = {1};
     state.isPlanned = true;
   }

@@ -7,6 +7,7 @@
 #include "core/base/number_text.h"
 #include "core/base/stop.h"
 #include "core/base/text.h"
+#include "core/material/temperature_shift.h"
 #include "core/scene/scene_check.h"
 #include "core/scene/sweep.h"
 
@@ -129,6 +130,33 @@ std::vector<VariedParameter> activeParameters(const Scene& scene) {
   return active;
 }
 
+namespace {
+
+/// Returns the coordinate of a state, moved to one side (-1 or 1) by the step of a difference.
+/// Where that would shift the relaxation times by more than a step, as temperatures do, it moves so
+/// much less. Where the shift ends, at the last row of a table or at the largest shift, it stays.
+double besideState(const VariedParameter& parameter, const Scene& state, double side) {
+  const double here = parameter.coordinate(parameter.valueIn(state));
+  const double shiftHere = temperatureShift(state.elastomer);
+  double step = side * parameter.step();
+  // The second step is so short that only the end of a shift refuses it.
+  constexpr int kTries = 2;
+  for (int i = 0; i < kTries; ++i, step *= kStep) {
+    const double there = std::clamp(here + step, parameter.lowest(), parameter.highest());
+    Scene moved = state;
+    parameter.set(moved, there);
+    try {
+      const double change = std::abs(std::log(temperatureShift(moved.elastomer) / shiftHere));
+      return change > kStep ? here + (there - here) * (kStep / change) : there;
+    } catch (const InputError&) {
+      continue;
+    }
+  }
+  return here;
+}
+
+}  // namespace
+
 FrictionWithDerivatives frictionWithDerivatives(std::span<const Scene> states,
                                                 std::span<const VariedParameter> parameters,
                                                 const StateOptions& options) {
@@ -141,9 +169,7 @@ FrictionWithDerivatives frictionWithDerivatives(std::span<const Scene> states,
   for (const VariedParameter& parameter : parameters)
     for (const double side : {-1.0, 1.0})
       for (std::size_t i = 0; i < states.size(); ++i) {
-        const double here = parameter.coordinate(parameter.valueIn(states[i]));
-        const double there =
-            std::clamp(here + side * parameter.step(), parameter.lowest(), parameter.highest());
+        const double there = besideState(parameter, states[i], side);
         Scene state = all[i];
         parameter.set(state, there);
         all.push_back(std::move(state));

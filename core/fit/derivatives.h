@@ -34,8 +34,8 @@ class VariedParameter {
   double coordinate(double value) const;
   double lowest() const { return coordinate(low_); }
   double highest() const { return coordinate(high_); }
-  /// Returns the step of a difference to each side: a thousandth of the value, or of the range of a
-  /// linear slider. Central differences are then accurate to about 1e-6.
+  /// Returns the longest step of a difference to each side: a thousandth of the value, or of the
+  /// range of a linear slider. Central differences are then accurate to about 1e-6.
   double step() const { return step_; }
 
   double valueIn(const Scene& scene) const;  // the value in a scene
@@ -68,7 +68,9 @@ struct FrictionWithDerivatives {
 
 /// Slides `states` with the parameters at their own values and at a step to each side of them;
 /// where a limit is nearer than a step, to the other side only. Beyond the limits derivatives are
-/// 0.
+/// 0. A step of a temperature, or of what shifts the times with it, changes the relaxation times by
+/// a thousandth at most; where the shift ends, the difference is to the other side, and 0 where a
+/// table has one temperature alone.
 FrictionWithDerivatives frictionWithDerivatives(std::span<const Scene> states,
                                                 std::span<const VariedParameter> parameters,
                                                 const StateOptions& options);

@@ -15,6 +15,7 @@
 #include "core/fit/friction_preparation.h"
 #include "core/fit/friction_roles.h"
 #include "core/fit/friction_rows.h"
+#include "core/material/temperature_shift.h"
 
 namespace asperity {
 namespace {
@@ -265,7 +266,15 @@ Scene sceneAtPoint(const MeasuredPoint& point, const Scene& scene) {
     at.load.kind = LoadKind::Pressure;
     at.load.nominalPressure = point.nominalPressure;
   }
-  if (!std::isnan(point.temperature)) at.elastomer.temperature = point.temperature;
+  if (!std::isnan(point.temperature)) {
+    at.elastomer.temperature = point.temperature;
+    try {
+      temperatureShift(at.elastomer);
+    } catch (const InputError& error) {
+      throw InputError("", error.key(),
+                       message("row {} of the measured friction: {}", point.row, error.message()));
+    }
+  }
   return at;
 }
 

@@ -55,7 +55,8 @@ InputError missingFrictionData();
 bool isFrictionTable(std::string_view bytes);
 
 /// Returns the scene at a measured point: in steady sliding at its velocity, with the force,
-/// pressure and temperature of the table.
+/// pressure and temperature of the table. Throws InputError with the row where the scene's
+/// elastomer has no shift at this temperature.
 Scene sceneAtPoint(const MeasuredPoint& point, const Scene& scene);
 
 }  // namespace asperity

@@ -144,14 +144,17 @@ SpectralDensity BandPowers::density() const {
     }
   }
   // Between the centres of two bands the density is a power law, so a band of a steep spectrum gets
-  // another power than it has. One step of correction returns it.
-  std::vector<double> factor(bands(), 1.0);
-  for (std::size_t j = 0; j < bands(); ++j) {
-    const double its = 2 * (density.integralTo(to(j)) - density.integralTo(from(j)));
-    if (its > 0) factor[j] = power[j] / its;
+  // another power than it has. A few steps of correction return it.
+  constexpr int kCorrections = 3;
+  for (int step = 0; step < kCorrections; ++step) {
+    std::vector<double> factor(bands(), 1.0);
+    for (std::size_t j = 0; j < bands(); ++j) {
+      const double its = 2 * (density.integralTo(to(j)) - density.integralTo(from(j)));
+      if (its > 0) factor[j] = power[j] / its;
+    }
+    for (std::size_t i = 0; i < density.density.size(); ++i)
+      density.density[i] *= factor[std::clamp<std::size_t>(i, 1, bands()) - 1];
   }
-  for (std::size_t i = 0; i < density.density.size(); ++i)
-    density.density[i] *= factor[std::clamp<std::size_t>(i, 1, bands()) - 1];
   const double whole = 2 * density.integral();
   if (whole > 0)
     for (double& value : density.density) value *= total() / whole;

@@ -267,10 +267,21 @@ const Parameter* findParameter(std::string_view key) {
 
 const Parameter& knownParameter(std::string_view key) {
   if (const Parameter* row = findParameter(key)) return *row;
-  const std::string_view nearest = nearestKey(key);
-  throw InputError("", shortened(key),
-                   nearest.empty() ? Message("unknown key; 'asperity help check' lists all")
-                                   : message("unknown key; the nearest known one is {}", nearest));
+  throw unknownKey(key, nearestKey(key));
+}
+
+InputError unknownKey(std::string_view key, std::string_view nearest) {
+  return {"", shortened(key),
+          nearest.empty() ? Message("unknown key; 'asperity help check' lists all")
+                          : message("unknown key; the nearest known one is {}", nearest)};
+}
+
+std::string_view nearestSection(std::string_view name) {
+  std::vector<std::string_view> sections;
+  for (const Parameter& row : kTable)
+    for (std::size_t dot = row.key.find('.'); dot != row.key.npos; dot = row.key.find('.', dot + 1))
+      sections.push_back(row.key.substr(0, dot));
+  return nearestWord(name.substr(0, 100), sections);
 }
 
 std::string_view nearestKey(std::string_view key) {

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <variant>
 
+#include "core/base/input_error.h"
 #include "core/base/message.h"
 #include "core/base/units.h"
 #include "core/scene/scene.h"
@@ -114,6 +115,13 @@ const Parameter* findParameter(std::string_view key);
 
 /// Returns the row of a key. Throws InputError with the nearest known key where there is none.
 const Parameter& knownParameter(std::string_view key);
+
+/// Returns the error that tells of an unknown key and of the known one that may be meant, if any.
+InputError unknownKey(std::string_view key, std::string_view nearest);
+
+/// Returns the name of the section ("surface", "elastomer.shift") that is spelled most like a name,
+/// or an empty text.
+std::string_view nearestSection(std::string_view name);
 
 /// Returns the row of a number. Throws InputError with the key where it is unknown or no number.
 const Parameter& numberRow(std::string_view key);

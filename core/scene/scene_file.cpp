@@ -67,6 +67,13 @@ bool isSection(const std::string& name) {
                              [&](const Parameter& row) { return row.key.starts_with(start); });
 }
 
+/// Returns the value of a key. Only sections are objects, so an object under another name is a
+/// section with a mistake in its name.
+Assignment assignmentFrom(const std::string& key, const Json& value) {
+  if (value.is_object() && !findParameter(key)) throw unknownKey(key, nearestSection(key));
+  return {key, valueFrom(key, value)};
+}
+
 void flattenSection(const std::string& section, const Json& members,
                     std::vector<Assignment>& assignments) {
   if (!members.is_object()) throw InputError("", section, "needs an object of keys");
@@ -75,7 +82,7 @@ void flattenSection(const std::string& section, const Json& members,
     if (isSection(key))
       flattenSection(key, inner, assignments);
     else
-      assignments.push_back({key, valueFrom(key, inner)});
+      assignments.push_back(assignmentFrom(key, inner));
   }
 }
 
@@ -91,7 +98,7 @@ std::vector<Assignment> flatten(const Json& root) {
       throw InputError("", shortened(name),
                        "a key of a section stands inside its section's object");
     } else {
-      assignments.push_back({name, valueFrom(name, value)});
+      assignments.push_back(assignmentFrom(name, value));
     }
   }
   return assignments;

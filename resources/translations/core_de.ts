@@ -5147,6 +5147,10 @@
         <translation>%1 K liegt außerhalb der Verschiebungstabelle, %2 bis %3 K</translation>
     </message>
     <message>
+        <source>row %1 of the measured friction: %2</source>
+        <translation>Zeile %1 der gemessenen Reibung: %2</translation>
+    </message>
+    <message>
         <source>has %1 rows; allowed is %2</source>
         <translation>hat %1 Zeilen; erlaubt ist %2</translation>
     </message>

@@ -108,6 +108,28 @@ TEST(TargetCurve, RefinesAGivenLine) {
   }
 }
 
+/// Few points put the crests of three equal waves at three heights, so that one of them carries a
+/// light load alone. The friction of one wave under a third of the load is that of all three.
+TEST(TargetCurve, LetsAllWavesOfASineCarryTheLoad) {
+  Scene one = sineScene(0.05);
+  one.surface.elements = 16;
+  one.surface.waves = 1;
+  one.sweep = {10, 1000, 3};
+  for (const double force : {1e-7, 2e-6, 1e-3}) {
+    one.load.normalForce = force;
+    Scene three = one;
+    three.surface.length *= 3;
+    three.surface.waves = 3;
+    three.load.normalForce *= 3;
+    const TargetCurve expected = targetCurve(one), found = targetCurve(three);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double within = 0.06 * expected.curve.points[i].mu;
+      if (found.curve.isTargetMet)
+        EXPECT_NEAR(found.curve.points[i].mu, expected.curve.points[i].mu, within) << force;
+    }
+  }
+}
+
 /// "Met" is what the stated error says, with no allowance: what can be had at best is found with a
 /// target that cannot be met, and asked for with a little more and a little less.
 TEST(TargetCurve, TheTargetIsMetWhereTheErrorIsWithin) {

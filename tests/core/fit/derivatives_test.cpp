@@ -61,6 +61,50 @@ TEST(Sensitivities, LeaveOutWhatIsSwitchedOffAndWhatChangesNothing) {
   EXPECT_TRUE(of.contains("surface.hurst"));
 }
 
+/// mu depends on v a_T alone: the exponent of temperature is that of velocity times d ln a_T / d ln
+/// T, however fast a_T changes and the exponent with it.
+TEST(Sensitivities, OfTemperatureAreThoseOfTheShiftedVelocity) {
+  for (const double velocity : {1e-6, 0.02, 0.5, 2.0}) {
+    Scene scene = smallScene();
+    scene.sliding.velocity = velocity;
+    const TemperatureShift& shift = scene.elastomer.shift;
+    scene.elastomer.temperature = shift.referenceTemperature;
+    const double exponentOfShift = -shift.c1 * std::log(10.0) / shift.c2;  // d ln a_T / dT
+    const auto of = byKey(sensitivities(scene));
+    const double expected = of.at("sliding.velocity").slope.value;
+    for (const std::string_view key :
+         {"elastomer.temperature", "elastomer.shift.reference_temperature"}) {
+      const Sensitivity& one = of.at(key);
+      const double found =
+          one.isLogarithmic ? one.slope.value / scene.elastomer.temperature : one.slope.value;
+      EXPECT_NEAR(std::abs(found / exponentOfShift), std::abs(expected), 1e-5)
+          << key << " at " << velocity;
+    }
+  }
+}
+
+/// At the last temperature of a table there is a shift on one side alone, and with one temperature
+/// on none.
+TEST(Sensitivities, DoNotLeaveTheTableOfShifts) {
+  Scene scene = smallScene();
+  TemperatureShift& shift = scene.elastomer.shift;
+  shift.kind = ShiftKind::Table;
+  shift.table = {{280, 1.0}, {300, 0.0}};
+  for (const double temperature : {280.0, 280.1, 290.0, 299.9999, 300.0}) {
+    scene.elastomer.temperature = temperature;
+    const auto of = byKey(sensitivities(scene));
+    const double expected = -of.at("sliding.velocity").slope.value * std::log(10.0) / 20;
+    const Sensitivity& one = of.at("elastomer.temperature");
+    const double found = one.isLogarithmic ? one.slope.value / temperature : one.slope.value;
+    EXPECT_NEAR(found / expected, 1, 2e-3) << temperature;
+  }
+  shift.table = {{300, 0.0}};
+  scene.elastomer.temperature = 300;
+  const auto of = byKey(sensitivities(scene));
+  EXPECT_FALSE(of.contains("elastomer.temperature"));
+  EXPECT_TRUE(of.contains("sliding.velocity"));
+}
+
 /// The error is that of the lines: with four times as many it is half as large.
 TEST(Sensitivities, HaveTheErrorOfTheMeanOverTheLines) {
   Scene few = smallScene(), many = few;

@@ -318,6 +318,23 @@ TEST(Fit, SaysWhereTimesAreShiftedByGeneralConstants) {
 
 /// Friction depends on F_N / G alone: without loads in the data both are open, and their ratio is
 /// what they determine.
+/// A temperature that is fitted stays within the table of shifts, also where it begins at its end.
+TEST(Fit, FindsATemperatureWithinItsTable) {
+  Scene scene = sceneOfSize(kElements, kVelocities, 12);
+  scene.sweep.velocityFrom = 1e-4;
+  scene.sweep.velocityTo = 0.01;
+  scene.elastomer.shift.kind = ShiftKind::Table;
+  scene.elastomer.shift.table = {{280, 1.0}, {290, 0.5}, {300, 0.0}};
+  scene.elastomer.temperature = 286;
+  const FrictionData data = noisy(frictionCurve(scene, {}).points, 5);
+  for (const double begin : {280.0, 290.0, 300.0}) {
+    scene.elastomer.temperature = begin;
+    const std::vector<VariedParameter> varied{{"elastomer.temperature", scene}};
+    const Fit fit = fitFriction(scene, {&data, 1}, varied, withoutProfiles());
+    EXPECT_NEAR(fit.parameters.front().value, 286, 1) << begin;
+  }
+}
+
 TEST(Fit, SaysThatForceAndModulusAreDeterminedByTheirRatioAlone) {
   FrictionData data = noisy(exactFriction(truth(), 1e-4, 1e3), 5);
   for (MeasuredPoint& point : data.points) point.velocityError = kNotApplicable;

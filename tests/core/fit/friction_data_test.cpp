@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "tests/core/error_from.h"
 #include "tests/core/fit/friction_texts.h"
 
 namespace asperity {
@@ -304,6 +305,23 @@ TEST(FrictionData, AStateHasTheValuesOfItsPoint) {
   point.nominalPressure = 2e5;
   EXPECT_EQ(sceneAtPoint(point, scene).load.kind, LoadKind::Pressure);
   EXPECT_EQ(sceneAtPoint(point, scene).load.nominalPressure, 2e5);
+}
+
+/// A temperature that no shift reaches is that of a row, not one that the scene states.
+TEST(FrictionData, NamesTheRowWhoseTemperatureHasNoShift) {
+  Scene scene;
+  scene.elastomer.shift.kind = ShiftKind::Table;
+  scene.elastomer.shift.table = {{280, 1.0}, {300, 0.0}};
+  scene.elastomer.temperature = 290;
+  MeasuredPoint point;
+  point.velocity = 0.3;
+  point.temperature = 333.15;
+  point.row = 4;
+  EXPECT_EQ(errorFrom([&] { sceneAtPoint(point, scene); }),
+            "elastomer.temperature: row 4 of the measured friction: 333.15 K is outside the shift "
+            "table, 280 to 300 K");
+  point.temperature = 300;
+  EXPECT_EQ(sceneAtPoint(point, scene).elastomer.temperature, 300);
 }
 
 /// Blanks separate the numbers and stand within the names, too.

@@ -224,7 +224,7 @@ TEST(Bands, HaveADensityWithTheirPowers) {
     EXPECT_NEAR(2 * density.integral() / bands.total(), 1, 1e-12);
     for (std::size_t j = 0; j < bands.bands(); ++j) {
       const double its = 2 * (density.integralTo(bands.to(j)) - density.integralTo(bands.from(j)));
-      EXPECT_NEAR(its / bands.power[j], 1, 0.03) << exponent << ", band " << j;
+      EXPECT_NEAR(its / bands.power[j], 1, 0.01) << exponent << ", band " << j;
     }
   }
 }

@@ -140,6 +140,10 @@ TEST(SceneFile, ErrorsNameFileKeyAndWhatIsAllowed) {
   EXPECT_THAT(errorOf(R"({"surface":{"hurst":[1]}})"), HasSubstr("a list is not allowed here"));
   EXPECT_THAT(errorOf(R"({"surface":3})"), HasSubstr("s.json: surface: needs an object"));
   EXPECT_THAT(errorOf(R"({"surfce":{}})"), HasSubstr("s.json: surfce: unknown key"));
+  EXPECT_EQ(errorOf(R"({"surfce":{"hurst":0.5}})"),
+            "s.json: surfce: unknown key; the nearest known one is surface");
+  EXPECT_EQ(errorOf(R"({"elastomer":{"shft":{"c1":1}}})"),
+            "s.json: elastomer.shft: unknown key; the nearest known one is elastomer.shift");
   EXPECT_THAT(errorOf(R"({"hurst":0.5})"), HasSubstr("nearest known one is surface.hurst"));
   EXPECT_THAT(errorOf(R"({"surface.hurst":0.5})"), HasSubstr("inside its section's object"));
   EXPECT_THAT(errorOf(R"({"schema":"asperity-scene/2"})"), HasSubstr("is not asperity-scene/1"));
