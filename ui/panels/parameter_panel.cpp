@@ -193,6 +193,7 @@ bool ParameterPanel::showsAll() const {
 void ParameterPanel::setRowAccess(const std::map<std::string, RowAccess>& access) {
   rows_->setAccess(access);
   arrange();
+  updateWidth();
 }
 
 /// Returns the row that the user works with: the one that is held, that has the focus, or that is
@@ -366,11 +367,14 @@ void ParameterPanel::changeEvent(QEvent* event) {
 }
 
 /// Keeps the panel wide enough that rows are never cut at the side, also with a large font. The
-/// width depends on the rows that the scene has, not on which of them are visible.
+/// width depends on the rows that the scene has, not on which of them are visible. While some are
+/// hidden from the user the scenes of a lesson change from step to step, and only a row that would
+/// be cut moves the views beside the panel.
 void ParameterPanel::updateWidth() {
-  const int least = std::max(
+  int least = std::max(
       {kMinWidth, rows_->neededWidth(scene_) + scroll_->verticalScrollBar()->sizeHint().width(),
        bar_ ? bar_->minimumSizeHint().width() : 0});
+  if (rows_->limitsAccess()) least = std::max(least, minimumWidth());
   if (least == minimumWidth()) return;
   setMinimumWidth(least);
   const int enough = std::max(least, chosenWidth_);

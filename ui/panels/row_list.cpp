@@ -158,8 +158,7 @@ int RowList::neededWidth(const Scene& scene) const {
   int width = 0;
   for (const ParameterRow* row : rows_)
     // minimumSizeHint() would also lay out all texts to know the height at this width.
-    if (isApplicable(row->parameter(), scene))
-      width = std::max(width, row->layout()->minimumSize().width());
+    if (mayBeVisible(*row, scene)) width = std::max(width, row->layout()->minimumSize().width());
   return width + margins.left() + margins.right();
 }
 

@@ -68,6 +68,7 @@ class RowList : public QWidget {
 
   /// Sets what a user may do with rows; see ParameterPanel::setRowAccess().
   void setAccess(const std::map<std::string, RowAccess>& access);
+  bool limitsAccess() const { return !access_.empty(); }
 
   /// Names of the folded groups.
   QStringList folded() const;
@@ -80,7 +81,8 @@ class RowList : public QWidget {
   /// Sets all texts.
   void showTexts();
 
-  /// Returns the width that the rows of a scene need, whether they are visible or not, in pixels.
+  /// Returns the width in pixels that the rows of a scene need, whether they are visible or not,
+  /// but for those that the user has no access to.
   int neededWidth(const Scene& scene) const;
 
  signals:

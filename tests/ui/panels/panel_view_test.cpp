@@ -333,6 +333,24 @@ TEST_F(PanelViewTest, AWideRowOfOneSceneDoesNotWidenTheNext) {
   EXPECT_EQ(released.front().front().toInt(), before);
 }
 
+/// Steps of a lesson have scenes with other rows, which it does not show.
+TEST_F(PanelViewTest, ALessonDoesNotMoveTheViewsForRowsThatItHides) {
+  const Scene plain = panel_.scene();
+  QTest::qWait(1);
+  const int before = panel_.minimumWidth();
+  Scene wide = plain;
+  wide.elastomer.rheology = Rheology::Prony;
+  for (int i = 0; i < 20; ++i) wide.elastomer.arms.push_back({1e6, 1.23e-6 * std::pow(4.0, i)});
+  panel_.setRowAccess({{"*", RowAccess::Hidden}, {"sliding.velocity", RowAccess::Free}});
+  for (const Scene& scene : {wide, plain, wide}) {
+    panel_.setScene(scene);
+    QTest::qWait(1);
+    EXPECT_EQ(panel_.minimumWidth(), before);
+  }
+  panel_.setRowAccess({});
+  EXPECT_TRUE(QTest::qWaitFor([&] { return panel_.minimumWidth() > before; }));
+}
+
 TEST_F(PanelViewTest, ARowIsRevealedWhereverItIs) {
   panel_.reveal("accuracy.scheme");
   EXPECT_TRUE(hasRow("accuracy.scheme"));

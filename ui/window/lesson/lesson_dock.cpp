@@ -100,6 +100,7 @@ void LessonDock::begin() {
   parameters_.show();
   show();
   window_.resizeDocks({this, &parameters_}, {kDefaultHeight, kParametersHeight}, Qt::Vertical);
+  isBeginning_ = true;
 }
 
 void LessonDock::shareHeightSoon() {
@@ -124,8 +125,8 @@ bool LessonDock::eventFilter(QObject* watched, QEvent* event) {
 /// Moves the border between the pane and the parameters where one of them has to be scrolled while
 /// the other has room. Where both have to be, the parameters are shown whole if the pane can give
 /// the height: the text may tell the student to move one of them. Elsewhere the border stays, and
-/// with it the buttons: where it moves for the text, it leaves the parameters no more than the next
-/// steps are likely to need, so that it need not move again.
+/// with it the buttons: at the beginning, and where it moves for the text, it leaves the parameters
+/// no more than the next steps are likely to need, so that it need not move again.
 void LessonDock::shareHeight(int corrections) {
   const auto* text = pane_->findChild<QScrollArea*>();
   if (isHidden() || !parameters_.isVisible() || !text) return;
@@ -134,10 +135,10 @@ void LessonDock::shareHeight(int corrections) {
   int toRows = 0;
   if (hiddenRows > 0) {
     toRows = hiddenRows <= most ? hiddenRows : std::clamp(-hiddenText, 0, most);
-  } else if (hiddenText > 0) {
+  } else if (std::exchange(isBeginning_, false) || hiddenText > 0) {
     const int room = -hiddenRows, needed = std::min(hiddenText, room);
     const int kept = std::max(0, kUsualRows - neededHeight(*rows_));
-    toRows = -std::max(needed, room - kept);
+    toRows = -std::max({0, needed, room - kept});
   }
   if (toRows == 0) return;
   window_.resizeDocks({this, &parameters_}, {height() - toRows, parameters_.height() + toRows},

@@ -50,6 +50,7 @@ class LessonDock : public QDockWidget {
   QToolButton *keep_, *close_;
   QScrollArea* rows_;   // of the parameters, which belong to the panel
   int rowsHeight_ = 0;  // pixels that the rows need
+  bool isBeginning_ = false;
 };
 
 }  // namespace asperity
