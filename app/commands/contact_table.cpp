@@ -59,6 +59,8 @@ Json tableAnswer(const Scene& scene, const RenderCommand& command, const Frame& 
   answer["table"] = tableName(command);
   answer["time"] = frame.time;
   answer["derived"] = derivedNumbers(frame);
+  if (const std::optional<Message> warning = coarsePointsNote(frame))
+    answer["warning"] = warning->english();
   answer["rows"] = columns.select(tableJson(table));
   return answer;
 }
@@ -96,11 +98,13 @@ int runContactTable(const RenderCommand& command) {
   else if (!command.common.json)
     fmt::print("{}", csvText(scene, command, table, columns));
   if (command.common.json) fmt::print("{}", json);
-  const std::string facts = factLines(reading);
+  std::string lines = factLines(reading);
+  if (const std::optional<Message> warning = coarsePointsNote(frame))
+    lines += translated(*warning) + "\n";
   const bool isPrinted = command.output == "-";
   printSummary(command.common,
-               isPrinted ? facts
-                         : filledLine(Words::tr("%1 rows"), table.rows.size()) + facts +
+               isPrinted ? lines
+                         : filledLine(Words::tr("%1 rows"), table.rows.size()) + lines +
                                wroteLine(command.output),
                isPrinted);
   return kDone;

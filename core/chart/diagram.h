@@ -78,8 +78,8 @@ struct DiagramSeries {
   /// Position on the colour ramp, 0 to 1, instead of a distinct colour; NaN: not on the ramp.
   double ramp = std::numeric_limits<double>::quiet_NaN();
   std::vector<DiagramPoint> points{};
-  int id = -1;                            // identifies the series under the pointer; -1: none
-  bool isFaded = false;                   // belongs to an earlier state
+  int id = -1;                         // identifies the series under the pointer; -1: none
+  bool isFaded = false;                // belongs to an earlier state
   std::optional<std::uint32_t> rgb{};  // 0xRRGGBB, instead of a palette's colour
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/json_text.h"
+#include "core/base/number_text.h"
 #include "core/contact/steady_sliding.h"
 #include "core/scene/columns.h"
 
@@ -25,7 +26,7 @@ double valueAt(const Frame& frame, const std::vector<double>& field, std::size_t
   return field.size() == frame.pressure.size() ? field[i] : kNotApplicable;
 }
 
-/// Calls `use` with each point of a interval.
+/// Calls `use` with each point of an interval.
 template <class Use>
 void forEachPoint(const Frame& frame, const ContactInterval& interval, const Use& use) {
   const std::size_t n = frame.pressure.size();
@@ -166,6 +167,17 @@ DataTable powerTable(const Frame& frame) {
                        "power_dissipated", "power_difference"}),
           {{frame.velocity, balance.in, balance.contact, balance.free, balance.interface,
             balance.dissipated(), balance.in - balance.dissipated()}}};
+}
+
+std::optional<Message> coarsePointsNote(const Frame& frame) {
+  constexpr double kMaxDeviation = 0.05;
+  const double part = normalForce(frame.pressure, frame.spacing) / frame.normalForce;
+  if (!(std::abs(part - 1) > kMaxDeviation)) return std::nullopt;
+  return message(
+      "the loads of the points add up to {} of the normal force, because contacts are hardly "
+      "longer "
+      "than the distance between points; a larger accuracy.oversampling has more points",
+      printedPercent(part));
 }
 
 Json derivedNumbers(const Frame& frame) {

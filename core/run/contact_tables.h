@@ -6,8 +6,10 @@
 
 #include <cstddef>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <vector>
 
+#include "core/base/message.h"
 #include "core/run/frame.h"
 #include "core/scene/data_table.h"
 
@@ -48,6 +50,10 @@ DataTable gapsTable(const Frame& frame);
 /// power_difference. In steady sliding the difference is the error of the points; in a motion also
 /// what the springs take up.
 DataTable powerTable(const Frame& frame);
+
+/// Returns a note where the loads of the points add up to a force that differs from the normal force
+/// by more than a twentieth, because contacts are shorter than a few spacings; else empty.
+std::optional<Message> coarsePointsNote(const Frame& frame);
 
 /// Numbers that follow from the frame and that a person reads off the picture: forces, contacts and
 /// gaps, loads, power, of the line, SI.

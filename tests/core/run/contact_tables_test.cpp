@@ -53,6 +53,20 @@ TEST(ContactTables, ForcesOfContactsAddUpToThoseOfTheLine) {
   }
 }
 
+/// At 30 m/s contacts are shorter than an element: points between the elements find their load.
+TEST(ContactTables, PointsThatMissTheLoadAreNamed) {
+  EXPECT_FALSE(coarsePointsNote(frameOf()));
+  const auto noteAt = [](std::int64_t oversampling) {
+    return coarsePointsNote(frameOf([oversampling](Scene& scene) {
+      scene.sliding.velocity = 30;
+      scene.load.normalForce = 0.0034;
+      scene.accuracy.oversampling = oversampling;
+    }));
+  };
+  EXPECT_TRUE(noteAt(1));
+  EXPECT_FALSE(noteAt(64));
+}
+
 TEST(ContactTables, GapsAreTheDistanceBetweenLineAndSurface) {
   const Frame frame = frameOf();
   const DataTable shape = shapeTable(frame), gaps = gapsTable(frame);
