@@ -191,8 +191,9 @@ class Rendering {
   /// Throws for options of a part of the picture that the layout does not have.
   void checkParts() const {
     const auto refuse = [&](const char* option, const char* part) {
-      throw InputError("", option,
-                       message("is of {}, which --layout {} does not show", part, command_.layout));
+      throw InputError(
+          "", option,
+          message("applies only to {}, which --layout {} does not show", part, command_.layout));
     };
     if (layout_ == PictureLayout::Curve) {
       if (!command_.overlay.empty()) refuse("--overlay", "the contact");
@@ -204,8 +205,9 @@ class Rendering {
     if (!showsCurve())
       if (const char* option = command_.curves.firstOption()) refuse(option, "the curve");
     if (layout_ == PictureLayout::Contact)
-      refuseChartOptions(command_.picture,
-                         message("is of charts, which --layout {} does not show", command_.layout));
+      refuseChartOptions(
+          command_.picture,
+          message("applies only to charts, which --layout {} does not show", command_.layout));
   }
 
   void checkLayout() const {

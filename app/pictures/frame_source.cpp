@@ -117,7 +117,7 @@ FramePlan planFrames(const Scene& scene, double length, const TimeArguments& arg
 
 FrameSource::FrameSource(const Scene& scene, const TimeArguments& arguments, bool single,
                          const FrameFields& fields, double visibleLength)
-    : arguments_(arguments), velocity_(scene.sliding.velocity), duration_(scene.sliding.duration) {
+    : arguments_(arguments), sliding_(scene.sliding) {
   const auto shared = std::make_shared<const Scene>(scene);
   if (scene.sliding.kind == SlidingKind::Steady)
     steady_.emplace(shared, fields, visibleLength);
@@ -126,7 +126,13 @@ FrameSource::FrameSource(const Scene& scene, const TimeArguments& arguments, boo
         .emplace(shared, 0,
                  single ? Simulation::kStepsPerFrame : std::numeric_limits<double>::infinity())
         .requestFields(fields);
-  length_ = steady_ ? steady_->length() : motion_->frame().length;
+  if (steady_) {
+    length_ = steady_->length();
+  } else {
+    const Frame first = motion_->frame();
+    length_ = first.length;
+    spacing_ = first.spacing;
+  }
   checkMoment(scene, arguments, length_, single);
   plan_ = planFrames(scene, length_, arguments, single);
 }
@@ -135,7 +141,7 @@ Frame FrameSource::steadyFrame(std::int64_t index) const {
   if (!arguments_.at && !arguments_.slid)
     return steady_->frameAt(static_cast<double>(index) * plan_.periodsPerFrame, plan_.timeScale,
                             static_cast<std::uint64_t>(index));
-  const double slid = arguments_.slid ? *arguments_.slid : *arguments_.at * velocity_;
+  const double slid = arguments_.slid ? *arguments_.slid : *arguments_.at * sliding_.velocity;
   Frame frame = steady_->frameAt(slid / steady_->length(), 0, 0);
   frame.distance = slid;  // exact to the last digit
   if (arguments_.at) frame.time = *arguments_.at;
@@ -144,8 +150,8 @@ Frame FrameSource::steadyFrame(std::int64_t index) const {
 
 /// Returns the frame of a motion at the present time, as the window shows it.
 Frame FrameSource::momentFrame() {
-  const RunnerOptions window;
-  motion_->advanceTo(arguments_.at.value_or(duration_), window.partPerFrame(),
+  const RunnerOptions window{.secondsPerPeriod = usualPace(sliding_, spacing_)};
+  motion_->advanceTo(arguments_.at.value_or(sliding_.duration), window.partPerFrame(),
                      window.secondsPerFrame());
   Frame frame = motion_->frame();
   frame.timeScale = 0;
@@ -162,8 +168,8 @@ Frame FrameSource::frame(std::int64_t index) {
     // Whole steps end before the part does; the next part makes up for it.
     ++advanced_;
     motion_->advanceTo(
-        duration_ * static_cast<double>(advanced_) / static_cast<double>(intervals * parts), 1,
-        1 / plan_.framesPerSecond);
+        sliding_.duration * static_cast<double>(advanced_) / static_cast<double>(intervals * parts),
+        1, 1 / plan_.framesPerSecond);
   }
   Frame frame = motion_->frame();
   frame.timeScale = plan_.timeScale;

@@ -50,12 +50,12 @@ class FrameSource {
   Frame momentFrame();
 
   TimeArguments arguments_;
-  double velocity_ = 0;  // m/s, in steady sliding
+  Sliding sliding_;
   double length_ = 0;
+  double spacing_ = 0;  // m, of the nodes of a motion
   std::optional<SteadyFrames> steady_;
   std::optional<Simulation> motion_;
   FramePlan plan_;
-  double duration_;  // s, of a motion
   std::int64_t advanced_ = 0;
 };
 

@@ -174,7 +174,7 @@ std::optional<Message> coarsePointsNote(const Frame& frame) {
   const double part = normalForce(frame.pressure, frame.spacing) / frame.normalForce;
   if (!(std::abs(part - 1) > kMaxDeviation)) return std::nullopt;
   return message(
-      "the loads of the points add up to {} of the normal force, because contacts are hardly "
+      "the loads of the points add up to {} % of the normal force, because contacts are hardly "
       "longer "
       "than the distance between points; a larger accuracy.oversampling has more points",
       printedPercent(part));

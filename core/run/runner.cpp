@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <condition_variable>
 #include <mutex>
 #include <optional>
@@ -13,9 +14,23 @@
 #include "core/accuracy/target_curve.h"
 #include "core/base/input_error.h"
 #include "core/run/simulation.h"
+#include "core/scene/motion.h"
 #include "core/scene/sweep.h"
 
 namespace asperity {
+
+double usualPace(const Sliding& sliding, double spacing) {
+  if (sliding.kind == SlidingKind::Steady) return kDefaultPace;
+  const Motion motion(sliding);
+  double step = motion.longestStep();
+  // Where the velocity jumps, the longer steps decide: of the shorter ones a frame shows more.
+  if (spacing > 0)
+    step = std::max(motion.stepAt(0, spacing, step), motion.stepAt(motion.jump(), spacing, step));
+  const RunnerOptions usual;
+  const double steps = sliding.duration / step;
+  const double stepsPerFrame = std::max(1.0, std::round(steps * usual.partPerFrame()));
+  return steps / stepsPerFrame * usual.secondsPerFrame();
+}
 
 void CurveRequests::post(const PostedScene& scene) {
   const bool isSame = requested_.scene &&

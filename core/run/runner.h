@@ -106,6 +106,12 @@ struct RunnerOptions {
   double partPerFrame() const { return secondsPerFrame() / secondsPerPeriod; }
 };
 
+/// Returns the pace of a scene until a user chooses another one: the default pace, or, of a motion,
+/// the nearest one at which each frame shows the same number of its steps. Other paces would repeat
+/// frames, because the contact is known at whole steps alone. spacing: of the line's nodes (m); 0:
+/// not known yet.
+double usualPace(const Sliding& sliding, double spacing);
+
 class Runner {
  public:
   explicit Runner(RunnerOptions options = {});

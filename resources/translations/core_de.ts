@@ -3479,8 +3479,8 @@
         <translation>%1 ist keine Einheit von %2; erlaubt ist %3, auch mit mm, µm oder nm</translation>
     </message>
     <message>
-        <source>the loads of the points add up to %1 of the normal force, because contacts are hardly longer than the distance between points; a larger accuracy.oversampling has more points</source>
-        <translation>die Lasten der Punkte ergeben zusammen %1 der Normalkraft, weil Kontakte kaum länger sind als der Abstand der Punkte; ein größeres accuracy.oversampling hat mehr Punkte</translation>
+        <source>the loads of the points add up to %1 % of the normal force, because contacts are hardly longer than the distance between points; a larger accuracy.oversampling has more points</source>
+        <translation>die Lasten der Punkte ergeben zusammen %1 % der Normalkraft, weil Kontakte kaum länger sind als der Abstand der Punkte; ein größeres accuracy.oversampling hat mehr Punkte</translation>
     </message>
     <message>
         <source>line %1: %2</source>

@@ -105,7 +105,7 @@ TEST_F(CommandLineTest, OutputsThatCannotBeAreRefusedBeforeAnyWork) {
   expectRefused("curve s.json -o /dev/full", 2, "not a plain file");
   expectRefused("surface s.json -o a.txt", 2, "is not one of");
   expectRefused("render s.json -o a.jpg", 2, "neither a folder nor a .png, .svg, .pdf");
-  expectRefused("render s.json -o s.json/x", 2, "cannot be made one");
+  expectRefused("render s.json -o s.json/x", 2, "cannot be created");
 }
 
 TEST_F(CommandLineTest, AFullDiskIsExitOneAndLeavesNoPart) {

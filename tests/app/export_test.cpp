@@ -124,7 +124,7 @@ TEST_F(ExportTest, FilmsAreWholeHoldTheirSceneAndRepeatTheirBytes) {
 }
 
 TEST_F(ExportTest, TransparentFilms) {
-  expectRefused("render s.json -o a.mp4 --transparent", 2, "mp4 knows no transparency");
+  expectRefused("render s.json -o a.mp4 --transparent", 2, "mp4 does not support transparency");
   run(std::string("render s.json -o a.webp --transparent --frames 2") + kSmall);
   EXPECT_THAT(other("identify -format '%[pixel:p{0,0}]' 'a.webp[0]'"), HasSubstr(",0)"));
 }
@@ -289,7 +289,7 @@ TEST_F(ExportTest, LayoutsAndMotions) {
   run(std::string("render s.json -o both.png --layout both --size 640x600"));
   run(std::string("render s.json -o curve.svg --layout curve"));
   expectRefused("render s.json -o t.png --layout transient", 2, "sliding.kind: is steady");
-  expectRefused("render s.json -o c.gif --layout curve", 2, "curve does not move");
+  expectRefused("render s.json -o c.gif --layout curve", 2, "curve cannot be a film");
   const std::string start = " --set sliding.kind=start --set sliding.duration=0.02";
   run("render s.json -o t.gif --frames 3 --layout transient --size 640x600" + start);
   run("render s.json -o b.svg --layout both" + start);

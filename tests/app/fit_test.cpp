@@ -72,7 +72,7 @@ TEST_F(FitCommandTest, SaysWhatItsNumbersMean) {
   const auto ran = program.run("fit s.json --data bare.csv --vary surface.rms_height -o out");
   ASSERT_EQ(ran.status, 0) << ran.err;
   // No height follows these points: a range of it says nothing.
-  EXPECT_THAT(ran.out + ran.err, AllOf(HasSubstr("the ranges do not hold"),
+  EXPECT_THAT(ran.out + ran.err, AllOf(HasSubstr("the ranges are not valid"),
                                        HasSubstr("the points have no errors; they scatter by"),
                                        Not(HasSubstr("\u03C7\u00B2"))));
   EXPECT_THAT(read("out/fit.csv"), AllOf(HasSubstr("\nvelocity,normal_force,nominal_pressure,"),

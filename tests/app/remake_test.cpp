@@ -90,10 +90,10 @@ TEST_F(RemakeTest, SizesOnPaper) {
   EXPECT_EQ(side(22), 354);
   expectRefused("curve s.json -o a.png --size 5mmx5mm", 2, "160 to 16384 each are allowed");
   expectRefused("curve s.json -o a.png --size 86mmx60mm --dpi 9600", 2, "--dpi: 9600 is outside");
-  expectRefused("curve s.json -o a.png --dpi 300 --scale 2", 2, "one is enough");
+  expectRefused("curve s.json -o a.png --dpi 300 --scale 2", 2, "cannot be combined with --dpi");
   expectRefused("curve s.json -o a.csv --legend none", 2, "--legend: belongs to pictures");
   expectRefused("curve s.json -o a.png --style nothing", 2, "--style: 'nothing' is neither");
-  expectRefused("render s.json -o a.png --legend none", 2, "--legend: is of charts");
+  expectRefused("render s.json -o a.png --legend none", 2, "--legend: applies only to charts");
   expectRefused("surface s.json -o a.png --regions off", 2, "--regions: unknown option");
   expectRefused("curve s.json -o a.png --labels seven=x", 2, "--labels: 'seven' is neither");
 }

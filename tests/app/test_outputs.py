@@ -187,7 +187,7 @@ def test_columns_of_several_tables(tmp_path):
     assert columns_of(tmp_path / "f/figure_6.csv") == ["plateau"]
     made(tmp_path, "material", DMA, "--columns", "temperature,frequency", "-o", "m")
     assert columns_of(tmp_path / "m/isotherms.csv") == ["temperature", "frequency"]
-    refused(tmp_path, "figure", "2", "--columns", "plateau", "-o", "g", says="'plateau' is no column")
+    refused(tmp_path, "figure", "2", "--columns", "plateau", "-o", "g", says="'plateau' is not a column")
 
 
 def test_columns_of_fit_accuracy_and_batch(tmp_path):

@@ -115,7 +115,7 @@ TEST_F(UsageTest, WhatDoesNotGoTogetherIsSaidOfTheOption) {
   expectRefused("render s.json -o out --duration 1e6 --fps 1000", 2,
                 "asperity: --duration: 10⁹ frames are more than 10⁶");
   expectRefused("render s.json -o out --cycles 1e6", 2, "asperity: --cycles: 6×10⁷ frames");
-  expectRefused("render s.json -o a.gif --layout curve", 2, "asperity: --layout: curve does not");
+  expectRefused("render s.json -o a.gif --layout curve", 2, "asperity: --layout: curve cannot be a film");
 }
 
 /// As 1.3×10⁻⁵, not as 1.3e-05.
@@ -186,7 +186,7 @@ TEST_F(UsageTest, AKeyIsSetOrSwept) {
       "set":{"surface.hurst":0.5},"sweep":{"surface.hurst":[0.3,0.7]}}]})");
   const Said said = program.run("batch b.json -o out");
   EXPECT_EQ(said.status, 1);
-  EXPECT_THAT(said.err, testing::HasSubstr("one: surface.hurst: stands in set and in sweep"));
+  EXPECT_THAT(said.err, testing::HasSubstr("one: surface.hurst: is in set and in sweep"));
 }
 
 TEST_F(UsageTest, HelpIsAlsoAWord) {
@@ -212,7 +212,7 @@ TEST_F(UsageTest, ALinkThatLeadsNowhereIsTold) {
   for (const char* verb :
        {"curve s.json -o a.csv", "curve s.json -o a.png", "render s.json --frames 100000 -o a.mp4",
         "render s.json -o a.png", "surface s.json -o a.csv"})
-    expectRefused(verb + endless, 2, "is a link to 'gone/away', which is not there");
+    expectRefused(verb + endless, 2, "is a link to 'gone/away', which does not exist");
 }
 
 /// What stands in names, keys, values and files reaches the terminal in printable characters.

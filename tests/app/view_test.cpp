@@ -194,11 +194,11 @@ TEST_F(ViewTest, OptionsOfAnotherLayoutAreRefused) {
        {"--overlay power", "--overlay pressure", "--view 0:1e-3", "--heights 0:1", "--probe 0",
         "--exaggeration 9", "--colours-to 3", "--magnify 0", "--slid 1e-3", "--at 1e-3"})
     expectRefused(std::string("render s.json -o c.png --layout curve ") + option, 2,
-                  "is of the contact, which --layout curve does not show");
+                  "applies only to the contact, which --layout curve does not show");
   for (const char* option : {"--compare linear", "--with load.normal_force=1", "--x-range 1:2",
                              "--y-range 1:2", "--axes dimensionless"})
     expectRefused(std::string("render s.json -o c.png ") + option, 2,
-                  "is of the curve, which --layout contact does not show");
+                  "applies only to the curve, which --layout contact does not show");
 }
 
 TEST_F(ViewTest, ComparedCurvesAreInPictureAndTables) {

@@ -35,8 +35,8 @@ _SCENES = os.path.join(os.path.dirname(__file__), "scenes")
 
 def _plain(key, value):
     """A value as JSON has it: a text with a unit becomes the number in the key's SI unit."""
-    if key in _SECTIONS:
-        return value  # that a section needs an object of keys is said by the reader
+    if key in _SECTIONS or isinstance(value, Mapping):
+        return value  # what is wrong with a section or its name is said by the reader
     kind = _core.kind(key)
     if hasattr(value, "tolist"):
         value = value.tolist()

@@ -273,7 +273,7 @@ TEST(CurveDiagram, ATheoryIsDrawnForWhatItSays) {
   set.y = CurveQuantity::Indentation;
   EXPECT_EQ(curveSheet(set).diagrams.front().series.size(), 1U);
   EXPECT_THAT(curveSheet(set).note.english(),
-              testing::HasSubstr("low velocity has no line: it says nothing about this"));
+              testing::HasSubstr("low velocity is not drawn: it does not predict this"));
 }
 
 /// Measured friction over force: rows of the scene's own velocity, and a note about the others.

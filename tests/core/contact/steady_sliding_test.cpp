@@ -32,9 +32,10 @@ TEST(UnmetBalance, SaysWhereAndByHowMuch) {
 /// The balance is met, but the two ways to the force differ.
 TEST(UnmetBalance, TellsWhenDigitsRanOut) {
   SteadyResult result{.status = SteadyStatus::NotBalanced, .residual = 0};
-  EXPECT_STREQ(balanceError(result, 2).what(),
-               "contact is too short, or moduli are too far apart, for the digits that numbers "
-               "have, at velocity 2 m/s");
+  EXPECT_STREQ(
+      balanceError(result, 2).what(),
+      "contact is too short, or the moduli differ too much, for double precision, at velocity 2 "
+      "m/s");
 }
 
 /// 1e-10 is what README promises of every force balance.

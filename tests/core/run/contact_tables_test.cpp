@@ -58,6 +58,7 @@ TEST(ContactTables, PointsThatMissTheLoadAreNamed) {
   EXPECT_FALSE(coarsePointsNote(frameOf()));
   const auto noteAt = [](std::int64_t oversampling) {
     return coarsePointsNote(frameOf([oversampling](Scene& scene) {
+      scene.surface.elements = 5000;
       scene.sliding.velocity = 30;
       scene.load.normalForce = 0.0034;
       scene.accuracy.oversampling = oversampling;

@@ -119,7 +119,7 @@ TEST(SceneFile, SectionsMayStandInsideSections) {
 
 TEST(SceneFile, EffectsThatExcludeEachOtherAreRefused) {
   EXPECT_THAT(errorOf(R"({"interface":{"friction_coefficient":0.1,"shear_stress":1}})"),
-              HasSubstr("interface.shear_stress: stands beside"));
+              HasSubstr("interface.shear_stress: cannot be combined"));
   EXPECT_THAT(errorOf(R"({"elastomer":{"rheology":"prony"},"accuracy":{"scheme":"nodal"}})"),
               HasSubstr("accuracy.scheme: nodal is the paper's rule"));
 }

@@ -211,7 +211,7 @@ TEST(Sweep, AnEndThatCannotBeIsNamedWithItsReason) {
               HasSubstr("sweep.from: elastomer.temperature: "));
   EXPECT_THAT(
       errorOver("interface.friction_coefficient", "0.1", "0.5", {"interface.shear_stress=3"}),
-      HasSubstr("sweep.from: interface.shear_stress: stands beside"));
+      HasSubstr("sweep.from: interface.shear_stress: cannot be combined"));
 }
 
 TEST(Sweep, EndsBelongToTheirKey) {

@@ -17,7 +17,6 @@
 #include <utility>
 
 #include "core/run/runner.h"
-#include "core/scene/motion.h"
 #include "ui/draw/ticks.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
@@ -253,21 +252,9 @@ double TimeBar::slowMotion() const {
   return time > 0 ? pace_ / time : 0;
 }
 
-/// Returns the pace that the user chose; until then the usual one, or, of a motion, the nearest one
-/// at which each frame shows the same number of its steps. Other paces would repeat frames, because
-/// the contact is known at whole steps alone.
+/// Returns the pace that the user chose, or the usual one.
 double TimeBar::preferredPace() const {
-  if (chosen_) return *chosen_;
-  const RunnerOptions usual;
-  if (!(duration_ > 0)) return usual.secondsPerPeriod;
-  const Motion motion(scene_.sliding);
-  double step = motion.longestStep();
-  // Where the velocity jumps, the longer steps decide: of the shorter ones a frame shows more.
-  if (spacing_ > 0)
-    step = std::max(motion.stepAt(0, spacing_, step), motion.stepAt(motion.jump(), spacing_, step));
-  const double steps = duration_ / step;
-  const double stepsPerFrame = std::max(1.0, std::round(steps * usual.partPerFrame()));
-  return steps / stepsPerFrame * usual.secondsPerFrame();
+  return chosen_ ? *chosen_ : usualPace(scene_.sliding, spacing_);
 }
 
 void TimeBar::takeScene(const Scene& scene) {
