@@ -51,8 +51,8 @@ DataTable gapsTable(const Frame& frame);
 /// what the springs take up.
 DataTable powerTable(const Frame& frame);
 
-/// Returns a note where the loads of the points add up to a force that differs from the normal force
-/// by more than a twentieth, because contacts are shorter than a few spacings; else empty.
+/// Returns a note where the loads of the points add up to a force that differs from the normal
+/// force by more than a twentieth, because contacts are shorter than a few spacings; else empty.
 std::optional<Message> coarsePointsNote(const Frame& frame);
 
 /// Numbers that follow from the frame and that a person reads off the picture: forces, contacts and

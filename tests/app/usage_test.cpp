@@ -115,7 +115,8 @@ TEST_F(UsageTest, WhatDoesNotGoTogetherIsSaidOfTheOption) {
   expectRefused("render s.json -o out --duration 1e6 --fps 1000", 2,
                 "asperity: --duration: 10⁹ frames are more than 10⁶");
   expectRefused("render s.json -o out --cycles 1e6", 2, "asperity: --cycles: 6×10⁷ frames");
-  expectRefused("render s.json -o a.gif --layout curve", 2, "asperity: --layout: curve cannot be a film");
+  expectRefused("render s.json -o a.gif --layout curve", 2,
+                "asperity: --layout: curve cannot be a film");
 }
 
 /// As 1.3×10⁻⁵, not as 1.3e-05.
