@@ -26,12 +26,13 @@ Message keysToVary(const Scene& scene) {
 const Parameter& realRow(std::string_view key, const Scene& scene) {
   const Parameter& row = knownParameter(key);
   if (!std::holds_alternative<RealField>(row.field))
-    throw InputError("", std::string(key),
-                     message("is not a real number, which alone can be varied; this scene has {}",
-                             keysToVary(scene)));
+    throw InputError(
+        "", std::string(key),
+        message("is not a real number, and only these can be varied; allowed in this scene: {}",
+                keysToVary(scene)));
   if (!isApplicable(row, scene))
     throw InputError("", std::string(key),
-                     message("has no meaning in this scene, which has {}", keysToVary(scene)));
+                     message("has no meaning in this scene; allowed: {}", keysToVary(scene)));
   return row;
 }
 

@@ -207,12 +207,12 @@
         <translation>unbekannter Schlüssel</translation>
     </message>
     <message>
-        <source>is not a real number, which alone can be varied; this scene has %1</source>
-        <translation>ist keine reelle Zahl, und nur solche lassen sich variieren; diese Szene hat %1</translation>
+        <source>is not a real number, and only these can be varied; allowed in this scene: %1</source>
+        <translation>ist keine reelle Zahl, und nur solche lassen sich variieren; in dieser Szene erlaubt: %1</translation>
     </message>
     <message>
-        <source>has no meaning in this scene, which has %1</source>
-        <translation>hat in dieser Szene keine Bedeutung; sie hat %1</translation>
+        <source>has no meaning in this scene; allowed: %1</source>
+        <translation>hat in dieser Szene keine Bedeutung; erlaubt: %1</translation>
     </message>
     <message>
         <source>is 0, which means none; it needs a value to begin from</source>

@@ -112,7 +112,7 @@ TEST_F(FitCommandTest, RefusesWhatItCannotFit) {
   expectRefused(fit + "surface.hurst=a:b", 2, "surface.hurst: 'a' is not a number");
   expectRefused(fit + "surface.hurst --vary surface.hurst", 2, "more than once");
   expectRefused(fit + "surface.rms_height=0.1Pa:1mm", 2, "is a modulus or pressure");
-  expectRefused(fit + "surface.slope", 2, "has no meaning in this scene, which has surface.");
+  expectRefused(fit + "surface.slope", 2, "has no meaning in this scene; allowed: surface.");
   expectRefused(fit + "surface.seed", 2, "surface.rms_height");
   program.folder.write("bad.csv", "velocity,mu\n1,0.2\n2,-1\n");
   expectRefused("fit s.json -o out --data bad.csv --vary surface.hurst", 2,

@@ -351,11 +351,11 @@ class Continuation {
 
   /// The depth alone is sought between what carries too little and too much, and the strains are
   /// made periodic at each depth. A search of depth and strains together begins many orders of
-  /// magnitude above the
-  /// depth of a contact that is much smaller than an element: there each step changes the contact
-  /// so much that the strains are no longer those of its period, and shorter steps get nowhere. At
-  /// a given depth the strains take a few passes, and the force only rises with the depth, nearly
-  /// as a power of it. Close to the answer depth and strains move together again.
+  /// magnitude above the depth of a contact that is much smaller than an element: there each step
+  /// changes the contact so much that the strains are no longer those of its period, and shorter
+  /// steps get nowhere. At a given depth the strains take a few passes, and the force only rises
+  /// with the depth, nearly as a power of it. Close to the answer depth and strains move together
+  /// again.
   ArmBalance solveByBracketing(double velocity, ArmBalance failed) {
     constexpr double kClose = 1e-2, kCloser = 1e-3;  // of ln F_N, for another common search
     constexpr double kNothing = -700;                // ln of a force that is 0
