@@ -10,6 +10,11 @@
 namespace asperity {
 namespace {
 
+PrintedNumber degrees(double kelvin) {
+  constexpr int kDigits = 8;
+  return plain(roundedToDigits(kelvin, kDigits));
+}
+
 double wlfDecades(const TemperatureShift& shift, double temperature) {
   const double above = temperature - shift.referenceTemperature;
   if (above == 0) return 0;
@@ -17,7 +22,7 @@ double wlfDecades(const TemperatureShift& shift, double temperature) {
     throw InputError("", "elastomer.temperature",
                      message("{} K is not above {} K, reference_temperature - c2, where the "
                              "shift ends",
-                             temperature, shift.referenceTemperature - shift.c2));
+                             degrees(temperature), degrees(shift.referenceTemperature - shift.c2)));
   return -shift.c1 * above / (shift.c2 + above);
 }
 
@@ -33,11 +38,6 @@ constexpr double kRounding = 1e-9;  // K
 bool isWithinTable(const TemperatureShift& shift, double temperature) {
   return !shift.table.empty() && temperature >= shift.table.front().temperature - kRounding &&
          temperature <= shift.table.back().temperature + kRounding;
-}
-
-PrintedNumber degrees(double kelvin) {
-  constexpr int kDigits = 8;
-  return plain(roundedToDigits(kelvin, kDigits));
 }
 
 double tableDecades(const TemperatureShift& shift, double temperature) {
@@ -64,8 +64,8 @@ double log10ShiftFactor(const TemperatureShift& shift, double temperature) {
                                                               : wlfDecades(shift, temperature);
   if (!(std::abs(decades) <= kMaxDecades))
     throw InputError("", "elastomer.temperature",
-                     message("{} K shifts the times by {:.3g} decades; allowed is {}", temperature,
-                             decades, kMaxDecades));
+                     message("{} K shifts the times by {:.3g} decades; allowed is {}",
+                             degrees(temperature), decades, kMaxDecades));
   return decades;
 }
 

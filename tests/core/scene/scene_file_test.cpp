@@ -114,7 +114,7 @@ TEST(SceneFile, SectionsMayStandInsideSections) {
   EXPECT_THAT(errorOf(R"({"elastomer":{"rheology":"elastic","temperature":300}})"),
               HasSubstr("elastomer.temperature: has no meaning"));
   EXPECT_THAT(errorOf(R"({"elastomer":{"temperature":100}})"),
-              HasSubstr("elastomer.temperature: 100 K is not above 196.54"));
+              HasSubstr("elastomer.temperature: 100 K is not above 196.55 K"));
 }
 
 TEST(SceneFile, EffectsThatExcludeEachOtherAreRefused) {
