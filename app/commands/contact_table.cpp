@@ -52,15 +52,14 @@ void checkUsage(const RenderCommand& command) {
 
 Json tableAnswer(const Scene& scene, const RenderCommand& command, const Frame& frame,
                  const DataTable& table, const ColumnChoice& columns,
-                 const std::vector<Message>& reading) {
+                 const std::vector<Message>& reading, const std::optional<Message>& warning) {
   const ProvenanceOptions given(optionsFor(command.common.given, ".json"));
   Json answer = provenance("render", scene);
   addReadingFacts(answer, reading);
   answer["table"] = tableName(command);
   answer["time"] = frame.time;
   answer["derived"] = derivedNumbers(frame);
-  if (const std::optional<Message> warning = coarsePointsNote(frame))
-    answer["warning"] = warning->english();
+  if (warning) answer["warning"] = warning->english();
   answer["rows"] = columns.select(tableJson(table));
   return answer;
 }
@@ -89,18 +88,18 @@ int runContactTable(const RenderCommand& command) {
   const DataTable table = makeTable(frame);
   const bool isCsv = fileExtension(command.output) != ".json";
   const std::vector<Message> reading = readingFacts(scene);
+  const std::optional<Message> warning = coarsePointsNote(frame);
   const std::string json =
       isCsv && !command.common.json
           ? std::string()
-          : jsonFile(tableAnswer(scene, command, frame, table, columns, reading));
+          : jsonFile(tableAnswer(scene, command, frame, table, columns, reading, warning));
   if (command.output != "-")
     writeFileAtomically(command.output, isCsv ? csvText(scene, command, table, columns) : json);
   else if (!command.common.json)
     fmt::print("{}", csvText(scene, command, table, columns));
   if (command.common.json) fmt::print("{}", json);
   std::string lines = factLines(reading);
-  if (const std::optional<Message> warning = coarsePointsNote(frame))
-    lines += translated(*warning) + "\n";
+  if (warning) lines += translated(*warning) + "\n";
   const bool isPrinted = command.output == "-";
   printSummary(command.common,
                isPrinted ? lines

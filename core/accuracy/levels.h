@@ -81,7 +81,7 @@ std::optional<LevelPlan> planLevels(const Halves& halves, int known, double rela
 /// The mean of a plan, and its standard error.
 struct LevelEstimate {
   double mean = 0, standardError = 0;
-  double degreesOfFreedom = 0;  // degrees of freedom (Welch and Satterthwaite)
+  double degreesOfFreedom = 0;  // by Welch and Satterthwaite
 };
 LevelEstimate estimateMean(const Halves& halves, const LevelPlan& plan);
 

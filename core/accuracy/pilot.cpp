@@ -166,16 +166,16 @@ PilotPlan planPilot(const Scene& scene, int threads) {
   const double wall = plan.runOperations / std::min(static_cast<double>(threads), lines);
   const double allowed = std::clamp(0.1 * wall, kMinPilot, kMaxPilot);
   double perPoint = 0;
-  for (const PilotSize& shape : kPilotSizes) {
-    const PilotSize fitting{std::min(shape.lines, lines),
-                            std::min(shape.refinedLines, std::min(shape.lines, lines)),
-                            std::min(shape.velocities, velocities)};
+  for (const PilotSize& size : kPilotSizes) {
+    const PilotSize fitting{std::min(size.lines, lines),
+                            std::min(size.refinedLines, std::min(size.lines, lines)),
+                            std::min(size.velocities, velocities)};
     plan.lines = static_cast<std::int64_t>(fitting.lines);
     plan.refinedLines = static_cast<std::int64_t>(fitting.refinedLines);
     plan.velocities = logSpaced(scene.sweep.velocityFrom, scene.sweep.velocityTo,
                                 static_cast<std::int64_t>(fitting.velocities));
     perPoint = fitting.perPoint(balance);
-    const bool isFewest = mayHaveRows(scene.surface) && shape.lines == kMinRows;
+    const bool isFewest = mayHaveRows(scene.surface) && size.lines == kMinRows;
     if (isFewest || whole.operations(perPoint, points) <= allowed) break;
   }
   plan.sample = sampleWithin(whole, perPoint, points, allowed);

@@ -331,7 +331,8 @@ class TargetSampling {
     const bool isUneven = scene_.surface.kind == SurfaceKind::Sine && result.contactFraction < 1 &&
                           result.contactSpots < static_cast<double>(scene_.surface.waves);
     const double few = isUneven ? std::abs(result.mu) : 0;
-    state.plan = {level, level, {}, 0, 0, std::max({resolution, digits, few})};
+    state.plan = {
+        .first = level, .last = level, .resolutionError = std::max({resolution, digits, few})};
     state.plan.lines[0] = {1};
     state.isPlanned = true;
   }
@@ -351,7 +352,7 @@ class TargetSampling {
       for (std::size_t i = 0; i < all.size(); ++i) setLevel(*all[i], level, results[0][i]);
     }
     for (VelocityState* state : all) {
-      state->plan = {level, level, {}, 0, 0, 0};
+      state->plan = {.first = level, .last = level};
       state->plan.lines[0] = {isRandom_ ? kMinDirect : 1};
       if (isRandom_) state->plan.lines[1] = state->plan.lines[0];
       state->isPlanned = true;

@@ -33,12 +33,12 @@ void forEachPoint(const Frame& frame, const ContactInterval& interval, const Use
   for (std::size_t k = 0; k < interval.points; ++k) use((interval.first + k) % n);
 }
 
-struct StretchForces {
+struct SpotForces {
   double normal = 0, tangential = 0, largest = 0;  // N, N, N/m
 };
 
-StretchForces forcesOf(const Frame& frame, const ContactInterval& contact) {
-  StretchForces forces;
+SpotForces forcesOf(const Frame& frame, const ContactInterval& contact) {
+  SpotForces forces;
   forEachPoint(frame, contact, [&](std::size_t i) {
     const double pressure = frame.pressure[i];
     forces.normal += pressure * frame.spacing;
@@ -100,7 +100,7 @@ std::vector<ContactInterval> findIntervals(const Frame& frame, bool isGap) {
   std::vector<ContactInterval> intervals;
   const auto belongs = [&](std::size_t i) { return touches(frame, i % n) != isGap; };
   for (std::size_t i = 0; i < n; ++i) {
-    if (!belongs(i) || belongs(i + n - 1)) continue;  // not the first point of a interval
+    if (!belongs(i) || belongs(i + n - 1)) continue;  // not the first point of an interval
     std::size_t points = 1;
     while (points < n && belongs(i + points)) ++points;
     intervals.push_back({(static_cast<double>(i) - 0.5) * frame.spacing,
@@ -145,7 +145,7 @@ DataTable contactsTable(const Frame& frame) {
                                "mean_line_load", "largest_line_load"}),
                   {}};
   for (const ContactInterval& contact : findIntervals(frame, false)) {
-    const StretchForces forces = forcesOf(frame, contact);
+    const SpotForces forces = forcesOf(frame, contact);
     table.rows.push_back({contact.start, contact.length, forces.normal, forces.tangential,
                           forces.normal / contact.length, forces.largest});
   }
@@ -175,8 +175,7 @@ std::optional<Message> coarsePointsNote(const Frame& frame) {
   if (!(std::abs(part - 1) > kMaxDeviation)) return std::nullopt;
   return message(
       "the loads of the points add up to {} % of the normal force, because contacts are hardly "
-      "longer "
-      "than the distance between points; a larger accuracy.oversampling has more points",
+      "longer than the distance between points; a larger accuracy.oversampling has more points",
       printedPercent(part));
 }
 

@@ -23,8 +23,8 @@ constexpr double kMarches = 9;
 constexpr double kMinWork = 2.5e6, kMaxWork = 1.5e7;
 constexpr double kWindow = 16;     // number of steps over which friction is averaged
 constexpr double kMinWindows = 8;  // of a piece, at least
-constexpr double kRetardationTimes =
-    6;  // longest retardation times after which the initial state no longer matters
+/// The number of longest retardation times after which the initial state no longer matters.
+constexpr double kRetardationTimes = 6;
 constexpr int kEnds = 2;  // number of windows at either end of settling
 
 /// A motion or its first part, cut so that steps keep their length.

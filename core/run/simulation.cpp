@@ -304,11 +304,11 @@ void Simulation::takeTime() {
 /// the whole motion, which are limited by its fastest part, so fast parts appear fast.
 void Simulation::advanceMotion(double part, double wallSeconds, double end) {
   if (beginsAnew()) return;
-  const double duration = std::min(part * motion_->motion().duration(),
+  const double interval = std::min(part * motion_->motion().duration(),
                                    mostSteps() * motion_->transient().shortestStep());
-  const double next = (std::round(time_ / duration) + 1) * duration;
+  const double next = (std::round(time_ / interval) + 1) * interval;
   marchMotion(std::min(next, end));
-  timeScale_ = duration / wallSeconds;
+  timeScale_ = interval / wallSeconds;
   motion_->keepState();
 }
 
@@ -316,13 +316,13 @@ void Simulation::advanceMotion(double part, double wallSeconds, double end) {
 /// frames, which show the same moment.
 bool Simulation::awaitsStep(double part, double wallSeconds) {
   const double step = motion_->transient().nextStep();
-  const double duration = part * motion_->motion().duration();
-  if (duration >= step) {
+  const double interval = part * motion_->motion().duration();
+  if (interval >= step) {
     towardsStep_ = 0;
     return false;
   }
-  towardsStep_ += duration;
-  timeScale_ = duration / wallSeconds;
+  towardsStep_ += interval;
+  timeScale_ = interval / wallSeconds;
   if (towardsStep_ < step) return true;
   towardsStep_ -= step;
   return false;

@@ -125,10 +125,10 @@ class Simulation {
   double towardsStep_ = 0;  // s, passed by slow frames of a motion's next step
   Settling settling_;
   double lineWork_ = 0, normalWork_ = 0;  // J, since the last frame: F_x and F_N times distance
-  double touching_ = 0,
-         contactSpots_ = 0;  // elements in contact and contact spots, in the newest steps
-  bool isChanged_ = false;   // the scene changed since the newest step
-  bool resolves_ = false;    // steps were short enough for friction
+  /// Elements in contact, and contact spots, in the newest steps.
+  double touching_ = 0, contactSpots_ = 0;
+  bool isChanged_ = false;  // the scene changed since the newest step
+  bool resolves_ = false;   // steps were short enough for friction
 };
 
 }  // namespace asperity
