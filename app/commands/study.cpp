@@ -148,9 +148,22 @@ std::string stateText(const StudyStore& store, std::int64_t added, std::int64_t 
   std::string text =
       filledLine(Words::tr("%1 of %2 simulations done, %3 of them now"), done, total, added);
   if (done < total) text += Words::tr("other processes work on the rest") + "\n";
-  if (store.hasFailures())
-    text += Words::tr("some simulations failed: 'asperity study show' says why") + "\n";
   return text;
+}
+
+/// Says that simulations failed: as a part of the summary where that is allowed, else as an error.
+/// Returns the exit status.
+int reportFailures(const StudyCommand& command) {
+  if (command.allowsFailures) {
+    printSummary(command.common,
+                 Words::tr("some simulations failed: 'asperity study show' says why") + "\n");
+    return kDone;
+  }
+  printError(message("{}: some simulations failed: 'asperity study show' says why; "
+                     "--allow-failures accepts them",
+                     command.output)
+                 .english());
+  return kRunFailed;
 }
 
 // ---- show
@@ -233,7 +246,7 @@ int runStudyRun(const StudyCommand& command) {
     addReadingFacts(answer, reading);
     printJson(answer);
   }
-  return kDone;
+  return store.hasFailures() ? reportFailures(command) : kDone;
 }
 
 int runStudyMerge(const StudyCommand& command) {
