@@ -107,12 +107,12 @@ std::string explanationText(const Explanation& explanation) {
   text += filledLine(Words::tr("asperity %1 runs"), explanation.verb) +
           stageLines(explanation.stages, true) + Words::tr("and leaves out") + "\n" +
           stageLines(explanation.stages, false);
-  if (std::isfinite(explanation.fewSummitsVelocity))
+  if (std::isfinite(explanation.fewContactsVelocity))
     text += filledLine(
         Words::tr("above %1 few contacts carry the load (region IV): F_N / (4 eta v), the sum of "
                   "the heights climbed by all contacts of one period, is below 0.1 "
                   "h; the border belongs to the finite period and moves with it"),
-        answerQuantity(explanation.fewSummitsVelocity, "m/s"));
+        answerQuantity(explanation.fewContactsVelocity, "m/s"));
   if (!explanation.excitation.empty()) text += translated(explanation.excitation) + "\n";
   const bool isMirrored =
       scene.surface.kind == SurfaceKind::Measured && scene.surface.processing.seam == Seam::Mirror;

@@ -200,9 +200,9 @@ std::string missingText(const MergedStores& merged, const ParameterStudy& study)
   for (const std::int64_t chunk : merged.missingChunks)
     ranges += fmt::format("{}{}-{}", ranges.empty() ? "" : ", ", chunk * study.chunk,
                           chunk * study.chunk + study.sizeOfChunk(chunk) - 1);
-  const std::int64_t missing = merged.chunksWanted - merged.chunks;
+  const std::int64_t missing = merged.chunksPlanned - merged.chunks;
   if (missing > static_cast<std::int64_t>(merged.missingChunks.size())) ranges += ", ...";
-  return message("{} of {} chunks are missing (simulations {}){}", missing, merged.chunksWanted,
+  return message("{} of {} chunks are missing (simulations {}){}", missing, merged.chunksPlanned,
                  ranges,
                  shards.empty() ? Message("") : message("; no store is of shard {}", shards))
       .english();
@@ -256,7 +256,7 @@ int runStudyMerge(const StudyCommand& command) {
   if (command.common.json) {
     Json answer = header(store.study());
     answer["chunks"] = merged.chunks;
-    answer["chunks_wanted"] = merged.chunksWanted;
+    answer["chunks_wanted"] = merged.chunksPlanned;
     Json& missing = answer["missing_shards"] = Json::array();
     for (const Shard& shard : merged.missingShards)
       missing.push_back(fmt::format("{}/{}", shard.number, shard.count));

@@ -63,7 +63,7 @@ FigureStyle styleOfPlan(FigureStyle style) {
 void checkPlannedPanels(DiagramSheet sheet, const PictureSettings& settings, int above) {
   if (!sheet.diagrams.front().blank.empty()) return;  // of a quantity that is not planned
   DiagramSheet withNotes = sheet;
-  withNotes.note = sentences({sheet.note, kFewSummitsSentence});
+  withNotes.note = sentences({sheet.note, kFewContactsSentence});
   sheet.note = {};
   try {
     checkPanels(sheet, settings, above);

@@ -95,7 +95,7 @@ Explanation explain(const Scene& scene, int threads) {
   if (!isSteady) return explanation;
   Scene atForce = scene;
   atForce.load = loadOn(scene.load, explanation.length);
-  explanation.fewSummitsVelocity = fewSummitsVelocity(atForce, lineExtent(scene).rmsHeight);
+  explanation.fewContactsVelocity = fewContactsVelocity(atForce, lineExtent(scene).rmsHeight);
   const EqualCost equal = equalCost(scene);
   explanation.predicted = predictCurve(equal.scene, threads);
   explanation.predicted->seconds *= equal.times;
@@ -132,7 +132,7 @@ std::string explanationJson(const Explanation& explanation) {
     stages.push_back(
         {{"name", stage.name}, {"runs", stage.runs}, {"reason", stage.reason.english()}});
   root["stages"] = std::move(stages);
-  root["few_summits_above"] = numberOrNull(explanation.fewSummitsVelocity);
+  root["few_summits_above"] = numberOrNull(explanation.fewContactsVelocity);
   if (!explanation.excitation.empty()) root["excitation"] = explanation.excitation.english();
   root["length"] = explanation.length;
   root["normal_force"] = numberOrNull(explanation.normalForce);

@@ -27,7 +27,7 @@ struct Explanation {
   std::vector<PlanStage> stages;
   /// Velocity in m/s above which few contacts carry the load (core/chart/curve_regions.h); NaN:
   /// none.
-  double fewSummitsVelocity = kNotApplicable;
+  double fewContactsVelocity = kNotApplicable;
   double length = 0;                    // m, of the line
   double normalForce = kNotApplicable;  // N, on one period, where the load means one
   std::vector<Message> reading{};       // how the file of the surface was read (readingFacts)

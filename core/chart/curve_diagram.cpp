@@ -6,8 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include "core/base/intervals.h"
 #include "core/base/number_text.h"
-#include "core/base/statistics.h"
 #include "core/chart/curve_comparisons.h"
 #include "core/chart/curve_regions.h"
 #include "core/chart/curve_words.h"
@@ -160,16 +160,16 @@ DiagramSeries pinnedSeries(const NamedCurve& curve, const CurveSet& set) {
 void addRegions(Diagram& diagram, const NamedCurve& curve, CurveAxes axes) {
   const double factor = axesFactors(curve.points, axes).velocity;
   if (!std::isfinite(factor)) return;
-  const auto few = fewSummitsRange(curve.scene, curve.points);
+  const auto few = fewContactsRange(curve.scene, curve.points);
   for (const CurveRegion& region : findRegions(curve.scene, curve.points)) {
     DiagramSpan span{region.from * factor, region.to * factor,
                      message("{} {}", region.name, Message(regionWord(region.name))), region.name};
     span.notes = {regionSentence(region.name),
                   "Borders are read from this curve, not from theory."};
-    if (few && region.name == "IV") span.notes.emplace_back(kFewSummitsSentence);
+    if (few && region.name == "IV") span.notes.emplace_back(kFewContactsSentence);
     diagram.spans.push_back(std::move(span));
   }
-  addFewSummits(diagram, few, factor);
+  addFewContacts(diagram, few, factor);
 }
 
 /// Tints the part of the axis in which friction rests on frequencies that were not measured.
@@ -344,8 +344,8 @@ DiagramSheet curveSheet(const CurveSet& set) {
         "Regions as read from the curve: I ends 20 % below its line, III lies above 95 % of the "
         "maximum.");
   if (set.isOfVelocity() && !sheet.diagrams.front().shades.empty() &&
-      fewSummitsRange(set.present.scene, set.present.points))
-    notes.emplace_back(kFewSummitsSentence);
+      fewContactsRange(set.present.scene, set.present.points))
+    notes.emplace_back(kFewContactsSentence);
   if (std::ranges::any_of(set.present.points,
                           [](const CurvePoint& point) { return point.extrapolated == 1; }))
     notes.emplace_back(

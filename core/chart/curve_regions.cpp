@@ -128,15 +128,15 @@ double summedContactHeight(double normalForce, double viscosity, double velocity
   return normalForce / (4 * viscosity * velocity);
 }
 
-double fewSummitsVelocity(const Scene& scene, double rmsHeight) {
+double fewContactsVelocity(const Scene& scene, double rmsHeight) {
   const ElementLaw law = elementLaw(scene.elastomer);
   if (!isRough(scene.surface) || !(rmsHeight > 0) || scene.load.kind != LoadKind::Force ||
       law.kind() != ElementKind::Kelvin)
     return kNotApplicable;
-  return scene.load.normalForce / (4 * law.viscosity * kFewSummits * rmsHeight);
+  return scene.load.normalForce / (4 * law.viscosity * kFewContactsHeight * rmsHeight);
 }
 
-double fewSummitsVelocity(const Scene& scene, std::span<const CurvePoint> points) {
+double fewContactsVelocity(const Scene& scene, std::span<const CurvePoint> points) {
   const ElementLaw law = elementLaw(scene.elastomer);
   for (const CurvePoint& point : points) {
     if (point.normalizedMu == 0 || point.dimensionlessVelocity == 0) continue;  // an elastic body
@@ -144,24 +144,24 @@ double fewSummitsVelocity(const Scene& scene, std::span<const CurvePoint> points
     const double slope = point.mu / point.normalizedMu;
     const double height = law.relaxationTime * point.velocity * slope /
                           (std::numbers::sqrt2 * point.dimensionlessVelocity);
-    if (std::isfinite(height)) return fewSummitsVelocity(scene, height);
+    if (std::isfinite(height)) return fewContactsVelocity(scene, height);
   }
   return kNotApplicable;
 }
 
-std::optional<VelocityRange> fewSummitsWithin(double velocity, double first, double last) {
+std::optional<VelocityRange> fewContactsWithin(double velocity, double first, double last) {
   if (!std::isfinite(velocity) || velocity >= last) return std::nullopt;
   return VelocityRange{std::max(velocity, first), last};
 }
 
-std::optional<VelocityRange> fewSummitsRange(const Scene& scene,
-                                             std::span<const CurvePoint> points) {
+std::optional<VelocityRange> fewContactsRange(const Scene& scene,
+                                              std::span<const CurvePoint> points) {
   if (points.empty()) return std::nullopt;
   const auto [first, last] = std::ranges::minmax(points, {}, &CurvePoint::velocity);
-  return fewSummitsWithin(fewSummitsVelocity(scene, points), first.velocity, last.velocity);
+  return fewContactsWithin(fewContactsVelocity(scene, points), first.velocity, last.velocity);
 }
 
-void addFewSummits(Diagram& diagram, const std::optional<VelocityRange>& range, double factor) {
+void addFewContacts(Diagram& diagram, const std::optional<VelocityRange>& range, double factor) {
   if (range)
     diagram.shades.push_back(
         {range->from * factor, range->to * factor, "few contacts carry the load"});

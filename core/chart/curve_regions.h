@@ -40,10 +40,10 @@ struct VelocityRange {
 };
 
 /// Few contacts carry the load where F_N / (4 eta v) is below this part of the rms height.
-inline constexpr double kFewSummits = 0.1;
+inline constexpr double kFewContactsHeight = 0.1;
 
 /// The sentence for the shade in a diagram.
-inline constexpr const char* kFewSummitsSentence =
+inline constexpr const char* kFewContactsSentence =
     "Tinted: F\u2099/(4\u03B7v) is below 0.1 h (\u03B7: viscosity). It is the sum of the heights "
     "climbed by all contacts of one period; the border moves with the period L.";
 
@@ -53,21 +53,21 @@ double summedContactHeight(double normalForce, double viscosity, double velocity
 /// Returns the velocity (m/s) above which F_N / (4 eta v) is below a tenth of the rms height (m).
 /// NaN where this has no meaning: for elastic elements and those with arms, a constant indentation,
 /// lines that are not rough.
-double fewSummitsVelocity(const Scene& scene, double rmsHeight);
+double fewContactsVelocity(const Scene& scene, double rmsHeight);
 
 /// Returns the same for a computed curve, whose dimensionless columns contain the rms height of its
 /// lines.
-double fewSummitsVelocity(const Scene& scene, std::span<const CurvePoint> points);
+double fewContactsVelocity(const Scene& scene, std::span<const CurvePoint> points);
 
 /// Returns the part of a velocity range in which few contacts carry the load; nothing where there
 /// is none.
-std::optional<VelocityRange> fewSummitsWithin(double velocity, double first, double last);
+std::optional<VelocityRange> fewContactsWithin(double velocity, double first, double last);
 
 /// Returns the same for all velocities of a curve.
-std::optional<VelocityRange> fewSummitsRange(const Scene& scene,
-                                             std::span<const CurvePoint> points);
+std::optional<VelocityRange> fewContactsRange(const Scene& scene,
+                                              std::span<const CurvePoint> points);
 
 /// Adds this range as a shade to the diagram, whose x-axis is velocity times `factor`.
-void addFewSummits(Diagram& diagram, const std::optional<VelocityRange>& range, double factor = 1);
+void addFewContacts(Diagram& diagram, const std::optional<VelocityRange>& range, double factor = 1);
 
 }  // namespace asperity

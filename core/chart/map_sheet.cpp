@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/base/intervals.h"
 #include "core/base/number_text.h"
 #include "core/base/statistics.h"
 #include "core/chart/contours.h"
@@ -322,7 +323,7 @@ Message addRegionBorders(Diagram& diagram, const ParameterMap& given, const Risi
   std::vector<double> heights;
   for (std::size_t j = 0; j < map.y.size(); ++j)
     for (std::size_t i = 0; i < map.x.size(); ++i) {
-      const double few = fewSummitsVelocity(map.scene(i, j), {&map.cell(i, j), 1});
+      const double few = fewContactsVelocity(map.scene(i, j), {&map.cell(i, j), 1});
       heights.push_back(std::isgreater(few, 0) && map.cell(i, j).velocity > 0
                             ? std::log(map.cell(i, j).velocity / few)
                             : kNotApplicable);

@@ -1,4 +1,4 @@
-#include "core/contact/sweep.h"
+#include "core/contact/steady_sweep.h"
 
 #include <algorithm>
 #include <array>

@@ -86,7 +86,7 @@ Claim followClaim(const GroupedMeans& means, const LoadShares& shares) {
 /// Returns the scene's curve around the velocity at which F_N / (4 eta v) is a tenth of h: two
 /// decades on either side; the lower ones contain the maximum.
 GroupedMeans meansAtBorder(const Scene& scene, FigureWork& work, double cost) {
-  const double velocity = fewSummitsVelocity(scene, scene.surface.rmsHeight);
+  const double velocity = fewContactsVelocity(scene, scene.surface.rmsHeight);
   return work.computeMeans(scene, {scene.load.normalForce},
                            logSpaced(velocity / 100, velocity * 100, 33), cost);
 }
@@ -147,7 +147,7 @@ Claim borderClaim(const std::vector<GroupedMeans>& forces,
       for (const GroupedMeans& means : *allMeans) sum += std::log(heightAtBorder(means, out));
     return std::exp(sum / static_cast<double>(forces.size() + lengths.size()));
   };
-  claim.expected = kFewSummits;
+  claim.expected = kFewContactsHeight;
   claim.criterion =
       "0.03 to 0.3: the sum of the heights climbed by all contacts of one period is "
       "about a tenth of h";

@@ -79,8 +79,8 @@ Diagram velocityDiagram(const Curves& curves) {
   const std::vector<double>& v = means.velocities();
   for (const CurveRegion& region : regionsWithin(regionBorders(means, 0), v.front(), v.back()))
     diagram.spans.push_back({region.from, region.to, region.name});
-  const double few = fewSummitsVelocity(means.scene(), means.line().rmsHeight);
-  addFewSummits(diagram, fewSummitsWithin(few, v.front(), v.back()));
+  const double few = fewContactsVelocity(means.scene(), means.line().rmsHeight);
+  addFewContacts(diagram, fewContactsWithin(few, v.front(), v.back()));
   return diagram;
 }
 
@@ -282,7 +282,7 @@ void addVelocityFigure(Figure& figure, const FigureOptions& options) {
         "The curve of fine steps ends at {:.2g} m/s, above which {} steps per spacing are too few "
         "for 1 %.",
         curves.fine.back().velocity, FineSteps{}.most));
-  if (!figure.sheet.diagrams.front().shades.empty()) notes.emplace_back(kFewSummitsSentence);
+  if (!figure.sheet.diagrams.front().shades.empty()) notes.emplace_back(kFewContactsSentence);
   figure.sheet.note = sentences(notes);
   figure.csv = curvesTable(curves);
   const GroupedMeans& means = curves.resolved;

@@ -9,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "core/base/intervals.h"
 #include "core/base/number_text.h"
 #include "core/base/statistics.h"
 #include "core/contact/line/polynomial.h"
@@ -370,12 +371,12 @@ SlopeStatistics slopeStatistics(const Frame& frame) {
   SlopeStatistics statistics;
   std::vector<double> slopes = slopesOf(frame), contact;
   if (slopes.empty()) return statistics;
-  const double way = frame.velocity < 0 ? -1 : 1;
+  const double direction = frame.velocity < 0 ? -1 : 1;
   const double rmsSlope = rms(slopes);
   if (!(rmsSlope > 0)) return statistics;
   double climbing = 0;
   for (std::size_t i = 0; i < slopes.size(); ++i) {
-    slopes[i] = way * slopes[i] / rmsSlope;
+    slopes[i] = direction * slopes[i] / rmsSlope;
     if (!(frame.pressure[i] > 0)) continue;
     contact.push_back(slopes[i]);
     climbing += slopes[i] > 0 ? 1 : 0;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/contact/sweep.h"
+#include "core/contact/steady_sweep.h"
 
 namespace asperity {
 namespace {

@@ -123,20 +123,20 @@ TEST(CurveRegions, DoNotDependOnTheSpacingOfTheAxis) {
 namespace {
 
 /// F_N / (4 eta v) = 0.0034 N / (4 * 1e4 Pa s * 1.7 m/s) = 50 nm = 0.1 h.
-TEST(FewSummits, BorderOfFigure2) {
-  EXPECT_NEAR(fewSummitsVelocity({}, 5e-7), 1.7, 1e-12);
+TEST(FewContacts, BorderOfFigure2) {
+  EXPECT_NEAR(fewContactsVelocity({}, 5e-7), 1.7, 1e-12);
   Scene scene;
   scene.load.normalForce *= 10;
-  EXPECT_NEAR(fewSummitsVelocity(scene, 5e-7), 17, 1e-11);
+  EXPECT_NEAR(fewContactsVelocity(scene, 5e-7), 17, 1e-11);
   scene.elastomer.temperature += 30;  // softer: less viscous
-  EXPECT_GT(fewSummitsVelocity(scene, 5e-7), 20);
+  EXPECT_GT(fewContactsVelocity(scene, 5e-7), 20);
 }
 
-TEST(FewSummits, NowhereOnBodiesAndLoadsOfOtherKinds) {
+TEST(FewContacts, NowhereOnBodiesAndLoadsOfOtherKinds) {
   const auto borderOf = [](const auto& change) {
     Scene scene;
     change(scene);
-    return fewSummitsVelocity(scene, 5e-7);
+    return fewContactsVelocity(scene, 5e-7);
   };
   EXPECT_TRUE(
       std::isnan(borderOf([](Scene& s) { s.elastomer.rheology = Rheology::StandardSolid; })));
@@ -144,28 +144,28 @@ TEST(FewSummits, NowhereOnBodiesAndLoadsOfOtherKinds) {
   EXPECT_TRUE(std::isnan(borderOf([](Scene& s) { s.load.kind = LoadKind::Indentation; })));
   EXPECT_TRUE(std::isnan(borderOf([](Scene& s) { s.surface.kind = SurfaceKind::Sine; })));
   EXPECT_TRUE(std::isnan(borderOf([](Scene& s) { s.surface.kind = SurfaceKind::Parabola; })));
-  EXPECT_TRUE(std::isnan(fewSummitsVelocity({}, 0)));
+  EXPECT_TRUE(std::isnan(fewContactsVelocity({}, 0)));
   // A prony series without arms is a Kelvin body.
   Scene prony;
   prony.elastomer.rheology = Rheology::Prony;
   prony.elastomer.arms.clear();
   prony.elastomer.equilibriumModulus = 1e7;
   prony.elastomer.viscosity = 1e4;
-  EXPECT_NEAR(fewSummitsVelocity(prony, 5e-7), 1.7, 1e-12);
+  EXPECT_NEAR(fewContactsVelocity(prony, 5e-7), 1.7, 1e-12);
 }
 
-TEST(FewSummits, CurvesKnowTheHeightOfTheirLines) {
+TEST(FewContacts, CurvesKnowTheHeightOfTheirLines) {
   const Scene scene = sceneOfSize(300, 9, 2);
   const std::vector<CurvePoint> points = frictionCurve(scene).points;
-  EXPECT_NEAR(fewSummitsVelocity(scene, points), 1.7, 1e-9);
-  EXPECT_FALSE(fewSummitsRange(scene, {}));
-  const auto range = fewSummitsRange(scene, points);
+  EXPECT_NEAR(fewContactsVelocity(scene, points), 1.7, 1e-9);
+  EXPECT_FALSE(fewContactsRange(scene, {}));
+  const auto range = fewContactsRange(scene, points);
   ASSERT_TRUE(range);
   EXPECT_NEAR(range->from, 1.7, 1e-9);
   EXPECT_EQ(range->to, points.back().velocity);
 }
 
-TEST(FewSummits, AreTintedInCurvesOfEitherAxes) {
+TEST(FewContacts, AreTintedInCurvesOfEitherAxes) {
   Scene scene = sceneOfSize(300, 9, 2);
   const auto shadesOf = [](const Scene& shown, CurveAxes axes = CurveAxes::Physical) {
     CurveSet set;
