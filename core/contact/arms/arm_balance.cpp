@@ -466,8 +466,9 @@ ArmState slideWithArms(const PreparedProfile& line, ArmTables& tables, const Loa
   const double periodicityError = state.balance.periodicityError;
   const PassSums sums = state.balance.sums ? *state.balance.sums
                                            : ArmSolver(line, tables, velocity).sums(state.balance);
+  const ElementLaw& law = tables.law();
   state.result = steadyResult(
-      line, {tables.law().equilibriumModulus, 0, velocity},
+      line, {law.equilibriumModulus, law.arms.front().relaxationTime, velocity},
       Balance{force.depth, force.passes, std::max(force.residual, periodicityError)}, sums);
   state.result.periodicityError = periodicityError;
   return state;
