@@ -99,6 +99,13 @@ void checkFolder(const std::string& folder) {
   namespace fs = std::filesystem;
   checkFolderName(folder);
   std::error_code ignored;
+  const bool hasFileName =
+      std::ranges::find(kOutputExtensions, fileExtension(folder)) != kOutputExtensions.end();
+  if (hasFileName && !fs::exists(folder, ignored))
+    throw InputError(folder, "",
+                     message("has the name of a {} file, but the command writes several files into "
+                             "a folder; name a folder, such as {}",
+                             fileExtension(folder), fs::path(folder).replace_extension().string()));
   // The folders that are missing will be made in the nearest one that is there.
   fs::path there = fs::absolute(folder, ignored);
   while (!fs::exists(fs::symlink_status(there, ignored)) && there != there.parent_path())

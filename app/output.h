@@ -55,8 +55,9 @@ void checkNoInput(const std::string& output, const std::vector<std::filesystem::
 /// output together, and a folder of that name is hardly intended.
 void checkFolderName(const std::string& folder);
 
-/// Throws InputError where the folder cannot be made, or nothing can be written into it. Makes
-/// nothing, so that a command can call it before any other check.
+/// Throws InputError where the folder cannot be made, nothing can be written into it, or a new one
+/// would have the name of a picture or table, which its user expects to be a file. Makes nothing,
+/// so that a command can call it before any other check.
 void checkFolder(const std::string& folder);
 
 /// Makes the folder and its parents where they are missing. Throws InputError.

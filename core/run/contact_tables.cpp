@@ -120,9 +120,9 @@ std::vector<double> timeInContact(const Frame& frame) {
     for (std::size_t k = 0; k < contact.points; ++k) {
       // The line moves towards +x for v > 0, so its edge on that side meets the elastomer first.
       const std::size_t ahead = frame.velocity > 0 ? contact.points - 1 - k : k;
-      const double way = (static_cast<double>(ahead) + 0.5) * frame.spacing;
+      const double distance = (static_cast<double>(ahead) + 0.5) * frame.spacing;
       times[(contact.first + k) % n] =
-          isKnown && hasEdge ? way / std::abs(frame.velocity) : kNotApplicable;
+          isKnown && hasEdge ? distance / std::abs(frame.velocity) : kNotApplicable;
     }
   }
   return times;

@@ -361,10 +361,11 @@ DiagramMarker frameMarker(const Frame& frame, CurveAxes axes, CurveQuantity y) {
     marker.isFixed = true;
     const std::size_t shown = std::min(samples.size(), kLongestTrace);
     if (isOfVelocity && y == CurveQuantity::Mu) {
-      const auto way = std::span(samples).last(shown);
+      const auto shownSamples = std::span(samples).last(shown);
       const double slowest = scene.sweep.isOfVelocity() ? scene.sweep.velocityFrom : kAnySpeed;
-      MotionTrace trace(way, slowest, factors);
-      for (const TransientSample& sample : way) trace.add(sample, Motion(scene.sliding).isSmooth());
+      MotionTrace trace(shownSamples, slowest, factors);
+      for (const TransientSample& sample : shownSamples)
+        trace.add(sample, Motion(scene.sliding).isSmooth());
       marker.trace = std::move(trace.points);
     }
   }

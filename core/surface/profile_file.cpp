@@ -250,8 +250,8 @@ std::optional<ProfileExtent> extentOfParts(const RegularFile& file, const std::s
   reader.take(fromNextLine(end));
   if (reader.heights().size() == first + spread) return {};  // the last row is further up
   if (spacing > 0) {
-    const double way = reader.positions().back() - reader.positions().front();
-    extent.rows = std::llround(way / spacing) + 1;
+    const double distance = reader.positions().back() - reader.positions().front();
+    extent.rows = std::llround(distance / spacing) + 1;
     extent.length = spacing * static_cast<double>(extent.rows);
     const double ofExpected = static_cast<double>(extent.rows) / expected;
     if (ofExpected < 0.5 || ofExpected > 2) return {};

@@ -63,7 +63,7 @@ TEST_F(AccuracyCommandTest, ExplainsThePlan) {
   EXPECT_THAT(said.out, HasSubstr("resolution"));
 }
 
-TEST_F(AccuracyCommandTest, ExplainsWhereFewSummitsCarryTheLoad) {
+TEST_F(AccuracyCommandTest, ExplainsWhereFewContactsCarryTheLoad) {
   const std::string paper =
       "explain s.json --set surface.rms_height=5e-7 --set load.normal_force=0.0034 "
       "--set elastomer.shear_modulus=1e7 --set elastomer.relaxation_time=";

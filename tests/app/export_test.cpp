@@ -263,6 +263,18 @@ TEST_F(ExportTest, ADashIsNoFolder) {
     expectRefused(std::string(call) + " -o -", 2, "--output: '-' is not a folder");
 }
 
+/// A user who names a file gets no folder of that name; one that is there may have any name.
+TEST_F(ExportTest, ANewFolderHasNoNameOfAFile) {
+  expectRefused("figure 1 -o fig.png", 2,
+                "fig.png: has the name of a .png file, but the command writes several files into a "
+                "folder; name a folder, such as fig");
+  expectRefused("accuracy s.json -o table.CSV", 2, "name a folder, such as table");
+  EXPECT_FALSE(has("fig.png"));
+  std::filesystem::create_directory(program.folder / "fig.png");
+  run("figure 1 -o fig.png");
+  EXPECT_TRUE(has("fig.png/claims.json"));
+}
+
 TEST_F(ExportTest, AKilledSequenceLeavesWholeFramesAndIsResumed) {
   const std::string arguments = std::string("render s.json -o seq --frames 40 ") + kSmall;
   for (const char* delay : {"0.3", "0.5", "0.7"}) {

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "core/contact/steady_sweep.h"
+#include "core/contact/line_sweep.h"
 #include "core/surface/line_source.h"
 #include "tests/bench/machine.h"
 #include "tests/bench/workload.h"

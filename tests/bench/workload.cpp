@@ -3,7 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "core/contact/steady_sweep.h"
+#include "core/contact/line_sweep.h"
 #include "core/friction/ensemble.h"
 #include "tests/bench/line_store.h"
 

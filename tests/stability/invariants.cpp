@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/contact/steady_sweep.h"
+#include "core/contact/line_sweep.h"
 
 namespace asperity {
 namespace {

@@ -101,8 +101,8 @@ std::vector<DrawPoint> pointsAlong(const std::vector<Polyline>& lines, float ste
 std::optional<LineLabel> labelOn(const Polyline& line, float width, const Box& frame,
                                  const std::vector<LineLabel>& others,
                                  const std::vector<DrawPoint>& dashes) {
-  constexpr std::array kPlaces{0.5F, 0.45F, 0.55F, 0.4F,  0.6F, 0.35F, 0.65F,
-                               0.3F, 0.7F,  0.25F, 0.75F, 0.2F, 0.8F};
+  constexpr std::array kPlaces{0.5F,  0.45F, 0.55F, 0.4F, 0.6F,  0.35F, 0.65F, 0.3F, 0.7F,
+                               0.25F, 0.75F, 0.2F,  0.8F, 0.15F, 0.85F, 0.1F,  0.9F};
   constexpr float kStraight = 0.95F;  // chord over arc
   const float length = arcLength(line);
   if (length < 2.5F * width) return {};
@@ -131,6 +131,27 @@ std::optional<LineLabel> labelOn(const Polyline& line, float width, const Box& f
     if (isInside && isFree && isClear) return label;
   }
   return {};
+}
+
+/// Returns the labels of a contour's lines, the longest first, and adds them to those that are
+/// there. Each of the longer lines has one where no border is in its way. A contour that would have
+/// none has one over a border.
+std::vector<std::optional<LineLabel>> labelsOn(const std::vector<Polyline>& lines, float width,
+                                               const Box& frame, std::vector<LineLabel>& others,
+                                               const std::vector<DrawPoint>& dashes) {
+  constexpr std::size_t kLabelled = 3;  // lines of a contour
+  const std::size_t longer = std::min(lines.size(), kLabelled);
+  std::vector<std::optional<LineLabel>> labels(lines.size());
+  bool isLabelled = false;
+  const auto place = [&](std::size_t k, const std::vector<DrawPoint>& avoided) {
+    labels[k] = labelOn(lines[k], width, frame, others, avoided);
+    if (!labels[k]) return;
+    others.push_back(*labels[k]);
+    isLabelled = true;
+  };
+  for (std::size_t k = 0; k < longer; ++k) place(k, dashes);
+  for (std::size_t k = 0; k < longer && !isLabelled; ++k) place(k, {});
+  return labels;
 }
 
 }  // namespace
@@ -214,17 +235,14 @@ void addContours(DrawList& list, const DiagramField& field, const DiagramAxes& a
     }
     std::ranges::stable_sort(lines, {}, [](const Polyline& line) { return -arcLength(line); });
     const float width = textWidth(contour.label.text, size) + 0.6F * size;
+    const auto labelOfLine = labelsOn(lines, width, axes.box, labels, dashes);
     for (std::size_t k = 0; k < lines.size(); ++k) {
       const Polyline& line = lines[k];
-      // Each of the longer parts of a contour has its value.
-      std::optional<LineLabel> label;
-      if (k < 3) label = labelOn(line, width, axes.box, labels, dashes);
-      if (k < 3 && !label) label = labelOn(line, width, axes.box, labels, {});
+      const std::optional<LineLabel>& label = labelOfLine[k];
       if (!label) {
         addLine(layer, line, kContour * sizes.unit, colour);
         continue;
       }
-      labels.push_back(*label);
       for (const Polyline& part :
            {partBetween(line, 0, label->from), partBetween(line, label->to, arcLength(line))})
         if (part.size() > 1) addLine(layer, part, kContour * sizes.unit, colour);

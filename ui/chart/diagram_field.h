@@ -15,7 +15,8 @@ float colourBarWidth(const TickedAxis& colours, const DiagramSizes& sizes);
 
 void addFieldColours(DrawList& list, const DiagramField& field, const DiagramAxes& axes);
 /// Adds the contour lines. A line is interrupted for its value, which is written along it, outside
-/// these boxes and, where possible, away from these lines.
+/// these boxes and away from these lines. Where no line of a contour has such a place, its value
+/// may lie over them.
 void addContours(DrawList& list, const DiagramField& field, const DiagramAxes& axes,
                  const DiagramSizes& sizes, const std::vector<Box>& taken,
                  const std::vector<Polyline>& borders);

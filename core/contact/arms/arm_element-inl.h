@@ -203,11 +203,11 @@ class ArmElement {
   HWY_INLINE ValueAndSlope pressureAt(const ContactPiece& piece, double u) {
     const Cubic& w = piece.depth;
     const One d0 = One::all(u * w.c1), d1 = One::all(2 * u * u * w.c2),
-              d2 = One::all(3 * u * u * u * w.c3), way = One::all(piece.length * u);
+              d2 = One::all(3 * u * u * u * w.c3), distances = One::all(piece.length * u);
     One strainSum = One::all(0), lossSum = One::all(0);
     for (std::size_t k = 0; k < armLanes_; k += One::kLanes) {
       const Quantities arm = armsFrom(k);
-      const ArmDecay decay = armDecay(way * arm[ArmVectors::Inverse]);
+      const ArmDecay decay = armDecay(distances * arm[ArmVectors::Inverse]);
       const One e = decay.strain(One::load(strain_ + k), d0, d1, d2);
       e.store(trial_ + k);
       strainSum = mulAdd(arm[ArmVectors::Modulus], e, strainSum);
@@ -288,12 +288,12 @@ class ArmElement {
 
   /// Returns how far (m) the surface comes back over any distance (m), and how fast it does there.
   HWY_INLINE ValueAndSlope recovery(double distance) const {
-    const One way = One::all(distance);
+    const One distances = One::all(distance);
     One back = One::all(0), speed = One::all(0);
     for (std::size_t k = 0; k < modeLanes_; k += One::kLanes) {
       const Quantities mode = modesFrom(k);
       const One a = One::load(amplitude_ + k), rate = mode[ArmVectors::Rate];
-      const One lost = lostAfter(rate * way);
+      const One lost = lostAfter(rate * distances);
       back = mulAdd(a, lost, back);
       speed = mulAdd(rate, negMulAdd(a, lost, a), speed);
     }
@@ -311,12 +311,12 @@ class ArmElement {
   }
   /// Relaxes over any distance and returns how far the surface comes back.
   HWY_INLINE double relax(double distance) {
-    const One way = One::all(distance);
+    const One distances = One::all(distance);
     One back = One::all(0);
     for (std::size_t k = 0; k < modeLanes_; k += One::kLanes) {
       const Quantities mode = modesFrom(k);
       const One a = One::load(amplitude_ + k);
-      const OneExponential e = exponentialOf(mode[ArmVectors::Rate] * way);
+      const OneExponential e = exponentialOf(mode[ArmVectors::Rate] * distances);
       const One kept = mulAdd(e.two, e.grown, e.two);
       back = mulAdd(a, negMulAdd(e.two, e.grown, One::all(1) - e.two), back);
       (a * kept).store(amplitude_ + k);
@@ -328,11 +328,11 @@ class ArmElement {
   /// amplitude relaxes by itself and takes what its own spring has stored.
   template <bool Everything>
   HWY_INLINE void endArc(double length, PassSums& sums) {
-    const One way = One::all(length);
+    const One distances = One::all(length);
     One volume = One::all(0), loss = One::all(0);
     for (std::size_t k = 0; k < modeLanes_; k += One::kLanes) {
       const Quantities mode = modesFrom(k);
-      const One a = One::load(arcAmplitude_ + k), z = mode[ArmVectors::Rate] * way;
+      const One a = One::load(arcAmplitude_ + k), z = mode[ArmVectors::Rate] * distances;
       const One lost = lostAfter(z), gone = a * lost;
       const One mean = select(z > One::all(0), lost / z, One::all(1));
       volume = mulAdd(a, mean, volume);

@@ -56,10 +56,10 @@ ArmPass::Piece ArmPass::makePiece(const Inside& inside, double from, double to) 
 /// Returns p / 4G at u of a piece that begins with the present strains.
 ValueAndSlope ArmPass::pressureAt(const Piece& piece, double u) const {
   const Cubic& w = piece.depth;
-  const double d0 = w.c1, d1 = 2 * w.c2, d2 = 3 * w.c3, way = piece.length * u;
+  const double d0 = w.c1, d1 = 2 * w.c2, d2 = 3 * w.c3, distance = piece.length * u;
   double strain = 0, loss = 0;
   for (std::size_t i = 0; i < strain_.size(); ++i) {
-    const DrivenDecay decay = drivenDecay(way * coefficients_.inverse[i]);
+    const DrivenDecay decay = drivenDecay(distance * coefficients_.inverse[i]);
     const double e =
         decay.kept * strain_[i] +
         u * (d0 * decay.driven[0] + u * (d1 * decay.driven[1] + u * d2 * decay.driven[2]));

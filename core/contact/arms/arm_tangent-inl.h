@@ -80,11 +80,11 @@ class ArmTangentKernel {
   /// Lets the strains decay over a contact; what slow arms lose is creep.
   void contact(double length, std::size_t remembered) {
     jacobian_.volume.row(0)[0] += length;
-    const One way = One::all(length);
+    const One lengths = One::all(length);
     alignas(64) double lost[One::kLanes];
     for (std::size_t first = 0; first < remembered; first += One::kLanes) {
       const double* inverse = vectors_.arm.from(first) + ArmVectors::Inverse * kWidestVector;
-      lostAfter(way * One::load(inverse)).store(lost);
+      lostAfter(lengths * One::load(inverse)).store(lost);
       for (std::size_t i = first; i < std::min(first + One::kLanes, remembered); ++i) {
         const One share = One::all(lost[i - first]);
         double *strain = jacobian_.strain.row(i), *change = jacobian_.change.row(i);
@@ -105,14 +105,14 @@ class ArmTangentKernel {
   }
 
   void arc(double length) {
-    const One way = One::all(length);
+    const One lengths = One::all(length);
     double* volume = jacobian_.volume.row(0);
     alignas(64) double lost[One::kLanes], mean[One::kLanes];
     for (std::size_t first = 0; first < vectors_.modes; first += One::kLanes) {
       const double* rate = vectors_.mode.from(first) + ArmVectors::Rate * kWidestVector;
-      const One z = way * One::load(rate), gone = lostAfter(z);
+      const One z = lengths * One::load(rate), gone = lostAfter(z);
       gone.store(lost);
-      select(z > One::all(0), gone / z * way, way).store(mean);
+      select(z > One::all(0), gone / z * lengths, lengths).store(mean);
       for (std::size_t j = first; j < std::min(first + One::kLanes, vectors_.modes); ++j) {
         const One share = One::all(lost[j - first]), over = One::all(mean[j - first]);
         double *mode = jacobian_.mode.row(j), *lostRow = jacobian_.lost.row(j);

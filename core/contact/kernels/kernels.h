@@ -1,7 +1,7 @@
 // The passes that are compiled for several instruction sets, of which the best one of the machine
-// is chosen at run time. core/contact/steady_sweep.cpp chooses among the passes by the scheme of
-// the line. Results agree with the readable resolved_pass.h to rounding, and differ in the last
-// digits between instruction sets. Functions of their arguments; any thread. No allocation.
+// is chosen at run time. core/contact/line_sweep.cpp chooses among the passes by the scheme of the
+// line. Results agree with the readable resolved_pass.h to rounding, and differ in the last digits
+// between instruction sets. Functions of their arguments; any thread. No allocation.
 #pragma once
 
 #include <array>

@@ -56,8 +56,8 @@ class LinearKernel {
         inverse_(request.relaxationLength > 0 ? std::min(1 / request.relaxationLength, 1e300)
                                               : 1e300),
         search_(line, depth_, relaxationLength_, inverse_) {
-    const One way = {hn::Iota(kTag, 0)};
-    decay_ = One::all(1) - lostAfter(way * One::all(line.spacing * inverse_));
+    const One steps = {hn::Iota(kTag, 0)};
+    decay_ = One::all(1) - lostAfter(steps * One::all(line.spacing * inverse_));
     decayOverAll_ = std::exp(-line.spacing * static_cast<double>(One::kLanes) * inverse_);
   }
 
@@ -118,8 +118,8 @@ class LinearKernel {
   }
 
   HWY_INLINE void relax(std::size_t k) {
-    const One depth = One::load(patches_.arcDepth + k), way = One::load(patches_.arcLength + k);
-    negMulAdd(depth, lostAfter(way * One::all(inverse_)), depth).store(relaxed_ + k);
+    const One depth = One::load(patches_.arcDepth + k), arc = One::load(patches_.arcLength + k);
+    negMulAdd(depth, lostAfter(arc * One::all(inverse_)), depth).store(relaxed_ + k);
   }
 
   HWY_INLINE void setPatch(std::size_t patch, std::size_t summit) {

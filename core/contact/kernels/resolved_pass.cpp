@@ -36,13 +36,13 @@ class Gatherer {
   }
   /// Adds a free arc that ends at `to`.
   void arc(const FreeArc& from, double to) {
-    const double way = to - from.position;
-    const double forgotten = -relaxationLength_ * std::expm1(-way * inverse_);
+    const double distance = to - from.position;
+    const double forgotten = -relaxationLength_ * std::expm1(-distance * inverse_);
     sums.depth += from.depth * forgotten;
     sums.stiffness += forgotten;
     sums.freeStretches += 1;
     if constexpr (kOutput == Output::Everything)
-      sums.dissipation += 0.5 * from.depth * from.depth * -std::expm1(-2 * way * inverse_);
+      sums.dissipation += 0.5 * from.depth * from.depth * -std::expm1(-2 * distance * inverse_);
   }
 
   PassSums sums;

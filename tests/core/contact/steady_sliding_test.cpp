@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/contact/steady_sweep.h"
+#include "core/contact/line_sweep.h"
 #include "tests/core/contact/lines.h"
 
 namespace asperity {

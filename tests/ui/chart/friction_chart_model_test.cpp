@@ -268,7 +268,7 @@ TEST(FrictionChartModelTest, TheVelocityAxisFollowsBack) {
 }
 
 /// F_N / (4 eta v) = 0.1 h at 1.7 m/s; in dimensionless axes likewise.
-TEST(FrictionChartModelTest, TintsWhereFewSummitsCarryTheLoad) {
+TEST(FrictionChartModelTest, TintsWhereFewContactsCarryTheLoad) {
   const Scene scene;
   const auto whole = [](double velocity, double mu) {
     CurvePoint made = point(velocity, mu);

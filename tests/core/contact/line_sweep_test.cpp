@@ -1,6 +1,6 @@
 // The shipped path, in vector lanes, against the plain pass, on every instruction set of the
 // machine.
-#include "core/contact/steady_sweep.h"
+#include "core/contact/line_sweep.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/contact/steady_sweep.h"
+#include "core/contact/line_sweep.h"
 
 #include <algorithm>
 #include <array>
@@ -16,7 +16,8 @@ namespace asperity {
 namespace {
 
 constexpr std::size_t kCoarsest = 4;
-constexpr double kHardly = 1e-3;  // a smaller value means that this line may be in complete contact
+/// Where the logarithm of the sinking is smaller, this line may be in complete contact.
+constexpr double kNegligibleSinking = 1e-3;
 
 /// Depths found so far at several forces and velocities of one line, and a guess of the next one
 /// from them. They change the cost of a balance, but not its result beyond the residual.
@@ -54,7 +55,7 @@ double InitialGuess::expected(std::size_t row, std::size_t column) const {
   const SteadyResult& other = others[row * velocities.size() + column];
   if (!(other.depthAtRest > 0)) return 0;
   const double sinking = std::log(other.indentation / other.depthAtRest);
-  return sinking < -kHardly ? sinking : 0;
+  return sinking < -kNegligibleSinking ? sinking : 0;
 }
 
 /// Returns this line's deviation from the expected value.

@@ -1,9 +1,8 @@
 // One line of elements without arms at many velocities, with the force balance met at each: the
-// work behind friction curves. Velocities run side by side in the lanes of the machine's vectors
-// and share the line's data. The scheme of the line chooses the kernel: runPasses in
-// steady_sweep.cpp runs the passes of linear and cubic lines, sweepNodal solves the balances of
-// nodal ones. Threading: a function of its arguments. It allocates no memory that depends on the
-// line.
+// work behind friction curves. Velocities run side by side in the lanes of the machine's
+// vectors and share the line's data. The scheme of the line chooses the kernel: runPasses in
+// line_sweep.cpp runs the passes of linear and cubic lines, sweepNodal solves the balances of nodal
+// ones. Threading: a function of its arguments. It allocates no memory that depends on the line.
 #pragma once
 
 #include <span>
