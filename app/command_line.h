@@ -73,6 +73,7 @@ struct StudyCommand {
   std::string shard;                 // I/N; empty: all of the study
   std::string shape = "wide";
   bool plan = false;
+  bool allowsFailures = false;  // of simulations, so that a run with some of them succeeds
   PictureArguments picture;
 };
 

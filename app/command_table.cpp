@@ -480,6 +480,10 @@ void CommandTable::addStudy() {
                   "Only part I of N, into a store of its own that 'merge' joins with the others")
       ->type_name("I/N");
   run->add_flag("--plan", studyRun_.plan, "Show what it will cost, and compute nothing");
+  run->add_flag(
+      "--allow-failures", studyRun_.allowsFailures,
+      "End with exit status 0 although some simulations failed; without it the status is 1 "
+      "then, after all results were stored");
   run->footer(kStudyFormat);
   CLI::App* merge =
       action("merge", "Join the stores of shards, in any order", studyMerge_, runStudyMerge);

@@ -148,9 +148,22 @@ std::string stateText(const StudyStore& store, std::int64_t added, std::int64_t 
   std::string text =
       filledLine(Words::tr("%1 of %2 simulations done, %3 of them now"), done, total, added);
   if (done < total) text += Words::tr("other processes work on the rest") + "\n";
-  if (store.hasFailures())
-    text += Words::tr("some simulations failed: 'asperity study show' says why") + "\n";
   return text;
+}
+
+/// Says that simulations failed: as a part of the summary where that is allowed, else as an error.
+/// Returns the exit status.
+int reportFailures(const StudyCommand& command) {
+  if (command.allowsFailures) {
+    printSummary(command.common,
+                 Words::tr("some simulations failed: 'asperity study show' says why") + "\n");
+    return kDone;
+  }
+  printError(message("{}: some simulations failed: 'asperity study show' says why; "
+                     "--allow-failures accepts them",
+                     command.output)
+                 .english());
+  return kRunFailed;
 }
 
 // ---- show
@@ -187,9 +200,9 @@ std::string missingText(const MergedStores& merged, const ParameterStudy& study)
   for (const std::int64_t chunk : merged.missingChunks)
     ranges += fmt::format("{}{}-{}", ranges.empty() ? "" : ", ", chunk * study.chunk,
                           chunk * study.chunk + study.sizeOfChunk(chunk) - 1);
-  const std::int64_t missing = merged.chunksWanted - merged.chunks;
+  const std::int64_t missing = merged.chunksPlanned - merged.chunks;
   if (missing > static_cast<std::int64_t>(merged.missingChunks.size())) ranges += ", ...";
-  return message("{} of {} chunks are missing (simulations {}){}", missing, merged.chunksWanted,
+  return message("{} of {} chunks are missing (simulations {}){}", missing, merged.chunksPlanned,
                  ranges,
                  shards.empty() ? Message("") : message("; no store is of shard {}", shards))
       .english();
@@ -233,7 +246,7 @@ int runStudyRun(const StudyCommand& command) {
     addReadingFacts(answer, reading);
     printJson(answer);
   }
-  return kDone;
+  return store.hasFailures() ? reportFailures(command) : kDone;
 }
 
 int runStudyMerge(const StudyCommand& command) {
@@ -243,7 +256,7 @@ int runStudyMerge(const StudyCommand& command) {
   if (command.common.json) {
     Json answer = header(store.study());
     answer["chunks"] = merged.chunks;
-    answer["chunks_wanted"] = merged.chunksWanted;
+    answer["chunks_wanted"] = merged.chunksPlanned;
     Json& missing = answer["missing_shards"] = Json::array();
     for (const Shard& shard : merged.missingShards)
       missing.push_back(fmt::format("{}/{}", shard.number, shard.count));

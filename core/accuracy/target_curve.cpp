@@ -175,7 +175,7 @@ class TargetSampling {
       const bool isDone = std::all_of(states_.begin(), states_.end(), isComplete);
       report(isDone);
       if (isDone) return true;
-      if (!sampleWanted()) return false;
+      if (!sampleMissing()) return false;
     }
     return false;
   }
@@ -275,7 +275,7 @@ class TargetSampling {
   /// Draws one batch for each level, purpose and half, with as many lines as the velocity nearest
   /// to its goal needs; at most twice the present number, because variances are known better then.
   /// Returns false where stopped.
-  bool sampleWanted() {
+  bool sampleMissing() {
     for (int level = 0; level < sampler_.levelsAllowed(); ++level)
       for (const bool isDirect : {true, false})
         for (const std::size_t half : {0U, 1U}) {

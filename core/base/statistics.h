@@ -1,4 +1,4 @@
-// Means, medians and the extent of a few numbers, and Student's distribution. Pure; any thread.
+// Means, medians and quantiles of a few numbers, and Student's distribution. Pure; any thread.
 #pragma once
 
 #include <algorithm>
@@ -52,28 +52,6 @@ inline double quantile(std::span<const double> ascending, double part) {
   return std::lerp(ascending[below], ascending[above], rank - static_cast<double>(below));
 }
 
-/// Indices [begin, end) of values.
-struct IndexRange {
-  std::size_t begin = 0, end = 0;
-
-  std::size_t size() const { return end - begin; }
-};
-
-/// Groups ascending values, all above 0, by equal intervals of their logarithm: interval k is from
-/// 10^((k - shift) / perDecade) to the beginning of the next one. Empty intervals are left out.
-inline std::vector<IndexRange> logBands(std::span<const double> ascending, double perDecade,
-                                        double shift = 0) {
-  std::vector<IndexRange> bands;
-  double last = 0;
-  for (std::size_t i = 0; i < ascending.size(); ++i) {
-    const double interval = std::floor(perDecade * std::log10(ascending[i]) + shift);
-    if (bands.empty() || interval != last) bands.push_back({i, i});
-    bands.back().end = i + 1;
-    last = interval;
-  }
-  return bands;
-}
-
 /// Returns the upper median of ratios of two statements of one quantity where they contradict each
 /// other: it differs from 1 by more than a tenth. Nothing otherwise, and of no ratios.
 inline std::optional<double> contradictingRatio(std::vector<double> ratios) {
@@ -82,22 +60,6 @@ inline std::optional<double> contradictingRatio(std::vector<double> ratios) {
   const double ratio = upperMedian(std::move(ratios));
   return std::abs(ratio - 1) > kSame ? std::optional(ratio) : std::nullopt;
 }
-
-/// The smallest and the largest of the numbers that were added; empty at first.
-struct Extent {
-  double least = std::numeric_limits<double>::infinity();
-  double most = -std::numeric_limits<double>::infinity();
-
-  /// Adds a number. One that is not finite changes nothing.
-  void add(double value) {
-    if (!std::isfinite(value)) return;
-    least = std::min(least, value);
-    most = std::max(most, value);
-  }
-  bool isEmpty() const { return !(least <= most); }
-  /// Returns the distance between the ends; the extent must not be empty.
-  double size() const { return most - least; }
-};
 
 /// Returns the probability that a value deviates by less than t standard errors, which were
 /// estimated from residuals with this many degrees of freedom (Student's distribution). For a whole

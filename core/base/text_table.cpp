@@ -49,10 +49,8 @@ const TextBlock& TextTable::largest() const {
 
 std::vector<const TextEntry*> TextTable::entriesAbove(const TextBlock& block) const {
   std::vector<const TextEntry*> entries;
-  for (const TextBlock& one : blocks) {
+  for (const TextBlock& one : blocksUpTo(block))
     for (const TextEntry& entry : one.header) entries.push_back(&entry);
-    if (&one == &block) break;
-  }
   return entries;
 }
 

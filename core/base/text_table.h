@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -74,6 +75,10 @@ struct TextTable {
 
   /// Returns the block with the most numbers; of equal ones the first.
   const TextBlock& largest() const;
+  /// Returns the blocks from the first one to this one.
+  std::span<const TextBlock> blocksUpTo(const TextBlock& block) const {
+    return {blocks.data(), &block + 1};
+  }
   /// Returns the entries in front of the block, in its header or that of an earlier block.
   std::vector<const TextEntry*> entriesAbove(const TextBlock& block) const;
   /// Returns the value of the nearest entry with this key in front of the block, in upper or lower

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/base/statistics.h"
+#include "core/base/intervals.h"
 #include "core/chart/curve_diagram.h"
 
 namespace asperity {

@@ -6,8 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include "core/base/intervals.h"
 #include "core/base/number_text.h"
-#include "core/base/statistics.h"
 #include "core/chart/curve_comparisons.h"
 #include "core/chart/curve_regions.h"
 #include "core/chart/curve_words.h"

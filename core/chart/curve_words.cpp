@@ -57,7 +57,7 @@ ParameterValue valueInCurve(const Parameter& row, const Scene& scene) {
 }
 
 /// Returns whether the value of the row means "as in the surface's file".
-bool isLeftToFile(const Parameter& row, const Scene& scene) {
+bool isGivenByFile(const Parameter& row, const Scene& scene) {
   const ParameterValue value = parameterValue(row, scene);
   const auto* whole = std::get_if<std::int64_t>(&value);
   const auto* real = std::get_if<double>(&value);
@@ -69,7 +69,7 @@ bool isLeftToFile(const Parameter& row, const Scene& scene) {
 Message inPlainWords(const Parameter& row, const Scene& scene) {
   const ParameterValue value = valueInCurve(row, scene);
   const Message label(row.label);
-  if (isLeftToFile(row, scene)) return message("{} as in the file", label);
+  if (isGivenByFile(row, scene)) return message("{} as in the file", label);
   if (const auto* real = std::get_if<double>(&value))
     return message("{} = {}", label, printedValue(*real, row));
   if (const auto* whole = std::get_if<std::int64_t>(&value)) return message("{} {}", label, *whole);
@@ -92,7 +92,7 @@ bool isOfNoCurve(const Parameter& row, const Scene& scene) {
 bool differs(const Parameter& row, const Scene& scene, const Scene& from) {
   if (isOfNoCurve(row, scene) || !isApplicable(row, scene)) return false;
   // Only beside a line with a file is a length or a number left to the file a change.
-  if (isLeftToFile(row, scene) && !isTakenFromSurfaceFile(row, from, 0)) return false;
+  if (isGivenByFile(row, scene) && !isTakenFromSurfaceFile(row, from, 0)) return false;
   if (isShiftIdle(row, scene) && isShiftIdle(row, from)) return false;
   // A curve without a target has points per element and lines instead.
   if (row.key == "accuracy.target_relative_error" && !choosesAccuracy(scene)) return false;

@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/base/intervals.h"
 #include "core/base/number_text.h"
 #include "core/base/statistics.h"
 #include "core/chart/contours.h"

@@ -37,7 +37,7 @@ void ForceBalance::take(const PassSums& sums) {
     bestSums_ = sums;
   }
   (sums.depth > load_ ? high_ : low_) = depth_;
-  done_ = residual_ <= kWantedResidual || stalled_ >= kMaxStalledPasses || passes_ >= kMaxPasses;
+  done_ = residual_ <= kTargetResidual || stalled_ >= kMaxStalledPasses || passes_ >= kMaxPasses;
   if (!done_) move(sums);
 }
 

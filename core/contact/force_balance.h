@@ -12,7 +12,7 @@ namespace asperity {
 /// Tolerance of the force balance: the relative error of F_N above which it is not accepted.
 inline constexpr double kAcceptedResidual = 1e-10;
 /// Relative error of F_N below which the iteration ends.
-inline constexpr double kWantedResidual = 1e-13;
+inline constexpr double kTargetResidual = 1e-13;
 
 /// The result of a balance.
 struct Balance {

@@ -58,7 +58,9 @@ SteadyResult steadyResult(const PreparedProfile& line, const SlidingConditions& 
   // its digits where friction is small. The paper's nodes have only Eqs. (3) and (4).
   const bool isNodal = line.scheme == Scheme::Nodal;
   const double normal = isNodal ? sums.pressure : sums.depth;
-  const double tangential = isNodal ? sums.work : sums.dissipation;
+  // Elastic elements dissipate nothing; the terms keep the squared rounding of contact edges.
+  const double dissipation = conditions.relaxationLength() != 0 ? sums.dissipation : 0;
+  const double tangential = isNodal ? sums.work : dissipation;
   SteadyResult result;
   result.indentation = depth;
   result.normalForce = stiffness * normal;
@@ -71,7 +73,7 @@ SteadyResult steadyResult(const PreparedProfile& line, const SlidingConditions& 
   result.rmsSlopeContact =
       sums.contactLength > 0 ? std::sqrt(sums.slopeSquared / sums.contactLength) : kNotANumber;
   result.powerIn = stiffness * sums.work * conditions.velocity;
-  result.powerDissipated = stiffness * sums.dissipation * conditions.velocity;
+  result.powerDissipated = stiffness * dissipation * conditions.velocity;
   result.forceFromDepth = stiffness * sums.depth;
   result.forceFromPressure = stiffness * sums.pressure;
   result.passes = 1;

@@ -275,7 +275,7 @@ bool isBareTemperature(std::string_view clause, HeaderMark mark) {
 
 /// Splits a clause where a second statement begins without a comma: "p = 0.2 MPa T = 23 C",
 /// "Load 30 N / T 23 C".
-std::vector<std::string_view> splitStatements(std::string_view clause) {
+std::vector<std::string_view> splitAtKeys(std::string_view clause) {
   std::vector<std::string_view> parts;
   for (const std::string_view part : splitText(clause, " / ")) {
     std::size_t begin = 0;
@@ -324,7 +324,7 @@ std::vector<HeaderStatement> readStatements(const TextEntry& entry, HeaderMark m
   const std::string separated = hasFront ? joinEntry(entry, "; ") : line;
   std::vector<std::string_view> clauses;
   for (const std::string_view clause : splitClauses(separated))
-    std::ranges::copy(splitStatements(clause), std::back_inserter(clauses));
+    std::ranges::copy(splitAtKeys(clause), std::back_inserter(clauses));
   std::vector<HeaderStatement> statements;
   // "Hardness: 60 Shore A, 23 \u00B0C"
   const bool isHardness = clauses.size() == 2 && isOfHardness(wordsIn(clauses.front())) &&

@@ -71,7 +71,7 @@ class RowReader {
     std::vector<MeasuredPoint> points;
     std::vector<std::size_t> rows;
     for (std::size_t row = 0; row < block_.rows; ++row) {
-      if (!hasPoint(row)) continue;
+      if (missingIn(row)) continue;
       points.push_back(pointAt(row));
       rows.push_back(row);
     }
@@ -142,8 +142,6 @@ class RowReader {
       if (roles_.find(quantity) && std::isnan(valueAt(row, quantity))) return quantity;
     return {};
   }
-
-  bool hasPoint(std::size_t row) const { return !missingIn(row); }
 
   /// Throws InputError for a column that would leave out all rows.
   void refuseEmptyColumns() const {

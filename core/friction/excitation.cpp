@@ -6,7 +6,7 @@
 #include <numbers>
 #include <utility>
 
-#include "core/base/statistics.h"
+#include "core/base/intervals.h"
 #include "core/material/temperature_shift.h"
 #include "core/surface/line_source.h"
 #include "core/surface/spectrum.h"

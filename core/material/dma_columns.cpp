@@ -19,6 +19,8 @@
 namespace asperity {
 namespace {
 
+constexpr double kSoftest = 1e3, kStiffest = 1e12;  // Pa, of rubber
+
 ModulusKind modulusKind(std::string_view word) {
   if (containsOneOf(word, "shear schub torsion")) return ModulusKind::Shear;
   if (containsOneOf(word, "young tensil tension zug bend biege compress"))
@@ -398,12 +400,6 @@ std::optional<double> angleUnit(std::string_view unit) {
   if (lowerCase(unit) == "grad") return std::numbers::pi / 180;
   return unitSize(unit, "rad");
 }
-
-namespace {
-
-constexpr double kSoftest = 1e3, kStiffest = 1e12;  // Pa, of rubber
-
-}  // namespace
 
 std::optional<Message> unusualModulus(double least, double most) {
   if (most < kSoftest)

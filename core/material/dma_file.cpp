@@ -196,23 +196,31 @@ class Reader {
         facts.leftOut += isSideBySide && isBehindEnd ? 0 : 1;
         continue;
       }
-      for (const auto& [column, value] : {std::pair(moduli.first, first), {moduli.second, second}})
-        if (!(value > 0)) refuseCell(in, row, column, moduli);
-      if (!(hertz > 0)) refuseRow(in.block.lines[row], "the frequency", hertz);
-      const DynamicModulus modulus = moduli.at(hertz, first, second);
-      const bool isOfMagnitude = moduli.pair->first == Magnitude && isModulus(moduli.pair->second);
-      if (isOfMagnitude && !(modulus.storage > 0 && modulus.loss > 0))
-        throw InputError(
-            name_, fmt::format("line {}", in.block.lines[row]),
-            message("{} is not above {}, which is a part of it; leave the row out or correct it",
-                    Message::name(shortened(in.block.label(moduli.first))),
-                    Message::name(shortened(in.block.label(moduli.second)))));
+      const DynamicModulus modulus = modulusOfRow(in, row, moduli, hertz, first, second);
       checkRow(modulus, temperature, in.block.lines[row]);
       file_.rows.push_back({temperature, modulus});
       origins_.push_back({&in.block, row});
       if (columns.has(Strain))
         file_.rows.back().strainAmplitude = strainAt(in, row, columns[Strain]);
     }
+  }
+
+  /// Returns the modulus at a frequency (Hz) from both numbers of a row. Throws InputError where
+  /// one of them is not above 0, or a magnitude not above its part.
+  DynamicModulus modulusOfRow(const DmaBlock& in, std::size_t row, const ModulusColumns& moduli,
+                              double hertz, double first, double second) const {
+    for (const auto& [column, value] : {std::pair(moduli.first, first), {moduli.second, second}})
+      if (!(value > 0)) refuseCell(in, row, column, moduli);
+    if (!(hertz > 0)) refuseRow(in.block.lines[row], "the frequency", hertz);
+    const DynamicModulus modulus = moduli.at(hertz, first, second);
+    const bool isOfMagnitude = moduli.pair->first == Magnitude && isModulus(moduli.pair->second);
+    if (isOfMagnitude && !(modulus.storage > 0 && modulus.loss > 0))
+      throw InputError(
+          name_, fmt::format("line {}", in.block.lines[row]),
+          message("{} is not above {}, which is a part of it; leave the row out or correct it",
+                  Message::name(shortened(in.block.label(moduli.first))),
+                  Message::name(shortened(in.block.label(moduli.second)))));
+    return modulus;
   }
 
   /// Returns the temperature (K) that the lines above a block state. Throws InputError where they

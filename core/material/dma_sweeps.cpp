@@ -132,8 +132,8 @@ std::vector<double> temperaturesIn(const TextEntry& entry) {
     all.push_back(number);
   }
   if (all.empty()) return {};
-  // Numbers above 200 are kelvins, as in columns.
-  const std::string unit = !key.unit.empty() ? key.unit : std::ranges::min(all) >= 200 ? "K" : "C";
+  const std::string unit =
+      key.unit.empty() ? assumedTemperatureUnit(std::ranges::min(all)) : key.unit;
   const auto scale = temperatureUnit(unit);
   if (!scale) return {};
   for (double& one : all) one = scale->toSi(one);

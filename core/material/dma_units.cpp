@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/base/input_error.h"
+#include "core/base/intervals.h"
 #include "core/base/text.h"
 #include "core/base/text_clause.h"
 #include "core/base/text_number.h"
@@ -81,9 +82,6 @@ bool namesOtherModulus(const std::string& word) {
   const auto size = unitSize(word, "Pa");
   return size && *size != 1;
 }
-
-// Numbers in this range are temperatures of a test in kelvins.
-constexpr double kLowestKelvins = 200, kHighestKelvins = 500;
 
 std::optional<double> tangentSize(const std::string& unit) {
   if (unit.empty() || unit == "1" || unit == "-") return 1;
@@ -186,13 +184,12 @@ SizedColumn phaseColumn(const DmaBlock& in, std::size_t column) {
 
 TemperatureColumn temperatureColumn(const DmaBlock& in, std::size_t column) {
   DmaColumnFact fact = columnFact(in, column, in.choices.temperatureUnit);
-  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
-  for (const double value : in.block.column(column))
-    if (std::isfinite(value)) lowest = std::min(lowest, value), highest = std::max(highest, value);
+  const auto [lowest, highest] = extentOf(in.block.column(column));
   if (!fact.unit.empty()) {
     const auto unit = temperatureUnit(fact.unit);
     if (!unit) refuseUnit(in, fact, unitNames("K"), "--temperature-unit");
     TemperatureColumn found{fact, *unit};
+    constexpr double kHighestKelvins = 500;
     const bool isInCelsius = *unit == *temperatureUnit("C");
     if (isInCelsius && in.choices.temperatureUnit.empty() && lowest >= kLowestKelvins &&
         highest <= kHighestKelvins)
@@ -208,7 +205,7 @@ TemperatureColumn temperatureColumn(const DmaBlock& in, std::size_t column) {
                              "to be mixed; say which with --temperature-unit, or correct the "
                              "column",
                              lowest, highest));
-  fact.unit = lowest >= kLowestKelvins ? "K" : "\u00B0C";
+  fact.unit = assumedTemperatureUnit(lowest);
   return {fact, *temperatureUnit(fact.unit)};
 }
 

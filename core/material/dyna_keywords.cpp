@@ -3,7 +3,6 @@
 // - G_inf) exp(-beta t). Such a file states no units; the density of a rubber tells them.
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <string_view>
 
 #include "core/base/input_error.h"
@@ -128,13 +127,13 @@ bool fitsRubber(const UnitSystem& system, double density, double glassy) {
 /// are in the user's unit, if there is one. Throws InputError where there is none, or several.
 const UnitSystem& unitsOf(const KeywordFile& file, const std::string& key, double density,
                           double glassy) {
-  const auto wanted = unitSize(file.choices.modulusUnit, "Pa");
+  const auto stated = unitSize(file.choices.modulusUnit, "Pa");
   const UnitSystem* found = nullptr;
   bool isUnclear = false;
   for (const UnitSystem& system : kUnitSystems) {
     constexpr double kSame = 1e-3;
-    const bool isWanted = !wanted || std::abs(system.modulusSize / *wanted - 1) < kSame;
-    if (!isWanted || !fitsRubber(system, density, glassy)) continue;
+    const bool isStatedUnit = !stated || std::abs(system.modulusSize / *stated - 1) < kSame;
+    if (!isStatedUnit || !fitsRubber(system, density, glassy)) continue;
     isUnclear = isUnclear || found;
     found = &system;
   }
@@ -228,10 +227,8 @@ std::optional<RawSeries> dynaSeries(const KeywordFile& file) {
     throw InputError(file.name, keyword.key(),
                      "is a keyword of LS-DYNA without a pair of GI and BETAI");
   const double density = fieldAt(cards, 0, 1, file.name);
-  const UnitSystem& units = unitsOf(
-      file, cards.front().key(), density,
-      std::accumulate(series.terms.begin(), series.terms.end(), series.equilibrium,
-                      [](double sum, const RawSeries::Term& term) { return sum + term.weight; }));
+  const UnitSystem& units =
+      unitsOf(file, cards.front().key(), density, series.equilibrium + series.totalWeight());
   series.unit = units.modulusSize;
   series.isUnitKnown = true;
   for (RawSeries::Term& term : series.terms) term.time *= units.timeSize;

@@ -16,30 +16,20 @@
 namespace asperity {
 namespace {
 
-void checkRow(const MeasuredModulus& row) {
-  const auto refuse = [&](const char* what, double value) {
-    throw InputError("", what,
-                     message("{} at {} and {} Hz is not above 0; leave such rows out, or correct "
-                             "the column",
-                             plain(value), celsius(row.temperature), row.modulus.frequency));
-  };
+void checkModulus(const DynamicModulus& modulus) {
   // Nothing is measured beyond these limits, and sums would lose their digits.
   constexpr double kLowest = 1e-9, kHighest = 1e12;         // Hz
   constexpr double kMinModulus = 1e-3, kMaxModulus = 1e13;  // Pa
-  const DynamicModulus& modulus = row.modulus;
-  if (modulus.frequency > 0 && !(modulus.frequency >= kLowest && modulus.frequency <= kHighest))
+  if (!(modulus.frequency >= kLowest && modulus.frequency <= kHighest))
     throw InputError("", "frequency",
                      message("{} Hz is outside {} to {} Hz", plain(modulus.frequency),
                              plain(kLowest), plain(kHighest)));
   const auto printed = [](double value) { return PrintedNumber{printedQuantity(value, "Pa", 3)}; };
   for (const double pascals : {modulus.storage, modulus.loss})
-    if (pascals > 0 && !(pascals >= kMinModulus && pascals <= kMaxModulus))
+    if (!(pascals >= kMinModulus && pascals <= kMaxModulus))
       throw InputError("", "modulus",
                        message("{} is outside {} to {}; --modulus-unit says what the file means",
                                printed(pascals), printed(kMinModulus), printed(kMaxModulus)));
-  if (!(row.modulus.frequency > 0)) refuse("frequency", row.modulus.frequency);
-  if (!(row.modulus.storage > 0)) refuse("storage modulus", row.modulus.storage);
-  if (!(row.modulus.loss > 0)) refuse("loss modulus", row.modulus.loss);
 }
 
 /// Makes one sweep: it is sorted by frequency, and equal frequencies become their geometric mean.
@@ -105,7 +95,7 @@ std::vector<std::span<const MeasuredModulus>> sweepsOf(std::span<const MeasuredM
 
 std::vector<Isotherm> groupIsotherms(std::vector<MeasuredModulus> rows, double tolerance) {
   if (rows.empty()) throw InputError("", "", "holds no row of frequency and moduli");
-  for (const MeasuredModulus& row : rows) checkRow(row);
+  for (const MeasuredModulus& row : rows) checkModulus(row.modulus);
   std::ranges::stable_sort(rows, {}, &MeasuredModulus::temperature);
   std::vector<MeasuredSweep> sweeps;
   for (const std::span<const MeasuredModulus> ofSweep : sweepsOf(rows, tolerance)) {

@@ -5,7 +5,6 @@
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
-#include "core/base/statistics.h"
 #include "core/base/stop.h"
 #include "core/material/temperature_shift.h"
 

@@ -116,8 +116,8 @@ MeasuredRange measuredRange(const Material& material) {
   return range;
 }
 
-TemperatureShift chosenShift(const Material& material, const std::vector<ShiftPoint>& table,
-                             std::optional<ShiftKind> wanted) {
+TemperatureShift shiftOfKind(std::optional<ShiftKind> wanted, const Material& material,
+                             const std::vector<ShiftPoint>& table) {
   if (table.size() == 1) return shiftAt(material.referenceTemperature);
   if (!wanted) return chosenShift(table, material.referenceTemperature);
   if (*wanted == ShiftKind::Table) return tableShift(table, material.referenceTemperature);
@@ -134,7 +134,7 @@ void fitShift(Material& material, const std::vector<ShiftPoint>& table,
               std::optional<ShiftKind> wanted) {
   material.wlf = fitWlf(table, material.referenceTemperature);
   material.arrhenius = fitArrhenius(table, material.referenceTemperature);
-  material.shift = chosenShift(material, table, wanted);
+  material.shift = shiftOfKind(wanted, material, table);
 }
 
 /// Takes the shift that the file states beside a master curve.

@@ -11,6 +11,18 @@
 namespace asperity {
 namespace {
 
+PrintedNumber siQuantity(double value, const char* unit) {
+  return PrintedNumber{printedQuantity(value, unit)};
+}
+
+PrintedNumber twoDigits(double value) {
+  return PrintedNumber{printedNumber(value, 2)};
+}
+
+PrintedNumber asPercent(double part) {
+  return twoDigits(100 * part);
+}
+
 /// Such a material fixes the temperature of the scene.
 void addOneTemperature(const Material& material, std::vector<Message>& lines) {
   if (material.shift.kind != ShiftKind::Table || material.shift.table.size() > 1) return;
@@ -25,41 +37,47 @@ void addOneTemperature(const Material& material, std::vector<Message>& lines) {
                 plain(roundedToDigits(kelvin, kDigits))));
 }
 
-}  // namespace
-
-Message describeArms(std::size_t count) {
-  return count == 1 ? Message("one arm") : message("{} arms", count);
+/// Adds what is known of a series that was read as it is.
+void addSeries(const Material& material, std::vector<Message>& lines) {
+  const PronySeries& series = material.series;
+  lines.push_back(
+      message("{}: {}, G\u221E = {}, at {}", material.format, describeArms(series.arms.size()),
+              siQuantity(series.equilibriumModulus, "Pa"), celsius(material.referenceTemperature)));
+  lines.push_back(
+      "which frequencies were measured is not known: friction on it is not marked as "
+      "extrapolated");
+  lines.insert(lines.end(), material.notes.begin(), material.notes.end());
 }
 
-std::vector<Message> materialSummary(const Material& material) {
-  const auto quantity = [](double value, const char* unit) {
-    return PrintedNumber{printedQuantity(value, unit)};
-  };
-  const auto percent = [](double part) { return PrintedNumber{printedNumber(100 * part, 2)}; };
-  const PronySeries& series = material.series;
-  std::vector<Message> lines;
-  if (!material.isMeasured()) {
-    lines.push_back(
-        message("{}: {}, G\u221E = {}, at {}", material.format, describeArms(series.arms.size()),
-                quantity(series.equilibriumModulus, "Pa"), celsius(material.referenceTemperature)));
-    lines.push_back(
-        "which frequencies were measured is not known: friction on it is not marked as "
-        "extrapolated");
-    lines.insert(lines.end(), material.notes.begin(), material.notes.end());
-    addOneTemperature(material, lines);
-    return lines;
+/// Adds by how much rows at one temperature and frequency differ.
+void addRepeats(const std::vector<Isotherm>& isotherms, std::vector<Message>& lines) {
+  std::size_t repeats = 0;
+  double ratio = 1;
+  for (const Isotherm& isotherm : isotherms) {
+    repeats += isotherm.repeats;
+    ratio = std::max(ratio, isotherm.repeatRatio);
   }
+  constexpr double kSame = 1.001;
+  if (repeats > 0 && ratio > kSame)
+    lines.push_back(
+        message("repeated at the same temperature and frequency: {} rows, averaged; "
+                "moduli that became one differ by a factor of up to {}",
+                repeats, PrintedNumber{printedNumber(ratio, 3)}));
+}
+
+/// Adds what was measured, and what of it was read.
+void addMeasurement(const Material& material, std::vector<Message>& lines) {
   const MasterCurve& curve = material.curve;
   const Isotherm &coldest = material.isotherms.front(), &warmest = material.isotherms.back();
   lines.push_back(
       curve.shifts.size() == 1
           ? message("measured: one isotherm at {}, {} to {}", celsius(coldest.temperature),
-                    quantity(curve.lowestFrequency(), "Hz"),
-                    quantity(curve.highestFrequency(), "Hz"))
+                    siQuantity(curve.lowestFrequency(), "Hz"),
+                    siQuantity(curve.highestFrequency(), "Hz"))
           : message("measured: {} isotherms from {} to {}; at {} they cover {} to {}",
                     curve.shifts.size(), celsius(coldest.temperature), celsius(warmest.temperature),
-                    celsius(curve.referenceTemperature), quantity(curve.lowestFrequency(), "Hz"),
-                    quantity(curve.highestFrequency(), "Hz")));
+                    celsius(curve.referenceTemperature), siQuantity(curve.lowestFrequency(), "Hz"),
+                    siQuantity(curve.highestFrequency(), "Hz")));
   if (material.facts.sweeps > 0) {
     const std::vector<Message> facts = factsOf(material.facts);
     lines.insert(lines.end(), facts.begin(), facts.end());
@@ -70,31 +88,25 @@ std::vector<Message> materialSummary(const Material& material) {
     lines.push_back(message("columns of deviations and set values, not read: {}",
                             Message::name(material.facts.leftOutColumns)));
   if (material.facts.isMarkUnclear) lines.push_back(unclearMark(material.facts.decimal));
-  std::size_t repeats = 0;
-  double ratio = 1;
-  for (const Isotherm& isotherm : material.isotherms) {
-    repeats += isotherm.repeats;
-    ratio = std::max(ratio, isotherm.repeatRatio);
-  }
-  constexpr double kSame = 1.001;
-  if (repeats > 0 && ratio > kSame)
-    lines.push_back(
-        message("repeated at the same temperature and frequency: {} rows, averaged; "
-                "moduli that became one differ by a factor of up to {}",
-                repeats, PrintedNumber{printedNumber(ratio, 3)}));
+  addRepeats(material.isotherms, lines);
   if (material.facts.modulus == ModulusKind::Tension)
     lines.push_back(dividedForShear(material.poissonRatio));
+}
+
+/// Adds the residuals of the master curve, of the series and of the formulas of the shift.
+void addResiduals(const Material& material, std::vector<Message>& lines) {
+  const PronySeries& series = material.series;
+  const MasterCurve& curve = material.curve;
   if (!curve.overlaps.empty()) {
     const auto [best, worst] = std::ranges::minmax(curve.overlaps, {}, &Overlap::mismatch);
     lines.push_back(message("overlaps: neighbours agree within {} to {} decades (rms)",
-                            PrintedNumber{printedNumber(best.mismatch, 2)},
-                            PrintedNumber{printedNumber(worst.mismatch, 2)}));
+                            twoDigits(best.mismatch), twoDigits(worst.mismatch)));
   }
   lines.push_back(message(
       "Prony series: {} from {} relaxation times, G\u221E = {}; "
       "rms residual {} % of G\u2032, {} % of G\u2033",
-      describeArms(series.arms.size()), series.terms, quantity(series.equilibriumModulus, "Pa"),
-      percent(series.rmsStorage), percent(series.rmsLoss)));
+      describeArms(series.arms.size()), series.terms, siQuantity(series.equilibriumModulus, "Pa"),
+      asPercent(series.rmsStorage), asPercent(series.rmsLoss)));
   // A rubber that still relaxes at the lowest frequency has an equilibrium modulus by
   // extrapolation.
   constexpr double kReached = 1.4;
@@ -104,17 +116,16 @@ std::vector<Message> materialSummary(const Material& material) {
     lines.push_back(
         message("equilibrium was not measured: at the lowest frequency, {}, the storage modulus is "
                 "{} times G\u221E",
-                quantity(lowest, "Hz"),
-                PrintedNumber{printedNumber(slowest / series.equilibriumModulus, 2)}));
+                siQuantity(lowest, "Hz"), twoDigits(slowest / series.equilibriumModulus)));
   if (material.wlf.isDefined)
     lines.push_back(message("Williams, Landel and Ferry: C1 = {}, C2 = {} K, {} decades rms",
                             PrintedNumber{printedNumber(material.wlf.shift.c1)},
                             PrintedNumber{printedNumber(material.wlf.shift.c2)},
-                            PrintedNumber{printedNumber(material.wlf.rms, 2)}));
+                            twoDigits(material.wlf.rms)));
   if (material.arrhenius.isDefined)
     lines.push_back(message("Arrhenius: {}, {} decades rms",
-                            quantity(material.arrhenius.shift.activationEnergy, "J/mol"),
-                            PrintedNumber{printedNumber(material.arrhenius.rms, 2)}));
+                            siQuantity(material.arrhenius.shift.activationEnergy, "J/mol"),
+                            twoDigits(material.arrhenius.rms)));
   addOneTemperature(material, lines);
   if (curve.shifts.size() > 1 || material.wlf.isDefined)
     lines.push_back(material.shift.kind == ShiftKind::Table
@@ -122,9 +133,11 @@ std::vector<Message> materialSummary(const Material& material) {
                     : material.shift.kind == ShiftKind::Wlf
                         ? Message("the shift is that of Williams, Landel and Ferry")
                         : Message("the shift is that of Arrhenius"));
-  lines.insert(lines.end(), material.strays.begin(), material.strays.end());
-  const auto decades = [](double value) { return PrintedNumber{printedNumber(value, 2)}; };
-  const auto ofModulus = [&](double value) { return percent(std::pow(10, value) - 1); };
+}
+
+/// Adds what the overlaps tell of vertical shifts and of thermorheological simplicity.
+void addSimplicity(const Material& material, std::vector<Message>& lines) {
+  const MasterCurve& curve = material.curve;
   const auto open =
       static_cast<std::size_t>(std::ranges::count_if(curve.overlaps, &Overlap::isVerticalOpen));
   if (material.isVertical && open > 0)
@@ -137,6 +150,7 @@ std::vector<Message> materialSummary(const Material& material) {
         "in {} of {} overlaps the moduli do not tell a vertical shift from a horizontal one, as "
         "power laws of one exponent do not: there the shifts hold for b_T = 1",
         open, curve.overlaps.size()));
+  const auto ofModulus = [](double decades) { return asPercent(std::pow(10, decades) - 1); };
   const VerticalEvidence& vertical = curve.vertical;
   if (material.isExplainedByVertical)
     lines.push_back(
@@ -145,18 +159,37 @@ std::vector<Message> materialSummary(const Material& material) {
                 "(rms); without them "
                 "shifts are uncertain by up to {} decades: --vertical-shifts",
                 ofModulus(vertical.largestShift), ofModulus(vertical.residual),
-                ofModulus(vertical.residualWith), decades(vertical.largestChange)));
+                ofModulus(vertical.residualWith), twoDigits(vertical.largestChange)));
   else if (!curve.isThermorheologicallySimple && curve.largestStep > 0)
     lines.push_back(
         message("not thermorheologically simple: shifts from G\u2032 alone and from G\u2033 alone "
                 "differ by up to {} decades between neighbours, {} in all; predictions at other "
                 "temperatures are approximate",
-                decades(curve.largestStep), decades(curve.largestDifference)));
+                twoDigits(curve.largestStep), twoDigits(curve.largestDifference)));
   else if (!curve.isThermorheologicallySimple)
     lines.push_back(message(
         "not thermorheologically simple: beyond their noise, neighbours differ by {} % (rms) where "
         "they overlap, which no shift explains; predictions at other temperatures are approximate",
         ofModulus(curve.shapeMisfit)));
+}
+
+}  // namespace
+
+Message describeArms(std::size_t count) {
+  return count == 1 ? Message("one arm") : message("{} arms", count);
+}
+
+std::vector<Message> materialSummary(const Material& material) {
+  std::vector<Message> lines;
+  if (!material.isMeasured()) {
+    addSeries(material, lines);
+    addOneTemperature(material, lines);
+    return lines;
+  }
+  addMeasurement(material, lines);
+  addResiduals(material, lines);
+  lines.insert(lines.end(), material.strays.begin(), material.strays.end());
+  addSimplicity(material, lines);
   return lines;
 }
 

@@ -209,24 +209,29 @@ class WindowFit {
     }
     if (std::isfinite(found.differenceBesideVertical.value)) addToBasis(difference);
     const Eigen::VectorXd left = rest(data);
-    const auto sum = [&](Eigen::Index from) {
-      OverlapResiduals::Modulus modulus;
-      addNoise(from, colder, modulus);
-      addNoise(from + colder, rows_ - colder, modulus);
-      for (Eigen::Index i = from; i < from + rows_; ++i) {
-        modulus.squares += left[i] * left[i];
-        modulus.degreesOfFreedom += 1 - basis.row(i).squaredNorm();
-        const bool startsSweep = i == from || i == from + colder;
-        if (startsSweep) continue;
-        modulus.products += left[i] * left[i - 1];
-        modulus.whiteProducts -= basis.row(i).dot(basis.row(i - 1));
-        modulus.neighbours += 1;
-      }
-      return modulus;
-    };
-    found.storage = sum(0);
-    found.loss = sum(rows_);
+    found.storage = residualsOfModulus(0, left, basis);
+    found.loss = residualsOfModulus(rows_, left, basis);
     return found;
+  }
+
+  /// Returns what a fit leaves of the modulus whose rows begin at `from`. left: the residuals of
+  /// all rows; basis: orthonormal, of all unknowns.
+  OverlapResiduals::Modulus residualsOfModulus(Eigen::Index from, const Eigen::VectorXd& left,
+                                               const Eigen::MatrixXd& basis) const {
+    const auto colder = static_cast<Eigen::Index>(window_.colder.size());
+    OverlapResiduals::Modulus modulus;
+    addNoise(from, colder, modulus);
+    addNoise(from + colder, rows_ - colder, modulus);
+    for (Eigen::Index i = from; i < from + rows_; ++i) {
+      modulus.squares += left[i] * left[i];
+      modulus.degreesOfFreedom += 1 - basis.row(i).squaredNorm();
+      const bool startsSweep = i == from || i == from + colder;
+      if (startsSweep) continue;
+      modulus.products += left[i] * left[i - 1];
+      modulus.whiteProducts -= basis.row(i).dot(basis.row(i - 1));
+      modulus.neighbours += 1;
+    }
+    return modulus;
   }
 
   /// Returns the standard error of a vertical shift that the assembled rows alone determine. A

@@ -21,7 +21,6 @@ void checkTerms(const RawSeries& series, const std::string& name) {
   if (series.terms.size() > kMaxTerms)
     throw InputError(name, "",
                      message("has {} terms; allowed is {}", series.terms.size(), kMaxTerms));
-  double sum = 0;
   for (const RawSeries::Term& term : series.terms) {
     const std::string line = fmt::format("line {}", term.line);
     if (!(term.weight >= 0))
@@ -33,73 +32,101 @@ void checkTerms(const RawSeries& series, const std::string& name) {
           name, line,
           message("the relaxation time is {} s, which must be above 0 and at most {} s",
                   plain(term.time), plain(kLongest)));
-    sum += term.weight;
   }
+  const double sum = series.totalWeight();
   if (series.isRelative && sum > 1 + 1e-6)
     throw InputError(
         name, "",
         message("the parts of the instantaneous modulus add up to {:.6g}, more than 1", sum));
 }
 
-PronyFile finished(const RawSeries& series, const std::string& name, const PronyChoices& choices) {
-  checkTerms(series, name);
-  double unit = series.unit;
-  if (!choices.modulusUnit.empty()) {
-    const auto chosen = unitSize(choices.modulusUnit, "Pa");
-    if (!chosen)
-      throw InputError(
-          "", "--modulus-unit",
-          notOneOf(choices.modulusUnit, std::vector<std::string_view>{"Pa", "kPa", "MPa", "GPa"}));
-    unit = *chosen;
-  }
-  double sum = 0;
-  for (const RawSeries::Term& term : series.terms) sum += term.weight;
-  double equilibrium = series.equilibrium * unit, instantaneous = series.instantaneous * unit;
-  if (std::isfinite(choices.instantaneousModulus)) {
-    instantaneous = choices.instantaneousModulus;
-    equilibrium = RawSeries::kNotStated;
-  }
-  if (std::isfinite(choices.equilibriumModulus)) equilibrium = choices.equilibriumModulus;
-  if (series.isRelative && !std::isfinite(instantaneous) && !std::isfinite(equilibrium))
-    throw InputError(name, series.material.empty() ? "" : "material " + series.material,
-                     "has parts of a modulus and not the modulus itself; give the instantaneous "
-                     "shear modulus with --instantaneous-modulus, or --equilibrium-modulus");
-  const double rest = std::max(0.0, 1 - sum);
-  if (series.isRelative && !std::isfinite(instantaneous)) {
-    if (!(rest > 1e-9))
+/// Returns the unit of the moduli, Pa.
+double unitOfModuli(const RawSeries& series, const PronyChoices& choices) {
+  if (choices.modulusUnit.empty()) return series.unit;
+  const auto chosen = unitSize(choices.modulusUnit, "Pa");
+  if (!chosen)
+    throw InputError(
+        "", "--modulus-unit",
+        notOneOf(choices.modulusUnit, std::vector<std::string_view>{"Pa", "kPa", "MPa", "GPa"}));
+  return *chosen;
+}
+
+/// The moduli beside the arms, Pa; NaN where neither the file nor the user states one and none
+/// follows.
+struct EndModuli {
+  double instantaneous = RawSeries::kNotStated, equilibrium = RawSeries::kNotStated;
+};
+
+/// A smaller part of a modulus is rounding.
+constexpr double kLeastPart = 1e-9;
+
+/// Returns the part of the instantaneous modulus that the arms leave.
+double equilibriumPart(const RawSeries& series) {
+  return std::max(0.0, 1 - series.totalWeight());
+}
+
+/// Returns the moduli that the user or else the file states, and the instantaneous one of parts.
+/// unit: of the moduli in the file, Pa.
+EndModuli endModuli(const RawSeries& series, double unit, const std::string& name,
+                    const PronyChoices& choices) {
+  EndModuli moduli{series.instantaneous * unit, series.equilibrium * unit};
+  if (std::isfinite(choices.instantaneousModulus))
+    moduli = {choices.instantaneousModulus, RawSeries::kNotStated};
+  if (std::isfinite(choices.equilibriumModulus)) moduli.equilibrium = choices.equilibriumModulus;
+  if (series.isRelative && !std::isfinite(moduli.instantaneous)) {
+    if (!std::isfinite(moduli.equilibrium))
+      throw InputError(name, series.material.empty() ? "" : "material " + series.material,
+                       "has parts of a modulus and not the modulus itself; give the instantaneous "
+                       "shear modulus with --instantaneous-modulus, or --equilibrium-modulus");
+    if (!(equilibriumPart(series) > kLeastPart))
       throw InputError(name, "",
                        "has parts that add up to 1, so that its long-term modulus is 0; give "
                        "--instantaneous-modulus, and --liquid if that is meant");
-    instantaneous = equilibrium / rest;
+    moduli.instantaneous = moduli.equilibrium / equilibriumPart(series);
   }
-  if (std::isfinite(instantaneous) && !(instantaneous > 0))
+  if (std::isfinite(moduli.instantaneous) && !(moduli.instantaneous > 0))
     throw InputError(name, "instantaneous modulus", "is not above 0");
+  return moduli;
+}
+
+/// Returns the stated equilibrium modulus, Pa, or else the one that the arms leave. Adds a note
+/// where these contradict each other.
+double equilibriumModulus(const RawSeries& series, double unit, const EndModuli& moduli,
+                          std::vector<Message>& notes) {
+  const auto [instantaneous, equilibrium] = moduli;
+  const double part = equilibriumPart(series);
+  const double left =
+      series.isRelative ? instantaneous * part : instantaneous - series.totalWeight() * unit;
+  if (!std::isfinite(equilibrium)) {
+    if (series.isRelative && !(part > kLeastPart)) return 0;
+    return std::isfinite(instantaneous) ? left : 0;
+  }
+  constexpr double kSame = 0.02;  // of the instantaneous modulus
+  if (std::isfinite(instantaneous) && std::abs(left - equilibrium) > kSame * instantaneous)
+    notes.push_back(
+        message("the moduli contradict each other: the arms leave {} MPa of the instantaneous "
+                "modulus, and an equilibrium modulus of {} MPa is stated, which is taken",
+                PrintedNumber{printedNumber(left / 1e6, 4)},
+                PrintedNumber{printedNumber(equilibrium / 1e6, 4)}));
+  return equilibrium;
+}
+
+/// Returns the series in Pa, of shear.
+PronyFile finished(const RawSeries& series, const std::string& name, const PronyChoices& choices) {
+  checkTerms(series, name);
+  const double unit = unitOfModuli(series, choices);
+  const EndModuli moduli = endModuli(series, unit, name, choices);
   PronyFile file;
   file.format = series.format;
   file.shift = series.shift;
   file.temperature = series.temperature;
   file.notes = series.notes;
+  const double ofWeights = series.isRelative ? moduli.instantaneous : unit;
   for (const RawSeries::Term& term : series.terms)
-    if (term.weight > 0)
-      file.arms.push_back({term.weight * (series.isRelative ? instantaneous : unit), term.time});
+    if (term.weight > 0) file.arms.push_back({term.weight * ofWeights, term.time});
   if (file.arms.empty()) throw InputError(name, "", "has no arm with a modulus above 0");
   file.arms = joinedArms(std::move(file.arms));
-  if (std::isfinite(equilibrium) && std::isfinite(instantaneous)) {
-    const double left = series.isRelative ? instantaneous * rest : instantaneous - sum * unit;
-    constexpr double kSame = 0.02;  // of the instantaneous modulus
-    if (std::abs(left - equilibrium) > kSame * instantaneous)
-      file.notes.push_back(
-          message("the moduli contradict each other: the arms leave {} MPa of the instantaneous "
-                  "modulus, and an equilibrium modulus of {} MPa is stated, which is taken",
-                  PrintedNumber{printedNumber(left / 1e6, 4)},
-                  PrintedNumber{printedNumber(equilibrium / 1e6, 4)}));
-  }
-  if (std::isfinite(equilibrium))
-    file.equilibriumModulus = equilibrium;
-  else if (series.isRelative)
-    file.equilibriumModulus = instantaneous * (rest > 1e-9 ? rest : 0);
-  else if (std::isfinite(instantaneous))
-    file.equilibriumModulus = instantaneous - sum * unit;
+  file.equilibriumModulus = equilibriumModulus(series, unit, moduli, file.notes);
   if (!choices.isLiquid && !(file.equilibriumModulus > 0))
     throw InputError(name, "equilibrium modulus",
                      "is not above 0, as of a liquid, which cannot carry a load for ever; give "

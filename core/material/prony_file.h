@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <string>
@@ -36,6 +37,34 @@ struct PronyChoices {
   /// Returns whether the user states a modulus, to which parts of one may refer.
   bool statesModulus() const {
     return std::isfinite(instantaneousModulus) || std::isfinite(equilibriumModulus);
+  }
+};
+
+/// A Prony series as a file states it, before its modulus is known: parts of a modulus, or moduli,
+/// and one modulus. prony_table.h and prony_keywords.h read it.
+struct RawSeries {
+  static constexpr double kNotStated = std::numeric_limits<double>::quiet_NaN();
+  struct Term {
+    double weight = 0, time = 0;
+    std::size_t line = 0;
+  };
+  std::vector<Term> terms{};
+  bool isRelative = true;             // weights are parts of the instantaneous modulus
+  double instantaneous = kNotStated;  // in the file's unit, of shear
+  double equilibrium = kNotStated;    // the same
+  double unit = 1;                    // Pa
+  bool isUnitKnown = false;
+  std::optional<TemperatureShift> shift{};
+  std::optional<double> temperature{};  // K, at which the file states its values
+  std::string material{};               // "TREAD"; empty where the file names none
+  Message format{};
+  std::vector<Message> notes{};
+
+  /// Returns the sum of the parts, or of the moduli in the file's unit.
+  double totalWeight() const {
+    double sum = 0;
+    for (const Term& term : terms) sum += term.weight;
+    return sum;
   }
 };
 

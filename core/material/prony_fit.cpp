@@ -9,6 +9,7 @@
 #include "core/base/linear_algebra.h"
 #include "core/base/number_text.h"
 #include "core/base/stop.h"
+#include "core/material/element_law.h"
 
 namespace asperity {
 namespace {
@@ -194,14 +195,11 @@ bool isEquilibriumClear(std::span<const DynamicModulus> points, const PronySerie
 }  // namespace
 
 DynamicModulus modulusAt(const PronySeries& series, double frequency) {
-  DynamicModulus modulus{frequency, series.equilibriumModulus, 0};
-  for (const Arm& arm : series.arms) {
-    const double turn = angular(frequency) * arm.relaxationTime;
-    const double part = arm.modulus / (1 + turn * turn);
-    modulus.storage += part * turn * turn;
-    modulus.loss += part * turn;
-  }
-  return modulus;
+  ElementLaw law;
+  law.equilibriumModulus = series.equilibriumModulus;
+  law.arms = series.arms;
+  const ComplexModulus modulus = complexModulus(law, angular(frequency));
+  return {frequency, modulus.storage, modulus.loss};
 }
 
 PronySeries fitPronySeries(std::span<const DynamicModulus> given, const PronyOptions& options) {

@@ -84,15 +84,12 @@ struct TemperatureScale {
   }
 };
 
-constexpr double kKelvinFrom = 200, kDoubtFrom = 100, kDoubtTo = 250;
-
-/// The files of finite-element programs do not state a unit. The temperatures are taken for kelvins
-/// where even the lowest one is at least 200: no rubber is used above 200 degrees Celsius.
+/// The files of finite-element programs do not state a unit. lowest: the lowest number.
 TemperatureScale temperatureScale(double lowest, std::optional<double> absoluteZero,
                                   const PronyChoices& choices) {
   if (const auto unit = temperatureUnit(choices.temperatureUnit)) return {{}, *unit, nullptr};
   if (absoluteZero) return {absoluteZero, {}, nullptr};
-  const char* taken = lowest < kKelvinFrom ? "\u00B0C" : "K";
+  const char* taken = assumedTemperatureUnit(lowest);
   return {{}, *temperatureUnit(taken), taken};
 }
 
@@ -166,6 +163,7 @@ double numberAt(const KeywordLine& line, std::size_t index, const std::string& n
 
 double readReference(double number, std::optional<double> absoluteZero, const PronyChoices& choices,
                      RawSeries& series) {
+  constexpr double kDoubtFrom = 100, kDoubtTo = 250;
   const TemperatureScale scale = temperatureScale(number, absoluteZero, choices);
   if (scale.assumed && number >= kDoubtFrom && number <= kDoubtTo)
     series.notes.push_back(message(

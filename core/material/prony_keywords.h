@@ -12,7 +12,6 @@
 #include "core/base/message.h"
 #include "core/material/elastomer.h"
 #include "core/material/prony_file.h"
-#include "core/material/raw_series.h"
 
 namespace asperity {
 

@@ -12,7 +12,6 @@
 #include "core/base/text_table.h"
 #include "core/material/dma_columns.h"
 #include "core/material/prony_file.h"
-#include "core/material/raw_series.h"
 
 namespace asperity {
 

@@ -52,8 +52,7 @@ std::vector<ShiftPoint> shiftRows(const TextBlock& block, const ShiftColumns& co
   const std::vector<double> factors = block.column(columns.factor);
   for (const auto* values : {&temperatures, &factors})
     if (!std::ranges::all_of(*values, [](double value) { return std::isfinite(value); })) return {};
-  // Numbers above 200 are kelvins, as in columns of moduli.
-  if (unit.empty()) unit = std::ranges::min(temperatures) >= 200 ? "K" : "C";
+  if (unit.empty()) unit = assumedTemperatureUnit(std::ranges::min(temperatures));
   const auto scale = temperatureUnit(unit);
   if (!scale) return {};
   std::vector<ShiftPoint> rows;

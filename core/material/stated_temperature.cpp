@@ -1,6 +1,7 @@
 #include "core/material/stated_temperature.h"
 
 #include <fmt/format.h>
+#include <ranges>
 
 #include <algorithm>
 #include <array>
@@ -235,8 +236,7 @@ class HeaderReader {
     return true;
   }
 
-  /// Reads "Temperature [°C]: 20", "T/K = 293" and "Temperature: 20". Without a unit, numbers above
-  /// 200 are kelvins, as in columns.
+  /// Reads "Temperature [°C]: 20", "T/K = 293" and "Temperature: 20".
   void readPlainNumber(std::string_view clause) {
     const auto statement = parseStatement(clause);
     if (!statement) return;
@@ -254,7 +254,7 @@ class HeaderReader {
     if (unit.empty()) {
       // "Reference: 2041" is no temperature, and t may be a time.
       if (!namesOneTemperature(statement->key)) return;
-      unit = number >= 200 ? "K" : "C";
+      unit = assumedTemperatureUnit(number);
     }
     const auto scale = temperatureUnit(unit);
     if (!scale) return;
@@ -337,13 +337,11 @@ std::optional<double> statedShiftReference(const TextTable& table, const std::st
 
 std::optional<HeaderTemperature> distrustedTemperature(const TextTable& table,
                                                        const TextBlock& block) {
-  for (const TextBlock* current = &block;; --current) {
-    for (const TextEntry& entry : current->header) {
+  for (const TextBlock& one : std::views::reverse(table.blocksUpTo(block)))
+    for (const TextEntry& entry : one.header)
       if (const auto found = findTemperature(joinEntry(entry)))
         return {{*found, entry.line, entry.written}};
-    }
-    if (current == &table.blocks.front()) return {};
-  }
+  return {};
 }
 
 std::optional<HeaderTemperature> temperatureInName(const std::string& fileName) {
@@ -361,16 +359,16 @@ std::optional<HeaderTemperature> statedTemperature(const TextTable& table, const
   std::array order{Rank::Test, Rank::Reference, Rank::Measured, Rank::Bare, Rank::ShiftReference};
   if (isReduced) std::swap(order[0], order[1]);
   HeaderReader reader(name, unit, true);
-  for (const TextBlock* current = &block;; --current) {
-    const std::vector<Statement> all = reader.read(current->header);
+  for (const TextBlock& one : std::views::reverse(table.blocksUpTo(block))) {
+    const std::vector<Statement> all = reader.read(one.header);
     for (const Rank rank : order) {
       std::vector<Statement> some;
       std::ranges::copy_if(all, std::back_inserter(some),
-                           [rank](const Statement& one) { return one.rank == rank; });
+                           [rank](const Statement& each) { return each.rank == rank; });
       if (!some.empty()) return onlyTemperature(some, name);
     }
-    if (current == &table.blocks.front()) return {};
   }
+  return {};
 }
 
 }  // namespace asperity

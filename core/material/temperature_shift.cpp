@@ -218,13 +218,13 @@ TemperatureShift tableShift(std::span<const ShiftPoint> table, double referenceT
   shift.table.assign(table.begin(), table.end());
   const auto above =
       std::ranges::lower_bound(shift.table, referenceTemperature, {}, &ShiftPoint::temperature);
-  if (above == shift.table.begin() || above == shift.table.end()) return shift;
+  if (above == shift.table.end()) return shift;
   constexpr double kNoShift = 1e-9;  // decades
-  const ShiftPoint low = *(above - 1), high = *above;
-  const double between =
-      std::lerp(low.log10Shift, high.log10Shift,
-                (referenceTemperature - low.temperature) / (high.temperature - low.temperature));
-  if (std::abs(between) > kNoShift) shift.table.insert(above, {referenceTemperature, 0});
+  if (above->temperature == referenceTemperature)
+    above->log10Shift = 0;
+  else if (above != shift.table.begin() &&
+           std::abs(tableDecades(shift, referenceTemperature)) > kNoShift)
+    shift.table.insert(above, {referenceTemperature, 0});
   return shift;
 }
 

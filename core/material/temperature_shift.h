@@ -75,7 +75,8 @@ TemperatureFit fitArrhenius(std::span<const ShiftPoint> table, double referenceT
 std::optional<TemperatureFit> interpolatingFormula(std::span<const ShiftPoint> table,
                                                    double temperature);
 
-/// Returns the table itself, with a row at the reference where it would not be 0 there.
+/// Returns the table itself with the shift 0 at the reference (K) within it, where it has a row of
+/// its own if the rows beside it would give another shift.
 TemperatureShift tableShift(std::span<const ShiftPoint> table, double referenceTemperature);
 
 /// Returns Wlf, or else Arrhenius, where it is good and has fewer constants than there are rows

@@ -16,6 +16,14 @@ namespace asperity {
 /// numbers are steps, tolerances and degrees Celsius.
 inline constexpr double kColdestTest = 100;
 
+/// Without a unit, numbers from here on are kelvins: no rubber is used above 200 degrees Celsius.
+inline constexpr double kLowestKelvins = 200;
+
+/// Returns the unit of temperatures that state none. lowest: the lowest of their numbers.
+constexpr const char* assumedTemperatureUnit(double lowest) {
+  return lowest >= kLowestKelvins ? "K" : "\u00B0C";
+}
+
 /// A temperature in a text, from its number to the end of its unit.
 struct TextTemperature {
   double kelvin = 0;

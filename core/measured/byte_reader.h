@@ -2,6 +2,7 @@
 // thread.
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -66,12 +67,25 @@ class ByteReader {
   std::size_t position_ = 0;
 };
 
+/// Returns the numbers of this size with the bytes of each in reverse order.
+inline std::string reversedBytes(std::string_view bytes, std::size_t size) {
+  std::string reversed(bytes);
+  for (std::size_t i = 0; i + size <= reversed.size(); i += size)
+    std::reverse(reversed.data() + i, reversed.data() + i + size);
+  return reversed;
+}
+
+/// The gaps of files without a number that stands for one.
+struct NoGaps {
+  bool operator()(auto) const { return false; }
+};
+
 /// Appends all numbers in the bytes to `heights`, times `scale`. isGap(number) tells from the
 /// number as it is stored whether no height was measured there; a number that is not finite is a
 /// gap in any case.
-template <class Number, class IsGap>
+template <class Number, class IsGap = NoGaps>
 void appendHeights(const SurfaceSource& source, std::string_view bytes, double scale,
-                   std::vector<double>& heights, const IsGap& isGap) {
+                   std::vector<double>& heights, const IsGap& isGap = {}) {
   const std::size_t count = bytes.size() / sizeof(Number);
   const std::size_t before = heights.size();
   heights.resize(before + count);

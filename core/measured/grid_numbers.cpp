@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/intervals.h"
 #include "core/base/text.h"
 #include "core/base/text_number.h"
 #include "core/measured/uniform_positions.h"
@@ -60,13 +61,13 @@ struct Numbers {
 };
 
 Numbers numbersOf(const TextBlock& block, std::size_t column) {
-  double lowest = INFINITY, highest = -INFINITY;
+  Extent range;
   for (std::size_t i = 0; i < block.rows; ++i) {
     const double value = block.at(i, column);
     if (!wholeNumber(std::isnan(value) ? INFINITY : value)) return {};
-    lowest = std::min(lowest, value);
-    highest = std::max(highest, value);
+    range.add(value);
   }
+  const auto [lowest, highest] = range;
   if (lowest == highest) return {};
   Numbers numbers{static_cast<std::int64_t>(lowest),
                   static_cast<std::int64_t>(highest - lowest) + 1};

@@ -80,7 +80,7 @@ SurfaceDraft readGsf(const SurfaceSource& source) {
   draft.heightUnit = statedUnit(source, "ZUnits", header.text("ZUnits"));
   draft.facts.heightColumn = shortened(header.text("Title"));
   const auto bytes = static_cast<std::size_t>(grid.columns * grid.rows) * sizeof(float);
-  appendHeights<float>(source, data.substr(0, bytes), 1, grid.height, [](float) { return false; });
+  appendHeights<float>(source, data.substr(0, bytes), 1, grid.height);
   return draft;
 }
 

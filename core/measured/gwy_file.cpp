@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/number_text.h"
@@ -147,8 +148,8 @@ Field readDataField(const SurfaceSource& source, const Component& channel) {
   field.positionUnit = readUnit(source, components, "si_unit_xy");
   field.heightUnit = readUnit(source, components, "si_unit_z");
   field.data = need("data", 'D').value;
-  if (field.columns < 1 || field.rows < 1)
-    source.fail(message("{} in the header is not a number above 0", "xres"));
+  for (const auto& [name, count] : {std::pair("xres", field.columns), {"yres", field.rows}})
+    if (count < 1) source.fail(message("{} in the header is not a number above 0", name));
   requireSize(source, field.columns, field.rows, field.data.size(), sizeof(double));
   return field;
 }
@@ -232,8 +233,7 @@ SurfaceDraft readFile(const SurfaceSource& source, bool masksAreGaps) {
   draft.positionUnit = statedUnit(source, "xy", field.positionUnit);
   draft.heightUnit = statedUnit(source, "z", field.heightUnit);
   const auto points = static_cast<std::size_t>(field.columns * field.rows);
-  appendHeights<double>(source, field.data.substr(0, points * sizeof(double)), 1, grid.height,
-                        [](double) { return false; });
+  appendHeights<double>(source, field.data.substr(0, points * sizeof(double)), 1, grid.height);
 
   const Component* mask = find(components, "/" + std::to_string(channel.number) + "/mask", 'o');
   if (mask == nullptr) return draft;

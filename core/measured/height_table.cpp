@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/intervals.h"
 #include "core/base/text.h"
 #include "core/base/text_clause.h"
 #include "core/base/text_header.h"
@@ -83,18 +84,16 @@ bool areLinesOfPoints(const TextBlock& block, std::size_t rowsOfPart) {
   if (block.columns.size() < kMin || block.columns.size() > kMax) return false;
   std::size_t steady = 0;
   for (std::size_t i = 0; i < block.columns.size(); ++i) {
-    double lowest = INFINITY, highest = -INFINITY, widest = 0;
+    Extent all;
+    double widest = 0;
     for (std::size_t begin = 0; begin < block.rows; begin += rowsOfPart) {
-      double low = INFINITY, high = -INFINITY;
-      for (std::size_t row = begin; row < begin + rowsOfPart; ++row) {
-        low = std::fmin(low, block.at(row, i));
-        high = std::fmax(high, block.at(row, i));
-      }
-      if (high >= low) widest = std::max(widest, high - low);
-      lowest = std::min(lowest, low);
-      highest = std::max(highest, high);
+      Extent part;
+      for (std::size_t row = begin; row < begin + rowsOfPart; ++row) part.add(block.at(row, i));
+      if (!part.isEmpty()) widest = std::max(widest, part.size());
+      all.add(part.least);
+      all.add(part.most);
     }
-    steady += highest > lowest && widest < kHardly * (highest - lowest) ? 1 : 0;
+    steady += all.size() > 0 && widest < kHardly * all.size() ? 1 : 0;
   }
   return steady > 0 && steady < block.columns.size();
 }

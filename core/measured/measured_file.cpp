@@ -12,6 +12,7 @@
 #include "core/base/text.h"
 #include "core/base/text_encoding.h"
 #include "core/base/text_units.h"
+#include "core/measured/processing.h"
 #include "core/measured/reading_notes.h"
 #include "core/measured/surface_draft.h"
 
@@ -213,7 +214,7 @@ void requireSound(const SurfaceSource& source, const Topography& grid, ReadingFa
   if (!isLength(grid.columnSpacing) || (grid.rowSpacing != 0 && !isLength(grid.rowSpacing)))
     source.fail("its points are no length above 0 apart");
   facts.points = grid.columns * grid.rows;
-  facts.gaps = std::ranges::count_if(grid.height, [](double height) { return std::isnan(height); });
+  facts.gaps = gapCount(grid.height);
   if (facts.gaps == facts.points) source.fail("has no heights, only gaps");
 }
 

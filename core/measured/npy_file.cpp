@@ -21,7 +21,7 @@ constexpr std::string_view kMagic = "\x93NUMPY";
 
 template <class Number>
 void appendAs(const SurfaceSource& source, std::string_view bytes, std::vector<double>& heights) {
-  appendHeights<Number>(source, bytes, 1, heights, [](Number) { return false; });
+  appendHeights<Number>(source, bytes, 1, heights);
 }
 
 /// A type of numbers by its word without the order of bytes.
@@ -83,15 +83,6 @@ class NpyHeader {
   const SurfaceSource& source_;
   std::string_view text_;
 };
-
-/// Returns the numbers with the bytes of each in reverse order.
-std::string reversedBytes(std::string_view bytes, std::size_t size) {
-  std::string reversed(bytes);
-  for (std::size_t i = 0; i + size <= reversed.size(); i += size)
-    std::reverse(reversed.begin() + static_cast<std::ptrdiff_t>(i),
-                 reversed.begin() + static_cast<std::ptrdiff_t>(i + size));
-  return reversed;
-}
 
 }  // namespace
 

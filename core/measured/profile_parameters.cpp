@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/intervals.h"
+
 namespace asperity {
 namespace {
 
@@ -11,13 +13,8 @@ constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
 
 /// Returns the difference of the highest and the lowest measured height; NaN where there is none.
 double heightRange(std::span<const double> heights) {
-  double lowest = kUndefined, highest = kUndefined;
-  for (const double height : heights) {
-    if (std::isnan(height)) continue;
-    lowest = std::isnan(lowest) ? height : std::min(lowest, height);
-    highest = std::isnan(highest) ? height : std::max(highest, height);
-  }
-  return std::isnan(lowest) ? kUndefined : highest - lowest;
+  const Extent extent = extentOf(heights);
+  return extent.isEmpty() ? kUndefined : extent.size();
 }
 
 double meanRange(std::span<const double> heights, std::size_t section) {

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/intervals.h"
 #include "core/base/number_text.h"
 #include "core/base/text.h"
 #include "core/base/text_header.h"
@@ -92,16 +93,6 @@ void noteVoids(const Topography& grid, const UnitFact& unit, std::vector<Message
   }
 }
 
-/// Returns the distance from the lowest to the highest height, m.
-double heightSpan(const Topography& grid) {
-  double lowest = INFINITY, highest = -INFINITY;
-  for (const double height : grid.height) {
-    lowest = std::fmin(lowest, height);
-    highest = std::fmax(highest, height);
-  }
-  return highest - lowest;
-}
-
 /// Adds notes where a unit that the file states makes the surface unusually large: the unit may be
 /// that of other numbers.
 void noteLargeSizes(const Topography& grid, const ReadingFacts& facts,
@@ -113,7 +104,7 @@ void noteLargeSizes(const Topography& grid, const ReadingFacts& facts,
                 "surface.position_unit replaces it.",
                 length));
   if (facts.heightUnit.source != UnitSource::File) return;
-  if (const double span = heightSpan(grid); span > kHighestUsual)
+  if (const double span = extentOf(grid.height).size(); span > kHighestUsual)
     notes.push_back(
         message("The heights span {:.3g} m: if the file states a wrong unit of heights, "
                 "surface.height_unit replaces it.",
@@ -178,7 +169,8 @@ void addReadingNotes(SurfaceDraft& draft) {
         message("The file states heights in {}: surface.height_unit replaces it.", other));
   noteLargeSizes(grid, facts, notes);
   noteVoids(grid, height, notes);
-  if (heightSpan(grid) == 0) notes.emplace_back("All heights are the same: the surface is flat.");
+  if (extentOf(grid.height).size() == 0)
+    notes.emplace_back("All heights are the same: the surface is flat.");
   if (facts.gaps == 1) notes.emplace_back("One point has no height.");
   if (facts.gaps > 1) notes.push_back(message("{} points have no height.", facts.gaps));
   facts.notes = std::move(notes);

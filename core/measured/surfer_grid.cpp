@@ -17,7 +17,7 @@ namespace {
 constexpr double kBlanked = 1.70141e38;  // this number and those above it
 
 /// The numbers of columns and rows, and the positions of the first and last ones.
-struct Extent {
+struct SurferHeader {
   std::int64_t columns = 0, rows = 0;
   double firstX = 0, lastX = 0, firstY = 0, lastY = 0;
 };
@@ -32,12 +32,12 @@ SurfaceDraft makeDraft(std::int64_t columns, std::int64_t rows, double xStep, do
   return draft;
 }
 
-SurfaceDraft makeDraft(const Extent& extent) {
+SurfaceDraft makeDraft(const SurferHeader& header) {
   const auto step = [](double first, double last, std::int64_t count) {
     return std::abs(last - first) / static_cast<double>(std::max<std::int64_t>(count - 1, 1));
   };
-  return makeDraft(extent.columns, extent.rows, step(extent.firstX, extent.lastX, extent.columns),
-                   step(extent.firstY, extent.lastY, extent.rows));
+  return makeDraft(header.columns, header.rows, step(header.firstX, header.lastX, header.columns),
+                   step(header.firstY, header.lastY, header.rows));
 }
 
 SurfaceDraft readText(const SurfaceSource& source) {
@@ -55,19 +55,19 @@ SurfaceDraft readText(const SurfaceSource& source) {
     if (!value || *value < 1) source.fail(message("{} in the header is not a number above 0", key));
     return *value;
   };
-  Extent extent;
-  extent.columns = count("nx");
-  extent.rows = count("ny");
-  extent.firstX = number("xlo");
-  extent.lastX = number("xhi");
-  extent.firstY = number("ylo");
-  extent.lastY = number("yhi");
+  SurferHeader header;
+  header.columns = count("nx");
+  header.rows = count("ny");
+  header.firstX = number("xlo");
+  header.lastX = number("xhi");
+  header.firstY = number("ylo");
+  header.lastY = number("yhi");
   number("zlo");
   number("zhi");
-  SurfaceDraft draft = makeDraft(extent);
+  SurfaceDraft draft = makeDraft(header);
   // A height takes at least a digit and a blank.
-  requireSize(source, extent.columns, extent.rows, reader.left() + 1, 2);
-  const auto points = static_cast<std::size_t>(extent.columns * extent.rows);
+  requireSize(source, header.columns, header.rows, reader.left() + 1, 2);
+  const auto points = static_cast<std::size_t>(header.columns * header.rows);
   readHeights(source, reader, points, {1, kBlanked}, draft.grid.height);
   requireNoMoreHeights(source, reader, points);
   return draft;
@@ -76,17 +76,17 @@ SurfaceDraft readText(const SurfaceSource& source) {
 SurfaceDraft readBytes(const SurfaceSource& source) {
   ByteReader reader(source, source.bytes);
   reader.skip(4);  // DSBB
-  Extent extent;
-  extent.columns = reader.read<std::int16_t>();
-  extent.rows = reader.read<std::int16_t>();
-  extent.firstX = reader.read<double>();
-  extent.lastX = reader.read<double>();
-  extent.firstY = reader.read<double>();
-  extent.lastY = reader.read<double>();
+  SurferHeader header;
+  header.columns = reader.read<std::int16_t>();
+  header.rows = reader.read<std::int16_t>();
+  header.firstX = reader.read<double>();
+  header.lastX = reader.read<double>();
+  header.firstY = reader.read<double>();
+  header.lastY = reader.read<double>();
   reader.skip(2 * sizeof(double));  // lowest and highest z
-  SurfaceDraft draft = makeDraft(extent);
-  requireSize(source, extent.columns, extent.rows, reader.left(), sizeof(float));
-  const auto bytes = static_cast<std::size_t>(extent.columns * extent.rows) * sizeof(float);
+  SurfaceDraft draft = makeDraft(header);
+  requireSize(source, header.columns, header.rows, reader.left(), sizeof(float));
+  const auto bytes = static_cast<std::size_t>(header.columns * header.rows) * sizeof(float);
   appendHeights<float>(source, reader.take(bytes), 1, draft.grid.height,
                        [](float height) { return height >= static_cast<float>(kBlanked); });
   return draft;

@@ -73,17 +73,16 @@ void flip(Topography& grid, bool columns, bool rows) {
 /// What the lines above the numbers state about the steps along one axis.
 struct AxisSteps {
   std::optional<HeaderLength> step{}, extent{};
+
+  const std::optional<HeaderLength>& length() const { return step ? step : extent; }
 };
 
 /// Throws InputError where the step and the extent contradict each other: the extent reaches from
 /// the first point to the last one, or one step farther.
 void requireAgreement(const AxisSteps& axis, std::int64_t count, const SurfaceSource& source) {
   if (!axis.step || !axis.extent || !axis.step->unit != !axis.extent->unit) return;
-  const auto metres = [](const HeaderLength& length) {
-    return length.value * (length.unit ? length.unit->metres : 1);
-  };
   constexpr double kRounding = 0.01;
-  const double step = metres(*axis.step), extent = metres(*axis.extent);
+  const double step = axis.step->metres(), extent = axis.extent->metres();
   if (std::abs(extent - step * static_cast<double>(count)) > step + kRounding * extent)
     throw InputError(source.name, "surface.point_spacing",
                      message("is needed (in m): the file states a step of {} and an extent of {}, "
@@ -92,11 +91,15 @@ void requireAgreement(const AxisSteps& axis, std::int64_t count, const SurfaceSo
                              PrintedNumber{printedQuantity(extent, "m")}, count));
 }
 
-}  // namespace
+/// The steps of both axes.
+struct FieldSteps {
+  AxisSteps x, y;
+};
 
-void takeSpacings(const TextTable& table, const TextBlock& block, const SurfaceSource& source,
-                  SurfaceDraft& draft) {
-  Topography& grid = draft.grid;
+/// Returns the steps that the lines above the numbers state, without numbers that count points.
+FieldSteps statedSteps(const TextTable& table, const TextBlock& block, const SurfaceSource& source,
+                       SurfaceDraft& draft) {
+  const Topography& grid = draft.grid;
   AxisSteps x, y;
   for (auto* axis : {&x, &y}) {
     const char letter = axis == &x ? 'x' : 'y';
@@ -124,25 +127,39 @@ void takeSpacings(const TextTable& table, const TextBlock& block, const SurfaceS
     y = {countedY, {}};
     if (countedX->note) draft.facts.notes.push_back(*countedX->note);
   }
-  if (!x.step && !x.extent) y.extent.reset();  // a height alone may be any
+  if (!x.length()) y.extent.reset();  // a height alone may be any
+  return {x, y};
+}
+
+/// Takes the spacing of `count` points along an axis. Returns whether one is stated.
+bool takeSpacing(const AxisSteps& axis, std::int64_t count, SurfaceDraft& draft, double& spacing) {
+  const auto& length = axis.length();
+  if (!length) return false;
+  double factor = 1;
+  // The first length states the unit of both.
+  if (length->unit && draft.positionUnit)
+    factor = length->unit->metres / draft.positionUnit->metres;
+  else if (length->unit)
+    draft.positionUnit = length->unit;
+  spacing = length->value / (axis.step ? 1 : static_cast<double>(count)) * factor;
+  return true;
+}
+
+}  // namespace
+
+void takeSpacings(const TextTable& table, const TextBlock& block, const SurfaceSource& source,
+                  SurfaceDraft& draft) {
+  Topography& grid = draft.grid;
+  const auto [x, y] = statedSteps(table, block, source, draft);
   const bool isChosen = source.choices.spacing > 0;
-  const auto set = [&](const AxisSteps& axis, std::int64_t count, double& spacing) {
-    if (!isChosen) requireAgreement(axis, count, source);
-    const auto& length = axis.step ? axis.step : axis.extent;
-    if (!length) return false;
-    double factor = 1;
-    // The first length states the unit of both.
-    if (length->unit && draft.positionUnit)
-      factor = length->unit->metres / draft.positionUnit->metres;
-    else if (length->unit)
-      draft.positionUnit = length->unit;
-    spacing = length->value / (axis.step ? 1 : static_cast<double>(count)) * factor;
-    return true;
-  };
-  const bool hasX = set(x, grid.columns, grid.columnSpacing);
-  const bool hasY = set(y, grid.rows, grid.rowSpacing);
+  if (!isChosen) {
+    requireAgreement(x, grid.columns, source);
+    requireAgreement(y, grid.rows, source);
+  }
+  const bool hasX = takeSpacing(x, grid.columns, draft, grid.columnSpacing);
+  const bool hasY = takeSpacing(y, grid.rows, draft, grid.rowSpacing);
   if (hasX && !hasY) {
-    const bool isOfX = (x.step ? x.step : x.extent)->hasAxis;
+    const bool isOfX = x.length()->hasAxis;
     grid.rowSpacing = isOfX ? 0 : grid.columnSpacing;
     if (!isOfX && !isChosen && grid.rows > 1)
       draft.facts.notes.emplace_back(
@@ -180,6 +197,49 @@ std::optional<StatedUnit> unitOfCells(const TextBlock& block, std::size_t firstC
   return metres ? std::optional(StatedUnit{unit, *metres}) : std::nullopt;
 }
 
+/// Returns the numbers from a row and a column on, row by row.
+std::vector<double> numbersFrom(const TextBlock& block, std::size_t firstRow,
+                                std::size_t firstColumn) {
+  if (firstColumn == 0 && firstRow == 0) return block.values;
+  std::vector<double> numbers;
+  for (std::size_t row = firstRow; row < block.rows; ++row)
+    for (std::size_t column = firstColumn; column < block.columns.size(); ++column)
+      numbers.push_back(block.at(row, column));
+  return numbers;
+}
+
+void noteNumbering(const Numbering& numbering, std::vector<Message>& notes) {
+  if (numbering.row && numbering.column)
+    notes.emplace_back("The first row and the first column number the points.");
+  else if (numbering.row)
+    notes.emplace_back("The first row numbers the points.");
+  else if (numbering.column)
+    notes.emplace_back("The first column numbers the points.");
+}
+
+/// Takes the spacings and the unit of the positions in the first row and the first column.
+void takeFramePositions(const MatrixFrame& frame, const CornerUnits& corner, const TextTable& table,
+                        const TextBlock& block, SurfaceDraft& draft) {
+  Topography& grid = draft.grid;
+  const double x = *uniformSpacing(frame.x), y = *uniformSpacing(frame.y);
+  grid.columnSpacing = std::abs(x);
+  grid.rowSpacing = std::abs(y);
+  flip(grid, x < 0, y < 0);
+  draft.positionUnit = corner.x ? corner.x : corner.y;
+  if (corner.x && corner.y) grid.rowSpacing *= corner.y->metres / corner.x->metres;
+  if (!draft.positionUnit) draft.unknownPositionUnit = corner.unknownPosition;
+  if (!draft.positionUnit && draft.unknownPositionUnit.empty())
+    draft.positionUnit = headerUnit(table, block, false);
+  if (frame.corner) {
+    draft.facts.notes.push_back(message(
+        "The first row and the first column are evenly spaced and are taken as positions; the "
+        "number {} in the corner is left out.",
+        plain(*frame.corner)));
+  } else {
+    draft.facts.notes.emplace_back("The first row and the first column are positions.");
+  }
+}
+
 }  // namespace
 
 SurfaceDraft readTextMatrix(const TextTable& table, const TextBlock& block,
@@ -205,45 +265,17 @@ SurfaceDraft readTextMatrix(const TextTable& table, const TextBlock& block,
   grid.columns = static_cast<std::int64_t>(block.columns.size() - firstColumn);
   grid.rows = static_cast<std::int64_t>(block.rows - firstRow);
   requireSize(source, grid.columns, grid.rows, 0, 0);
-  if (firstColumn == 0 && firstRow == 0) {
-    grid.height = block.values;
-  } else {
-    for (std::size_t row = firstRow; row < block.rows; ++row)
-      for (std::size_t column = firstColumn; column < block.columns.size(); ++column)
-        grid.height.push_back(block.at(row, column));
-  }
+  grid.height = numbersFrom(block, firstRow, firstColumn);
   if (spip && !frame.hasColumn) applySpipHeader(*spip, source, grid);
   draft.heightUnit = corner.z ? corner.z : headerUnit(table, block, true);
   if (!draft.heightUnit) draft.heightUnit = unitOfCells(block, firstColumn);
   if (!draft.heightUnit) draft.unknownHeightUnit = corner.unknownHeight;
   requireHeightName(block, -1, source, draft.facts.notes);
-  if (numbering.row && numbering.column)
-    draft.facts.notes.emplace_back("The first row and the first column number the points.");
-  else if (numbering.row)
-    draft.facts.notes.emplace_back("The first row numbers the points.");
-  else if (numbering.column)
-    draft.facts.notes.emplace_back("The first column numbers the points.");
-  if (frame.hasColumn && !isNumbered) {
-    const double x = *uniformSpacing(frame.x), y = *uniformSpacing(frame.y);
-    grid.columnSpacing = std::abs(x);
-    grid.rowSpacing = std::abs(y);
-    flip(grid, x < 0, y < 0);
-    draft.positionUnit = corner.x ? corner.x : corner.y;
-    if (corner.x && corner.y) grid.rowSpacing *= corner.y->metres / corner.x->metres;
-    if (!draft.positionUnit) draft.unknownPositionUnit = corner.unknownPosition;
-    if (!draft.positionUnit && draft.unknownPositionUnit.empty())
-      draft.positionUnit = headerUnit(table, block, false);
-    if (frame.corner) {
-      draft.facts.notes.push_back(message(
-          "The first row and the first column are evenly spaced and are taken as positions; the "
-          "number {} in the corner is left out.",
-          plain(*frame.corner)));
-    } else {
-      draft.facts.notes.emplace_back("The first row and the first column are positions.");
-    }
-  } else {
+  noteNumbering(numbering, draft.facts.notes);
+  if (frame.hasColumn && !isNumbered)
+    takeFramePositions(frame, corner, table, block, draft);
+  else
     takeSpacings(table, block, source, draft);
-  }
   if (const auto size = nanometresPerHeight(table, block); size && !draft.heightUnit)
     draft.heightUnit = StatedUnit{*size == 1 ? "nm" : plainNumber(*size) + " nm", 1e-9 * *size};
   if (!draft.heightUnit && draft.unknownHeightUnit.empty())
@@ -328,6 +360,73 @@ bool numberPoints(const TextTable& table, const TextBlock& block, const PointCol
          x.unit.empty() && y.unit.empty() && !headerUnit(table, block, false);
 }
 
+constexpr const char* kNoGrid = "the points do not lie on a grid of uniform rows and columns";
+
+/// Returns the index of a position along an axis; nothing where it lies beyond the ends. A number
+/// of few digits may be anywhere as far as its rounding goes.
+std::optional<std::int64_t> gridIndex(double position, const GridAxis& axis) {
+  if (axis.count == 1) return 0;
+  const double index = (position - axis.first) / axis.spacing;
+  if (!(index >= -1 && index <= static_cast<double>(axis.count))) return {};
+  return std::clamp<std::int64_t>(std::llround(index), 0, axis.count - 1);
+}
+
+/// Takes the height of each point of the grid; where several points have one position, their mean.
+void takeHeights(const TextBlock& block, const PointColumns& columns, const GridAxis& x,
+                 const GridAxis& y, const SurfaceSource& source, SurfaceDraft& draft) {
+  Topography& grid = draft.grid;
+  const double all = static_cast<double>(grid.columns) * static_cast<double>(grid.rows);
+  if (all > 4 * static_cast<double>(block.rows)) source.fail(kNoGrid);
+  requireSize(source, grid.columns, grid.rows, 0, 0);
+  grid.height.assign(static_cast<std::size_t>(grid.columns * grid.rows), kMissingHeight);
+  std::vector<bool> isTaken(grid.height.size());
+  std::vector<RepeatedHeight> repeats;
+  // More points may be those of another surface.
+  constexpr std::size_t kMaxRepeats = 10;  // one of so many points
+  for (std::size_t i = 0; i < block.rows; ++i) {
+    const double px = block.at(i, static_cast<std::size_t>(columns.x));
+    const double py = block.at(i, static_cast<std::size_t>(columns.y));
+    if (std::isnan(px) || std::isnan(py))
+      source.fail(message("line {}: the position is missing", block.lines[i]));
+    const auto row = gridIndex(py, y), column = gridIndex(px, x);
+    if (!row || !column) source.fail(kNoGrid);
+    const auto at = static_cast<std::size_t>(*row * grid.columns + *column);
+    const double height = block.at(i, static_cast<std::size_t>(columns.z));
+    if (isTaken[at]) {
+      repeats.push_back({at, i, height});
+      if (kMaxRepeats * repeats.size() > block.rows)
+        source.fail(message("line {}: there is a point at this position already",
+                            block.lines[repeats.front().row]));
+      continue;
+    }
+    isTaken[at] = true;
+    grid.height[at] = height;
+  }
+  if (!repeats.empty()) {
+    draft.facts.notes.push_back(repeatsNote(repeats.size()));
+    takeMeans(std::move(repeats), grid.height);
+  }
+}
+
+/// Takes the units of the columns. areNumbers: there are no positions, but numbers of columns and
+/// rows. Returns the unit of y over that of x.
+double takeColumnUnits(const TextTable& table, const TextBlock& block, const PointColumns& columns,
+                       bool areNumbers, const SurfaceSource& source, SurfaceDraft& draft) {
+  std::optional<StatedUnit> rowUnit;
+  if (!areNumbers) {
+    draft.positionUnit = columnUnit(source, table, block, columns.x, false);
+    rowUnit = columnUnit(source, table, block, columns.y, false);
+  }
+  draft.heightUnit = columnUnit(source, table, block, columns.z, true);
+  if (!draft.positionUnit && !areNumbers)
+    draft.unknownPositionUnit = unknownUnit(table, block, columns.x, false);
+  if (!draft.heightUnit) draft.unknownHeightUnit = unknownUnit(table, block, columns.z, true);
+  requireHeightName(block, columns.z, source, draft.facts.notes);
+  for (const int column : {columns.x, columns.y, columns.z})
+    noteFactor(block, column, draft.facts.notes);
+  return (rowUnit ? rowUnit->metres : 1) / (draft.positionUnit ? draft.positionUnit->metres : 1);
+}
+
 }  // namespace
 
 bool isPointsOfGrid(const TextBlock& block, const ColumnRoles& roles) {
@@ -361,8 +460,7 @@ SurfaceDraft readTextPoints(const TextTable& table, const TextBlock& block,
     constexpr double kRounding = 1e-3;
     return std::abs(axis.spacing - 1) < kRounding;
   };
-  if (!x || !y || (areOfGrid && !(countsByOne(*x) && countsByOne(*y))))
-    source.fail("the points do not lie on a grid of uniform rows and columns");
+  if (!x || !y || (areOfGrid && !(countsByOne(*x) && countsByOne(*y)))) source.fail(kNoGrid);
   const bool areNumbers = areOfGrid || numberPoints(table, block, columns, {*x, *y}, source);
   SurfaceDraft draft;
   draft.facts.format = "points";
@@ -374,21 +472,7 @@ SurfaceDraft readTextPoints(const TextTable& table, const TextBlock& block,
                            columnText(block, columns.z))
                  : message("Positions are {} and {}, heights {}.", columnText(block, columns.x),
                            columnText(block, columns.y), columnText(block, columns.z)));
-  std::optional<StatedUnit> rowUnit;
-  if (!areNumbers) {
-    draft.positionUnit = columnUnit(source, table, block, columns.x, false);
-    rowUnit = columnUnit(source, table, block, columns.y, false);
-  }
-  draft.heightUnit = columnUnit(source, table, block, columns.z, true);
-  if (!draft.positionUnit && !areNumbers)
-    draft.unknownPositionUnit = unknownUnit(table, block, columns.x, false);
-  if (!draft.heightUnit) draft.unknownHeightUnit = unknownUnit(table, block, columns.z, true);
-  requireHeightName(block, columns.z, source, draft.facts.notes);
-  for (const int column : {columns.x, columns.y, columns.z})
-    noteFactor(block, column, draft.facts.notes);
-  const double ofRows =
-      (rowUnit ? rowUnit->metres : 1) / (draft.positionUnit ? draft.positionUnit->metres : 1);
-
+  const double ofRows = takeColumnUnits(table, block, columns, areNumbers, source, draft);
   // A single row may also run along y.
   Topography& grid = draft.grid;
   grid.columns = x->count;
@@ -399,44 +483,7 @@ SurfaceDraft readTextPoints(const TextTable& table, const TextBlock& block,
     grid.columnSpacing = x->spacing;
     grid.rowSpacing = y->spacing * ofRows;
   }
-  const double all = static_cast<double>(grid.columns) * static_cast<double>(grid.rows);
-  if (all > 4 * static_cast<double>(block.rows))
-    source.fail("the points do not lie on a grid of uniform rows and columns");
-  requireSize(source, grid.columns, grid.rows, 0, 0);
-  grid.height.assign(static_cast<std::size_t>(grid.columns * grid.rows), kMissingHeight);
-  std::vector<bool> isTaken(grid.height.size());
-  std::vector<RepeatedHeight> repeats;
-  // More points may be those of another surface.
-  constexpr std::size_t kMaxRepeats = 10;  // one of so many points
-  const auto gridIndex = [&](double value, const GridAxis& axis) -> std::int64_t {
-    if (axis.count == 1) return 0;
-    // A number of few digits may be anywhere as far as its rounding goes.
-    const double index = (value - axis.first) / axis.spacing;
-    if (!(index >= -1 && index <= static_cast<double>(axis.count)))
-      source.fail("the points do not lie on a grid of uniform rows and columns");
-    return std::clamp<std::int64_t>(std::llround(index), 0, axis.count - 1);
-  };
-  for (std::size_t i = 0; i < block.rows; ++i) {
-    const double px = block.at(i, static_cast<std::size_t>(columns.x));
-    const double py = block.at(i, static_cast<std::size_t>(columns.y));
-    if (std::isnan(px) || std::isnan(py))
-      source.fail(message("line {}: the position is missing", block.lines[i]));
-    const auto at = static_cast<std::size_t>(gridIndex(py, *y) * grid.columns + gridIndex(px, *x));
-    const double height = block.at(i, static_cast<std::size_t>(columns.z));
-    if (isTaken[at]) {
-      repeats.push_back({at, i, height});
-      if (kMaxRepeats * repeats.size() > block.rows)
-        source.fail(message("line {}: there is a point at this position already",
-                            block.lines[repeats.front().row]));
-      continue;
-    }
-    isTaken[at] = true;
-    grid.height[at] = height;
-  }
-  if (!repeats.empty()) {
-    draft.facts.notes.push_back(repeatsNote(repeats.size()));
-    takeMeans(std::move(repeats), grid.height);
-  }
+  takeHeights(block, columns, *x, *y, source, draft);
   if (const double deviation = std::max(x->deviation, y->deviation); deviation > 0)
     draft.facts.notes.push_back(
         message("Positions are up to {:.2g} % of a step off an even grid, on which they are taken.",

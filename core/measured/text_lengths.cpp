@@ -166,18 +166,12 @@ std::optional<OneOrTwo> parseLengths(std::string_view text, const std::string& u
 bool isSame(const HeaderLength& one, const HeaderLength& other) {
   constexpr double kRounding = 0.01;
   if (!one.unit != !other.unit) return true;  // it is not known
-  const auto metres = [](const HeaderLength& length) {
-    return length.value * (length.unit ? length.unit->metres : 1);
-  };
-  return std::abs(metres(one) - metres(other)) <= kRounding * metres(one);
+  return std::abs(one.metres() - other.metres()) <= kRounding * one.metres();
 }
 
 /// Returns whether the name is that of a resolution, which may be a number of points as well.
 bool isResolution(std::string_view name) {
-  const std::string text = lowerCase(name);
-  constexpr WordList kWords("resolution aufl\u00F6sung r\u00E9solution");
-  return std::ranges::any_of(
-      kWords, [&text](std::string_view word) { return text.find(word) != std::string::npos; });
+  return containsOneOf(lowerCase(name), "resolution aufl\u00F6sung r\u00E9solution");
 }
 
 /// Reads an entry without a key: "DeltaX 0.5 um", "10 um x 20 um".

@@ -22,6 +22,9 @@ struct HeaderLength {
   std::optional<StatedUnit> unit{};
   bool hasAxis = false;           // its name is that of a length along one axis
   std::optional<Message> note{};  // what it follows from, where this is not evident
+
+  /// Returns the length in m; without a unit it counts as one.
+  double metres() const { return value * (unit ? unit->metres : 1); }
 };
 /// The ways to name an axis, {}.
 inline constexpr WordList kAxisForms(

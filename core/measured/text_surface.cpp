@@ -164,14 +164,32 @@ void takeRows(const TextTable& table, const TextBlock& block, const SurfaceSourc
   takeSpacings(table, block, source, draft);
 }
 
+/// Makes gaps of the heights that are not valid by a column of the file.
+void makeGaps(const TextBlock& block, const ColumnRoles& roles, std::vector<double>& heights,
+              std::vector<Message>& notes) {
+  for (std::size_t i = 0; i < block.rows; ++i) {
+    const double valid = block.at(i, static_cast<std::size_t>(roles.validity));
+    if (std::isnan(valid) || (valid == 1) != roles.validIsOne) heights[i] = kMissingHeight;
+  }
+  notes.push_back(message("{} says which points are valid; the others are gaps.",
+                          columnText(block, roles.validity)));
+}
+
+/// Returns the step between the points that the lines above the numbers state.
+std::optional<HeaderLength> statedStep(const TextTable& table, const TextBlock& block,
+                                       const SurfaceSource& source) {
+  if (auto step = headerLength(table, block, LengthKind::Step, 'x', source)) return step;
+  if (auto step = countedStep(table, block, static_cast<std::int64_t>(block.rows), 'x'))
+    return step;
+  return sampledStep(table, block);
+}
+
 SurfaceDraft readTextProfile(const TextTable& table, const TextBlock& block,
                              const SurfaceSource& source) {
   ColumnRoles roles = columnRoles(block, source);
   if (roles.z < 0) source.fail("has no column of heights");
   SurfaceDraft draft;
-  auto spacing = headerLength(table, block, LengthKind::Step, 'x', source);
-  if (!spacing) spacing = countedStep(table, block, static_cast<std::int64_t>(block.rows), 'x');
-  if (!spacing) spacing = sampledStep(table, block);
+  const auto spacing = statedStep(table, block, source);
   const bool isGiven = source.choices.spacing > 0 && source.choices.positionUnit == "auto";
   const bool isInPixelsAlone = roles.x >= 0 &&
                                isInPixels(block.columns[static_cast<std::size_t>(roles.x)]) &&
@@ -188,14 +206,7 @@ SurfaceDraft readTextProfile(const TextTable& table, const TextBlock& block,
   std::vector<double> heights = block.column(static_cast<std::size_t>(roles.z));
   requireHeights(heights, block, source);
   requireHeightName(block, roles.z, source, draft.facts.notes);
-  if (roles.validity >= 0) {
-    for (std::size_t i = 0; i < block.rows; ++i) {
-      const double valid = block.at(i, static_cast<std::size_t>(roles.validity));
-      if (std::isnan(valid) || (valid == 1) != roles.validIsOne) heights[i] = std::nan("");
-    }
-    draft.facts.notes.push_back(message("{} says which points are valid; the others are gaps.",
-                                        columnText(block, roles.validity)));
-  }
+  if (roles.validity >= 0) makeGaps(block, roles, heights, draft.facts.notes);
   draft.heightUnit = columnUnit(source, table, block, roles.z, true);
   if (!draft.heightUnit) draft.unknownHeightUnit = unknownUnit(table, block, roles.z, true);
   if (roles.candidates > 1 && source.choices.heightColumn == 0)
@@ -203,7 +214,6 @@ SurfaceDraft readTextProfile(const TextTable& table, const TextBlock& block,
         message("Heights are {}, one of {} columns that could be; surface.height_column chooses "
                 "another.",
                 columnText(block, roles.z), roles.candidates));
-
   noteFactor(block, roles.z, draft.facts.notes);
   Topography& grid = draft.grid;
   grid.rows = 1;

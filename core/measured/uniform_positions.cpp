@@ -347,7 +347,7 @@ std::optional<GridAxis> findNearGridAxis(std::vector<double> numbers, std::int64
 
 Message repeatsNote(std::size_t rows) {
   return rows == 1
-             ? Message("one row repeats a position: the mean of the heights is taken.")
+             ? Message("One row repeats a position: the mean of the heights is taken.")
              : message("{} rows repeat a position: the mean of their heights is taken.", rows);
 }
 

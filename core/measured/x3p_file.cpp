@@ -244,18 +244,17 @@ class Reader {
       source_.fail(message("ends too early: {} bytes are needed from byte {} on, and {} are there",
                            all, 0, bytes.size()));
     requireMd5(textAt(root_, "Record3/DataLink/MD5ChecksumPointData"), bytes, file);
-    const auto isFree = [](auto) { return false; };
     if (stride() == axes_[2].size()) {
       const std::string_view part = std::string_view(bytes).substr(0, all);
       const double scale = axes_[2].isIncremental || axes_[2].isWhole() ? axes_[2].increment : 1;
       if (axes_[2].type == 'I')
-        appendHeights<std::int16_t>(source_, part, scale, points_.z, isFree);
+        appendHeights<std::int16_t>(source_, part, scale, points_.z);
       else if (axes_[2].type == 'L')
-        appendHeights<std::int32_t>(source_, part, scale, points_.z, isFree);
+        appendHeights<std::int32_t>(source_, part, scale, points_.z);
       else if (axes_[2].type == 'F')
-        appendHeights<float>(source_, part, scale, points_.z, isFree);
+        appendHeights<float>(source_, part, scale, points_.z);
       else
-        appendHeights<double>(source_, part, scale, points_.z, isFree);
+        appendHeights<double>(source_, part, scale, points_.z);
     } else {
       ByteReader reader(source_, bytes);
       for (std::size_t i = 0; i < count; ++i) takePoint(reader);

@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <string>
 
 #include "core/base/number_text.h"
@@ -64,11 +63,9 @@ SurfaceDraft readBinary(const SurfaceSource& source) {
   constexpr std::size_t kHeader = 570;  // bytes, at least
   ByteReader reader(source, source.bytes);
   const std::string header(reader.take(kHeader));
-  const auto number = [&]<class Number>(std::size_t offset, Number value) -> double {
-    std::string bytes = header.substr(offset, sizeof(Number));
-    std::ranges::reverse(bytes);
-    std::memcpy(&value, bytes.data(), sizeof(Number));
-    return static_cast<double>(value);
+  const auto number = [&]<class Number>(std::size_t offset, Number) -> double {
+    const std::string_view bytes = std::string_view(header).substr(offset, sizeof(Number));
+    return static_cast<double>(storedNumber<Number>(reversedBytes(bytes, sizeof(Number))));
   };
   const auto whole = [&](std::size_t offset) {
     return static_cast<std::int64_t>(number(offset, std::uint16_t{}));
@@ -80,9 +77,8 @@ SurfaceDraft readBinary(const SurfaceSource& source) {
   draft.heightUnit = StatedUnit{"m", 1};
   Topography& grid = draft.grid;
   requireSize(source, grid.columns, grid.rows, reader.left(), sizeof(std::int32_t));
-  std::string phases(reader.take(static_cast<std::size_t>(4 * grid.columns * grid.rows)));
-  for (std::size_t i = 0; i < phases.size(); i += 4)
-    std::reverse(phases.data() + i, phases.data() + i + 4);
+  const std::string phases =
+      reversedBytes(reader.take(static_cast<std::size_t>(4 * grid.columns * grid.rows)), 4);
   const double step = phaseStep(source, number(164, float{}), number(168, float{}),
                                 number(176, float{}), whole(218));
   appendHeights<std::int32_t>(source, phases, step, grid.height,

@@ -45,21 +45,12 @@ constexpr std::array<FigureEntry, 8> kEntries{{
      "surface.elements ensemble.realizations", addSpacingFigure},
 }};
 
-bool listHas(std::string_view list, std::string_view word) {
-  for (std::size_t at = list.find(word); at != std::string_view::npos;
-       at = list.find(word, at + 1)) {
-    const std::size_t end = at + word.size();
-    if ((at == 0 || list[at - 1] == ' ') && (end == list.size() || list[end] == ' ')) return true;
-  }
-  return false;
-}
-
 void checkAssignments(const FigureEntry& entry, const std::vector<std::string>& assignments) {
   for (const std::string& assignment : assignments) {
     const std::string key = assignment.substr(0, assignment.find('='));
     if (key == "ensemble.realizations")
       throw InputError("--set", key, "is given to a figure by --realizations");
-    if (listHas(entry.ownKeys, key))
+    if (isOneOf(key, entry.ownKeys))
       throw InputError("--set", key, message("figure {} sets it itself", entry.word));
   }
 }

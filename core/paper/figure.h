@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/text.h"
 #include "core/chart/diagram.h"
 #include "core/paper/claim.h"
 #include "core/scene/scene.h"
@@ -30,7 +31,7 @@ struct FigureEntry {
   std::string_view word;      // "1" ... "6", "master", "spacing"
   std::string_view headline;  // "Dependence on velocity for six Hurst exponents"
   std::string_view scene;     // JSON: the paper's parameters that differ from a scene's defaults
-  std::string_view ownKeys;   // scene keys that the figure sets itself, separated by spaces
+  WordList ownKeys;           // scene keys that the figure sets itself
   void (*add)(Figure& figure, const FigureOptions& options);  // diagrams, table and claims
 };
 

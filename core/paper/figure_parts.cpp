@@ -226,9 +226,7 @@ std::string tableRows(const GroupedMeans& means, std::size_t j, const std::strin
 }
 
 Message parameterLine(const Scene& scene, const FigureEntry& entry) {
-  const auto isVaried = [&](std::string_view key) {
-    return entry.ownKeys.find(key) != std::string_view::npos;
-  };
+  const auto isVaried = [&](std::string_view key) { return isOneOf(key, entry.ownKeys); };
   std::vector<Message> parts;
   if (!isVaried("surface.hurst")) parts.push_back(message("H = {:g}", scene.surface.hurst));
   if (!isVaried("load.normal_force"))

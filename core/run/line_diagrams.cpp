@@ -9,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "core/base/intervals.h"
 #include "core/base/number_text.h"
 #include "core/base/statistics.h"
 #include "core/contact/line/polynomial.h"

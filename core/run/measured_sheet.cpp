@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/intervals.h"
 #include "core/base/number_text.h"
-#include "core/base/statistics.h"
 #include "core/run/line_diagrams.h"
 
 namespace asperity {

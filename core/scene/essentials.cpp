@@ -43,7 +43,7 @@ bool hasMeaning(std::string_view key, const Scene& scene) {
 }
 
 /// Returns whether a row that has a meaning is also essential in this scene.
-bool isWanted(std::string_view key, const Scene& scene) {
+bool isEssential(std::string_view key, const Scene& scene) {
   if (key == "elastomer.temperature") return hasArms(scene.elastomer.rheology);
   if (key == "elastomer.equilibrium_modulus") return scene.elastomer.material.empty();
   if (key == "interface.friction_coefficient") return scene.interface.frictionCoefficient > 0;
@@ -62,7 +62,7 @@ std::string_view firstOf(const WordList& keys, const Scene& scene) {
 std::vector<std::string_view> essentialKeys(const Scene& scene) {
   std::vector<std::string_view> keys;
   for (const std::string_view key : kShown)
-    if (hasMeaning(key, scene) && isWanted(key, scene)) keys.push_back(key);
+    if (hasMeaning(key, scene) && isEssential(key, scene)) keys.push_back(key);
   for (const std::string_view key : kMinImportant)
     if (keys.size() > kMaxEssentials) std::erase(keys, key);
   keys.resize(std::min(keys.size(), kMaxEssentials));

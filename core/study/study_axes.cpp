@@ -29,11 +29,9 @@ constexpr NamedChoices<DistributionKind, 3> kDistributions{
 /// simulations.
 void checkKey(const Parameter& row, const std::string& where) {
   const std::string_view key = row.key;
-  for (const std::string_view section : {"sweep.", "comparison."})
-    if (key.starts_with(section))
-      refuseMember(where, message("has no influence on one simulation, so it cannot be varied"));
-  if (key.find('.') == key.npos)
-    refuseMember(where, message("has no influence on one simulation, so it cannot be varied"));
+  const bool isOfScene = key.find('.') == key.npos;  // "title"
+  if (isOfScene || key.starts_with("sweep.") || key.starts_with("comparison."))
+    refuseMember(where, "has no influence on one simulation, so it cannot be varied");
   if (key == "sliding.kind") refuseMember(where, "a study slides steadily; it cannot be varied");
   if (key == "accuracy.target_relative_error")
     refuseMember(where, "a study needs a stated accuracy, not a target");

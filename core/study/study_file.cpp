@@ -154,7 +154,7 @@ class StudyReader {
     const Samples samples = readSamples(axes.size());
     study_.space = StudySpace(std::move(axes), sampling_, samples.count, samples.seed);
     if (study_.space.size() > kMaxSimulations)
-      refuseMember("space", message("is of more than {} simulations", kMaxSimulations));
+      refuseMember("space", message("plans more than {} simulations", kMaxSimulations));
   }
 
   std::vector<StudyAxis> readAxes() {

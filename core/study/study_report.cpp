@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "core/base/intervals.h"
 #include "core/base/json_text.h"
 #include "core/base/number_text.h"
 #include "core/friction/curve_file.h"
@@ -284,14 +285,14 @@ DiagramSheet bandSheet(const ParameterStudy& study, const CurveBand& band) {
   };
   diagram.series = {series("5 % to 95 %", 0, 4, true), series("25 % to 75 %", 1, 3, true),
                     series("median", 2, 2, false)};
-  double least = 1, largest = 0;
+  Extent extent;
   for (const auto& at : band.percentiles)
-    if (std::isfinite(at[0]) && at[0] > 0) {
-      least = largest > 0 ? std::min(least, at[0]) : at[0];
-      largest = std::max(largest, at[4]);
+    if (at[0] > 0) {
+      extent.add(at[0]);
+      extent.add(at[4]);
     }
   constexpr double kWide = 30;
-  if (largest > kWide * least) diagram.y.scale = AxisScale::Logarithmic;
+  if (extent.most > kWide * extent.least) diagram.y.scale = AxisScale::Logarithmic;
   sheet.diagrams = {std::move(diagram)};
   return sheet;
 }

@@ -345,7 +345,7 @@ MergedStores mergeStores(const std::vector<fs::path>& inputs, const fs::path& ou
     StudyStore joined(part.file(), stores.front().study(), {});
     for (const StudyStore& store : stores) addChunks(joined, store);
     merged.chunks = joined.chunksDone();
-    merged.chunksWanted = joined.chunksWanted();
+    merged.chunksPlanned = joined.chunksPlanned();
     merged.missingChunks = joined.missing(8);
     joined.finish();
   }

@@ -46,11 +46,11 @@ StudyBudget studyBudget(const ParameterStudy& study, std::int64_t all, std::int6
 
 /// The result of a merge.
 struct MergedStores {
-  std::int64_t chunks = 0, chunksWanted = 0;
+  std::int64_t chunks = 0, chunksPlanned = 0;
   std::vector<Shard> missingShards;         // those without a store, where the stores are shards
   std::vector<std::int64_t> missingChunks;  // the first ones
 
-  bool isWhole() const { return chunks == chunksWanted; }
+  bool isWhole() const { return chunks == chunksPlanned; }
 };
 
 /// Merges stores of one study in any order, together with a store that exists at `output`. Throws

@@ -88,10 +88,14 @@ fs::path claimsFile(const fs::path& file) {
 
 }  // namespace
 
+std::int64_t Shard::chunks(const ParameterStudy& study) const {
+  const std::int64_t all = study.chunks();
+  return all / count + (all % count >= number ? 1 : 0);
+}
+
 std::int64_t Shard::simulations(const ParameterStudy& study) const {
-  const std::int64_t chunks = study.chunks(), last = chunks - 1;
-  const std::int64_t own = chunks / count + (chunks % count >= number ? 1 : 0);
-  return has(last) ? (own - 1) * study.chunk + study.sizeOfChunk(last) : own * study.chunk;
+  const std::int64_t last = study.chunks() - 1;
+  return chunks(study) * study.chunk - (has(last) ? study.chunk - study.sizeOfChunk(last) : 0);
 }
 
 Shard parseShard(const std::string& text) {
@@ -202,9 +206,8 @@ std::string StudyStore::metaText(const char* key) const {
   return statement.step() ? statement.text(0) : std::string();
 }
 
-std::int64_t StudyStore::chunksWanted() const {
-  const std::int64_t all = study_->chunks();
-  return all / shard_.count + (all % shard_.count >= shard_.number ? 1 : 0);
+std::int64_t StudyStore::chunksPlanned() const {
+  return shard_.chunks(*study_);
 }
 
 std::int64_t StudyStore::chunksDone() const {

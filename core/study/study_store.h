@@ -31,6 +31,8 @@ struct Shard {
 
   bool isWhole() const { return count == 1; }
   bool has(std::int64_t chunk) const { return chunk % count == number - 1; }
+  /// Returns the number of its chunks.
+  std::int64_t chunks(const ParameterStudy& study) const;
   /// Returns the number of its simulations.
   std::int64_t simulations(const ParameterStudy& study) const;
   bool operator==(const Shard&) const = default;
@@ -76,14 +78,14 @@ class StudyStore {
   const std::filesystem::path& file() const { return database_.file(); }
 
   /// Returns the number of chunks of the complete store.
-  std::int64_t chunksWanted() const;
+  std::int64_t chunksPlanned() const;
   std::int64_t chunksDone() const;
   std::int64_t simulationsDone() const;
   /// Returns the SHA-256 of the numbers of the stored chunks, which identifies the simulations of
   /// an unfinished store.
   std::string chunksDigest() const;
   double secondsSpent() const;  // of all chunks together
-  bool isWhole() const { return chunksDone() == chunksWanted(); }
+  bool isWhole() const { return chunksDone() == chunksPlanned(); }
   bool has(std::int64_t chunk) const;
   bool hasFailures() const;
   /// Returns the first `most` missing chunks, in ascending order.

@@ -24,7 +24,7 @@ constexpr std::size_t kLargestTable = std::size_t{1} << 26;  // bytes
 
 enum class Abscissa { WaveNumber, SpatialFrequency, Wavelength };
 
-constexpr const char* kWanted =
+constexpr const char* kSpectrumTable =
     "a spectrum is a table whose header names wave_number, spatial_frequency or wavelength, and "
     "the spectrum in another column";
 
@@ -166,7 +166,7 @@ class SpectrumReader {
         found = one;
         waveColumn_ = i;
       }
-    if (!found || columns.size() < 2) fail(kWanted);
+    if (!found || columns.size() < 2) fail(kSpectrumTable);
     abscissa_ = *found;
     findDensity();
     checkCounts();
@@ -209,7 +209,7 @@ class SpectrumReader {
                     "another name with its unit",
                     shortened(column->name)));
     }
-    if (column == columns.end()) fail(kWanted);
+    if (column == columns.end()) fail(kSpectrumTable);
     std::string plain = plainName(column->name);
     const int sides = takeSides(plain);
     const int wanted = kind_ == SpectrumKind::C1OneSided   ? 1
@@ -327,7 +327,7 @@ SpectrumTable parseSpectrumTable(std::string_view text, const std::string& name,
                                  SpectrumKind kind) {
   if (const std::string_view foreign = detectNonText(text);
       !foreign.empty() && foreign != "text in UTF-16")
-    throw InputError(name, "", message("is {}; {}", Message(foreign), Message(kWanted)));
+    throw InputError(name, "", message("is {}; {}", Message(foreign), Message(kSpectrumTable)));
   TextTable table = readTextTable(text, name);
   undoLogarithms(table, [](const std::string& quantity) {
     std::string plain = plainName(parseColumnName(quantity).name);

@@ -4071,8 +4071,8 @@
         <translation>Die Datei nennt die Höhen in %1: surface.height_unit ersetzt das.</translation>
     </message>
     <message>
-        <source>one row repeats a position: the mean of the heights is taken.</source>
-        <translation>eine Zeile wiederholt einen Ort: Der Mittelwert der Höhen gilt.</translation>
+        <source>One row repeats a position: the mean of the heights is taken.</source>
+        <translation>Eine Zeile wiederholt einen Ort: Der Mittelwert der Höhen gilt.</translation>
     </message>
     <message>
         <source>One place has no row in the file and is taken as a gap.</source>
@@ -4325,10 +4325,6 @@
     <message>
         <source>the positions along %1 are not uniform; surfaces need a uniform grid</source>
         <translation>die Orte längs %1 sind nicht gleichabständig; Flächen brauchen ein gleichabständiges Gitter</translation>
-    </message>
-    <message>
-        <source>%1 at %2 and %3 Hz is not above 0; leave such rows out, or correct the column</source>
-        <translation>%1 bei %2 und %3 Hz ist nicht über 0; solche Zeilen weglassen oder die Spalte berichtigen</translation>
     </message>
     <message>
         <source>there is one frequency alone at %1, %2 Hz; a shift needs sweeps of at least two frequencies at each temperature</source>
@@ -6159,8 +6155,8 @@
         <translation>fehlt; nur sampling grid kommt ohne aus</translation>
     </message>
     <message>
-        <source>is of more than %1 simulations</source>
-        <translation>hat mehr als %1 Simulationen</translation>
+        <source>plans more than %1 simulations</source>
+        <translation>plant mehr als %1 Simulationen</translation>
     </message>
     <message>
         <source>is what the curve goes over, so it cannot be varied as well</source>

@@ -184,6 +184,25 @@ TEST_F(StudyCommandTest, ThePlanComputesNothing) {
   EXPECT_THAT(program.folder.names(), testing::UnorderedElementsAre("s.json", "study.json"));
 }
 
+TEST_F(StudyCommandTest, FailedSimulationsAreAnExitStatusUnlessTheyAreAllowed) {
+  // Below T_r - c2 there is no shift with temperature.
+  program.folder.write("study.json",
+                       R"({"schema":"asperity-study/1","set":{"surface.elements":100,)"
+                       R"("ensemble.realizations":1},"space":{"elastomer.temperature":)"
+                       R"([150,298.15,320]},"outputs":["mu"]})");
+  const Said said = program.run("study run study.json -o s --json --quiet");
+  EXPECT_EQ(said.status, 1);
+  EXPECT_EQ(said.err,
+            "asperity: s: some simulations failed: 'asperity study show' says why; "
+            "--allow-failures accepts them\n");
+  EXPECT_EQ(nlohmann::json::parse(said.out)["done"], 3);
+  EXPECT_THAT(table("s"), HasSubstr("\n1,298.15,0."));  // the others are stored
+  EXPECT_EQ(program.run("study run study.json -o s --quiet").status, 1);
+  const Said allowed = program.run("study run study.json -o s --allow-failures");
+  EXPECT_EQ(allowed.status, 0) << allowed.err;
+  EXPECT_THAT(allowed.out + allowed.err, HasSubstr("some simulations failed"));
+}
+
 TEST_F(StudyCommandTest, AnalyseWritesTablesAndPictures) {
   program.folder.write(
       "study.json",

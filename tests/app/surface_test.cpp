@@ -227,7 +227,7 @@ TEST_F(SurfaceCommandTest, CountsOneAsOne) {
     for (int repeat = 0; repeat < (i == 50 ? 2 : 1); ++repeat)
       table += std::to_string(i) + "," + std::to_string(i == 30 ? 40 : std::sin(0.21 * i)) + "\n";
   program.folder.write("one.csv", table);
-  EXPECT_THAT(run("surface one.csv"), AllOf(HasSubstr("one row repeats a position"),
+  EXPECT_THAT(run("surface one.csv"), AllOf(HasSubstr("One row repeats a position"),
                                             HasSubstr("one point of all rows stands far out")));
 }
 

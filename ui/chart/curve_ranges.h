@@ -2,7 +2,7 @@
 // follows while lines arrive and the scene changes. Pure; any thread.
 #pragma once
 
-#include "core/base/statistics.h"
+#include "core/base/intervals.h"
 #include "core/chart/curve_set.h"
 #include "ui/chart/chart_geometry.h"
 

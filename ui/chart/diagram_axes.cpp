@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-#include "core/base/statistics.h"
+#include "core/base/intervals.h"
 #include "core/base/text_encoding.h"
 #include "ui/draw/fonts.h"
 #include "ui/draw/theme.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <optional>
 
-#include "core/base/statistics.h"
+#include "core/base/intervals.h"
 #include "ui/contact/contact_parts.h"
 #include "ui/contact/frame_curves.h"
 #include "ui/contact/label_placement.h"

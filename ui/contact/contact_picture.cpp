@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/statistics.h"
+#include "core/base/intervals.h"
 #include "ui/contact/contact_overlay.h"
 #include "ui/contact/contact_parts.h"
 #include "ui/contact/frame_curves.h"

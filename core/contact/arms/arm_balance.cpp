@@ -73,7 +73,7 @@ class ArmSolver::Search {
     bool fresh = true;  // the Jacobian is that of this very pass
     if (!factorJacobian()) return best_;
     double contraction = 1;  // of the residual by the last step
-    while (passes_ < kMaxArmPasses && bestWorst_ > kWantedResidual) {
+    while (passes_ < kMaxArmPasses && bestWorst_ > kTargetResidual) {
       const Vector from = unknown_, before = residual;
       const double worstBefore = worst_;
       Vector step = -applyInverse(residual);
@@ -103,7 +103,7 @@ class ArmSolver::Search {
   /// small residual far above that is rounding.
   bool isEnough(double expected) const {
     const double least = kForceError / coefficients_.glassy;
-    return worst_ <= std::max(least, kWantedResidual) ||
+    return worst_ <= std::max(least, kTargetResidual) ||
            (worst_ <= kRoundingResidual && expected <= least);
   }
 
@@ -119,7 +119,7 @@ class ArmSolver::Search {
     for (int i = 0; i < 3; ++i) {
       const Vector residual = evaluate();
       if (!work_.wasComplete()) break;
-      if (bestWorst_ <= kWantedResidual) return best_.isComplete = true;
+      if (bestWorst_ <= kTargetResidual) return best_.isComplete = true;
       unknown_.tail(arms_) -= residual.tail(arms_);
     }
     forget();
@@ -466,8 +466,9 @@ ArmState slideWithArms(const PreparedProfile& line, ArmTables& tables, const Loa
   const double periodicityError = state.balance.periodicityError;
   const PassSums sums = state.balance.sums ? *state.balance.sums
                                            : ArmSolver(line, tables, velocity).sums(state.balance);
+  const ElementLaw& law = tables.law();
   state.result = steadyResult(
-      line, {tables.law().equilibriumModulus, 0, velocity},
+      line, {law.equilibriumModulus, law.arms.front().relaxationTime, velocity},
       Balance{force.depth, force.passes, std::max(force.residual, periodicityError)}, sums);
   state.result.periodicityError = periodicityError;
   return state;

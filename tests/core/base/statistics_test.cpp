@@ -1,4 +1,4 @@
-// Student's distribution, against printed tables and closed forms; quantiles and bands of values.
+// Student's distribution, against printed tables and closed forms; quantiles of values.
 #include "core/base/statistics.h"
 
 #include <gtest/gtest.h>
@@ -83,25 +83,6 @@ TEST(Statistics, QuantilesLieBetweenTheValues) {
 TEST(Statistics, TheRootMeanSquareHasNoSign) {
   EXPECT_NEAR(rms(std::vector<double>{-3, 4}), std::sqrt(12.5), 1e-15);
   EXPECT_TRUE(std::isnan(rms({})));
-}
-
-/// Every value is in one band; powers of ten are at edges, or with a shift of one half in the
-/// middle of bands.
-TEST(Statistics, LogBandsDivideEachDecadeEqually) {
-  const std::vector<double> values{0.5, 0.9, 1, 3, 9.9, 10, 500, 1000};
-  const auto ends = [&](double perDecade, double shift) {
-    std::vector<std::size_t> all;
-    std::size_t last = 0;
-    for (const IndexRange& band : logBands(values, perDecade, shift)) {
-      EXPECT_EQ(band.begin, last);
-      EXPECT_GT(band.size(), 0U);
-      all.push_back(last = band.end);
-    }
-    return all;
-  };
-  EXPECT_EQ(ends(1, 0), (std::vector<std::size_t>{2, 5, 6, 7, 8}));
-  EXPECT_EQ(ends(1, 0.5), (std::vector<std::size_t>{4, 6, 8}));
-  EXPECT_TRUE(logBands({}, 16).empty());
 }
 
 }  // namespace

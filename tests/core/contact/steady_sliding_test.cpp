@@ -104,5 +104,27 @@ TEST(UnmetBalance, EveryPathLooksAtResidualAndForces) {
   EXPECT_GT(unmet, 0);
 }
 
+/// At forces as small as these, an elastic contact ends nearly at its deepest point, and what
+/// rounding leaves there is no friction.
+TEST(ElasticElements, HaveNoFrictionAtAll) {
+  const std::vector<double> velocities{1e-3, 1, 1e3};
+  std::vector<SteadyResult> results(velocities.size());
+  for (const Scheme scheme : {Scheme::Linear, Scheme::Cubic}) {
+    for (std::int64_t realization = 0; realization < 8; ++realization) {
+      const PreparedProfile line = prepareProfile(roughLine(300, 1, 0.7, realization), scheme);
+      for (const double force : {1e-6, 1.0, 1e12}) {
+        slideSweep(line, {kModulus, 0, 0}, {LoadKind::Force, force, 0}, velocities, results);
+        results.push_back(slideAtForce(line, {kModulus, 0, 1}, force));
+        for (const SteadyResult& result : results) {
+          EXPECT_EQ(result.mu, 0) << force;
+          EXPECT_EQ(result.tangentialForce, 0) << force;
+          EXPECT_EQ(result.powerDissipated, 0) << force;
+        }
+        results.pop_back();
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace asperity

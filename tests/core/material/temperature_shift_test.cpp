@@ -94,9 +94,19 @@ TEST(TemperatureFit, FormulasComeBackFromTheirOwnTables) {
 TEST(TemperatureFit, ATableIsZeroAtItsReference) {
   const std::vector<ShiftPoint> rows{{280, 1}, {300, -2}};
   EXPECT_EQ(tableShift(rows, 290).table, (std::vector<ShiftPoint>{{280, 1}, {290, 0}, {300, -2}}));
-  EXPECT_EQ(tableShift(rows, 280).table, rows);
+  EXPECT_EQ(tableShift(rows, 270).table, rows);
   const std::vector<ShiftPoint> crossing{{280, 1}, {300, -1}};
   EXPECT_EQ(tableShift(crossing, 290).table, crossing);
+}
+
+/// Measured factors may miss 0 at their own reference by a little.
+TEST(TemperatureFit, ARowAtTheReferenceIsNotDoubled) {
+  const std::vector<ShiftPoint> rows{{280, 1}, {290, 0.03}, {300, -2}};
+  EXPECT_EQ(tableShift(rows, 290).table, (std::vector<ShiftPoint>{{280, 1}, {290, 0}, {300, -2}}));
+  const std::vector<ShiftPoint> coldest{{290, -0.03}, {300, -2}};
+  EXPECT_EQ(tableShift(coldest, 290).table, (std::vector<ShiftPoint>{{290, 0}, {300, -2}}));
+  const std::vector<ShiftPoint> warmest{{280, 1}, {290, 0.03}};
+  EXPECT_EQ(tableShift(warmest, 290).table, (std::vector<ShiftPoint>{{280, 1}, {290, 0}}));
 }
 
 }  // namespace

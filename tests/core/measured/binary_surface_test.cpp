@@ -236,6 +236,11 @@ TEST(GwyFile, NamesWhatIsWrong) {
   EXPECT_THAT(errorOf(gwy("")), HasSubstr("no channel"));
   EXPECT_THAT(errorOf(gwy(gwyMember("/0/data", gwyObject("GwyDataField", gwyInt("xres", 7))))),
               HasSubstr("no yres"));
+  std::string data = std::string("data") + '\0' + 'D';
+  put(data, std::uint32_t{0});
+  const std::string withoutRows = gwyInt("xres", 7) + gwyInt("yres", 0) + data;
+  EXPECT_THAT(errorOf(gwy(gwyMember("/0/data", gwyObject("GwyDataField", withoutRows)))),
+              HasSubstr("yres in the header is not a number above 0"));
   EXPECT_THAT(errorOf("GWYPGwyContainer"), HasSubstr("no end"));
 }
 

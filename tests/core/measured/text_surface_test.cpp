@@ -284,7 +284,7 @@ TEST(TextProfile, NamesTheLineOfPositionsThatGoBack) {
   EXPECT_THAT(errorOf("x (um),z (um)\n0,1\n,2\n2.5,3\n3,4\n"),
               HasSubstr("line 3: the position is missing"));
   const MeasuredFile repeated = read("x (um),z (um)\n0,1\n1,2\n1,4\n2,5\n3,6\n");
-  EXPECT_TRUE(says(repeated, "one row repeats a position"));
+  EXPECT_TRUE(says(repeated, "One row repeats a position"));
   EXPECT_NEAR(repeated.topography.at(0, 1), 3e-6, 1e-15);
 }
 
