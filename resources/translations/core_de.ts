@@ -4187,7 +4187,7 @@
         <translation>Zeile %1: %2 im Kopf ist keine Zahl</translation>
     </message>
     <message>
-        <source>the positions leap from %1 to %2, %3 times the usual step; each stretch needs a file of its own</source>
+        <source>the positions leap from %1 to %2, %3 times the usual step; each part needs a file of its own</source>
         <translation>die Orte springen von %1 nach %2, um das %3-Fache des üblichen Schritts; jeder Abschnitt braucht eine eigene Datei</translation>
     </message>
     <message>
