@@ -282,4 +282,19 @@ TEST(FrictionHeader, SaysWhichLinesBelowTheTableAreNoRows) {
 }
 
 }  // namespace
+/// A list of names and values above the table, some of which are texts.
+TEST(FrictionHeader, ReadsAListOfNamesAndValues) {
+  const FrictionData data = parsed(
+      "Compound;A12\nLoad [N];0,75\nTemperature [\u00B0C];20\n\n"
+      "v [mm/s];mu\n1,5;0,3\n10;0,4\n100;0,5\n");
+  ASSERT_EQ(data.points.size(), 3U);
+  EXPECT_DOUBLE_EQ(data.points[0].normalForce, 0.75);
+  EXPECT_DOUBLE_EQ(data.points[0].temperature, 293.15);
+  EXPECT_DOUBLE_EQ(data.points[0].velocity, 1.5e-3);
+  EXPECT_THAT(errorOf("Compound;A12\nSlip angle [\u00B0];15\n\nSpeed [km/h];mu\n1;0,3\n10;0,4\n"),
+              HasSubstr("line 2: with a slip"));
+  EXPECT_THAT(errorOf("Compound;A12\nLoad;3 kg\n\nv [mm/s];mu\n1;0,3\n10;0,4\n"),
+              HasSubstr("may state the normal force"));
+}
+
 }  // namespace asperity
