@@ -32,9 +32,12 @@ bool hasFriction(const TextBlock& block) {
   return hasVelocity && hasMu;
 }
 
-/// Returns whether a block is a list of names and numbers, as "Load [N];75" below "Compound;A12".
+/// Returns whether a block is a list of names and numbers, as "Load [N];75" below "Compound;A12",
+/// where the third column may have units.
 bool isList(const TextBlock& block) {
-  return block.columns.size() == 2 && block.columns.front().isText && !block.columns.back().isText;
+  const std::size_t count = block.columns.size();
+  return (count == 2 || (count == 3 && block.columns[2].isText)) && block.columns[0].isText &&
+         !block.columns[1].isText;
 }
 
 /// Returns the lines of a list as they would stand above a table.
@@ -46,6 +49,7 @@ std::vector<TextEntry> listedEntries(const TextBlock& list, char decimal) {
     std::ranges::replace(value, '.', decimal);
     if (row < list.cells[1].size() && !list.cells[1][row].text.empty())
       value = list.cells[1][row].text;
+    if (list.columns.size() == 3) appendItem(value, list.texts[2][row], " ");
     const std::string& key = list.texts[0][row];
     entries.push_back({key, value, list.lines[row], key + ": " + value});
   }

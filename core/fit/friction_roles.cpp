@@ -65,6 +65,7 @@ class FrictionRoleFinder {
       const TextColumn& column = block_.columns[i];
       if (const auto quantity = findMeaning(column)) {
         if (*quantity == Quantity::MuError && isScatter(column.name) && hasErrorOfMean()) continue;
+        if (isFrictionInNewtons(column)) continue;
         if (isClear(column, *quantity) || !hasClearColumn(*quantity)) add(*quantity, i);
       } else {
         refuseUnknownUnit(column);
@@ -151,11 +152,12 @@ class FrictionRoleFinder {
   void findFrictionForce() {
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i < block_.columns.size(); ++i)
-      if (isOneOf(plainWord(block_.columns[i].name),
-                  "fx ft fr ff frictionforce frictionalforce tangentialforce reibkraft "
-                  "reibungskraft tangentialkraft forcedefrottement forcetangentielle "
-                  "forzadiattrito forzatangenziale fuerzadefricci\u00F3n fuerzadefriccion "
-                  "fuerzaderozamiento fuerzatangencial") &&
+      if ((isFrictionInNewtons(block_.columns[i]) ||
+           isOneOf(plainWord(block_.columns[i].name),
+                   "fx ft fr ff frictionforce frictionalforce tangentialforce reibkraft "
+                   "reibungskraft tangentialkraft forcedefrottement forcetangentielle "
+                   "forzadiattrito forzatangenziale fuerzadefricci\u00F3n fuerzadefriccion "
+                   "fuerzaderozamiento fuerzatangencial")) &&
           !block_.columns[i].isText)
         found.push_back(i);
     if (found.size() != 1) return;
@@ -174,6 +176,12 @@ class FrictionRoleFinder {
          message("column {}: force of friction; its magnitude over the normal force "
                  "is the coefficient of friction",
                  index + 1)});
+  }
+
+  /// Returns whether a column has the force of friction by its unit: "Friction (N)".
+  static bool isFrictionInNewtons(const TextColumn& column) {
+    return isOneOf(plainWord(column.name), "friction reibung frottement attrito") &&
+           measures(column.unit, Quantity::Force);
   }
 
   /// Returns whether a column names the quantity by more than an ambiguous letter, and a velocity

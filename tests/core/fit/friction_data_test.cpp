@@ -565,6 +565,14 @@ TEST(FrictionData, ReadsScalesOfErrors) {
                    0.02);
 }
 
+TEST(FrictionData, ReadsFrictionInNewtonsAsForce) {
+  const FrictionData data = parsed("v (mm/s),Friction (N),Load (N)\n1,25,50\n10,30,50\n");
+  EXPECT_DOUBLE_EQ(data.points[1].mu, 0.6);
+  EXPECT_DOUBLE_EQ(data.points[1].normalForce, 50);
+  EXPECT_THAT(errorOf("v (mm/s),Friction (N)\n1,25\n10,30\n"),
+              HasSubstr("a force of friction without a normal force"));
+}
+
 TEST(FrictionData, RefusesAForceOfFrictionAsLoad) {
   EXPECT_THAT(errorOf("v (mm/s),mu,F (N)\n0.1,0.31,9.3\n1,0.52,15.6\n10,0.74,22.2\n"),
               HasSubstr("column F: the force is proportional to the coefficient of friction"));
