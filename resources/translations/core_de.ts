@@ -7115,12 +7115,12 @@
         <translation>Zeile %1 (%2): unter 0, nach einer Vorzeichenregel; der Betrag wird genommen</translation>
     </message>
     <message>
-        <source>column %1: with a slip, the velocity of sliding is not the one above the table; give it for each row in a column, as in &quot;v (m/s)&quot;</source>
-        <translation>Spalte %1: Mit einem Schlupf ist die Gleitgeschwindigkeit nicht die über der Tabelle; sie für jede Zeile in einer Spalte angeben, wie &quot;v (m/s)&quot;</translation>
+        <source>with a slip, the velocity of sliding is not the one above the table; give it for each row in a column, as in &quot;v (m/s)&quot;</source>
+        <translation>Mit einem Schlupf ist die Gleitgeschwindigkeit nicht die über der Tabelle; sie für jede Zeile in einer Spalte angeben, wie &quot;v (m/s)&quot;</translation>
     </message>
     <message>
-        <source>column %1: with a slip, the velocity of sliding may not be that of column %2; name that column sliding velocity where it is, or give the velocity of sliding</source>
-        <translation>Spalte %1: Mit einem Schlupf ist die Gleitgeschwindigkeit womöglich nicht die der Spalte %2; diese Spalte Gleitgeschwindigkeit nennen, wo sie es ist, oder die Gleitgeschwindigkeit angeben</translation>
+        <source>with a slip, the velocity of sliding may not be that of column %1; name that column sliding velocity where it is, or give the velocity of sliding</source>
+        <translation>Mit einem Schlupf ist die Gleitgeschwindigkeit womöglich nicht die der Spalte %1; diese Spalte Gleitgeschwindigkeit nennen, wo sie es ist, oder die Gleitgeschwindigkeit angeben</translation>
     </message>
     <message>
         <source>the %1 is %2, which no test of rubber reaches; correct it or its unit, or leave it empty where it stands for a missing value</source>
