@@ -434,6 +434,32 @@ TEST(WindowStyle, GivesAllControlsTheSameBorder) {
     control->setStyle(nullptr);  // before the style ends
 }
 
+/// The sign of Fusion touches the last letter.
+TEST(WindowStyle, SignsAMenuBesideTheTextOfItsButton) {
+  WindowStyle style;
+  QMenu menu;
+  QToolButton button;
+  button.setText("Change a parameter…");
+  button.setPopupMode(QToolButton::InstantPopup);
+  for (QWidget* each : Widgets{&button, &menu}) each->setStyle(&style);
+  const int plain = button.sizeHint().width();
+  button.setMenu(&menu);
+  EXPECT_GE(button.sizeHint().width(), plain + 12);
+  button.resize(button.sizeHint());
+  const QImage signedButton = button.grab().toImage();
+  // Of the columns at the right, inside of the border, those of the sign have its ink.
+  const auto hasInk = [&](int from, int to) {
+    for (int x = from; x < to; ++x)
+      for (int y = 4; y < signedButton.height() - 4; ++y)
+        if (signedButton.pixelColor(x, y).lightness() < 128) return true;
+    return false;
+  };
+  const int right = signedButton.width();
+  EXPECT_TRUE(hasInk(right - 18, right - 3));
+  EXPECT_FALSE(hasInk(right - 22, right - 18)) << "the text ends before it";
+  for (QWidget* each : Widgets{&button, &menu}) each->setStyle(nullptr);
+}
+
 /// On a small screen not all titles fit: they have the whole bar, and buttons that can be hit.
 TEST_F(WindowLayoutTest, TitlesOfTabsHaveTheWholeBarInAPresentation) {
   window_.windowLayout().setPresenting(true);
