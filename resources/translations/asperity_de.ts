@@ -1902,8 +1902,8 @@
         <translation>die Punkte haben keine Fehler; sie streuen um %1 % um die Anpassung</translation>
     </message>
     <message>
-        <source>Tick the parameters to fit; limits are optional. Every trial uses the same random lines, and the weighted sum of the squared residuals is minimized. The best values appear here, and below them the curve with the points.</source>
-        <translation>Die anzupassenden Parameter ankreuzen; Grenzen sind freigestellt. Jeder Versuch benutzt dieselben zufälligen Linien, und die gewichtete Summe der Fehlerquadrate wird minimiert. Hier erscheinen die besten Werte, darunter die Kurve mit den Punkten.</translation>
+        <source>Tick the parameters to fit; type limits, which are optional, into “from” and “to”. Every trial uses the same random lines, and the weighted sum of the squared residuals is minimized. The best values appear here, and below them the curve with the points.</source>
+        <translation>Die anzupassenden Parameter ankreuzen; Grenzen, die freigestellt sind, in „von“ und „bis“ eintragen. Jeder Versuch benutzt dieselben zufälligen Linien, und die gewichtete Summe der Fehlerquadrate wird minimiert. Hier erscheinen die besten Werte, darunter die Kurve mit den Punkten.</translation>
     </message>
     <message>
         <source>curve misses the points</source>
@@ -2711,6 +2711,10 @@
     <message>
         <source>Lesson: %1</source>
         <translation>Lektion: %1</translation>
+    </message>
+    <message>
+        <source>Steps of the lesson</source>
+        <translation>Schritte der Lektion</translation>
     </message>
 </context>
 <context>

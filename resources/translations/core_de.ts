@@ -5336,7 +5336,7 @@
     </message>
     <message>
         <source>loss per decade / largest</source>
-        <translation>Verlust je Dekade, zum größten</translation>
+        <translation>Verlust je Dekade, relativ</translation>
     </message>
     <message>
         <source>nothing is dissipated at this velocity</source>
@@ -7626,8 +7626,8 @@
         <translation>Grenzfälle und Gegenproben</translation>
     </message>
     <message>
-        <source>Regions of Eq. (11)</source>
-        <translation>Bereiche von Gl. (11)</translation>
+        <source>The four regions of friction</source>
+        <translation>Die vier Bereiche der Reibung</translation>
     </message>
     <message>
         <source>Materials and temperature</source>

@@ -23,9 +23,10 @@ ContactPictureOptions withMinimumSize(ContactPictureOptions options) {
 // Space above and below the rough interface, relative to its height range, for the bodies and their
 // labels.
 constexpr double kSpaceAbove = 0.24, kSpaceBelow = 0.30;
-// Largest part of the plot's height above the line that labels are given, and a part beyond what
-// they need, so that a line that moves up a little changes nothing.
-constexpr double kMaxLabelSpace = 0.3, kSpareSpace = 0.03;
+// Largest part of the plot's height above the line that labels are given, which is what they need
+// in the lowest plot that has any, and a part beyond what they need, so that a line that moves up a
+// little changes nothing.
+constexpr double kMaxLabelSpace = 0.34, kSpareSpace = 0.03;
 constexpr double kMaxPeriods = 50;
 
 /// Returns the heights of both bodies, m; 0 where there are none.

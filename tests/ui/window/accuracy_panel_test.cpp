@@ -4,13 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <QCheckBox>
-#include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
-#include <QSignalSpy>
 #include <QSlider>
-#include <QSpinBox>
 #include <QTest>
 #include <QToolButton>
 #include <vector>
@@ -72,28 +68,6 @@ TEST_F(AccuracyPanelTest, AMotionIsPredictedByItsSteps) {
       [&] { return text("accuracyPredicted").startsWith("predicted motion:"); }, kPatience));
   EXPECT_TRUE(text("accuracyPredicted").contains("error of the whole motion"));
   EXPECT_TRUE(text("accuracyPredicted").contains("time step"));
-}
-
-TEST_F(AccuracyPanelTest, TheBoxSaysWithWhatTheCurveIsCompared) {
-  QSignalSpy changed(&panel_, &AccuracyPanel::comparisonChanged);
-  EXPECT_FALSE(panel_.comparison());
-  control<QCheckBox>("comparisonWanted").setChecked(true);
-  CurveSetting usual;
-  usual.realizations = sceneOfThePanel().ensemble.realizations;  // the same lines, unless told
-  EXPECT_EQ(panel_.comparison(), usual);
-  control<QComboBox>("comparisonScheme").setCurrentIndex(static_cast<int>(Scheme::Nodal));
-  EXPECT_EQ(panel_.comparison()->oversampling, 1);
-  EXPECT_FALSE(control<QSpinBox>("comparisonOversampling").isEnabled());
-  EXPECT_EQ(control<QSpinBox>("comparisonLines").suffix(), " lines");
-  control<QSpinBox>("comparisonLines").setValue(1);
-  EXPECT_EQ(control<QSpinBox>("comparisonLines").suffix(), " line");
-  control<QSpinBox>("comparisonLines").setValue(7);
-  EXPECT_EQ(panel_.comparison()->realizations, 7);
-  EXPECT_EQ(changed.count(), 4);
-  Scene another = sceneOfThePanel();
-  another.ensemble.realizations += 5;
-  panel_.showScene(another);
-  EXPECT_EQ(panel_.comparison()->realizations, 7);
 }
 
 TEST_F(AccuracyPanelTest, TheSliderSetsTheTargetAndTheButtonTakesItAway) {

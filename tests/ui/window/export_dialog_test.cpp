@@ -9,15 +9,12 @@
 #include <QComboBox>
 #include <QFile>
 #include <QLineEdit>
-#include <QPlainTextEdit>
-#include <QProcess>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QScrollArea>
-#include <QSettings>
-#include <QTemporaryDir>
 
 #include "core/scene/scene_file.h"
+#include "tests/ui/window/export_dialog_fixture.h"
 #include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
 #include "ui/window/export/export_form.h"
@@ -26,89 +23,6 @@
 
 namespace asperity {
 namespace {
-
-constexpr int kLong = 60000;  // ms, for films on a busy machine
-
-QByteArray bytesOf(const QString& file) {
-  QFile in(file);
-  return in.open(QIODevice::ReadOnly) ? in.readAll() : QByteArray();
-}
-
-class ExportDialogTest : public MainWindowTest {
- protected:
-  void SetUp() override {
-    ASSERT_TRUE(waitForFrame());
-    session().setPlaying(false);
-    window_.exports().setProgram(ASPERITY_PROGRAM);
-  }
-  void TearDown() override {
-    delete dialog_.data();
-    QSettings().remove("export");
-  }
-
-  void openDialog(ExportKind kind) {
-    dialog_ = &window_.exports().openDialog(kind);
-    previews_ = std::make_unique<QSignalSpy>(dialog_, &ExportDialog::previewed);
-    exports_ = std::make_unique<QSignalSpy>(dialog_, &ExportDialog::exported);
-  }
-  template <class Widget>
-  Widget& in(const char* name) {
-    return *dialog_->findChild<Widget*>(QLatin1String(name));
-  }
-  void choose(const char* box, const QString& data) {
-    auto& choices = in<QComboBox>(box);
-    const int index = choices.findData(data);
-    ASSERT_GE(index, 0) << box << " " << data.toStdString();
-    choices.setCurrentIndex(index);
-  }
-  void enter(const char* entry, const QString& text) {
-    auto& field = in<QLineEdit>(entry);
-    field.setFocus();
-    field.selectAll();
-    QTest::keyClicks(&field, text);
-  }
-  /// Whether there is a preview of the present wish.
-  bool waitForPreview() {
-    previews_->clear();
-    return QTest::qWaitFor([&] { return !previews_->isEmpty(); }, kLong) &&
-           previews_->last().at(0).toBool();
-  }
-  QString reason() { return in<QLabel>("exportFailure").text(); }
-  QString command() { return in<QPlainTextEdit>("exportCommand").toPlainText(); }
-
-  /// Returns a file that is there already.
-  QString fileOfBefore(const QString& name) {
-    QFile file(folder_.filePath(name));
-    EXPECT_TRUE(file.open(QIODevice::WriteOnly));
-    file.write("before");
-    return file.fileName();
-  }
-
-  /// Writes the file by the dialog and then, in its place, by the command in a shell.
-  void expectSameBytes(const QString& name) {
-    SCOPED_TRACE(name.toStdString());
-    const QString file = folder_.filePath(name);
-    dialog_->setFile(file);
-    const QString text = command();
-    dialog_->write();
-    ASSERT_TRUE(
-        QTest::qWaitFor([&] { return !exports_->isEmpty() || !reason().isEmpty(); }, kLong));
-    ASSERT_FALSE(exports_->isEmpty()) << reason().toStdString();
-    const QByteArray made = bytesOf(file);
-    EXPECT_GT(made.size(), 300);
-    ASSERT_TRUE(QFile::remove(file));
-    QProcess shell;
-    shell.setWorkingDirectory(folder_.path());
-    shell.start("/bin/sh", {"-c", "asperity() { \"" ASPERITY_PROGRAM "\" \"$@\"; }; " + text});
-    ASSERT_TRUE(shell.waitForFinished(kLong));
-    EXPECT_EQ(shell.exitCode(), 0) << shell.readAllStandardError().toStdString();
-    EXPECT_TRUE(bytesOf(file) == made) << text.toStdString();
-  }
-
-  QTemporaryDir folder_;
-  QPointer<ExportDialog> dialog_;
-  std::unique_ptr<QSignalSpy> previews_, exports_;
-};
 
 TEST_F(ExportDialogTest, APictureHasTheBytesOfItsCommand) {
   type("load.normal_force", "12 mN");
@@ -159,7 +73,8 @@ TEST_F(ExportDialogTest, ASlideHasTheSizeThatTheDialogShows) {
   const QString file = folder_.filePath("slide.png");
   dialog_->setFile(file);
   dialog_->write();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !exports_->isEmpty() || !reason().isEmpty(); }, kLong));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !exports_->isEmpty() || !reason().isEmpty(); },
+                              kExportPatience));
   ASSERT_FALSE(exports_->isEmpty()) << reason().toStdString();
   EXPECT_EQ(QImage(file).size(), QSize(1920, 1080));
 }
@@ -197,7 +112,7 @@ TEST_F(ExportDialogTest, TheOtherOptionsNameNoFile) {
     EXPECT_FALSE(waitForPreview()) << option;
     EXPECT_TRUE(reason().contains("file")) << reason().toStdString();
     EXPECT_FALSE(in<QPushButton>("exportWrite").isEnabled());
-    EXPECT_EQ(bytesOf(file), "before");
+    EXPECT_EQ(exportedBytes(file), "before");
   }
 }
 
@@ -382,7 +297,7 @@ TEST_F(ExportDialogTest, AFolderThatIsNotThereIsSaid) {
   openDialog(ExportKind::Table);
   dialog_->setFile(folder_.filePath("no_such_folder/curve.csv"));
   dialog_->write();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !reason().isEmpty(); }, kLong));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !reason().isEmpty(); }, kExportPatience));
   EXPECT_TRUE(reason().contains("no_such_folder")) << reason().toStdString();
   EXPECT_TRUE(dialog_->isVisible());
   EXPECT_TRUE(exports_->isEmpty());
@@ -394,7 +309,7 @@ TEST_F(ExportDialogTest, AnotherFileNameCanBeExportedAfterAFailure) {
   ASSERT_TRUE(waitForPreview());
   dialog_->setFile(folder_.filePath("no_such_folder/curve.csv"));
   dialog_->write();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !reason().isEmpty(); }, kLong));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !reason().isEmpty(); }, kExportPatience));
   EXPECT_FALSE(in<QPushButton>("exportWrite").isEnabled());
   const QString file = folder_.filePath("curve.csv");
   enter("exportFile", file);
@@ -402,7 +317,7 @@ TEST_F(ExportDialogTest, AnotherFileNameCanBeExportedAfterAFailure) {
   EXPECT_EQ(reason(), "");
   EXPECT_TRUE(in<QPushButton>("exportWrite").isEnabled());
   in<QPushButton>("exportWrite").click();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !exports_->isEmpty(); }, kLong));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !exports_->isEmpty(); }, kExportPatience));
   EXPECT_TRUE(QFile::exists(file));
 }
 
@@ -421,40 +336,6 @@ TEST_F(ExportDialogTest, ABadValueStaysRefusedWithAnotherFileName) {
   EXPECT_FALSE(in<QPushButton>("exportWrite").isEnabled());
 }
 
-TEST_F(ExportDialogTest, AProgramThatCannotBeStartedIsSaid) {
-  window_.exports().setProgram("/no/such/program");
-  openDialog(ExportKind::Picture);
-  EXPECT_FALSE(waitForPreview());
-  EXPECT_TRUE(reason().contains("/no/such/program"));
-}
-
-/// Escape cancels the export first and then closes the dialog; a file of before is untouched.
-TEST_F(ExportDialogTest, ACancelledExportLeavesTheFileAsItWas) {
-  openDialog(ExportKind::Film);
-  choose("exportContent", "contact");
-  choose("exportPreset", "hd");
-  enter("exportDuration", "600");
-  const QString file = fileOfBefore("film.webp");
-  choose("exportFormat", ".webp");
-  dialog_->setFile(file);
-  answer(QMessageBox::Yes);
-  dialog_->write();
-  EXPECT_EQ(asked_, 1);
-  QTest::qWait(500);
-  EXPECT_FALSE(dialog_->form().isEnabled());
-  EXPECT_FALSE(
-      in<QPushButton>("exportBrowse").isEnabled());  // another name would be told as written
-  dialog_->reject();
-  ASSERT_TRUE(dialog_);
-  EXPECT_TRUE(dialog_->form().isEnabled());
-  // The call ends by itself, and takes what it has begun with it.
-  ASSERT_TRUE(QTest::qWaitFor([&] { return dialog_->findChildren<QProcess*>().isEmpty(); }, kLong));
-  EXPECT_EQ(bytesOf(file), "before");
-  EXPECT_EQ(QDir(folder_.path()).entryList(QDir::Files | QDir::Hidden).size(), 1);
-  dialog_->reject();
-  EXPECT_TRUE(waitFor([&] { return dialog_.isNull(); }));
-}
-
 TEST_F(ExportDialogTest, AnExistingFileIsReplacedOnlyAfterAQuestion) {
   const QString file = fileOfBefore("curve.csv");
   openDialog(ExportKind::Table);
@@ -462,11 +343,11 @@ TEST_F(ExportDialogTest, AnExistingFileIsReplacedOnlyAfterAQuestion) {
   answer(QMessageBox::Cancel);
   dialog_->write();
   EXPECT_EQ(asked_, 1);
-  EXPECT_EQ(bytesOf(file), "before");
+  EXPECT_EQ(exportedBytes(file), "before");
   answer(QMessageBox::Yes);
   dialog_->write();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !exports_->isEmpty(); }, kLong));
-  EXPECT_NE(bytesOf(file), "before");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !exports_->isEmpty(); }, kExportPatience));
+  EXPECT_NE(exportedBytes(file), "before");
 }
 
 /// The proposed name follows what is exported; the frames are numbered in a folder.
@@ -488,7 +369,7 @@ TEST_F(ExportDialogTest, FramesOfAFilmGoIntoAFolder) {
   ASSERT_TRUE(waitForPreview()) << reason().toStdString();
   EXPECT_TRUE(command().contains("--fps 20")) << command().toStdString();
   dialog_->write();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !exports_->isEmpty(); }, kLong));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !exports_->isEmpty(); }, kExportPatience));
   EXPECT_EQ(QDir(frames).entryList(QDir::Files),
             (QStringList{"frame_0001.png", "frame_0002.png", "frame_0003.png", "frame_0004.png"}));
   EXPECT_EQ(QImage(QDir(frames).filePath("frame_0003.png")).size(), QSize(320, 200));
@@ -516,7 +397,7 @@ TEST_F(ExportDialogTest, FiguresOfThePaperAreExportedWithTheirDataAndClaims) {
   EXPECT_TRUE(command().contains("--realizations 3")) << command().toStdString();
   EXPECT_FALSE(command().contains("--size")) << command().toStdString();
   dialog_->write();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !exports_->isEmpty(); }, kLong));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !exports_->isEmpty(); }, kExportPatience));
   EXPECT_EQ(
       QDir(figures).entryList(QDir::Files),
       (QStringList{"claims.json", "figure_2.csv", "figure_2.pdf", "figure_2.png", "figure_2.svg"}));
@@ -581,18 +462,6 @@ TEST_F(ExportDialogTest, EveryControlHasANameAndFitsASmallScreen) {
       EXPECT_FALSE(widget->accessibleName().isEmpty()) << widget->objectName().toStdString();
     }
   }
-}
-
-TEST_F(ExportDialogTest, ClosingTheWindowEndsWhatRuns) {
-  auto window = std::make_unique<MainWindow>(smallScene());
-  window->exports().setProgram(ASPERITY_PROGRAM);
-  ExportDialog& dialog = window->exports().openDialog(ExportKind::Film);
-  dialog.setFile(folder_.filePath("film.webp"));
-  dialog.write();
-  QElapsedTimer time;
-  time.start();
-  window.reset();
-  EXPECT_LT(time.elapsed(), 3000);
 }
 
 TEST_F(ExportDialogTest, AnotherUnitIsTheSameSize) {

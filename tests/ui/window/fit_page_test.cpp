@@ -17,7 +17,6 @@
 #include <QSpinBox>
 #include <QTabBar>
 #include <QTableWidget>
-#include <QTemporaryDir>
 #include <QToolButton>
 #include <algorithm>
 
@@ -25,6 +24,7 @@
 #include "core/friction/steady_states.h"
 #include "core/scene/scene_file.h"
 #include "qt_application.h"
+#include "tests/ui/window/fit_page_fixture.h"
 #include "tests/ui/window/main_window_fixture.h"
 #include "ui/language/language.h"
 #include "ui/window/curve/comparison_commands.h"
@@ -34,64 +34,6 @@
 
 namespace asperity {
 namespace {
-
-class FitPageTest : public MainWindowTest {
- protected:
-  /// The friction of the scene with another height and relaxation time, at these velocities.
-  FitPageTest() {
-    Scene truth = smallScene();
-    truth.surface.rmsHeight *= 1.3;
-    truth.elastomer.relaxationTime *= 2;
-    std::vector<Scene> states;
-    for (const double velocity : {1e-3, 1e-2, 0.1, 0.5, 2.0, 10.0, 50.0}) {
-      states.push_back(truth);
-      states.back().sliding.velocity = velocity;
-    }
-    const SteadyStates found = slideStates(states);
-    QByteArray text = "velocity,mu,mu_error\n";
-    for (std::size_t i = 0; i < states.size(); ++i)
-      text += QByteArray::number(states[i].sliding.velocity) + "," +
-              QByteArray::number(found.points[i].mu, 'g', 12) + "," +
-              QByteArray::number(0.02 * found.points[i].mu, 'g', 6) + "\n";
-    file_ = folder_.filePath("mine.csv");
-    QFile file(file_);
-    EXPECT_TRUE(file.open(QIODevice::WriteOnly));
-    file.write(text);
-  }
-
-  Scene withData() {
-    Scene scene = smallScene();
-    scene.comparison.data = {{file_.toStdString(), {}}};
-    return scene;
-  }
-  const Scene& scene() { return window_.document().scene(); }
-
-  FitPage& openPage(const Scene& scene) {
-    window_.document().open(scene);
-    return *window_.comparisons().openFit();
-  }
-  static int rowOf(QTableWidget& keys, const QString& key) {
-    for (int row = 0; row < keys.rowCount(); ++row)
-      if (keys.item(row, 0)->data(Qt::UserRole).toString() == key) return row;
-    return -1;
-  }
-  static QTableWidget& keysOf(FitPage& page) { return *page.findChild<QTableWidget*>("fitKeys"); }
-  static void tick(FitPage& page, const QString& key) {
-    const int row = rowOf(keysOf(page), key);
-    ASSERT_GE(row, 0) << key.toStdString();
-    keysOf(page).item(row, 0)->setCheckState(Qt::Checked);
-  }
-  static QPushButton& button(FitPage& page, const char* name) {
-    return *page.findChild<QPushButton*>(name);
-  }
-  bool fit(FitPage& page) {
-    button(page, "fitRun").click();
-    return waitFor([&] { return !page.isFitting(); });
-  }
-
-  QTemporaryDir folder_;
-  QString file_;
-};
 
 TEST_F(FitPageTest, FindsTheValuesAndTheSceneTakesThemInOneStep) {
   FitPage& page = openPage(withData());
@@ -156,45 +98,6 @@ TEST_F(FitPageTest, TheValuesFitIntoANarrowPage) {
   EXPECT_TRUE(waitFor([&] { return texts->horizontalScrollBar()->maximum() == 0; }));
   EXPECT_EQ(texts->verticalScrollBar()->maximum(), 0);
   useLanguage("en");
-}
-
-TEST_F(FitPageTest, TheNamesOfTheParametersAreNotCut) {
-  Scene scene = withData();
-  scene.elastomer.rheology = Rheology::StandardSolid;
-  FitPage& page = openPage(scene);
-  ASSERT_TRUE(waitFor([&] { return page.isVisible(); }));
-  QTableWidget& keys = keysOf(page);
-  const QAbstractItemView& view = keys;
-  EXPECT_GE(keys.columnWidth(0), view.sizeHintForColumn(0));
-}
-
-/// Measured friction always has local friction, so it is offered where the scene has none yet.
-TEST_F(FitPageTest, LocalFrictionIsOfferedFromNone) {
-  FitPage& page = openPage(withData());
-  EXPECT_GE(rowOf(keysOf(page), "interface.friction_coefficient"), 0);
-  EXPECT_LT(rowOf(keysOf(page), "interface.shear_stress"), 0) << "has no value to begin from";
-}
-
-TEST_F(FitPageTest, TheLawOfALocalShearIsOfferedWhereThereIsOne) {
-  Scene scene = withData();
-  scene.interface.shearVelocity = 0.1;
-  scene.interface.shearWidth = 0.3;
-  const auto isOffered = [](FitPage& page) {
-    return rowOf(keysOf(page), "interface.shear_width") >= 0 &&
-           rowOf(keysOf(page), "interface.shear_velocity") >= 0;
-  };
-  for (const double coefficient : {0.0, 0.2}) {
-    scene.interface.frictionCoefficient = coefficient;
-    FitPage& page = openPage(scene);
-    EXPECT_LT(rowOf(keysOf(page), "interface.shear_width"), 0) << coefficient;
-    EXPECT_LT(rowOf(keysOf(page), "interface.shear_velocity"), 0) << coefficient;
-    EXPECT_GE(rowOf(keysOf(page), "interface.friction_coefficient"), 0) << coefficient;
-  }
-  scene.interface.frictionCoefficient = 0;
-  scene.interface.shearStress = 10;
-  EXPECT_TRUE(isOffered(openPage(scene)));
-  scene.interface.shearVelocity = 0;
-  EXPECT_LT(rowOf(keysOf(openPage(scene)), "interface.shear_width"), 0);
 }
 
 TEST_F(FitPageTest, TheReportIsThatOfTheCommand) {
@@ -279,22 +182,6 @@ TEST_F(FitPageTest, ReturnPressesTheButtonWithTheFocus) {
   button(page, "fitClose").setFocus();
   QTest::keyClick(&button(page, "fitClose"), Qt::Key_Return);
   EXPECT_FALSE(page.isVisible());
-}
-
-TEST_F(FitPageTest, ARefusedLimitIsSaidAndNothingRuns) {
-  FitPage& page = openPage(withData());
-  tick(page, "surface.rms_height");
-  const int row = rowOf(keysOf(page), "surface.rms_height");
-  keysOf(page).item(row, 2)->setText("3 kg");
-  EXPECT_FALSE(page.errorText().isEmpty());
-  button(page, "fitRun").click();
-  EXPECT_FALSE(page.isFitting());
-  // The scene's own value lies outside of these.
-  keysOf(page).item(row, 2)->setText("1 m");
-  keysOf(page).item(row, 3)->setText("2 m");
-  button(page, "fitRun").click();
-  EXPECT_FALSE(page.isFitting());
-  EXPECT_FALSE(page.errorText().isEmpty());
 }
 
 TEST_F(FitPageTest, WhatCannotBeFittedIsSaidOnThePage) {

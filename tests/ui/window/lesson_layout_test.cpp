@@ -1,9 +1,8 @@
 // Every step of every shipped lesson in a small window, before and after its answer, in both
 // languages: nothing of the pane is cut off, nothing lies over anything else, the buttons that lead
-// on are in sight, and the Tab key reaches every control.
+// on are in sight and stay where they are, and the Tab key reaches every control.
 #include <gmock/gmock.h>
 
-#include <QAction>
 #include <QCheckBox>
 #include <QDialog>
 #include <QDockWidget>
@@ -119,7 +118,7 @@ void findUnreached(MainWindow& window, Faults& faults) {
   LessonPane& pane = window.lessons().pane();
   std::set<const QWidget*> wanted;
   bool hasChoice = false;
-  for (QWidget* widget : pane.findChildren<QWidget*>()) {
+  for (QWidget* widget : pane.findChildren<QWidget*>() + pane.foot().findChildren<QWidget*>()) {
     const bool isControl = qobject_cast<QAbstractButton*>(widget) ||
                            widget->objectName() == "lessonNumber" ||
                            widget->objectName() == "lessonText";
@@ -150,6 +149,9 @@ TEST_P(LessonLayout, EveryStepIsWholeAndReachedInASmallWindow) {
   ASSERT_TRUE(QTest::qWaitForWindowActive(&*window));
   Lessons& lessons = window->lessons();
   ASSERT_TRUE(lessons.open(QString::fromStdString(GetParam())));
+  auto& next = *window->findChild<QPushButton*>("lessonNext");
+  const auto topOfNext = [&] { return next.mapTo(&*window, QPoint()).y(); };
+  const int top = topOfNext();
   const auto check = [&](bool isRevealed) {
     for (const char* language : {"en", "de"}) {
       SCOPED_TRACE(std::to_string(lessons.step() + 1) + (isRevealed ? " after " : " before ") +
@@ -160,22 +162,24 @@ TEST_P(LessonLayout, EveryStepIsWholeAndReachedInASmallWindow) {
       ASSERT_TRUE(QTest::qWaitFor([&] { return progress->text().contains(" von ") == isGerman; }));
       QCoreApplication::processEvents();  // the layout of the other texts
       EXPECT_EQ(cutOffIn(lessons.pane()), "");
+      EXPECT_EQ(cutOffIn(lessons.pane().foot()), "");
       Faults faults;
       const auto isWhole = [&] {
         faults.clear();
         findWideWords(lessons.pane(), faults);
-        findOverlaps(*window->findChild<QDockWidget*>("lessonDock"), faults);
+        for (const char* dock : {"lessonDock", "lessonFootDock"})
+          findOverlaps(*window->findChild<QDockWidget*>(dock), faults);
         findWhatIsOutOfSight(*window, faults);
         return faults.empty();
       };
       (void)QTest::qWaitFor(isWhole, kLayoutPatience);
       if (!isGerman) findUnreached(*window, faults);
       EXPECT_THAT(faults, IsEmpty());
+      EXPECT_EQ(topOfNext(), top);
     }
     useLanguage("en");
   };
   const auto steps = static_cast<int>(lessons.lesson()->steps.size());
-  auto& next = *window->findChild<QPushButton*>("lessonNext");
   for (int step = 0; step < steps; ++step) {
     if (!lessons.isRevealed()) {
       check(false);
@@ -187,24 +191,6 @@ TEST_P(LessonLayout, EveryStepIsWholeAndReachedInASmallWindow) {
   }
   EXPECT_FALSE(lessons.isRunning());
   EXPECT_EQ(window->size(), kSmall);  // nothing made it larger
-}
-
-/// The step speaks of two parameters. The warning of the first one comes later, and pushed the
-/// second one out of sight.
-TEST(LessonLayoutOfAStep, AWarningThatComesLaterLeavesTheParametersInSight) {
-  constexpr int kPlateau = 5;
-  WindowIn window("en");
-  window->resize(kSmall);
-  ASSERT_TRUE(QTest::qWaitForWindowActive(&*window));
-  Lessons& lessons = window->lessons();
-  lessons.start(readNamedLesson("rubber_is_not_coulomb", readNamedScene), kPlateau);
-  window->findChild<QPushButton*>("lessonShow")->click();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return lessons.isRevealed(); }, kWindowPatience));
-  const auto& modulus = *window->findChild<QWidget*>("row:elastomer.shear_modulus");
-  const auto isInSight = [&] { return modulus.visibleRegion().boundingRect() == modulus.rect(); };
-  EXPECT_TRUE(QTest::qWaitFor(isInSight, kLayoutPatience));
-  QTest::qWait(kLayoutPatience);  // the warning is there
-  EXPECT_TRUE(isInSight());
 }
 
 std::vector<std::string> shippedNames() {
@@ -260,31 +246,6 @@ TEST_P(LessonPages, AreReadableAndReachable) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Languages, LessonPages, testing::Values("en", "de"));
-
-/// Its colour is that of the text below it, not of what is disabled. It stands above the titles of
-/// the steps, which stand above their texts, also in the large letters of a presentation.
-TEST(LessonTitle, IsATitle) {
-  MainWindow window(smallScene());
-  window.show();
-  for (const bool dark : {false, true}) {
-    window.appearance().setDark(dark);
-    auto& title = *window.findChild<QLabel*>("lessonTitle");
-    title.ensurePolished();
-    const auto colour = [](const QWidget& label) {
-      return label.palette().color(QPalette::WindowText);
-    };
-    EXPECT_EQ(colour(title), colour(*window.findChild<QLabel*>("lessonText")));
-    EXPECT_TRUE(title.font().bold());
-  }
-  const auto size = [&](const char* name) {
-    return window.findChild<QLabel*>(name)->font().pointSizeF();
-  };
-  for (int round = 0; round < 2; ++round) {
-    EXPECT_GT(size("lessonTitle"), size("lessonStepTitle"));
-    EXPECT_GT(size("lessonStepTitle"), size("lessonText"));
-    window.findChild<QAction*>("present")->trigger();
-  }
-}
 
 }  // namespace
 }  // namespace asperity

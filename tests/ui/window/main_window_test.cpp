@@ -5,20 +5,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <QComboBox>
 #include <QCursor>
-#include <QDir>
 #include <QEnterEvent>
-#include <QFile>
 #include <QLabel>
 #include <QMenu>
 #include <QSignalSpy>
 #include <QTabWidget>
-#include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
 #include <QToolButton>
-#include <QTreeWidget>
 #include <algorithm>
 #include <memory>
 #include <set>
@@ -183,36 +178,6 @@ TEST_F(MainWindowTest, AStepByHandIsSeen) {
     window_.canvas().fit();
     session().setPlaying(true);
   }
-}
-
-/// The curve, which is kept, goes on; and the picture where it was, once it is seen again.
-TEST_F(MainWindowTest, NothingIsSteppedWhereNobodySeesIt) {
-  ASSERT_TRUE(waitFor([&] { return frame() && frame()->step > 3; }));
-  const auto expectRest = [&](const char* where) {
-    ASSERT_TRUE(waitForRest());
-    const std::uint64_t step = frame()->step;
-    for (int i = 0; i < 3; ++i) ASSERT_TRUE(waitForRest());
-    EXPECT_EQ(frame()->step, step) << where;
-    EXPECT_TRUE(session().isPlaying()) << where;
-  };
-  window_.showMinimized();
-  ASSERT_TRUE(waitFor([&] { return !session().isVisible(); }));
-  expectRest("minimized");
-  type("elastomer.shear_modulus", "20 MPa");
-  ASSERT_TRUE(waitFor([&] { return session().friction().progress() >= 1; }));
-  EXPECT_EQ(session().curve()->scene->elastomer.shearModulus, 2e7);
-  window_.showNormal();
-  ASSERT_TRUE(waitFor([&] { return session().isVisible(); }));
-  const std::uint64_t step = frame()->step;
-  ASSERT_TRUE(waitFor([&] { return frame()->step > step + 3; }));
-
-  action("figures").trigger();
-  ASSERT_FALSE(session().isVisible());
-  expectRest("behind the figures");
-  action("figures").trigger();
-  ASSERT_TRUE(session().isVisible());
-  const std::uint64_t behind = frame()->step;
-  ASSERT_TRUE(waitFor([&] { return frame()->step > behind + 3; }));
 }
 
 TEST_F(MainWindowTest, ASingleStepWhilePlayingPauses) {
@@ -421,20 +386,6 @@ TEST_F(MainWindowTest, AMotionThatIsNotSteadyIsShownInTime) {
   window_.document().open(smallScene());
   EXPECT_FALSE(tabs.isTabVisible(1));
   EXPECT_EQ(tabs.currentWidget(), &window_.plotView());
-}
-
-TEST_F(MainWindowTest, ThePlanFollowsTheScene) {
-  auto& plan = control<QTreeWidget>("planList");
-  const auto runs = [&](const QString& stage) {
-    const auto found = plan.findItems(stage, Qt::MatchExactly);
-    return found.isEmpty() ? QString() : found.first()->text(1);
-  };
-  EXPECT_EQ(plan.topLevelItemCount(), 0);  // nobody sees it, so that nothing waits for it
-  action("go:planList").trigger();
-  ASSERT_EQ(plan.topLevelItemCount(), static_cast<int>(kStages));
-  EXPECT_EQ(runs(QString::fromStdString(std::string(stageName(Stage::Interface)))), "no");
-  type("interface.friction_coefficient", "0.2");
-  EXPECT_EQ(runs(QString::fromStdString(std::string(stageName(Stage::Interface)))), "yes");
 }
 
 TEST_F(MainWindowTest, AValueIsTypedWithItsUnit) {

@@ -4,22 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractEventDispatcher>
-#include <QComboBox>
 #include <QFile>
 #include <QHash>
 #include <QLabel>
-#include <QLayout>
-#include <QPlainTextEdit>
-#include <QPointer>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QTemporaryDir>
 #include <QToolButton>
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <future>
-#include <numbers>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -31,6 +23,7 @@
 #include "qt_application.h"
 #include "tests/app/program.h"
 #include "tests/ui/window/main_window_fixture.h"
+#include "tests/ui/window/surface_import_fixture.h"
 #include "ui/language/language.h"
 #include "ui/panels/parameter_row.h"
 #include "ui/window/figures/diagram_view.h"
@@ -40,55 +33,6 @@
 namespace asperity {
 namespace {
 
-constexpr double kAmplitude = 2e-6;  // m
-constexpr int kPoints = 400;
-
-class SurfaceImportTest : public MainWindowTest {
- protected:
-  QString write(const char* name, const std::string& text) {
-    const QString path = folder_.filePath(name);
-    QFile file(path);
-    EXPECT_TRUE(file.open(QIODevice::WriteOnly));
-    file.write(text.c_str(), static_cast<qint64>(text.size()));
-    return path;
-  }
-
-  /// Twenty waves of 50 um, in um over mm, on a tilted plane.
-  QString sineFile(double tilt = 0, const char* header = "x [mm];z [µm]\n") {
-    std::string text = header;
-    for (int i = 0; i < kPoints; ++i) {
-      const double x = i * 1e-3 / kPoints;  // m
-      const double z = kAmplitude * std::sin(2 * std::numbers::pi * 20 * i / kPoints) + tilt * x;
-      text += std::to_string(1e3 * x) + ";" + std::to_string(1e6 * z) + "\n";
-    }
-    return write("profile.csv", text);
-  }
-
-  SurfaceImport& openPage(const QString& file) {
-    page_ = &window_.imports().openSurface(file);
-    return *page_;
-  }
-  bool waitForPage() {
-    return waitFor([&] { return page_ && !page_->isReading(); });
-  }
-  template <class Control>
-  Control& inPage(const QString& name) {
-    return *page_->findChild<Control*>(name);
-  }
-  void choose(const QString& key, const QString& word) {
-    auto& box = inPage<QComboBox>("choice:" + key);
-    box.setCurrentIndex(box.findData(word));
-    emit box.activated(box.currentIndex());
-  }
-  void click(const QString& name) {
-    QTest::mouseClick(&inPage<QAbstractButton>(name), Qt::LeftButton);
-  }
-  const Scene& scene() { return window_.document().scene(); }
-
-  QTemporaryDir folder_;
-  QPointer<SurfaceImport> page_;
-};
-
 TEST_F(SurfaceImportTest, MakesTheFileTheSceneInOneStep) {
   const Scene before = scene();
   openPage(sineFile());
@@ -96,7 +40,7 @@ TEST_F(SurfaceImportTest, MakesTheFileTheSceneInOneStep) {
   ASSERT_TRUE(page_->isReady()) << page_->errorText().toStdString();
   // A whole number of waves: Pq is the amplitude over sqrt 2, up to the line that is removed and
   // the six decimals of the file.
-  EXPECT_NEAR(page_->summary()->used.pq, kAmplitude / std::sqrt(2), 0.02 * kAmplitude);
+  EXPECT_NEAR(page_->summary()->used.pq, kSineAmplitude / std::sqrt(2), 0.02 * kSineAmplitude);
   EXPECT_TRUE(inPage<QLabel>("surfaceValues").text().contains("Pq"));
   EXPECT_FALSE(inPage<QLabel>("surfaceFacts").text().isEmpty());
   EXPECT_EQ(scene(), before);
@@ -160,32 +104,6 @@ TEST_F(SurfaceImportTest, TheTitleFollowsTheSurfaceUnlessItWasWritten) {
   EXPECT_EQ(take(file), "my road");
 }
 
-TEST_F(SurfaceImportTest, CancelLeavesEverything) {
-  const Scene before = scene();
-  openPage(sineFile());
-  ASSERT_TRUE(waitForPage());
-  choose("surface.form", "parabola");
-  ASSERT_TRUE(waitForPage());
-  click("importCancel");
-  ASSERT_TRUE(waitFor([&] { return page_.isNull(); }));
-  EXPECT_EQ(scene(), before);
-  EXPECT_EQ(window_.document().history().count(), 0);
-}
-
-TEST_F(SurfaceImportTest, ReturnPressesTheButtonWithTheFocus) {
-  const Scene before = scene();
-  openPage(sineFile());
-  ASSERT_TRUE(waitForPage());
-  auto& entry = inPage<ValueEntry>("entry:surface.short_wave_cut");
-  entry.setFocus();
-  QTest::keyClick(&entry, Qt::Key_Return);
-  EXPECT_TRUE(page_->isVisible());
-  inPage<QPushButton>("importCancel").setFocus();
-  QTest::keyClick(&inPage<QPushButton>("importCancel"), Qt::Key_Return);
-  EXPECT_FALSE(page_->isVisible());
-  EXPECT_EQ(scene(), before);
-}
-
 /// A column of a table as the program writes it; numbers read back to the same bits.
 std::vector<double> columnOf(const std::string& csv, const std::string& name) {
   std::istringstream lines(csv);
@@ -244,7 +162,7 @@ TEST_F(SurfaceImportTest, AStepIsShownAtOnce) {
   // A tilt of 0.05 over 1 mm has an rms height of 0.05 mm / sqrt 12.
   EXPECT_NEAR(page_->summary()->raw.pq, 0.05e-3 / std::sqrt(12.0), 1e-6);
   const double withoutTilt = page_->summary()->used.pq;
-  EXPECT_LT(withoutTilt, kAmplitude);
+  EXPECT_LT(withoutTilt, kSineAmplitude);
   choose("surface.form", "mean");
   ASSERT_TRUE(page_->isReading());
   EXPECT_FALSE(inPage<QPushButton>("importAccept").isEnabled());
@@ -257,7 +175,7 @@ TEST_F(SurfaceImportTest, AStepIsShownAtOnce) {
 /// Without a unit, 400 units of length would be 400 m: the page asks, and goes on with the answer.
 TEST_F(SurfaceImportTest, AsksForAUnitThatIsMissing) {
   std::string text;
-  for (int i = 0; i < kPoints; ++i)
+  for (int i = 0; i < kSinePoints; ++i)
     text += std::to_string(i) + " " + std::to_string(100 * std::sin(i * 0.3)) + "\n";
   openPage(write("plain.txt", text));
   ASSERT_TRUE(waitForPage());
@@ -271,42 +189,6 @@ TEST_F(SurfaceImportTest, AsksForAUnitThatIsMissing) {
   ASSERT_TRUE(waitForPage());
   EXPECT_TRUE(page_->isReady()) << page_->errorText().toStdString();
   EXPECT_NEAR(page_->summary()->spacing, 1e-6, 1e-12);
-}
-
-/// A person sees what was refused: whole lines of a text, and nothing of what is none.
-TEST_F(SurfaceImportTest, ShowsHowARefusedFileBegins) {
-  std::string text = "Höhe in μm, ohne Zahlen\n";
-  while (text.size() < 10000) text += "these are words and no numbers\n";
-  openPage(write("words.csv", text));
-  ASSERT_TRUE(waitForPage());
-  auto& beginning = inPage<QPlainTextEdit>("importBeginning");
-  EXPECT_TRUE(beginning.isVisibleTo(page_));
-  const QString shown = beginning.toPlainText();
-  EXPECT_TRUE(shown.startsWith(QStringLiteral("Höhe in μm, ohne Zahlen\nthese are words")));
-  EXPECT_TRUE(shown.endsWith(QStringLiteral("no numbers\n")));
-  EXPECT_LT(shown.size(), 5000);
-  EXPECT_FALSE(inPage<DiagramView>("surfaceProfile").isVisibleTo(page_));
-}
-
-TEST_F(SurfaceImportTest, ShowsNothingOfARefusedFileThatIsNoText) {
-  openPage(write("noise.dat", std::string("\x89PNG\0\x01\x02\0\xff\0\0", 12)));
-  ASSERT_TRUE(waitForPage());
-  EXPECT_FALSE(page_->isReady());
-  // A sheet says so: the page would be half empty.
-  const auto& beginning = inPage<QPlainTextEdit>("importBeginning");
-  EXPECT_TRUE(beginning.isVisibleTo(page_));
-  EXPECT_EQ(beginning.toPlainText(), QString());
-  EXPECT_EQ(beginning.placeholderText(), "Nothing of this file can be shown.");
-}
-
-/// Where nothing of the file can be shown, its name does not move into the middle of the page.
-TEST_F(SurfaceImportTest, TheNameOfAnEmptyFileStaysAtTheTop) {
-  openPage(write("empty.csv", ""));
-  ASSERT_TRUE(waitForPage());
-  EXPECT_TRUE(page_->errorText().contains("is empty")) << page_->errorText().toStdString();
-  page_->layout()->activate();
-  const auto& name = inPage<QLabel>("importFile");
-  EXPECT_LE(name.geometry().bottom(), 3 * name.fontMetrics().lineSpacing() + 12);
 }
 
 /// The unit of a column can be chosen in the page, by the label that it has there.
@@ -352,22 +234,6 @@ TEST_F(SurfaceImportTest, ShowsATopographyAndItsRows) {
   ASSERT_TRUE(waitForPage());
   ASSERT_TRUE(page_->isReady()) << page_->errorText().toStdString();
   EXPECT_NEAR(page_->summary()->spacing, 2e-6, 1e-12);
-}
-
-TEST_F(SurfaceImportTest, ReadingCanBeStopped) {
-  std::string text = "x [mm];z [um]\n";
-  for (int i = 0; i < 300000; ++i)
-    text += std::to_string(1e-3 * i) + ";" + std::to_string(std::sin(0.01 * i)) + "\n";
-  openPage(write("long.csv", text));
-  ASSERT_TRUE(page_->isReading());
-  EXPECT_TRUE(inPage<QProgressBar>("importProgress").isVisible());
-  click("importStop");
-  EXPECT_FALSE(page_->isReading());
-  EXPECT_FALSE(page_->isReady());
-  EXPECT_FALSE(page_->errorText().isEmpty());
-  click("importStop");  // reads it again
-  ASSERT_TRUE(waitForPage());
-  EXPECT_TRUE(page_->isReady()) << page_->errorText().toStdString();
 }
 
 /// Counts how often each widget's style is worked out, which is most of what a page costs to build.
@@ -462,44 +328,6 @@ TEST_F(SurfaceImportTest, ALargeFileCanBeStopped) {
   EXPECT_FALSE(page_->isReading());
   EXPECT_FALSE(page_->isReady());
   EXPECT_FALSE(page_->summary());
-}
-
-/// A page whose work cannot be stopped, but for a gate.
-class GatedPage : public ImportPage {
- public:
-  GatedPage(std::shared_future<void> gate, QWidget* parent)
-      : ImportPage("gated.txt", "use", parent), gate_(std::move(gate)) {
-    restart();
-  }
-
- protected:
-  void begin() override {
-    work_.request([gate = gate_](const BackgroundWork::Run&) { gate.wait(); }, [] {});
-  }
-  BackgroundWork& work() override { return work_; }
-
- private:
-  std::shared_future<void> gate_;
-  BackgroundWork work_;
-};
-
-/// The window does not wait until the work of a page that is closed has stopped.
-TEST_F(SurfaceImportTest, AClosedPageGoesWhenItsWorkHasStopped) {
-  std::promise<void> gate;
-  const QPointer<ImportPage> gated = new GatedPage(gate.get_future().share(), &window_);
-  gated->open();
-  ASSERT_TRUE(QTest::qWaitForWindowExposed(gated));
-  QTest::keyClick(gated, Qt::Key_Escape);
-  EXPECT_FALSE(gated->isVisible());
-  QTest::qWait(100);  // its deletion would wait here for ever
-  ASSERT_FALSE(gated.isNull());
-  // Another page opens meanwhile.
-  openPage(sineFile());
-  ASSERT_TRUE(waitForPage());
-  EXPECT_FALSE(gated.isNull());
-  gate.set_value();
-  EXPECT_TRUE(waitFor([&] { return gated.isNull(); }));
-  EXPECT_FALSE(page_.isNull());
 }
 
 TEST_F(SurfaceImportTest, ADroppedFileOpensThePage) {

@@ -83,7 +83,7 @@ TEST_F(TimeBarTest, ThePaceStaysWhileTheVelocityChangesOrTheSlowMotionDoes) {
   EXPECT_DOUBLE_EQ(bar_.slowMotion(), 1200);
   EXPECT_DOUBLE_EQ(bar_.pace(), 24);
   ASSERT_EQ(paces.size(), 1);
-  EXPECT_DOUBLE_EQ(paces[0][0].toDouble(), 24);
+  EXPECT_DOUBLE_EQ(paces[0][0].value<std::optional<double>>().value(), 24);
 }
 
 /// A pace that only followed the velocity is not that of another scene, nor a constant one.

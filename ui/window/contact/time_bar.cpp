@@ -118,7 +118,7 @@ TimeBar::TimeBar(QWidget* parent)
   connect(slider_, &QSlider::valueChanged, this,
           [this](int position) { choosePace(paceAt(position)); });
   connect(keep_, &QCheckBox::toggled, this, [this](bool keeps) {
-    if (keeps) setLimitedPace(preferredPace());
+    if (keeps) setLimitedPace(chosen_);
   });
   connect(factor_, &QLineEdit::editingFinished, this, &TimeBar::readFactor);
   connect(moment_, &QSlider::valueChanged, this, [this](int position) {
@@ -252,11 +252,6 @@ double TimeBar::slowMotion() const {
   return time > 0 ? pace_ / time : 0;
 }
 
-/// Returns the pace that the user chose, or the usual one.
-double TimeBar::preferredPace() const {
-  return chosen_ ? *chosen_ : usualPace(scene_.sliding, spacing_);
-}
-
 void TimeBar::takeScene(const Scene& scene) {
   scene_ = scene;
   duration_ = scene.sliding.kind == SlidingKind::Steady ? 0 : scene.sliding.duration;
@@ -268,7 +263,7 @@ void TimeBar::showScene(const Scene& scene) {
   const double before = slowMotion();
   takeScene(scene);
   if (keepsPace())
-    setLimitedPace(preferredPace());
+    setLimitedPace(chosen_);
   else if (before > 0 && simulatedTime() > 0)
     setLimitedPace(before * simulatedTime());
   else
@@ -279,7 +274,7 @@ void TimeBar::showOtherScene(const Scene& scene) {
   takeScene(scene);
   // Its slow motion has nothing to do with that of the previous scene.
   if (chosen_) chosen_ = std::min(*chosen_, kSlowestFirstPace);
-  setLimitedPace(preferredPace());
+  setLimitedPace(chosen_);
 }
 
 void TimeBar::showFrame(const Frame& frame, std::optional<double> requested) {
@@ -287,7 +282,7 @@ void TimeBar::showFrame(const Frame& frame, std::optional<double> requested) {
     length_ = frame.length;
     spacing_ = frame.spacing;
     if (keepsPace())
-      setLimitedPace(preferredPace());
+      setLimitedPace(chosen_);
     else
       showPace();
   }
@@ -313,14 +308,16 @@ void TimeBar::showDelay(const Frame& frame) {
   if (reachedScale_ != before) showPace();
 }
 
-void TimeBar::setLimitedPace(double pace) {
-  pace = std::clamp(pace, kFastest, kSlowest);
-  if (pace != pace_) {
-    pace_ = pace;
+/// Sets a pace, or the nearest possible one; none: the usual one of the scene.
+void TimeBar::setLimitedPace(std::optional<double> pace) {
+  if (pace) pace = std::clamp(*pace, kFastest, kSlowest);
+  const double next = pace.value_or(usualPace(scene_.sliding, spacing_));
+  if (next != pace_) {
+    pace_ = next;
     framesBehind_ = 0;
     reachedScale_ = 0;
-    emit paceChanged(pace_);
   }
+  if (std::exchange(requested_, pace) != pace) emit paceChanged(pace);
   showPace();
 }
 

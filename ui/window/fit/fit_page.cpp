@@ -104,8 +104,9 @@ FitPage::FitPage(const Scene& scene, const FitSelection& before, const Theme& th
   });
   connect(this, &QDialog::finished, this, [this] { work_.cancel(); });
   notes_->setText(
-      tr("Tick the parameters to fit; limits are optional. Every trial uses the same random lines, "
-         "and the weighted sum of the squared residuals is minimized. The best values appear here, "
+      tr("Tick the parameters to fit; type limits, which are optional, into “from” and “to”. Every "
+         "trial uses the same random lines, and the weighted sum of the squared residuals is "
+         "minimized. The best values appear here, "
          "and below them the curve with the points."));
   showState();
   showSheet();

@@ -406,6 +406,7 @@ void MainWindow::updatePollInterval() {
 
 void MainWindow::connectTime() {
   connect(timeBar_, &TimeBar::paceChanged, session_, &Session::setPace);
+  session_->setPace(timeBar_->requestedPace());
   connect(timeBar_, &TimeBar::seekRequested, session_, &Session::seek);
   connect(timeBar_, &TimeBar::statusMessage, status_, &StatusLine::showMessage);
   connect(canvas_, &ContactCanvas::statusMessage, status_, &StatusLine::showMessage);

@@ -1,5 +1,7 @@
 // The page of the paper's figures in the main window: its menu, and how it changes places with the
 // views.
+#include "ui/window/figures/figure_pages.h"
+
 #include <gtest/gtest.h>
 
 #include <QAction>
@@ -27,9 +29,9 @@ namespace asperity {
 namespace {
 
 /// The page in the window.
-class FiguresInTheWindowTest : public testing::Test {
+class FigurePagesTest : public testing::Test {
  protected:
-  FiguresInTheWindowTest() : window_(std::make_unique<MainWindow>(smallScene())) {
+  FigurePagesTest() : window_(std::make_unique<MainWindow>(smallScene())) {
     window_->show();
     window_->activateWindow();
   }
@@ -40,7 +42,7 @@ class FiguresInTheWindowTest : public testing::Test {
   std::unique_ptr<MainWindow> window_;
 };
 
-TEST_F(FiguresInTheWindowTest, TheMenuHasThemAllWithKeysOfTheirOwn) {
+TEST_F(FigurePagesTest, TheMenuHasThemAllWithKeysOfTheirOwn) {
   for (const FigureEntry& entry : figureEntries()) {
     auto* action = window_->findChild<QAction*>("figure:" + fromUtf8(entry.word));
     ASSERT_TRUE(action) << entry.word;
@@ -54,7 +56,7 @@ TEST_F(FiguresInTheWindowTest, TheMenuHasThemAllWithKeysOfTheirOwn) {
   }
 }
 
-TEST_F(FiguresInTheWindowTest, ThePageTakesThePlaceOfTheViewsAndGivesItBack) {
+TEST_F(FigurePagesTest, ThePageTakesThePlaceOfTheViewsAndGivesItBack) {
   ASSERT_TRUE(QTest::qWaitForWindowActive(window_.get()));
   auto& dock = *window_->findChild<QDockWidget*>("parameterDock");
   QTest::keyClick(window_.get(), Qt::Key_G, Qt::ControlModifier);
@@ -74,7 +76,7 @@ TEST_F(FiguresInTheWindowTest, ThePageTakesThePlaceOfTheViewsAndGivesItBack) {
   EXPECT_FALSE(dock.isVisible());
 }
 
-TEST_F(FiguresInTheWindowTest, AFigureOpensAsASceneToPlayWith) {
+TEST_F(FigurePagesTest, AFigureOpensAsASceneToPlayWith) {
   action("figure:1").trigger();
   EXPECT_TRUE(page().isVisible());
   EXPECT_EQ(page().chosen(), FigureName::Contact);
@@ -95,7 +97,7 @@ TEST_F(FiguresInTheWindowTest, AFigureOpensAsASceneToPlayWith) {
 }
 
 /// Of what is in sight: never the contact behind the page.
-TEST_F(FiguresInTheWindowTest, PicturesAreOfTheFigureThatIsShown) {
+TEST_F(FigurePagesTest, PicturesAreOfTheFigureThatIsShown) {
   window_->figures().openFigures();
   page().choose(FigureName::Forces, false);
   for (const char* name : {"savePicture", "copyPicture", "copyCommand", "copyCurveCommand"})
@@ -119,7 +121,7 @@ TEST_F(FiguresInTheWindowTest, PicturesAreOfTheFigureThatIsShown) {
     EXPECT_TRUE(action(name).isEnabled()) << name;
 }
 
-TEST_F(FiguresInTheWindowTest, TheContactGoesOnWhileAFigureIsComputed) {
+TEST_F(FigurePagesTest, TheContactGoesOnWhileAFigureIsComputed) {
   page().findChild<QSpinBox*>("realizations")->setValue(1500);
   action("figure:6").trigger();
   const auto part = [&] { return page().gallery().status(FigureName::Plateau).part; };
@@ -130,7 +132,7 @@ TEST_F(FiguresInTheWindowTest, TheContactGoesOnWhileAFigureIsComputed) {
   EXPECT_EQ(page().gallery().computing(), FigureName::Plateau);
 }
 
-TEST_F(FiguresInTheWindowTest, TheWindowClosesInTheMiddleOfAComputation) {
+TEST_F(FigurePagesTest, TheWindowClosesInTheMiddleOfAComputation) {
   page().findChild<QSpinBox*>("realizations")->setValue(1500);
   action("figure:6").trigger();
   ASSERT_TRUE(waitFor([&] { return page().gallery().status(FigureName::Plateau).part > 0; }));

@@ -1,5 +1,7 @@
 // Steps of lessons in the window, as a student works through them by mouse and by keyboard: what is
 // asked, hidden, locked and revealed.
+#include "ui/window/lesson/lesson_player.h"
+
 #include <gmock/gmock.h>
 
 #include <QDockWidget>
@@ -26,9 +28,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-class LessonStepTest : public LessonsTest {};
+class LessonPlayerTest : public LessonsTest {};
 
-TEST_F(LessonStepTest, AsksRevealsAndFreesWhatTheStepSays) {
+TEST_F(LessonPlayerTest, AsksRevealsAndFreesWhatTheStepSays) {
   lessons().start(lessonOf(sampleLesson()));
   EXPECT_TRUE(control<QDockWidget>("lessonDock").isVisible());
   EXPECT_EQ(said("lessonProgress"), "1 of 2");
@@ -55,37 +57,7 @@ TEST_F(LessonStepTest, AsksRevealsAndFreesWhatTheStepSays) {
   EXPECT_EQ(lessons().results().right(), 1);
 }
 
-/// By real keys, which are offered to the window's shortcuts first: the space bar pauses.
-TEST_F(LessonStepTest, AChoiceIsMadeAndCheckedByKeysAlone) {
-  ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
-  lessons().start(lessonOf(sampleLesson()));
-  const bool isPlaying = session().isPlaying();
-  auto& first = control<QRadioButton>("lessonChoice:0");
-  auto& second = control<QRadioButton>("lessonChoice:1");
-  ASSERT_TRUE(first.hasFocus());
-  const auto heightOf = [&](QWidget& one) { return one.mapTo(&window_, QPoint()).y(); };
-  ASSERT_TRUE(waitFor([&] { return heightOf(second) > heightOf(first); }));
-  const auto key = [&](Qt::Key pressed) { QTest::keyClick(window_.windowHandle(), pressed); };
-  key(Qt::Key_Down);
-  EXPECT_TRUE(second.hasFocus());
-  EXPECT_TRUE(second.isChecked());
-  key(Qt::Key_Up);
-  EXPECT_TRUE(first.isChecked());
-  second.setFocus();
-  key(Qt::Key_Space);
-  EXPECT_TRUE(second.isChecked());
-  EXPECT_EQ(session().isPlaying(), isPlaying);
-  key(Qt::Key_Tab);
-  EXPECT_EQ(QApplication::focusWidget(), &button("lessonShow"));  // the first step has no "Back"
-  key(Qt::Key_Tab);
-  EXPECT_EQ(QApplication::focusWidget(), &button("lessonNext"));
-  key(Qt::Key_Space);
-  ASSERT_TRUE(waitForAnswer());
-  EXPECT_EQ(lessons().results().right(), 1);
-  EXPECT_EQ(session().isPlaying(), isPlaying);
-}
-
-TEST_F(LessonStepTest, AButtonIsPressedByReturnThoughItIsNotTheOneThatLeadsOn) {
+TEST_F(LessonPlayerTest, AButtonIsPressedByReturnThoughItIsNotTheOneThatLeadsOn) {
   ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
   lessons().start(lessonOf(sampleLesson()));
   control<QRadioButton>("lessonChoice:0").click();
@@ -96,7 +68,7 @@ TEST_F(LessonStepTest, AButtonIsPressedByReturnThoughItIsNotTheOneThatLeadsOn) {
 }
 
 /// Where the focus goes with a step, a screen reader says what the step asks or tells.
-TEST_F(LessonStepTest, AListenerHearsTheQuestionWithTheFirstAnswer) {
+TEST_F(LessonPlayerTest, AListenerHearsTheQuestionWithTheFirstAnswer) {
   Json json = sampleLesson();
   json["steps"].push_back({{"text", "All is *said*."}});
   lessons().start(lessonOf(json));
@@ -111,7 +83,7 @@ TEST_F(LessonStepTest, AListenerHearsTheQuestionWithTheFirstAnswer) {
 
 /// The window may be painted before any other event: the question and its fields are in their
 /// places as soon as the step is shown.
-TEST_F(LessonStepTest, AQuestionIsNeverSeenWithoutItsFields) {
+TEST_F(LessonPlayerTest, AQuestionIsNeverSeenWithoutItsFields) {
   lessons().start(lessonOf(sampleLesson()));
   auto& question = control<QLabel>("lessonQuestion");
   ASSERT_TRUE(waitFor([&] { return question.isVisible() && question.y() > 0; }));
@@ -128,7 +100,7 @@ TEST_F(LessonStepTest, AQuestionIsNeverSeenWithoutItsFields) {
   QTest::qWait(0);  // the fields of the former steps go, of which one had the focus
 }
 
-TEST_F(LessonStepTest, TheTabKeyGoesFromTheQuestionToTheAnswerAndOn) {
+TEST_F(LessonPlayerTest, TheTabKeyGoesFromTheQuestionToTheAnswerAndOn) {
   ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
   lessons().start(lessonOf(sampleLesson()), 1);
   ASSERT_TRUE(waitFor([&] { return control<QLineEdit>("lessonNumber").isVisible(); }));
@@ -143,7 +115,7 @@ TEST_F(LessonStepTest, TheTabKeyGoesFromTheQuestionToTheAnswerAndOn) {
 }
 
 /// A later step may ask for what the curve would show.
-TEST_F(LessonStepTest, ACurveStaysHiddenWhereTheStepSaysSo) {
+TEST_F(LessonPlayerTest, ACurveStaysHiddenWhereTheStepSaysSo) {
   for (const bool throughout : {false, true}) {
     Json json = sampleLesson();
     json["steps"][0]["show"]["curve"] = throughout ? "hidden_throughout" : "hidden";
@@ -156,7 +128,7 @@ TEST_F(LessonStepTest, ACurveStaysHiddenWhereTheStepSaysSo) {
 }
 
 /// While it is hidden, the axis has the ends that the step gives it, too.
-TEST_F(LessonStepTest, ACurveHasTheScaleOfItsStep) {
+TEST_F(LessonPlayerTest, ACurveHasTheScaleOfItsStep) {
   Json json = sampleLesson();
   json["steps"][0]["show"]["curve"] = "hidden";
   json["steps"][0]["show"]["scale"] = "linear";
@@ -174,7 +146,7 @@ TEST_F(LessonStepTest, ACurveHasTheScaleOfItsStep) {
   EXPECT_FALSE(window_.findChild<QAction*>("linearQuantity")->isChecked());
 }
 
-TEST_F(LessonStepTest, WhatIsLockedStaysAndWhatIsFreeMoves) {
+TEST_F(LessonPlayerTest, WhatIsLockedStaysAndWhatIsFreeMoves) {
   lessons().start(lessonOf(sampleLesson()));
   const Scene shown = session().scene();
   Scene changed = shown;
@@ -196,46 +168,7 @@ TEST_F(LessonStepTest, WhatIsLockedStaysAndWhatIsFreeMoves) {
   EXPECT_EQ(session().scene().sliding.velocity, velocity);
 }
 
-TEST_F(LessonStepTest, ANumberIsTypedWithOrWithoutItsUnit) {
-  lessons().start(lessonOf(sampleLesson()), 1);
-  auto& number = control<QLineEdit>("lessonNumber");
-  EXPECT_FALSE(showsCurve());
-  QTest::keyClicks(&number, "much");
-  click("lessonNext");
-  EXPECT_FALSE(lessons().isRevealed());
-  EXPECT_TRUE(said("lessonNote").contains("number"));
-  number.selectAll();
-  QTest::keyClicks(&number, "0.3 um");
-  QTest::keyClick(&number, Qt::Key_Return);
-  ASSERT_TRUE(waitForAnswer());
-  EXPECT_DOUBLE_EQ(lessons().results().find(1)->given.number, 3e-7);
-  ASSERT_TRUE(waitFor([&] { return showsCurve(); }));
-}
-
-/// Groups of thousands are those of the language, and the pane says how it reads them.
-TEST_F(LessonStepTest, ANumberIsReadAsTheLanguageWritesIt) {
-  Json json = sampleLesson();
-  const auto begin = [&](const char* language) {
-    useLanguage(language);
-    json["title"] = language;  // another lesson, without answers
-    lessons().start(lessonOf(json), 1);
-  };
-  for (const auto& [language, typed] : {std::pair("en", "2,560 um"), {"de", "2.560 um"}}) {
-    begin(language);
-    QTest::keyClicks(&control<QLineEdit>("lessonNumber"), typed);
-    EXPECT_TRUE(said("lessonNote").contains("2560 um")) << said("lessonNote").toStdString();
-    click("lessonNext");
-    ASSERT_TRUE(waitForAnswer());
-    EXPECT_DOUBLE_EQ(lessons().results().find(1)->given.number, 2.56e-3);
-  }
-  json["goal"] = "another one";
-  begin("de");
-  QTest::keyClicks(&control<QLineEdit>("lessonNumber"), "2,560 um");
-  EXPECT_TRUE(said("lessonNote").contains("2,56 um")) << said("lessonNote").toStdString();
-  useLanguage("en");
-}
-
-TEST_F(LessonStepTest, ANoteIsScrolledTo) {
+TEST_F(LessonPlayerTest, ANoteIsScrolledTo) {
   TemporaryFolder folder;
   Json json = sampleLesson();
   std::string lines;
@@ -257,7 +190,7 @@ TEST_F(LessonStepTest, ANoteIsScrolledTo) {
   }
 }
 
-TEST_F(LessonStepTest, ALongWordOfTheTitleIsShortenedWithDots) {
+TEST_F(LessonPlayerTest, ALongWordOfTheTitleIsShortenedWithDots) {
   Json json = sampleLesson();
   json["title"] = "Of " + std::string(300, 'M');
   lessons().start(lessonOf(json));
@@ -268,7 +201,7 @@ TEST_F(LessonStepTest, ALongWordOfTheTitleIsShortenedWithDots) {
 }
 
 /// Many per cent are said as what they mean.
-TEST_F(LessonStepTest, ANumberSaysHowNearItHasToBe) {
+TEST_F(LessonPlayerTest, ANumberSaysHowNearItHasToBe) {
   Json json = sampleLesson();
   for (const auto& [tolerance, text] :
        {std::pair(0.2, "An answer within 20\u00A0% of the right one counts."),
@@ -280,7 +213,7 @@ TEST_F(LessonStepTest, ANumberSaysHowNearItHasToBe) {
   }
 }
 
-TEST_F(LessonStepTest, EveryShippedLessonIsWalkedThrough) {
+TEST_F(LessonPlayerTest, EveryShippedLessonIsWalkedThrough) {
   for (const ShippedLesson& shipped : shippedLessons()) {
     SCOPED_TRACE(std::string(shipped.name));
     ASSERT_TRUE(lessons().open(
@@ -303,7 +236,7 @@ TEST_F(LessonStepTest, EveryShippedLessonIsWalkedThrough) {
   }
 }
 
-TEST_F(LessonStepTest, GoesForwardAndBackByKeys) {
+TEST_F(LessonPlayerTest, GoesForwardAndBackByKeys) {
   ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
   lessons().start(lessonOf(sampleLesson()));
   QTest::keyClick(&window_, Qt::Key_Right, Qt::ControlModifier | Qt::AltModifier);
@@ -318,7 +251,7 @@ TEST_F(LessonStepTest, GoesForwardAndBackByKeys) {
 }
 
 /// Whoever answers soon does not wait longer.
-TEST_F(LessonStepTest, AnAnswerIsComputedOnce) {
+TEST_F(LessonPlayerTest, AnAnswerIsComputedOnce) {
   std::atomic<int> calls = 0;
   std::atomic<bool> mayEnd = false;
   lessons().player().setAnswerFunction([&](const LessonStep& step, const CurveOptions& options) {
@@ -339,7 +272,7 @@ TEST_F(LessonStepTest, AnAnswerIsComputedOnce) {
   EXPECT_EQ(calls, 1);
 }
 
-TEST_F(LessonStepTest, WhatWasLockedInAStepIsNotBroughtIntoTheNext) {
+TEST_F(LessonPlayerTest, WhatWasLockedInAStepIsNotBroughtIntoTheNext) {
   lessons().start(lessonOf(sampleLesson()));
   Scene changed = session().scene();
   changed.load.normalForce *= 3;
@@ -350,7 +283,7 @@ TEST_F(LessonStepTest, WhatWasLockedInAStepIsNotBroughtIntoTheNext) {
   EXPECT_EQ(session().scene(), second);
 }
 
-TEST_F(LessonStepTest, AStepBringsItsTabToTheFront) {
+TEST_F(LessonPlayerTest, AStepBringsItsTabToTheFront) {
   const std::pair<const char*, const char*> tabs[] = {
       {"curve", "frictionPlot"},    {"spectrum", "spectrumView"},  {"statistics", "statisticsView"},
       {"material", "materialView"}, {"accuracy", "accuracyPanel"}, {"plan", "planList"},
@@ -364,7 +297,7 @@ TEST_F(LessonStepTest, AStepBringsItsTabToTheFront) {
   }
 }
 
-TEST_F(LessonStepTest, AHiddenCurveIsSeenNeitherInOtherTabsNorInReadings) {
+TEST_F(LessonPlayerTest, AHiddenCurveIsSeenNeitherInOtherTabsNorInReadings) {
   Json json = sampleLesson();
   json["steps"][0]["show"]["curve"] = "hidden";
   lessons().start(lessonOf(json));
@@ -394,7 +327,7 @@ TEST_F(LessonStepTest, AHiddenCurveIsSeenNeitherInOtherTabsNorInReadings) {
     EXPECT_TRUE(tabs.isTabEnabled(tabs.indexOf(&control<QWidget>(page)))) << page;
 }
 
-TEST_F(LessonStepTest, AWrongNumberStaysInSightAndTheScoreIsAboveTheButtons) {
+TEST_F(LessonPlayerTest, AWrongNumberStaysInSightAndTheScoreIsAboveTheButtons) {
   lessons().start(lessonOf(sampleLesson()), 1);
   EXPECT_FALSE(control<QLabel>("lessonScore").isVisible());
   QTest::keyClicks(&control<QLineEdit>("lessonNumber"), "7 um");
@@ -405,7 +338,7 @@ TEST_F(LessonStepTest, AWrongNumberStaysInSightAndTheScoreIsAboveTheButtons) {
 }
 
 /// A person who was right, or nearly, wants to know how near.
-TEST_F(LessonStepTest, AReplySaysWhatTheProgramFindsUnlessItsTextDoes) {
+TEST_F(LessonPlayerTest, AReplySaysWhatTheProgramFindsUnlessItsTextDoes) {
   LessonPrediction point;
   point.kind = PredictionKind::Point;
   point.right = {"That is the place.", ""};
@@ -433,7 +366,7 @@ TEST_F(LessonStepTest, AReplySaysWhatTheProgramFindsUnlessItsTextDoes) {
   EXPECT_EQ(says(choice, {1}, true), "✓ Right");
 }
 
-TEST_F(LessonStepTest, WhatIsShownIsSaidMarkedAndNoWrongAnswer) {
+TEST_F(LessonPlayerTest, WhatIsShownIsSaidMarkedAndNoWrongAnswer) {
   for (const bool hasPlace : {true, false}) {
     lessons().start(sampleWithPoint(hasPlace), 1);
     click("lessonShow");
@@ -447,14 +380,14 @@ TEST_F(LessonStepTest, WhatIsShownIsSaidMarkedAndNoWrongAnswer) {
   }
 }
 
-TEST_F(LessonStepTest, ALessonBeginsWithAPictureThatMoves) {
+TEST_F(LessonPlayerTest, ALessonBeginsWithAPictureThatMoves) {
   session().setPlaying(false);
   lessons().start(lessonOf(sampleLesson()));
   EXPECT_TRUE(session().isPlaying());
 }
 
 /// Texts of lessons speak of the glow of the pressure, whatever the user had chosen before.
-TEST_F(LessonStepTest, ShowsThePressureAndGivesTheChosenColoursBack) {
+TEST_F(LessonPlayerTest, ShowsThePressureAndGivesTheChosenColoursBack) {
   auto& canvas = *window_.findChild<ContactCanvas*>();
   canvas.setOverlay(ContactOverlay::Power);
   lessons().start(lessonOf(sampleLesson()));
@@ -464,7 +397,7 @@ TEST_F(LessonStepTest, ShowsThePressureAndGivesTheChosenColoursBack) {
 }
 
 /// The line of the chart follows the pointer no farther than the velocity does.
-TEST_F(LessonStepTest, TheLineOfALockedVelocityStaysWithIt) {
+TEST_F(LessonPlayerTest, TheLineOfALockedVelocityStaysWithIt) {
   lessons().start(lessonOf(sampleLesson()));
   const Scene shown = session().scene();
   ASSERT_TRUE(

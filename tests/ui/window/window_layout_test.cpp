@@ -1,4 +1,6 @@
 // Docks, tabs, full screen, presentation and colours, and that they are remembered.
+#include "ui/window/main/window_layout.h"
+
 #include <gtest/gtest.h>
 
 #include <QApplication>
@@ -24,7 +26,6 @@
 #include <QToolBar>
 #include <QToolButton>
 #include <QToolTip>
-#include <QTreeWidget>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cstdlib>
@@ -45,15 +46,15 @@
 namespace asperity {
 namespace {
 
-class LayoutTest : public MainWindowTest {
+class WindowLayoutTest : public MainWindowTest {
  protected:
-  LayoutTest() { QSettings().clear(); }
+  WindowLayoutTest() { QSettings().clear(); }
 
   QDockWidget& dock() { return control<QDockWidget>("parameterDock"); }
   QTabWidget& tabs() { return control<QTabWidget>("tabs"); }
 };
 
-TEST_F(LayoutTest, ParametersCloseAndComeBackByTheirKey) {
+TEST_F(WindowLayoutTest, ParametersCloseAndComeBackByTheirKey) {
   ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
   EXPECT_TRUE(dock().isVisible());
   QTest::keyClick(&window_, Qt::Key_F9);
@@ -62,7 +63,7 @@ TEST_F(LayoutTest, ParametersCloseAndComeBackByTheirKey) {
   EXPECT_TRUE(dock().isVisible());
 }
 
-TEST_F(LayoutTest, TheSlashGoesToTheFilterOfTheParameters) {
+TEST_F(WindowLayoutTest, TheSlashGoesToTheFilterOfTheParameters) {
   ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
   dock().hide();
   QTest::keyClick(&window_, Qt::Key_Slash);
@@ -74,7 +75,7 @@ TEST_F(LayoutTest, TheSlashGoesToTheFilterOfTheParameters) {
   EXPECT_TRUE(window_.canvas().hasFocus()) << "whose keys play and step";
 }
 
-TEST_F(LayoutTest, PlayAndPauseTakeTheSameWidth) {
+TEST_F(WindowLayoutTest, PlayAndPauseTakeTheSameWidth) {
   auto& bar = control<QToolBar>("commands");
   const QWidget& step = *bar.widgetForAction(&action("step"));
   const int before = step.x();
@@ -85,7 +86,7 @@ TEST_F(LayoutTest, PlayAndPauseTakeTheSameWidth) {
   }
 }
 
-TEST_F(LayoutTest, AnOpenedSceneBeginsWithoutAFilter) {
+TEST_F(WindowLayoutTest, AnOpenedSceneBeginsWithoutAFilter) {
   auto& filter = control<QLineEdit>("parameterFilter");
   filter.setText("seed");
   Scene edited = window_.document().scene();
@@ -107,7 +108,7 @@ std::map<const QWidget*, QPoint> placesIn(const QWidget& window) {
   return places;
 }
 
-TEST_F(LayoutTest, NothingMovesWhenWorkBeginsOrEnds) {
+TEST_F(WindowLayoutTest, NothingMovesWhenWorkBeginsOrEnds) {
   const auto isAtRest = [&] {
     return !session().friction().isStale() && session().friction().progress() >= 1 &&
            session().averaging() != Session::Averaging::Running;
@@ -144,7 +145,7 @@ TEST_F(LayoutTest, NothingMovesWhenWorkBeginsOrEnds) {
   }
 }
 
-TEST_F(LayoutTest, DocksMayBeMoved) {
+TEST_F(WindowLayoutTest, DocksMayBeMoved) {
   EXPECT_TRUE(dock().features().testFlag(QDockWidget::DockWidgetMovable));
   EXPECT_TRUE(dock().features().testFlag(QDockWidget::DockWidgetFloatable));
   window_.addDockWidget(Qt::LeftDockWidgetArea, &dock());
@@ -153,7 +154,7 @@ TEST_F(LayoutTest, DocksMayBeMoved) {
   EXPECT_EQ(window_.dockWidgetArea(&dock()), Qt::RightDockWidgetArea);
 }
 
-TEST_F(LayoutTest, TabsAreHiddenAndShown) {
+TEST_F(WindowLayoutTest, TabsAreHiddenAndShown) {
   auto& plan = action("tab:planList");
   const int index = tabs().indexOf(&control<QWidget>("planList"));
   plan.setChecked(false);
@@ -169,7 +170,7 @@ TEST_F(LayoutTest, TabsAreHiddenAndShown) {
 }
 
 /// It has its key and its entry in the menu, and what its diagrams report is heard.
-TEST_F(LayoutTest, APageThatIsAddedLaterIsOneOfThem) {
+TEST_F(WindowLayoutTest, APageThatIsAddedLaterIsOneOfThem) {
   auto* page = new QWidget;
   page->setObjectName("laterPage");
   auto* view = new DiagramView(page);
@@ -186,7 +187,7 @@ TEST_F(LayoutTest, APageThatIsAddedLaterIsOneOfThem) {
   EXPECT_FALSE(tabs().isTabVisible(index));
 }
 
-TEST_F(LayoutTest, TheMotionsTabComesOnlyWithAMotion) {
+TEST_F(WindowLayoutTest, TheMotionsTabComesOnlyWithAMotion) {
   EXPECT_FALSE(action("tab:transientStrips").isVisible());
   action("go:transientStrips").trigger();
   EXPECT_FALSE(tabs().isTabVisible(1));
@@ -197,7 +198,7 @@ TEST_F(LayoutTest, TheMotionsTabComesOnlyWithAMotion) {
   EXPECT_TRUE(tabs().isTabVisible(1));
 }
 
-TEST_F(LayoutTest, FullScreenAndBack) {
+TEST_F(WindowLayoutTest, FullScreenAndBack) {
   ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
   QTest::keyClick(&window_, Qt::Key_F11);
   EXPECT_TRUE(window_.isFullScreen());
@@ -216,7 +217,7 @@ TEST(PresentedScale, IsTheSamePartOfEveryScreenAndEnlarges) {
 }
 
 /// A title is shortened as soon as one pixel is missing.
-TEST_F(LayoutTest, TitlesOfTabsAreWholeAtEveryWidth) {
+TEST_F(WindowLayoutTest, TitlesOfTabsAreWholeAtEveryWidth) {
   const QTabBar& bar = *tabs().tabBar();
   for (int width = 1024; width < 1180; width += 3) {
     window_.resize(width, 700);
@@ -226,7 +227,7 @@ TEST_F(LayoutTest, TitlesOfTabsAreWholeAtEveryWidth) {
 }
 
 /// Qt chooses the size of the box from the text, and the style adds its own edges to it.
-TEST_F(LayoutTest, NoTipIsCutOff) {
+TEST_F(WindowLayoutTest, NoTipIsCutOff) {
   int lines = 0;
   for (const HoverExplanation& explanation : explanations()) {
     const auto html = QStringLiteral("<p>%1</p><p>%2</p>")
@@ -246,7 +247,7 @@ TEST_F(LayoutTest, NoTipIsCutOff) {
 }
 
 /// The whole text is one click away, and in the tooltip.
-TEST_F(LayoutTest, ALongDescriptionLeavesTheContactItsHeight) {
+TEST_F(WindowLayoutTest, ALongDescriptionLeavesTheContactItsHeight) {
   window_.resize(1024, 700);
   Scene scene = session().scene();
   scene.description = "One of the sentences of a long description.";
@@ -342,7 +343,7 @@ TEST(MessageBar, ATextTakesTheRoomThatAWiderBarHas) {
   }
 }
 
-TEST_F(LayoutTest, ThePageOfFiguresShowsOneAtOnceAndNothingOfTheScene) {
+TEST_F(WindowLayoutTest, ThePageOfFiguresShowsOneAtOnceAndNothingOfTheScene) {
   auto& description = control<QWidget>("descriptionBar");
   drop(ASPERITY_RESOURCES_DIR "/scenes/region_1.json");
   ASSERT_TRUE(waitFor([&] { return description.isVisible(); }));
@@ -355,22 +356,7 @@ TEST_F(LayoutTest, ThePageOfFiguresShowsOneAtOnceAndNothingOfTheScene) {
   EXPECT_TRUE(description.isVisible());
 }
 
-TEST_F(LayoutTest, ThePlanIsWholeInAPresentation) {
-  action("go:planList").trigger();
-  auto& plan = control<QTreeWidget>("planList");
-  for (const bool presenting : {true, false}) {
-    window_.windowLayout().setPresenting(presenting);
-    QCoreApplication::processEvents();
-    const QFontMetrics metrics(plan.font());
-    for (int row = 0; row < plan.topLevelItemCount(); ++row)
-      for (const int column : {0, 1})
-        EXPECT_GE(plan.columnWidth(column),
-                  metrics.horizontalAdvance(plan.topLevelItem(row)->text(column)))
-            << presenting << row;
-  }
-}
-
-TEST_F(LayoutTest, APresentationShowsLittleInLargeLettersUntilEscape) {
+TEST_F(WindowLayoutTest, APresentationShowsLittleInLargeLettersUntilEscape) {
   ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
   const double before = QApplication::font().pointSizeF();
   QTest::keyClick(&window_, Qt::Key_F5);
@@ -398,7 +384,7 @@ TEST_F(LayoutTest, APresentationShowsLittleInLargeLettersUntilEscape) {
 }
 
 /// Handles are as large as the letters, and all of what is drawn is the handle.
-TEST_F(LayoutTest, HandlesOfSlidersGrowWithTheLetters) {
+TEST_F(WindowLayoutTest, HandlesOfSlidersGrowWithTheLetters) {
   WindowStyle style;
   const Parameter& row = knownParameter("sliding.velocity");
   ValueSlider slider{SliderScale(row)};
@@ -448,8 +434,34 @@ TEST(WindowStyle, GivesAllControlsTheSameBorder) {
     control->setStyle(nullptr);  // before the style ends
 }
 
+/// The sign of Fusion touches the last letter.
+TEST(WindowStyle, SignsAMenuBesideTheTextOfItsButton) {
+  WindowStyle style;
+  QMenu menu;
+  QToolButton button;
+  button.setText("Change a parameter…");
+  button.setPopupMode(QToolButton::InstantPopup);
+  for (QWidget* each : Widgets{&button, &menu}) each->setStyle(&style);
+  const int plain = button.sizeHint().width();
+  button.setMenu(&menu);
+  EXPECT_GE(button.sizeHint().width(), plain + 12);
+  button.resize(button.sizeHint());
+  const QImage signedButton = button.grab().toImage();
+  // Of the columns at the right, inside of the border, those of the sign have its ink.
+  const auto hasInk = [&](int from, int to) {
+    for (int x = from; x < to; ++x)
+      for (int y = 4; y < signedButton.height() - 4; ++y)
+        if (signedButton.pixelColor(x, y).lightness() < 128) return true;
+    return false;
+  };
+  const int right = signedButton.width();
+  EXPECT_TRUE(hasInk(right - 18, right - 3));
+  EXPECT_FALSE(hasInk(right - 22, right - 18)) << "the text ends before it";
+  for (QWidget* each : Widgets{&button, &menu}) each->setStyle(nullptr);
+}
+
 /// On a small screen not all titles fit: they have the whole bar, and buttons that can be hit.
-TEST_F(LayoutTest, TitlesOfTabsHaveTheWholeBarInAPresentation) {
+TEST_F(WindowLayoutTest, TitlesOfTabsHaveTheWholeBarInAPresentation) {
   window_.windowLayout().setPresenting(true);
   QCoreApplication::processEvents();
   const QTabBar& bar = *tabs().tabBar();
@@ -461,7 +473,7 @@ TEST_F(LayoutTest, TitlesOfTabsHaveTheWholeBarInAPresentation) {
   window_.windowLayout().setPresenting(false);
 }
 
-TEST_F(LayoutTest, WhatEndsAPresentationIsAsItWasBefore) {
+TEST_F(WindowLayoutTest, WhatEndsAPresentationIsAsItWasBefore) {
   dock().hide();
   window_.windowLayout().setPresenting(true);
   EXPECT_FALSE(window_.messages().isVisible()) << "the panel was not in sight before";
@@ -470,7 +482,7 @@ TEST_F(LayoutTest, WhatEndsAPresentationIsAsItWasBefore) {
 }
 
 /// Whatever was opened and needed room meanwhile.
-TEST_F(LayoutTest, APresentationGivesBackSizesToThePixel) {
+TEST_F(WindowLayoutTest, APresentationGivesBackSizesToThePixel) {
   ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
   ASSERT_TRUE(waitFor([&] { return session().friction().progress() >= 1; }));
   window_.resize(1000, 640);
@@ -498,7 +510,7 @@ TEST_F(LayoutTest, APresentationGivesBackSizesToThePixel) {
   }
 }
 
-TEST_F(LayoutTest, ContentsNeverPushTheWindowBeyondItsSize) {
+TEST_F(WindowLayoutTest, ContentsNeverPushTheWindowBeyondItsSize) {
   window_.resize(1000, 640);
   window_.centralWidget()->setMinimumWidth(2000);
   QCoreApplication::processEvents();
@@ -506,7 +518,7 @@ TEST_F(LayoutTest, ContentsNeverPushTheWindowBeyondItsSize) {
   EXPECT_LE(window_.minimumWidth(), 1000);
 }
 
-TEST_F(LayoutTest, EscapeClosesTheFiguresAndThenEndsThePresentation) {
+TEST_F(WindowLayoutTest, EscapeClosesTheFiguresAndThenEndsThePresentation) {
   ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
   QTest::keyClick(&window_, Qt::Key_F5);
   QTest::keyClick(&window_, Qt::Key_G, Qt::ControlModifier);
@@ -520,7 +532,7 @@ TEST_F(LayoutTest, EscapeClosesTheFiguresAndThenEndsThePresentation) {
   EXPECT_FALSE(window_.windowLayout().isPresenting());
 }
 
-TEST_F(LayoutTest, TheNextWindowIsAsTheLastWas) {
+TEST_F(WindowLayoutTest, TheNextWindowIsAsTheLastWas) {
   const auto next = [] {
     auto window = std::make_unique<MainWindow>(smallScene());
     window->windowLayout().remember();
@@ -555,7 +567,7 @@ TEST_F(LayoutTest, TheNextWindowIsAsTheLastWas) {
   second->appearance().setColours(Colours::Light);
 }
 
-TEST_F(LayoutTest, ChosenColoursAreKeptAlsoWhenTheProgramIsKilled) {
+TEST_F(WindowLayoutTest, ChosenColoursAreKeptAlsoWhenTheProgramIsKilled) {
   const auto kept = [] { return QSettings().value("window/colours").toString(); };
   action("light").trigger();
   EXPECT_EQ(kept(), "") << "of a window that remembers nothing";
@@ -566,7 +578,7 @@ TEST_F(LayoutTest, ChosenColoursAreKeptAlsoWhenTheProgramIsKilled) {
   EXPECT_EQ(kept(), "light");
 }
 
-TEST_F(LayoutTest, ColoursOfEarlierSettingsAreRead) {
+TEST_F(WindowLayoutTest, ColoursOfEarlierSettingsAreRead) {
   const std::pair<QVariant, Colours> saved[] = {{0, Colours::System},      {1, Colours::Light},
                                                 {2, Colours::Dark},        {"dark", Colours::Dark},
                                                 {"light", Colours::Light}, {"7", Colours::System},
@@ -586,7 +598,7 @@ void expectOnScreen(const QWidget& window, const QScreen& screen) {
       << ' ' << with.height();
 }
 
-TEST_F(LayoutTest, TheFirstWindowFitsItsScreen) {
+TEST_F(WindowLayoutTest, TheFirstWindowFitsItsScreen) {
   const QList<QScreen*> screens = QGuiApplication::screens();
   ASSERT_EQ(screens.size(), 4) << "as qt_application.h says";
   for (QScreen* screen : screens) {
@@ -607,7 +619,7 @@ TEST_F(LayoutTest, TheFirstWindowFitsItsScreen) {
 
 /// Closed on a large screen and opened where that one is away; also as it comes out
 /// of a maximized one.
-TEST_F(LayoutTest, AWindowOfALargerScreenFitsASmallerOne) {
+TEST_F(WindowLayoutTest, AWindowOfALargerScreenFitsASmallerOne) {
   for (const bool maximized : {false, true}) {
     QSettings().clear();
     {
@@ -636,7 +648,7 @@ TEST_F(LayoutTest, AWindowOfALargerScreenFitsASmallerOne) {
 }
 
 /// Whatever a window manager makes of it: narrower than it likes to be.
-TEST_F(LayoutTest, CommandsThatHaveNoRoomAreBehindAnArrow) {
+TEST_F(WindowLayoutTest, CommandsThatHaveNoRoomAreBehindAnArrow) {
   auto& bar = control<QToolBar>("commands");
   auto& more = *bar.findChild<QToolButton*>("qt_toolbar_ext_button");
   window_.resize(1280, 720);
@@ -662,7 +674,7 @@ TEST_F(LayoutTest, CommandsThatHaveNoRoomAreBehindAnArrow) {
   }
 }
 
-TEST_F(LayoutTest, ColoursOfTheDesktopUnlessChosen) {
+TEST_F(WindowLayoutTest, ColoursOfTheDesktopUnlessChosen) {
   EXPECT_EQ(window_.appearance().colours(), Colours::System);
   EXPECT_EQ(window_.appearance().isDark(), systemIsDark());
   action("light").trigger();
@@ -683,7 +695,7 @@ class DesktopColours : public WindowStyle {
   bool dark_;
 };
 
-TEST_F(LayoutTest, ColoursFollowTheDesktopUnlessChosen) {
+TEST_F(WindowLayoutTest, ColoursFollowTheDesktopUnlessChosen) {
   ASSERT_FALSE(window_.appearance().isDark());
   QApplication::setStyle(new DesktopColours(true));
   EXPECT_TRUE(waitFor([&] { return window_.appearance().isDark(); }));

@@ -1,5 +1,7 @@
 // What leaves the window: its picture, and the command line that makes it, which the program's own
 // readers take.
+#include "ui/window/export/asperity_command.h"
+
 #include <gtest/gtest.h>
 
 #include <QCheckBox>
@@ -32,7 +34,7 @@
 namespace asperity {
 namespace {
 
-using CopyTest = MainWindowTest;
+using AsperityCommandTest = MainWindowTest;
 
 /// The words as a shell takes them from the text.
 QStringList wordsOf(const QString& command) {
@@ -74,7 +76,7 @@ TEST(ShellQuoted, LeavesPlainWordsAlone) {
     EXPECT_EQ(wordsOf(shellQuoted(word)), QStringList{word});
 }
 
-TEST_F(CopyTest, AShippedSceneIsSaidByItsNameAndWhatDiffers) {
+TEST_F(AsperityCommandTest, AShippedSceneIsSaidByItsNameAndWhatDiffers) {
   ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
   action("scene:region_2").trigger();
   QTest::keyClick(&window_, Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);
@@ -88,7 +90,7 @@ TEST_F(CopyTest, AShippedSceneIsSaidByItsNameAndWhatDiffers) {
   EXPECT_EQ(writeScene(sceneSaid(words)), writeScene(session().scene()));
 }
 
-TEST_F(CopyTest, AFileIsSaidByItsPathHoweverItIsCalled) {
+TEST_F(AsperityCommandTest, AFileIsSaidByItsPathHoweverItIsCalled) {
   const QTemporaryDir folder;
   const QString file = folder.filePath("it's mine.json");
   ASSERT_TRUE(window_.documentCommands().saveTo(file));
@@ -100,7 +102,7 @@ TEST_F(CopyTest, AFileIsSaidByItsPathHoweverItIsCalled) {
 }
 
 /// The file names a table relative to its own folder, the scene in memory as it was opened.
-TEST_F(CopyTest, AFileThatWasSavedElsewhereIsSaidByItsPath) {
+TEST_F(AsperityCommandTest, AFileThatWasSavedElsewhereIsSaidByItsPath) {
   const TemporaryFolder folder;
   for (const char* name : {"a", "b"}) {
     std::filesystem::create_directory(folder / name);
@@ -124,7 +126,7 @@ TEST_F(CopyTest, AFileThatWasSavedElsewhereIsSaidByItsPath) {
 }
 
 /// The call reads the scene in the folder of its file, and not in that of the pinned curve.
-TEST_F(CopyTest, APinnedCurveOfAnotherFileIsSaidByTheAbsoluteName) {
+TEST_F(AsperityCommandTest, APinnedCurveOfAnotherFileIsSaidByTheAbsoluteName) {
   Scene scene = smallScene();
   scene.folder = "/measured";
   scene.surface.kind = SurfaceKind::Profile;
@@ -137,7 +139,7 @@ TEST_F(CopyTest, APinnedCurveOfAnotherFileIsSaidByTheAbsoluteName) {
   EXPECT_EQ(words.value(words.indexOf("--with") + 1), "surface.file=/measured/pinned.csv");
 }
 
-TEST_F(CopyTest, ASceneFromNowhereIsSaidWithAllThatDiffers) {
+TEST_F(AsperityCommandTest, ASceneFromNowhereIsSaidWithAllThatDiffers) {
   Scene scene = smallScene();
   scene.title = "it's \"new\"";
   scene.description = "two\nlines";
@@ -148,7 +150,7 @@ TEST_F(CopyTest, ASceneFromNowhereIsSaidWithAllThatDiffers) {
   EXPECT_EQ(writeScene(sceneSaid(wordsOf(clipboardText()))), writeScene(scene));
 }
 
-TEST_F(CopyTest, EveryShippedSceneComesBack) {
+TEST_F(AsperityCommandTest, EveryShippedSceneComesBack) {
   for (const LibraryScene& entry : libraryScenes()) {
     Scene scene = entry.scene;
     scene.load.normalForce *= 1.5;
@@ -157,7 +159,7 @@ TEST_F(CopyTest, EveryShippedSceneComesBack) {
   }
 }
 
-TEST_F(CopyTest, ColoursAreSaidWhereTheyAreNotTheUsualOnes) {
+TEST_F(AsperityCommandTest, ColoursAreSaidWhereTheyAreNotTheUsualOnes) {
   action("copyCommand").trigger();
   EXPECT_FALSE(wordsOf(clipboardText()).contains("--overlay"));
   window_.canvas().setOverlay(ContactOverlay::Power);
@@ -166,7 +168,7 @@ TEST_F(CopyTest, ColoursAreSaidWhereTheyAreNotTheUsualOnes) {
   EXPECT_EQ(words.value(words.indexOf("--overlay") + 1), "power");
 }
 
-TEST_F(CopyTest, ThePictureIsSaidAsItIsShown) {
+TEST_F(AsperityCommandTest, ThePictureIsSaidAsItIsShown) {
   window_.appearance().setDark(true);
   window_.resize(1000, 700);
   action("copyCommand").trigger();
@@ -363,7 +365,7 @@ TEST_F(CallTest, DrawsWhatTheCurveIsComparedWith) {
   EXPECT_TRUE(QFile::exists(folder_.filePath("curve.csv")));
 }
 
-TEST_F(CopyTest, ThePictureGoesToTheClipboard) {
+TEST_F(AsperityCommandTest, ThePictureGoesToTheClipboard) {
   ASSERT_TRUE(waitForFrame());
   QSignalSpy exported(&window_.exports(), &Exports::exported);
   const QSize size = window_.canvas().size();
@@ -374,7 +376,7 @@ TEST_F(CopyTest, ThePictureGoesToTheClipboard) {
   EXPECT_TRUE(fact("statusMessage").contains("clipboard"));
 }
 
-TEST_F(CopyTest, PicturesAreSavedAndOpenAsTheirScene) {
+TEST_F(AsperityCommandTest, PicturesAreSavedAndOpenAsTheirScene) {
   ASSERT_TRUE(waitForFrame());
   const QTemporaryDir folder;
   QSignalSpy exported(&window_.exports(), &Exports::exported);
