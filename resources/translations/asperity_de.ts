@@ -1656,7 +1656,7 @@
     </message>
 </context>
 <context>
-    <name>asperity::FigureGallery</name>
+    <name>asperity::FigureQueue</name>
     <message>
         <source>Master curve</source>
         <translation>Masterkurve</translation>
@@ -1714,10 +1714,6 @@
     <message>
         <source>Figures</source>
         <translation>Abbildungen</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
     </message>
     <message>
         <source>Gallery…</source>
@@ -1930,7 +1926,7 @@
     </message>
 </context>
 <context>
-    <name>asperity::GalleryPage</name>
+    <name>asperity::FiguresPage</name>
     <message>
         <source>Figures of Li et al. (2013), computed here and now</source>
         <translation>Abbildungen von Li et al. (2013), hier und jetzt berechnet</translation>

@@ -85,11 +85,15 @@ QLabel* warningTextLabel(const QString& name) {
   return roleLabel(name, "warning");
 }
 
-void showWarnings(QLabel& label, const QStringList& warnings) {
+QString warningLines(const QStringList& warnings) {
   QStringList lines;
   for (const QString& warning : warnings) lines += QStringLiteral("⚠ ") + warning;
-  label.setText(keptTogether(lines.join('\n')));
-  label.setVisible(!lines.isEmpty());
+  return lines.join('\n');
+}
+
+void showWarnings(QLabel& label, const QStringList& warnings) {
+  label.setText(keptTogether(warningLines(warnings)));
+  label.setVisible(!warnings.isEmpty());
 }
 
 QProgressBar* thinProgress(const QString& name, int width) {
@@ -312,7 +316,7 @@ bool isDark(const QPalette& palette) {
   return palette.color(QPalette::Window).lightness() < 128;
 }
 
-QColor faultColour(const QPalette& palette) {
+QColor errorColour(const QPalette& palette) {
   return isDark(palette) ? QColor(0xff, 0x7b, 0x72) : QColor(0xc6, 0x28, 0x28);
 }
 
@@ -357,7 +361,7 @@ QString panelStyleSheet(const QPalette& palette) {
     QToolButton[role="reset"]:disabled { color: transparent; }
   )")
              .arg(name(QPalette::Window), name(QPalette::WindowText),
-                  name(QPalette::PlaceholderText), faultColour(palette).name(),
+                  name(QPalette::PlaceholderText), errorColour(palette).name(),
                   name(QPalette::Base), name(QPalette::Mid), name(QPalette::Highlight)) +
          messageStyleSheet(palette);
 }
@@ -368,7 +372,7 @@ QString messageStyleSheet(const QPalette& palette) {
     QLabel[role="note"] { color: %2; }
     QLabel[role="warning"] { color: %3; padding-bottom: 3px; }
   )")
-      .arg(faultColour(palette).name(), palette.color(QPalette::Highlight).name(),
+      .arg(errorColour(palette).name(), palette.color(QPalette::Highlight).name(),
            warningColour(palette).name());
 }
 

@@ -62,7 +62,9 @@ void setMessage(QLabel& label, const QString& text, MessageKind kind);
 
 /// Makes such a label for warnings, in the colour that they have everywhere in a window.
 QLabel* warningTextLabel(const QString& name);
-/// Shows the warnings, each in a line after its sign; without any it hides the label.
+/// Returns the warnings, each in a line after its sign.
+QString warningLines(const QStringList& warnings);
+/// Shows such lines; without any it hides the label.
 void showWarnings(QLabel& label, const QStringList& warnings);
 
 /// Makes a thin bar of progress without a text.
@@ -175,7 +177,7 @@ class TextBox : public QPlainTextEdit {
 bool isDark(const QPalette& palette);
 
 /// Returns the colour of error messages, legible on the palette's background.
-QColor faultColour(const QPalette& palette);
+QColor errorColour(const QPalette& palette);
 /// Returns that of warnings.
 QColor warningColour(const QPalette& palette);
 

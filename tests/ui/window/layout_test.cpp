@@ -36,7 +36,7 @@
 #include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
 #include "ui/window/figures/diagram_view.h"
-#include "ui/window/figures/gallery_page.h"
+#include "ui/window/figures/figures_page.h"
 #include "ui/window/main/appearance.h"
 #include "ui/window/main/scene_tabs.h"
 #include "ui/window/main/session.h"
@@ -348,9 +348,9 @@ TEST_F(LayoutTest, ThePageOfFiguresShowsOneAtOnceAndNothingOfTheScene) {
   ASSERT_TRUE(waitFor([&] { return description.isVisible(); }));
   action("figures").trigger();
   EXPECT_FALSE(description.isVisible());
-  const FigureName first = window_.figures().gallery().chosen();
-  EXPECT_TRUE(
-      waitFor([&] { return window_.figures().gallery().gallery().status(first).made != nullptr; }));
+  const FigureName first = window_.figures().figuresPage().chosen();
+  EXPECT_TRUE(waitFor(
+      [&] { return window_.figures().figuresPage().queue().status(first).made != nullptr; }));
   action("figures").trigger();
   EXPECT_TRUE(description.isVisible());
 }
@@ -487,8 +487,8 @@ TEST_F(LayoutTest, APresentationGivesBackSizesToThePixel) {
     action(opened).trigger();
     QCoreApplication::processEvents();
     QTest::keyClick(&window_, Qt::Key_F5);
-    EXPECT_EQ(window_.figures().gallery().isVisible(), QString(opened) == "figures");
-    if (window_.figures().gallery().isVisible()) {
+    EXPECT_EQ(window_.figures().figuresPage().isVisible(), QString(opened) == "figures");
+    if (window_.figures().figuresPage().isVisible()) {
       EXPECT_FALSE(dock().isVisible());
       EXPECT_FALSE(window_.statusBar()->isVisible());
       window_.figures().showViews();
@@ -510,9 +510,9 @@ TEST_F(LayoutTest, EscapeClosesTheFiguresAndThenEndsThePresentation) {
   ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
   QTest::keyClick(&window_, Qt::Key_F5);
   QTest::keyClick(&window_, Qt::Key_G, Qt::ControlModifier);
-  ASSERT_TRUE(window_.figures().gallery().isVisible());
+  ASSERT_TRUE(window_.figures().figuresPage().isVisible());
   QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
-  EXPECT_FALSE(window_.figures().gallery().isVisible());
+  EXPECT_FALSE(window_.figures().figuresPage().isVisible());
   EXPECT_TRUE(window_.windowLayout().isPresenting());
   for (const QWidget* hidden : std::initializer_list<QWidget*>{&dock(), window_.statusBar()})
     EXPECT_FALSE(hidden->isVisible());

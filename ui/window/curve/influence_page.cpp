@@ -11,7 +11,7 @@
 #include "core/scene/provenance.h"
 #include "core/scene/scene_check.h"
 #include "core/scene/sweep.h"
-#include "ui/draw/png_file.h"
+#include "ui/draw/picture_file.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/controls.h"

@@ -22,7 +22,7 @@
 #include "ui/panels/controls.h"
 #include "ui/window/export/export_form.h"
 #include "ui/window/export/export_preview.h"
-#include "ui/window/main/picture_files.h"
+#include "ui/window/main/file_dialogs.h"
 
 namespace asperity {
 

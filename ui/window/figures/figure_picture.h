@@ -10,7 +10,7 @@
 
 #include "ui/contact/contact_picture.h"
 #include "ui/language/language.h"
-#include "ui/window/figures/figure_gallery.h"
+#include "ui/window/figures/figure_queue.h"
 #include "ui/window/tasks/background_work.h"
 
 class QButtonGroup;

@@ -196,7 +196,7 @@ void FitChoices::take(QTableWidgetItem& cell) {
     refusals_.erase({cell.row(), column});
   else
     refusals_[{cell.row(), column}] = ParameterRow::labelText(row) + ": " + refusal;
-  cell.setForeground(refusal.isEmpty() ? QBrush() : QBrush(faultColour(palette())));
+  cell.setForeground(refusal.isEmpty() ? QBrush() : QBrush(errorColour(palette())));
   cell.setToolTip(refusal.isEmpty() ? tr("empty: as far as allowed, %1").arg(allowedInWords(rule))
                                     : refusal);
   if (limit) {

@@ -16,7 +16,7 @@
 #include "core/base/input_error.h"
 #include "core/chart/curve_set.h"
 #include "core/scene/provenance.h"
-#include "ui/draw/png_file.h"
+#include "ui/draw/picture_file.h"
 #include "ui/draw/ticks.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"

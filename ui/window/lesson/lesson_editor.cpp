@@ -2,7 +2,6 @@
 
 #include <QAbstractSpinBox>
 #include <QApplication>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -32,7 +31,7 @@
 #include "ui/window/lesson/lesson_text.h"
 #include "ui/window/lesson/prediction_fields.h"
 #include "ui/window/main/document_commands.h"
-#include "ui/window/main/picture_files.h"
+#include "ui/window/main/file_dialogs.h"
 #include "ui/window/main/run_window.h"
 #include "ui/window/main/scene_library.h"
 
@@ -399,10 +398,8 @@ void LessonEditor::showChange(int row) {
 
 void LessonEditor::openOther() {
   if (!canClose()) return;
-  const QString file =
-      QFileDialog::getOpenFileName(this, tr("Open lesson"), proposedFolder(document_.file()),
+  const QString file = askOpenFile(this, tr("Open lesson"), proposedFolder(document_.file()),
                                    tr("Lessons (*.json);;All files (*)"));
-  rememberFolder(file);
   if (!file.isEmpty()) openFile(file);
 }
 

@@ -1,7 +1,6 @@
 #include "ui/window/lesson/lessons.h"
 
 #include <QDateTime>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMainWindow>
 #include <QMessageBox>
@@ -28,8 +27,8 @@
 #include "ui/window/lesson/lesson_text.h"
 #include "ui/window/main/commands.h"
 #include "ui/window/main/document_commands.h"
+#include "ui/window/main/file_dialogs.h"
 #include "ui/window/main/message_bar.h"
-#include "ui/window/main/picture_files.h"
 #include "ui/window/main/scene_library.h"
 #include "ui/window/main/scene_tabs.h"
 #include "ui/window/main/session.h"
@@ -151,10 +150,8 @@ void Lessons::addTo(Commands& commands) {
 
 /// Asks for the files of a class, which may be of several lessons.
 void Lessons::askResults() {
-  const QStringList files =
-      QFileDialog::getOpenFileNames(&parts_.window, tr("Results of a class"), proposedFolder(),
-                                    tr("Results (*.json);;All files (*)"));
-  rememberFolder(files.value(0));
+  const QStringList files = askOpenFiles(&parts_.window, tr("Results of a class"), proposedFolder(),
+                                         tr("Results (*.json);;All files (*)"));
   if (!files.isEmpty()) openResults(files);
 }
 

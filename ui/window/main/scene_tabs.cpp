@@ -20,7 +20,7 @@
 #include "core/run/line_diagrams.h"
 #include "core/scene/provenance.h"
 #include "ui/chart/chart_view.h"
-#include "ui/draw/png_file.h"
+#include "ui/draw/picture_file.h"
 #include "ui/language/language.h"
 #include "ui/panels/controls.h"
 #include "ui/window/accuracy/accuracy_panel.h"
