@@ -388,7 +388,7 @@ void ParameterPanel::resizeEvent(QResizeEvent* event) {
   chosenWidth_ = width() > minimumWidth() ? width() : std::min(chosenWidth_, width());
 }
 
-/// Escape that nothing in the panel needs clears the filter, as the panel says.
+/// Escape that nothing in the panel needs clears the filter, as its tooltip states.
 void ParameterPanel::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Escape && bar_ && !bar_->words().isEmpty()) return clearFilter();
   QWidget::keyPressEvent(event);

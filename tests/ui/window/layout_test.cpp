@@ -530,7 +530,7 @@ TEST_F(LayoutTest, TheNextWindowIsAsTheLastWas) {
   auto first = next();
   first->findChild<QDockWidget*>("parameterDock")->hide();
   first->findChild<QAction*>("tab:planList")->setChecked(false);
-  first->appearance().setColours(Colours::Dark);
+  first->appearance().chooseTheme(ThemeChoice::Dark);
   const PanelView panel{true, {"load", "accuracy"}};
   first->panel().setView(panel);
   const QRect place(QGuiApplication::screens().back()->geometry().topLeft() + QPoint(100, 100),
@@ -543,7 +543,7 @@ TEST_F(LayoutTest, TheNextWindowIsAsTheLastWas) {
   auto second = next();
   EXPECT_FALSE(second->findChild<QDockWidget*>("parameterDock")->isVisible());
   EXPECT_FALSE(second->findChild<QAction*>("tab:planList")->isChecked());
-  EXPECT_EQ(second->appearance().colours(), Colours::Dark);
+  EXPECT_EQ(second->appearance().themeChoice(), ThemeChoice::Dark);
   EXPECT_EQ(second->panel().view(), panel);
   EXPECT_TRUE(second->appearance().isDark());
   EXPECT_FALSE(second->isFullScreen());
@@ -552,7 +552,7 @@ TEST_F(LayoutTest, TheNextWindowIsAsTheLastWas) {
   second->windowLayout().restoreDefault();
   EXPECT_EQ(second->panel().view(), ParameterPanel::defaultView());
   EXPECT_TRUE(second->findChild<QDockWidget*>("parameterDock")->isVisible());
-  second->appearance().setColours(Colours::Light);
+  second->appearance().chooseTheme(ThemeChoice::Light);
 }
 
 TEST_F(LayoutTest, ChosenColoursAreKeptAlsoWhenTheProgramIsKilled) {
@@ -567,14 +567,14 @@ TEST_F(LayoutTest, ChosenColoursAreKeptAlsoWhenTheProgramIsKilled) {
 }
 
 TEST_F(LayoutTest, ColoursOfEarlierSettingsAreRead) {
-  const std::pair<QVariant, Colours> saved[] = {{0, Colours::System},      {1, Colours::Light},
-                                                {2, Colours::Dark},        {"dark", Colours::Dark},
-                                                {"light", Colours::Light}, {"7", Colours::System},
-                                                {"pink", Colours::System}};
+  const std::pair<QVariant, ThemeChoice> saved[] = {
+      {0, ThemeChoice::System},     {1, ThemeChoice::Light},       {2, ThemeChoice::Dark},
+      {"dark", ThemeChoice::Dark},  {"light", ThemeChoice::Light}, {"7", ThemeChoice::System},
+      {"pink", ThemeChoice::System}};
   for (const auto& [value, colours] : saved) {
     QSettings().setValue("window/colours", value);
     window_.windowLayout().remember();
-    EXPECT_EQ(window_.appearance().colours(), colours) << value.toString().toStdString();
+    EXPECT_EQ(window_.appearance().themeChoice(), colours) << value.toString().toStdString();
   }
 }
 
@@ -663,7 +663,7 @@ TEST_F(LayoutTest, CommandsThatHaveNoRoomAreBehindAnArrow) {
 }
 
 TEST_F(LayoutTest, ColoursOfTheDesktopUnlessChosen) {
-  EXPECT_EQ(window_.appearance().colours(), Colours::System);
+  EXPECT_EQ(window_.appearance().themeChoice(), ThemeChoice::System);
   EXPECT_EQ(window_.appearance().isDark(), systemIsDark());
   action("light").trigger();
   EXPECT_EQ(window_.appearance().isDark(), !systemIsDark());
@@ -687,11 +687,11 @@ TEST_F(LayoutTest, ColoursFollowTheDesktopUnlessChosen) {
   ASSERT_FALSE(window_.appearance().isDark());
   QApplication::setStyle(new DesktopColours(true));
   EXPECT_TRUE(waitFor([&] { return window_.appearance().isDark(); }));
-  window_.appearance().setColours(Colours::Light);
+  window_.appearance().chooseTheme(ThemeChoice::Light);
   EXPECT_FALSE(window_.appearance().isDark());
-  window_.appearance().setColours(Colours::System);
+  window_.appearance().chooseTheme(ThemeChoice::System);
   EXPECT_TRUE(window_.appearance().isDark());
-  window_.appearance().setColours(Colours::Dark);
+  window_.appearance().chooseTheme(ThemeChoice::Dark);
   QApplication::setStyle(new WindowStyle);
   EXPECT_TRUE(waitFor([&] { return !systemIsDark(); }));
   EXPECT_TRUE(window_.appearance().isDark());

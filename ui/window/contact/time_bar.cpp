@@ -206,7 +206,7 @@ int TimeBar::durationWidth() const {
 }
 
 /// Shows the duration, which the axis of the charts has too, and the name of the pace, which its
-/// number says too, where there is space for them.
+/// number also implies, where there is space for them.
 void TimeBar::fit() {
   showsDuration_ = false;
   momentText_->setMinimumWidth(momentWidth(false));

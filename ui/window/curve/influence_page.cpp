@@ -95,7 +95,7 @@ void InfluencePage::showTexts() {
   showProgress();
 }
 
-/// Says how much is computed, while there is nothing else to show.
+/// Shows how much is computed, while there is nothing else to show.
 void InfluencePage::showProgress() {
   if (isComputing_)
     view_->setPlaceholder(tr("The influences are being computed… %1 %").arg(percent_));

@@ -298,7 +298,7 @@ void ExportDialog::requestPreview() {
       folder_.path());
 }
 
-/// Makes the usual size as high as its diagrams need, and says so; other refusals are shown.
+/// Makes the usual size as high as its diagrams need, with a note; other refusals are shown.
 void ExportDialog::previewFailed(const QString& reason, const NeededHeight& needed) {
   const std::optional<double> height = form_->heightEnough(needed);
   if (!height || !form_->raiseHeight(*height)) return refuse(form_->inWords(reason, needed));

@@ -256,7 +256,7 @@ bool ImportCommands::takeFriction(const QString& file) {
   std::vector<Message> remarks;  // on what is not used
   try {
     const FrictionData data = readFrictionData(path);
-    // The first note says how the columns were understood.
+    // The first note states how the columns were understood.
     for (std::size_t i = 1; i < data.notes.size(); ++i)
       remarks.push_back(message("{}: {}", data.name, data.notes[i]));
   } catch (const std::exception& error) {

@@ -134,7 +134,7 @@ std::optional<ContactShot> Exports::shot() const {
   return shot;
 }
 
-/// Returns whether there is a contact to draw; otherwise the message bar says why there is none.
+/// Returns whether there is a contact to draw; otherwise the message bar gives the reason.
 bool Exports::hasPicture() const {
   if (parts_.canvas.frame()) return true;
   parts_.messages.showFailure(MessageBar::Failure::Export, [] {
