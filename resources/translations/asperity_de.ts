@@ -2204,7 +2204,7 @@
     </message>
 </context>
 <context>
-    <name>asperity::LessonCheck</name>
+    <name>asperity::LessonValidation</name>
     <message>
         <source>Choice %1: needs a number in From or To, as the others have</source>
         <translation>Antwort %1: braucht wie die anderen eine Zahl in „Von“ oder „Bis“</translation>

@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <QFontDatabase>
+#include <QFormLayout>
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QHelpEvent>
@@ -512,6 +513,11 @@ QPoint tipBeside(const QString& text, const QRect& place) {
 
 void keepTipsBeside(QWidget& widget) {
   new TipsBeside(widget);
+}
+
+void setRowShown(QFormLayout& form, QWidget* field, bool isShown) {
+  field->setVisible(isShown);
+  if (QWidget* label = form.labelForField(field)) label->setVisible(isShown);
 }
 
 QFont boldFont(QFont font) {

@@ -16,6 +16,7 @@
 #include <initializer_list>
 #include <utility>
 
+class QFormLayout;
 class QPainter;
 class QPalette;
 class QProgressBar;
@@ -232,6 +233,9 @@ QPoint tipBelow(const QRect& place, int x);
 /// Shows the tips of what is in the widget now beside the widget, so that they do not cover what is
 /// below it, to which the pointer moves next.
 void keepTipsBeside(QWidget& widget);
+
+/// Shows or hides a field of a form with its label.
+void setRowShown(QFormLayout& form, QWidget* field, bool isShown);
 
 /// Returns the font in bold letters.
 QFont boldFont(QFont font);

@@ -378,11 +378,7 @@ void ExportForm::showRows() {
   const bool isFigure = kind() == ExportKind::Figure;
   const QString content = chosen(*content_);
   const bool hasContact = content != "curve" && content != "motion" && !isFigure;
-  const auto show = [this](QWidget* field, bool isShown) {
-    // QFormLayout::setRowVisible() would move the rows below; these few do so only with the kind.
-    field->setVisible(isShown);
-    if (QWidget* label = rows_->labelForField(field)) label->setVisible(isShown);
-  };
+  const auto show = [this](QWidget* field, bool isShown) { setRowShown(*rows_, field, isShown); };
   for (QWidget* field : Widgets{style_, preset_, size_, density_, theme_, transparent_})
     show(field, !isTable);
   for (QWidget* field : Widgets{width_, height_, unit_, density_}) field->setEnabled(!hasOwnSize());

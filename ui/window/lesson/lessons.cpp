@@ -432,7 +432,7 @@ bool Lessons::mayLeave() {
 bool Lessons::canClose() {
   LessonEditor* open = editor();
   if (!open || open->canClose()) return mayLeave();
-  bringToFront(*open);  // it says why the lesson could not be saved
+  bringToFront(*open);  // it shows why the lesson could not be saved
   return false;
 }
 
