@@ -122,6 +122,7 @@ QMessageBox::StandardButton ask(
   box.setInformativeText(question.explanation);
   for (const auto& [button, text] : answers) box.addButton(button)->setText(text);
   box.setDefaultButton(usual);
+  if (!box.button(QMessageBox::Cancel)) box.setEscapeButton(usual);
   return static_cast<QMessageBox::StandardButton>(box.exec());
 }
 

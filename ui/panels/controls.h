@@ -82,7 +82,8 @@ struct Question {
 };
 
 /// Asks a question and returns the button that was pressed. answers: the buttons with their texts,
-/// because not every desktop gives its standard buttons a shortcut letter.
+/// because not every desktop gives its standard buttons a shortcut letter. The Escape key means
+/// Cancel, or the usual answer where there is no Cancel.
 QMessageBox::StandardButton ask(
     QWidget* parent, const Question& question,
     std::initializer_list<std::pair<QMessageBox::StandardButton, QString>> answers,

@@ -342,10 +342,7 @@ bool ExportDialog::confirmReplace(const QFileInfo& target) {
     question = tr("The folder %1 has files already. Replace those of the same names?");
   else if (target.exists() && !target.isDir() && target.absoluteFilePath() != chosenFile_)
     question = tr("%1 exists already. Replace it?");
-  if (question.isEmpty()) return true;
-  return ask(this, {"replaceQuestion", windowTitle(), question.arg(target.fileName())},
-             {{QMessageBox::Yes, tr("&Replace")}, {QMessageBox::Cancel, tr("&Cancel")}},
-             QMessageBox::Cancel) == QMessageBox::Yes;
+  return question.isEmpty() || askReplace(this, windowTitle(), question.arg(target.fileName()));
 }
 
 void ExportDialog::write() {

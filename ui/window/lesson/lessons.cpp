@@ -3,8 +3,6 @@
 #include <QDateTime>
 #include <QFileInfo>
 #include <QMainWindow>
-#include <QMessageBox>
-#include <QPushButton>
 #include <QSettings>
 #include <QWindow>
 #include <algorithm>
@@ -245,17 +243,9 @@ Lessons::Otherwise Lessons::discards() {
 /// Asks whether work of an earlier session is to be continued. The Escape key continues it.
 bool Lessons::wantsToGoOn(const QString& name, const QString& question,
                           const Otherwise& otherwise) const {
-  QMessageBox box(QMessageBox::Question, tr("Asperity"), {},
-                  QMessageBox::Yes | QMessageBox::Discard, &parts_.window);
-  box.setObjectName(name);
-  box.setTextFormat(Qt::PlainText);  // titles are not markup
-  box.setText(question);
-  box.setInformativeText(otherwise.means);
-  box.setDefaultButton(QMessageBox::Yes);
-  box.setEscapeButton(QMessageBox::Yes);
-  box.button(QMessageBox::Yes)->setText(tr("&Go on"));
-  box.button(QMessageBox::Discard)->setText(otherwise.button);
-  return box.exec() != QMessageBox::Discard;
+  return ask(&parts_.window, {name, tr("Asperity"), question, otherwise.means},
+             {{QMessageBox::Yes, tr("&Go on")}, {QMessageBox::Discard, otherwise.button}},
+             QMessageBox::Yes) != QMessageBox::Discard;
 }
 
 void Lessons::hideDuringLesson(LessonEditor& editor) {

@@ -1,9 +1,12 @@
 #include "ui/window/main/file_dialogs.h"
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
 #include <QRegularExpression>
 #include <QSettings>
+
+#include "ui/panels/controls.h"
 
 namespace asperity {
 
@@ -14,6 +17,10 @@ QString firstExtension(const QString& filter) {
   static const QRegularExpression pattern(QStringLiteral(R"(\*\.(\w+))"));
   return pattern.match(filter).captured(1);
 }
+
+struct FileDialogs {
+  Q_DECLARE_TR_FUNCTIONS(asperity::FileDialogs)
+};
 
 const QString kLastFolder = QStringLiteral("files/saveFolder");
 
@@ -58,6 +65,13 @@ QStringList askOpenFiles(QWidget* parent, const QString& title, const QString& p
   const QStringList files = QFileDialog::getOpenFileNames(parent, title, place, filters);
   rememberFolder(files.value(0));
   return files;
+}
+
+bool askReplace(QWidget* parent, const QString& title, const QString& question) {
+  return ask(parent, {"replaceQuestion", title, question},
+             {{QMessageBox::Yes, FileDialogs::tr("&Replace")},
+              {QMessageBox::Cancel, FileDialogs::tr("&Cancel")}},
+             QMessageBox::Cancel) == QMessageBox::Yes;
 }
 
 }  // namespace asperity

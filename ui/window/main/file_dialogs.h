@@ -15,12 +15,16 @@ namespace asperity {
 QString askSaveFile(QWidget* parent, const QString& title, const QString& name,
                     const QString& filters, bool asksToReplace = true);
 
-/// Ask the user for a file to read, or for several; return nothing where none was chosen. The
+/// These functions ask the user for a file to read, or for several, and return nothing where none
+/// was chosen. The
 /// dialog begins in the folder `place`, or with that file selected.
 QString askOpenFile(QWidget* parent, const QString& title, const QString& place,
                     const QString& filters, QFileDialog::Options options = {});
 QStringList askOpenFiles(QWidget* parent, const QString& title, const QString& place,
                          const QString& filters);
+
+/// Asks whether files may be replaced.
+bool askReplace(QWidget* parent, const QString& title, const QString& question);
 
 /// Returns the folder in which a file is looked for or proposed: that of the document's file, or
 /// where it has none that of the file opened or saved last, or the home folder.
