@@ -84,17 +84,11 @@ std::vector<ChartLegend::Entry> ChartLegend::makeEntries() const {
     const Diagram &diagram = sheet_.diagrams[i], &english = english_.diagrams[i];
     for (std::size_t k = 0; k < diagram.series.size(); ++k) {
       const DiagramSeries& series = diagram.series[k];
-      if (series.name.empty()) continue;
-      if (std::ranges::none_of(series.points, [&](const DiagramPoint& point) {
-            return hasPosition(diagram, point);
-          }))
-        continue;
+      if (series.name.empty() || !hasPoints(series, diagram)) continue;
       Entry entry;
       entry.explanation = findExplanation(english.series[k].name);
       entry.text = QString::fromStdString(series.name.text);
-      entry.hasBars = !series.isBand && std::ranges::any_of(series.points, [](const auto& point) {
-        return point.high > point.low;
-      });
+      entry.hasBars = hasErrorBars(series);
       entry.series = series;
       entry.series.points.clear();
       auto& group = series.isTheory              ? theory
@@ -194,7 +188,7 @@ int ChartLegend::place(int rows, std::optional<double> widestName) {
   const auto end = [&] { return width() - kSide - (row == 0 ? statusWidth() + kGap : 0); };
   const auto add = [&](Entry entry, double extra) {
     const double available = std::max(40.0, width() - 2 * kSide - sampleWidth() - extra);
-    // Curves that were pinned may differ in what their names say last.
+    // Curves that were pinned may differ in the last parts of their names.
     const double narrow = std::min(available, widestName.value_or(available));
     if (!widestName)
       entry.lines = brokenInto(entry.text, available, metrics);

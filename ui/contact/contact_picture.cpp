@@ -99,8 +99,8 @@ ContactView resolvedView(const Frame& frame, const ContactView& view) {
   return resolved;
 }
 
-PreparedPicture prepareContact(const Frame& frame, const ContactPictureOptions& asked) {
-  PreparedPicture prepared{withMinimumSize(asked), {}, {}};
+PreparedPicture prepareContact(const Frame& frame, const ContactPictureOptions& requested) {
+  PreparedPicture prepared{withMinimumSize(requested), {}, {}};
   const ContactPictureOptions& options = prepared.options;
   prepared.list.width = options.width;
   prepared.list.height = options.height;
@@ -110,12 +110,12 @@ PreparedPicture prepareContact(const Frame& frame, const ContactPictureOptions& 
   return prepared;
 }
 
-Box contactPlotArea(const Frame& frame, const ContactPictureOptions& asked) {
-  return prepareContact(frame, asked).layout.plot;
+Box contactPlotArea(const Frame& frame, const ContactPictureOptions& requested) {
+  return prepareContact(frame, requested).layout.plot;
 }
 
-double labelSpace(const Frame& frame, const ContactPictureOptions& asked) {
-  const ContactLayout layout = prepareContact(frame, asked).layout;
+double labelSpace(const Frame& frame, const ContactPictureOptions& requested) {
+  const ContactLayout layout = prepareContact(frame, requested).layout;
   const double needed = labelRowBottom(layout) - layout.plot.y + 1;
   const double part = needed / layout.plot.height;
   return part < kMaxLabelSpace ? part : 0;
@@ -125,9 +125,9 @@ float contactUnit(const ContactPictureOptions& options) {
   return sizesFor(withMinimumSize(options)).unit;
 }
 
-DrawList composeContact(const Frame& frame, const ContactPictureOptions& asked,
+DrawList composeContact(const Frame& frame, const ContactPictureOptions& requested,
                         std::vector<LabelPlace>* places) {
-  PreparedPicture prepared = prepareContact(frame, asked);
+  PreparedPicture prepared = prepareContact(frame, requested);
   const ContactPictureOptions& options = prepared.options;
   const ContactLayout& layout = prepared.layout;
   DrawList& list = prepared.list;

@@ -19,7 +19,7 @@
 #include "tests/ui/window/qt_application.h"
 #include "ui/window/export/export_form.h"
 #include "ui/window/export/export_preview.h"
-#include "ui/window/figures/gallery_page.h"
+#include "ui/window/figures/figures_page.h"
 
 namespace asperity {
 namespace {
@@ -411,7 +411,7 @@ TEST_F(ExportDialogTest, FiguresOfThePaperAreExportedWithTheirDataAndClaims) {
 /// From the page of figures the dialog begins with the figure that is shown there.
 TEST_F(ExportDialogTest, TheFigureInSightIsChosen) {
   window_.figures().openFigures();
-  window_.figures().gallery().choose(FigureName::Plateau, false);
+  window_.figures().figuresPage().choose(FigureName::Plateau, false);
   EXPECT_FALSE(action("exportPicture").isEnabled());
   action("exportFigure").trigger();
   dialog_ = window_.findChild<ExportDialog*>();

@@ -15,7 +15,7 @@
 
 #include "core/scene/plan.h"
 #include "core/scene/scene_file.h"
-#include "tests/ui/window/gallery_fixture.h"
+#include "tests/ui/window/figures_page_fixture.h"
 #include "tests/ui/window/qt_application.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/parameter_panel.h"
@@ -37,7 +37,7 @@ class FigurePagesTest : public testing::Test {
   }
 
   QAction& action(const QString& name) { return *window_->findChild<QAction*>(name); }
-  GalleryPage& page() { return window_->figures().gallery(); }
+  FiguresPage& page() { return window_->figures().figuresPage(); }
 
   std::unique_ptr<MainWindow> window_;
 };
@@ -80,13 +80,12 @@ TEST_F(FigurePagesTest, AFigureOpensAsASceneToPlayWith) {
   action("figure:1").trigger();
   EXPECT_TRUE(page().isVisible());
   EXPECT_EQ(page().chosen(), FigureName::Contact);
-  ASSERT_TRUE(
-      waitFor([&] { return page().gallery().status(FigureName::Contact).made != nullptr; }));
+  ASSERT_TRUE(waitFor([&] { return page().queue().status(FigureName::Contact).made != nullptr; }));
   const std::uint64_t before = window_->session().sceneNumber();
   QTest::mouseClick(page().findChild<QPushButton*>("openAsScene"), Qt::LeftButton);
   EXPECT_EQ(window_->session().sceneNumber(), before + 1);
   EXPECT_EQ(window_->session().scene(),
-            page().gallery().status(FigureName::Contact).made->figure.scene);
+            page().queue().status(FigureName::Contact).made->figure.scene);
   EXPECT_EQ(window_->panel().scene(), window_->session().scene());
   EXPECT_TRUE(window_->windowTitle().contains("Fig. 1"));
   EXPECT_FALSE(page().isVisible());
@@ -124,18 +123,18 @@ TEST_F(FigurePagesTest, PicturesAreOfTheFigureThatIsShown) {
 TEST_F(FigurePagesTest, TheContactGoesOnWhileAFigureIsComputed) {
   page().findChild<QSpinBox*>("realizations")->setValue(1500);
   action("figure:6").trigger();
-  const auto part = [&] { return page().gallery().status(FigureName::Plateau).part; };
+  const auto part = [&] { return page().queue().status(FigureName::Plateau).part; };
   ASSERT_TRUE(waitFor([&] { return part() > 0; }));
   window_->figures().showViews();  // behind its page the contact rests
   QSignalSpy frames(&window_->session(), &Session::frameArrived);
   EXPECT_TRUE(waitFor([&] { return frames.count() >= 5; }));
-  EXPECT_EQ(page().gallery().computing(), FigureName::Plateau);
+  EXPECT_EQ(page().queue().computing(), FigureName::Plateau);
 }
 
 TEST_F(FigurePagesTest, TheWindowClosesInTheMiddleOfAComputation) {
   page().findChild<QSpinBox*>("realizations")->setValue(1500);
   action("figure:6").trigger();
-  ASSERT_TRUE(waitFor([&] { return page().gallery().status(FigureName::Plateau).part > 0; }));
+  ASSERT_TRUE(waitFor([&] { return page().queue().status(FigureName::Plateau).part > 0; }));
   EXPECT_TRUE(window_->close());
   EXPECT_FALSE(window_->isVisible());
   // The work is counted, not timed: thousands of lines would follow, and each thread may end the

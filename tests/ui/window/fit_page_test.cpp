@@ -201,7 +201,7 @@ TEST_F(FitPageTest, WhatCannotBeFittedIsSaidOnThePage) {
   for (const bool isDark : {true, false}) {
     window_.appearance().setDark(isDark);
     const QPalette colours = page.findChild<QLabel*>("fitComplaint")->palette();
-    EXPECT_EQ(colours.color(QPalette::WindowText), faultColour(page.palette()));
+    EXPECT_EQ(colours.color(QPalette::WindowText), errorColour(page.palette()));
     EXPECT_EQ(asperity::isDark(page.palette()), isDark);
   }
 }

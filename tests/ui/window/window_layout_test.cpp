@@ -37,7 +37,7 @@
 #include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
 #include "ui/window/figures/diagram_view.h"
-#include "ui/window/figures/gallery_page.h"
+#include "ui/window/figures/figures_page.h"
 #include "ui/window/main/appearance.h"
 #include "ui/window/main/scene_tabs.h"
 #include "ui/window/main/session.h"
@@ -349,9 +349,9 @@ TEST_F(WindowLayoutTest, ThePageOfFiguresShowsOneAtOnceAndNothingOfTheScene) {
   ASSERT_TRUE(waitFor([&] { return description.isVisible(); }));
   action("figures").trigger();
   EXPECT_FALSE(description.isVisible());
-  const FigureName first = window_.figures().gallery().chosen();
-  EXPECT_TRUE(
-      waitFor([&] { return window_.figures().gallery().gallery().status(first).made != nullptr; }));
+  const FigureName first = window_.figures().figuresPage().chosen();
+  EXPECT_TRUE(waitFor(
+      [&] { return window_.figures().figuresPage().queue().status(first).made != nullptr; }));
   action("figures").trigger();
   EXPECT_TRUE(description.isVisible());
 }
@@ -499,8 +499,8 @@ TEST_F(WindowLayoutTest, APresentationGivesBackSizesToThePixel) {
     action(opened).trigger();
     QCoreApplication::processEvents();
     QTest::keyClick(&window_, Qt::Key_F5);
-    EXPECT_EQ(window_.figures().gallery().isVisible(), QString(opened) == "figures");
-    if (window_.figures().gallery().isVisible()) {
+    EXPECT_EQ(window_.figures().figuresPage().isVisible(), QString(opened) == "figures");
+    if (window_.figures().figuresPage().isVisible()) {
       EXPECT_FALSE(dock().isVisible());
       EXPECT_FALSE(window_.statusBar()->isVisible());
       window_.figures().showViews();
@@ -522,9 +522,9 @@ TEST_F(WindowLayoutTest, EscapeClosesTheFiguresAndThenEndsThePresentation) {
   ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
   QTest::keyClick(&window_, Qt::Key_F5);
   QTest::keyClick(&window_, Qt::Key_G, Qt::ControlModifier);
-  ASSERT_TRUE(window_.figures().gallery().isVisible());
+  ASSERT_TRUE(window_.figures().figuresPage().isVisible());
   QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
-  EXPECT_FALSE(window_.figures().gallery().isVisible());
+  EXPECT_FALSE(window_.figures().figuresPage().isVisible());
   EXPECT_TRUE(window_.windowLayout().isPresenting());
   for (const QWidget* hidden : std::initializer_list<QWidget*>{&dock(), window_.statusBar()})
     EXPECT_FALSE(hidden->isVisible());
@@ -542,7 +542,7 @@ TEST_F(WindowLayoutTest, TheNextWindowIsAsTheLastWas) {
   auto first = next();
   first->findChild<QDockWidget*>("parameterDock")->hide();
   first->findChild<QAction*>("tab:planList")->setChecked(false);
-  first->appearance().setColours(Colours::Dark);
+  first->appearance().chooseTheme(ThemeChoice::Dark);
   const PanelView panel{true, {"load", "accuracy"}};
   first->panel().setView(panel);
   const QRect place(QGuiApplication::screens().back()->geometry().topLeft() + QPoint(100, 100),
@@ -555,7 +555,7 @@ TEST_F(WindowLayoutTest, TheNextWindowIsAsTheLastWas) {
   auto second = next();
   EXPECT_FALSE(second->findChild<QDockWidget*>("parameterDock")->isVisible());
   EXPECT_FALSE(second->findChild<QAction*>("tab:planList")->isChecked());
-  EXPECT_EQ(second->appearance().colours(), Colours::Dark);
+  EXPECT_EQ(second->appearance().themeChoice(), ThemeChoice::Dark);
   EXPECT_EQ(second->panel().view(), panel);
   EXPECT_TRUE(second->appearance().isDark());
   EXPECT_FALSE(second->isFullScreen());
@@ -564,7 +564,7 @@ TEST_F(WindowLayoutTest, TheNextWindowIsAsTheLastWas) {
   second->windowLayout().restoreDefault();
   EXPECT_EQ(second->panel().view(), ParameterPanel::defaultView());
   EXPECT_TRUE(second->findChild<QDockWidget*>("parameterDock")->isVisible());
-  second->appearance().setColours(Colours::Light);
+  second->appearance().chooseTheme(ThemeChoice::Light);
 }
 
 TEST_F(WindowLayoutTest, ChosenColoursAreKeptAlsoWhenTheProgramIsKilled) {
@@ -579,14 +579,14 @@ TEST_F(WindowLayoutTest, ChosenColoursAreKeptAlsoWhenTheProgramIsKilled) {
 }
 
 TEST_F(WindowLayoutTest, ColoursOfEarlierSettingsAreRead) {
-  const std::pair<QVariant, Colours> saved[] = {{0, Colours::System},      {1, Colours::Light},
-                                                {2, Colours::Dark},        {"dark", Colours::Dark},
-                                                {"light", Colours::Light}, {"7", Colours::System},
-                                                {"pink", Colours::System}};
+  const std::pair<QVariant, ThemeChoice> saved[] = {
+      {0, ThemeChoice::System},     {1, ThemeChoice::Light},       {2, ThemeChoice::Dark},
+      {"dark", ThemeChoice::Dark},  {"light", ThemeChoice::Light}, {"7", ThemeChoice::System},
+      {"pink", ThemeChoice::System}};
   for (const auto& [value, colours] : saved) {
     QSettings().setValue("window/colours", value);
     window_.windowLayout().remember();
-    EXPECT_EQ(window_.appearance().colours(), colours) << value.toString().toStdString();
+    EXPECT_EQ(window_.appearance().themeChoice(), colours) << value.toString().toStdString();
   }
 }
 
@@ -675,7 +675,7 @@ TEST_F(WindowLayoutTest, CommandsThatHaveNoRoomAreBehindAnArrow) {
 }
 
 TEST_F(WindowLayoutTest, ColoursOfTheDesktopUnlessChosen) {
-  EXPECT_EQ(window_.appearance().colours(), Colours::System);
+  EXPECT_EQ(window_.appearance().themeChoice(), ThemeChoice::System);
   EXPECT_EQ(window_.appearance().isDark(), systemIsDark());
   action("light").trigger();
   EXPECT_EQ(window_.appearance().isDark(), !systemIsDark());
@@ -699,11 +699,11 @@ TEST_F(WindowLayoutTest, ColoursFollowTheDesktopUnlessChosen) {
   ASSERT_FALSE(window_.appearance().isDark());
   QApplication::setStyle(new DesktopColours(true));
   EXPECT_TRUE(waitFor([&] { return window_.appearance().isDark(); }));
-  window_.appearance().setColours(Colours::Light);
+  window_.appearance().chooseTheme(ThemeChoice::Light);
   EXPECT_FALSE(window_.appearance().isDark());
-  window_.appearance().setColours(Colours::System);
+  window_.appearance().chooseTheme(ThemeChoice::System);
   EXPECT_TRUE(window_.appearance().isDark());
-  window_.appearance().setColours(Colours::Dark);
+  window_.appearance().chooseTheme(ThemeChoice::Dark);
   QApplication::setStyle(new WindowStyle);
   EXPECT_TRUE(waitFor([&] { return !systemIsDark(); }));
   EXPECT_TRUE(window_.appearance().isDark());

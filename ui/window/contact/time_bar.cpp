@@ -206,7 +206,7 @@ int TimeBar::durationWidth() const {
 }
 
 /// Shows the duration, which the axis of the charts has too, and the name of the pace, which its
-/// number says too, where there is space for them.
+/// number also implies, where there is space for them.
 void TimeBar::fit() {
   showsDuration_ = false;
   momentText_->setMinimumWidth(momentWidth(false));
@@ -347,7 +347,7 @@ void TimeBar::showPace() {
 
 /// Shows a sentence where the pace was typed, after the events that may end the typing, which hide
 /// tooltips.
-void TimeBar::say(const QString& sentence) {
+void TimeBar::showMessage(const QString& sentence) {
   QTimer::singleShot(0, factor_, [this, sentence] {
     if (factor_->isVisible())
       QToolTip::showText(factor_->mapToGlobal(QPoint(0, 0)), wrappedTip(sentence), factor_, {},
@@ -357,7 +357,7 @@ void TimeBar::say(const QString& sentence) {
 }
 
 /// Reads the typed pace, "600", "1e3 x slower" or "20× faster". Any other text leaves the pace, and
-/// a pace beyond the limits becomes the nearest one; a message says so in both cases.
+/// a pace beyond the limits becomes the nearest one; in both cases a message explains it.
 void TimeBar::readFactor() {
   static const QRegularExpression form(
       QStringLiteral("^\\s*([0-9.,eE+]+|[0-9.,]+[eE]-[0-9]+)\\s*[×x]?\\s*(\\p{L}*)\\s*$"));
@@ -378,12 +378,12 @@ void TimeBar::readFactor() {
   if (isNumber && isKnown && std::isfinite(factor) && factor > 0) {
     setSlowMotion(factor);
     if (paceText(factor) != paceText(slowMotion()))
-      say(tr("“%1” is beyond what the picture can show, %2 to %3; %4 is chosen")
-              .arg(text.left(kLongestQuote), paceText(kFastest / simulatedTime()),
-                   paceText(kSlowest / simulatedTime()), paceText(slowMotion())));
+      showMessage(tr("“%1” is beyond what the picture can show, %2 to %3; %4 is chosen")
+                      .arg(text.left(kLongestQuote), paceText(kFastest / simulatedTime()),
+                           paceText(kSlowest / simulatedTime()), paceText(slowMotion())));
   } else {
-    say(tr("“%1” is not a pace; enter 600, 600× slower or 20× faster")
-            .arg(text.left(kLongestQuote)));
+    showMessage(tr("“%1” is not a pace; enter 600, 600× slower or 20× faster")
+                    .arg(text.left(kLongestQuote)));
   }
   showPace();
 }

@@ -78,7 +78,7 @@ class TimeBar : public QWidget {
   void setLimitedPace(std::optional<double> pace);
   void choosePace(double pace);
   void showPace();
-  void say(const QString& sentence);
+  void showMessage(const QString& sentence);
   void showDelay(const Frame& frame);
   void readFactor();
   double simulatedTime() const;

@@ -34,7 +34,7 @@ class FootButton : public QPushButton {
   QSize minimumSizeHint() const override { return sizeHint(); }
 };
 
-/// Returns HTML as a screen reader says it.
+/// Returns HTML as a screen reader reads it.
 QString spoken(const QString& html) {
   return QTextDocumentFragment::fromHtml(html).toPlainText();
 }

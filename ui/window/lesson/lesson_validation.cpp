@@ -1,4 +1,4 @@
-#include "ui/window/lesson/lesson_check.h"
+#include "ui/window/lesson/lesson_validation.h"
 
 #include <QRegularExpression>
 #include <algorithm>
@@ -13,6 +13,7 @@
 #include "ui/panels/number_text.h"
 #include "ui/panels/parameter_row.h"
 #include "ui/window/lesson/lesson_document.h"
+#include "ui/window/lesson/lesson_form.h"
 #include "ui/window/lesson/lesson_text.h"
 
 namespace asperity {
@@ -25,13 +26,13 @@ QString findRangeMistake(const std::vector<LessonChoice>& choices) {
   for (std::size_t i = 0; i < choices.size(); ++i) {
     const LessonChoice& choice = choices[i];
     if (!choice.isRange())
-      return LessonCheck::tr("Choice %1: needs a number in From or To, as the others have")
+      return LessonValidation::tr("Choice %1: needs a number in From or To, as the others have")
           .arg(i + 1);
     if (!(choice.above < choice.below))
-      return LessonCheck::tr("Choice %1: From has to be less than To").arg(i + 1);
+      return LessonValidation::tr("Choice %1: From has to be less than To").arg(i + 1);
     for (std::size_t j = 0; j < i; ++j)
       if (choice.above < choices[j].below && choices[j].above < choice.below)
-        return LessonCheck::tr(
+        return LessonValidation::tr(
                    "Choice %1: its range overlaps that of choice %2, so that one answer would make "
                    "both right")
             .arg(i + 1)
@@ -42,30 +43,32 @@ QString findRangeMistake(const std::vector<LessonChoice>& choices) {
 
 QString findMistake(const QString& field, double tolerance) {
   if (tolerance > 0 && tolerance <= kLargestTolerance) return {};
-  return LessonCheck::tr("%1: %2 is not above 0 and up to %3")
-      .arg(field, shownNumber(roundedToDigits(100 * tolerance, 12)),
-           shownNumber(100 * kLargestTolerance));
+  return LessonValidation::tr("%1: %2 is not above 0 and up to %3")
+      .arg(field, percentText(tolerance), percentText(kLargestTolerance));
 }
 
 QString findMistake(const LessonStep& step) {
-  if (step.text.empty()) return LessonCheck::tr("the step needs a text");
+  if (step.text.empty()) return LessonValidation::tr("the step needs a text");
   if (!step.prediction) return {};
   const LessonPrediction& prediction = *step.prediction;
-  if (prediction.question.empty()) return LessonCheck::tr("the question needs a text");
+  if (prediction.question.empty()) return LessonValidation::tr("the question needs a text");
   if (prediction.kind == PredictionKind::Point && step.show.tab != "curve")
-    return LessonCheck::tr("a point needs the tab “Friction curve” in front, on which it lies");
+    return LessonValidation::tr(
+        "a point needs the tab “Friction curve” in front, on which it lies");
   if (prediction.kind != PredictionKind::Choice) {
-    if (const QString text = findMistake(LessonCheck::tr("Tolerance in %"), prediction.tolerance);
+    if (const QString text =
+            findMistake(LessonValidation::tr("Tolerance in %"), prediction.tolerance);
         !text.isEmpty())
       return text;
     return prediction.kind == PredictionKind::Point && !prediction.x
-               ? findMistake(LessonCheck::tr("Tolerance of the place in %"), prediction.xTolerance)
+               ? findMistake(LessonValidation::tr("Tolerance of the place in %"),
+                             prediction.xTolerance)
                : QString();
   }
-  if (prediction.choices.size() < 2) return LessonCheck::tr("Choices: write at least two");
+  if (prediction.choices.size() < 2) return LessonValidation::tr("Choices: write at least two");
   if (prediction.answer) return findRangeMistake(prediction.choices);
   if (std::ranges::count_if(prediction.choices, &LessonChoice::isRight) == 1) return {};
-  return LessonCheck::tr(
+  return LessonValidation::tr(
       "Choices: tick the right one, or write into From and To for which computed answers each is "
       "right");
 }
@@ -82,11 +85,11 @@ bool isOnCurve(const LessonValue& value, const LessonStep& step) {
 
 /// Returns the first mistake, with the number of its step; empty where there is none.
 QString findMistake(const Lesson& lesson) {
-  if (lesson.title.empty()) return LessonCheck::tr("The lesson needs a title");
-  if (lesson.steps.empty()) return LessonCheck::tr("A lesson needs at least one step");
+  if (lesson.title.empty()) return LessonValidation::tr("The lesson needs a title");
+  if (lesson.steps.empty()) return LessonValidation::tr("A lesson needs at least one step");
   for (std::size_t i = 0; i < lesson.steps.size(); ++i)
     if (const QString text = findMistake(lesson.steps[i]); !text.isEmpty())
-      return LessonCheck::tr("Step %1: %2").arg(i + 1).arg(text);
+      return LessonValidation::tr("Step %1: %2").arg(i + 1).arg(text);
   return {};
 }
 
@@ -95,30 +98,30 @@ QString findMistake(const Lesson& lesson) {
 /// Returns the name of the editor's row for a member of a lesson's file; empty where it has no row.
 QString rowName(const QString& member) {
   const std::pair<const char*, QString> rows[] = {
-      {"steps", LessonCheck::tr("steps")},
-      {"title", LessonCheck::tr("title")},
-      {"goal", LessonCheck::tr("goal")},
-      {"minutes", LessonCheck::tr("minutes")},
-      {"notes", LessonCheck::tr("notes for teachers")},
-      {"text", LessonCheck::tr("text")},
-      {"scene", LessonCheck::tr("scene")},
-      {"set", LessonCheck::tr("changed")},
-      {"after", LessonCheck::tr("changed with the answer")},
-      {"tab", LessonCheck::tr("tab in front")},
-      {"quantity", LessonCheck::tr("quantity")},
-      {"controls", LessonCheck::tr("controls")},
-      {"kind", LessonCheck::tr("prediction")},
-      {"question", LessonCheck::tr("question")},
-      {"choices", LessonCheck::tr("choices")},
-      {"above", LessonCheck::tr("from")},
-      {"below", LessonCheck::tr("to")},
-      {"answer", LessonCheck::tr("computed answer")},
-      {"tolerance", LessonCheck::tr("tolerance")},
-      {"x", LessonCheck::tr("place on the axis")},
-      {"right", LessonCheck::tr("if right")},
-      {"wrong", LessonCheck::tr("if wrong")},
-      {"reveal", LessonCheck::tr("said with the answer")},
-      {"values", LessonCheck::tr("values of the texts")}};
+      {"steps", LessonValidation::tr("steps")},
+      {"title", LessonValidation::tr("title")},
+      {"goal", LessonValidation::tr("goal")},
+      {"minutes", LessonValidation::tr("minutes")},
+      {"notes", LessonValidation::tr("notes for teachers")},
+      {"text", LessonValidation::tr("text")},
+      {"scene", LessonValidation::tr("scene")},
+      {"set", LessonValidation::tr("changed")},
+      {"after", LessonValidation::tr("changed with the answer")},
+      {"tab", LessonValidation::tr("tab in front")},
+      {"quantity", LessonValidation::tr("quantity")},
+      {"controls", LessonValidation::tr("controls")},
+      {"kind", LessonValidation::tr("prediction")},
+      {"question", LessonValidation::tr("question")},
+      {"choices", LessonValidation::tr("choices")},
+      {"above", LessonValidation::tr("from")},
+      {"below", LessonValidation::tr("to")},
+      {"answer", LessonValidation::tr("computed answer")},
+      {"tolerance", LessonValidation::tr("tolerance")},
+      {"x", LessonValidation::tr("place on the axis")},
+      {"right", LessonValidation::tr("if right")},
+      {"wrong", LessonValidation::tr("if wrong")},
+      {"reveal", LessonValidation::tr("said with the answer")},
+      {"values", LessonValidation::tr("values of the texts")}};
   for (const auto& [name, row] : rows)
     if (member == QLatin1String(name)) return row;
   return {};
@@ -140,9 +143,9 @@ QString keyText(const QString& key) {
     if (const auto found = numbered.match(members[i]); found.hasMatch()) {
       const int number = found.captured(2).toInt() + 1;
       if (found.captured(1) == QLatin1String("steps"))
-        words += LessonCheck::tr("step %1").arg(number);
+        words += LessonValidation::tr("step %1").arg(number);
       else if (found.captured(1) == QLatin1String("choices"))
-        words += LessonCheck::tr("choice %1").arg(number);
+        words += LessonValidation::tr("choice %1").arg(number);
     } else if (const QString row = rowName(members[i]); !row.isEmpty()) {
       words += row;
     }
@@ -188,7 +191,7 @@ bool keepsPicture(const LessonStep& step) {
 
 }  // namespace
 
-void LessonCheck::check(LessonDocument& document, int present, const QString& unreadable) {
+void LessonValidation::check(LessonDocument& document, int present, const QString& unreadable) {
   isComputing_ = false;
   isReadable_ = unreadable.isEmpty();
   error_ = unreadable.isEmpty() ? findMistake(document.lesson)
@@ -201,11 +204,11 @@ void LessonCheck::check(LessonDocument& document, int present, const QString& un
   }
 }
 
-QString LessonCheck::whyNotPlayed() const {
+QString LessonValidation::whyNotPlayed() const {
   return isComputing_ ? tr("The program computes an answer that no choice may cover…") : error_;
 }
 
-const LessonCheck::Computed* LessonCheck::computed(const LessonStep& step) const {
+const LessonValidation::Computed* LessonValidation::computed(const LessonStep& step) const {
   if (!asksForNumber(step)) return nullptr;
   const auto found = std::ranges::find(computed_, numberAsked(step), &Computed::asked);
   return found == computed_.end() ? nullptr : &*found;
@@ -213,7 +216,7 @@ const LessonCheck::Computed* LessonCheck::computed(const LessonStep& step) const
 
 /// Computes the answer of a step in the background unless it is known. Returns whether it is being
 /// computed.
-bool LessonCheck::compute(const LessonStep& step) {
+bool LessonValidation::compute(const LessonStep& step) {
   if (!asksForNumber(step) || computed(step)) return false;
   const LessonStep asked = numberAsked(step);
   if (pending_ && pending_->asked == asked) return true;
@@ -233,7 +236,7 @@ bool LessonCheck::compute(const LessonStep& step) {
   return true;
 }
 
-void LessonCheck::keep(Computed known) {
+void LessonValidation::keep(Computed known) {
   pending_.reset();
   computed_.push_back(std::move(known));
   emit answerFound();
@@ -243,7 +246,7 @@ void LessonCheck::keep(Computed known) {
 /// are not known yet are computed one after the other: those that may be covered by no choice,
 /// without which the lesson is not played, and that of the present step, which is shown. Returns
 /// whether one is being computed, or may be again as soon as an error is corrected.
-bool LessonCheck::checkAnswers(const Lesson& lesson, int present) {
+bool LessonValidation::checkAnswers(const Lesson& lesson, int present) {
   for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
     const LessonStep& step = lesson.steps[i];
     const Computed* known = computed(step);
@@ -268,18 +271,18 @@ bool LessonCheck::checkAnswers(const Lesson& lesson, int present) {
 }
 
 /// Stops the computation of an answer that nobody needs any more.
-void LessonCheck::stop() {
+void LessonValidation::stop() {
   if (!pending_) return;
   pending_.reset();
   computing_.cancel();
 }
 
-void LessonCheck::forget() {
+void LessonValidation::forget() {
   stop();
   computed_.clear();
 }
 
-QString LessonCheck::computedText(const LessonStep& step) const {
+QString LessonValidation::computedText(const LessonStep& step) const {
   if (!asksForNumber(step)) return {};
   QStringList sentences;
   // There is always a first sentence: what is below would move when it comes.
@@ -313,24 +316,24 @@ QStringList missingTexts(const Lesson& lesson, bool inGerman) {
     hasAny = hasAny || !(inGerman ? text.german : text.english).empty();
     if (!text.empty() && (inGerman ? text.german : text.english).empty()) missing += name;
   };
-  look(lesson.title, LessonCheck::tr("title"));
-  look(lesson.goal, LessonCheck::tr("goal"));
-  look(lesson.notes, LessonCheck::tr("notes for teachers"));
+  look(lesson.title, LessonValidation::tr("title"));
+  look(lesson.goal, LessonValidation::tr("goal"));
+  look(lesson.notes, LessonValidation::tr("notes for teachers"));
   for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
     const LessonStep& step = lesson.steps[i];
     const auto lookInStep = [&](const LessonText& text, const QString& name) {
-      look(text, LessonCheck::tr("step %1").arg(i + 1) + QStringLiteral(", ") + name);
+      look(text, LessonValidation::tr("step %1").arg(i + 1) + QStringLiteral(", ") + name);
     };
-    lookInStep(step.title, LessonCheck::tr("title"));
-    lookInStep(step.text, LessonCheck::tr("text"));
+    lookInStep(step.title, LessonValidation::tr("title"));
+    lookInStep(step.text, LessonValidation::tr("text"));
     if (!step.prediction) continue;
     const LessonPrediction& prediction = *step.prediction;
-    lookInStep(prediction.question, LessonCheck::tr("question"));
+    lookInStep(prediction.question, LessonValidation::tr("question"));
     for (std::size_t j = 0; j < prediction.choices.size(); ++j)
-      lookInStep(prediction.choices[j].text, LessonCheck::tr("choice %1").arg(j + 1));
-    lookInStep(prediction.right, LessonCheck::tr("if right"));
-    lookInStep(prediction.wrong, LessonCheck::tr("if wrong"));
-    lookInStep(step.reveal, LessonCheck::tr("said with the answer"));
+      lookInStep(prediction.choices[j].text, LessonValidation::tr("choice %1").arg(j + 1));
+    lookInStep(prediction.right, LessonValidation::tr("if right"));
+    lookInStep(prediction.wrong, LessonValidation::tr("if wrong"));
+    lookInStep(step.reveal, LessonValidation::tr("said with the answer"));
   }
   return hasAny ? missing : QStringList();
 }

@@ -1,4 +1,4 @@
-#include "ui/window/figures/figure_gallery.h"
+#include "ui/window/figures/figure_queue.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,12 +11,11 @@
 #include "core/base/number_text.h"
 #include "core/scene/provenance.h"
 #include "ui/chart/figure_drawing.h"
-#include "ui/draw/png_file.h"
+#include "ui/draw/picture_file.h"
 #include "ui/draw/ticks.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
-#include "ui/window/main/picture_files.h"
 
 namespace asperity {
 
@@ -92,15 +91,22 @@ QString estimateText(const Estimate& estimate) {
 // ---- All figures
 
 QString figureLabel(FigureName name) {
-  if (name == FigureName::Master) return FigureGallery::tr("Master curve");
-  if (name == FigureName::Spacing) return FigureGallery::tr("Spacing");
-  return FigureGallery::tr("Figure %1").arg(fromUtf8(figureEntry(name).word));
+  if (name == FigureName::Master) return FigureQueue::tr("Master curve");
+  if (name == FigureName::Spacing) return FigureQueue::tr("Spacing");
+  return FigureQueue::tr("Figure %1").arg(fromUtf8(figureEntry(name).word));
 }
 
-FigureGallery::FigureGallery(FigureMaker maker, QObject* parent)
+QString figureTitle(const FigureEntry& entry) {
+  const QString headline = translatedText(entry.headline);
+  return entry.name < FigureName::Master
+             ? QStringLiteral("%1: %2").arg(figureLabel(entry.name), headline)
+             : headline;
+}
+
+FigureQueue::FigureQueue(FigureMaker maker, QObject* parent)
     : QObject(parent), statuses_(figureEntries().size()), maker_(std::move(maker)) {}
 
-void FigureGallery::compute(FigureName name, std::int64_t realizations) {
+void FigureQueue::compute(FigureName name, std::int64_t realizations) {
   FigureStatus& status = of(name);
   if (status.work != FigureStage::None) return;
   status.work = FigureStage::Waiting;
@@ -110,7 +116,7 @@ void FigureGallery::compute(FigureName name, std::int64_t realizations) {
 }
 
 /// Cancels the present computation; its thread ends within one pass over a line.
-void FigureGallery::cancel() {
+void FigureQueue::cancel() {
   work_.cancel();
   const std::deque<Job> forgotten = std::exchange(waiting_, {});
   for (const Job& job : forgotten) {
@@ -120,7 +126,7 @@ void FigureGallery::cancel() {
   if (computing_) end(*computing_);
 }
 
-void FigureGallery::startNext() {
+void FigureQueue::startNext() {
   if (computing_ || waiting_.empty()) return;
   const Job job = waiting_.front();
   waiting_.pop_front();
@@ -148,7 +154,7 @@ void FigureGallery::startNext() {
   emit changed(job.name);
 }
 
-void FigureGallery::end(FigureName name) {
+void FigureQueue::end(FigureName name) {
   of(name).work = FigureStage::None;
   computing_.reset();
   emit changed(name);

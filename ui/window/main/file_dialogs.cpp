@@ -1,17 +1,12 @@
-#include "ui/window/main/picture_files.h"
+#include "ui/window/main/file_dialogs.h"
 
+#include <QCoreApplication>
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QRegularExpression>
 #include <QSettings>
 
-#include "core/base/atomic_file.h"
-#include "core/base/input_error.h"
-#include "ui/draw/fonts.h"
-#include "ui/draw/pdf_file.h"
-#include "ui/draw/pixel_context.h"
-#include "ui/draw/svg_file.h"
+#include "ui/panels/controls.h"
 
 namespace asperity {
 
@@ -22,6 +17,10 @@ QString firstExtension(const QString& filter) {
   static const QRegularExpression pattern(QStringLiteral(R"(\*\.(\w+))"));
   return pattern.match(filter).captured(1);
 }
+
+struct FileDialogs {
+  Q_DECLARE_TR_FUNCTIONS(asperity::FileDialogs)
+};
 
 const QString kLastFolder = QStringLiteral("files/saveFolder");
 
@@ -53,20 +52,26 @@ QString askSaveFile(QWidget* parent, const QString& title, const QString& name,
   return file;
 }
 
-void writePicture(const std::filesystem::path& file, const DrawList& picture,
-                  const PictureProperties& properties) {
-  const std::string extension = file.extension().string();
-  if (extension == ".png") {
-    checkWritable(file);
-    writePng(file, renderImage(contextOfThread(), picture),
-             {properties.title, properties.metadata, 96 * properties.scale});
-  } else if (extension == ".svg") {
-    writeSvg(file, picture, {properties.title, properties.metadata});
-  } else if (extension == ".pdf") {
-    writePdf(file, picture, {properties.title, properties.metadata, 0.75 / properties.scale});
-  } else {
-    throw unknownExtension(file.string(), extension, {".png", ".svg", ".pdf"});
-  }
+QString askOpenFile(QWidget* parent, const QString& title, const QString& place,
+                    const QString& filters, QFileDialog::Options options) {
+  const QString file =
+      QFileDialog::getOpenFileName(parent, title, place, filters, nullptr, options);
+  rememberFolder(file);
+  return file;
+}
+
+QStringList askOpenFiles(QWidget* parent, const QString& title, const QString& place,
+                         const QString& filters) {
+  const QStringList files = QFileDialog::getOpenFileNames(parent, title, place, filters);
+  rememberFolder(files.value(0));
+  return files;
+}
+
+bool askReplace(QWidget* parent, const QString& title, const QString& question) {
+  return ask(parent, {"replaceQuestion", title, question},
+             {{QMessageBox::Yes, FileDialogs::tr("&Replace")},
+              {QMessageBox::Cancel, FileDialogs::tr("&Cancel")}},
+             QMessageBox::Cancel) == QMessageBox::Yes;
 }
 
 }  // namespace asperity

@@ -1,6 +1,6 @@
 // The page of the paper's figures as a person uses it: with the real figures of few lines, and with
 // figures that never end or that fail.
-#include "ui/window/figures/gallery_page.h"
+#include "ui/window/figures/figures_page.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "tests/ui/window/gallery_fixture.h"
+#include "tests/ui/window/figures_page_fixture.h"
 #include "tests/ui/window/qt_application.h"
 #include "ui/window/figures/figure_list.h"
 #include "ui/window/figures/figure_picture.h"
@@ -22,10 +22,10 @@ namespace asperity {
 namespace {
 
 TEST_F(PageTest, AFigureIsComputedShownAndKept) {
-  GalleryPage& page = show(makeFigure);
+  FiguresPage& page = show(makeFigure);
   control<QSpinBox>("realizations").setValue(2);
   std::vector<double> parts;
-  QObject::connect(&page.gallery(), &FigureGallery::changed, [&](FigureName name) {
+  QObject::connect(&page.queue(), &FigureQueue::changed, [&](FigureName name) {
     EXPECT_EQ(name, FigureName::Exponents);
     if (status(name).work == FigureStage::Computing) parts.push_back(status(name).part);
   });
@@ -54,7 +54,7 @@ TEST_F(PageTest, AFigureIsComputedShownAndKept) {
 }
 
 TEST_F(PageTest, TheContactIsDrawnAsOne) {
-  GalleryPage& page = show(makeFigure);
+  FiguresPage& page = show(makeFigure);
   page.choose(FigureName::Contact, true);
   ASSERT_TRUE(waitUntilMade(FigureName::Contact));
   ASSERT_TRUE(status(FigureName::Contact).made->contact);
@@ -63,7 +63,7 @@ TEST_F(PageTest, TheContactIsDrawnAsOne) {
 }
 
 TEST_F(PageTest, ThePictureFollowsSizeAndTheme) {
-  GalleryPage& page = show(quickFigure);
+  FiguresPage& page = show(quickFigure);
   page.choose(FigureName::Forces, true);
   ASSERT_TRUE(waitFor([&] { return page.picture().isPainted(); }));
   const auto corner = [&] { return page.picture().grab().toImage().pixelColor(1, 1).lightness(); };
@@ -78,7 +78,7 @@ TEST_F(PageTest, ThePictureFollowsSizeAndTheme) {
 
 /// The letters of a presentation come and go.
 TEST_F(PageTest, PictureAndClaimsFollowTheLetters) {
-  GalleryPage& page = show(makeFigure);
+  FiguresPage& page = show(makeFigure);
   page.resize(1280, 720);
   page.choose(FigureName::Contact, true);
   ASSERT_TRUE(waitFor([&] { return page.picture().isPainted(); }));
@@ -110,7 +110,7 @@ TEST_F(PageTest, PictureAndClaimsFollowTheLetters) {
 
 TEST_F(PageTest, CancelEndsWhatIsComputedAndWhatWaits) {
   bool isEndless = true;
-  GalleryPage& page = show([&](FigureName name, const FigureOptions& options) {
+  FiguresPage& page = show([&](FigureName name, const FigureOptions& options) {
     return isEndless ? endlessFigure(name, options) : quickFigure(name, options);
   });
   page.choose(FigureName::Hurst, true);
@@ -120,7 +120,7 @@ TEST_F(PageTest, CancelEndsWhatIsComputedAndWhatWaits) {
   EXPECT_EQ(control<QProgressBar>("figureProgress").value(), 250);
   EXPECT_EQ(stateText(FigureName::Hurst, status(FigureName::Hurst)), "25 %");
   click("cancel");
-  ASSERT_TRUE(waitFor([&] { return !page.gallery().computing(); }));
+  ASSERT_TRUE(waitFor([&] { return !page.queue().computing(); }));
   for (const FigureName name : {FigureName::Hurst, FigureName::Forces}) {
     EXPECT_EQ(status(name).work, FigureStage::None);
     EXPECT_FALSE(status(name).made);
@@ -136,7 +136,7 @@ TEST_F(PageTest, CancelEndsWhatIsComputedAndWhatWaits) {
 
 TEST_F(PageTest, AllFiguresComeOneAfterAnother) {
   std::vector<FigureName> made;
-  GalleryPage& page = show([&](FigureName name, const FigureOptions& options) {
+  FiguresPage& page = show([&](FigureName name, const FigureOptions& options) {
     made.push_back(name);  // by one thread at a time
     return quickFigure(name, options);
   });
@@ -146,20 +146,20 @@ TEST_F(PageTest, AllFiguresComeOneAfterAnother) {
   std::vector<FigureName> all;
   for (const FigureEntry& entry : figureEntries()) {
     all.push_back(entry.name);
-    EXPECT_EQ(status(entry.name).made->realizations, GalleryPage::kPaper);
+    EXPECT_EQ(status(entry.name).made->realizations, FiguresPage::kPaper);
   }
   EXPECT_EQ(made, all);
   click("computeAll");  // as many lines: nothing to do
-  EXPECT_FALSE(page.gallery().computing());
+  EXPECT_FALSE(page.queue().computing());
   click("quick");
   click("computeAll");
   ASSERT_TRUE(waitFor(
-      [&] { return status(FigureName::Spacing).made->realizations == GalleryPage::kQuick; }));
+      [&] { return status(FigureName::Spacing).made->realizations == FiguresPage::kQuick; }));
   EXPECT_EQ(made.size(), 2 * all.size());
 }
 
 TEST_F(PageTest, WhatFailsIsSaidInOneSentence) {
-  GalleryPage& page = show([](FigureName name, const FigureOptions& options) {
+  FiguresPage& page = show([](FigureName name, const FigureOptions& options) {
     if (name == FigureName::Hurst) throw std::runtime_error("the force balance is not met");
     return quickFigure(name, options);
   });
@@ -174,7 +174,7 @@ TEST_F(PageTest, WhatFailsIsSaidInOneSentence) {
 
 TEST_F(PageTest, ClaimsUnfoldAndStayWhileTheFigureIsComputedAgain) {
   bool isEndless = false;
-  GalleryPage& page = show([&](FigureName name, const FigureOptions& options) {
+  FiguresPage& page = show([&](FigureName name, const FigureOptions& options) {
     return isEndless ? endlessFigure(name, options) : quickFigure(name, options);
   });
   page.choose(FigureName::Forces, true);
@@ -196,12 +196,12 @@ TEST_F(PageTest, ClaimsUnfoldAndStayWhileTheFigureIsComputedAgain) {
 }
 
 TEST_F(PageTest, FiguresAreSaved) {
-  GalleryPage& page = show(quickFigure);
+  FiguresPage& page = show(quickFigure);
   page.choose(FigureName::Plateau, true);
   ASSERT_TRUE(waitUntilMade(FigureName::Plateau));
   const QTemporaryDir folder;
-  QSignalSpy saved(&page, &GalleryPage::saved);
-  const auto bytesOf = [&](const char* name, void (GalleryPage::*save)(const QString&)) {
+  QSignalSpy saved(&page, &FiguresPage::saved);
+  const auto bytesOf = [&](const char* name, void (FiguresPage::*save)(const QString&)) {
     const qsizetype before = saved.count();
     (page.*save)(folder.filePath(name));
     EXPECT_TRUE(waitFor([&] { return saved.count() > before; })) << name;
@@ -209,14 +209,14 @@ TEST_F(PageTest, FiguresAreSaved) {
     EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << name;
     return file.readAll();
   };
-  EXPECT_TRUE(bytesOf("a.png", &GalleryPage::savePicture).startsWith("\x89PNG"));
-  EXPECT_TRUE(bytesOf("a.svg", &GalleryPage::savePicture).contains("<svg"));
-  EXPECT_TRUE(bytesOf("a.pdf", &GalleryPage::savePicture).startsWith("%PDF"));
+  EXPECT_TRUE(bytesOf("a.png", &FiguresPage::savePicture).startsWith("\x89PNG"));
+  EXPECT_TRUE(bytesOf("a.svg", &FiguresPage::savePicture).contains("<svg"));
+  EXPECT_TRUE(bytesOf("a.pdf", &FiguresPage::savePicture).startsWith("%PDF"));
   // The scene in front, as in every table in a file.
-  const QByteArray table = bytesOf("a.csv", &GalleryPage::saveData);
+  const QByteArray table = bytesOf("a.csv", &FiguresPage::saveData);
   EXPECT_TRUE(table.startsWith("# asperity: {")) << table.toStdString();
   EXPECT_TRUE(table.endsWith("}\nx,y\n1,1\n")) << table.toStdString();
-  EXPECT_TRUE(bytesOf("a.json", &GalleryPage::saveData).contains("it_grows"));
+  EXPECT_TRUE(bytesOf("a.json", &FiguresPage::saveData).contains("it_grows"));
 
   page.savePicture(folder.filePath("no/such/folder.png"));
   ASSERT_TRUE(waitFor([&] { return page.messages().isVisible(); }));
@@ -230,7 +230,7 @@ TEST_F(PageTest, FiguresAreSaved) {
 
 TEST_F(PageTest, WhyAFileWasNotWrittenStaysWhileTheFigureIsComputedAgain) {
   bool isEndless = false;
-  GalleryPage& page = show([&](FigureName name, const FigureOptions& options) {
+  FiguresPage& page = show([&](FigureName name, const FigureOptions& options) {
     if (!isEndless) return quickFigure(name, options);
     for (double part = 0; !options.stop.stop_requested(); part += 0.001) {
       options.progress(part);

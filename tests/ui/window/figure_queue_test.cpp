@@ -1,4 +1,4 @@
-#include "ui/window/figures/figure_gallery.h"
+#include "ui/window/figures/figure_queue.h"
 
 #include <gtest/gtest.h>
 

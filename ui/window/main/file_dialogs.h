@@ -1,15 +1,10 @@
-// The dialog for the name of a file that is saved, and pictures as files, drawn in the same way as
-// the commands draw them. The dialog: GUI thread. Files: any thread on which no OpenGL context of
-// the window is current, one at a time.
+// The dialogs in which the user names files to open or to save, and the folder in which they begin.
+// GUI thread.
 #pragma once
 
+#include <QFileDialog>
 #include <QString>
-#include <filesystem>
-
-#include "ui/draw/draw_list.h"
-#include "ui/draw/png_file.h"
-
-class QWidget;
+#include <QStringList>
 
 namespace asperity {
 
@@ -20,16 +15,22 @@ namespace asperity {
 QString askSaveFile(QWidget* parent, const QString& title, const QString& name,
                     const QString& filters, bool asksToReplace = true);
 
+/// These functions ask the user for a file to read, or for several, and return nothing where none
+/// was chosen. The
+/// dialog begins in the folder `place`, or with that file selected.
+QString askOpenFile(QWidget* parent, const QString& title, const QString& place,
+                    const QString& filters, QFileDialog::Options options = {});
+QStringList askOpenFiles(QWidget* parent, const QString& title, const QString& place,
+                         const QString& filters);
+
+/// Asks whether files may be replaced.
+bool askReplace(QWidget* parent, const QString& title, const QString& question);
+
 /// Returns the folder in which a file is looked for or proposed: that of the document's file, or
 /// where it has none that of the file opened or saved last, or the home folder.
 QString proposedFolder(const QString& document = {});
 
 /// Keeps the folder of a file that was opened or saved for proposedFolder().
 void rememberFolder(const QString& file);
-
-/// Writes PNG, SVG or PDF, by the extension. Throws InputError for any other one, and as
-/// writeFileAtomically.
-void writePicture(const std::filesystem::path& file, const DrawList& picture,
-                  const PictureProperties& properties);
 
 }  // namespace asperity

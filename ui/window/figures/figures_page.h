@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "ui/contact/contact_picture.h"
-#include "ui/window/figures/figure_gallery.h"
+#include "ui/window/figures/figure_queue.h"
 
 class QLabel;
 class QProgressBar;
@@ -22,17 +22,17 @@ class FigureList;
 class FigurePicture;
 class MessageBar;
 
-class GalleryPage : public QWidget {
+class FiguresPage : public QWidget {
   Q_OBJECT
 
  public:
   static constexpr int kQuick = 20;   // realizations; a result within seconds
   static constexpr int kPaper = 200;  // as many realizations as in the paper
 
-  explicit GalleryPage(FigureMaker maker = makeFigure, QWidget* parent = nullptr);
-  ~GalleryPage() override;
+  explicit FiguresPage(FigureMaker maker = makeFigure, QWidget* parent = nullptr);
+  ~FiguresPage() override;
 
-  FigureGallery& gallery() { return *gallery_; }
+  FigureQueue& queue() { return *queue_; }
   FigurePicture& picture() { return *picture_; }
   MessageBar& messages() { return *messages_; }
 
@@ -69,13 +69,13 @@ class GalleryPage : public QWidget {
   QWidget* makeChoices();
   QWidget* makeCommands();
   QPushButton* addButton(QLayout& row, const char* name, QString (*text)(), QString (*tip)(),
-                         void (GalleryPage::*run)());
+                         void (FiguresPage::*run)());
 
   void chooseQuick();
   void choosePaper();
   void compute();
   void computeAll();
-  void cancel() { gallery_->cancel(); }
+  void cancel() { queue_->cancel(); }
   void openScene();
   void askData();
   void save(const QString& file,
@@ -87,7 +87,7 @@ class GalleryPage : public QWidget {
   void showWork();
   void showNote(const QString& text);
 
-  FigureGallery* gallery_;
+  FigureQueue* queue_;
   std::shared_ptr<const ComputedFigure> shown_;  // null: a text is shown
   MessageBar* messages_ = nullptr;
   FigureList* list_ = nullptr;

@@ -1,4 +1,4 @@
-#include "ui/window/figures/gallery_page.h"
+#include "ui/window/figures/figures_page.h"
 
 #include <QClipboard>
 #include <QDir>
@@ -19,12 +19,12 @@
 #include "ui/panels/controls.h"
 #include "ui/panels/number_text.h"
 #include "ui/window/figures/claims_table.h"
-#include "ui/window/figures/figure_gallery.h"
 #include "ui/window/figures/figure_list.h"
 #include "ui/window/figures/figure_picture.h"
+#include "ui/window/figures/figure_queue.h"
 #include "ui/window/main/appearance.h"
+#include "ui/window/main/file_dialogs.h"
 #include "ui/window/main/message_bar.h"
-#include "ui/window/main/picture_files.h"
 
 namespace asperity {
 
@@ -35,7 +35,7 @@ constexpr int kSteps = 1000;  // steps of the progress bar
 
 /// Returns the style of the page in the colours of a palette: flat and rounded, as the window's
 /// bars.
-QString galleryStyleSheet(const QPalette& palette) {
+QString figuresStyleSheet(const QPalette& palette) {
   const auto name = [&](QPalette::ColorRole role) { return palette.color(role).name(); };
   const auto tint = [&](int percent) {
     const QColor accent = palette.color(QPalette::Highlight);
@@ -46,8 +46,8 @@ QString galleryStyleSheet(const QPalette& palette) {
         .arg(percent);
   };
   return QStringLiteral(R"(
-    #galleryBar { background: %1; border-top: 1px solid %3; }
-    #galleryNote { color: %6; }
+    #figuresBar { background: %1; border-top: 1px solid %3; }
+    #figuresNote { color: %6; }
     QPushButton { background: %5; color: %2; border: 1px solid %3; border-radius: 6px;
                   padding: 5px 12px; }
     QPushButton:hover, QPushButton:focus { border-color: %4; }
@@ -68,9 +68,9 @@ QString galleryStyleSheet(const QPalette& palette) {
 
 }  // namespace
 
-GalleryPage::GalleryPage(FigureMaker maker, QWidget* parent)
-    : QWidget(parent), gallery_(new FigureGallery(std::move(maker), this)) {
-  setObjectName("galleryPage");
+FiguresPage::FiguresPage(FigureMaker maker, QWidget* parent)
+    : QWidget(parent), queue_(new FigureQueue(std::move(maker), this)) {
+  setObjectName("figuresPage");
   messages_ = new MessageBar;
   auto* splitter = new QSplitter(Qt::Horizontal);
   splitter->setHandleWidth(1);
@@ -86,37 +86,37 @@ GalleryPage::GalleryPage(FigureMaker maker, QWidget* parent)
   column->addWidget(messages_);
   column->addWidget(splitter, 1);
 
-  connect(list_, &FigureList::chosenChanged, this, &GalleryPage::showChosen);
-  connect(list_, &FigureList::computeRequested, this, &GalleryPage::compute);
-  connect(gallery_, &FigureGallery::changed, this, &GalleryPage::take);
+  connect(list_, &FigureList::chosenChanged, this, &FiguresPage::showChosen);
+  connect(list_, &FigureList::computeRequested, this, &FiguresPage::compute);
+  connect(queue_, &FigureQueue::changed, this, &FiguresPage::take);
   connect(picture_, &FigurePicture::failed, this, [this](const LiveText& reason) {
     messages_->showFailure(MessageBar::Failure::Scene, reason);
   });
   auto* escape =
       new QShortcut(Qt::Key_Escape, this, nullptr, nullptr, Qt::WidgetWithChildrenShortcut);
-  connect(escape, &QShortcut::activated, this, &GalleryPage::closed);
+  connect(escape, &QShortcut::activated, this, &FiguresPage::closed);
   for (const FigureEntry& entry : figureEntries())
-    list_->showStatus(entry.name, gallery_->status(entry.name));
+    list_->showStatus(entry.name, queue_->status(entry.name));
   showChosen();
 }
 
 /// Sets the texts that depend on what is computed and shown.
-void GalleryPage::changeEvent(QEvent* event) {
+void FiguresPage::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
   if (event->type() != QEvent::LanguageChange) return;
   showNote({});
   showPlaceholder();
   // This runs later, because the buttons get the event after this page and first set their usual
   // texts.
-  QMetaObject::invokeMethod(this, &GalleryPage::showWork, Qt::QueuedConnection);
+  QMetaObject::invokeMethod(this, &FiguresPage::showWork, Qt::QueuedConnection);
 }
 
-GalleryPage::~GalleryPage() = default;
+FiguresPage::~FiguresPage() = default;
 
-QWidget* GalleryPage::makeHeading() {
-  auto* heading = new TitleBar("closeGallery");
+QWidget* FiguresPage::makeHeading() {
+  auto* heading = new TitleBar("closeFigures");
   QToolButton& close = heading->closeButton();
-  connect(&close, &QToolButton::clicked, this, &GalleryPage::closed);
+  connect(&close, &QToolButton::clicked, this, &FiguresPage::closed);
   keepTranslated(*heading, [heading, &close] {
     heading->title().setText(tr("Figures of Li et al. (2013), computed here and now"));
     close.setToolTip(tr("Back to the contact (Esc)"));
@@ -125,7 +125,7 @@ QWidget* GalleryPage::makeHeading() {
   return heading;
 }
 
-QWidget* GalleryPage::makeLeft() {
+QWidget* FiguresPage::makeLeft() {
   auto* left = new QWidget;
   auto* column = marginless<QVBoxLayout>(left, 0);
   list_ = new FigureList;
@@ -135,8 +135,8 @@ QWidget* GalleryPage::makeLeft() {
 }
 
 /// Makes the choice of the number of lines, and the button that computes all figures.
-QWidget* GalleryPage::makeChoices() {
-  auto* choices = named<QWidget>("galleryBar");
+QWidget* FiguresPage::makeChoices() {
+  auto* choices = named<QWidget>("figuresBar");
   choices->setAttribute(Qt::WA_StyledBackground);
   auto* column = new QVBoxLayout(choices);
   column->setContentsMargins(12, 10, 12, 10);
@@ -157,19 +157,19 @@ QWidget* GalleryPage::makeChoices() {
   presets->setSpacing(6);
   addButton(
       *presets, "quick", [] { return tr("&Quick"); },
-      [] { return tr("%1 realizations").arg(kQuick); }, &GalleryPage::chooseQuick);
+      [] { return tr("%1 realizations").arg(kQuick); }, &FiguresPage::chooseQuick);
   addButton(
       *presets, "paper", [] { return tr("Pap&er"); },
-      [] { return tr("%1 realizations, as in the paper").arg(kPaper); }, &GalleryPage::choosePaper);
+      [] { return tr("%1 realizations, as in the paper").arg(kPaper); }, &FiguresPage::choosePaper);
   presets->addStretch(1);
   addButton(
       *presets, "computeAll", [] { return tr("Compute &all"); },
-      [] { return tr("All figures, one after another"); }, &GalleryPage::computeAll);
+      [] { return tr("All figures, one after another"); }, &FiguresPage::computeAll);
   column->addLayout(presets);
   return choices;
 }
 
-QWidget* GalleryPage::makeRight() {
+QWidget* FiguresPage::makeRight() {
   picture_ = new FigurePicture;
   claims_ = new ClaimsTable;
   auto* splitter = new QSplitter(Qt::Vertical);
@@ -188,43 +188,43 @@ QWidget* GalleryPage::makeRight() {
   return right;
 }
 
-QWidget* GalleryPage::makeCommands() {
-  auto* commands = named<QWidget>("galleryBar");
+QWidget* FiguresPage::makeCommands() {
+  auto* commands = named<QWidget>("figuresBar");
   commands->setAttribute(Qt::WA_StyledBackground);
   auto* row = new QHBoxLayout(commands);
   row->setContentsMargins(12, 10, 12, 10);
   compute_ = addButton(
       *row, "compute", [] { return tr("&Compute"); },
       [] { return tr("Computes this figure from new lines (Enter in the list)"); },
-      &GalleryPage::compute);
+      &FiguresPage::compute);
   cancel_ = addButton(
       *row, "cancel", [] { return tr("Ca&ncel"); },
-      [] { return tr("Stops this computation and all that wait"); }, &GalleryPage::cancel);
+      [] { return tr("Stops this computation and all that wait"); }, &FiguresPage::cancel);
   progress_ = named<QProgressBar>("figureProgress");
   progress_->setRange(0, kSteps);
   progress_->setFormat(QStringLiteral("%p %"));
   progress_->setMinimumWidth(60);
   row->addWidget(progress_, 1);
-  note_ = named<QLabel>("galleryNote");
+  note_ = named<QLabel>("figuresNote");
   note_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   row->addWidget(note_, 1);
   openScene_ = addButton(
       *row, "openAsScene", [] { return tr("&Open as scene"); },
       [] { return tr("This figure's parameters in the window, to play with"); },
-      &GalleryPage::openScene);
+      &FiguresPage::openScene);
   savePicture_ = addButton(
       *row, "savePicture", [] { return tr("Save &picture…"); },
-      [] { return tr("PNG, SVG or PDF"); }, &GalleryPage::askPicture);
+      [] { return tr("PNG, SVG or PDF"); }, &FiguresPage::askPicture);
   saveData_ = addButton(
       *row, "saveData", [] { return tr("Save &data…"); },
-      [] { return tr("The table as CSV, or the claims as JSON"); }, &GalleryPage::askData);
+      [] { return tr("The table as CSV, or the claims as JSON"); }, &FiguresPage::askData);
   keepTranslated(*progress_,
                  [this] { progress_->setAccessibleName(tr("progress of the computation")); });
   return commands;
 }
 
-QPushButton* GalleryPage::addButton(QLayout& row, const char* name, QString (*text)(),
-                                    QString (*tip)(), void (GalleryPage::*run)()) {
+QPushButton* FiguresPage::addButton(QLayout& row, const char* name, QString (*text)(),
+                                    QString (*tip)(), void (FiguresPage::*run)()) {
   auto* button = named<QPushButton>(name);
   keepTranslated(*button, [button, text, tip] {
     button->setText(text());
@@ -235,38 +235,38 @@ QPushButton* GalleryPage::addButton(QLayout& row, const char* name, QString (*te
   return button;
 }
 
-void GalleryPage::showEvent(QShowEvent* event) {
+void FiguresPage::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   list_->setFocus();
 }
 
-void GalleryPage::setTheme(const Theme& theme) {
-  setStyleSheet(galleryStyleSheet(themePalette(theme)));
+void FiguresPage::setTheme(const Theme& theme) {
+  setStyleSheet(figuresStyleSheet(themePalette(theme)));
   picture_->setTheme(theme);
   claims_->setDark(isDark(theme));
 }
 
-FigureName GalleryPage::chosen() const {
+FigureName FiguresPage::chosen() const {
   return list_->chosen();
 }
 
-void GalleryPage::take(FigureName name) {
-  list_->showStatus(name, gallery_->status(name));
+void FiguresPage::take(FigureName name) {
+  list_->showStatus(name, queue_->status(name));
   if (name == chosen()) showChosen();
   showWork();
 }
 
 /// Shows a text until the picture is ready.
-void GalleryPage::showPlaceholder() {
-  const FigureStatus& status = gallery_->status(chosen());
+void FiguresPage::showPlaceholder() {
+  const FigureStatus& status = queue_->status(chosen());
   if (status.made) return;
   picture_->showText(status.work == FigureStage::None
                          ? tr("%1 is not computed yet.").arg(figureLabel(chosen()))
                          : tr("%1 appears here once it is computed.").arg(figureLabel(chosen())));
 }
 
-void GalleryPage::showChosen() {
-  const FigureStatus& status = gallery_->status(chosen());
+void FiguresPage::showChosen() {
+  const FigureStatus& status = queue_->status(chosen());
   showPlaceholder();
   if (status.made != shown_) showComputed(status.made);
   // Why a file could not be written stays while the figure is computed again.
@@ -277,7 +277,7 @@ void GalleryPage::showChosen() {
   showWork();
 }
 
-void GalleryPage::showComputed(std::shared_ptr<const ComputedFigure> made) {
+void FiguresPage::showComputed(std::shared_ptr<const ComputedFigure> made) {
   shown_ = std::move(made);
   claims_->setClaims(shown_ ? shown_->figure.claims : std::vector<Claim>());
   if (shown_) picture_->showFigure(shown_);
@@ -285,88 +285,88 @@ void GalleryPage::showComputed(std::shared_ptr<const ComputedFigure> made) {
 }
 
 /// Enables the commands that make sense now.
-void GalleryPage::showWork() {
-  const FigureStatus& status = gallery_->status(chosen());
+void FiguresPage::showWork() {
+  const FigureStatus& status = queue_->status(chosen());
   compute_->setText(status.made ? tr("&Compute again") : tr("&Compute"));
   compute_->setEnabled(status.work == FigureStage::None);
   for (QPushButton* button : {openScene_, savePicture_, saveData_})
     button->setEnabled(status.made != nullptr);
-  const std::optional<FigureName> computing = gallery_->computing();
+  const std::optional<FigureName> computing = queue_->computing();
   cancel_->setVisible(computing.has_value());
   progress_->setVisible(computing.has_value());
   note_->setVisible(!computing);
   if (!computing) return;
-  progress_->setValue(static_cast<int>(kSteps * gallery_->status(*computing).part));
+  progress_->setValue(static_cast<int>(kSteps * queue_->status(*computing).part));
   progress_->setToolTip(figureLabel(*computing));
 }
 
-void GalleryPage::choose(FigureName name, bool compute) {
+void FiguresPage::choose(FigureName name, bool compute) {
   list_->choose(name);
-  if (compute && !gallery_->status(name).made) this->compute();
+  if (compute && !queue_->status(name).made) this->compute();
 }
 
-void GalleryPage::chooseQuick() {
+void FiguresPage::chooseQuick() {
   realizations_->setValue(kQuick);
 }
 
-void GalleryPage::choosePaper() {
+void FiguresPage::choosePaper() {
   realizations_->setValue(kPaper);
 }
 
-void GalleryPage::compute() {
+void FiguresPage::compute() {
   showNote({});
-  gallery_->compute(chosen(), realizations_->value());
+  queue_->compute(chosen(), realizations_->value());
 }
 
 /// Computes the figures that are missing for this number of lines.
-void GalleryPage::computeAll() {
+void FiguresPage::computeAll() {
   showNote({});
   for (const FigureEntry& entry : figureEntries()) {
-    const std::shared_ptr<const ComputedFigure> made = gallery_->status(entry.name).made;
+    const std::shared_ptr<const ComputedFigure> made = queue_->status(entry.name).made;
     if (!made || made->realizations != realizations_->value())
-      gallery_->compute(entry.name, realizations_->value());
+      queue_->compute(entry.name, realizations_->value());
   }
 }
 
 /// The tooltip has the complete text where the label is elided.
-void GalleryPage::showNote(const QString& text) {
+void FiguresPage::showNote(const QString& text) {
   note_->setText(text);
   note_->setToolTip(text);
 }
 
-void GalleryPage::openScene() {
-  emit sceneRequested(gallery_->status(chosen()).made->figure.scene);
+void FiguresPage::openScene() {
+  emit sceneRequested(queue_->status(chosen()).made->figure.scene);
 }
 
-void GalleryPage::askPicture() {
+void FiguresPage::askPicture() {
   const QString file = askSaveFile(this, tr("Save picture"), figureFile(chosen(), ".png"),
                                    tr("Pictures (*.png *.svg *.pdf)"));
   if (!file.isEmpty()) savePicture(file);
 }
 
-void GalleryPage::askData() {
+void FiguresPage::askData() {
   const QString file = askSaveFile(this, tr("Save data"), figureFile(chosen(), ".csv"),
                                    tr("Table (*.csv);;Claims (*.json)"));
   if (!file.isEmpty()) saveData(file);
 }
 
-void GalleryPage::copyPicture() {
+void FiguresPage::copyPicture() {
   if (!picture_->isPainted()) return;
   QGuiApplication::clipboard()->setImage(picture_->image());
   showNote(tr("The picture is on the clipboard"));
 }
 
-void GalleryPage::savePicture(const QString& file) {
+void FiguresPage::savePicture(const QString& file) {
   save(file, writeFigurePicture);
 }
 
-void GalleryPage::saveData(const QString& file) {
+void FiguresPage::saveData(const QString& file) {
   save(file, writeFigureData);
 }
 
-void GalleryPage::save(const QString& file,
+void FiguresPage::save(const QString& file,
                        void (*write)(const std::filesystem::path&, const ComputedFigure&)) {
-  const std::shared_ptr<const ComputedFigure> made = gallery_->status(chosen()).made;
+  const std::shared_ptr<const ComputedFigure> made = queue_->status(chosen()).made;
   if (!made) return;
   showNote(tr("Saving %1…").arg(QFileInfo(file).fileName()));
   saving_.request(

@@ -1,7 +1,7 @@
-// What the lesson editor says about a lesson, in its own words and units: what the lesson lacks,
-// mistakes in its predictions, and the answers that the program computes in the background. The
-// reader of its file (core/lesson/lesson_file.h) refuses the same, in the words of the file. GUI
-// thread; owned by the editor.
+// The validation of a lesson in the editor, in the words and units of the editor: what the lesson
+// lacks, mistakes in its predictions, and the answers that the program computes in the background.
+// The reader of its file (core/lesson/lesson_file.h) refuses the same, in the words of the file.
+// GUI thread; owned by the editor.
 #pragma once
 
 #include <QObject>
@@ -18,7 +18,7 @@ namespace asperity {
 class InputError;
 class LessonDocument;
 
-class LessonCheck : public QObject {
+class LessonValidation : public QObject {
   Q_OBJECT
 
  public:

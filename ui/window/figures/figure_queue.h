@@ -4,9 +4,9 @@
 // which ones wait. Figures are computed one at a time, in the order of the requests, and kept until
 // the program ends. Threading: a figure is made on the thread of a BackgroundWork; the result is
 // immutable. Files may be written on any thread, but PNG not on the GUI thread, which it would
-// block for a while. Texts are pure once the language is chosen. FigureGallery: GUI thread; owned
-// by the gallery page. Failure: StopRequested where the work was stopped, otherwise the errors of
-// makeFigure, which become one sentence in the figure's status; InputError for another extension
+// block for a while. Texts are pure once the language is chosen. FigureQueue: GUI thread; owned by
+// the page of the figures. Failure: StopRequested where the work was stopped, otherwise the errors
+// of makeFigure, which become one sentence in the figure's status; InputError for another extension
 // and std::runtime_error where a file cannot be drawn or written.
 #pragma once
 
@@ -63,6 +63,10 @@ QString estimateText(const Estimate& estimate);
 /// Returns the short name: "Figure 3", "Master curve", "Spacing".
 QString figureLabel(FigureName name);
 
+/// Returns "Figure 2: Typical dependence of friction on velocity"; the headline alone for a figure
+/// that the paper does not have.
+QString figureTitle(const FigureEntry& entry);
+
 enum class FigureStage { None, Waiting, Computing };
 
 struct FigureStatus {
@@ -73,11 +77,11 @@ struct FigureStatus {
 };
 
 /// The figures of this session and their computation.
-class FigureGallery : public QObject {
+class FigureQueue : public QObject {
   Q_OBJECT
 
  public:
-  explicit FigureGallery(FigureMaker maker = makeFigure, QObject* parent = nullptr);
+  explicit FigureQueue(FigureMaker maker = makeFigure, QObject* parent = nullptr);
 
   const FigureStatus& status(FigureName name) const { return of(name); }
 

@@ -15,7 +15,7 @@
 #include "core/base/stop.h"
 #include "tests/ui/window/main_window_fixture.h"
 #include "ui/window/figures/claims_table.h"
-#include "ui/window/figures/gallery_page.h"
+#include "ui/window/figures/figures_page.h"
 
 namespace asperity {
 
@@ -67,8 +67,8 @@ inline std::size_t coloursOf(QWidget& widget) {
 /// The page alone.
 class PageTest : public testing::Test {
  protected:
-  GalleryPage& show(FigureMaker maker) {
-    page_ = std::make_unique<GalleryPage>(std::move(maker));
+  FiguresPage& show(FigureMaker maker) {
+    page_ = std::make_unique<FiguresPage>(std::move(maker));
     page_->resize(1000, 640);
     page_->show();
     return *page_;
@@ -79,7 +79,7 @@ class PageTest : public testing::Test {
     return *page_->findChild<Control*>(name);
   }
   void click(const char* name) { QTest::mouseClick(&control<QPushButton>(name), Qt::LeftButton); }
-  const FigureStatus& status(FigureName name) { return page_->gallery().status(name); }
+  const FigureStatus& status(FigureName name) { return page_->queue().status(name); }
   bool isComputing(FigureName name) {
     return status(name).work == FigureStage::Computing && status(name).part > 0;
   }
@@ -88,7 +88,7 @@ class PageTest : public testing::Test {
   }
   ClaimsTable& claims() { return *page_->findChild<ClaimsTable*>(); }
 
-  std::unique_ptr<GalleryPage> page_;
+  std::unique_ptr<FiguresPage> page_;
 };
 
 }  // namespace asperity
