@@ -32,18 +32,19 @@ QString firstParts(const QString& name, double available, const QFontMetricsF& m
   if (metrics.horizontalAdvance(name) <= available) return name;
   for (qsizetype at = name.size(); at > 0; --at) {
     const QStringView rest = QStringView(name).mid(at);
-    if (!rest.startsWith(QStringLiteral(", ")) && !rest.startsWith(QStringLiteral(" ± "))) continue;
+    const auto isEnd = [&](const char* mark) { return rest.startsWith(QString::fromUtf8(mark)); };
+    if (!isEnd(", ") && !isEnd("; ") && !isEnd(" ± ")) continue;
     if (metrics.horizontalAdvance(name.left(at)) <= available) return name.left(at);
   }
   return metrics.elidedText(name, Qt::ElideRight, available);
 }
 
-/// Breaks a text that is too long for its space into lines, after commas.
+/// Breaks a text that is too long for its space into lines, after commas, or the semicolons of a
+/// language with decimal commas.
 QStringList brokenInto(const QString& text, double available, const QFontMetricsF& metrics) {
   QStringList lines(1);
-  const QStringList parts = text.split(QStringLiteral(", "));
-  for (qsizetype i = 0; i < parts.size(); ++i) {
-    const QString part = i + 1 < parts.size() ? parts[i] + ',' : parts[i];
+  static const QRegularExpression gap(QStringLiteral("(?<=[,;]) "));
+  for (const QString& part : text.split(gap)) {
     const QString longer = lines.last().isEmpty() ? part : lines.last() + ' ' + part;
     const bool fits = metrics.horizontalAdvance(longer) <= available || lines.last().isEmpty();
     if (fits || lines.size() == kMaxLines)

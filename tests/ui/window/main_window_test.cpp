@@ -234,6 +234,18 @@ TEST_F(MainWindowTest, ASceneThatCannotRunIsExplainedAndTheWindowLives) {
   EXPECT_TRUE(waitFor([&] { return !window_.messages().isVisible(); }));
 }
 
+/// No part of the window may throw over it while the scene is shown.
+TEST_F(MainWindowTest, AMotionAtATemperatureWithoutAShiftIsExplained) {
+  Scene motion = smallScene();
+  motion.sliding.kind = SlidingKind::Step;
+  motion.sliding.duration = 0.01;
+  window_.document().open(motion);
+  ASSERT_TRUE(waitForFrame());
+  motion.elastomer.shift.referenceTemperature = motion.elastomer.temperature + 200;
+  EXPECT_NO_THROW(window_.document().edit(motion));
+  EXPECT_TRUE(waitFor([&] { return window_.messages().isVisible(); }));
+}
+
 TEST_F(MainWindowTest, WhatMendsASceneTakesItsComplaintsAway) {
   ASSERT_TRUE(waitForFrame());
   window_.document().open(refusedScene());
