@@ -4,6 +4,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
+#include "core/base/text_number.h"
 #include "core/scene/provenance.h"
 #include "ui/draw/fonts.h"
 #include "ui/draw/pixel_context.h"
@@ -30,7 +31,7 @@ PdfOptions pdfOptions(const PictureProperties& properties) {
 
 void writePicture(const std::filesystem::path& file, const DrawList& picture,
                   const PictureProperties& properties) {
-  const std::string extension = file.extension().string();
+  const std::string extension = lowerCase(file.extension().string());
   if (extension == ".png") {
     checkWritable(file);
     writePng(file, renderImage(contextOfThread(), picture), pngOptions(properties));
@@ -42,7 +43,7 @@ void writePicture(const std::filesystem::path& file, const DrawList& picture,
   } else if (extension == ".pdf") {
     writePdf(file, picture, pdfOptions(properties));
   } else {
-    throw unknownExtension(file.string(), extension, {".png", ".svg", ".pdf"});
+    throw unknownExtension(file.string(), file.extension().string(), {".png", ".svg", ".pdf"});
   }
 }
 

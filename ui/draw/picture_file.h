@@ -26,8 +26,8 @@ struct PictureProperties {
 PngOptions pngOptions(const PictureProperties& properties);
 PdfOptions pdfOptions(const PictureProperties& properties);
 
-/// Writes PNG, SVG or PDF, by the extension. Throws InputError for any other one, and as
-/// writeFileAtomically.
+/// Writes PNG, SVG or PDF, by the extension in small or capital letters. Throws InputError for any
+/// other one, and as writeFileAtomically.
 void writePicture(const std::filesystem::path& file, const DrawList& picture,
                   const PictureProperties& properties);
 
