@@ -17,6 +17,10 @@ namespace {
 constexpr std::size_t kMaxRows = 20000;  // of measurements; the fit takes a few seconds then
 constexpr std::size_t kLargestSeries = std::size_t{4} << 20;  // bytes of a file with a ready series
 
+bool hasTwoNumbers(const TextBlock& block) {
+  return std::ranges::count(block.columns, false, &TextColumn::isText) > 1;
+}
+
 /// Reads a table; returns nothing, and the error, where the file is none, because it may still be a
 /// ready Prony series of a finite-element program.
 std::optional<TextTable> readTable(std::string_view bytes, const std::string& name,
@@ -24,7 +28,9 @@ std::optional<TextTable> readTable(std::string_view bytes, const std::string& na
   try {
     TextTableOptions options;
     options.keepsTexts = options.readsCells = true;
-    return readTextTable(bytes, name, options);
+    TextTable table = readTextTable(bytes, name, options);
+    moveListsAbove(table, hasTwoNumbers);
+    return table;
   } catch (const InputError& error) {
     failure = error;
     return {};
