@@ -76,6 +76,10 @@ bool isList(const TextBlock& block) {
          !block.columns[1].isText;
 }
 
+bool hasTwoNumbers(const TextBlock& block) {
+  return std::ranges::count(block.columns, false, &TextColumn::isText) > 1;
+}
+
 /// Returns the lines of a list as they would stand above a table.
 std::vector<TextEntry> listedEntries(const TextBlock& list, char decimal) {
   std::vector<TextEntry> entries = list.header;
@@ -94,11 +98,11 @@ std::vector<TextEntry> listedEntries(const TextBlock& list, char decimal) {
 
 }  // namespace
 
-void moveListsAbove(TextTable& table, const std::function<bool(const TextBlock&)>& isRead) {
+void moveListsAbove(TextTable& table) {
   std::vector<TextBlock>& blocks = table.blocks;
   for (std::size_t i = 0; i + 1 < blocks.size();) {
     const auto below = blocks.begin() + static_cast<std::ptrdiff_t>(i) + 1;
-    if (!isList(blocks[i]) || std::none_of(below, blocks.end(), isRead)) {
+    if (!isList(blocks[i]) || std::none_of(below, blocks.end(), hasTwoNumbers)) {
       ++i;
       continue;
     }

@@ -43,7 +43,7 @@ TextTable readTable(std::string_view bytes, const std::string& name) {
     return findMeaning(quantity, kAnyUnit).has_value();
   });
   for (TextBlock& block : table.blocks) prepareColumns(block);
-  moveListsAbove(table, hasFriction);
+  moveListsAbove(table);
   return table;
 }
 

@@ -17,10 +17,6 @@ namespace {
 constexpr std::size_t kMaxRows = 20000;  // of measurements; the fit takes a few seconds then
 constexpr std::size_t kLargestSeries = std::size_t{4} << 20;  // bytes of a file with a ready series
 
-bool hasTwoNumbers(const TextBlock& block) {
-  return std::ranges::count(block.columns, false, &TextColumn::isText) > 1;
-}
-
 /// Reads a table; returns nothing, and the error, where the file is none, because it may still be a
 /// ready Prony series of a finite-element program.
 std::optional<TextTable> readTable(std::string_view bytes, const std::string& name,
@@ -29,7 +25,7 @@ std::optional<TextTable> readTable(std::string_view bytes, const std::string& na
     TextTableOptions options;
     options.keepsTexts = options.readsCells = true;
     TextTable table = readTextTable(bytes, name, options);
-    moveListsAbove(table, hasTwoNumbers);
+    moveListsAbove(table);
     return table;
   } catch (const InputError& error) {
     failure = error;
