@@ -110,6 +110,10 @@ struct TextTableOptions {
 TextTable readTextTable(std::string_view bytes, const std::string& name,
                         const TextTableOptions& options = {});
 
+/// Moves lists of names and numbers into the header of the table below them, as the lines "Load
+/// [N];75" below "Compound;A12", where a table with two columns of numbers follows.
+void moveListsAbove(TextTable& table);
+
 /// Replaces logarithms by the quantities themselves in columns with names such as "log10(f/Hz)",
 /// "lg G' (Pa)", "ln v", and changes these names accordingly. isQuantity: whether the caller knows
 /// a name without the logarithm.

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <limits>
+#include <map>
 #include <optional>
+#include <string_view>
+#include <tuple>
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
@@ -13,13 +16,27 @@
 namespace asperity {
 namespace {
 
-/// Returns whether two points differ at most in their velocity and friction.
-bool areOfOneSeries(const MeasuredPoint& a, const MeasuredPoint& b) {
-  const auto areEqual = [](double x, double y) {
-    return (std::isnan(x) && std::isnan(y)) || x == y;
-  };
-  return a.label == b.label && areEqual(a.normalForce, b.normalForce) &&
-         areEqual(a.nominalPressure, b.nominalPressure) && areEqual(a.temperature, b.temperature);
+using Series = std::vector<const MeasuredPoint*>;
+
+/// Returns the points that differ at most in their velocity and friction together, each series in
+/// the order of velocities, in the order in which the series begin in the file.
+std::vector<Series> seriesOf(const std::vector<MeasuredPoint>& points) {
+  constexpr double kNone = -std::numeric_limits<double>::infinity();
+  const auto keyOf = [](double value) { return std::isnan(value) ? kNone : value; };
+  std::map<std::tuple<std::string_view, double, double, double>, std::size_t> numbers;
+  std::vector<Series> all;
+  for (const MeasuredPoint& point : points) {
+    const auto [found, isNew] =
+        numbers.try_emplace({point.label, keyOf(point.normalForce), keyOf(point.nominalPressure),
+                             keyOf(point.temperature)},
+                            all.size());
+    if (isNew) all.emplace_back();
+    all[found->second].push_back(&point);
+  }
+  for (Series& series : all)
+    std::ranges::stable_sort(series, {},
+                             [](const MeasuredPoint* point) { return point->velocity; });
+  return all;
 }
 
 /// Throws InputError for friction without a unit that is too high for any rubber: it is in per
@@ -124,7 +141,7 @@ void refuseFrictionForce(const std::vector<MeasuredPoint>& points, const TextBlo
 /// Returns a note on the point of a series, in the order of velocities, that lies furthest from
 /// the line between its neighbours in double logarithm, where it is far above or below both. The
 /// first and the last two points are left out: there it is open which one is wrong.
-std::optional<Message> slipOf(const std::vector<const MeasuredPoint*>& series) {
+std::optional<Message> slipOf(const Series& series) {
   constexpr double kFarFromLine = 8, kFarFromBoth = 3;
   double most = 1;
   std::size_t furthest = 0;
@@ -168,27 +185,21 @@ void checkColumns(const std::vector<MeasuredPoint>& points, const TextBlock& blo
 void checkPoints(const std::vector<MeasuredPoint>& points, bool haveVelocities,
                  const std::string& name) {
   refuseImpossible(points, name);
-  for (std::size_t i = 0; i < points.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      if (points[i].velocity == points[j].velocity && areOfOneSeries(points[i], points[j]))
-        refuseRepeat(points[j], points[i], haveVelocities, name);
+  const MeasuredPoint *first = nullptr, *repeat = nullptr;
+  for (const Series& series : seriesOf(points))
+    for (std::size_t i = 1; i < series.size(); ++i) {
+      if (series[i]->velocity != series[i - 1]->velocity) continue;
+      if (repeat && repeat < series[i]) continue;
+      first = series[i - 1];
+      repeat = series[i];
+    }
+  if (repeat) refuseRepeat(*first, *repeat, haveVelocities, name);
 }
 
 std::vector<Message> slipNotes(const std::vector<MeasuredPoint>& points) {
   std::vector<Message> notes;
-  std::vector<const MeasuredPoint*> open;
-  for (const MeasuredPoint& point : points) open.push_back(&point);
-  while (!open.empty()) {
-    std::vector<const MeasuredPoint*> series;
-    const MeasuredPoint& first = *open.front();
-    const auto isOfSeries = [&first](const MeasuredPoint* point) {
-      return areOfOneSeries(*point, first);
-    };
-    std::ranges::copy_if(open, std::back_inserter(series), isOfSeries);
-    std::erase_if(open, isOfSeries);
-    std::ranges::sort(series, {}, [](const MeasuredPoint* point) { return point->velocity; });
+  for (const Series& series : seriesOf(points))
     if (const auto slip = slipOf(series)) notes.push_back(*slip);
-  }
   return notes;
 }
 

@@ -24,7 +24,9 @@ std::optional<TextTable> readTable(std::string_view bytes, const std::string& na
   try {
     TextTableOptions options;
     options.keepsTexts = options.readsCells = true;
-    return readTextTable(bytes, name, options);
+    TextTable table = readTextTable(bytes, name, options);
+    moveListsAbove(table);
+    return table;
   } catch (const InputError& error) {
     failure = error;
     return {};

@@ -245,7 +245,7 @@ bool isEquilibrium(std::string_view word) {
       word,
       "ginf einf equilibriummodulus longtermmodulus rubberymodulus ge ee geq eeq gequilibrium "
       "eequilibrium inf longtermmodulusg longtermmoduluse equilibriummodulusg "
-      "equilibriummoduluse");
+      "equilibriummoduluse gleichgewichtsmodul langzeitmodul");
 }
 
 bool isInstantaneous(std::string_view word) {
@@ -267,7 +267,8 @@ bool isArmModulus(std::string_view name) {
   const std::string word = seriesWord(name);
   return isOneOf(modulusLetter(name), "g gi e ei") || partsByName(word) != PartsOf::Unknown ||
          isOneOf(word,
-                 "g gi e ei modulus moduli alpha alphai gimod shearmodulus relativemodulus gk ek");
+                 "g gi e ei modulus moduli alpha alphai gimod shearmodulus relativemodulus gk ek "
+                 "modul schubmodul");
 }
 
 bool isArmViscosity(std::string_view word) {
@@ -303,7 +304,8 @@ ModulusKind kindOfModulus(std::string_view word) {
   if (containsOneOf(word, "young tensile") || word.starts_with("zug")) return ModulusKind::Tension;
   if (containsOneOf(word, "shear schub")) return ModulusKind::Shear;
   if (word.starts_with("e") && !word.starts_with("equilibrium")) return ModulusKind::Tension;
-  if (word.starts_with("g") && !word.starts_with("glassy")) return ModulusKind::Shear;
+  if (word.starts_with("g") && !beginsWithOneOf(word, "glassy gleichgewicht"))
+    return ModulusKind::Shear;
   return ModulusKind::Unknown;
 }
 

@@ -54,11 +54,11 @@ ParameterValue valueFrom(const std::string& key, const Json& json) {
 
 void checkSchema(const Json& schema) {
   if (!schema.is_string() || schema.get<std::string>() != kSchema)
-    throw InputError("", "schema",
-                     message("{} is not {}",
-                             schema.is_string() ? shortened(schema.get<std::string>())
-                                                : std::string(schema.type_name()),
-                             kSchema));
+    throw InputError(
+        "", "schema",
+        message("{} is not {}",
+                shortened(schema.is_string() ? schema.get<std::string>() : jsonLine(schema)),
+                kSchema));
 }
 
 bool isSection(const std::string& name) {

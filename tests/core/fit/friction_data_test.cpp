@@ -1,12 +1,14 @@
 // Tables of measured friction as people write them.
 #include "core/fit/friction_data.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
 
+#include "core/base/jobs.h"
 #include "tests/core/error_from.h"
 #include "tests/core/fit/friction_texts.h"
 
@@ -500,6 +502,18 @@ TEST(FrictionData, TracksAreLabels) {
       parsed("Sample;Track;v [mm/s];mu\nA;wet;1;0,5\nA;wet;10;0,7\nA;dry;10;0,9\n");
   EXPECT_EQ(both.points[2].label, "A, dry");
   EXPECT_EQ(parsed("v;mu;Track (m)\n1;0,6;5\n10;0,8;5\n").points[0].label, "");
+}
+
+/// The time does not rise with the square of the rows: a recording may have many.
+TEST(FrictionData, ReadsALongRecordingInTime) {
+  std::string text = "v (m/s),mu,T (C)\n";
+  for (int i = 0; i < 60000; ++i)
+    text += fmt::format("{},0.5,{}\n", 1e-3 * (1 + i % 30000), 20 + 1e-3 * (i / 2));
+  const double begin = threadSeconds();
+  EXPECT_EQ(parsed(text).points.size(), 60000U);
+  EXPECT_LT(threadSeconds() - begin, 4);
+  EXPECT_THAT(errorOf(text + "0.001,0.6,20\n0.002,0.6,20\n"),
+              HasSubstr("row 60002: has the velocity of row 2, 0.001 m/s"));
 }
 
 /// One point a hundred times too high or too low is named; a steep or noisy curve is not.

@@ -298,6 +298,11 @@ TEST(FrictionHeader, ReadsAListOfNamesAndValues) {
       "v [mm/s];mu\n1;0,3\n10;0,4\n");
   EXPECT_DOUBLE_EQ(units.points[0].normalForce, 50);
   EXPECT_DOUBLE_EQ(units.points[0].temperature, 293.15);
+  EXPECT_DOUBLE_EQ(
+      parsed("Device;LFT 3\nSliding speed [mm/s];10\n\nT (\u00B0C);mu\n5;0,5\n20;0,6\n")
+          .points[1]
+          .velocity,
+      0.01);
   EXPECT_THAT(errorOf("Compound;A12\nLoad;3 kg\n\nv [mm/s];mu\n1;0,3\n10;0,4\n"),
               HasSubstr("may state the normal force"));
 }

@@ -100,6 +100,28 @@ TEST(MaterialModel, ASeriesHoldsAtTheTemperatureOfItsFile) {
 }
 
 /// The message names the option that was given.
+/// A list of names and values, some of which are texts, is no table: its lines hold for the one
+/// below it.
+TEST(MaterialModel, ReadsAListAboveATable) {
+  const std::string series = "\n\ntau (s);G_i (MPa)\n0,001;2,5\n0,01;1,5\n0,1;0,5\n";
+  for (const char* list :
+       {"Material;A12\nG_inf [MPa];1,5\nTref [\u00B0C];20",
+        "Sample;A12\nOperator;B\nG_inf [MPa];1,5\nTref [\u00B0C];20\nC1;10\nC2;120"}) {
+    const Material material = makeMaterial(list + series, "mine.csv", {});
+    EXPECT_NEAR(material.series.equilibriumModulus, 1.5e6, 1e-3) << list;
+    EXPECT_EQ(material.series.arms.size(), 3U) << list;
+    EXPECT_DOUBLE_EQ(material.referenceTemperature, 293.15) << list;
+  }
+  for (const char* list : {"Sample;A12\nTemperature [\u00B0C];20",
+                           "Name;Value;Unit\nTemperature;20;\u00B0C\nLength;20,5;mm"}) {
+    const Material material = makeMaterial(
+        std::string(list) +
+            "\n\nf [Hz];E' [MPa];E'' [MPa]\n0,1;3;0,3\n1;3,3;0,35\n10;3,8;0,5\n100;4,5;0,9\n",
+        "mine.csv", {});
+    EXPECT_DOUBLE_EQ(material.isotherms.at(0).temperature, 293.15) << list;
+  }
+}
+
 TEST(MaterialModel, ATemperatureBesideTheShiftOfTheFileIsRefused) {
   const std::string text =
       "*ELASTIC\n3e6, 0.5\n*VISCOELASTIC, TIME=PRONY\n0.5, 0., 0.1\n*TRS\n293.15, 8.86, 101.6\n";

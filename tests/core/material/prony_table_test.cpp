@@ -10,6 +10,17 @@ namespace {
 
 using testing::HasSubstr;
 
+TEST(PronyTable, NamesInGermanAreRead) {
+  for (const std::string text :
+       {"Gleichgewichtsmodul: 1 MPa\nRelaxationszeit (s);Schubmodul (MPa)\n0,1;2\n10;1,0\n",
+        "Relaxationszeit (s);Schubmodul (N/mm\u00B2)\n0,1;2\n10;1,0\nGleichgewichtsmodul: 1 "
+        "N/mm\u00B2\n",
+        "Gleichgewichtsmodul: 3 MPa\nRelaxationszeit (s);E_i (MPa)\n0,1;6\n10;3,0\n"}) {
+    SCOPED_TRACE(text);
+    expectSeriesNearly(readSeries(text));
+  }
+}
+
 /// G_i = eta_i / tau_i; two of the three describe an arm.
 TEST(PronyTable, ViscositiesOfArmsAreRead) {
   for (const std::string text :

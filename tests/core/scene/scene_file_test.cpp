@@ -147,6 +147,7 @@ TEST(SceneFile, ErrorsNameFileKeyAndWhatIsAllowed) {
   EXPECT_THAT(errorOf(R"({"hurst":0.5})"), HasSubstr("nearest known one is surface.hurst"));
   EXPECT_THAT(errorOf(R"({"surface.hurst":0.5})"), HasSubstr("inside its section's object"));
   EXPECT_THAT(errorOf(R"({"schema":"asperity-scene/2"})"), HasSubstr("is not asperity-scene/1"));
+  EXPECT_THAT(errorOf(R"({"schema":5})"), HasSubstr("schema: 5 is not asperity-scene/1"));
   EXPECT_THAT(errorOf(R"({"surface":{"hurst":0.1,"hurst":0.2}})"),
               HasSubstr("s.json: surface.hurst: occurs twice"));
   EXPECT_THAT(errorOf("{\"schema\":" + std::string(400000, '[') + std::string(400000, ']') + "}"),
